@@ -4,7 +4,7 @@
 //! what counts, not the absolute times.
 
 use affinor::algebra::roots::{CartanType, RootSystem, Series, chevalley_constants};
-use affinor::{Bracket, Canonical, Connection, LieAlgebra, Metric};
+use affinor::{Bracket, CanonicalConnection, Connection, LieAlgebra, Metric};
 use affinor_tensors::{Down, Rational, Scalar, Tensor};
 use criterion::{BatchSize, Bencher, Criterion, criterion_group, criterion_main};
 use std::hint::black_box;
@@ -23,7 +23,7 @@ fn bracket() -> Bracket<Rational> {
 /// The curvature of a connection that has not computed it yet.
 fn curvature<S: Scalar>(bencher: &mut Bencher, connection: &Connection<S>) {
     let fresh = || {
-        let (frame, gamma) = (connection.frame().clone(), connection.gamma().clone());
+        let (frame, gamma) = (connection.frame().clone(), connection.affinities().clone());
         Connection::new(frame, gamma).expect("the affinities of a connection")
     };
     let computed = |connection: Connection<S>| {
@@ -39,9 +39,9 @@ fn e8(criterion: &mut Criterion) {
     let floor = floor::Constants::new(248, &entries);
     let bracket = bracket();
     let algebra = LieAlgebra::try_from(bracket.clone()).expect("E8 is a Lie algebra");
-    let zero = Connection::canonical(&algebra, Canonical::Zero);
+    let zero = Connection::canonical(&algebra, CanonicalConnection::Zero);
     let float = algebra.map(Rational::to_f64).expect("E8 in floats");
-    let zero_float = Connection::canonical(&float, Canonical::Zero);
+    let zero_float = Connection::canonical(&float, CanonicalConnection::Zero);
     assert_eq!(zero.curvature().len(), 2 * floor.curvature());
 
     let mut group = criterion.benchmark_group("E8");
@@ -60,7 +60,8 @@ fn e8(criterion: &mut Criterion) {
     let diagonal = Tensor::from_components(248, &[Down, Down], diagonal).expect("a square");
     let metric = Metric::new(algebra.labels(), diagonal).expect("a metric");
     let exact = Connection::levi_civita(algebra.left_frame(), &metric).expect("one frame");
-    let float = Connection::new(float.left_frame().clone(), exact.gamma().map(Rational::to_f64));
+    let float =
+        Connection::new(float.left_frame().clone(), exact.affinities().map(Rational::to_f64));
     let float = float.expect("affinities in floats");
     group.sample_size(10);
     group.bench_function("levi-civita curvature/exact", |b| curvature(b, &exact));

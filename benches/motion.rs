@@ -13,7 +13,7 @@ use affinor::mechanics::{
     Adaptive, BodyState, CommutatorFree, EulerPoincare, FreeBody, Inertia, Integrator, Kick,
     MoserVeselov, MuntheKaas, SimoWong,
 };
-use affinor::{Canonical, Connection, Metric};
+use affinor::{CanonicalConnection, Connection, Metric};
 use affinor_tensors::{Down, Tensor};
 use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, Criterion, criterion_group, criterion_main};
@@ -59,7 +59,7 @@ fn system<G: TranslationSplit, M: Torque<G>>(group: G, torque: M) -> EulerPoinca
     let moments = (0..group.dimension()).map(|i| ([i, i], 0.6 + 0.2 * i as f64));
     let metric = Tensor::from_components(group.dimension(), &[Down, Down], moments);
     let metric = Metric::new(algebra.labels(), metric.expect("a matrix")).expect("a metric");
-    let plus = Connection::canonical(&algebra, Canonical::Plus);
+    let plus = Connection::canonical(&algebra, CanonicalConnection::Plus);
     EulerPoincare::new(group, &plus, &metric, torque).expect("a system")
 }
 
@@ -122,7 +122,7 @@ fn motion(potential: Option<&str>, column: &str) -> Box<dyn Motion> {
     columns.formulas.push(formula);
     let metric = Tensor::from_fn(3, [Down, Down], moment).expect("a matrix");
     let spec = EulerPoincareSpec {
-        connection: &Connection::canonical(&algebra, Canonical::Plus),
+        connection: &Connection::canonical(&algebra, CanonicalConnection::Plus),
         metric: &Metric::new(algebra.labels(), metric).expect("a metric"),
         forces,
         time: 0.0,

@@ -4,7 +4,7 @@
 //! elementary changes of the basis, three for each basis vector.
 
 use affinor::algebra::catalogue;
-use affinor::algebra::structure::Structure;
+use affinor::algebra::structure::StructureTheory;
 use affinor::{BasisChange, Bracket, LieAlgebra, Rational, Tensor};
 use affinor_tensors::{Down, Ring, Up};
 use std::time::Instant;
@@ -50,31 +50,33 @@ fn main() {
         let plain = named(name);
         let n = plain.dimension();
         let table = scrambled(&plain, if n > 200 { n } else { 3 * n });
-        let size = table.structure().len();
+        let size = table.structure_constants().len();
         let task = format!("type of scrambled {name}, {size} constants");
-        let types = timed(&task, || Structure::new(table).dynkin_type().unwrap());
+        let types = timed(&task, || StructureTheory::new(table).dynkin_type().unwrap());
         assert_eq!(types[0].to_string(), name);
     }
     let parabolic = named("parabolic(E7,7)");
     let task = format!("Levi subalgebra of parabolic(E7,7), dimension {}", parabolic.dimension());
-    let levi = timed(&task, || Structure::new(parabolic).levi().unwrap().dimension());
+    let levi = timed(&task, || StructureTheory::new(parabolic).levi().unwrap().dimension());
     assert_eq!(levi, 78);
     for name in ["parabolic(E7,1,3,6)", "borel(E7)"] {
         let algebra = named(name);
         let task = format!("radical, nilradical, Levi of {name}");
         timed(&task, || {
-            let structure = Structure::new(algebra);
+            let structure = StructureTheory::new(algebra);
             (structure.nilradical().dimension(), structure.levi().unwrap().dimension())
         });
     }
     let e8 = named("E8");
-    timed("E8: Killing form and its determinant", || Structure::new(e8).killing().determinant());
+    timed("E8: Killing form and its determinant", || {
+        StructureTheory::new(e8).killing().determinant()
+    });
     for name in ["filiform(200)", "n(20)", "free_nilpotent(3,6)"] {
         let algebra = named(name);
         let task =
             format!("series, centre, nilradical of {name}, dimension {}", algebra.dimension());
         timed(&task, || {
-            let structure = Structure::new(algebra);
+            let structure = StructureTheory::new(algebra);
             let series =
                 structure.lower_central_series().len() + structure.upper_central_series().len();
             (series, structure.centre().dimension(), structure.nilradical().dimension())
@@ -82,12 +84,12 @@ fn main() {
     }
     let sl40 = timed("sl(40), constants from matrices", || named("sl(40)"));
     timed("sl(40), Jacobi identity", || {
-        let bracket = Bracket::new(sl40.labels(), sl40.structure().clone()).unwrap();
+        let bracket = Bracket::new(sl40.labels(), sl40.structure_constants().clone()).unwrap();
         assert!(bracket.jacobi_violation().is_none());
     });
     let free = timed("free_nilpotent(3,8), dimension 1318", || named("free_nilpotent(3,8)"));
     timed("free_nilpotent(3,8), Jacobi identity", || {
-        let bracket = Bracket::new(free.labels(), free.structure().clone()).unwrap();
+        let bracket = Bracket::new(free.labels(), free.structure_constants().clone()).unwrap();
         assert!(bracket.jacobi_violation().is_none());
     });
     for (name, task) in [("so(20)", "so(20) from matrices"), ("sl(20)", "sl(20) from matrices")] {

@@ -5,7 +5,7 @@
 //! took, from the algebra in memory to the answer, and the answer. The task is repeated for a second, at most 50 times.
 
 use affinor::algebra::catalogue;
-use affinor::algebra::structure::Structure;
+use affinor::algebra::structure::StructureTheory;
 use affinor::{Bracket, Error, LieAlgebra, Rational};
 use serde_json::Value;
 use std::time::Instant;
@@ -63,16 +63,17 @@ fn main() {
         least(|| algebra.clone(), run)
     };
     let (seconds, answer) = match task.as_str() {
-        "constants" => least(|| (), |()| constants(space).structure().len().to_string()),
+        "constants" => least(|| (), |()| constants(space).structure_constants().len().to_string()),
         "Jacobi" => of_algebra(|algebra| {
-            let bracket = Bracket::new(algebra.labels(), algebra.structure().clone()).unwrap();
+            let bracket =
+                Bracket::new(algebra.labels(), algebra.structure_constants().clone()).unwrap();
             bracket.jacobi_violation().is_none().to_string()
         }),
         "Killing" => {
-            of_algebra(|algebra| Structure::new(algebra).killing().determinant().to_string())
+            of_algebra(|algebra| StructureTheory::new(algebra).killing().determinant().to_string())
         }
         "centre" => of_algebra(|algebra| {
-            let structure = Structure::new(algebra);
+            let structure = StructureTheory::new(algebra);
             let series: Vec<usize> =
                 structure.derived_series().iter().map(|term| term.dimension()).collect();
             format!(
@@ -81,11 +82,11 @@ fn main() {
                 structure.radical().dimension()
             )
         }),
-        "Levi" => {
-            of_algebra(|algebra| Structure::new(algebra).levi().unwrap().dimension().to_string())
-        }
+        "Levi" => of_algebra(|algebra| {
+            StructureTheory::new(algebra).levi().unwrap().dimension().to_string()
+        }),
         "type" => of_algebra(|algebra| {
-            let types = Structure::new(algebra).dynkin_type().unwrap();
+            let types = StructureTheory::new(algebra).dynkin_type().unwrap();
             types.iter().map(ToString::to_string).collect::<Vec<_>>().join(" + ")
         }),
         _ => panic!("no task {task}"),

@@ -5,8 +5,8 @@
 //! the algebra in memory to the exact components, on one thread. The call is repeated for a second, each time in a new
 //! thread, which remembers no sum of the call before.
 
-use affinor_documents::definition::{Request, Space};
 use affinor_documents::report::{Computation, Quantity, Selection};
+use affinor_documents::space::{Request, Space};
 use std::cell::Cell;
 use std::time::Instant;
 

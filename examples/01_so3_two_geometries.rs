@@ -4,7 +4,7 @@
 //! paper's M(3); `zero` has curvature and no torsion, the paper's SO(3).
 
 use affinor::tensors::{Rational, Tensor};
-use affinor::{Bracket, Canonical, Connection, LieAlgebra};
+use affinor::{Bracket, CanonicalConnection, Connection, LieAlgebra};
 use std::error::Error;
 
 /// Computes both geometries and prints the tensors that do not vanish.
@@ -17,7 +17,7 @@ pub fn main() -> Result<(), Box<dyn Error>> {
     })?;
     let so3 = LieAlgebra::try_from(bracket)?; // the Jacobi identity is checked here
 
-    for which in [Canonical::Plus, Canonical::Zero] {
+    for which in [CanonicalConnection::Plus, CanonicalConnection::Zero] {
         let connection = Connection::canonical(&so3, which);
         println!("{}: {}", which.name(), which.paper());
         show("torsion tau", &connection.torsion());
@@ -25,8 +25,8 @@ pub fn main() -> Result<(), Box<dyn Error>> {
         show("Ricci tensor", &connection.ricci());
     }
 
-    assert!(Connection::canonical(&so3, Canonical::Plus).curvature().is_empty());
-    assert!(Connection::canonical(&so3, Canonical::Zero).torsion().is_empty());
+    assert!(Connection::canonical(&so3, CanonicalConnection::Plus).curvature().is_empty());
+    assert!(Connection::canonical(&so3, CanonicalConnection::Zero).torsion().is_empty());
     Ok(())
 }
 

@@ -23,7 +23,7 @@ pub fn main() -> Result<(), Box<dyn Error>> {
     let wrong = Bracket::from_constants(labels, wrong)?;
     let witness = LieAlgebra::try_from(wrong).expect_err("[p, q] = q does not fit");
     println!("{witness}");
-    assert!(matches!(witness, affinor::Error::Jacobi { .. }));
+    assert!(matches!(witness, affinor::Error::Broken { law: affinor::Law::Jacobi, .. }));
     Ok(())
 }
 

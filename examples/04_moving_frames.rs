@@ -18,7 +18,7 @@ pub fn main() -> Result<(), Box<dyn Error>> {
     let polar = Frame::coordinates(&["r", "t"])?;
     let metric = diagonal(&polar, [one(), r.clone() * &r])?;
     let connection = Connection::levi_civita(&polar, &metric)?;
-    println!("polar coordinates: nabla_t d_t = {} d_r", connection.gamma().get(&[0, 1, 1]));
+    println!("polar coordinates: nabla_t d_t = {} d_r", connection.affinities().get(&[0, 1, 1]));
     assert!(connection.curvature().is_empty());
 
     // the unit vectors e_r = d_r, e_t = 1/r d_t, whose bracket is computed
@@ -27,10 +27,10 @@ pub fn main() -> Result<(), Box<dyn Error>> {
     let labels = ["e_r", "e_t"];
     let fields = Chart::new(&["r", "t"])?.fields(labels, fields)?;
     let unit = fields.frame();
-    println!("unit vectors:      [e_r, e_t] = {} e_t", unit.structure().get(&[1, 0, 1]));
+    println!("unit vectors:      [e_r, e_t] = {} e_t", unit.structure_functions().get(&[1, 0, 1]));
     let metric = diagonal(unit, [one(), one()])?;
     let connection = Connection::levi_civita(unit, &metric)?;
-    println!("unit vectors:      nabla_t e_t = {} e_r", connection.gamma().get(&[0, 1, 1]));
+    println!("unit vectors:      nabla_t e_t = {} e_r", connection.affinities().get(&[0, 1, 1]));
     assert!(connection.curvature().is_empty());
 
     // the unit sphere from its pole: g = 4 (dx^2 + dy^2) / (1 + x^2 + y^2)^2
@@ -50,7 +50,10 @@ pub fn main() -> Result<(), Box<dyn Error>> {
     let sine = Symbolic::function("sin", &Symbolic::parameter("theta"))?;
     let metric = diagonal(&angles, [one(), sine.clone() * &sine])?;
     let connection = Connection::levi_civita(&angles, &metric)?;
-    println!("by its angles: nabla_phi d_phi = {} d_theta", connection.gamma().get(&[0, 1, 1]));
+    println!(
+        "by its angles: nabla_phi d_phi = {} d_theta",
+        connection.affinities().get(&[0, 1, 1])
+    );
     assert_eq!(connection.scalar_curvature(&metric)?, Symbolic::from_i64(2));
     Ok(())
 }

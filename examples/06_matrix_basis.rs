@@ -18,10 +18,10 @@ pub fn main() -> Result<(), Box<dyn Error>> {
         LieAlgebra::try_from(basis(["e", "f", "h"], vec![e.clone(), f.clone(), h])?.bracket()?)?;
     println!(
         "sl(2): c^h_ef = {}, c^e_he = {}",
-        sl2.structure().get(&[2, 0, 1]),
-        sl2.structure().get(&[0, 2, 0])
+        sl2.structure_constants().get(&[2, 0, 1]),
+        sl2.structure_constants().get(&[0, 2, 0])
     );
-    assert_eq!(sl2.structure().get(&[0, 2, 0]), Rational::from(2)); // [h, e] = 2 e
+    assert_eq!(sl2.structure_constants().get(&[0, 2, 0]), Rational::from(2)); // [h, e] = 2 e
 
     // -i/2 times the Pauli matrices: [u1, u2] = u3
     let half = Rational::new(-1, 2).ok_or("no half")?;
@@ -31,14 +31,14 @@ pub fn main() -> Result<(), Box<dyn Error>> {
     let u3 = vec![imaginary(0, 0, &half), imaginary(1, 1, &-half)];
     let su2 = basis(["u1", "u2", "u3"], vec![u1, u2, u3])?;
     let algebra = LieAlgebra::try_from(su2.bracket()?)?;
-    println!("su(2): [u1, u2] = {} u3", algebra.structure().get(&[2, 0, 1]));
-    assert!(algebra.structure().get(&[2, 0, 1]) == Rational::from_i64(1));
+    println!("su(2): [u1, u2] = {} u3", algebra.structure_constants().get(&[2, 0, 1]));
+    assert!(algebra.structure_constants().get(&[2, 0, 1]) == Rational::from_i64(1));
 
     // without h, the commutator [e, f] has nowhere to go
     let open = basis(["e", "f"], vec![e, f])?;
     let witness = open.bracket().expect_err("e and f do not close");
     println!("{witness}");
-    assert!(matches!(witness, affinor::Error::NotClosed { .. }));
+    assert!(matches!(witness, affinor::Error::Broken { law: affinor::Law::Closure, .. }));
     Ok(())
 }
 

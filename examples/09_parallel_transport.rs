@@ -5,7 +5,7 @@
 
 use affinor::group::transport::ParallelTranslation;
 use affinor::group::{LieGroup, So3};
-use affinor::{Canonical, Connection, Metric};
+use affinor::{CanonicalConnection, Connection, Metric};
 use nalgebra::{Matrix3, Vector3};
 use std::f64::consts::TAU;
 
@@ -16,8 +16,11 @@ pub fn main() -> Result<(), Box<dyn std::error::Error>> {
 
     // once around the rotations about z: the identity, and a half turn
     let loop_about_z = Vector3::new(0.0, 0.0, TAU);
-    for (which, trace) in [(Canonical::Plus, 3.0), (Canonical::Zero, -1.0), (Canonical::Minus, 3.0)]
-    {
+    for (which, trace) in [
+        (CanonicalConnection::Plus, 3.0),
+        (CanonicalConnection::Zero, -1.0),
+        (CanonicalConnection::Minus, 3.0),
+    ] {
         let carried = on(which)?.along_subgroup(&loop_about_z)?;
         println!("{}: trace {:.3} after a closed subgroup", which.name(), carried.trace());
         assert!((carried.trace() - trace).abs() < 1e-14);
@@ -26,9 +29,9 @@ pub fn main() -> Result<(), Box<dyn std::error::Error>> {
     // a loop that can be contracted: forth along two arcs, back to the start by a third one
     let (x, y) = (Vector3::new(0.3, 0.0, 0.0), Vector3::new(0.0, 0.4, 0.0));
     let back = -So3.log(&So3.compose(&So3.exp(&x), &So3.exp(&y)))?;
-    let plus = on(Canonical::Plus)?.along_arcs(&[x, y, back])?;
+    let plus = on(CanonicalConnection::Plus)?.along_arcs(&[x, y, back])?;
     assert!((&plus - Matrix3::identity()).norm() < 1e-15); // no curvature
-    let zero = on(Canonical::Zero)?.along_arcs(&[x, y, back])?;
+    let zero = on(CanonicalConnection::Zero)?.along_arcs(&[x, y, back])?;
     println!("zero: the loop rotates by {:.5}", ((zero.trace() - 1.0) / 2.0).acos());
     assert!((zero.trace() - 3.0).abs() > 1e-4);
 

@@ -4,13 +4,13 @@
 
 use affinor::group::{LieGroup, So3};
 use affinor::mechanics::{Adaptive, EulerPoincare, Integrator, MuntheKaas};
-use affinor::{Canonical, Connection, Metric};
+use affinor::{CanonicalConnection, Connection, Metric};
 use nalgebra::{UnitQuaternion, Vector3};
 
 /// A heavy top with and without air drag.
 pub fn main() -> Result<(), Box<dyn std::error::Error>> {
     let so3 = So3.algebra()?;
-    let plus = Connection::canonical(&so3, Canonical::Plus);
+    let plus = Connection::canonical(&so3, CanonicalConnection::Plus);
     let inertia = Metric::diagonal([2.0, 2.0, 1.0])?;
     let weight = 1.0; // times the distance of the centre of mass from the tip
 

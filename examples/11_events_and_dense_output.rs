@@ -6,13 +6,13 @@
 use affinor::group::{LieGroup, So3};
 use affinor::mechanics::events::{AfterEvent, Direction, Event};
 use affinor::mechanics::{Adaptive, BodyState, EulerPoincare, FreeBody, Inertia, State};
-use affinor::{Canonical, Connection, Metric};
+use affinor::{CanonicalConnection, Connection, Metric};
 use nalgebra::Vector3;
 
 /// The flips of a body that starts near its intermediate axis.
 pub fn main() -> Result<(), Box<dyn std::error::Error>> {
     let moments = [1.0, 2.0, 3.0];
-    let plus = Connection::canonical(&So3.algebra()?, Canonical::Plus);
+    let plus = Connection::canonical(&So3.algebra()?, CanonicalConnection::Plus);
     let body = EulerPoincare::free(So3, &plus, &Metric::diagonal(moments)?)?;
     let start = body.state(0.0, So3.identity(), &Vector3::new(0.0, 1.0, 0.01));
 

@@ -23,6 +23,7 @@ pub mod lie_poisson;
 mod matrices;
 mod rational_basis;
 pub mod roots;
+mod sparse_bracket;
 pub mod structure;
 
 pub use basis::BasisChange;
@@ -30,6 +31,7 @@ pub(crate) use basis::{LETTERS, indices, inverse, to_matrix};
 pub use bracket::Bracket;
 pub use matrices::{Complex, MatrixBasis};
 pub use rational_basis::RationalBasis;
+pub(crate) use sparse_bracket::SparseBracket;
 
 use crate::Error;
 use crate::algebra::frame::{Frame, formula};
@@ -58,14 +60,14 @@ pub struct LieAlgebra<S> {
 /// The nonzero brackets `[x, y] = z`, one a line.
 impl<S: Scalar> fmt::Display for LieAlgebra<S> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.frame.write_products(f, self.structure(), "[", "]", |j, k| j < k)
+        self.frame.write_products(f, self.structure_constants(), "[", "]", |j, k| j < k)
     }
 }
 
 impl<S: Scalar> TryFrom<Bracket<S>> for LieAlgebra<S> {
     type Error = Error;
 
-    /// Checks the Jacobi identity; [`Error::Jacobi`] names the first triple that fails.
+    /// Checks the Jacobi identity; [`Law::Jacobi`](crate::Law::Jacobi) names the first triple that fails.
     fn try_from(bracket: Bracket<S>) -> Result<Self, Error> {
         match bracket.jacobi_violation() {
             Some(violation) => Err(violation),
@@ -102,7 +104,7 @@ impl<S: Scalar> LieAlgebra<S> {
 
     /// The right-invariant frame through the same basis: structure `-c`.
     pub fn right_frame(&self) -> Frame<S> {
-        let opposite = self.structure().map(|value| -value.clone());
+        let opposite = self.structure_constants().map(|value| -value.clone());
         Frame::invariant(self.labels(), opposite).expect("the opposite of an algebra")
     }
 
@@ -112,8 +114,8 @@ impl<S: Scalar> LieAlgebra<S> {
     }
 
     /// The structure constants `c^i_jk`, `[e_j, e_k] = c^i_jk e_i`.
-    pub fn structure(&self) -> &Tensor<S> {
-        self.frame.structure()
+    pub fn structure_constants(&self) -> &Tensor<S> {
+        self.frame.structure_functions()
     }
 
     /// The matrix of `[n, .]`: `(ad_n)^i_k = c^i_jk n^j`, slots `[Up, Down]`.
@@ -121,7 +123,7 @@ impl<S: Scalar> LieAlgebra<S> {
     /// # Errors
     /// [`Error::Shape`] unless `n` has as many components as the algebra.
     pub fn ad(&self, n: &[S]) -> Result<Tensor<S>, Error> {
-        ad(self.structure(), n)
+        ad(self.structure_constants(), n)
     }
 
     /// The bracket of two vectors, `[x, y]^i = c^i_jk x^j y^k`.
@@ -136,7 +138,7 @@ impl<S: Scalar> LieAlgebra<S> {
 
     /// The Killing form `K_ij = c^m_il c^l_jm = tr(ad_i ad_j)`, slots `[Down, Down]`.
     pub fn killing_form(&self) -> Tensor<S> {
-        formula("c^m_il c^l_jm -> _ij", &[("c", self.structure())])
+        formula("c^m_il c^l_jm -> _ij", &[("c", self.structure_constants())])
     }
 
     /// The direct sum, in the basis of this algebra followed by the basis of `other`. A label of
@@ -152,8 +154,8 @@ impl<S: Scalar> LieAlgebra<S> {
                 ([at[0] + by, at[1] + by, at[2] + by], v.clone())
             }
         };
-        let mine = self.structure().components().map(shifted(0));
-        let theirs = other.structure().components().map(shifted(n));
+        let mine = self.structure_constants().components().map(shifted(0));
+        let theirs = other.structure_constants().components().map(shifted(n));
         let both = mine.chain(theirs);
         let structure = Tensor::from_components(n + m, &[Up, Down, Down], both)?;
         // the sum of two algebras is one: nothing to check again
@@ -162,15 +164,15 @@ impl<S: Scalar> LieAlgebra<S> {
 
     /// A vector of the algebra as a tensor.
     pub(crate) fn vector(&self, components: &[S]) -> Result<Tensor<S>, Error> {
-        vector(self.structure(), components)
+        vector(self.structure_constants(), components)
     }
 
     /// The same algebra over another scalar, by a homomorphism of rings.
     ///
     /// # Errors
-    /// [`Error::Jacobi`] or [`Error::NotAntisymmetric`] when `f` is no homomorphism.
+    /// [`Law::Jacobi`](crate::Law::Jacobi) or [`Law::Antisymmetry`](crate::Law::Antisymmetry) when `f` is no homomorphism.
     pub fn map<T: Scalar>(&self, f: impl Fn(&S) -> T) -> Result<LieAlgebra<T>, Error> {
-        Bracket::new(self.labels(), self.structure().map(f))?.try_into()
+        Bracket::new(self.labels(), self.structure_constants().map(f))?.try_into()
     }
 }
 
@@ -180,7 +182,7 @@ impl<S: Field + Scalar> LieAlgebra<S> {
     /// # Errors
     /// [`Error::Shape`] unless `A` has the dimension of the algebra.
     pub fn change_basis(&self, change: &BasisChange<S>) -> Result<Self, Error> {
-        let structure = change.apply(self.structure())?;
+        let structure = change.apply(self.structure_constants())?;
         let labels = (1..=self.dimension()).map(|a| format!("e{a}"));
         // covariance keeps Jacobi, and floats need not prove it twice
         Ok(LieAlgebra { frame: Frame::invariant(labels, structure)? })

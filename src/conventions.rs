@@ -16,7 +16,7 @@
 //! ```
 //! # use affinor::*;
 //! let aff = algebra::catalogue::algebra::<Rational>("aff(1)")?; // [x, y] = y
-//! assert_eq!(aff.structure().get(&[1, 0, 1]), 1.into()); // c^2_12 = 1
+//! assert_eq!(aff.structure_constants().get(&[1, 0, 1]), 1.into()); // c^2_12 = 1
 //! let ad_x = aff.ad(&[1.into(), 0.into()])?;
 //! assert_eq!(ad_x.get(&[1, 1]), 1.into()); // row 2, column 2
 //! assert_eq!(aff.killing_form().get(&[0, 0]), 1.into());
@@ -25,7 +25,7 @@
 //!     2, &[Up, Down], [([0, 0], 1), ([1, 0], 2), ([1, 1], 3)].map(|(at, v)| (at, v.into())),
 //! )?;
 //! let changed = aff.change_basis(&BasisChange::new(a)?)?;
-//! assert_eq!(changed.structure().get(&[1, 0, 1]), Rational::from(1)); // [e'_1, e'_2] = e'_2
+//! assert_eq!(changed.structure_constants().get(&[1, 0, 1]), Rational::from(1)); // [e'_1, e'_2] = e'_2
 //! let frame = aff.left_frame();
 //! let [x, y] = [[1, 0], [0, 1]].map(|v| Tensor::vector(&v.map(Rational::from), Up));
 //! assert_eq!(frame.lie_derivative(&x, &y)?, y);
@@ -54,8 +54,8 @@
 //! ```
 //! # use affinor::*;
 //! let aff = algebra::catalogue::algebra::<Rational>("aff(1)")?;
-//! let [plus, zero] = [Canonical::Plus, Canonical::Zero].map(|which| Connection::canonical(&aff, which));
-//! assert_eq!(plus.gamma().get(&[1, 0, 1]), 1.into()); // nabla_x y = y
+//! let [plus, zero] = [CanonicalConnection::Plus, CanonicalConnection::Zero].map(|which| Connection::canonical(&aff, which));
+//! assert_eq!(plus.affinities().get(&[1, 0, 1]), 1.into()); // nabla_x y = y
 //! assert_eq!(plus.torsion().get(&[1, 0, 1]), 1.into()); // tau = c
 //! // R(x, y) x = -1/4 [[x, y], x] = 1/4 y
 //! assert_eq!(zero.curvature().get(&[1, 0, 0, 1]), Rational::new(1, 4).unwrap());
@@ -67,8 +67,8 @@
 //! assert_eq!(skew.ricci_symmetric()?.get(&[0, 1]), Rational::new(1, 2).unwrap());
 //! assert_eq!(skew.ricci_antisymmetric()?.get(&[1, 0]), Rational::new(1, 2).unwrap());
 //! let right = plus.in_right_frame(&aff)?;
-//! assert!(right.gamma().is_empty()); // right-invariant fields are parallel for plus
-//! assert_eq!(right.frame().structure().get(&[1, 0, 1]), (-1).into());
+//! assert!(right.affinities().is_empty()); // right-invariant fields are parallel for plus
+//! assert_eq!(right.frame().structure_functions().get(&[1, 0, 1]), (-1).into());
 //! let generator = plus.transport_generator(&[1.into(), 0.into()])?;
 //! assert_eq!(generator.get(&[1, 1]), (-1).into());
 //! // the flat plane: e'_1 = d_x, e'_2 = x d_y, so nabla_{e'_1} e'_2 = 1/x e'_2
@@ -78,8 +78,8 @@
 //! let (x, one) = (Symbolic::parameter("x"), Symbolic::from_i64(1));
 //! let a = Tensor::from_components(2, &[Up, Down], [([0, 0], one.clone()), ([1, 1], x.clone())])?;
 //! let moved = plane.moved(["u", "v"], &BasisChange::new(a)?)?;
-//! assert_eq!(moved.gamma().get(&[1, 0, 1]), one.clone() / &x);
-//! assert_eq!(moved.frame().structure().get(&[1, 0, 1]), one / &x);
+//! assert_eq!(moved.affinities().get(&[1, 0, 1]), one.clone() / &x);
+//! assert_eq!(moved.frame().structure_functions().get(&[1, 0, 1]), one / &x);
 //! // the sphere: [e_1, e_2] = e_3 and cyclic, rotations about the third axis
 //! let so3 = algebra::catalogue::algebra::<Rational>("so(3)")?;
 //! let h = [0, 0, 1].map(Rational::from).to_vec();
@@ -103,7 +103,7 @@
 //! ```
 //! # use affinor::*;
 //! let aff = algebra::catalogue::algebra::<Rational>("aff(1)")?;
-//! let (plus, g) = (Connection::canonical(&aff, Canonical::Plus), Metric::identity(2)?);
+//! let (plus, g) = (Connection::canonical(&aff, CanonicalConnection::Plus), Metric::identity(2)?);
 //! assert_eq!(plus.nonmetricity(&g)?.get(&[0, 1, 1]), (-2).into()); // Q_122 = -2 g(nabla_x y, y)
 //! // the hyperbolic plane: R_1212 = -1 and its mirror images; G = 0 as on every surface
 //! let plane = Connection::levi_civita(aff.left_frame(), &g)?;
@@ -113,7 +113,7 @@
 //! assert_eq!(plane.kretschmann(&g)?, 4.into());
 //! assert!(plane.einstein(&g)?.is_empty());
 //! let at = [0, 1, 1]; // the part of nabla_y y along x: 0 for plus, 1 for Levi-Civita
-//! assert_eq!(plane.gamma().get(&at), 1.into());
+//! assert_eq!(plane.affinities().get(&at), 1.into());
 //! assert_eq!(plus.contorsion(&g)?.get(&at), 1.into());
 //! assert_eq!(plus.disformation(&g)?.get(&at), (-2).into());
 //! // the Heisenberg group, [x1, y1] = z: Ric = diag(-1/2, -1/2, 1/2), S = -1/2

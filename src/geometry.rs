@@ -21,12 +21,12 @@ pub mod metric_affine;
 pub mod properties;
 pub mod reductive;
 
-use crate::Error;
 use crate::algebra::frame::Frame;
 use crate::algebra::{Bracket, LieAlgebra};
 use crate::geometry::chart::Fields;
-use crate::geometry::connection::{Canonical, Connection};
+use crate::geometry::connection::{CanonicalConnection, Connection};
 use crate::geometry::metric::Metric;
+use crate::{Error, Law};
 use affinor_tensors::{Field, Notation, Scalar, Tensor};
 use std::fmt;
 
@@ -86,16 +86,17 @@ impl<S: Field + Scalar> FrameOrigin<S> {
     /// The Lie algebra of the frame, or an error that says what needs it.
     ///
     /// # Errors
-    /// [`Error::NotConstant`] with `what` and the first structure function that is not constant.
+    /// [`Law::Constant`] with `what` and the first structure function that is not constant.
     pub fn algebra_for(&self, what: &'static str) -> Result<&LieAlgebra<S>, Error> {
         self.algebra().ok_or_else(|| {
             let frame = self.frame();
-            let found = frame.structure().components().find(|(_, value)| self.varies(value));
+            let found =
+                frame.structure_functions().components().find(|(_, value)| self.varies(value));
             let (component, value) = found.map_or_else(Default::default, |(at, value)| {
                 let [i, j, k] = [at[0] + 1, at[1] + 1, at[2] + 1];
                 (format!("c^{i}_{j}{k}"), value.to_string())
             });
-            Error::NotConstant { what, component, value }
+            Law::Constant.broken([what.into(), component], value)
         })
     }
 
@@ -123,7 +124,7 @@ impl<S> From<LieAlgebra<S>> for FrameOrigin<S> {
 impl<S: Field + Scalar> From<Fields<S>> for FrameOrigin<S> {
     fn from(fields: Fields<S>) -> Self {
         let frame = fields.frame();
-        let structure = frame.structure();
+        let structure = frame.structure_functions();
         let constant = frame.derivative(structure).is_ok_and(|derivative| derivative.is_empty());
         let algebra = constant.then(|| Bracket::new(frame.labels(), structure.clone()));
         let algebra = algebra.and_then(|bracket| LieAlgebra::try_from(bracket.ok()?).ok());
@@ -135,7 +136,7 @@ impl<S: Field + Scalar> From<Fields<S>> for FrameOrigin<S> {
 #[derive(Clone, Debug, PartialEq)]
 pub enum ConnectionKind<S> {
     /// One of the three canonical connections.
-    Canonical(Canonical),
+    Canonical(CanonicalConnection),
     /// A member `Lambda = lambda c` of the family.
     Family(S),
     /// The Levi-Civita connection of the metric.
@@ -148,7 +149,7 @@ impl<S: Notation + Scalar> Geometry<S> {
     /// The geometry with a connection of the given kind.
     ///
     /// # Errors
-    /// [`Error::NoMetric`] for Levi-Civita without a metric; [`Error::NotConstant`] for a canonical
+    /// [`Error::NoMetric`] for Levi-Civita without a metric; [`Law::Constant`] for a canonical
     /// connection over structure functions; [`Error::Shape`].
     pub fn new(
         name: impl Into<String>,
@@ -162,10 +163,10 @@ impl<S: Notation + Scalar> Geometry<S> {
             let what = "a connection lambda c";
             origin.algebra_for(what)?;
             if origin.varies(lambda) {
-                let (component, value) = ("lambda".into(), lambda.to_string());
-                return Err(Error::NotConstant { what, component, value });
+                let at = [what, "lambda"].map(String::from);
+                return Err(Law::Constant.broken(at, lambda.to_string()));
             }
-            Ok(Connection::over(frame, lambda))
+            Ok(Connection::in_frame(frame, lambda))
         };
         let connection = match (&kind, &metric) {
             (ConnectionKind::Canonical(which), _) => canonical(&which.lambda())?,
@@ -185,20 +186,22 @@ impl<S: Notation + Scalar> Geometry<S> {
     /// there are not constant. Without a metric, two applications give this geometry again.
     ///
     /// # Errors
-    /// [`Error::NotInvariant`] for a connection without constant components there;
-    /// [`Error::Frame`] over a chart.
+    /// [`Law::AdInvariance`] for a connection without constant components there;
+    /// [`Error::Unsupported`] over a chart.
     pub fn in_right_frame(&self) -> Result<Self, Error> {
         let FrameOrigin::Algebra(algebra) = &self.origin else {
-            return Err(Error::Frame(
-                "fields on a chart have no right-invariant frame beside them",
+            return Err(Error::Unsupported(
+                "fields on a chart have no right-invariant frame beside them".into(),
             ));
         };
         let connection = self.connection.in_right_frame(algebra)?;
         let metric = self.metric.as_ref().filter(|metric| {
-            metric.ad_variation(algebra).is_ok_and(|variation| variation.is_empty())
+            metric.ad_invariance_defect(algebra).is_ok_and(|variation| variation.is_empty())
         });
         let kind = match &self.kind {
-            ConnectionKind::Affinities(_) => ConnectionKind::Affinities(connection.gamma().clone()),
+            ConnectionKind::Affinities(_) => {
+                ConnectionKind::Affinities(connection.affinities().clone())
+            }
             kind => kind.clone(),
         };
         Ok(Geometry {

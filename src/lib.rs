@@ -17,15 +17,15 @@
 //! [`Connection`] is a frame with affinities (connection coefficients).
 //!
 //! ```
-//! use affinor::{Bracket, Canonical, Connection, LieAlgebra, Rational};
+//! use affinor::{Bracket, CanonicalConnection, Connection, LieAlgebra, Rational};
 //! // the Heisenberg algebra: [x, y] = z
 //! let bracket = Bracket::from_fn(["x", "y", "z"], |j, k| match (j, k) {
 //!     (0, 1) => vec![(2, Rational::from(1))],
 //!     _ => vec![],
 //! })?;
 //! let heisenberg = LieAlgebra::try_from(bracket)?;
-//! let plus = Connection::canonical(&heisenberg, Canonical::Plus);
-//! assert_eq!(plus.torsion(), *heisenberg.structure());
+//! let plus = Connection::canonical(&heisenberg, CanonicalConnection::Plus);
+//! assert_eq!(plus.torsion(), *heisenberg.structure_constants());
 //! assert!(plus.curvature().is_empty());
 //! # Ok::<(), affinor::Error>(())
 //! ```
@@ -43,14 +43,14 @@ mod serial;
 pub use affinor_tensors as tensors;
 pub use affinor_tensors::{
     Down, Field, Jet, Notation, Rational, Ring, Scalar, Summable, Symbolic, Tensor, TensorError,
-    Tolerance, Tracked, Up, Variance, contract,
+    Tolerance, TrackedFloat, Up, Variance, contract,
 };
 pub use algebra::frame::Frame;
 pub use algebra::lie_poisson::LiePoisson;
 pub use algebra::{BasisChange, Bracket, LieAlgebra, MatrixBasis};
-pub use error::Error;
+pub use error::{Error, Law};
 pub use geometry::chart::Chart;
-pub use geometry::connection::{Canonical, Connection};
+pub use geometry::connection::{CanonicalConnection, Connection};
 pub use geometry::forms::Form;
 pub use geometry::metric::Metric;
 pub use geometry::reductive::ReductivePair;

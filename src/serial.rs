@@ -11,7 +11,7 @@
 //! `{"lambda": "1/3"}` or `{"affinities": TENSOR}`. Whatever is read passes the checks of the constructors: antisymmetry, the
 //! Jacobi identity, symmetry and the rank of a metric. Frames on charts and right-invariant frames are not written.
 
-use crate::geometry::connection::{Canonical, Connection};
+use crate::geometry::connection::{CanonicalConnection, Connection};
 use crate::{
     Bracket, ConnectionKind, Field, FrameOrigin, Geometry, LieAlgebra, Metric, Notation, Scalar,
     Tensor,
@@ -92,7 +92,7 @@ enum Kind<S, T> {
 
 impl<S: Scalar + Serialize> Serialize for LieAlgebra<S> {
     fn serialize<W: Serializer>(&self, serializer: W) -> Result<W::Ok, W::Error> {
-        Algebra { schema: Schema, basis: self.labels(), structure: self.structure() }
+        Algebra { schema: Schema, basis: self.labels(), structure: self.structure_constants() }
             .serialize(serializer)
     }
 }
@@ -124,13 +124,13 @@ impl<S: Scalar + Serialize> Serialize for Connection<S> {
     /// In a frame that is not invariant, and of a homogeneous space.
     fn serialize<W: Serializer>(&self, serializer: W) -> Result<W::Ok, W::Error> {
         let frame = self.frame();
-        let bracket = Bracket::new(frame.labels(), frame.structure().clone());
+        let bracket = Bracket::new(frame.labels(), frame.structure_functions().clone());
         let algebra = bracket.ok().and_then(|bracket| LieAlgebra::try_from(bracket).ok());
         let algebra = algebra.filter(|algebra| algebra.left_frame() == frame);
         let algebra = algebra.ok_or_else(|| {
             W::Error::custom("only connections in the frame of a Lie algebra are written")
         })?;
-        Affinities { schema: Schema, algebra, affinities: self.gamma() }.serialize(serializer)
+        Affinities { schema: Schema, algebra, affinities: self.affinities() }.serialize(serializer)
     }
 }
 
@@ -153,9 +153,9 @@ impl<S: Notation + Scalar + Serialize> Serialize for Geometry<S> {
             return Err(W::Error::custom("a geometry in its right-invariant frame is not written"));
         }
         let connection = match self.kind() {
-            ConnectionKind::Canonical(Canonical::Plus) => Kind::Plus,
-            ConnectionKind::Canonical(Canonical::Zero) => Kind::Zero,
-            ConnectionKind::Canonical(Canonical::Minus) => Kind::Minus,
+            ConnectionKind::Canonical(CanonicalConnection::Plus) => Kind::Plus,
+            ConnectionKind::Canonical(CanonicalConnection::Zero) => Kind::Zero,
+            ConnectionKind::Canonical(CanonicalConnection::Minus) => Kind::Minus,
             ConnectionKind::LeviCivita => Kind::LeviCivita,
             ConnectionKind::Family(lambda) => Kind::Lambda(lambda),
             ConnectionKind::Affinities(gamma) => Kind::Affinities(gamma),
@@ -172,9 +172,9 @@ impl<'de, S: Notation + Scalar + Deserialize<'de>> Deserialize<'de> for Geometry
         let read =
             Space::<String, LieAlgebra<S>, S, Tensor<S>, Metric<S>>::deserialize(deserializer)?;
         let kind = match read.connection {
-            Kind::Plus => ConnectionKind::Canonical(Canonical::Plus),
-            Kind::Zero => ConnectionKind::Canonical(Canonical::Zero),
-            Kind::Minus => ConnectionKind::Canonical(Canonical::Minus),
+            Kind::Plus => ConnectionKind::Canonical(CanonicalConnection::Plus),
+            Kind::Zero => ConnectionKind::Canonical(CanonicalConnection::Zero),
+            Kind::Minus => ConnectionKind::Canonical(CanonicalConnection::Minus),
             Kind::LeviCivita => ConnectionKind::LeviCivita,
             Kind::Lambda(lambda) => ConnectionKind::Family(lambda),
             Kind::Affinities(gamma) => ConnectionKind::Affinities(gamma),

@@ -81,5 +81,6 @@ mod claims {
     mod trials;
 }
 
+mod error;
 mod serial;
 mod tidy;

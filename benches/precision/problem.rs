@@ -4,7 +4,7 @@ use crate::sweep::Seen;
 use affinor::group::{Coordinates, So3, TranslationSplit};
 use affinor::mechanics::systems::euler_poincare::Torque;
 use affinor::mechanics::{EulerPoincare, Inertia, State};
-use affinor::{Canonical, Connection, Metric};
+use affinor::{CanonicalConnection, Connection, Metric};
 use affinor_tensors::{Down, Tensor};
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 use serde_json::Value;
@@ -93,7 +93,7 @@ impl Problem {
         let algebra = group.algebra().expect("an algebra");
         let metric = Tensor::from_fn(group.dimension(), [Down, Down], |[i, j]| self.metric[i][j]);
         let metric = Metric::new(algebra.labels(), metric.expect("a matrix")).expect("a metric");
-        let plus = Connection::canonical(&algebra, Canonical::Plus);
+        let plus = Connection::canonical(&algebra, CanonicalConnection::Plus);
         EulerPoincare::new(group, &plus, &metric, torque).expect("a system")
     }
 

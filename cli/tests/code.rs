@@ -297,7 +297,7 @@ fn programs_in_every_language() {
             let options = ["zero", metric];
             let tensors = code("so(3)", options, show, language, &["--derivatives", "J12"]);
             let sphere = definition("sphere.toml");
-            let arguments = ["equations", &sphere, "--motion", "autoparallel", "--code"];
+            let arguments = ["equations", &sphere, "--kind", "autoparallel", "--code"];
             let motion = stdout(root(), &[&arguments[..], &[language.name()]].concat());
             let name = format!("program_{}", language.name());
             insta::assert_snapshot!(name, format!("{tensors}\n{motion}"));

@@ -143,7 +143,7 @@ fn formats_names_every_key_of_every_schema() -> Outcome {
         ),
         (
             "affinor.equations/1",
-            "affinor equations examples/definitions/sphere.toml --motion autoparallel".into(),
+            "affinor equations examples/definitions/sphere.toml --kind autoparallel".into(),
         ),
         ("affinor.list/1", "affinor list".into()),
         ("affinor.list/1", "affinor list --where \"dimension=2\"".into()),

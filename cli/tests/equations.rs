@@ -98,7 +98,7 @@ fn geodesics_of_the_sphere_in_coordinates() {
         [v[0], v[1], theta.sin() * theta.cos() * v[1] * v[1], -2.0 / theta.tan() * v[0] * v[1]];
     let vectors: [&[f64]; 2] = [&[theta, 0.3], &v];
     for language in Language::ALL {
-        let code = printed(&[sphere, "--motion", "autoparallel", "--code", language.name()]);
+        let code = printed(&[sphere, "--kind", "autoparallel", "--code", language.name()]);
         let no_parameter = |name: &str| panic!("{name}: the radius cancels");
         let Some(rates) =
             compiled::run(folder.path(), language, &code, &vectors, &no_parameter, &[vec![4]])
@@ -114,7 +114,7 @@ fn geodesics_of_the_sphere_in_coordinates() {
 #[test]
 fn rows_of_a_csv_are_named_by_coordinate_or_number() {
     let sphere = &definition("sphere.toml");
-    let csv = printed(&[sphere, "--motion", "autoparallel", "--format", "csv"]);
+    let csv = printed(&[sphere, "--kind", "autoparallel", "--format", "csv"]);
     let names: Vec<_> = csv.lines().map(|line| line.split(',').next().unwrap()).collect();
     assert_eq!(names, ["equation", "theta", "phi", "1", "1", "2", "2"], "{csv}");
 }
@@ -132,7 +132,7 @@ fn kinematics_of_euler_angles() {
     ] {
         assert!(text.contains(line), "{text}");
     }
-    let orbits = ["--motion", "autoparallel", "--format", "latex"];
+    let orbits = ["--kind", "autoparallel", "--format", "latex"];
     let orbits = printed(&[&[definition("schwarzschild.toml").as_str()], &orbits[..]].concat());
     let sine = "- \\sin^{2} \\theta \\, \\left(2 M - r\\right) (v^{4})^2";
     assert!(orbits.contains(sine), "{orbits}");

@@ -105,7 +105,7 @@ fn options_change_what_is_drawn() {
     };
     let plain = out(&["frames"]);
     for arguments in [
-        &["--at", "0.3"][..],
+        &["--fraction", "0.3"][..],
         &["--view", "-60, 10"],
         &["--factor", "0,0,-pi/2", "--factor", "1,0,0"],
         &["--connection", "lambda=1/3"],
@@ -130,8 +130,8 @@ fn what_cannot_be_drawn_is_refused() {
         (&["images", "-o", "missing/x.svg"], "cannot write missing/x.svg"),
         (&["images", "--width", "0"], "--width 0"),
         (&["images", "--width", "100000"], "--width 100000"),
-        (&["images", "--at", "2"], "--at 2"),
-        (&["images", "--at", "nan"], "--at NaN"),
+        (&["images", "--fraction", "2"], "--fraction 2"),
+        (&["images", "--fraction", "nan"], "--fraction NaN"),
         (&["images", "--factor", "1,2"], "3 numbers, not 2"),
         (&["images", "--view", "1"], "2 numbers, not 1"),
         (&["transport", "--connection", "flat"], "flat"),
@@ -150,10 +150,10 @@ fn extreme_numbers_neither_panic_nor_hang() {
     for arguments in [
         &["images", "--factor", "1e300, 0, 0"][..],
         &["images", "--factor", "1e-300, 0, 0"],
-        &["images", "--factor", "pi, 0, 0", "--at", "1"],
+        &["images", "--factor", "pi, 0, 0", "--fraction", "1"],
         &["motion", "--factor", "0, 0, 0"],
         &["frames", "--connection", "plus", "--factor", "1e9, 0, 0"],
-        &["transport", "--factor", "1e9, 1, 0", "--at", "0"],
+        &["transport", "--factor", "1e9, 1, 0", "--fraction", "0"],
         &["autoparallels", "--axis", "0, 0, 0"],
         &["autoparallels", "--axis", "1e12, 0, 0"],
         &["autoparallels", "--axis", "20, 0, 0", "--view", "1e300, -1e300"],

@@ -51,7 +51,7 @@ fn every_command_refuses_what_floats_do_not_hold() {
     }
     // computed values that leave the range are no names of parameters either
     let large = ["equations", "so3", "--scalar", "float", "--metric", "diag(1e200,1e-200,1)"];
-    for rest in [&["--solved"][..], &["--code", "c"], &["--code", "python"], &["--code", "rust"]] {
+    for rest in [&["--solve"][..], &["--code", "c"], &["--code", "python"], &["--code", "rust"]] {
         let arguments = [&large[..], rest].concat();
         let outcome = run(&arguments, "");
         assert!(!outcome.out.contains("inf") && !outcome.out.contains("nan"), "{}", outcome.out);

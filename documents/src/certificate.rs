@@ -1,10 +1,11 @@
 //! Certificates: checks of a definition, each with a witness if it fails.
 
 use crate::Coefficient;
-use crate::definition::{Definition, InputError, Refusal};
+use crate::input::{InputError, Refusal};
+use crate::space::Definition;
 use affinor::algebra::frame::expect_numbers;
 use affinor::geometry::conditions::conditions;
-use affinor::{ConnectionKind, Error, FrameOrigin, LieAlgebra};
+use affinor::{ConnectionKind, Error, FrameOrigin, Law, LieAlgebra};
 use affinor_tensors::text::written;
 use affinor_tensors::{Indices, Tensor, Tolerance};
 
@@ -36,7 +37,7 @@ pub struct Witness {
 /// Checks a definition: antisymmetry, Jacobi, the metric, and the identities of the connection.
 ///
 /// A failed check ends the certificate if the later checks depend on it. `stage` is called with the name of each
-/// computation before it starts. For floats use [`Tracked`](affinor_tensors::Tracked), which bounds the rounding error;
+/// computation before it starts. For floats use [`TrackedFloat`](affinor_tensors::TrackedFloat), which bounds the rounding error;
 /// an `f64` may fail the identities by rounding alone.
 ///
 /// # Errors
@@ -169,8 +170,8 @@ fn is_out_of_range(error: &InputError) -> bool {
 fn of_metric(error: &InputError, labels: &[String]) -> Option<Witness> {
     let number = |name: &String| labels.iter().position(|label| label == name).map(|at| at + 1);
     match error.cause.as_deref()? {
-        Error::NotSymmetric { x, y, residual } => Some(Witness {
-            indices: vec![number(x)?, number(y)?],
+        Error::Broken { law: Law::SymmetricMetric, at, residual } => Some(Witness {
+            indices: at.iter().map(number).collect::<Option<_>>()?,
             residual: vec![(0, residual.clone())],
         }),
         Error::Degenerate { components, .. } => {

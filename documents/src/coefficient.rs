@@ -1,8 +1,7 @@
 //! The scalars that spaces of documents and their reports are computed in.
 
-use crate::definition::InputError;
-use crate::definition::input::shown;
-use affinor::tensors::{Notation, Rational, Recorded, Scalar, Symbolic, Tabular, Tracked};
+use crate::input::{InputError, shown};
+use affinor::tensors::{Notation, Rational, Recorded, Scalar, Symbolic, Tabular, TrackedFloat};
 
 /// A scalar whose tensors can be contracted and written in tables, with the values of a definition.
 pub trait Coefficient: Tabular + Scalar {
@@ -42,7 +41,7 @@ impl Coefficient for Recorded {
 }
 
 /// Roots of numbers and pi have rational approximations beyond floats, so that rounding errors are known.
-impl Coefficient for Tracked {
+impl Coefficient for TrackedFloat {
     fn from_symbolic(value: &Symbolic) -> Option<Self> {
         Self::from_rational(&value.approximation()?)
     }
@@ -68,7 +67,7 @@ macro_rules! over_kind {
                 $body
             }
             $crate::scalars::Kind::Float => {
-                type $S = $crate::scalars::Tracked;
+                type $S = $crate::scalars::TrackedFloat;
                 $body
             }
         }

@@ -40,6 +40,7 @@ pub mod tex;
 mod text;
 mod value;
 
+use affinor_tensors::scalar::Function;
 pub use notation::formula;
 pub(crate) use notation::notation;
 pub(crate) use text::text;
@@ -161,11 +162,14 @@ const LETTERS: [(&str, char, &str); 43] = [
     ("nabla", '∇', ""),
     ("partial", '∂', ""),
 ];
-/// Functions, which take an argument without brackets.
-const FUNCTIONS: [&str; 18] = [
-    "exp", "log", "sin", "cos", "tan", "cot", "sinh", "cosh", "tanh", "sqrt", "det", "tr", "ad",
-    "Ad", "spin", "vect", "norm", "diag",
-];
+/// Functions beside the elementary ones.
+const FUNCTIONS: [&str; 9] = ["cot", "det", "tr", "ad", "Ad", "spin", "vect", "norm", "diag"];
+
+/// Whether the name is that of a function, which takes an argument without brackets.
+fn is_function(name: &str) -> bool {
+    FUNCTIONS.contains(&name) || Function::from_name(name).is_some()
+}
+
 /// Differentials: one letter in front of another, as in `dx` and `DH`.
 const DIFFERENTIALS: [char; 2] = ['d', 'D'];
 const ACCENTS: [(&str, Accent); 4] =

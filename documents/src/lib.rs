@@ -1,7 +1,7 @@
 //! Documents of [`affinor`]: the files and names that describe spaces and motions, and the reports about them.
 //!
 //! In reading order:
-//! - [`definition`]: spaces, on the command line and in TOML or JSON files;
+//! - [`input`]: texts with places, errors, numbers; [`space`]: spaces, on the command line and in TOML or JSON files;
 //! - [`problem`]: problems of motion in such files, and the motions that they start;
 //! - [`certificate`]: checks of a definition, each with its witness;
 //! - [`report`]: tables of tensors, comparisons and equations in every format;
@@ -14,19 +14,20 @@
 
 pub mod certificate;
 mod coefficient;
-pub mod definition;
 pub mod figures;
 pub mod formula;
+pub mod input;
 pub mod page;
 pub mod picture;
 pub mod problem;
 pub mod report;
 pub mod rows;
+pub mod space;
 
 pub use coefficient::Coefficient;
 
 /// The scalars of [`over_kind`].
 #[doc(hidden)]
 pub mod scalars {
-    pub use affinor::tensors::{Kind, Rational, Symbolic, Tracked};
+    pub use affinor::tensors::{Kind, Rational, Symbolic, TrackedFloat};
 }

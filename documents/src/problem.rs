@@ -27,11 +27,8 @@ mod ready;
 pub use integration::{Integration, Progress};
 pub use ready::{Column, Ready};
 
-use crate::definition::file;
-use crate::definition::input::InputError;
-use crate::definition::numbers::numbers_in;
-use crate::definition::setting::no_parameter;
-use crate::definition::source::Source;
+use crate::input::{InputError, Source, file, numbers::numbers_in, parse_keys};
+use crate::space::setting::no_parameter;
 use affinor::mechanics::simulation::{ForceFunction, Method, Side};
 use constrained::Constrained;
 use ensemble::Ensemble;
@@ -141,7 +138,7 @@ impl Problem {
     /// assert_eq!(ready.method.name(), "exact");
     /// let energy = ready.columns.iter().position(|column| column.name == "energy").unwrap();
     /// assert!((ready.motion.row()[energy] - 3.205).abs() < 1e-14);
-    /// # Ok::<(), affinor_documents::definition::InputError>(())
+    /// # Ok::<(), affinor_documents::input::InputError>(())
     /// ```
     ///
     /// # Errors
@@ -153,7 +150,7 @@ impl Problem {
     /// Reads a problem whose file lies in a folder.
     fn of_source(source: &Source, folder: &Path) -> Result<Self, InputError> {
         let content = "a problem has a space, its metric, initial values and an output";
-        let (keys, source): (Keys, Source) = file::keys(source, content)?;
+        let (keys, source): (Keys, Source) = parse_keys(source, content)?;
         let mut reader = Reader::new(&source, folder);
         let mut values = Vec::new();
         for (name, number) in keys.parameters.iter().flat_map(|table| &table.0) {
@@ -314,7 +311,7 @@ impl Problem {
     /// while !ready.motion.step(2.0)? {}
     /// let spin = ready.columns.iter().position(|column| column.name == "Omega3").unwrap();
     /// assert!((ready.motion.row()[spin] - 6.0).abs() < 1e-9);
-    /// # Ok::<(), affinor_documents::definition::InputError>(())
+    /// # Ok::<(), affinor_documents::input::InputError>(())
     /// ```
     ///
     /// # Errors

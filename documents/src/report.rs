@@ -57,7 +57,7 @@ use std::io::{self, BufWriter, Write};
 ///
 /// ```
 /// use affinor_documents::report::{Format, Quantity, Report, Table};
-/// use affinor::{Bracket, Canonical, ConnectionKind, Geometry, LieAlgebra};
+/// use affinor::{Bracket, CanonicalConnection, ConnectionKind, Geometry, LieAlgebra};
 /// use affinor::tensors::Rational;
 /// let rotations = Bracket::from_fn(&["e1", "e2", "e3"], |j, k| match (j, k) {
 ///     (0, 1) => vec![(2, Rational::from(1))],
@@ -65,7 +65,7 @@ use std::io::{self, BufWriter, Write};
 ///     _ => vec![(0, Rational::from(1))],
 /// })?;
 /// let algebra = LieAlgebra::try_from(rotations)?;
-/// let zero = ConnectionKind::Canonical(Canonical::Zero);
+/// let zero = ConnectionKind::Canonical(CanonicalConnection::Zero);
 /// let geometry = Geometry::new("so(3)", algebra, zero, None)?;
 /// let table = Table::new(&geometry, &[Quantity::Ricci])?;
 /// let mut csv = Vec::new();
@@ -164,7 +164,7 @@ impl<S: Coefficient> Table<S> {
                 coordinates: fields.chart().coordinates().to_vec(),
                 fields: fields.written(),
             }),
-            tolerance: geometry.frame().structure().tolerance(),
+            tolerance: geometry.frame().structure_functions().tolerance(),
             independent: false,
             common_factors: false,
             metric: geometry.metric().map(|metric| metric.components().clone()),

@@ -116,7 +116,7 @@ fn bracket(line: &Line) -> Result<Row, Error> {
     let without: Vec<_> = (0..2).map(|i| part(&x, &y[i]) - &part(&y, &x[i])).collect();
     Ok(Row::new("(A3)-(A8)", "L_X Y = [X, Y] = X Y - Y X", "The bracket of fields is the commutator of derivations; in the frame it has the components (32).")
         .status(Status::Convention("The structure \"constants\" are constant in invariant frames only; in others they are functions."))
-        .by(&["Frame::bracket", "Frame::structure"])
+        .by(&["Frame::bracket", "Frame::structure_functions"])
         .find(Finding::equal("`[X,Y] f = X(Y f) - Y(X f)`", &[found], std::slice::from_ref(&commutator)))
         .find(Finding::equal("without the term in `c^i_jk`", &[line.along(&without, &f[0])], &[commutator]).refuted()))
 }
@@ -125,21 +125,21 @@ fn coordinate_basis() -> Result<Row, Error> {
     let frame = Frame::<Symbolic>::coordinates(["x", "y", "z"])?;
     Ok(Row::new("(A9)", "[e_i, e_j] = 0", "In a basis of coordinates.")
         .by(&["Frame::coordinates"])
-        .find(Finding::exact("`c^i_jk = 0`", frame.structure())))
+        .find(Finding::exact("`c^i_jk = 0`", frame.structure_functions())))
 }
 
 fn antisymmetric(lab: &Lab) -> Result<Row, Error> {
     Row::new("(A10)", "c^k_ji = -c^k_ij", "Structure constants are antisymmetric.")
         .by(&["Bracket::new"])
         .on_algebras(lab, "", |algebra| {
-            Ok(contract("c^k_ij + c^k_ji -> ^k_ij", &[("c", algebra.structure())])?)
+            Ok(contract("c^k_ij + c^k_ji -> ^k_ij", &[("c", algebra.structure_constants())])?)
         })
 }
 
 fn directions(line: &Line) -> Result<Row, Error> {
     let (connection, [x, y, _]) = (line.connection()?, line.fields());
     let found = nabla(&connection, &x, &y)?;
-    let gamma = connection.gamma();
+    let gamma = connection.affinities();
     let by_hand = |swap: bool| -> Vec<Symbolic> {
         let term = |k: usize, i: usize, j: usize| {
             if swap { gamma.get(&[k, j, i]) } else { gamma.get(&[k, i, j]) }
@@ -165,7 +165,7 @@ fn directions(line: &Line) -> Result<Row, Error> {
 
 fn parallel(line: &Line) -> Result<Row, Error> {
     // the right-invariant fields are parallel for plus
-    let plus = Connection::new(line.frame.clone(), line.frame.structure().clone())?;
+    let plus = Connection::new(line.frame.clone(), line.frame.structure_functions().clone())?;
     let chart = Chart::new(["a", "b"])?;
     let right = chart.invariant_fields(
         &catalogue::algebra("aff(1)")?,
@@ -195,7 +195,7 @@ fn parallel(line: &Line) -> Result<Row, Error> {
 }
 
 fn symmetric_part(line: &Line) -> Result<Row, Error> {
-    let gamma = line.connection()?.gamma().clone();
+    let gamma = line.connection()?.affinities().clone();
     let n = Tensor::vector(&["n1", "n2"].map(Symbolic::parameter), Up);
     let turned = |text: &str| contract(text, &[("L", &gamma), ("n", &n)]);
     let all = turned("L^i_jk n^j n^k -> ^i")?;
@@ -245,7 +245,7 @@ fn torsion_free(lab: &Lab) -> Result<Row, Error> {
         };
         let metric = Metric::new(algebra.labels(), Tensor::from_fn(n, [Down, Down], entry)?)?;
         let connection = Connection::levi_civita(algebra.left_frame(), &metric)?;
-        let operands = [("L", connection.gamma()), ("c", algebra.structure())];
+        let operands = [("L", connection.affinities()), ("c", algebra.structure_constants())];
         Ok(contract("L^i_jk - L^i_kj - c^i_jk -> ^i_jk", &operands)?)
     })
 }
@@ -262,7 +262,7 @@ fn curvature(line: &Line) -> Result<Row, Error> {
     let found = contract("R^i_jkl v^j x^k y^l -> ^i", &operands)?;
     let found: Vec<_> = (0..2).map(|i| found.get(&[i])).collect();
     // the three products without derivatives of the affinities
-    let products = [("L", connection.gamma()), ("c", line.frame.structure())];
+    let products = [("L", connection.affinities()), ("c", line.frame.structure_functions())];
     let products = contract("L^i_km L^m_lj - L^i_lm L^m_kj - c^m_kl L^i_mj -> ^i_jkl", &products)?;
     let missing = contract(
         "a^i_jkl - b^i_jkl -> ^i_jkl",

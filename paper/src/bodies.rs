@@ -5,7 +5,7 @@ use crate::{Finding, Row, Section};
 use affinor::geometry::equations::Equations;
 use affinor::group::{LieGroup, So3, Velocity};
 use affinor::mechanics::MassProperties;
-use affinor::{Canonical, Error};
+use affinor::{CanonicalConnection, Error};
 use affinor_tensors::Symbolic;
 use nalgebra::{DMatrix, Matrix3, Vector3};
 
@@ -147,7 +147,7 @@ fn momentum() -> Result<Row, Error> {
 fn euler(lab: &Lab) -> Result<Row, Error> {
     let (omega, torque) = (symbols("Omega", 3), symbols("M", 3));
     let metric = lab.inertia()?;
-    let equations = Equations::euler_poincare(&lab.canonical(Canonical::Plus), metric)?;
+    let equations = Equations::euler_poincare(&lab.canonical(CanonicalConnection::Plus), metric)?;
     let found = metric.lower(&equations.rate(&omega, &torque)?)?;
     let gyroscopic = cross(&omega, &metric.lower(&omega)?);
     let expected: Vec<Symbolic> =

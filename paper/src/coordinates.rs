@@ -4,7 +4,7 @@ use crate::lab::{Lab, apart, distance, epsilon, hat, rate, rotation, spin, vecto
 use crate::{Finding, Row, Section, Status};
 use affinor::geometry::chart::{CanonicalCoordinates, Side};
 use affinor::group::{LieGroup, So3, Velocity};
-use affinor::{BasisChange, Canonical, Connection, Error, Frame, LieAlgebra};
+use affinor::{BasisChange, CanonicalConnection, Connection, Error, Frame, LieAlgebra};
 use affinor_tensors::{Jet, Tensor, contract};
 use nalgebra::{DVector, Matrix3, Vector3};
 use std::f64::consts::{PI, TAU};
@@ -92,16 +92,16 @@ fn straight(lab: &Lab) -> Result<Row, Error> {
 /// The affinities of a canonical connection in canonical coordinates, at a point.
 fn in_coordinates(
     algebra: &LieAlgebra<f64>,
-    which: Canonical,
+    which: CanonicalConnection,
     point: &[f64],
 ) -> Result<Tensor<Jet>, Error> {
     let (kind, side) = (CanonicalCoordinates::First, Side::Left);
     let frame = Frame::canonical_at_point(algebra, kind, side, point)?;
-    let gamma = frame.structure().scale(&Jet::constant(which.lambda()));
+    let gamma = frame.structure_functions().scale(&Jet::constant(which.lambda()));
     // from the left-invariant frame to that of the coordinates
     let forms = BasisChange::new(algebra.canonical_forms(kind, side, point)?)?;
     let labels = frame.labels().to_vec();
-    Ok(Connection::new(frame, gamma)?.moved(labels, &forms)?.gamma().clone())
+    Ok(Connection::new(frame, gamma)?.moved(labels, &forms)?.affinities().clone())
 }
 
 fn pole(lab: &Lab) -> Result<Row, Error> {
@@ -121,11 +121,12 @@ fn pole(lab: &Lab) -> Result<Row, Error> {
         "These are affinities of the coordinates, not those of the left-invariant frame in (46). Their antisymmetric part is half the torsion.",
     ))
     .by(&["Frame::canonical_at_point", "Connection::moved"]);
-    for which in [Canonical::Plus, Canonical::Zero, Canonical::Minus] {
+    for which in [CanonicalConnection::Plus, CanonicalConnection::Zero, CanonicalConnection::Minus]
+    {
         let claim = format!("at the identity, for {}", which.name());
         row = row.find(Finding::within(&claim, off(which, &[0.0; 3])?, 1e-13));
     }
-    let on_ray = in_coordinates(&algebra, Canonical::Zero, &psi)?;
+    let on_ray = in_coordinates(&algebra, CanonicalConnection::Zero, &psi)?;
     let along = on_ray.components().fold([0.0; 3], |mut sum, (at, value)| {
         sum[at[0]] += value.value() * psi[at[1]] * psi[at[2]];
         sum
@@ -133,8 +134,12 @@ fn pole(lab: &Lab) -> Result<Row, Error> {
     let along = along.iter().fold(0.0, |worst: f64, x| worst.max(x.abs()));
     Ok(row
         .find(
-            Finding::within("away from the identity, for zero", off(Canonical::Zero, &psi)?, 1e-13)
-                .refuted(),
+            Finding::within(
+                "away from the identity, for zero",
+                off(CanonicalConnection::Zero, &psi)?,
+                1e-13,
+            )
+            .refuted(),
         )
         .find(Finding::within("`Gamma^i_jk q^j q^k = 0` on the ray", along, 1e-12)))
 }
@@ -242,7 +247,7 @@ fn derivative() -> Result<Row, Error> {
 fn same_structure(lab: &Lab) -> Result<Row, Error> {
     let off = contract(
         "c^i_jk - E^i_jk -> ^i_jk",
-        &[("c", lab.so3.frame().structure()), ("E", &epsilon()?)],
+        &[("c", lab.so3.frame().structure_functions()), ("E", &epsilon()?)],
     )?;
     Ok(Row::new(
         "(87)-(90)",

@@ -4,7 +4,7 @@ use crate::lab::{Lab, cross, symbols};
 use crate::{Finding, Row, Section, Status};
 use affinor::geometry::conditions::conditions;
 use affinor::geometry::equations::Equations;
-use affinor::{BasisChange, Canonical, Connection, Error, Metric};
+use affinor::{BasisChange, CanonicalConnection, Connection, Error, Metric};
 use affinor_tensors::{Down, Rational, Symbolic, Tensor, Up, contract};
 
 pub(crate) fn section(lab: &Lab) -> Result<Section, Error> {
@@ -74,7 +74,7 @@ fn bases(lab: &Lab) -> Result<Row, Error> {
         let after = lab.rotations.change_basis(change)?;
         Ok(contract(
             "a^i_jk - b^i_jk -> ^i_jk",
-            &[("a", after.structure()), ("b", lab.rotations.structure())],
+            &[("a", after.structure_constants()), ("b", lab.rotations.structure_constants())],
         )?)
     };
     let invariance = lab.m3.frame().derivative(lab.inertia()?.components())?;
@@ -97,9 +97,12 @@ fn bi_invariant(lab: &Lab) -> Result<Row, Error> {
         "ghat_ij = 2 delta_ij",
         "The bi-invariant metric `tr(A^T B)` of the matrices.",
     )
-    .by(&["MatrixBasis::frobenius", "Metric::ad_variation"])
+    .by(&["MatrixBasis::frobenius", "Metric::ad_invariance_defect"])
     .components("ghat", metric.components())
-    .find(Finding::exact("`g([z,x], y) + g(x, [z,y]) = 0`", &metric.ad_variation(algebra)?)))
+    .find(Finding::exact(
+        "`g([z,x], y) + g(x, [z,y]) = 0`",
+        &metric.ad_invariance_defect(algebra)?,
+    )))
 }
 
 fn compatible(lab: &Lab) -> Result<Row, Error> {
@@ -111,9 +114,10 @@ fn compatible(lab: &Lab) -> Result<Row, Error> {
         "The metric (102) is compatible with `zero`.",
     )
     .by(&["Connection::nonmetricity"]);
-    for which in [Canonical::Zero, Canonical::Plus, Canonical::Minus] {
+    for which in [CanonicalConnection::Zero, CanonicalConnection::Plus, CanonicalConnection::Minus]
+    {
         let q = Connection::canonical(algebra, which).nonmetricity(metric)?;
-        let also = if which == Canonical::Zero { "" } else { "also " };
+        let also = if which == CanonicalConnection::Zero { "" } else { "also " };
         row = row.find(Finding::exact(&format!("{also}with {}", which.name()), &q));
     }
     Ok(row)
@@ -143,7 +147,7 @@ fn gyroscopic(
 }
 
 fn balance(lab: &Lab) -> Result<Row, Error> {
-    let plus = lab.canonical(Canonical::Plus);
+    let plus = lab.canonical(CanonicalConnection::Plus);
     let omega = symbols("Omega", 3);
     let metric = lab.inertia()?;
     let h = metric.lower(&omega)?;
@@ -168,13 +172,13 @@ fn dual_frame(lab: &Lab) -> Result<Row, Error> {
         ))
         .by(&["Connection::nabla"])
         .on_algebras(lab, "with plus ", |algebra| {
-            let plus = Connection::canonical(algebra, Canonical::Plus);
+            let plus = Connection::canonical(algebra, CanonicalConnection::Plus);
             let n = algebra.dimension();
             let mut off = Tensor::zero(n, &[Up, Down, Down])?;
             for j in 0..n {
                 let unit: Vec<_> = (0..n).map(|i| Rational::from(i64::from(i == j))).collect();
                 let [e, f] = [Up, Down].map(|slot| Tensor::vector(&unit, slot));
-                let operands = [("S", &off), ("N", &plus.nabla(&f)?), ("L", plus.gamma()), ("e", &e), ("f", &f)];
+                let operands = [("S", &off), ("N", &plus.nabla(&f)?), ("L", plus.affinities()), ("e", &e), ("f", &f)];
                 off = contract("S^j_ki + e^j N_ki + e^j f_m L^m_ki -> ^j_ki", &operands)?;
             }
             Ok(off)
@@ -186,9 +190,10 @@ fn on_any_algebra(lab: &Lab) -> Result<Row, Error> {
         let n = algebra.dimension();
         let (omega, h) = (symbols("Omega", n), symbols("H", n));
         let symbolic = affinor::algebra::catalogue::algebra::<Symbolic>(name)?;
-        let found = gyroscopic(&Connection::canonical(&symbolic, Canonical::Plus), &omega, &h)?;
+        let found =
+            gyroscopic(&Connection::canonical(&symbolic, CanonicalConnection::Plus), &omega, &h)?;
         let operands = [
-            ("c", symbolic.structure()),
+            ("c", symbolic.structure_constants()),
             ("O", &Tensor::vector(&omega, Up)),
             ("H", &Tensor::vector(&h, Down)),
         ];
@@ -208,7 +213,7 @@ fn on_any_algebra(lab: &Lab) -> Result<Row, Error> {
 
 fn array(lab: &Lab) -> Result<Row, Error> {
     let operands =
-        [("L", lab.m3.connection().gamma()), ("O", &Tensor::vector(&symbols("Omega", 3), Up))];
+        [("L", lab.m3.connection().affinities()), ("O", &Tensor::vector(&symbols("Omega", 3), Up))];
     let below = contract("-1 L^j_ki O^k -> _i^j", &operands)?;
     let above = contract("-1 L^j_ki O^k -> ^j_i", &operands)?;
     // spin(Omega)^i_k = Lambda^i_jk Omega^j, (44)
@@ -220,7 +225,7 @@ fn array(lab: &Lab) -> Result<Row, Error> {
         .status(Status::Misprint(
             "Its lower index is the row, unlike in (44). With the index order of (44) the array is `-spin(Omega)`.",
         ))
-        .by(&["Connection::gamma"])
+        .by(&["Connection::affinities"])
         .find(Finding::exact("`spin(Omega)`, with the lower index as the row", &below))
         .find(Finding::exact("`spin(Omega)`, with the upper index as the row", &above).refuted()))
 }
@@ -232,7 +237,7 @@ fn principal(metric: &Tensor<Symbolic>) -> Result<Metric<Symbolic>, Error> {
 fn euler(lab: &Lab) -> Result<Row, Error> {
     let metric = principal(lab.inertia()?.components())?;
     let (omega, torque) = (symbols("Omega", 3), symbols("M", 3));
-    let rates = Equations::euler_poincare(&lab.canonical(Canonical::Plus), &metric)?
+    let rates = Equations::euler_poincare(&lab.canonical(CanonicalConnection::Plus), &metric)?
         .rate(&omega, &torque)?;
     let lines = metric.lower(&rates)?.into_iter().zip(1..);
     let lines = lines.map(|(value, i)| Finding::value(&format!("J{i}{i} dOmega{i}/dt = {value}")));
@@ -250,7 +255,7 @@ fn half(lab: &Lab) -> Result<Row, Error> {
     let metric = principal(lab.inertia()?.components())?;
     let omega = symbols("Omega", 3);
     let h = metric.lower(&omega)?;
-    let zero = gyroscopic(&lab.canonical(Canonical::Zero), &omega, &h)?;
+    let zero = gyroscopic(&lab.canonical(CanonicalConnection::Zero), &omega, &h)?;
     let half = Symbolic::constant(Rational::from(1) / &Rational::from(2));
     let halved: Vec<_> = cross(&omega, &h).into_iter().map(|value| value * &half).collect();
     // its work, and the change of |H|^2
@@ -268,7 +273,7 @@ fn half(lab: &Lab) -> Result<Row, Error> {
 fn power(lab: &Lab) -> Result<Row, Error> {
     let findings = lab.named().map(|(name, algebra)| {
         let n = algebra.dimension();
-        let gamma = algebra.structure().map(|value| Symbolic::constant(value.clone()));
+        let gamma = algebra.structure_constants().map(|value| Symbolic::constant(value.clone()));
         let [omega, h] = [("Omega", Up), ("H", Down)]
             .map(|(name, slot)| Tensor::vector(&symbols(name, n), slot));
         let work = contract("L^j_mi O^i O^m H_j ->", &[("L", &gamma), ("O", &omega), ("H", &h)])?;
@@ -276,14 +281,14 @@ fn power(lab: &Lab) -> Result<Row, Error> {
     });
     let findings = findings.collect::<Result<Vec<_>, Error>>()?;
     let row = Row::new("(109)", "dT/dt = Omega^i J_ij dOmega^j/dt = M_i Omega^i", "Torques alone do work: `Lambda^j_mi Omega^i Omega^m H_j = 0`, because the affinities are antisymmetric.")
-        .by(&["Connection::gamma"])
+        .by(&["Connection::affinities"])
         .find(Finding::everywhere("with plus ", findings));
     let body = Connection::levi_civita(
         lab.rotations.left_frame(),
         &Metric::diagonal([constant(1), constant(1), Symbolic::parameter("J")])?,
     )?;
     let operands = [
-        ("L", body.gamma()),
+        ("L", body.affinities()),
         ("O", &Tensor::vector(&symbols("Omega", 3), Up)),
         ("H", &Tensor::vector(&symbols("H", 3), Down)),
     ];
@@ -297,7 +302,8 @@ fn power(lab: &Lab) -> Result<Row, Error> {
 fn index(lab: &Lab) -> Result<Row, Error> {
     let omega = Tensor::vector(&symbols("Omega", 3), Up);
     let metric = lab.inertia()?;
-    let operands = [("L", lab.m3.connection().gamma()), ("O", &omega), ("J", metric.components())];
+    let operands =
+        [("L", lab.m3.connection().affinities()), ("O", &omega), ("J", metric.components())];
     let work = contract("L^j_ki O^k J_jm O^m O^i ->", &operands)?;
     Ok(Row::new(
         "after (109)",
@@ -307,7 +313,7 @@ fn index(lab: &Lab) -> Result<Row, Error> {
     .status(Status::Misprint(
         "The paper prints `Omega~^j_k J_jk Omega^k`, with one index three times.",
     ))
-    .by(&["Connection::gamma"])
+    .by(&["Connection::affinities"])
     .find(Finding::exact("for all `J` and `Omega`", &work)))
 }
 

@@ -5,7 +5,7 @@ use crate::{Finding, GROUPS, Row, Section, Status};
 use affinor::algebra::catalogue;
 use affinor::group::LieGroup;
 use affinor::group::fields::{InvariantField, Side, right_translate};
-use affinor::{Canonical, Connection, Error, LieAlgebra};
+use affinor::{CanonicalConnection, Connection, Error, LieAlgebra};
 use affinor_tensors::{Rational, contract};
 use nalgebra::DVector;
 
@@ -136,7 +136,7 @@ fn bracket(lab: &Lab) -> Result<Row, Error> {
 
 fn connections(lab: &Lab) -> Result<Row, Error> {
     // parallel fields: right-invariant ones for plus, left-invariant ones for minus
-    let parallel = |which: Canonical, side: Side| {
+    let parallel = |which: CanonicalConnection, side: Side| {
         lab.on_groups(|group| {
             let [x, v, _] = vectors(group);
             let field = InvariantField { side, vector: v.clone() };
@@ -144,15 +144,17 @@ fn connections(lab: &Lab) -> Result<Row, Error> {
             Ok(apart(&carried, &field.at(group, &group.exp(&x))))
         })
     };
-    let (plus, minus) =
-        (parallel(Canonical::Plus, Side::Right)?, parallel(Canonical::Minus, Side::Left)?);
+    let (plus, minus) = (
+        parallel(CanonicalConnection::Plus, Side::Right)?,
+        parallel(CanonicalConnection::Minus, Side::Left)?,
+    );
     let mean = lab.on_groups(|group| {
         let algebra = group.algebra()?;
-        let gamma = |which| Connection::canonical(&algebra, which).gamma().to_owned();
+        let gamma = |which| Connection::canonical(&algebra, which).affinities().to_owned();
         let operands = [
-            ("P", gamma(Canonical::Plus)),
-            ("M", gamma(Canonical::Minus)),
-            ("Z", gamma(Canonical::Zero)),
+            ("P", gamma(CanonicalConnection::Plus)),
+            ("M", gamma(CanonicalConnection::Minus)),
+            ("Z", gamma(CanonicalConnection::Zero)),
         ];
         let operands = operands.each_ref().map(|(name, tensor)| (*name, tensor));
         let off = contract("1/2 P^i_jk + 1/2 M^i_jk - Z^i_jk -> ^i_jk", &operands)?;
@@ -186,7 +188,7 @@ fn bracket_of_fields(lab: &Lab) -> Result<Row, Error> {
     .by(&["Frame::bracket"])
     .on_algebras(lab, "the structure constants of the right-invariant frame are `-c`, ", |algebra| {
         let right = algebra.right_frame();
-        let (left, right) = (algebra.structure(), right.structure());
+        let (left, right) = (algebra.structure_constants(), right.structure_functions());
         Ok(contract("a^i_jk + b^i_jk -> ^i_jk", &[("a", left), ("b", right)])?)
     })
 }
@@ -211,7 +213,7 @@ fn right_invariant_fields(lab: &Lab) -> Result<Row, Error> {
     let off = lab.on_groups(|group| {
         let [_, u, _] = vectors(group);
         let curve = motion(group);
-        let plus = translation(group, Canonical::Plus)?;
+        let plus = translation(group, CanonicalConnection::Plus)?;
         let body = |t: f64| {
             velocity(group, t).map_or_else(|_| DVector::zeros(group.dimension()), |v| v.body)
         };
@@ -231,8 +233,10 @@ fn right_invariant_fields(lab: &Lab) -> Result<Row, Error> {
 
 fn affinities(lab: &Lab) -> Result<Row, Error> {
     let m3 = lab.m3.connection();
-    let off =
-        contract("L^i_jk - c^i_jk -> ^i_jk", &[("L", m3.gamma()), ("c", m3.frame().structure())])?;
+    let off = contract(
+        "L^i_jk - c^i_jk -> ^i_jk",
+        &[("L", m3.affinities()), ("c", m3.frame().structure_functions())],
+    )?;
     let right = lab.m3.in_right_frame()?;
     Ok(Row::new(
         "(38)",
@@ -242,11 +246,11 @@ fn affinities(lab: &Lab) -> Result<Row, Error> {
     .status(Status::Convention(
         "In the right-invariant frame the same connection has `Lambda = 0`.",
     ))
-    .by(&["Connection::gamma", "Geometry::in_right_frame"])
+    .by(&["Connection::affinities", "Geometry::in_right_frame"])
     .find(Finding::exact("`Lambda^i_jk = c^i_jk` of M(3)", &off))
     .find(Finding::exact(
         "`Lambda^i_jk = 0` in the right-invariant frame",
-        right.connection().gamma(),
+        right.connection().affinities(),
     )))
 }
 
@@ -254,7 +258,7 @@ fn torsion(lab: &Lab) -> Result<Row, Error> {
     let m3 = lab.m3.connection();
     let off = contract(
         "t^i_jk - c^i_jk -> ^i_jk",
-        &[("t", &m3.torsion()), ("c", m3.frame().structure())],
+        &[("t", &m3.torsion()), ("c", m3.frame().structure_functions())],
     )?;
     Ok(Row::new("after (38)", "tau^i_jk = c^i_jk", "The torsion of `plus`, by (B10).")
         .by(&["Connection::torsion"])
@@ -271,7 +275,7 @@ fn flat(lab: &Lab) -> Result<Row, Error> {
     .by(&["Connection::curvature"])
     .find(Finding::exact("`R^i_jkl = 0` of M(3)", lab.m3.connection().curvature()))
     .on_algebras(lab, "and of plus ", |algebra| {
-        Ok(Connection::canonical(algebra, Canonical::Plus).curvature().clone())
+        Ok(Connection::canonical(algebra, CanonicalConnection::Plus).curvature().clone())
     })
 }
 
@@ -300,7 +304,7 @@ fn affinities_of_zero(lab: &Lab) -> Result<Row, Error> {
     let so3 = lab.so3.connection();
     let off = contract(
         "c^i_jk - 2 L^i_jk -> ^i_jk",
-        &[("L", so3.gamma()), ("c", so3.frame().structure())],
+        &[("L", so3.affinities()), ("c", so3.frame().structure_functions())],
     )?;
     Ok(Row::new(
         "(39)",
@@ -316,7 +320,7 @@ fn torsion_of_zero(lab: &Lab) -> Result<Row, Error> {
         .by(&["Connection::torsion"])
         .find(Finding::exact("`tau^i_jk = 0` of SO(3)", &lab.so3.connection().torsion()))
         .on_algebras(lab, "and of zero ", |algebra| {
-            Ok(Connection::canonical(algebra, Canonical::Zero).torsion())
+            Ok(Connection::canonical(algebra, CanonicalConnection::Zero).torsion())
         })
 }
 
@@ -328,18 +332,21 @@ fn antisymmetric(lab: &Lab) -> Result<Row, Error> {
         "Lambda^i_jk = -Lambda^i_kj",
         "The affinities of `plus` and `zero` are antisymmetric.",
     )
-    .by(&["Connection::gamma"])
+    .by(&["Connection::affinities"])
     .find(Finding::exact(
         "`plus`",
-        &contract("L^i_jk + L^i_kj -> ^i_jk", &[("L", lab.m3.connection().gamma())])?,
+        &contract("L^i_jk + L^i_kj -> ^i_jk", &[("L", lab.m3.connection().affinities())])?,
     ))
-    .find(Finding::exact("`zero`", &sum(lab.so3.connection().gamma())?))
-    .find(Finding::exact("`zero` in the right-invariant frame", &sum(right.connection().gamma())?)))
+    .find(Finding::exact("`zero`", &sum(lab.so3.connection().affinities())?))
+    .find(Finding::exact(
+        "`zero` in the right-invariant frame",
+        &sum(right.connection().affinities())?,
+    )))
 }
 
 fn curvature_of_zero(lab: &Lab) -> Result<Row, Error> {
     let heisenberg: LieAlgebra<Rational> = catalogue::algebra("heisenberg(3)")?;
-    let step_two = Connection::canonical(&heisenberg, Canonical::Zero);
+    let step_two = Connection::canonical(&heisenberg, CanonicalConnection::Zero);
     let row = Row::new(
         "after (40)",
         "R^i_jkl = -1/4 c^m_kl c^i_mj",
@@ -347,8 +354,8 @@ fn curvature_of_zero(lab: &Lab) -> Result<Row, Error> {
     )
     .by(&["Connection::curvature"])
     .on_algebras(lab, "`R^i_jkl = -1/4 c^m_kl c^i_mj` ", |algebra| {
-        let zero = Connection::canonical(algebra, Canonical::Zero);
-        let operands = [("R", zero.curvature()), ("c", algebra.structure())];
+        let zero = Connection::canonical(algebra, CanonicalConnection::Zero);
+        let operands = [("R", zero.curvature()), ("c", algebra.structure_constants())];
         Ok(contract("R^i_jkl + 1/4 c^m_kl c^i_mj -> ^i_jkl", &operands)?)
     })?;
     Ok(row

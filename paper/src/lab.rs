@@ -3,8 +3,8 @@
 use affinor::algebra::catalogue;
 use affinor::group::transport::ParallelTranslation;
 use affinor::group::{AnyGroup, LieGroup, So3, Velocity};
-use affinor::{Canonical, Connection, Error, Geometry, LieAlgebra, Metric};
-use affinor_documents::definition::paper;
+use affinor::{CanonicalConnection, Connection, Error, Geometry, LieAlgebra, Metric};
+use affinor_documents::space::paper;
 use affinor_tensors::{Down, Rational, Symbolic, Tensor, Up};
 use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 
@@ -45,7 +45,7 @@ impl Lab {
     }
 
     /// A canonical connection on the rotations, with symbols.
-    pub fn canonical(&self, which: Canonical) -> Connection<Symbolic> {
+    pub fn canonical(&self, which: CanonicalConnection) -> Connection<Symbolic> {
         Connection::canonical(&self.rotations, which)
     }
 
@@ -102,7 +102,7 @@ pub(crate) fn velocity(group: &AnyGroup, t: f64) -> Result<Velocity<DVector<f64>
 /// Parallel translation by a canonical connection.
 pub(crate) fn translation<G: LieGroup + Clone>(
     group: &G,
-    which: Canonical,
+    which: CanonicalConnection,
 ) -> Result<ParallelTranslation<G>, Error> {
     ParallelTranslation::new(group.clone(), Connection::canonical(&group.algebra()?, which))
 }

@@ -32,7 +32,7 @@ mod so3;
 
 pub use finding::{Finding, Outcome};
 
-use affinor::{Canonical, Error, LieAlgebra};
+use affinor::{CanonicalConnection, Error, LieAlgebra};
 use affinor_documents::Coefficient;
 use affinor_documents::report::grouped_in_text;
 use affinor_tensors::{Rational, Tensor};
@@ -233,7 +233,8 @@ enum Part<'a> {
 
 /// The parts of a text: words, and between backticks formulas and names of connections.
 fn parts(text: &str) -> impl Iterator<Item = Part<'_>> {
-    let names = [Canonical::Plus, Canonical::Zero, Canonical::Minus].map(Canonical::name);
+    let names = [CanonicalConnection::Plus, CanonicalConnection::Zero, CanonicalConnection::Minus]
+        .map(CanonicalConnection::name);
     let parts = text.split('`').enumerate().filter(|(_, part)| !part.is_empty());
     parts.map(move |(at, part)| match at % 2 {
         0 => Part::Words(part),

@@ -7,7 +7,7 @@ use crate::lab::{
 use crate::{Finding, Row, Section, Status};
 use affinor::group::fields::{InvariantField, Side};
 use affinor::group::{AnyGroup, LieGroup, So3, Velocity};
-use affinor::{Canonical, Error};
+use affinor::{CanonicalConnection, Error};
 use affinor_tensors::{Tensor, Up, contract};
 use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 use std::f64::consts::{PI, TAU};
@@ -58,8 +58,11 @@ fn parallel(lab: &Lab) -> Result<Row, Error> {
         "Parallel vectors along a motion. Before (42): `nabla_w v = (vdot^i + Lambda^i_jk w^j v^k) e_i`.",
     )
     .by(&["ParallelTranslation::along_curve"]);
-    for (which, share) in [(Canonical::Plus, 1.0), (Canonical::Zero, 0.5), (Canonical::Minus, 0.0)]
-    {
+    for (which, share) in [
+        (CanonicalConnection::Plus, 1.0),
+        (CanonicalConnection::Zero, 0.5),
+        (CanonicalConnection::Minus, 0.0),
+    ] {
         let off = lab.on_groups(|group| {
             let n = group.dimension();
             let w = |t: f64| velocity(group, t).map_or_else(|_| DVector::zeros(n), |v| v.body);
@@ -91,7 +94,9 @@ fn autoparallels(lab: &Lab) -> Result<Row, Error> {
         let start = group.exp(&x);
         let expected = group.compose(&start, &group.exp(&(&n * 1.5)));
         let mut worst: f64 = 0.0;
-        for which in [Canonical::Plus, Canonical::Zero, Canonical::Minus] {
+        for which in
+            [CanonicalConnection::Plus, CanonicalConnection::Zero, CanonicalConnection::Minus]
+        {
             for at in translation(group, which)?.autoparallel(&start, &n, &[1.5], 1e-12)? {
                 worst = worst.max(apart(&at.left, &n));
                 worst = worst.max(distance(&group.matrix(&at.base), &group.matrix(&expected)));
@@ -111,15 +116,16 @@ fn autoparallels(lab: &Lab) -> Result<Row, Error> {
 fn generator(lab: &Lab) -> Result<Row, Error> {
     let off = lab.on_groups(|group| {
         let n = vectors(group)[0].clone();
-        let generator =
-            translation(group, Canonical::Plus)?.connection().transport_generator(n.as_slice())?;
+        let generator = translation(group, CanonicalConnection::Plus)?
+            .connection()
+            .transport_generator(n.as_slice())?;
         let generator = generator.to_dmatrix()?;
         Ok(distance(&-generator, &ad(group, &n)))
     })?;
     let plus = lab.m3.connection();
     let array = contract(
         "L^i_jk n^j -> ^i_k",
-        &[("L", plus.gamma()), ("n", &Tensor::vector(&symbols("n", 3), Up))],
+        &[("L", plus.affinities()), ("n", &Tensor::vector(&symbols("n", 3), Up))],
     )?;
     Ok(Row::new(
         "(44), (45)",
@@ -132,7 +138,7 @@ fn generator(lab: &Lab) -> Result<Row, Error> {
 }
 
 fn twenty_seven(lab: &Lab) -> Result<Row, Error> {
-    let gamma = lab.m3.connection().gamma();
+    let gamma = lab.m3.connection().affinities();
     let epsilon = epsilon()?.map(|value| affinor_tensors::Symbolic::constant(value.clone()));
     let off = contract("L^i_jk - E^i_jk -> ^i_jk", &[("L", gamma), ("E", &epsilon)])?;
     Ok(Row::new(
@@ -163,7 +169,7 @@ fn frame(lab: &Lab) -> Result<Row, Error> {
 fn rays(lab: &Lab) -> Result<Row, Error> {
     let along = |group: &AnyGroup| -> Result<_, Error> {
         let n = &vectors(group)[0] * 1.3;
-        let b = translation(group, Canonical::Plus)?.along_subgroup(&n)?;
+        let b = translation(group, CanonicalConnection::Plus)?.along_subgroup(&n)?;
         Ok((n, b))
     };
     let exponential = lab.on_groups(|group| {
@@ -177,7 +183,7 @@ fn rays(lab: &Lab) -> Result<Row, Error> {
         Ok(distance(&(ad_p * b), &DMatrix::identity(n.len(), n.len())))
     })?;
     let psi = Vector3::new(0.4, -1.2, 0.7);
-    let b = translation(&So3, Canonical::Plus)?.along_subgroup(&psi)?;
+    let b = translation(&So3, CanonicalConnection::Plus)?.along_subgroup(&psi)?;
     let matrix = distance(&b.transpose(), &So3.matrix(&So3.exp(&psi)));
     Ok(Row::new(
         "(49)-(51)",
@@ -191,14 +197,14 @@ fn rays(lab: &Lab) -> Result<Row, Error> {
 }
 
 fn images(lab: &Lab) -> Result<Row, Error> {
-    let image = |group: &AnyGroup, which: Canonical| -> Result<f64, Error> {
+    let image = |group: &AnyGroup, which: CanonicalConnection| -> Result<f64, Error> {
         let g = motion(group)(1.3);
         let Velocity { body, spatial } = velocity(group, 1.3)?;
         let b = translation(group, which)?.along_subgroup(&group.log(&g)?)?;
         Ok(apart(&(b * spatial), &body))
     };
-    let plus = lab.on_groups(|group| image(group, Canonical::Plus))?;
-    let zero = lab.least_on_groups(|group| image(group, Canonical::Zero))?;
+    let plus = lab.on_groups(|group| image(group, CanonicalConnection::Plus))?;
+    let zero = lab.least_on_groups(|group| image(group, CanonicalConnection::Zero))?;
     Ok(Row::new(
         "(57)",
         "Omega = B omega, omega = A Omega, A = R, B = R^T",
@@ -213,7 +219,7 @@ fn carried(lab: &Lab) -> Result<Row, Error> {
     let off = lab.on_groups(|group| {
         let [n, omega, _] = vectors(group);
         let right = InvariantField { side: Side::Right, vector: omega.clone() };
-        let carried = translation(group, Canonical::Plus)?.along_subgroup(&n)? * &omega;
+        let carried = translation(group, CanonicalConnection::Plus)?.along_subgroup(&n)? * &omega;
         Ok(apart(&carried, &right.at(group, &group.exp(&n))))
     })?;
     Ok(Row::new(

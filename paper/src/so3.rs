@@ -7,7 +7,7 @@ use crate::lab::{
 use crate::{Finding, Row, Section, Status};
 use affinor::geometry::equations::Equations;
 use affinor::group::{LieGroup, So3, Velocity};
-use affinor::{Canonical, Connection, Error, Metric};
+use affinor::{CanonicalConnection, Connection, Error, Metric};
 use affinor_tensors::{Rational, Symbolic, contract};
 use nalgebra::{DMatrix, Matrix3, Vector3};
 use std::f64::consts::TAU;
@@ -50,7 +50,7 @@ fn basis() -> Result<Row, Error> {
 }
 
 fn structure(lab: &Lab) -> Result<Row, Error> {
-    let c = lab.so3.frame().structure();
+    let c = lab.so3.frame().structure_functions();
     let off = contract("c^i_jk - E^i_jk -> ^i_jk", &[("c", c), ("E", &epsilon()?)])?;
     Ok(Row::new(
         "(64)",
@@ -63,7 +63,7 @@ fn structure(lab: &Lab) -> Result<Row, Error> {
 }
 
 fn affinities(lab: &Lab) -> Result<Row, Error> {
-    let gamma = lab.so3.connection().gamma();
+    let gamma = lab.so3.connection().affinities();
     let off = contract("L^i_jk - 1/2 E^i_jk -> ^i_jk", &[("L", gamma), ("E", &epsilon()?)])?;
     Ok(Row::new(
         "(65)",
@@ -136,12 +136,12 @@ fn commuting(lab: &Lab) -> Result<Row, Error> {
 fn transport(lab: &Lab) -> Result<Row, Error> {
     let half = lab.on_groups(|group| {
         let x = vectors(group)[0].clone();
-        let b = translation(group, Canonical::Zero)?.along_subgroup(&x)?;
+        let b = translation(group, CanonicalConnection::Zero)?.along_subgroup(&x)?;
         Ok(distance(&b, &(ad(group, &x) * -0.5).exp()))
     })?;
     let roots = lab.on_groups(|group| {
         let [x, u, _] = vectors(group);
-        let carried = translation(group, Canonical::Zero)?.along_subgroup(&x)? * &u;
+        let carried = translation(group, CanonicalConnection::Zero)?.along_subgroup(&x)? * &u;
         // sqrt(p) u sqrt(p) in left components: Ad of the inverse root
         let root = group.exp(&(&x * -0.5));
         Ok(apart(&carried, &group.adjoint(&root, &u)))
@@ -157,7 +157,7 @@ fn transport(lab: &Lab) -> Result<Row, Error> {
 }
 
 fn velocity_by_zero(lab: &Lab) -> Result<Row, Error> {
-    let miss = |which: Canonical| {
+    let miss = |which: CanonicalConnection| {
         lab.least_on_groups(|group| {
             let g = motion(group)(1.3);
             let Velocity { body, spatial } = velocity(group, 1.3)?;
@@ -172,8 +172,15 @@ fn velocity_by_zero(lab: &Lab) -> Result<Row, Error> {
         "The velocity, carried to the identity by `zero`, is not the spatial velocity.",
     )
     .by(&["ParallelTranslation::along_subgroup"])
-    .find(Finding::within("carried by zero it is `omega`", miss(Canonical::Zero)?, 1e-8).refuted())
-    .find(Finding::within("carried by plus it is `omega`", miss(Canonical::Plus)?, 1e-8)))
+    .find(
+        Finding::within("carried by zero it is `omega`", miss(CanonicalConnection::Zero)?, 1e-8)
+            .refuted(),
+    )
+    .find(Finding::within(
+        "carried by plus it is `omega`",
+        miss(CanonicalConnection::Plus)?,
+        1e-8,
+    )))
 }
 
 fn holonomy() -> Result<Row, Error> {
@@ -190,18 +197,18 @@ fn holonomy() -> Result<Row, Error> {
     .by(&["ParallelTranslation::along_samples"])
     .find(Finding::within(
         "plus: the identity",
-        distance(&around(Canonical::Plus)?, &identity),
+        distance(&around(CanonicalConnection::Plus)?, &identity),
         1e-13,
     ))
     .find(Finding::within(
         "zero: a half turn about `n`",
-        distance(&around(Canonical::Zero)?, &half_turn),
+        distance(&around(CanonicalConnection::Zero)?, &half_turn),
         1e-13,
     ))
     .find(
         Finding::within(
             "zero: the identity",
-            distance(&around(Canonical::Zero)?, &identity),
+            distance(&around(CanonicalConnection::Zero)?, &identity),
             1e-13,
         )
         .refuted(),
@@ -222,9 +229,9 @@ fn unsuitable(lab: &Lab) -> Result<Row, Error> {
         let gyroscopic = cross(&omega, &metric.lower(&omega)?);
         Ok([found, gyroscopic.into_iter().map(|value| -value).collect()])
     };
-    let [plus, of_plus] = by(Canonical::Plus, metric)?;
+    let [plus, of_plus] = by(CanonicalConnection::Plus, metric)?;
     let principal = Metric::diagonal((0..3).map(|i| metric.components().get(&[i, i])))?;
-    let [zero, of_zero] = by(Canonical::Zero, &principal)?;
+    let [zero, of_zero] = by(CanonicalConnection::Zero, &principal)?;
     Ok(Row::new(
         "after (71)",
         "",

@@ -1,6 +1,7 @@
 //! Arrays of NumPy as lists of rows, with broadcasting.
 
 use crate::errors::wrong;
+use crate::values::python;
 use numpy::{
     Element, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArray, PyUntypedArrayMethods,
 };
@@ -33,11 +34,18 @@ impl<'py> FromPyObject<'_, 'py> for Floats<'py> {
             return Ok(Floats(array.try_readonly()?));
         }
         let py = value.py();
-        let convert =
-            || -> PyResult<_> { Ok(py.import("affinor._scalars")?.getattr("floats")?.unbind()) };
-        let array = CONVERT.get_or_try_init(py, convert)?.bind(py).call1((value,))?;
+        let array = CONVERT.import(py, "affinor._scalars", "floats")?.call1((value,))?;
         Ok(Floats(array.cast_into::<PyArrayDyn<f64>>()?.try_readonly()?))
     }
+}
+
+/// Finite real numbers as an array with one of these numbers of axes.
+pub fn with_axes<'py>(
+    what: &str,
+    value: &Bound<'py, PyAny>,
+    counts: &[usize],
+) -> PyResult<Floats<'py>> {
+    python(value.py(), "_scalars", "with_axes")?.call1((what, value, counts.to_vec()))?.extract()
 }
 
 /// Whether the steps between numbers are whole numbers, unlike those in a field of packed records.
@@ -147,7 +155,6 @@ pub fn fresh<'py, T: Element + Default>(
     if size < LARGE && shape.len() <= AXES {
         return Ok(PyArrayDyn::zeros(py, shape, false));
     }
-    let make = || -> PyResult<_> { Ok(py.import("numpy")?.getattr("empty")?.unbind()) };
-    let empty = EMPTY.get_or_try_init(py, make)?.bind(py);
+    let empty = EMPTY.import(py, "numpy", "empty")?;
     Ok(empty.call1((shape, T::get_dtype(py)))?.cast_into()?)
 }

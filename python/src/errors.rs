@@ -1,7 +1,7 @@
 //! Errors as exceptions of `affinor.errors`, with their witness as data.
 
 use affinor::Error;
-use affinor_documents::definition::{InputError, Refusal};
+use affinor_documents::input::{InputError, Refusal};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 
@@ -27,11 +27,10 @@ pub fn wrong(what: &str, expected: &str, found: &str) -> PyErr {
 }
 
 fn exception(py: Python<'_>, error: &InputError) -> PyResult<PyErr> {
-    let data = PyDict::new(py);
-    let kind = match error.cause.as_deref() {
-        Some(cause) => witness(cause, &data)?,
-        None if error.refusal == Refusal::Mathematics => "MathematicsError",
-        None => "InputError",
+    let (class, data) = match error.cause.as_deref() {
+        Some(cause) => (cause.class(), witness(py, cause)?),
+        None if error.refusal == Refusal::Mathematics => ("MathematicsError", PyDict::new(py)),
+        None => ("InputError", PyDict::new(py)),
     };
     let place = match &error.at {
         None => None,
@@ -50,96 +49,37 @@ fn exception(py: Python<'_>, error: &InputError) -> PyResult<PyErr> {
             Some(found)
         }
     };
-    let arguments = (kind, &error.message, &error.help, place, data);
+    let arguments = (class, &error.message, &error.help, place, data);
     let made = py.import("affinor.errors")?.getattr("_of_engine")?.call1(arguments)?;
     Ok(PyErr::from_value(made))
 }
 
-/// The name of the exception class of a refusal, and its witness.
-fn witness(error: &Error, data: &Bound<'_, PyDict>) -> PyResult<&'static str> {
-    let py = data.py();
-    let pair = |x: &String, y: &String| PyTuple::new(py, [x.clone(), y.clone()]);
-    Ok(match error {
-        Error::Jacobi { x, y, z, residual } => {
-            data.set_item("triple", PyTuple::new(py, [x, y, z])?)?;
+/// The witness of a refusal: names and values under the keys that the exceptions document.
+fn witness<'py>(py: Python<'py>, error: &Error) -> PyResult<Bound<'py, PyDict>> {
+    let data = PyDict::new(py);
+    match error {
+        Error::Broken { law, at, residual } => {
+            let mut rest = at.as_slice();
+            for (part, names) in law.parts() {
+                let (entries, after) = rest.split_at(names.len().min(rest.len()));
+                rest = after;
+                match entries {
+                    [entry] => data.set_item(part, entry)?,
+                    several => data.set_item(part, PyTuple::new(py, several)?)?,
+                }
+            }
             data.set_item("residual", residual)?;
-            "JacobiError"
         }
-        Error::NotAntisymmetric { x, y, residual }
-        | Error::OrdersDisagree { x, y, residual, .. } => {
-            data.set_item("pair", pair(x, y)?)?;
+        Error::Symmetry { at, residual, .. } => {
+            data.set_item("at", at)?;
             data.set_item("residual", residual)?;
-            "AntisymmetryError"
-        }
-        Error::NotClosed { x, y, residual } => {
-            data.set_item("pair", pair(x, y)?)?;
-            data.set_item("residual", residual)?;
-            "ClosureError"
-        }
-        Error::NotSubalgebra { x, y: other, bracket }
-        | Error::NotIdeal { x, v: other, bracket } => {
-            data.set_item("pair", pair(x, other)?)?;
-            data.set_item("residual", bracket)?;
-            "ConstructionError"
-        }
-        Error::NotCommutative { x, y, residual } => {
-            data.set_item("pair", pair(x, y)?)?;
-            data.set_item("residual", residual)?;
-            "ConstructionError"
-        }
-        Error::NotCocycle { x, y, z, residual } | Error::NotAssociative { x, y, z, residual } => {
-            data.set_item("triple", PyTuple::new(py, [x, y, z])?)?;
-            data.set_item("residual", residual)?;
-            "ConstructionError"
-        }
-        Error::NotDerivation { d, x, y, residual } => {
-            data.set_item("derivation", d)?;
-            data.set_item("pair", pair(x, y)?)?;
-            data.set_item("residual", residual)?;
-            "ConstructionError"
-        }
-        Error::NotAction { x, y, v, residual } => {
-            data.set_item("pair", pair(x, y)?)?;
-            data.set_item("vector", v)?;
-            data.set_item("residual", residual)?;
-            "ConstructionError"
-        }
-        Error::NoLimit { x, y, component, value } => {
-            data.set_item("pair", pair(x, y)?)?;
-            data.set_item("component", component)?;
-            data.set_item("residual", value)?;
-            "ConstructionError"
-        }
-        Error::Dependent { relation } | Error::DegenerateFrame { relation } => {
-            data.set_item("relation", relation)?;
-            "DependentError"
-        }
-        Error::NotSymmetric { x, y, residual } => {
-            data.set_item("pair", pair(x, y)?)?;
-            data.set_item("residual", residual)?;
-            "MetricError"
         }
         Error::Degenerate { null, components } => {
             data.set_item("null", null)?;
             data.set_item("components", components.clone())?;
-            "MetricError"
         }
-        Error::NoMetric => "MetricError",
-        Error::Symmetry { at, residual, .. } => {
-            data.set_item("at", at.clone())?;
-            data.set_item("residual", residual)?;
-            "SymmetryError"
-        }
-        Error::Integration { t, .. } => {
-            data.set_item("time", t)?;
-            "IntegrationError"
-        }
-        Error::NotAutoparallel { residual, .. } | Error::NotInvariant { residual, .. } => {
-            data.set_item("residual", residual)?;
-            "MathematicsError"
-        }
-        Error::Catalogue(_) | Error::NoGroup { .. } => "InputError",
-        Error::Shape { .. } | Error::Tensor(_) => "ShapeError",
-        _ => "MathematicsError",
-    })
+        Error::Integration { t, .. } => data.set_item("time", t)?,
+        _ => {}
+    }
+    Ok(data)
 }

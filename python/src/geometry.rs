@@ -1,40 +1,48 @@
-//! Geometries over the three scalars.
+//! Geometries: a frame with a connection and perhaps a metric, over the three scalars.
 
-use crate::errors::raise;
-use crate::group::{PyGroup, PyTransport};
-use crate::report::{format, written};
+use crate::algebra::PyAlgebra;
+use crate::class::{New, Object, Optional, constructors, immutable, in_python, properties};
+use crate::components::{Held, text};
+use crate::errors::refused;
+use crate::report::{all_formats, format, written};
 use crate::run::run;
-use crate::tensor::{Held, PyTensor, float, of};
+use crate::source::PySource;
+use crate::structure::in_floats;
+use crate::tensor::{Names, PyTensor};
+use crate::values::{error, merged, number, python};
 use affinor::geometry::equations::{EquationKind, Equations};
 use affinor::geometry::properties::Property;
-use affinor::group::transport::ParallelTranslation;
-use affinor::{BasisChange, Connection, Error, Frame, Geometry};
+use affinor::{Error, Geometry};
 use affinor_documents::Coefficient;
-use affinor_documents::definition::InputError;
+use affinor_documents::input::InputError;
 use affinor_documents::report::{
-    ComparedSide, Comparison, EquationReport, Quantity, Report, Table,
+    ComparedSide, Comparison, EquationReport, Properties, Quantity, Report, Table,
 };
-use affinor_tensors::{Kind, Rational, Symbolic, Tensor, Tracked};
-use pyo3::exceptions::PyValueError;
+use affinor_tensors::{Kind, Rational, Symbolic, TrackedFloat};
+use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyTuple, PyType};
 
 /// A geometry over one of the scalars.
 #[derive(Clone, Debug)]
 pub enum Values {
     Exact(Geometry<Rational>),
     Symbolic(Geometry<Symbolic>),
-    Float(Geometry<Tracked>),
+    Float(Geometry<TrackedFloat>),
 }
 
+/// Runs the same expression over each scalar.
 macro_rules! each {
     ($values:expr, $geometry:ident => $body:expr) => {
         match $values {
-            Values::Exact($geometry) => $body,
-            Values::Symbolic($geometry) => $body,
-            Values::Float($geometry) => $body,
+            $crate::geometry::Values::Exact($geometry) => $body,
+            $crate::geometry::Values::Symbolic($geometry) => $body,
+            $crate::geometry::Values::Float($geometry) => $body,
         }
     };
 }
+
+pub(crate) use each;
 
 /// A scalar of the geometries that Python holds.
 pub trait Grounded: Held {
@@ -53,15 +61,100 @@ impl Grounded for Symbolic {
     }
 }
 
-impl Grounded for Tracked {
+impl Grounded for TrackedFloat {
     fn geometry(geometry: Geometry<Self>) -> Values {
         Values::Float(geometry)
     }
 }
 
-/// A geometry: a frame, a connection and perhaps a metric.
-#[pyclass(name = "Geometry", frozen, module = "affinor._engine")]
-pub struct PyGeometry(pub Values);
+impl Values {
+    /// The names of the frame vectors.
+    pub fn labels(&self) -> Vec<String> {
+        each!(self, geometry => geometry.frame().labels().to_vec())
+    }
+
+    /// The name of the scalar.
+    pub fn scalar(&self) -> &'static str {
+        text(match self {
+            Values::Exact(_) => Kind::Exact,
+            Values::Symbolic(_) => Kind::Symbolic,
+            Values::Float(_) => Kind::Float,
+        })
+    }
+
+    /// The brackets of the algebra as text, one a line; none if the frame has none.
+    pub fn brackets(&self) -> Option<String> {
+        each!(self, geometry => geometry.algebra().map(|algebra| algebra.to_string()))
+    }
+
+    /// A quantity; none where it does not apply.
+    pub fn quantity(
+        &self,
+        py: Python<'_>,
+        quantity: Quantity,
+        symbols: &Py<PyDict>,
+    ) -> PyResult<Option<PyTensor>> {
+        let found =
+            run(py, || Ok(each!(self, geometry => quantity.of(geometry)?.map(Held::wrap))))?;
+        let names = || Names {
+            symbol: quantity.symbol().into(),
+            latex: quantity.latex().into(),
+            title: Some(quantity.title().into()),
+            letters: Some(quantity.letters()),
+        };
+        found.map(|values| PyTensor::new(py, values, symbols.bind(py), names())).transpose()
+    }
+
+    /// A quantity; an error where it does not apply.
+    pub fn tensor(
+        &self,
+        py: Python<'_>,
+        quantity: Quantity,
+        symbols: &Py<PyDict>,
+    ) -> PyResult<PyTensor> {
+        self.quantity(py, quantity, symbols)?.ok_or_else(|| {
+            let reason = format!("{} is not defined for this geometry", quantity.key());
+            let help = "ricci contractions and norms need a metric; schouten, weyl and cotton need levi-civita in dimension 3 or more";
+            error(py, "MathematicsError", (reason, help))
+        })
+    }
+}
+
+/// A frame with a connection and perhaps a metric; every quantity of ``affinor table`` is a property.
+///
+/// Parameters
+/// ----------
+/// space
+///     A LieAlgebra or anything that makes one, a geometry of the paper (``"M3"``, ``"SO3"``), a name with a connection
+///     (``"so3@plus"``), or a definition with a chart.
+/// connection : str or number, optional
+///     ``plus``, ``zero``, ``minus``, ``levi-civita``, ``lambda=1/3`` or a number lambda. Without one it is levi-civita if
+///     there is a metric, else zero.
+/// metric : str, array or list, optional
+///     ``identity``, ``killing``, ``diag(...)``, a matrix, or the entries of a diagonal; unknown names are parameters.
+/// affinities, torsion, nonmetricity : array or Tensor, optional
+///     Instead of a connection: affinities (slots ``^__``, direction first), or torsion and nonmetricity (slots ``^__`` and
+///     ``___``, with a metric).
+/// frame : str
+///     ``"right"`` gives the components in the right-invariant frame.
+/// basis, scalar, tolerance
+///     As for a :class:`LieAlgebra`.
+///
+/// Examples
+/// --------
+/// >>> Geometry("so3", metric=[1, 1, 1]).scalar_curvature
+/// Fraction(3, 2)
+/// >>> print(Geometry("so3", metric="diag(a,a,b)").ricci[2, 2])
+/// b**2/(2*a**2)
+#[pyclass(name = "Geometry", frozen, subclass, module = "affinor")]
+pub struct PyGeometry {
+    pub source: Py<PySource>,
+    /// Affinities, or torsion and nonmetricity, by name.
+    extra: Vec<(String, Py<PyTensor>)>,
+    frame: String,
+    pub symbols: Py<PyDict>,
+    pub values: Values,
+}
 
 /// The quantity of a name.
 fn quantity(key: &str) -> PyResult<Quantity> {
@@ -71,18 +164,8 @@ fn quantity(key: &str) -> PyResult<Quantity> {
     })
 }
 
-/// A quantity: its name, its symbol, its LaTeX symbol, its title, and the letters of its indices.
-type Description = (&'static str, &'static str, &'static str, &'static str, String);
-
-/// The quantities of a table, in its order.
-#[pyfunction]
-pub fn quantities() -> Vec<Description> {
-    let describe = |q: Quantity| (q.key(), q.symbol(), q.latex(), q.title(), q.letters());
-    Quantity::ALL.into_iter().map(describe).collect()
-}
-
 /// A property that holds, with its value, or the witness of its failure.
-type Tested = (bool, Option<String>, Option<(String, Vec<usize>, String)>);
+type Tested = (bool, Option<String>, Option<String>);
 
 fn tested<S: Coefficient, T>(
     property: Property<S, T>,
@@ -90,173 +173,189 @@ fn tested<S: Coefficient, T>(
 ) -> Tested {
     match property {
         Property::Holds(held) => (true, value(held), None),
-        Property::Fails(witness) => {
-            let text = witness.to_string();
-            (false, None, Some((text, witness.indices, witness.residual.to_string())))
-        }
+        Property::Fails(witness) => (false, None, Some(witness.to_string())),
     }
+}
+
+/// The source, the tensors that determine the connection, and the frame of a geometry.
+type Parts<'py> = (Bound<'py, PySource>, Vec<(String, Py<PyTensor>)>, Object<'py>);
+
+/// The quantities as properties: a row has the key and the form of the value.
+macro_rules! quantities {
+    ($($(#[doc = $doc:literal])* $key:ident: $form:ident;)*) => {
+        #[pymethods]
+        impl PyGeometry {
+            $(
+                $(#[doc = $doc])*
+                #[getter]
+                fn $key<'py>(&self, py: Python<'py>) -> New<'py> {
+                    let quantity = quantity(stringify!($key))?;
+                    $form(py, self.values.tensor(py, quantity, &self.symbols)?)
+                }
+            )*
+        }
+    };
+}
+
+fn tensor(py: Python<'_>, found: PyTensor) -> PyResult<Bound<'_, PyAny>> {
+    Ok(Bound::new(py, found)?.into_any())
+}
+
+fn number_of(py: Python<'_>, found: PyTensor) -> PyResult<Bound<'_, PyAny>> {
+    found.value(py, &[])
+}
+
+quantities! {
+    /// Structure constants ``c^i_jk``: ``[e_j, e_k] = c^i_jk e_i``.
+    structure: tensor;
+    /// Affinities ``Lambda^i_jk``: ``nabla_{e_j} e_k = Lambda^i_jk e_i``, the direction first.
+    affinities: tensor;
+    /// Torsion ``tau^i_jk``.
+    torsion: tensor;
+    /// Curvature ``R^i_jkl``: ``R(e_k, e_l) e_j = R^i_jkl e_i``.
+    curvature: tensor;
+    /// Ricci tensor ``Ric_jl``.
+    ricci: tensor;
+    /// Scalar curvature ``S``.
+    scalar_curvature: number_of;
+    /// Metric ``g_ij``.
+    metric: tensor;
+    /// Inverse metric ``g^ij``.
+    inverse_metric: tensor;
+    /// Nonmetricity ``Q_kij = (nabla_k g)_ij``.
+    nonmetricity: tensor;
+    /// Killing form ``K_ij`` of the algebra.
+    killing: tensor;
+    /// Derivative of the torsion ``(nabla_m tau)^i_jk``, slots ``^i_mjk``.
+    nabla_torsion: tensor;
+    /// Derivative of the curvature ``(nabla_m R)^i_jkl``, slots ``^i_mjkl``.
+    nabla_curvature: tensor;
+    /// Symmetric part of the Ricci tensor, ``(Ric_jl + Ric_lj)/2``.
+    ricci_symmetric: tensor;
+    /// Antisymmetric part of the Ricci tensor, ``(Ric_jl - Ric_lj)/2``.
+    ricci_antisymmetric: tensor;
+    /// Einstein tensor ``G_jl = Ric_jl - 1/2 S g_jl``.
+    einstein: tensor;
+    /// Schouten tensor ``P_jl = (Ric_jl - S/(2 (n - 1)) g_jl)/(n - 2)`` of a Levi-Civita connection.
+    schouten: tensor;
+    /// Weyl tensor ``W^i_jkl`` of a Levi-Civita connection, the trace-free part of the curvature.
+    weyl: tensor;
+    /// Cotton tensor ``C_jkl = (nabla_k P)_jl - (nabla_l P)_jk`` of a Levi-Civita connection.
+    cotton: tensor;
+    /// Kretschmann scalar ``R_ijkl R^ijkl``.
+    kretschmann: number_of;
+}
+
+immutable! { PyGeometry }
+
+properties! { PyGeometry, own:
+    /// The name.
+    name: String = each!(&own.values, geometry => geometry.name().into());
+    /// The names of the frame vectors.
+    basis: Vec<String> = own.values.labels();
+    /// The dimension.
+    dimension: usize = own.values.labels().len();
+    /// ``exact``, ``symbolic`` or ``float``.
+    scalar: &'static str = own.values.scalar();
+    /// The connection: ``plus``, ``zero``, ``minus``, ``lambda``, ``levi-civita`` or ``affinities``.
+    connection: String = each!(&own.values, geometry => geometry.kind().name().into());
+    /// ``left-invariant``, ``right-invariant``, ``coordinate`` or ``moving``.
+    frame: &'static str = each!(&own.values, geometry => geometry.frame_name());
+}
+
+constructors! { PyGeometry:
+    /// A geometry over coordinates, with a metric in the frame of the coordinates or of ``fields``.
+    ///
+    /// Coordinates are symbols of SymPy or names; metric and fields may contain sin, cos, exp and others of them. A field is
+    /// a text such as ``"1/sin(theta)*d_phi"``, or its components in the coordinate frame. ``functions`` are functions of
+    /// coordinates that are not given, such as ``"a(t)"``; those of SymPy in the metric and the fields need no mention.
+    /// ``positive`` are functions that are positive, for roots and logarithms.
+    ///
+    /// Examples
+    /// --------
+    /// >>> Geometry.on_chart("theta phi", [1, "sin(theta)^2"]).scalar_curvature
+    /// 2
+    on_chart("($cls, coordinates, metric=None, *, fields=None, connection=None, affinities=None, parameters=(), functions=(), positive=(), name='chart')")
+        = "geometry"."chart";
 }
 
 #[pymethods]
 impl PyGeometry {
-    #[getter]
-    fn name(&self) -> String {
-        each!(&self.0, geometry => geometry.name().into())
-    }
-
-    #[getter]
-    pub fn labels(&self) -> Vec<String> {
-        each!(&self.0, geometry => geometry.frame().labels().to_vec())
-    }
-
-    #[getter]
-    fn scalar(&self) -> &'static str {
-        match self.0 {
-            Values::Exact(_) => "exact",
-            Values::Symbolic(_) => "symbolic",
-            Values::Float(_) => "float",
-        }
-    }
-
-    /// The short name of the connection.
-    #[getter]
-    fn connection(&self) -> String {
-        each!(&self.0, geometry => geometry.kind().name().into())
-    }
-
-    /// The factor of a connection `lambda c`, as text.
-    #[getter]
-    fn factor(&self) -> Option<String> {
-        each!(&self.0, geometry => geometry.kind().lambda().map(|lambda| lambda.to_string()))
-    }
-
-    /// The frame: left-invariant, right-invariant, coordinate or moving.
-    #[getter]
-    fn frame(&self) -> &'static str {
-        each!(&self.0, geometry => geometry.frame_name())
-    }
-
-    fn __str__(&self) -> String {
-        each!(&self.0, geometry => geometry.to_string())
-    }
-
-    /// The brackets of the algebra as text, one a line; none if the frame has none.
-    fn brackets(&self) -> Option<String> {
-        each!(&self.0, geometry => geometry.algebra().map(|algebra| algebra.to_string()))
-    }
-
-    /// A quantity by its name; none where it does not apply.
-    fn quantity(&self, py: Python<'_>, key: &str) -> PyResult<Option<PyTensor>> {
-        let quantity = quantity(key)?;
-        let tensor =
-            run(py, || Ok(each!(&self.0, geometry => quantity.of(geometry)?.map(Held::wrap))))?;
-        Ok(tensor.map(PyTensor))
-    }
-
-    /// A table of quantities as the program prints it.
-    #[pyo3(signature = (keys, format, independent=false))]
-    fn table(
-        &self,
-        py: Python<'_>,
-        keys: Vec<String>,
-        format: &str,
-        independent: bool,
-    ) -> PyResult<String> {
-        let keys = keys.iter().map(|key| quantity(key)).collect::<PyResult<Vec<_>>>()?;
-        let format = self::format(format)?;
-        run(py, || {
-            each!(&self.0, geometry => {
-                let mut table = Table::new(geometry, &keys)?;
-                table.independent = independent;
-                table.finite()?;
-                written(&table, format)
-            })
-        })
-    }
-
-    /// Both geometries side by side, and the claims of the paper about them.
-    fn compare(&self, py: Python<'_>, other: &PyGeometry, format: &str) -> PyResult<String> {
-        let format = self::format(format)?;
-        run(py, || {
-            let side = |values: &Values| each!(values, geometry => ComparedSide::new(geometry));
-            written(&Comparison::new(side(&self.0)?, side(&other.0)?), format)
-        })
-    }
-
-    /// Equations of motion: euler-poincare, autoparallel or transport.
-    fn equations(&self, py: Python<'_>, kind: &str, format: &str) -> PyResult<String> {
-        fn report<S: Coefficient>(
-            geometry: &Geometry<S>,
-            kind: &str,
-        ) -> Result<Box<dyn Report>, InputError> {
-            let kind = EquationKind::from_name(kind).ok_or_else(|| {
-                let names = EquationKind::ALL.map(EquationKind::name).join(", ");
-                InputError::usage(format!("the equations are {names}, not {kind:?}"))
-            })?;
-            let equations = Equations::new(kind, geometry.connection(), geometry.metric())?;
-            Ok(Box::new(EquationReport::new(equations, geometry)))
-        }
-        let format = self::format(format)?;
-        run(py, || {
-            let report = each!(&self.0, geometry => report(geometry, kind)?);
-            written(&*report, format)
-        })
-    }
-
-    /// The same geometry in the right-invariant frame.
-    fn in_right_frame(&self, py: Python<'_>) -> PyResult<PyGeometry> {
-        run(py, || {
-            let right = each!(&self.0, geometry => Grounded::geometry(geometry.in_right_frame()?));
-            Ok(PyGeometry(right))
-        })
-    }
-
-    /// The labels and the structure constants of the direct sum with another algebra.
-    fn direct_sum(&self, py: Python<'_>, other: &PyGeometry) -> PyResult<(Vec<String>, PyTensor)> {
-        fn sum<S: Held>(
-            first: &Geometry<S>,
-            second: &Geometry<S>,
-        ) -> Result<(Vec<String>, PyTensor), InputError> {
-            let what = "a direct sum";
-            let first = first.frame_origin().algebra_for(what)?;
-            let sum = first.direct_sum(second.frame_origin().algebra_for(what)?)?;
-            Ok((sum.labels().to_vec(), PyTensor(S::wrap(sum.structure().clone()))))
-        }
-        run(py, || match (&self.0, &other.0) {
-            (Values::Exact(first), Values::Exact(second)) => sum(first, second),
-            (Values::Symbolic(first), Values::Symbolic(second)) => sum(first, second),
-            (Values::Float(first), Values::Float(second)) => sum(first, second),
-            _ => Err(InputError::usage("both algebras need the same scalar")),
-        })
-    }
-
-    /// The structure constants in the basis `e'_a = A^i_a e_i`.
-    fn change_basis(&self, py: Python<'_>, matrix: &PyTensor) -> PyResult<PyTensor> {
-        fn changed<S: Held>(
-            geometry: &Geometry<S>,
-            matrix: &PyTensor,
-        ) -> Result<PyTensor, InputError> {
-            let algebra = geometry.frame_origin().algebra_for("a change of basis")?;
-            let change = BasisChange::new((*of::<S>(&matrix.0)?).clone())?;
-            Ok(PyTensor(S::wrap(algebra.change_basis(&change)?.structure().clone())))
-        }
-        run(py, || {
-            match (&self.0, matrix.0.kind()) {
-                // parameters of the matrix
-                (Values::Exact(geometry), Kind::Symbolic) => {
-                    let algebra = geometry.frame_origin().algebra_for("a change of basis")?;
-                    let algebra = algebra.map(|value| Symbolic::constant(value.clone()))?;
-                    let change = BasisChange::new((*of::<Symbolic>(&matrix.0)?).clone())?;
-                    let structure = algebra.change_basis(&change)?.structure().clone();
-                    Ok(PyTensor(Symbolic::wrap(structure)))
-                }
-                _ => each!(&self.0, geometry => changed(geometry, matrix)),
+    #[new]
+    #[pyo3(
+        signature = (*arguments, **keys),
+        text_signature = "(space, connection=None, metric=None, *, basis=None, affinities=None, torsion=None, nonmetricity=None, frame='left', scalar='exact', tolerance=None)"
+    )]
+    fn __new__<'py>(
+        arguments: Bound<'py, PyTuple>,
+        keys: Option<Bound<'py, PyDict>>,
+    ) -> PyResult<Self> {
+        let py = arguments.py();
+        let parts = python(py, "geometry", "parts")?.call(arguments, keys.as_ref())?;
+        let (source, extra, frame): Parts<'py> = parts.extract()?;
+        let right = match frame.extract::<String>().as_deref() {
+            Ok("left") => false,
+            Ok("right") => true,
+            _ => {
+                let reason = format!("the frame is left or right, not {}", frame.repr()?);
+                return Err(PyValueError::new_err(reason));
             }
-        })
+        };
+        let given = extra.iter().map(|(_, tensor)| &tensor.get().symbols);
+        let symbols = merged(py, [&source.get().symbols].into_iter().chain(given))?.unbind();
+        let space = source.get().space(py)?;
+        let mut values = source.get().geometry(py, &space, PyTensor::given(&extra)?)?;
+        if right {
+            values = run(py, || {
+                Ok(each!(&values, geometry => Grounded::geometry(geometry.in_right_frame()?)))
+            })?;
+        }
+        Ok(PyGeometry { source: source.unbind(), extra, frame: frame.extract()?, symbols, values })
     }
 
-    /// A property by its name: whether it holds, its value, or its witness.
-    fn property(&self, py: Python<'_>, name: &str) -> PyResult<Tested> {
+    /// The factor lambda of a connection ``Lambda = lambda c``; None for others.
+    #[getter]
+    fn lambda_<'py>(&self, py: Python<'py>) -> PyResult<Optional<'py>> {
+        let factor = each!(&self.values, geometry => {
+            geometry.kind().lambda().map(|lambda| lambda.to_string())
+        });
+        factor.map(|text| self.number(py, &text)).transpose()
+    }
+
+    /// The symbols of SymPy that were given, by name.
+    #[getter]
+    fn symbols<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        self.symbols.bind(py).copy()
+    }
+
+    #[getter]
+    fn _source(&self, py: Python<'_>) -> Py<PySource> {
+        self.source.clone_ref(py)
+    }
+
+    /// The tensors that determine the connection, and the frame.
+    #[getter]
+    fn _extra<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyDict>, &str)> {
+        let extra = PyDict::new(py);
+        self.extra.iter().try_for_each(|(key, tensor)| extra.set_item(key, tensor))?;
+        Ok((extra, &self.frame))
+    }
+
+    /// The Lie algebra.
+    #[getter]
+    fn algebra<'py>(&self, py: Python<'py>) -> New<'py> {
+        py.get_type::<PyAlgebra>().call1((self.source.get().of_algebra(py)?,))
+    }
+
+    /// A quantity by its name in tables; None where it does not apply.
+    #[pyo3(name = "quantity")]
+    fn of_key(&self, py: Python<'_>, key: &str) -> PyResult<Option<PyTensor>> {
+        self.values.quantity(py, quantity(key)?, &self.symbols)
+    }
+
+    /// ``einstein``, ``constant_curvature``, ``bi_invariant``, ``locally_symmetric``, ``parallel_torsion`` or
+    /// ``parallel_curvature``: whether it holds, with its constant or a witness.
+    fn check_property<'py>(&self, py: Python<'py>, name: &str) -> New<'py> {
         fn test<S: Coefficient>(geometry: &Geometry<S>, name: &str) -> Result<Tested, InputError> {
             let connection = geometry.connection();
             let metric = || geometry.metric().ok_or(Error::NoMetric);
@@ -279,51 +378,210 @@ impl PyGeometry {
                 other => return Err(InputError::usage(format!("no property is called {other}"))),
             })
         }
-        run(py, || each!(&self.0, geometry => test(geometry, name)))
+        let (holds, value, witness) =
+            run(py, || each!(&self.values, geometry => test(geometry, name)))?;
+        let value = value.map(|text| self.number(py, &text)).transpose()?;
+        python(py, "geometry", "Property")?.call1((holds, value, witness))
     }
 
-    /// The connection on a group of its algebra.
-    fn transport(&self, py: Python<'_>, group: &PyGroup) -> PyResult<PyTransport> {
-        fn floats<S: Coefficient>(tensor: &Tensor<S>) -> Result<Tensor<f64>, InputError> {
-            tensor.nonzero().try_for_each(|value| float(value).map(|_| ()))?;
-            Ok(tensor.map(|value| value.to_f64().unwrap_or(f64::NAN)))
-        }
-        fn connection<S: Coefficient>(
+    /// All properties as ``affinor properties`` finds them: flat, Einstein, naturally reductive, Ricci soliton, ...
+    ///
+    /// The dict is the JSON document ``affinor.properties/1``; ``print`` shows the table.
+    fn properties<'py>(&self, py: Python<'py>) -> New<'py> {
+        let written = run(py, || match &self.values {
+            Values::Exact(geometry) => all_formats(&Properties::of_geometry(geometry)?),
+            Values::Symbolic(geometry) => all_formats(&Properties::of_geometry(geometry)?),
+            Values::Float(_) => Err(in_floats("the list of properties")),
+        })?;
+        python(py, "structure", "Report")?.call1((written,))
+    }
+
+    /// A basis of the holonomy algebra, matrices ``A^i_j``.
+    fn holonomy(&self, py: Python<'_>) -> PyResult<Vec<PyTensor>> {
+        fn basis<S: Held>(
             geometry: &Geometry<S>,
-        ) -> Result<Connection<f64>, InputError> {
-            geometry.frame_origin().algebra_for("parallel transport on a group")?;
-            let frame = geometry.frame();
-            let frame = Frame::invariant(frame.labels(), floats(frame.structure())?)?;
-            Ok(Connection::new(frame, floats(geometry.connection().gamma())?)?)
+        ) -> Result<Vec<crate::components::Values>, InputError> {
+            let holonomy = geometry.connection().holonomy()?;
+            Ok(holonomy.basis()?.into_iter().map(Held::wrap).collect())
         }
+        let basis = run(py, || each!(&self.values, geometry => basis(geometry)))?;
+        let symbols = self.symbols.bind(py);
+        basis.into_iter().map(|matrix| PyTensor::new(py, matrix, symbols, Names::of("A"))).collect()
+    }
+
+    /// The checks of the certificate, of the connection that was given.
+    fn check<'py>(slf: &Bound<'py, Self>) -> PyResult<Vec<Object<'py>>> {
+        let (py, geometry) = (slf.py(), slf.get());
+        if geometry.extra.is_empty() {
+            return geometry.source.get().checks(py);
+        }
+        let source = python(py, "geometry", "written")?.call1((slf,))?;
+        source.cast_into::<PySource>()?.get().checks(py)
+    }
+
+    /// Equations of motion: ``euler-poincare``, ``autoparallel`` or ``transport``.
+    #[pyo3(signature = (kind="euler-poincare", format="text"))]
+    fn equations(&self, py: Python<'_>, kind: &str, format: &str) -> PyResult<String> {
+        fn report<S: Coefficient>(
+            geometry: &Geometry<S>,
+            kind: &str,
+        ) -> Result<Box<dyn Report>, InputError> {
+            let kind = EquationKind::from_name(kind).ok_or_else(|| {
+                let names = EquationKind::ALL.map(EquationKind::name).join(", ");
+                InputError::usage(format!("the equations are {names}, not {kind:?}"))
+            })?;
+            let equations = Equations::new(kind, geometry.connection(), geometry.metric())?;
+            Ok(Box::new(EquationReport::new(equations, geometry)))
+        }
+        let format = self::format(format)?;
         run(py, || {
-            let connection = each!(&self.0, geometry => connection(geometry)?);
-            Ok(PyTransport(ParallelTranslation::new(group.group().clone(), connection)?))
+            let report = each!(&self.values, geometry => report(geometry, kind)?);
+            written(&*report, format)
         })
     }
 
-    /// A basis of the holonomy algebra: matrices.
-    fn holonomy(&self, py: Python<'_>) -> PyResult<Vec<PyTensor>> {
-        fn basis<S: Held>(geometry: &Geometry<S>) -> Result<Vec<PyTensor>, InputError> {
-            let holonomy = geometry.connection().holonomy()?;
-            let basis = holonomy.basis()?;
-            Ok(basis.into_iter().map(|matrix| PyTensor(S::wrap(matrix))).collect())
+    /// The table as the command line prints it, in ``text``, ``markdown``, ``latex``, ``csv`` or ``json``.
+    ///
+    /// ``show`` names quantities, or is ``all`` or ``derived``.
+    #[pyo3(signature = (show=None, format="text", *, independent=false))]
+    fn table<'py>(
+        &self,
+        py: Python<'py>,
+        show: Optional<'py>,
+        format: &str,
+        independent: bool,
+    ) -> PyResult<String> {
+        let (first, derived) = Quantity::ALL.split_at(10);
+        let hidden = [Quantity::InverseMetric, Quantity::Killing];
+        let mut keys = Vec::new();
+        match show.map(names).transpose()? {
+            None => keys.extend(first.iter().filter(|key| !hidden.contains(key))),
+            Some(names) => {
+                for name in names {
+                    match name.as_str() {
+                        "all" => keys.extend_from_slice(first),
+                        "derived" => keys.extend_from_slice(derived),
+                        name => keys.push(quantity(name)?),
+                    }
+                }
+            }
         }
-        run(py, || each!(&self.0, geometry => basis(geometry)))
+        let mut unique = Vec::new();
+        keys.into_iter().for_each(|key| {
+            if !unique.contains(&key) {
+                unique.push(key);
+            }
+        });
+        let format = self::format(format)?;
+        run(py, || {
+            each!(&self.values, geometry => {
+                let mut table = Table::new(geometry, &unique)?;
+                table.independent = independent;
+                table.finite()?;
+                written(&table, format)
+            })
+        })
     }
+
+    /// Equal structure constants, affinities and metrics.
+    fn __eq__(&self, py: Python<'_>, other: &PyGeometry) -> PyResult<bool> {
+        for key in [Quantity::Structure, Quantity::Affinities, Quantity::Metric] {
+            let [a, b] = [self, other].map(|one| one.values.quantity(py, key, &one.symbols));
+            match (a?, b?) {
+                (None, None) => {}
+                (Some(a), Some(b)) if a.equals(&b) => {}
+                _ => return Ok(false),
+            }
+        }
+        Ok(true)
+    }
+
+    fn __hash__<'py>(&self, py: Python<'py>) -> PyResult<isize> {
+        (self.structure(py)?, self.affinities(py)?).into_pyobject(py)?.hash()
+    }
+
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<Reduced<'py>> {
+        let (py, geometry) = (slf.py(), slf.get());
+        let (extra, frame) = geometry._extra(py)?;
+        let arguments = (slf.get_type(), geometry.source.clone_ref(py), extra, frame.into());
+        Ok((python(py, "geometry", "restored")?, arguments))
+    }
+
+    fn __repr__(&self) -> String {
+        let (name, connection, scalar) = (self.name(), self.connection(), self.scalar());
+        let dimension = self.dimension();
+        format!("<Geometry {name}, connection {connection}, dimension {dimension}, {scalar}>")
+    }
+
+    fn __str__(&self, py: Python<'_>) -> PyResult<String> {
+        self.table(py, None, "text", false)
+    }
+
+    fn _repr_markdown_(&self, py: Python<'_>) -> PyResult<String> {
+        self.table(py, None, "markdown", false)
+    }
+}
+
+/// The function of Python that makes a pickled geometry, and its arguments.
+type Reduced<'py> = (Object<'py>, (Bound<'py, PyType>, Py<PySource>, Bound<'py, PyDict>, String));
+
+in_python! { PyGeometry, "geometry":
+    /// The geometry with parameters replaced, by name or by symbol.
+    subs (values) [values];
+}
+
+impl PyGeometry {
+    /// A number of the geometry, from its text.
+    fn number<'py>(&self, py: Python<'py>, text: &str) -> New<'py> {
+        number(text, self.symbols.bind(py), self.scalar() == "float")
+    }
+}
+
+/// The names in a text or in a list.
+fn names(show: Bound<'_, PyAny>) -> PyResult<Vec<String>> {
+    if let Ok(text) = show.extract::<String>() {
+        return Ok(text.replace(',', " ").split_whitespace().map(String::from).collect());
+    }
+    let found = show.get_type().name()?;
+    let reason = format!("show is a text or a list of names of quantities, not {found}");
+    let items = show.try_iter().map_err(|_| PyTypeError::new_err(reason))?;
+    items.map(|item| item?.extract()).collect()
+}
+
+/// Two geometries side by side, with the claims of the paper about them; by default the paper's table.
+#[pyfunction]
+#[pyo3(
+    signature = (first=None, second=None, *, format="text"),
+    text_signature = "(first='M(3)', second='SO(3)', *, format='text')"
+)]
+pub fn compare<'py>(
+    py: Python<'py>,
+    first: Optional<'py>,
+    second: Optional<'py>,
+    format: &str,
+) -> PyResult<String> {
+    let side = |given: Optional<'py>, name: &str| {
+        let given = given.map_or_else(|| Ok(name.into_pyobject(py)?.into_any()), PyResult::Ok)?;
+        let geometry = match given.cast_into::<PyGeometry>() {
+            Ok(geometry) => geometry,
+            Err(other) => py.get_type::<PyGeometry>().call1((other.into_inner(),))?.cast_into()?,
+        };
+        PyResult::Ok(geometry)
+    };
+    let sides = [side(first, "M(3)")?, side(second, "SO(3)")?];
+    let sides = [&sides[0], &sides[1]].map(|side| &side.get().values);
+    let format = self::format(format)?;
+    run(py, || {
+        let [a, b] = sides.map(|values| each!(values, geometry => ComparedSide::new(geometry)));
+        written(&Comparison::new(a?, b?), format)
+    })
 }
 
 /// The conventions of signs and indices.
 #[pyfunction]
+#[pyo3(signature = (format="text"))]
 pub fn conventions(py: Python<'_>, format: &str) -> PyResult<String> {
     let format = self::format(format)?;
     let report = affinor_documents::report::conventions();
-    written(&report, format).map_err(|error| raise(py, &error))
-}
-
-/// The catalogue: pattern, summary and example of each family.
-#[pyfunction]
-pub fn catalogue() -> Vec<(&'static str, &'static str, &'static str)> {
-    let families = affinor::algebra::catalogue::families();
-    families.iter().map(|family| (family.pattern, family.summary, family.example)).collect()
+    written(&report, format).map_err(|error| refused(py, error))
 }

@@ -1,20 +1,25 @@
-//! Groups over arrays of elements, and parallel transport.
+//! Groups over arrays of elements.
 
-use crate::arrays::{self, Floats, Rows, common, fresh, zeros};
-use crate::errors::{raise, refused};
+use crate::arrays::{self, Floats, Rows, common, fresh, with_axes, zeros};
+use crate::class::{New, Object, Optional, immutable, in_python, properties};
 use crate::run::{run, run_here};
+use crate::source::{Arguments, PySource};
+use crate::values::python;
 use affinor::Error;
 use affinor::group::batch;
-use affinor::group::transport::ParallelTranslation;
 use affinor::group::{
     AnyGroup, Coordinates, Embedded, LieGroup, MatrixNotation, Product, Se2, Se3, Se23, Sl2, So2,
     So3, registry,
 };
-use affinor_documents::definition::InputError;
+use affinor_documents::input::InputError;
+use affinor_tensors::Tolerance;
 use nalgebra::{DMatrix, DVector};
-use numpy::{PyArray2, PyArrayDyn, PyArrayMethods, PyUntypedArrayMethods};
+use numpy::{PyArrayDyn, PyArrayMethods};
+use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
+use pyo3::types::PyType;
 use rayon::prelude::*;
+use std::hash::{DefaultHasher, Hash, Hasher};
 
 /// Operations on rows.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -45,15 +50,38 @@ enum Row {
 /// The most rows that one thread handles without others.
 const ALONE: usize = 512;
 
-/// A group; elements are arrays of coordinates, quaternions first and in the order w, x, y, z.
-#[pyclass(name = "Group", frozen, module = "affinor._engine")]
+/// A Lie group. All operations take and give arrays, with the axes of a batch in front and NumPy's broadcasting.
+///
+/// Vectors are components in the basis of the algebra, of the shape (..., dimension). Elements are arrays of coordinates of
+/// the shape (..., coordinates): a unit quaternion ``w, x, y, z`` for rotations, a quaternion and a position for SE(3),
+/// entries column by column for groups of matrices, coordinates for R^n and nilpotent groups. Vectors of se(3) have the
+/// rotation first. Groups are equal if they are made of the same name or the same definition.
+///
+/// Parameters
+/// ----------
+/// name : str
+///     A name of the catalogue or a sum of names.
+///
+/// Examples
+/// --------
+/// >>> SO2 = Group("so2")
+/// >>> SO2.log(SO2.compose(SO2.exp([1.0]), SO2.exp([0.5])))
+/// array([1.5])
+#[pyclass(name = "Group", frozen, subclass, module = "affinor")]
 pub struct PyGroup {
     name: String,
     group: AnyGroup,
+    made: MadeOf,
     /// For each coordinate of Python its index in the library, where quaternions end with w.
     order: Vec<usize>,
     dimension: usize,
     shape: (usize, usize),
+}
+
+/// The name or the source from which a group is made.
+enum MadeOf {
+    Name(String),
+    Source(Py<PySource>),
 }
 
 /// Runs the same expression with the group in its own type, where that is known.
@@ -228,10 +256,25 @@ fn rotations(operation: Operation, [a, b]: [&Rows<'_>; 2], out: &mut [f64]) -> b
 }
 
 impl PyGroup {
-    pub fn new(name: String, group: AnyGroup) -> Self {
+    fn new(name: String, group: AnyGroup, made: MadeOf) -> Self {
         let (order, dimension) = (order(&group), group.dimension());
         let shape = group.write(&group.identity()).shape();
-        PyGroup { name, group, order, dimension, shape }
+        PyGroup { name, group, made, order, dimension, shape }
+    }
+
+    /// The group of the algebra of a source.
+    pub fn of_source(py: Python<'_>, source: Py<PySource>) -> PyResult<Self> {
+        let space = source.get().space(py)?;
+        let group = run(py, || space.in_floats()?.group(Tolerance::default()))?;
+        Ok(PyGroup::new(space.definition.name.clone(), group, MadeOf::Source(source)))
+    }
+
+    /// The arguments that equal groups have in common.
+    fn arguments(&self) -> Arguments {
+        match &self.made {
+            MadeOf::Name(name) => Arguments::named(name),
+            MadeOf::Source(source) => source.get().arguments(),
+        }
     }
 
     /// The group of the library.
@@ -290,255 +333,192 @@ impl PyGroup {
     }
 }
 
-type Array<'py> = Bound<'py, PyArrayDyn<f64>>;
+/// An array of floats.
+pub type Array<'py> = Bound<'py, PyArrayDyn<f64>>;
+
+/// Methods that apply an operation to rows: the arguments with their kinds, and the kind of the result.
+macro_rules! operations {
+    ($(
+        $(#[doc = $doc:literal])*
+        $name:ident($a:ident: $A:ident $(, $b:ident: $B:ident)?) -> $result:ident = $operation:ident;
+    )*) => {
+        #[pymethods]
+        #[allow(clippy::wrong_self_convention, reason = "a group reads and writes its elements")]
+        impl PyGroup {
+            $(
+                $(#[doc = $doc])*
+                fn $name<'py>(
+                    &self,
+                    py: Python<'py>,
+                    $a: Floats<'py>,
+                    $($b: Floats<'py>,)?
+                ) -> PyResult<Array<'py>> {
+                    let first = (stringify!($a), Row::$A, &$a);
+                    #[allow(unused_mut, unused_assignments, reason = "some have one argument")]
+                    let mut second = None;
+                    $(second = Some((stringify!($b), Row::$B, &$b));)?
+                    self.map(py, Operation::$operation, first, second, Row::$result)
+                }
+            )*
+        }
+    };
+}
+
+operations! {
+    /// The exponential of vectors (..., dimension): elements (..., coordinates).
+    exp(x: Vector) -> Element = Exp;
+    /// The logarithm of elements, near the identity the one near 0.
+    log(g: Element) -> Vector = Log;
+    /// The products ``g h``.
+    compose(g: Element, h: Element) -> Element = Compose;
+    /// The inverse elements.
+    inverse(g: Element) -> Element = Inverse;
+    /// ``g^-1 h``.
+    between(g: Element, h: Element) -> Element = Between;
+    /// Drifted elements projected back onto the group; elements without an inverse are an error.
+    project(g: Element) -> Element = Restore;
+    /// ``Ad_g x``.
+    adjoint(g: Element, x: Vector) -> Vector = Adjoint;
+    /// ``Ad*_g h``: spatial to body momentum.
+    coadjoint(g: Element, h: Vector) -> Vector = Coadjoint;
+    /// The bracket of vectors.
+    bracket(x: Vector, y: Vector) -> Vector = Bracket;
+    /// ``T_left(x) v``: ``exp(x + dx) = exp(x) exp(T_left(x) dx + ...)``.
+    tangent_left(x: Vector, v: Vector) -> Vector = TangentLeft;
+    /// ``T_left(x)^-1 v``.
+    tangent_left_inverse(x: Vector, v: Vector) -> Vector = TangentLeftInverse;
+    /// Elements as matrices (..., rows, columns), or as columns (..., rows) for vector groups and products.
+    matrix(g: Element) -> Matrix = Matrix;
+    /// The elements of matrices, which are checked.
+    from_matrix(matrix: Matrix) -> Element = Read;
+}
+
+in_python! { PyGroup, "group":
+    /// The matrices of ``Ad_g``, (..., dimension, dimension).
+    adjoint_matrix (g) [g];
+    /// The action of matrices of size k on points (..., k); affine maps, such as rigid motions, act on points
+    /// (..., k - 1) too.
+    act (g, points) [g, points];
+    /// The point ``g exp(t log(g^-1 h))``: ``g`` at ``t = 0``, ``h`` at ``t = 1``; ``t`` has the shape of the batch.
+    interpolate (g, h, t) [g, h, t];
+}
+
+immutable! { PyGroup }
+
+properties! { PyGroup, own:
+    /// The name of the algebra.
+    name: &str = &own.name;
+    /// The dimension of the algebra.
+    dimension: usize = own.dimension;
+    /// The number of coordinates of an element.
+    coordinate_count: usize = own.order.len();
+    _shape: (usize, usize) = own.shape;
+}
 
 #[pymethods]
 impl PyGroup {
     /// The group of a name of the catalogue, or of names joined by `+`.
     #[new]
-    fn named(py: Python<'_>, name: &str) -> PyResult<Self> {
-        let group = run(py, || Ok(registry::find(name)?))?;
-        Ok(PyGroup::new(name.into(), group))
+    fn __new__(name: &Bound<'_, PyAny>) -> PyResult<Self> {
+        let py = name.py();
+        if let Ok(source) = name.cast::<PySource>() {
+            return Self::of_source(py, source.clone().unbind());
+        }
+        let name: String = name.extract().map_err(|_| {
+            let found = name.get_type().name().map_or_else(|_| String::new(), |n| n.to_string());
+            PyTypeError::new_err(format!("the name of a group is a text, not {found}"))
+        })?;
+        let group = run(py, || Ok(registry::find(&name)?))?;
+        Ok(PyGroup::new(name.clone(), group, MadeOf::Name(name)))
     }
 
-    #[getter]
-    fn name(&self) -> &str {
-        &self.name
+    /// The neutral element.
+    pub fn identity<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
+        self.written(py, &self.group.identity())
     }
 
-    #[getter]
-    fn dimension(&self) -> usize {
-        self.dimension
+    /// The mean of elements (count, coordinates): ``sum log(m^-1 g_i) = 0``.
+    fn mean<'py>(&self, g: &Object<'py>) -> PyResult<Array<'py>> {
+        let elements = self.elements(&with_axes("g", g, &[2])?)?;
+        let mean = run(g.py(), || Ok(self.group.mean(&elements)?))?;
+        self.written(g.py(), &mean)
     }
 
-    /// The number of coordinates of an element.
-    #[getter]
-    fn coordinate_count(&self) -> usize {
-        self.order.len()
+    /// Exponentials of normal vectors of this scale.
+    #[pyo3(
+        signature = (shape=None, *, rng=None, scale=1.0),
+        text_signature = "($self, shape=(), *, rng=None, scale=1.0)"
+    )]
+    fn random<'py>(
+        slf: &Bound<'py, Self>,
+        shape: Optional<'py>,
+        rng: Optional<'py>,
+        scale: f64,
+    ) -> New<'py> {
+        python(slf.py(), "group", "random")?.call1((slf, shape, rng, scale))
     }
 
-    /// Rows and columns of the matrix of an element.
-    #[getter]
-    fn shape(&self) -> (usize, usize) {
-        self.shape
+    fn __repr__(&self) -> String {
+        let (name, n, count) = (&self.name, self.dimension, self.order.len());
+        format!("<Group {name}, dimension {n}, {count} coordinates>")
     }
 
-    fn identity<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
-        let out = zeros(py, &[], &[self.order.len()]);
-        write_element(
-            &self.group,
-            &self.order,
-            &self.group.identity(),
-            out.readwrite().as_slice_mut()?,
-        );
-        Ok(out)
+    /// Whether both are made of the same name or definition.
+    fn __eq__(&self, other: &PyGroup) -> bool {
+        self.arguments() == other.arguments()
     }
 
-    fn exp<'py>(&self, py: Python<'py>, x: Floats<'py>) -> PyResult<Array<'py>> {
-        self.map(py, Operation::Exp, ("x", Row::Vector, &x), None, Row::Element)
+    fn __hash__(&self) -> u64 {
+        let mut state = DefaultHasher::new();
+        self.arguments().hash(&mut state);
+        state.finish()
     }
 
-    fn log<'py>(&self, py: Python<'py>, g: Floats<'py>) -> PyResult<Array<'py>> {
-        self.map(py, Operation::Log, ("g", Row::Element, &g), None, Row::Vector)
-    }
-
-    fn inverse<'py>(&self, py: Python<'py>, g: Floats<'py>) -> PyResult<Array<'py>> {
-        self.map(py, Operation::Inverse, ("g", Row::Element, &g), None, Row::Element)
-    }
-
-    fn project<'py>(&self, py: Python<'py>, g: Floats<'py>) -> PyResult<Array<'py>> {
-        self.map(py, Operation::Restore, ("g", Row::Element, &g), None, Row::Element)
-    }
-
-    fn compose<'py>(
-        &self,
-        py: Python<'py>,
-        g: Floats<'py>,
-        h: Floats<'py>,
-    ) -> PyResult<Array<'py>> {
-        let second = Some(("h", Row::Element, &h));
-        self.map(py, Operation::Compose, ("g", Row::Element, &g), second, Row::Element)
-    }
-
-    fn between<'py>(
-        &self,
-        py: Python<'py>,
-        g: Floats<'py>,
-        h: Floats<'py>,
-    ) -> PyResult<Array<'py>> {
-        let second = Some(("h", Row::Element, &h));
-        self.map(py, Operation::Between, ("g", Row::Element, &g), second, Row::Element)
-    }
-
-    fn adjoint<'py>(
-        &self,
-        py: Python<'py>,
-        g: Floats<'py>,
-        x: Floats<'py>,
-    ) -> PyResult<Array<'py>> {
-        let second = Some(("x", Row::Vector, &x));
-        self.map(py, Operation::Adjoint, ("g", Row::Element, &g), second, Row::Vector)
-    }
-
-    fn coadjoint<'py>(
-        &self,
-        py: Python<'py>,
-        g: Floats<'py>,
-        h: Floats<'py>,
-    ) -> PyResult<Array<'py>> {
-        let second = Some(("h", Row::Vector, &h));
-        self.map(py, Operation::Coadjoint, ("g", Row::Element, &g), second, Row::Vector)
-    }
-
-    fn bracket<'py>(
-        &self,
-        py: Python<'py>,
-        x: Floats<'py>,
-        y: Floats<'py>,
-    ) -> PyResult<Array<'py>> {
-        let second = Some(("y", Row::Vector, &y));
-        self.map(py, Operation::Bracket, ("x", Row::Vector, &x), second, Row::Vector)
-    }
-
-    fn tangent_left<'py>(
-        &self,
-        py: Python<'py>,
-        x: Floats<'py>,
-        v: Floats<'py>,
-    ) -> PyResult<Array<'py>> {
-        let second = Some(("v", Row::Vector, &v));
-        self.map(py, Operation::TangentLeft, ("x", Row::Vector, &x), second, Row::Vector)
-    }
-
-    fn tangent_left_inverse<'py>(
-        &self,
-        py: Python<'py>,
-        x: Floats<'py>,
-        v: Floats<'py>,
-    ) -> PyResult<Array<'py>> {
-        let second = Some(("v", Row::Vector, &v));
-        self.map(py, Operation::TangentLeftInverse, ("x", Row::Vector, &x), second, Row::Vector)
-    }
-
-    fn matrix<'py>(&self, py: Python<'py>, g: Floats<'py>) -> PyResult<Array<'py>> {
-        self.map(py, Operation::Matrix, ("g", Row::Element, &g), None, Row::Matrix)
-    }
-
-    #[pyo3(name = "from_matrix")]
-    fn read<'py>(&self, py: Python<'py>, matrix: Floats<'py>) -> PyResult<Array<'py>> {
-        self.map(py, Operation::Read, ("matrix", Row::Matrix, &matrix), None, Row::Element)
-    }
-
-    /// The mean of the elements of an array of the shape (count, coordinates).
-    fn mean<'py>(&self, py: Python<'py>, g: Floats<'py>) -> PyResult<Array<'py>> {
-        let elements = self.elements(&g)?;
-        let mean = run(py, || Ok(self.group.mean(&elements)?))?;
-        let out = zeros(py, &[], &[self.order.len()]);
-        write_element(&self.group, &self.order, &mean, out.readwrite().as_slice_mut()?);
-        Ok(out)
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyType>, Argument<'py>)> {
+        let argument = match &slf.get().made {
+            MadeOf::Name(name) => name.into_pyobject(slf.py())?.into_any(),
+            MadeOf::Source(source) => source.bind(slf.py()).clone().into_any(),
+        };
+        Ok((slf.get_type(), (argument,)))
     }
 }
 
+/// The argument of the constructor.
+type Argument<'py> = (Object<'py>,);
+
 impl PyGroup {
-    fn elements(&self, g: &Floats<'_>) -> PyResult<Vec<DVector<f64>>> {
+    /// The elements of an array.
+    pub fn elements(&self, g: &Floats<'_>) -> PyResult<Vec<DVector<f64>>> {
         let own = arrays::batch("g", g, &self.row(Row::Element))?;
         let rows = Rows::new(g, own, own);
         let count = own.iter().product();
         Ok((0..count).map(|at| element(&self.group, &self.order, rows.row(at))).collect())
     }
-}
 
-/// A group with a connection: parallel transport and autoparallels.
-#[pyclass(name = "Transport", frozen, module = "affinor._engine")]
-pub struct PyTransport(pub ParallelTranslation<AnyGroup>);
-
-impl PyTransport {
-    fn group(&self) -> PyGroup {
-        PyGroup::new(String::new(), self.0.group().clone())
-    }
-}
-
-/// Elements and tangent vectors.
-type Path<'py> = (Array<'py>, Array<'py>);
-
-fn square<'py>(py: Python<'py>, matrix: &DMatrix<f64>) -> PyResult<Bound<'py, PyArray2<f64>>> {
-    let rows: Vec<Vec<f64>> = matrix.row_iter().map(|row| row.iter().copied().collect()).collect();
-    Ok(PyArray2::from_vec2(py, &rows)?)
-}
-
-fn list(rows: &Rows<'_>, count: usize) -> Vec<DVector<f64>> {
-    (0..count).map(|at| DVector::from_column_slice(rows.row(at))).collect()
-}
-
-#[pymethods]
-impl PyTransport {
-    /// The matrix of parallel translation along consecutive arcs `exp(s x)`, one a row.
-    fn along<'py>(
-        &self,
-        py: Python<'py>,
-        arcs: Floats<'py>,
-    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        let own = arrays::batch("arcs", &arcs, &[self.0.group().dimension()])?;
-        let count = own.iter().product();
-        let arcs = list(&Rows::new(&arcs, own, own), count);
-        square(py, &run(py, || Ok(self.0.along_arcs(&arcs)?))?)
-    }
-
-    /// The matrix of parallel translation along sampled elements, one a row.
-    fn samples<'py>(&self, py: Python<'py>, g: Floats<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        let elements = self.group().elements(&g)?;
-        square(py, &run(py, || Ok(self.0.along_samples(&elements)?))?)
-    }
-
-    /// The autoparallel from an element with a tangent vector: elements and tangent vectors at the times.
-    fn autoparallel<'py>(
-        &self,
-        py: Python<'py>,
-        start: Floats<'py>,
-        tangent: Floats<'py>,
-        times: Vec<f64>,
-        tolerance: f64,
-    ) -> PyResult<Path<'py>> {
-        let group = self.group();
-        arrays::batch("tangent", &tangent, &[group.dimension])?;
-        let start = group.elements(&start)?;
-        let Some(start) = start.first() else {
-            return Err(refused(py, InputError::usage("no element is given")));
-        };
-        let own = &tangent.shape()[..tangent.ndim() - 1];
-        let tangent = DVector::from_column_slice(Rows::new(&tangent, own, own).row(0));
-        let path = run(py, || Ok(self.0.autoparallel(start, &tangent, &times, tolerance)?))?;
-        let elements = zeros(py, &[path.len()], &[group.order.len()]);
-        let tangents = zeros(py, &[path.len()], &[group.dimension]);
-        {
-            let (mut g, mut n) = (elements.readwrite(), tangents.readwrite());
-            let rows = g.as_slice_mut()?.chunks_exact_mut(group.order.len());
-            let vectors = n.as_slice_mut()?.chunks_exact_mut(group.dimension);
-            for ((point, row), vector) in path.iter().zip(rows).zip(vectors) {
-                write_element(&group.group, &group.order, &point.base, row);
-                vector.copy_from_slice(point.left.as_slice());
-            }
-        }
-        Ok((elements, tangents))
-    }
-
-    /// The tangent vector at one element of an autoparallel that is at another at time 1.
-    fn between<'py>(
-        &self,
-        py: Python<'py>,
-        start: Floats<'py>,
-        end: Floats<'py>,
-        tolerance: f64,
-    ) -> PyResult<Array<'py>> {
-        let group = self.group();
-        let ends = [group.elements(&start)?, group.elements(&end)?];
-        let [Some(start), Some(end)] = ends.each_ref().map(|elements| elements.first()) else {
-            return Err(raise(py, &InputError::usage("no element is given")));
-        };
-        let tangent = run(py, || Ok(self.0.autoparallel_between(start, end, tolerance)?))?;
-        let out = zeros(py, &[], &[group.dimension]);
-        out.readwrite().as_slice_mut()?.copy_from_slice(tangent.as_slice());
+    /// The coordinates of an element.
+    fn written<'py>(&self, py: Python<'py>, g: &DVector<f64>) -> PyResult<Array<'py>> {
+        let out = zeros(py, &[], &[self.order.len()]);
+        self.write(g, out.readwrite().as_slice_mut()?);
         Ok(out)
+    }
+
+    /// Writes the coordinates of an element.
+    pub fn write(&self, g: &DVector<f64>, row: &mut [f64]) {
+        write_element(&self.group, &self.order, g, row);
+    }
+
+    /// Elements of an array with some axes, which are checked; their quaternions get the length 1.
+    pub fn checked(
+        &self,
+        what: &str,
+        g: &Bound<'_, PyAny>,
+        axes: usize,
+    ) -> PyResult<Vec<DVector<f64>>> {
+        let (py, array) = (g.py(), with_axes(what, g, &[axes])?);
+        let matrix = self.matrix(py, array)?;
+        self.from_matrix(py, matrix.as_any().extract()?)?;
+        let restored = self.project(py, with_axes(what, g, &[axes])?)?;
+        self.elements(&restored.as_any().extract()?)
     }
 }
 

@@ -1,37 +1,39 @@
-//! The module `affinor._engine`: spaces, tensors, groups and motions for the Python package `affinor`.
+//! The module `affinor._engine`: algebras, tensors, geometries, groups and motions for the Python package `affinor`.
 
+mod algebra;
 mod arrays;
+mod class;
+mod components;
+mod display;
 mod errors;
 mod geometry;
 mod group;
 mod motion;
 mod report;
 mod run;
-mod space;
+mod source;
 mod structure;
 mod tensor;
+mod transport;
 mod values;
 
 /// The extension module.
 #[pyo3::pymodule]
 mod _engine {
     #[pymodule_export]
-    use crate::geometry::{PyGeometry, catalogue, conventions, quantities};
+    use crate::algebra::{PyAlgebra, catalogue};
     #[pymodule_export]
-    use crate::group::{PyGroup, PyTransport, groups};
+    use crate::geometry::{PyGeometry, compare, conventions};
+    #[pymodule_export]
+    use crate::group::{PyGroup, groups};
     #[pymodule_export]
     use crate::motion::PyProblem;
     #[pymodule_export]
     use crate::run::{_panic, set_threads, threads};
     #[pymodule_export]
-    use crate::space::PySpace;
+    use crate::source::PySource;
     #[pymodule_export]
-    use crate::structure::{
-        central_extension, complexification, contraction, info, program, properties, quotient,
-        semidirect, subalgebra, tensor_product, truncated, with_dual,
-    };
+    use crate::tensor::{_restore_tensor, PyTensor, contract_all};
     #[pymodule_export]
-    use crate::tensor::PyTensor;
-    #[pymodule_export]
-    use crate::values::evaluate;
+    use crate::values::{evaluate, knows};
 }

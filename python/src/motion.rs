@@ -1,15 +1,16 @@
 //! Problems of motion, and their integration in short pieces between which Python can interrupt.
 
 use crate::arrays::{Floats, Rows, batch};
+use crate::class::properties;
 use crate::errors::{raise, wrong};
 use crate::run::{Threads, run};
 use affinor::mechanics::simulation::{ForceFunction, Side};
-use affinor_documents::definition::InputError;
+use affinor_documents::input::InputError;
 use affinor_documents::problem::{Integration, Problem};
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyUntypedArrayMethods};
 use pyo3::exceptions::PyException;
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyList};
+use pyo3::types::{IntoPyDict, PyDict, PyList};
 use std::cell::RefCell;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
@@ -19,7 +20,7 @@ use std::time::{Duration, Instant};
 const PIECE: Duration = Duration::from_millis(20);
 
 /// A problem of motion, and whether functions of Python are among its forces.
-#[pyclass(name = "Problem", frozen, module = "affinor._engine")]
+#[pyclass(name = "Problem", frozen, subclass, module = "affinor._engine")]
 pub struct PyProblem(Problem, bool);
 
 thread_local! {
@@ -132,6 +133,15 @@ fn table<'py>(
     PyArray1::from_vec(py, rows).reshape([count, width])
 }
 
+properties! { PyProblem, own:
+    /// The name.
+    name: &str = &own.0.name;
+    /// The number of members of the ensemble; None without one.
+    ensemble_size: Option<u64> = own.0.members();
+    /// The names of the parameters that the ensemble varies.
+    ensemble_parameters: Vec<String> = own.0.varied().into_iter().map(String::from).collect();
+}
+
 #[pymethods]
 impl PyProblem {
     /// A problem from a file, or from a text with a name for messages; options replace keys of the file.
@@ -176,43 +186,20 @@ impl PyProblem {
         Ok(PyProblem(problem, of_python))
     }
 
-    #[getter]
-    fn name(&self) -> &str {
-        &self.0.name
+    /// The values of the parameters that the ensemble varies for a member, from 0.
+    fn member_parameters<'py>(&self, py: Python<'py>, member: u64) -> PyResult<Bound<'py, PyDict>> {
+        self.0.varied().into_iter().zip(self.0.variation(member)).into_py_dict(py)
     }
 
-    #[getter]
-    fn text(&self) -> &str {
-        self.0.text()
-    }
-
-    /// The other files that the problem names.
-    #[getter]
-    fn files(&self) -> Vec<String> {
-        self.0.files().to_vec()
-    }
-
-    /// The number of members of the ensemble.
-    #[getter]
-    fn members(&self) -> Option<u64> {
-        self.0.members()
-    }
-
-    /// The names of the parameters that the ensemble varies.
-    #[getter]
-    fn varied(&self) -> Vec<String> {
-        self.0.varied().into_iter().map(String::from).collect()
-    }
-
-    /// The values of these parameters for a member, from 0.
-    fn variation(&self, member: u64) -> Vec<f64> {
-        self.0.variation(member)
+    fn __repr__(&self) -> String {
+        let members = self.ensemble_size().map_or(String::new(), |n| format!(", {n} members"));
+        format!("<Problem {}{members}>", self.0.name)
     }
 
     /// Integrates a member. `progress` is called with the share of the time that is passed. An interrupt, or an error of
     /// the integration, ends the run and keeps its rows.
     #[pyo3(signature = (member=0, progress=None))]
-    fn run<'py>(
+    fn _run<'py>(
         &self,
         py: Python<'py>,
         member: u64,
@@ -266,7 +253,7 @@ impl PyProblem {
 
     /// Integrates the problem once for each row of values of parameters, on all threads: the columns, the last row of each
     /// run, and its error if it failed. An interrupt ends all runs.
-    fn run_many<'py>(
+    fn _run_many<'py>(
         &self,
         py: Python<'py>,
         names: Vec<String>,

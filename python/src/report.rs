@@ -1,6 +1,6 @@
 //! Reports as text.
 
-use affinor_documents::definition::InputError;
+use affinor_documents::input::InputError;
 use affinor_documents::report::{Format, Report};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -18,4 +18,14 @@ pub fn written(report: &(impl Report + ?Sized), format: Format) -> Result<String
     let mut bytes = Vec::new();
     report.write(format, &mut bytes).map_err(|error| InputError::usage(error.to_string()))?;
     Ok(String::from_utf8_lossy(&bytes).into_owned())
+}
+
+/// A report as JSON, as text and as Markdown.
+pub type Written = (String, String, String);
+
+/// A report in the formats of `Report` in Python.
+pub fn all_formats(report: &impl Report) -> Result<Written, InputError> {
+    let [json, text, markdown] =
+        [Format::Json, Format::Text, Format::Markdown].map(|format| written(report, format));
+    Ok((json?, text?, markdown?))
 }

@@ -1,7 +1,7 @@
 //! The one door to computations: without the interpreter lock, in a pool of this process, and without panics.
 
 use crate::errors;
-use affinor_documents::definition::InputError;
+use affinor_documents::input::InputError;
 use pyo3::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::any::Any;

@@ -1,328 +1,374 @@
-//! Tensors over the three scalars, as the engine hands them to Python.
+//! The class of tensors.
 
 use crate::arrays::fresh;
-use crate::errors::{refused, wrong};
-use crate::run::run;
-use crate::values;
-use affinor_documents::definition::InputError;
-use affinor_documents::report::{components_in_latex, components_in_text};
-use affinor_documents::{Coefficient, over_kind};
-use affinor_tensors::{
-    Down, Kind, Notation, Rational, Symbolic, Tensor, TensorError, Tracked, Up, Variance, contract,
+use crate::class::{New, Object, Optional, immutable, in_python, properties};
+use crate::components::{
+    Held, Values, build, each, marks, of, parameters, text, widest, write_floats,
 };
-use numpy::{PyArrayDyn, PyArrayLikeDyn, PyArrayMethods};
-use pyo3::exceptions::{PyTypeError, PyValueError};
+use crate::errors::refused;
+use crate::run::run;
+use crate::values::{self, error, index, python, text_of};
+use affinor_documents::input::InputError;
+use affinor_documents::over_kind;
+use affinor_tensors::{Kind, Notation, Rational, Symbolic, Tensor, TrackedFloat, contract};
+use numpy::{PyArrayDyn, PyArrayLikeDyn, PyArrayMethods, PyUntypedArray};
+use pyo3::exceptions::{PyIndexError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
-use pyo3::types::{PyBytes, PyList};
-use std::sync::Arc;
+use pyo3::types::{PyBytes, PyDict, PyInt, PyIterator, PyList, PySlice, PyTuple};
+use std::hash::{DefaultHasher, Hash, Hasher};
 
-/// The components over one of the scalars.
-#[derive(Clone, Debug)]
-pub enum Values {
-    Exact(Arc<Tensor<Rational>>),
-    Symbolic(Arc<Tensor<Symbolic>>),
-    Float(Arc<Tensor<Tracked>>),
+/// The names of a tensor in displays; a dict in Python.
+#[derive(Clone, FromPyObject, IntoPyObject)]
+#[pyo3(from_item_all)]
+pub struct Names {
+    pub symbol: String,
+    pub latex: String,
+    pub title: Option<String>,
+    pub letters: Option<String>,
 }
 
-/// Runs the same expression over each scalar.
-macro_rules! each {
-    ($values:expr, $tensor:ident => $body:expr) => {
-        match $values {
-            Values::Exact($tensor) => $body,
-            Values::Symbolic($tensor) => $body,
-            Values::Float($tensor) => $body,
-        }
-    };
+impl Names {
+    /// A symbol alone.
+    pub fn of(symbol: &str) -> Self {
+        Names { symbol: symbol.into(), latex: symbol.into(), title: None, letters: None }
+    }
+}
+
+/// A tensor over exact numbers, rational functions of parameters, or floats.
+///
+/// Components are sparse. Indices count from 0 in Python, and from 1 in all printed output.
+///
+/// Parameters
+/// ----------
+/// components : array or dict
+///     Numbers (int, Fraction, integral floats), SymPy expressions or texts; a dict has components by indices.
+/// slots : str
+///     A mark for each index: ``"^"`` for an upper and ``"_"`` for a lower one, so a curvature has ``"^___"``.
+/// dimension : int, optional
+///     The dimension, which a dict needs.
+/// scalar : str, optional
+///     ``"float"`` makes a tensor of floats.
+/// symbol : str
+///     The symbol in displays.
+///
+/// Examples
+/// --------
+/// >>> Tensor([[1, 2], [3, 4]], "^_").trace(0, 1)[()]
+/// Fraction(5, 1)
+/// >>> Tensor({(0, 1): "a"}, "__", dimension=3).parameters
+/// ['a']
+#[pyclass(name = "Tensor", frozen, mapping, subclass, module = "affinor")]
+pub struct PyTensor {
+    pub values: Values,
+    pub symbols: Py<PyDict>,
+    pub names: Names,
 }
 
 /// Indices and values of the nonzero components.
 type Coordinates<'py> = (Bound<'py, PyArrayDyn<i64>>, Bound<'py, PyArrayDyn<f64>>);
 
-/// A component as a float.
-pub fn float<S: Coefficient>(value: &S) -> Result<f64, InputError> {
-    let refused = |what: &str, help: &str| {
-        let text = value.to_string();
-        let shown: String = text.chars().take(40).collect();
-        let rest = if shown.len() < text.len() { "..." } else { "" };
-        Err(InputError::usage(format!("the component {shown}{rest} {what}")).help(help))
-    };
-    match Notation::to_f64(value) {
-        Some(float) if float.is_finite() => Ok(float),
-        Some(_) => refused("is beyond the range of floats", "take exact numbers: to_numpy(object)"),
-        None if value.parameters().is_empty() => {
-            refused("is no rational number", "take to_sympy(), and evalf of its expressions")
-        }
-        None => refused(
-            "has parameters, and is no float",
-            "substitute numbers for the parameters, or take to_sympy()",
-        ),
-    }
-}
+/// The dimension, slots, indices, values and the scalar of a tensor, and the symbols of SymPy in it.
+type Parts<'py> =
+    (usize, String, PyArrayLikeDyn<'py, i64>, Object<'py>, String, Bound<'py, PyDict>);
 
-/// The nonzero components as floats.
-fn write_floats<S: Coefficient>(tensor: &Tensor<S>, list: &mut [f64]) -> Result<(), InputError> {
-    for (value, out) in tensor.nonzero().zip(list) {
-        *out = float(value)?;
-    }
-    Ok(())
-}
-
-/// A scalar of the tensors that Python holds.
-pub trait Held: Coefficient {
-    fn wrap(tensor: Tensor<Self>) -> Values;
-    /// The tensor over this scalar, if its values exist here.
-    fn of(values: &Values) -> Option<Arc<Tensor<Self>>>;
-}
-
-/// A tensor over another scalar; `None` if a value does not exist there.
-fn over<S: Coefficient, T: Coefficient>(
-    tensor: &Tensor<S>,
-    convert: impl Fn(&S) -> Option<T>,
-) -> Option<Arc<Tensor<T>>> {
-    tensor
-        .components()
-        .all(|(_, value)| convert(value).is_some())
-        .then(|| Arc::new(tensor.map(|value| convert(value).unwrap_or_else(T::zero))))
-}
-
-impl Held for Rational {
-    fn wrap(tensor: Tensor<Self>) -> Values {
-        Values::Exact(tensor.into())
-    }
-    fn of(values: &Values) -> Option<Arc<Tensor<Self>>> {
-        match values {
-            Values::Exact(tensor) => Some(tensor.clone()),
-            Values::Symbolic(tensor) => over(tensor, |value| value.as_constant().cloned()),
-            Values::Float(_) => None,
-        }
-    }
-}
-
-impl Held for Symbolic {
-    fn wrap(tensor: Tensor<Self>) -> Values {
-        Values::Symbolic(tensor.into())
-    }
-    fn of(values: &Values) -> Option<Arc<Tensor<Self>>> {
-        match values {
-            Values::Exact(tensor) => over(tensor, |value| Some(Symbolic::constant(value.clone()))),
-            Values::Symbolic(tensor) => Some(tensor.clone()),
-            Values::Float(_) => None,
-        }
-    }
-}
-
-impl Held for Tracked {
-    fn wrap(tensor: Tensor<Self>) -> Values {
-        Values::Float(tensor.into())
-    }
-    fn of(values: &Values) -> Option<Arc<Tensor<Self>>> {
-        match values {
-            Values::Exact(tensor) => over(tensor, Tracked::from_rational),
-            Values::Symbolic(tensor) => {
-                over(tensor, |value| Tracked::from_rational(&value.approximation()?))
-            }
-            Values::Float(tensor) => Some(tensor.clone()),
-        }
-    }
-}
-
-impl Values {
-    pub fn kind(&self) -> Kind {
-        match self {
-            Values::Exact(_) => Kind::Exact,
-            Values::Symbolic(_) => Kind::Symbolic,
-            Values::Float(_) => Kind::Float,
-        }
-    }
-}
-
-/// The widest of the kinds: floats before expressions before rationals.
-pub fn widest<'v>(all: impl IntoIterator<Item = &'v Values>) -> Kind {
-    let rank = |kind: &Kind| match kind {
-        Kind::Exact => 0,
-        Kind::Symbolic => 1,
-        Kind::Float => 2,
-    };
-    all.into_iter().map(Values::kind).max_by_key(rank).unwrap_or(Kind::Exact)
-}
-
-/// The tensor over a scalar, or the reason why a component is not in it.
-pub fn of<S: Held>(values: &Values) -> Result<Arc<Tensor<S>>, InputError> {
-    S::of(values).ok_or_else(|| {
-        if values.kind() == Kind::Float {
-            let error = InputError::usage("the components are floats, and exact ones are needed");
-            return error.help("give exact numbers (int, Fraction, SymPy or texts)");
-        }
-        let reason = each!(values, tensor => tensor.nonzero().find_map(|value| float(value).err()));
-        reason.unwrap_or_else(|| InputError::usage("a component is not in the scalars"))
-    })
-}
-
-/// A tensor: sparse components over upper and lower slots.
-#[pyclass(name = "Tensor", frozen, module = "affinor._engine")]
-#[derive(Debug)]
-pub struct PyTensor(pub Values);
-
-/// Upper and lower slots from the marks `^` and `_`.
-pub fn slots(marks: &str) -> PyResult<Vec<Variance>> {
-    let slot = |mark: char| match mark {
-        '^' => Ok(Up),
-        '_' => Ok(Down),
-        other => {
-            Err(PyValueError::new_err(format!("slots are written with ^ and _, not `{other}`")))
-        }
-    };
-    marks.chars().map(slot).collect()
-}
-
-#[pymethods]
 impl PyTensor {
-    /// A tensor from components: `indices` of the shape (rank, count), from 0, and as many values: texts, or floats for
-    /// the scalar `float`.
-    #[staticmethod]
-    fn build(
-        dimension: usize,
-        marks: &str,
-        indices: PyArrayLikeDyn<'_, i64>,
-        values: &Bound<'_, PyAny>,
-        scalar: &str,
+    /// A tensor with those of the symbols that are its parameters.
+    pub fn new(
+        py: Python<'_>,
+        values: Values,
+        symbols: &Bound<'_, PyDict>,
+        names: Names,
     ) -> PyResult<Self> {
-        let py = values.py();
-        let slots = slots(marks)?;
-        let places = indices.as_array();
-        let shape = places.shape().to_vec();
-        if shape.len() != 2 || shape[0] != slots.len() {
-            let expected = format!("of the shape ({}, count)", slots.len());
-            return Err(wrong("indices", &expected, &format!("{shape:?}")));
-        }
-        let mut keys = Vec::with_capacity(shape[1]);
-        for column in 0..shape[1] {
-            let index = |row: usize| {
-                let index = places[[row, column]];
-                usize::try_from(index).ok().filter(|index| *index < dimension).ok_or(index)
-            };
-            let at: Result<Vec<usize>, i64> = (0..shape[0]).map(index).collect();
-            keys.push(at.map_err(|index| {
-                let reason = format!("the index {index} is not in 0..{dimension}");
-                pyo3::exceptions::PyIndexError::new_err(reason)
-            })?);
-        }
-        fn make<S: Held>(
-            dimension: usize,
-            slots: &[Variance],
-            keys: Vec<Vec<usize>>,
-            values: Vec<S>,
-        ) -> Result<PyTensor, TensorError> {
-            let tensor = Tensor::from_components(dimension, slots, keys.into_iter().zip(values))?;
-            Ok(PyTensor(S::wrap(tensor)))
-        }
-        let count = values.len()?;
-        if count != keys.len() {
-            return Err(wrong("values", &format!("{} in number", keys.len()), &count.to_string()));
-        }
-        let made = if scalar == "float" {
-            let floats: Vec<f64> = values.extract()?;
-            make(dimension, &slots, keys, floats.into_iter().map(Tracked::from).collect())
-        } else {
-            let texts: Vec<String> = values.extract()?;
-            let symbolic = texts.iter().map(|text| values::read(text));
-            let symbolic = symbolic.collect::<PyResult<Vec<Symbolic>>>()?;
-            let exact: Option<Vec<Rational>> =
-                symbolic.iter().map(|value| value.as_constant().cloned()).collect();
-            match exact.filter(|_| scalar != "symbolic") {
-                Some(exact) => make(dimension, &slots, keys, exact),
-                None => make(dimension, &slots, keys, symbolic),
+        let own = PyDict::new(py);
+        if !symbols.is_empty() {
+            for name in parameters(&values) {
+                if let Some(symbol) = symbols.get_item(&name)? {
+                    own.set_item(name, symbol)?;
+                }
             }
-        };
-        made.map_err(|error| refused(py, error))
-    }
-
-    #[getter]
-    fn dimension(&self) -> usize {
-        each!(&self.0, tensor => tensor.dimension())
-    }
-
-    #[getter]
-    fn slots(&self) -> String {
-        let mark = |slot: &Variance| if *slot == Up { '^' } else { '_' };
-        each!(&self.0, tensor => tensor.slots().iter().map(mark).collect())
-    }
-
-    #[getter]
-    fn nnz(&self) -> usize {
-        each!(&self.0, tensor => tensor.len())
-    }
-
-    #[getter]
-    fn scalar(&self) -> &'static str {
-        match self.0.kind() {
-            Kind::Exact => "exact",
-            Kind::Symbolic => "symbolic",
-            Kind::Float => "float",
         }
+        Ok(PyTensor { values, symbols: own.unbind(), names })
     }
 
-    /// The names of the parameters, sorted.
-    fn parameters(&self) -> Vec<String> {
-        let mut names = std::collections::BTreeSet::new();
-        each!(&self.0, tensor => {
-            tensor.components().for_each(|(_, value)| names.extend(value.parameters()))
-        });
-        names.into_iter().collect()
+    fn made(py: Python<'_>, parts: Parts<'_>, names: Names) -> PyResult<Self> {
+        let (dimension, marks, indices, values, scalar, symbols) = parts;
+        let values = build(py, dimension, &marks, indices.as_array(), &values, &scalar)?;
+        Self::new(py, values, &symbols, names)
     }
 
-    /// One component, indices from 0: a fraction, a float, or the text of an expression.
-    fn get<'py>(&self, py: Python<'py>, at: Vec<usize>) -> PyResult<Bound<'py, PyAny>> {
+    /// The same parameters and a new symbol.
+    fn with(&self, py: Python<'_>, values: Values) -> PyResult<Self> {
+        Self::new(py, values, self.symbols.bind(py), Names::of("T"))
+    }
+
+    /// The component at indices from 0.
+    pub fn value<'py>(&self, py: Python<'py>, at: &[usize]) -> New<'py> {
         let failed = |error| refused(py, InputError::from(error));
-        match &self.0 {
-            Values::Exact(tensor) => values::fraction(py, tensor.try_get(&at).map_err(failed)?),
+        match &self.values {
+            Values::Exact(tensor) => values::fraction(py, tensor.try_get(at).map_err(failed)?),
             Values::Symbolic(tensor) => {
-                let text = tensor.try_get(&at).map_err(failed)?.to_string();
-                Ok(text.into_pyobject(py)?.into_any())
+                let text = tensor.try_get(at).map_err(failed)?.to_string();
+                values::python(py, "_scalars", "value_of")?.call1((text, &self.symbols))
             }
             Values::Float(tensor) => {
-                let value = tensor.try_get(&at).map_err(failed)?.to_f64();
+                let value = tensor.try_get(at).map_err(failed)?.to_f64();
                 Ok(value.into_pyobject(py)?.into_any())
             }
         }
     }
 
+    /// Positions of slots, which are checked.
+    fn positions(&self, slots: &Bound<'_, PyTuple>) -> PyResult<Vec<usize>> {
+        let position = |slot: Bound<'_, PyAny>| {
+            let slot = index("a slot", &slot)?;
+            let rank = self.rank();
+            usize::try_from(slot).ok().filter(|slot| *slot < rank).ok_or_else(|| {
+                let reason =
+                    format!("a tensor of rank {rank} has no slot {slot}; they count from 0");
+                error(slots.py(), "ShapeError", (reason,))
+            })
+        };
+        slots.iter().map(position).collect()
+    }
+
+    fn sum(&self, py: Python<'_>, other: &PyTensor, sign: &str) -> PyResult<Self> {
+        let (slots, dimension) = (self.slots(), self.dimension());
+        if slots != other.slots() || dimension != other.dimension() {
+            return Err(PyValueError::new_err(format!(
+                "a sum needs equal shapes: '{slots}' of dimension {dimension}, and '{}' of dimension {}",
+                other.slots(),
+                other.dimension()
+            )));
+        }
+        let letters = written(LETTERS, &slots, false);
+        let both = [&self.values, &other.values];
+        let values = run(py, || {
+            over_kind!(widest(both), S => {
+                sum(&*of::<S>(both[0])?, &*of::<S>(both[1])?, sign, &letters)
+            })
+        })?;
+        let symbols = values::merged(py, [&self.symbols, &other.symbols])?;
+        Self::new(py, values, &symbols, Names::of("T"))
+    }
+
+    /// The components multiplied by a number or an expression.
+    fn scale(&self, py: Python<'_>, factor: &str, symbols: &Bound<'_, PyDict>) -> PyResult<Self> {
+        fn scaled<S: Held>(tensor: &Tensor<S>, factor: &str) -> PyResult<Values> {
+            Ok(S::wrap(tensor.scale(&values::read(factor)?)))
+        }
+        let symbolic: Symbolic = values::read(factor)?;
+        let values = match &self.values {
+            Values::Exact(tensor) if symbolic.as_constant().is_some() => scaled(tensor, factor)?,
+            Values::Float(tensor) => scaled(tensor, factor)?,
+            other => {
+                let tensor = of::<Symbolic>(other).map_err(|error| refused(py, error))?;
+                Symbolic::wrap(tensor.scale(&symbolic))
+            }
+        };
+        Self::new(py, values, symbols, Names::of("T"))
+    }
+
+    /// The text of a factor, and the symbols of the product.
+    fn factor<'py>(&self, factor: &Object<'py>) -> PyResult<(String, Bound<'py, PyDict>)> {
+        let symbols = self.symbols.bind(factor.py()).copy()?;
+        Ok((text_of(factor, &symbols, self.scalar() == "float")?, symbols))
+    }
+}
+
+/// The sum or difference of two tensors, whose indices have these letters.
+fn sum<S: Held>(
+    a: &Tensor<S>,
+    b: &Tensor<S>,
+    sign: &str,
+    letters: &str,
+) -> Result<Values, InputError> {
+    if !letters.is_empty() {
+        let expression = format!("a{letters} {sign} b{letters} -> {letters}");
+        return Ok(S::wrap(contract(&expression, &[("a", a), ("b", b)])?));
+    }
+    let signed = |value: &S| if sign == "-" { -value.clone() } else { value.clone() };
+    let terms = a.nonzero().cloned().chain(b.nonzero().map(signed));
+    Ok(S::wrap(Tensor::from_components(a.dimension(), &[], terms.map(|value| (vec![], value)))?))
+}
+
+/// The letters of indices without other names.
+pub const LETTERS: &str = "ijklmnpq";
+
+/// Letters with their marks: `^i_j_k`, or in runs `^i_jk`.
+pub fn written(letters: &str, slots: &str, runs: bool) -> String {
+    let mut last = None;
+    let mut text = String::new();
+    for (letter, mark) in letters.chars().zip(slots.chars()) {
+        if !(runs && last == Some(mark)) {
+            text.push(mark);
+        }
+        text.push(letter);
+        last = Some(mark);
+    }
+    text
+}
+
+immutable! { PyTensor }
+
+properties! { PyTensor, own:
+    /// The dimension: indices run from 0 to one less.
+    dimension: usize = each!(&own.values, tensor => tensor.dimension());
+    /// ``^`` or ``_`` for each index.
+    slots: String = each!(&own.values, tensor => marks(tensor.slots()));
+    /// The number of indices.
+    rank: usize = each!(&own.values, tensor => tensor.slots().len());
+    /// The number of nonzero components.
+    nnz: usize = each!(&own.values, tensor => tensor.len());
+    /// ``exact``, ``symbolic`` or ``float``.
+    scalar: &'static str = text(own.values.kind());
+    /// The names of the parameters, sorted.
+    parameters: Vec<String> = parameters(&own.values).into_iter().collect();
+    /// Whether every component is zero.
+    is_zero: bool = own.nnz() == 0;
+    _letters: String = own.letters();
+}
+
+#[pymethods]
+impl PyTensor {
+    #[new]
+    #[pyo3(signature = (components, slots, *, dimension=None, scalar=None, symbol="T"))]
+    fn __new__<'py>(
+        components: &Object<'py>,
+        slots: Object<'py>,
+        dimension: Optional<'py>,
+        scalar: Optional<'py>,
+        symbol: &str,
+    ) -> PyResult<Self> {
+        let py = components.py();
+        let parts = python(py, "tensor", "parts")?;
+        let parts = parts.call1((components, slots, dimension, scalar))?.extract()?;
+        Self::made(py, parts, Names::of(symbol))
+    }
+
+    /// The tensor of the components ``values`` at ``indices``, of the shape (rank, count) and from 0.
+    ///
+    /// Components with equal indices are added.
+    #[staticmethod]
+    #[pyo3(signature = (indices, values, slots, dimension, *, scalar=None, symbol="T"))]
+    fn from_coo<'py>(
+        indices: &Object<'py>,
+        values: Object<'py>,
+        slots: Object<'py>,
+        dimension: Object<'py>,
+        scalar: Optional<'py>,
+        symbol: &str,
+    ) -> PyResult<Self> {
+        let py = indices.py();
+        let parts = python(py, "tensor", "parts_of_coo")?;
+        let parts = parts.call1((indices, values, slots, dimension, scalar))?.extract()?;
+        Self::made(py, parts, Names::of(symbol))
+    }
+
+    /// ``(dimension,) * rank``.
+    #[getter]
+    fn shape<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyTuple>> {
+        PyTuple::new(py, vec![self.dimension(); self.rank()])
+    }
+
+    #[getter(_symbols)]
+    fn symbols_of(&self, py: Python<'_>) -> Py<PyDict> {
+        self.symbols.clone_ref(py)
+    }
+
+    fn __bool__(&self) -> PyResult<bool> {
+        Err(PyTypeError::new_err("the truth of a tensor is ambiguous: ask for is_zero"))
+    }
+
+    // a product with a scalar of NumPy is a tensor, too, and not a dense array
+    #[classattr]
+    fn __array_ufunc__() -> Option<bool> {
+        None
+    }
+
+    /// The components of a vector or covector; of other tensors those with the first index fixed.
+    fn __iter__<'py>(slf: &Bound<'py, Self>) -> New<'py> {
+        python(slf.py(), "tensor", "rows")?.call1((slf,))
+    }
+
+    /// The component at indices from 0, or the tensor in which some indices are fixed: ``R[0, :, :, 1]``.
+    ///
+    /// Displays and the command line count from 1.
+    fn __getitem__<'py>(&self, at: Object<'py>) -> New<'py> {
+        let (py, rank, dimension) = (at.py(), self.rank(), self.dimension());
+        let at = match at.cast_into::<PyTuple>() {
+            Ok(at) => at,
+            Err(error) => PyTuple::new(py, [error.into_inner()])?,
+        };
+        if at.len() != rank {
+            let reason = format!("a tensor of rank {rank} takes {rank} indices, not {}", at.len());
+            return Err(PyIndexError::new_err(reason));
+        }
+        let place = |item: Object<'py>| -> PyResult<Option<usize>> {
+            if item.is_instance_of::<PySlice>() {
+                let all = item.eq(PySlice::full(py))?;
+                let reason = "a slice of a sparse tensor is ':'";
+                return if all { Ok(None) } else { Err(PyIndexError::new_err(reason)) };
+            }
+            let index = match item.is_exact_instance_of::<PyInt>() {
+                true => item,
+                false => python(py, "_scalars", "index")?.call1(("an index", item))?,
+            };
+            let found = index.extract().ok().filter(|found| *found < dimension);
+            let reason = || {
+                let last = dimension as isize - 1;
+                format!("the index {index} is not in 0..{last}; negative ones do not count")
+            };
+            found.map(Some).ok_or_else(|| PyIndexError::new_err(reason()))
+        };
+        let at = at.iter().map(place).collect::<PyResult<Vec<_>>>()?;
+        if let Some(at) = at.iter().copied().collect::<Option<Vec<usize>>>() {
+            return self.value(py, &at);
+        }
+        let mut part = self.values.clone();
+        for (slot, index) in at.into_iter().enumerate().rev() {
+            if let Some(index) = index {
+                let slice = each!(&part, tensor => tensor.slice(slot, index).map(Held::wrap));
+                part = slice.map_err(|error| refused(py, error))?;
+            }
+        }
+        let names = Names { title: None, letters: None, ..self.names.clone() };
+        let part = Self::new(py, part, self.symbols.bind(py), names)?;
+        Ok(Bound::new(py, part)?.into_any())
+    }
+
+    /// The nonzero components in the order of their indices: indices from 0, and value.
+    fn items<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyIterator>> {
+        let places = each!(&self.values, tensor => {
+            let places = tensor.components().map(|(at, _)| PyTuple::new(py, at.to_vec()));
+            places.collect::<PyResult<Vec<_>>>()
+        })?;
+        let items = places.into_iter().zip(self._values(py)?).collect::<Vec<_>>();
+        PyList::new(py, items)?.try_iter()
+    }
+
     /// The indices of the nonzero components, shape (rank, count), from 0.
-    fn indices<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArrayDyn<i64>>> {
-        let count = each!(&self.0, tensor => tensor.len());
-        let out = fresh(py, &[self.slots().len()], &[count])?;
+    fn _indices<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArrayDyn<i64>>> {
+        let out = fresh(py, &[self.rank()], &[self.nnz()])?;
         {
             let mut list = out.readwrite();
             let list = list.as_slice_mut()?;
             run(py, || {
-                each!(&self.0, tensor => tensor.write_coordinates(list));
+                each!(&self.values, tensor => tensor.write_coordinates(list));
                 Ok(())
             })?;
         }
         Ok(out)
     }
 
-    /// The nonzero components as floats.
-    fn floats<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
-        let out = fresh(py, &[each!(&self.0, tensor => tensor.len())], &[])?;
-        {
-            let mut list = out.readwrite();
-            let list = list.as_slice_mut()?;
-            run(py, || each!(&self.0, tensor => write_floats(tensor, list)))?;
-        }
-        Ok(out)
-    }
-
     /// The indices and the floats, both at once.
-    fn coo<'py>(&self, py: Python<'py>) -> PyResult<Coordinates<'py>> {
-        let count = each!(&self.0, tensor => tensor.len());
-        let indices = fresh(py, &[self.slots().len()], &[count])?;
-        let floats = fresh(py, &[count], &[])?;
+    fn _coo<'py>(&self, py: Python<'py>) -> PyResult<Coordinates<'py>> {
+        let indices = fresh(py, &[self.rank()], &[self.nnz()])?;
+        let floats = fresh(py, &[self.nnz()], &[])?;
         {
             let (mut list, mut values) = (indices.readwrite(), floats.readwrite());
             let (list, values) = (list.as_slice_mut()?, values.as_slice_mut()?);
             run(py, || {
-                each!(&self.0, tensor => {
+                each!(&self.values, tensor => {
                     rayon::join(|| tensor.write_coordinates(list), || write_floats(tensor, values)).1
                 })
             })?;
@@ -330,139 +376,207 @@ impl PyTensor {
         Ok((indices, floats))
     }
 
-    /// The nonzero components: fractions, floats, or texts of expressions.
-    fn values<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyList>> {
-        match &self.0 {
+    /// The nonzero components: fractions, floats, or expressions of SymPy.
+    fn _values<'py>(&self, py: Python<'py>) -> PyResult<Vec<Object<'py>>> {
+        match &self.values {
             Values::Exact(tensor) => {
-                let values = tensor.nonzero().map(|value| values::fraction(py, value));
-                PyList::new(py, values.collect::<PyResult<Vec<_>>>()?)
+                tensor.nonzero().map(|value| values::fraction(py, value)).collect()
             }
-            Values::Symbolic(tensor) => PyList::new(
-                py,
-                tensor.components().map(|(_, value)| value.to_string()).collect::<Vec<_>>(),
-            ),
-            Values::Float(tensor) => PyList::new(
-                py,
-                tensor.components().map(|(_, value)| value.to_f64()).collect::<Vec<_>>(),
-            ),
+            Values::Symbolic(tensor) => {
+                let value_of = python(py, "_scalars", "value_of")?;
+                let value = |value: &Symbolic| value_of.call1((value.to_string(), &self.symbols));
+                tensor.nonzero().map(value).collect()
+            }
+            Values::Float(tensor) => {
+                let values = tensor.nonzero().map(|value| value.to_f64().into_pyobject(py));
+                Ok(values.collect::<Result<Vec<_>, _>>()?)
+            }
         }
     }
 
     /// The nonzero components as texts.
-    fn texts(&self) -> Vec<String> {
-        each!(&self.0, tensor => tensor.nonzero().map(|value| value.to_string()).collect())
+    fn _texts(&self) -> Vec<String> {
+        each!(&self.values, tensor => tensor.nonzero().map(|value| value.to_string()).collect())
     }
 
-    /// The first components as text, at most `limit`.
-    fn text(&self, symbol: &str, limit: usize) -> String {
-        each!(&self.0, tensor => components_in_text(symbol, &first(tensor, limit)))
-    }
-
-    /// Lines of LaTeX with the first components, at most `limit`, grouped by value.
-    fn latex(&self, symbol: &str, limit: usize) -> Vec<String> {
-        each!(&self.0, tensor => components_in_latex(symbol, &first(tensor, limit)))
-    }
-
-    /// A sum of products in index letters, of operands by name.
-    #[staticmethod]
-    fn contract(
-        py: Python<'_>,
-        expression: &str,
-        operands: Vec<(String, Py<PyTensor>)>,
+    /// The tensor with other texts as its nonzero components.
+    fn _with_texts<'py>(
+        &self,
+        texts: &Object<'py>,
+        symbols: &Bound<'py, PyDict>,
     ) -> PyResult<Self> {
-        let all: Vec<&Values> = operands.iter().map(|(_, tensor)| &tensor.get().0).collect();
-        run(py, || {
-            over_kind!(widest(all.iter().copied()), S => {
-                let tensors = all.iter().map(|values| of::<S>(values));
-                let tensors = tensors.collect::<Result<Vec<_>, _>>()?;
-                let names = operands.iter().map(|(name, _)| name.as_str());
-                let named: Vec<_> = names.zip(tensors.iter().map(|tensor| &**tensor)).collect();
-                Ok(PyTensor(S::wrap(contract(expression, &named)?)))
-            })
-        })
+        let (py, indices) = (texts.py(), self._indices(texts.py())?.readonly());
+        let indices = indices.as_array();
+        let values = build(py, self.dimension(), &self.slots(), indices, texts, "exact")?;
+        Self::new(py, values, symbols, self.names.clone())
     }
 
-    /// The same components over floats, or over expressions.
-    fn over(&self, py: Python<'_>, scalar: &str) -> PyResult<Self> {
-        let values = match scalar {
-            "float" => of::<Tracked>(&self.0).map(Values::Float),
-            "symbolic" => of::<Symbolic>(&self.0).map(Values::Symbolic),
-            "exact" => Rational::of(&self.0)
-                .map(Values::Exact)
-                .ok_or_else(|| InputError::usage("these components are no rational numbers")),
-            other => Err(InputError::usage(format!("no scalar `{other}`"))),
-        };
-        values.map(PyTensor).map_err(|error| refused(py, error))
+    fn __add__(&self, py: Python<'_>, other: &PyTensor) -> PyResult<Self> {
+        self.sum(py, other, "+")
     }
 
-    /// The slots in another order.
-    fn permute(&self, py: Python<'_>, order: Vec<usize>) -> PyResult<Self> {
-        let permuted = each!(&self.0, tensor => tensor.permute(&order).map(Held::wrap));
-        permuted.map(PyTensor).map_err(|error| refused(py, error))
+    fn __sub__(&self, py: Python<'_>, other: &PyTensor) -> PyResult<Self> {
+        self.sum(py, other, "-")
     }
 
-    /// The tensor with the index of one slot fixed.
-    fn slice(&self, py: Python<'_>, slot: usize, index: usize) -> PyResult<Self> {
-        let slice = each!(&self.0, tensor => tensor.slice(slot, index).map(Held::wrap));
-        slice.map(PyTensor).map_err(|error| refused(py, error))
+    fn __neg__(&self, py: Python<'_>) -> PyResult<Self> {
+        self.scale(py, "-1", self.symbols.bind(py))
     }
 
-    /// The sum over an upper and a lower slot.
-    fn trace(&self, py: Python<'_>, a: usize, b: usize) -> PyResult<Self> {
-        let trace = each!(&self.0, tensor => tensor.trace(a, b).map(Held::wrap));
-        trace.map(PyTensor).map_err(|error| refused(py, error))
-    }
-
-    /// The components multiplied by a number or an expression.
-    fn scale(&self, py: Python<'_>, factor: &str) -> PyResult<Self> {
-        fn scaled<S: Held>(tensor: &Tensor<S>, factor: &str) -> PyResult<Values> {
-            Ok(S::wrap(tensor.scale(&values::read(factor)?)))
+    fn __mul__(&self, factor: &Bound<'_, PyAny>) -> PyResult<Self> {
+        if factor.is_instance_of::<PyTensor>()
+            || factor.is_instance_of::<PyUntypedArray>()
+            || factor.is_instance_of::<PyList>()
+            || factor.is_instance_of::<PyTuple>()
+        {
+            let reason =
+                "a tensor is multiplied by a number; products of tensors are written with contract";
+            return Err(PyTypeError::new_err(reason));
         }
-        let symbolic: Symbolic = values::read(factor)?;
-        Ok(PyTensor(match &self.0 {
-            Values::Exact(tensor) if symbolic.as_constant().is_some() => scaled(tensor, factor)?,
-            Values::Float(tensor) => scaled(tensor, factor)?,
-            other => {
-                let tensor = of::<Symbolic>(other).map_err(|error| refused(py, error))?;
-                Symbolic::wrap(tensor.scale(&symbolic))
-            }
-        }))
+        let (text, symbols) = self.factor(factor)?;
+        self.scale(factor.py(), &text, &symbols)
     }
 
-    /// Whether both have the same shape and the same components; a float is never equal to an exact value.
-    fn equals(&self, other: &PyTensor) -> bool {
-        let floats = [&self.0, &other.0].map(|values| values.kind() == Kind::Float);
+    fn __rmul__(&self, factor: &Bound<'_, PyAny>) -> PyResult<Self> {
+        self.__mul__(factor)
+    }
+
+    fn __truediv__(&self, divisor: &Bound<'_, PyAny>) -> PyResult<Self> {
+        let (text, symbols) = self.factor(divisor)?;
+        self.scale(divisor.py(), &format!("1/({text})"), &symbols)
+    }
+
+    /// The :func:`contract` of this tensor, as the first factor, with others.
+    #[pyo3(signature = (expression, *others))]
+    fn contract<'py>(
+        slf: &Bound<'py, Self>,
+        expression: Object<'py>,
+        others: Bound<'py, PyTuple>,
+    ) -> PyResult<Self> {
+        let factors = PyTuple::new(slf.py(), [slf])?.as_sequence().concat(others.as_sequence())?;
+        self::contract_all(expression, factors.to_tuple()?, None)
+    }
+
+    /// The slots in another order: slot ``a`` of the result is slot ``order[a]`` of this tensor.
+    #[pyo3(signature = (*order))]
+    fn permute(&self, order: &Bound<'_, PyTuple>) -> PyResult<Self> {
+        let (py, order) = (order.py(), self.positions(order)?);
+        let permuted = each!(&self.values, tensor => tensor.permute(&order).map(Held::wrap));
+        self.with(py, permuted.map_err(|error| refused(py, error))?)
+    }
+
+    /// The sum over an upper and a lower slot, by their positions from 0.
+    fn trace<'py>(&self, a: Object<'py>, b: Object<'py>) -> PyResult<Self> {
+        let py = a.py();
+        let slots = self.positions(&PyTuple::new(py, [a, b])?)?;
+        let trace = each!(&self.values, tensor => tensor.trace(slots[0], slots[1]).map(Held::wrap));
+        self.with(py, trace.map_err(|error| refused(py, error))?)
+    }
+
+    /// The same tensor over floats.
+    fn to_float(&self, py: Python<'_>) -> PyResult<Self> {
+        let values = of::<TrackedFloat>(&self.values).map(Values::Float);
+        let values = values.map_err(|error| refused(py, error))?;
+        Self::new(py, values, &PyDict::new(py), self.names.clone())
+    }
+
+    /// Equal shapes and equal components. Tensors of floats never equal exact ones.
+    #[pyo3(name = "__eq__")]
+    pub fn equals(&self, other: &PyTensor) -> bool {
+        let both = [&self.values, &other.values];
+        let floats = both.map(|values| values.kind() == Kind::Float);
         floats[0] == floats[1]
-            && over_kind!(widest([&self.0, &other.0]), S => {
-                S::of(&self.0).zip(S::of(&other.0)).is_some_and(|(a, b)| a == b)
+            && over_kind!(widest(both), S => {
+                S::of(both[0]).zip(S::of(both[1])).is_some_and(|(a, b)| a == b)
             })
     }
 
-    /// Bytes that `from_bytes` reads back.
-    fn to_bytes<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyBytes>> {
-        let bytes = each!(&self.0, tensor => serde_json::to_vec(&**tensor));
-        let bytes = bytes.map_err(|error| PyValueError::new_err(error.to_string()))?;
-        Ok(PyBytes::new(py, &bytes))
+    fn __hash__(&self) -> u64 {
+        let mut state = DefaultHasher::new();
+        (self.dimension(), self.slots(), self.nnz()).hash(&mut state);
+        if self.nnz() <= 64 {
+            self._texts().hash(&mut state);
+        }
+        state.finish()
     }
 
-    #[staticmethod]
-    fn from_bytes(scalar: &str, bytes: &[u8]) -> PyResult<Self> {
-        let read = match scalar {
-            "exact" => serde_json::from_slice(bytes).map(Rational::wrap),
-            "symbolic" => serde_json::from_slice(bytes).map(Symbolic::wrap),
-            "float" => serde_json::from_slice(bytes).map(Tracked::wrap),
-            other => return Err(PyTypeError::new_err(format!("no scalar `{other}`"))),
-        };
-        read.map(PyTensor).map_err(|error| PyValueError::new_err(error.to_string()))
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Object<'py>, Stored<'py>)> {
+        let bytes = each!(&self.values, tensor => serde_json::to_vec(&**tensor));
+        let bytes = bytes.map_err(|error| PyValueError::new_err(error.to_string()))?;
+        let symbols = self.symbols.bind(py).clone();
+        let scalar = self.scalar().to_string();
+        let stored = (scalar, PyBytes::new(py, &bytes), symbols, self.names.clone());
+        Ok((python(py, "_engine", "_restore_tensor")?, stored))
     }
 }
 
-/// The tensor of the first components.
-fn first<S: Coefficient>(tensor: &Tensor<S>, limit: usize) -> Tensor<S> {
-    if tensor.len() <= limit {
-        return tensor.clone();
-    }
-    let some = tensor.components().take(limit).map(|(at, value)| (at, value.clone()));
-    Tensor::from_components(tensor.dimension(), tensor.slots(), some)
-        .unwrap_or_else(|_| tensor.clone())
+in_python! { PyTensor, "tensor":
+    /// The indices of the nonzero components, shape (rank, nnz) and from 0, and their values.
+    ///
+    /// Values are float64; with ``dtype=object`` they are fractions or expressions of SymPy. Both arrays are built by the
+    /// engine and handed over without a copy. A type of integers needs components that are such integers.
+    to_coo (dtype=None) [dtype];
+    /// A dense array: float64, or with ``dtype=object`` of fractions or SymPy expressions.
+    ///
+    /// Tensors with parameters need ``object``, which is then the default.
+    to_numpy (dtype=None) [dtype];
+    __array__ (dtype=None, copy=None) [dtype, copy];
+    /// An array of SymPy (sparse if it is large); an expression for rank 0, a matrix for rank 2.
+    to_sympy () [];
+    /// A DataFrame with a row for each nonzero component: its indices, from 0, and its value.
+    to_pandas () [];
+    /// The tensor with parameters replaced, by name or by symbol; floats have none. Functions get values in a geometry.
+    subs (values) [values];
+}
+
+/// The scalar, the components as bytes, the symbols, and the names of a tensor.
+type Stored<'py> = (String, Bound<'py, PyBytes>, Bound<'py, PyDict>, Names);
+
+/// A tensor from its pickled parts.
+#[pyfunction]
+#[pyo3(signature = (*stored))]
+pub fn _restore_tensor(stored: Stored<'_>) -> PyResult<PyTensor> {
+    let (scalar, bytes, symbols, names) = stored;
+    let read = match scalar.as_str() {
+        "exact" => serde_json::from_slice(bytes.as_bytes()).map(Rational::wrap),
+        "symbolic" => serde_json::from_slice(bytes.as_bytes()).map(Symbolic::wrap),
+        _ => serde_json::from_slice(bytes.as_bytes()).map(TrackedFloat::wrap),
+    };
+    let values = read.map_err(|error| PyValueError::new_err(error.to_string()))?;
+    PyTensor::new(symbols.py(), values, &symbols, names)
+}
+
+/// A sum of products in index letters.
+///
+/// ``contract("^i_jk ^j -> ^i_k", c, v)`` takes its factors in order; ``contract("c^i_jk v^j -> ^i_k", c=c, v=v)`` by
+/// name. A letter that occurs twice in a term, once upper and once lower, is summed. Terms may have rational
+/// coefficients: ``"1/2 a^i_j - b^i_j -> ^i_j"``.
+///
+/// Examples
+/// --------
+/// >>> c, v = LieAlgebra("so3").structure, Tensor([1, 0, 0], "^")
+/// >>> contract("^i_jk ^j -> ^i_k", c, v)[2, 1]
+/// Fraction(1, 1)
+#[pyfunction(name = "contract")]
+#[pyo3(signature = (expression, *factors, **named))]
+pub fn contract_all<'py>(
+    expression: Object<'py>,
+    factors: Bound<'py, PyTuple>,
+    named: Option<Bound<'py, PyDict>>,
+) -> PyResult<PyTensor> {
+    let py = factors.py();
+    let operands = python(py, "tensor", "operands")?.call1((expression, factors, named))?;
+    let (expression, operands): (String, Vec<(String, Py<PyTensor>)>) = operands.extract()?;
+    let symbols = values::merged(py, operands.iter().map(|(_, tensor)| &tensor.get().symbols))?;
+    let all: Vec<&Values> = operands.iter().map(|(_, tensor)| &tensor.get().values).collect();
+    let values = run(py, || {
+        over_kind!(widest(all.iter().copied()), S => {
+            let tensors = all.iter().map(|values| of::<S>(values));
+            let tensors = tensors.collect::<Result<Vec<_>, _>>()?;
+            let names = operands.iter().map(|(name, _)| name.as_str());
+            let named: Vec<_> = names.zip(tensors.iter().map(|tensor| &**tensor)).collect();
+            Ok(S::wrap(contract(&expression, &named)?))
+        })
+    })?;
+    PyTensor::new(py, values, &symbols, Names::of("T"))
 }

@@ -1,22 +1,82 @@
 //! Numbers between Rust and Python: fractions, floats, and expressions as text.
 
 use affinor_documents::Coefficient;
-use affinor_tensors::Rational;
-use affinor_tensors::expression::{Expression, Meaning};
+use affinor_tensors::expression::{Evaluator, Expression, is_abbreviation};
+use affinor_tensors::{Notation, Rational, Symbolic};
 use num_rational::{BigRational, Ratio};
+use pyo3::call::PyCallArgs;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
-use pyo3::types::PyTuple;
+use pyo3::types::{PyDict, PyTuple};
 use std::cell::RefCell;
+
+/// A function or a class of a module of the package.
+pub fn python<'py>(py: Python<'py>, module: &str, name: &str) -> PyResult<Bound<'py, PyAny>> {
+    py.import(format!("affinor.{module}"))?.getattr(name)
+}
+
+/// An exception of `affinor.errors`.
+pub fn error<'py>(py: Python<'py>, class: &str, arguments: impl PyCallArgs<'py>) -> PyErr {
+    let error = python(py, "errors", class).and_then(|class| class.call1(arguments));
+    error.map_or_else(|failed| failed, PyErr::from_value)
+}
+
+/// Integers of any type that has `__index__`, but no bool.
+pub fn index(what: &str, value: &Bound<'_, PyAny>) -> PyResult<isize> {
+    python(value.py(), "_scalars", "index")?.call1((what, value))?.extract()
+}
+
+/// A value in the notation of definition files; the symbols of SymPy are added to `symbols`.
+pub fn text_of(
+    value: &Bound<'_, PyAny>,
+    symbols: &Bound<'_, PyDict>,
+    floats: bool,
+) -> PyResult<String> {
+    python(value.py(), "_scalars", "text_of")?.call1((value, symbols, floats))?.extract()
+}
+
+/// A text of the engine as users see it: a `Fraction`, a float, or an expression of SymPy (a text without SymPy).
+pub fn number<'py>(
+    text: &str,
+    symbols: &Bound<'py, PyDict>,
+    floats: bool,
+) -> PyResult<Bound<'py, PyAny>> {
+    python(symbols.py(), "_scalars", "number")?.call1((text, symbols, floats))
+}
+
+/// The symbols of several objects; one name stands for one symbol.
+pub fn merged<'py, 'a>(
+    py: Python<'py>,
+    all: impl IntoIterator<Item = &'a Py<PyDict>>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let joined = PyDict::new(py);
+    for (name, symbol) in all.into_iter().flat_map(|symbols| symbols.bind(py).iter()) {
+        match joined.get_item(&name)? {
+            None => joined.set_item(name, symbol)?,
+            Some(known) if known.ne(&symbol)? => {
+                let message = format!(
+                    "two different symbols are called {}: their assumptions differ",
+                    name.repr()?
+                );
+                return Err(PyValueError::new_err(message));
+            }
+            Some(_) => {}
+        }
+    }
+    Ok(joined)
+}
+
+/// Whether this is the name of an elementary function, or an abbreviation of such functions.
+#[pyfunction]
+pub fn knows(name: &str) -> bool {
+    is_abbreviation(name) || Symbolic::function(name, &Symbolic::parameter("x")).is_ok()
+}
 
 /// The class `fractions.Fraction`.
 fn fraction_class(py: Python<'_>) -> PyResult<&Bound<'_, PyAny>> {
     static CLASS: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
-    let class = CLASS.get_or_try_init(py, || -> PyResult<_> {
-        Ok(py.import("fractions")?.getattr("Fraction")?.unbind())
-    })?;
-    Ok(class.bind(py))
+    CLASS.import(py, "fractions", "Fraction")
 }
 
 /// A rational number as a `Fraction`.
@@ -74,7 +134,7 @@ impl<'py> Objects<'py> {
     }
 }
 
-impl<'py> Meaning for Objects<'py> {
+impl<'py> Evaluator for Objects<'py> {
     type Value = Bound<'py, PyAny>;
     fn number(&self, number: &Rational) -> Result<Self::Value, String> {
         let big = BigRational::from(number);

@@ -46,7 +46,7 @@ def test_catalogue(name):
     for key, entry in stored["tensors"].items():
         found = geometry.quantity(key)
         components = {tuple(index - 1 for index in at): value for at, value in entry["components"]}
-        assert dict(zip(map(tuple, found._engine.indices().T.tolist()), found._engine.texts(), strict=True)) == components
+        assert dict(zip(map(tuple, found._indices().T.tolist()), found._texts(), strict=True)) == components
         if len(components) < 500:
             assert {at: str(value).replace("**", "^") for at, value in found.items() if not geometry.algebra.parameters} == (
                 components if not geometry.algebra.parameters else {}

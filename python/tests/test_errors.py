@@ -234,3 +234,13 @@ def test_errors_have_a_place_and_survive_pickle():
         af.LieAlgebra("[x,y]=z; [y,z]=y", basis="x y z")
     assert pickle.loads(pickle.dumps(found.value)).triple == ("x", "y", "z")
     assert isinstance(found.value, ValueError)
+
+
+def test_a_law_names_its_witness():
+    with pytest.raises(af.MathematicsError, match="right-invariant frame") as found:
+        af.Geometry("so3", metric="diag(1,2,3)", connection="levi-civita", frame="right")
+    data = found.value.data
+    assert set(data) == {"direction", "indices", "residual"} and len(data["indices"]) == 3
+    direction, indices = data["direction"], "^{}_{}{}".format(*data["indices"])
+    assert f"(L_{direction} Lambda){indices} = {data['residual']}," in found.value.message
+    assert found.value.help == "take --frame left, or a canonical connection"

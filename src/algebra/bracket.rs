@@ -1,8 +1,8 @@
 //! Antisymmetric brackets; the Jacobi identity is not checked.
 
-use crate::Error;
 use crate::algebra::frame::{Frame, expect_numbers, formula};
 use crate::algebra::generators::{are_dense_derivations, matrices_of_generators};
+use crate::{Error, Law};
 use affinor_tensors::text::combination;
 use affinor_tensors::{Down, Scalar, Sum, Tensor, TensorError, Tolerance, Up};
 use std::collections::BTreeMap;
@@ -20,7 +20,7 @@ impl<S: Scalar> Bracket<S> {
     /// The bracket with the structure constants `c^i_jk`, slots `[Up, Down, Down]`.
     ///
     /// # Errors
-    /// [`Error::Shape`]; [`Error::NotFinite`]; [`Error::NotAntisymmetric`] with the first
+    /// [`Error::Shape`]; [`Error::NotFinite`]; [`Law::Antisymmetry`] with the first
     /// pair that violates it.
     pub fn new(
         labels: impl IntoIterator<Item: AsRef<str>>,
@@ -52,9 +52,9 @@ impl<S: Scalar> Bracket<S> {
     /// follow the same rule.
     ///
     /// # Errors
-    /// An index out of range; [`Error::NotFinite`]; [`Error::GivenTwice`] for a component given
-    /// twice; [`Error::OrdersDisagree`] for a pair with `[x, y] + [y, x]` not zero;
-    /// [`Error::NotAntisymmetric`] for `[x, x]`.
+    /// An index out of range; [`Error::NotFinite`]; [`Law::GivenOnce`] for a component given
+    /// twice; [`Law::OppositeOrders`] for a pair with `[x, y] + [y, x]` not zero;
+    /// [`Law::Antisymmetry`] for `[x, x]`.
     pub fn from_constants(
         labels: impl IntoIterator<Item: AsRef<str>>,
         constants: impl IntoIterator<Item = (usize, usize, usize, S)>,
@@ -91,8 +91,8 @@ impl<S: Scalar> Bracket<S> {
     }
 
     /// The structure constants `c^i_jk`.
-    pub fn structure(&self) -> &Tensor<S> {
-        self.frame.structure()
+    pub fn structure_constants(&self) -> &Tensor<S> {
+        self.frame.structure_functions()
     }
 
     /// The names of the basis vectors.
@@ -112,7 +112,7 @@ impl<S: Scalar> Bracket<S> {
     /// With rational constants the triples that begin with a generator are enough: the `x` for which
     /// `[x, .]` is a derivation are closed under the bracket. All triples are computed if one of these fails.
     pub fn jacobi_violation(&self) -> Option<Error> {
-        if let Some(generators) = matrices_of_generators(self.structure())
+        if let Some(generators) = matrices_of_generators(self.structure_constants())
             && self.are_derivations(&generators)
         {
             return None;
@@ -123,25 +123,20 @@ impl<S: Scalar> Bracket<S> {
         }
         let at = residual.components().map(|(at, _)| (at[1], at[2], at[3])).min();
         at.map(|(j, k, l)| {
-            let label = |at: usize| self.labels()[at].clone();
             let parts = (0..self.labels().len()).map(|i| residual.get(&[i, j, k, l]));
-            Error::Jacobi {
-                x: label(j),
-                y: label(k),
-                z: label(l),
-                residual: self.frame.write(parts),
-            }
+            let at = [j, k, l].map(|at| self.labels()[at].clone());
+            Law::Jacobi.broken(at, self.frame.write(parts))
         })
     }
 
     /// Whether `[x_j, .]` is a derivation for the matrices `a^i_jk` of these.
     fn are_derivations(&self, matrices: &Tensor<S>) -> bool {
-        if let Some(are) = are_dense_derivations(self.structure(), matrices) {
+        if let Some(are) = are_dense_derivations(self.structure_constants(), matrices) {
             return are;
         }
         let residual = formula(
             "a^m_jk c^i_ml - a^m_jl c^i_mk - a^i_jm c^m_kl -> ^i_j[kl]",
-            &[("a", matrices), ("c", self.structure())],
+            &[("a", matrices), ("c", self.structure_constants())],
         );
         residual.is_empty()
     }
@@ -161,7 +156,7 @@ impl<S: Scalar> Bracket<S> {
 /// The nonzero brackets `[x, y] = z`, one a line.
 impl<S: Scalar> fmt::Display for Bracket<S> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.frame.write_products(f, self.structure(), "[", "]", |j, k| j < k)
+        self.frame.write_products(f, self.structure_constants(), "[", "]", |j, k| j < k)
     }
 }
 
@@ -192,10 +187,9 @@ fn sorted<S: Scalar>(
         .windows(2)
         .find(|two| (two[0].0, two[0].1, two[0].2) == (two[1].0, two[1].1, two[1].2));
     if let Some([(j, k, i, first), (.., second)]) = twice {
-        let label = |at: &usize| labels[*at].clone();
-        let values = [first.to_string(), second.to_string()];
-        let values = Box::new(values);
-        return Err(Error::GivenTwice { x: label(j), y: label(k), component: label(i), values });
+        let [x, y, component] = [*j, *k, *i].map(|at| labels[at].clone());
+        let at = [x, y, component, first.to_string()];
+        return Err(Law::GivenOnce.broken(at, second.to_string()));
     }
     Ok(given)
 }
@@ -227,10 +221,6 @@ fn expect_opposite<S: Scalar>(
         let terms: Vec<_> = given.iter().map(|(_, _, i, v)| (*i, v.clone())).collect();
         written(&terms)
     };
-    Err(Error::OrdersDisagree {
-        x: labels[j].clone(),
-        y: labels[k].clone(),
-        values: Box::new([of(forward), of(backward)]),
-        residual: written(&sums),
-    })
+    let at = [labels[j].clone(), labels[k].clone(), of(forward), of(backward)];
+    Err(Law::OppositeOrders.broken(at, written(&sums)))
 }

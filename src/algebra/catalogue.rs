@@ -237,7 +237,7 @@ impl Entry {
         let matrices = MatrixBasis::new(labels, size, matrices, Tolerance::default())
             .expect("every family of matrices is linearly independent");
         let bracket = matrices.bracket().expect("every family of matrices is closed");
-        let components = bracket.structure().components();
+        let components = bracket.structure_constants().components();
         let constants = components
             .filter(|(at, _)| at[1] < at[2])
             .map(|(at, value)| (at[1], at[2], at[0], Symbolic::constant(value.clone())));

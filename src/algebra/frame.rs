@@ -1,6 +1,6 @@
 //! Frames: structure functions and derivations.
 
-use crate::Error;
+use crate::{Error, Law};
 use affinor_tensors::text::combination;
 use affinor_tensors::{Down, Scalar, Sum, Symbolic, Tensor, Tolerance, Up, Variance, contract};
 use std::collections::{BTreeMap, BTreeSet};
@@ -30,7 +30,7 @@ impl<S: Scalar> Frame<S> {
     ///
     /// # Errors
     /// [`Error::Shape`] unless `structure` has the slots `^i_jk` in the dimension of the labels; [`Error::Invalid`] for
-    /// a label that is empty or stands twice; [`Error::NotFinite`]; [`Error::NotAntisymmetric`].
+    /// a label that is empty or stands twice; [`Error::NotFinite`]; [`Law::Antisymmetry`].
     pub fn invariant(
         labels: impl IntoIterator<Item: AsRef<str>>,
         structure: Tensor<S>,
@@ -50,13 +50,16 @@ impl<S: Scalar> Frame<S> {
         match symmetric.components().next() {
             None => Ok(frame),
             Some((at, _)) => {
-                let [_, j, k] = [at[0], at[1], at[2]];
+                let value = frame.structure.get(&at);
+                let difference = value.clone() - &value;
+                if !difference.vanishes() {
+                    let at = [value.to_string()];
+                    return Err(Law::AdditiveInverse.broken(at, difference.to_string()));
+                }
+                let (j, k) = (at[1], at[2]);
                 let residual = (0..frame.labels.len()).map(|i| symmetric.get(&[i, j, k]));
-                Err(Error::NotAntisymmetric {
-                    x: frame.labels[j].clone(),
-                    y: frame.labels[k].clone(),
-                    residual: frame.write(residual),
-                })
+                let at = [j, k].map(|at| frame.labels[at].clone());
+                Err(Law::Antisymmetry.broken(at, frame.write(residual)))
             }
         }
     }
@@ -117,7 +120,7 @@ impl<S: Scalar> Frame<S> {
     }
 
     /// The structure functions `c^i_jk`, slots `[Up, Down, Down]`.
-    pub fn structure(&self) -> &Tensor<S> {
+    pub fn structure_functions(&self) -> &Tensor<S> {
         &self.structure
     }
 
@@ -309,7 +312,7 @@ pub(crate) fn expect_symmetry<S: Scalar>(
         if let Some(residual) = sum.finish(tensor.tolerance()) {
             return Err(Error::Symmetry {
                 what,
-                law: if sign > 0 { "symmetric" } else { "antisymmetric" },
+                symmetry: if sign > 0 { "symmetric" } else { "antisymmetric" },
                 slots: [a + 1, b + 1],
                 at: at.iter().map(|index| index + 1).collect(),
                 residual: residual.to_string(),

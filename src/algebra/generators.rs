@@ -4,7 +4,8 @@
 //! that is closed under the bracket: then `ad_[x,y] = ad_x ad_y - ad_y ad_x`, a commutator of derivations. So the Jacobi
 //! identity holds for all triples if it holds for the triples that begin with a generator.
 
-use crate::algebra::structure::reduction::{Draw, Reduction};
+use crate::algebra::SparseBracket;
+use crate::algebra::structure::reduction::{ModularAlgebra, PseudoRandom};
 use affinor_tensors::linear::modular::PRIMES;
 use affinor_tensors::{Down, Scalar, Tensor, Up};
 use nalgebra::{DMatrix, Dyn};
@@ -27,11 +28,9 @@ pub(super) fn matrices_of_generators<S: Scalar>(structure: &Tensor<S>) -> Option
     let n = structure.dimension();
     let values: Vec<&S> = structure.components().map(|(_, value)| value).collect();
     let (integers, denominator) = S::clear_denominators(values.into_iter())?;
-    let mut constants: Vec<Vec<Constant>> = vec![vec![]; n];
-    for ((at, _), value) in structure.components().zip(integers) {
-        constants[at[1]].push((at[2], at[0], value));
-    }
-    constants.iter_mut().for_each(|of| of.sort_unstable());
+    let places = structure.components().map(|(at, _)| at);
+    let constants = places.zip(integers).map(|(at, value)| (at[1], at[2], at[0], value));
+    let constants = SparseBracket::new(n, constants);
     let basis = among_the_basis(&constants);
     let among_basis = |j: usize| basis.binary_search(&j).is_ok();
     let few = 2 * basis.len() <= n;
@@ -97,12 +96,9 @@ pub(super) fn are_dense_derivations<S: Scalar>(
     }))
 }
 
-/// `(k, i, v)` of a first factor `e_j`: `[e_j, e_k] = .. + v e_i`.
-type Constant = (usize, usize, i64);
-
 /// Basis vectors that generate the algebra, ascending. Only brackets with one new basis vector are followed.
-fn among_the_basis(constants: &[Vec<Constant>]) -> Vec<usize> {
-    let n = constants.len();
+fn among_the_basis(constants: &SparseBracket<i64>) -> Vec<usize> {
+    let n = constants.dimension();
     let mut known = vec![false; n];
     let mut generators = vec![];
     for first in 0..n {
@@ -113,7 +109,7 @@ fn among_the_basis(constants: &[Vec<Constant>]) -> Vec<usize> {
         known[first] = true;
         let mut open = vec![first];
         while let Some(j) = open.pop() {
-            for image in constants[j].chunk_by(|a, b| a.0 == b.0) {
+            for image in constants.of(j).chunk_by(|a, b| a.0 == b.0) {
                 let mut new = image.iter().filter(|(_, i, _)| !known[*i]);
                 if let (true, Some(&(_, i, _)), None) = (known[image[0].0], new.next(), new.next())
                 {
@@ -128,14 +124,12 @@ fn among_the_basis(constants: &[Vec<Constant>]) -> Vec<usize> {
 
 /// The components `([i, j, k], v)` of `[x_j, e_k]` for few combinations `x_j` of the basis that generate the algebra
 /// modulo a prime, and so over the rationals: vectors whose residues are independent are independent.
-fn combinations(constants: &[Vec<Constant>]) -> Option<Vec<([usize; 3], i64)>> {
-    let (n, prime) = (constants.len(), PRIMES[0]);
-    let residues =
-        |of: &Vec<Constant>| of.iter().map(|&(k, i, value)| (k, i, prime.integer(value))).collect();
-    let reduction = Reduction::from_constants(prime, constants.iter().map(residues).collect());
+fn combinations(constants: &SparseBracket<i64>) -> Option<Vec<([usize; 3], i64)>> {
+    let (n, prime) = (constants.dimension(), PRIMES[0]);
+    let reduction = ModularAlgebra::of_integers(prime, constants)?;
     let small = |residue: u64| (residue % 5) as i64 - 2;
     let found = COMBINATIONS.into_iter().find_map(|count| {
-        let mut draw = Draw::new(count as u64);
+        let mut draw = PseudoRandom::new(count as u64);
         let vectors = (0..count).map(|_| draw.vector(prime, n).into_iter().map(small).collect());
         let vectors: Vec<Vec<i64>> = vectors.collect();
         let residues = vectors.iter().map(|x| x.iter().map(|&v| prime.integer(v)).collect());
@@ -144,8 +138,8 @@ fn combinations(constants: &[Vec<Constant>]) -> Option<Vec<([usize; 3], i64)>> {
     let mut components = vec![];
     for (j, x) in found.iter().enumerate() {
         let mut image = vec![0i64; n * n];
-        for (of, &factor) in constants.iter().zip(x).filter(|(_, factor)| **factor != 0) {
-            for &(k, i, value) in of {
+        for (j, &factor) in x.iter().enumerate().filter(|(_, factor)| **factor != 0) {
+            for &(k, i, value) in constants.of(j) {
                 let sum = value.checked_mul(factor).and_then(|v| v.checked_add(image[k * n + i]));
                 image[k * n + i] = sum?;
             }

@@ -42,7 +42,8 @@ impl<S: Scalar> Frame<S> {
     /// # Errors
     /// [`Error::Shape`] unless both have as many components as the frame.
     pub fn bracket(&self, x: &[S], y: &[S]) -> Result<Vec<S>, Error> {
-        let field = |v: &[S]| Tensor::vector(v, Up).with_tolerance(self.structure().tolerance());
+        let field =
+            |v: &[S]| Tensor::vector(v, Up).with_tolerance(self.structure_functions().tolerance());
         let bracket = self.lie_derivative(&field(x), &field(y))?;
         Ok(bracket.to_vector().expect("a tensor of rank 1"))
     }
@@ -65,7 +66,7 @@ impl<S: Scalar> Frame<S> {
     ) -> Result<Tensor<S>, Error> {
         expect_slots("the field", field, self.dimension(), &[Up])?;
         let d = self.derivative(field)?;
-        let operands = [("c", self.structure()), ("X", field), ("d", &d)];
+        let operands = [("c", self.structure_functions()), ("X", field), ("d", &d)];
         let endomorphism = formula("X^m c^i_mj - d_j^i -> ^i_j", &operands);
         let acted = act(&endomorphism, tensor)?;
         let result = indices(&LETTERS[..tensor.rank()], tensor);

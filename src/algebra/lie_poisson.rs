@@ -37,7 +37,7 @@ impl LiePoisson {
     /// The bracket (-) of left-invariant systems on T*G, such as the rigid body.
     ///
     /// # Errors
-    /// [`Error::Coordinate`] when a parameter of the algebra has the name of a coordinate.
+    /// [`Error::Name`] when a parameter of the algebra has the name of a coordinate.
     pub fn left(algebra: &LieAlgebra<Symbolic>) -> Result<Self, Error> {
         Self::new(algebra, -1)
     }
@@ -52,14 +52,15 @@ impl LiePoisson {
 
     fn new(algebra: &LieAlgebra<Symbolic>, sign: i64) -> Result<Self, Error> {
         let names: Vec<_> = (1..=algebra.dimension()).map(|i| format!("mu{i}")).collect();
-        let mut constants = algebra.structure().components().flat_map(|(_, v)| v.parameters());
+        let mut constants =
+            algebra.structure_constants().components().flat_map(|(_, v)| v.parameters());
         if let Some(name) = constants.find(|parameter| names.contains(parameter)) {
-            return Err(Error::Coordinate { name });
+            return Err(Error::coordinate(&name));
         }
         let coordinates: Vec<_> = names.iter().map(|name| Symbolic::parameter(name)).collect();
         let tensor = paired(algebra, &Tensor::vector(&coordinates, Down));
         let tensor = tensor.scale(&Symbolic::from_i64(sign));
-        let structure = algebra.structure().clone();
+        let structure = algebra.structure_constants().clone();
         Ok(LiePoisson { coordinates, names, structure, tensor })
     }
 
@@ -113,7 +114,7 @@ impl<S: Field + Scalar> LieAlgebra<S> {
     /// # Errors
     /// [`Error::Shape`] unless `mu` has as many components as the algebra.
     pub fn coadjoint_orbit_dimension(&self, mu: &[S]) -> Result<usize, Error> {
-        let mu = Tensor::vector(mu, Down).with_tolerance(self.structure().tolerance());
+        let mu = Tensor::vector(mu, Down).with_tolerance(self.structure_constants().tolerance());
         expect_slots("the covector", &mu, self.dimension(), &[Down])?;
         let form = paired(self, &mu);
         let rows = (0..self.dimension()).map(|i| {
@@ -127,5 +128,5 @@ impl<S: Field + Scalar> LieAlgebra<S> {
 
 /// `<mu, [e_i, e_j]>`.
 fn paired<S: Scalar>(algebra: &LieAlgebra<S>, mu: &Tensor<S>) -> Tensor<S> {
-    formula("c^k_ij u_k -> _[ij]", &[("c", algebra.structure()), ("u", mu)])
+    formula("c^k_ij u_k -> _[ij]", &[("c", algebra.structure_constants()), ("u", mu)])
 }

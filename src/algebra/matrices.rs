@@ -1,7 +1,7 @@
 //! Lie algebras of matrices: structure constants from a basis.
 
 use super::Bracket;
-use crate::Error;
+use crate::{Error, Law};
 use affinor_tensors::linear::{Echelon, Matrix};
 use affinor_tensors::text::{combination, written};
 use affinor_tensors::{Down, Field, Scalar, Tensor, Tolerance};
@@ -46,7 +46,7 @@ impl<S: Field + Scalar> MatrixBasis<S> {
     ///
     /// # Errors
     /// [`Error::Shape`] for an entry outside or a wrong number of labels; [`Error::NotFinite`];
-    /// [`Error::Dependent`] with a vanishing combination.
+    /// [`Law::Independent`] with a vanishing combination.
     pub fn new(
         labels: impl IntoIterator<Item: AsRef<str>>,
         size: usize,
@@ -84,7 +84,7 @@ impl<S: Field + Scalar> MatrixBasis<S> {
             let mut remainder = basis.span.reduce(row);
             remainder.retain(|entry| !noise(entry));
             if remainder.first().is_none_or(|(column, _)| *column >= entries) {
-                return Err(Error::Dependent { relation: basis.named(&remainder) });
+                return Err(Law::Independent.broken([basis.named(&remainder)], "0"));
             }
             let entered = basis.span.insert_heaviest(remainder, entries);
             entered.map_err(|_| Error::SingularBasis)?;
@@ -138,7 +138,7 @@ impl<S: Field + Scalar> MatrixBasis<S> {
     /// The bracket of the span: `[A, B] = AB - BA` in coordinates of the basis.
     ///
     /// # Errors
-    /// [`Error::NotClosed`] with the first commutator that leaves the span.
+    /// [`Law::Closure`] with the first commutator that leaves the span.
     pub fn bracket(&self) -> Result<Bracket<S>, Error> {
         let (n, entries) = (self.matrices.len(), self.entries());
         let size = self.size();
@@ -164,17 +164,15 @@ impl<S: Field + Scalar> MatrixBasis<S> {
                     }
                     None if value.negligible(&scale, self.tolerance) => {}
                     None => {
-                        return Err(Error::NotClosed {
-                            x: self.labels[j].clone(),
-                            y: self.labels[k].clone(),
-                            residual: self.entry(column / size, column % size, value),
-                        });
+                        let at = [j, k].map(|at| self.labels[at].clone());
+                        let entry = self.entry(column / size, column % size, value);
+                        return Err(Law::Closure.broken(at, entry));
                     }
                 }
             }
         }
         let bracket = Bracket::from_constants(&self.labels, constants)?;
-        let structure = bracket.structure().clone().with_tolerance(self.tolerance);
+        let structure = bracket.structure_constants().clone().with_tolerance(self.tolerance);
         Bracket::new(&self.labels, structure)
     }
 

@@ -6,7 +6,7 @@
 //! `c^i_jk` have the sum 0. The same holds for irreducible polynomials in parameters instead of primes.
 
 use crate::algebra::frame::Frame;
-use crate::{Error, LieAlgebra};
+use crate::{Error, Law, LieAlgebra};
 use affinor_tensors::scalar::Variable;
 use affinor_tensors::{Down, Field, Rational, Symbolic, Tensor, Up};
 use num_traits::One;
@@ -26,7 +26,7 @@ const FREE: usize = 12;
 /// let algebra = LieAlgebra::try_from(Bracket::from_constants(["x", "y", "z"], constants)?)?;
 /// let basis = RationalBasis::of(&algebra)?;
 /// assert_eq!(basis.algebra().labels(), ["x/sqrt(3)", "y", "z"]);
-/// assert_eq!(basis.algebra().structure().get(&[2, 0, 1]), Symbolic::from(1));
+/// assert_eq!(basis.algebra().structure_constants().get(&[2, 0, 1]), Symbolic::from(1));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug)]
@@ -40,18 +40,13 @@ impl RationalBasis {
     /// with few free choices it changes the smallest number of basis vectors.
     ///
     /// # Errors
-    /// [`Error::NoRationalBasis`] with a structure constant that prevents it: one that is not a rational number times a square
+    /// [`Law::RationalConstants`] with a structure constant that prevents it: one that is not a rational number times a square
     /// root, or one whose equation contradicts the others.
     pub fn of(algebra: &LieAlgebra<Symbolic>) -> Result<Self, Error> {
-        let (n, structure) = (algebra.dimension(), algebra.structure());
+        let (n, structure) = (algebra.dimension(), algebra.structure_constants());
         let refused = |at: &[usize], value: &Symbolic| {
-            let labels = algebra.labels();
-            Error::NoRationalBasis {
-                x: labels[at[1]].clone(),
-                y: labels[at[2]].clone(),
-                component: labels[at[0]].clone(),
-                value: value.to_string(),
-            }
+            let at = [at[1], at[2], at[0]].map(|at| algebra.labels()[at].clone());
+            Law::RationalConstants.broken(at, value.to_string())
         };
         let mut roots: Vec<Variable> = vec![];
         let mut equations = vec![];
@@ -113,7 +108,7 @@ impl RationalBasis {
 
     /// The algebra over the rational numbers; `None` if its structure constants have parameters.
     pub fn over_the_rationals(&self) -> Option<LieAlgebra<Rational>> {
-        let structure = self.algebra.structure();
+        let structure = self.algebra.structure_constants();
         let rational = structure.components().all(|(_, value)| value.as_constant().is_some());
         let convert = |value: &Symbolic| value.as_constant().cloned().unwrap_or_default();
         let frame =

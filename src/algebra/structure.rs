@@ -1,9 +1,9 @@
 //! The structure of a Lie algebra, exact: series, radicals, Levi subalgebras, types. In reading order:
 //!
-//! - [`Ground`]: the scalars, rationals and rational functions of parameters;
+//! - [`GroundField`]: the scalars, rationals and rational functions of parameters;
 //! - [`Subspace`]: subspaces in reduced row echelon form; `products`: brackets of vectors;
 //! - `kernels`: kernels of dense matrices, lifted from residues;
-//! - [`Structure`]: an algebra with its brackets tabulated; `series`, `killing`, `radical`, `cartan`, `levi`;
+//! - [`StructureTheory`]: an algebra with its brackets tabulated; `series`, `killing`, `radical`, `cartan`, `levi`;
 //! - [`reduction`]: the algebra modulo a prime, for ranks; `derivations`, `cohomology`; `certificates`: dimensions proved over the rationals; `index`;
 //! - [`dynkin`], `root_spaces`, `ideals`, [`real_forms`], `orthogonal_forms`: Dynkin types, roots, simple ideals over the reals and their names;
 //! - `cocycles`, `symplectic`, `complex_structures`: closed forms of low degree, symplectic and contact forms, Casimir functions;
@@ -66,13 +66,13 @@ mod series;
 mod subspace;
 mod symplectic;
 
-pub use certificates::Counted;
+pub use certificates::Certified;
 pub use cocycles::{MAX_DIMENSION as MAX_FORMS, TwoForms};
 pub use cohomology::MAX_DIMENSION as MAX_BETTI;
 pub use complex_structures::ComplexStructure;
 pub use decomposition::{Indecomposable, MAX_DIMENSION as MAX_DECOMPOSED};
 pub use derivations::MAX_DIMENSION as MAX_DERIVATIONS;
-pub use ground::Ground;
+pub use ground::GroundField;
 pub use ideals::{RealIdeal, SimpleIdeals};
 pub use identification::Identification;
 pub use killing::Killing;
@@ -81,28 +81,29 @@ pub use subspace::Subspace;
 pub(in crate::algebra) use subspace::denominator;
 pub use symplectic::Existence;
 
-use crate::Error;
+use crate::algebra::SparseBracket;
 use crate::algebra::roots::CartanType;
 use crate::algebra::{Bracket, LieAlgebra};
+use crate::{Error, Law};
 use affinor_tensors::Rational;
 use affinor_tensors::linear::Matrix;
-use products::Products;
+
 use std::cell::OnceCell;
 
 /// A Lie algebra, prepared for questions about its structure. Answers are computed once.
 ///
 /// ```
-/// use affinor::algebra::structure::Structure;
+/// use affinor::algebra::structure::StructureTheory;
 /// use affinor::{Rational, algebra::catalogue};
-/// let motions = Structure::new(catalogue::algebra::<Rational>("se(3)")?);
+/// let motions = StructureTheory::new(catalogue::algebra::<Rational>("se(3)")?);
 /// assert_eq!(motions.radical().dimension(), 3);
 /// assert_eq!(motions.levi()?.dimension(), 3);
 /// # Ok::<(), affinor::Error>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct Structure<S> {
+pub struct StructureTheory<S> {
     algebra: LieAlgebra<S>,
-    products: Products<S>,
+    products: SparseBracket<S>,
     form: OnceCell<Matrix<S>>,
     killing: OnceCell<Killing<S>>,
     semisimple: OnceCell<bool>,
@@ -115,11 +116,11 @@ pub struct Structure<S> {
     types: OnceCell<Option<Vec<CartanType>>>,
 }
 
-impl<S: Ground> Structure<S> {
+impl<S: GroundField> StructureTheory<S> {
     /// The structure of an algebra.
     pub fn new(algebra: LieAlgebra<S>) -> Self {
-        let products = Products::new(algebra.structure());
-        Structure {
+        let products = SparseBracket::of_tensor(algebra.structure_constants());
+        StructureTheory {
             algebra,
             products,
             form: OnceCell::new(),
@@ -153,8 +154,8 @@ impl<S: Ground> Structure<S> {
     /// A subalgebra in the basis of its echelon form.
     ///
     /// # Errors
-    /// [`Error::NotSubalgebra`] with two basis vectors whose bracket leaves the subspace.
-    pub fn subalgebra(&self, subspace: &Subspace<S>) -> Result<Structure<S>, Error> {
+    /// [`Law::Subalgebra`] with two basis vectors whose bracket leaves the subspace.
+    pub fn subalgebra(&self, subspace: &Subspace<S>) -> Result<StructureTheory<S>, Error> {
         if subspace.dimension() == self.dimension() {
             return Ok(self.clone());
         }
@@ -165,12 +166,8 @@ impl<S: Ground> Structure<S> {
             for (k, y) in basis.iter().enumerate().skip(j + 1) {
                 let bracket = ad.image(y);
                 let Some(coordinates) = subspace.coordinates(&bracket) else {
-                    let write = |row| self.write(row);
-                    return Err(Error::NotSubalgebra {
-                        x: write(x),
-                        y: write(y),
-                        bracket: write(&bracket),
-                    });
+                    let at = [self.write(x), self.write(y)];
+                    return Err(Law::Subalgebra.broken(at, self.write(&bracket)));
                 };
                 let terms = coordinates.into_iter().map(|(i, value)| (j, k, i, value));
                 constants.extend(terms);
@@ -179,7 +176,7 @@ impl<S: Ground> Structure<S> {
         let labels = (1..=basis.len()).map(|at| format!("e{at}"));
         // a subalgebra satisfies the identity of Jacobi
         let bracket = Bracket::from_constants(labels, constants)?;
-        let inside = Structure::new(LieAlgebra { frame: bracket.into_frame() });
+        let inside = StructureTheory::new(LieAlgebra { frame: bracket.into_frame() });
         if self.levi.get() == Some(subspace) {
             inside.know_types(self.types.get());
         }
@@ -187,11 +184,11 @@ impl<S: Ground> Structure<S> {
     }
 
     /// The algebra over the rationals, with the types that are known; `None` if a constant is not rational.
-    pub fn over_the_rationals(&self) -> Option<Structure<Rational>> {
-        let constants = self.algebra.structure();
+    pub fn over_the_rationals(&self) -> Option<StructureTheory<Rational>> {
+        let constants = self.algebra.structure_constants();
         let rational = constants.components().all(|(_, value)| value.rational().is_some());
         let algebra = || self.algebra.map(|value| value.rational().unwrap_or_default()).ok();
-        let same = Structure::new(rational.then(algebra)??);
+        let same = StructureTheory::new(rational.then(algebra)??);
         same.know_types(self.types.get());
         if let Some(cartan) = self.cartan.get() {
             let value = |(at, value): &(usize, S)| (*at, value.rational().unwrap_or_default());

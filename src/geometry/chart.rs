@@ -18,9 +18,9 @@ mod series;
 pub use canonical::{CanonicalCoordinates, Side};
 pub use fields::Fields;
 
-use crate::Error;
 use crate::algebra::frame::{Frame, expect_slots};
 use crate::algebra::{BasisChange, to_matrix};
+use crate::{Error, Law};
 use affinor_tensors::expression::is_name;
 use affinor_tensors::text::combination;
 use affinor_tensors::{Down, Notation, Scalar, Tensor, Up};
@@ -40,7 +40,7 @@ use std::sync::Arc;
 /// let frame = chart.coordinate_frame::<Symbolic>()?;
 /// let metric = Metric::new(frame.labels(), Tensor::from_components(2, &[Down, Down], g)?)?;
 /// let connection = Connection::levi_civita(&frame, &metric)?;
-/// assert_eq!(connection.gamma().get(&[0, 1, 1]).to_string(), "-sin(theta)*cos(theta)");
+/// assert_eq!(connection.affinities().get(&[0, 1, 1]).to_string(), "-sin(theta)*cos(theta)");
 /// assert_eq!(connection.scalar_curvature(&metric)?, Symbolic::from_i64(2));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -53,13 +53,13 @@ impl Chart {
     /// The chart with these coordinates.
     ///
     /// # Errors
-    /// [`Error::Coordinate`] unless they are different identifiers.
+    /// [`Error::Name`] unless they are different identifiers.
     pub fn new(coordinates: impl IntoIterator<Item: AsRef<str>>) -> Result<Self, Error> {
         let coordinates: Arc<[String]> =
             coordinates.into_iter().map(|name| name.as_ref().to_string()).collect();
         for (at, name) in coordinates.iter().enumerate() {
             if !is_name(name) || coordinates[..at].contains(name) {
-                return Err(Error::Coordinate { name: name.clone() });
+                return Err(Error::coordinate(name));
             }
         }
         Ok(Chart { coordinates })
@@ -93,7 +93,7 @@ impl Chart {
     /// `[Up, Down]`: row `a`, column `i`.
     ///
     /// # Errors
-    /// [`Error::Shape`]; [`Error::DegenerateFrame`] for fields that are dependent everywhere.
+    /// [`Error::Shape`]; [`Law::IndependentFields`] for fields that are dependent everywhere.
     pub fn fields<S: Notation + Scalar>(
         &self,
         labels: impl IntoIterator<Item: AsRef<str>>,
@@ -109,7 +109,7 @@ impl Chart {
                         kernel.row(0).iter().map(|(i, v)| (v, labels[*i].as_ref().to_string())),
                     )
                 });
-                Error::DegenerateFrame { relation: relation.unwrap_or_default() }
+                Law::IndependentFields.broken([relation.unwrap_or_default()], "0")
             }
             error => error,
         })?;

@@ -3,7 +3,7 @@
 mod canonical;
 mod invariance;
 
-pub use canonical::Canonical;
+pub use canonical::CanonicalConnection;
 
 use crate::Error;
 use crate::algebra::frame::{Frame, expect_numbers, expect_slots};
@@ -62,7 +62,7 @@ impl<S: Scalar> Connection<S> {
     }
 
     /// The affinities `Lambda^i_jk`, slots `[Up, Down, Down]`; `j` is the direction.
-    pub fn gamma(&self) -> &Tensor<S> {
+    pub fn affinities(&self) -> &Tensor<S> {
         &self.gamma
     }
 

@@ -18,7 +18,7 @@ impl<S: Scalar> Connection<S> {
     pub fn torsion(&self) -> Tensor<S> {
         formula(
             "L^i_jk - L^i_kj - c^i_jk -> ^i_[jk]",
-            &[("L", self.gamma()), ("c", self.frame().structure())],
+            &[("L", self.affinities()), ("c", self.frame().structure_functions())],
         )
     }
 
@@ -66,14 +66,14 @@ impl<S: Scalar> Connection<S> {
     /// `h`.
     fn evaluate(&self, expression: &str) -> Tensor<S> {
         let derivative =
-            self.frame().derivative(self.gamma()).expect("the affinities belong to the frame");
+            self.frame().derivative(self.affinities()).expect("the affinities belong to the frame");
         let isotropy = self.frame().isotropy().expect("of the rank of the derivative");
         formula(
             expression,
             &[
                 ("d", &derivative),
-                ("L", self.gamma()),
-                ("c", self.frame().structure()),
+                ("L", self.affinities()),
+                ("c", self.frame().structure_functions()),
                 ("h", &isotropy),
             ],
         )
@@ -126,9 +126,9 @@ impl<S: Scalar> Connection<S> {
              - c^p_mk R^i_jpl - c^p_kl R^i_jpm - c^p_lm R^i_jpk -> _[mkl]^i_j",
             &[
                 ("d", &derivative),
-                ("L", self.gamma()),
+                ("L", self.affinities()),
                 ("R", curvature),
-                ("c", self.frame().structure()),
+                ("c", self.frame().structure_functions()),
             ],
         );
         residual.permute(&[3, 4, 0, 1, 2]).expect("an order of the slots")

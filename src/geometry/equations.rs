@@ -60,10 +60,10 @@ impl EquationKind {
 /// ```
 /// use affinor::algebra::catalogue;
 /// use affinor::geometry::equations::Equations;
-/// use affinor::{Canonical, Connection, Metric, Rational};
+/// use affinor::{CanonicalConnection, Connection, Metric, Rational};
 /// let so3 = catalogue::algebra("so(3)")?;
 /// let inertia = Metric::diagonal([1, 2, 3].map(Rational::from))?;
-/// let plus = Connection::canonical(&so3, Canonical::Plus);
+/// let plus = Connection::canonical(&so3, CanonicalConnection::Plus);
 /// let euler = Equations::euler_poincare(&plus, &inertia)?;
 /// // Euler's equations: J1 dOmega1/dt = (J2 - J3) Omega2 Omega3
 /// let [omega, free] = [[0, 1, 1].map(Rational::from), [0, 0, 0].map(Rational::from)];
@@ -104,14 +104,14 @@ impl<S: Field + Scalar> Equations<S> {
     /// `g_ij dOmega^j/dt = Lambda^j_ki Omega^k g_jm Omega^m + M_i` (106).
     ///
     /// # Errors
-    /// [`Error::Shape`] when the dimensions differ; [`Error::Frame`] for a metric with components
+    /// [`Error::Shape`] when the dimensions differ; [`Error::Unsupported`] for a metric with components
     /// that are not constant.
     pub fn euler_poincare(connection: &Connection<S>, metric: &Metric<S>) -> Result<Self, Error> {
         let n = connection.frame().dimension();
         expect_slots("the metric", metric.components(), n, &[Down, Down])?;
         if !connection.frame().derivative(metric.components())?.is_empty() {
-            return Err(Error::Frame(
-                "Euler-Poincare equations need a metric with constant components",
+            return Err(Error::Unsupported(
+                "Euler-Poincare equations need a metric with constant components".into(),
             ));
         }
         Ok(Equations {
@@ -130,7 +130,7 @@ impl<S: Field + Scalar> Equations<S> {
             kind,
             left: identity.clone(),
             inverse: identity,
-            quadratic: formula("-1 L^i_jk -> ^i_jk", &[("L", connection.gamma())]),
+            quadratic: formula("-1 L^i_jk -> ^i_jk", &[("L", connection.affinities())]),
             force: None,
         }
     }
@@ -159,10 +159,10 @@ impl<S: Field + Scalar> Equations<S> {
     /// ```
     /// use affinor::algebra::catalogue;
     /// use affinor::geometry::equations::Equations;
-    /// use affinor::{Canonical, Connection, Metric};
+    /// use affinor::{CanonicalConnection, Connection, Metric};
     /// let so3 = catalogue::algebra("so(3)")?;
     /// let inertia = Metric::diagonal([0.1, 0.2, 0.3])?;
-    /// let plus = Connection::canonical(&so3, Canonical::Plus);
+    /// let plus = Connection::canonical(&so3, CanonicalConnection::Plus);
     /// let levi_civita = Connection::levi_civita(so3.left_frame(), &inertia)?;
     /// let [euler, geodesics] =
     ///     [plus, levi_civita].map(|connection| Equations::euler_poincare(&connection, &inertia));
@@ -228,7 +228,7 @@ pub(crate) fn inertial<S: Field + Scalar>(
     connection: &Connection<S>,
     metric: &Metric<S>,
 ) -> Tensor<S> {
-    formula("L^j_ki g_jm -> _ikm", &[("L", connection.gamma()), ("g", metric.components())])
+    formula("L^j_ki g_jm -> _ikm", &[("L", connection.affinities()), ("g", metric.components())])
 }
 
 /// A variable of the equations: its role and its index, from 0.

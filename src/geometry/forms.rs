@@ -97,7 +97,10 @@ impl<S: Scalar> Frame<S> {
         let unit = |i: usize| {
             let mut components = vec![S::zero(); self.dimension()];
             components[i] = S::one();
-            Form(Tensor::vector(&components, Down).with_tolerance(self.structure().tolerance()))
+            Form(
+                Tensor::vector(&components, Down)
+                    .with_tolerance(self.structure_functions().tolerance()),
+            )
         };
         (0..self.dimension()).map(unit).collect()
     }
@@ -128,7 +131,7 @@ impl<S: Scalar> Frame<S> {
             }
         }
         let text = format!("{sum} -> {}", antisymmetric(letters));
-        let operands = [("d", &derivative), ("c", self.structure()), ("w", &form.0)];
+        let operands = [("d", &derivative), ("c", self.structure_functions()), ("w", &form.0)];
         Ok(Form(contract(&text, &operands)?))
     }
 }
@@ -138,10 +141,10 @@ impl<S: Scalar> Connection<S> {
     pub fn connection_forms(&self) -> Vec<Vec<Form<S>>> {
         let n = self.frame().dimension();
         let mut forms = vec![vec![vec![S::zero(); n]; n]; n];
-        for (at, value) in self.gamma().components() {
+        for (at, value) in self.affinities().components() {
             forms[at[0]][at[2]][at[1]] = value.clone();
         }
-        let tolerance = self.gamma().tolerance();
+        let tolerance = self.affinities().tolerance();
         let form = |w: Vec<S>| Form(Tensor::vector(&w, Down).with_tolerance(tolerance));
         forms.into_iter().map(|row| row.into_iter().map(form).collect()).collect()
     }
@@ -165,12 +168,12 @@ impl<S: Scalar> Connection<S> {
     /// `W^i_j(e_k, e_l) = R^i_jkl`.
     ///
     /// # Errors
-    /// [`Error::Frame`] on a homogeneous space, where the connection forms are defined on the
+    /// [`Error::Unsupported`] on a homogeneous space, where the connection forms are defined on the
     /// group and not on `m`; [`Error::Tensor`] if the dimension is too large.
     pub fn curvature_forms(&self) -> Result<Vec<Vec<Form<S>>>, Error> {
         if !self.frame().isotropy()?.is_empty() {
-            return Err(Error::Frame(
-                "the connection forms of a homogeneous space are defined on G, not on m",
+            return Err(Error::Unsupported(
+                "the connection forms of a homogeneous space are defined on G, not on m".into(),
             ));
         }
         let (n, w) = (self.frame().dimension(), self.connection_forms());

@@ -24,7 +24,7 @@ impl<S: Field + Scalar> Connection<S> {
     /// algebra for generic values. Over floats its dimension depends on the tolerance.
     ///
     /// # Errors
-    /// [`Error::Frame`] in a frame that is not invariant; [`Error::Linear`] over a ring that is not a
+    /// [`Error::Unsupported`] in a frame that is not invariant; [`Error::Linear`] over a ring that is not a
     /// field.
     ///
     /// ```
@@ -39,10 +39,10 @@ impl<S: Field + Scalar> Connection<S> {
     /// ```
     pub fn holonomy(&self) -> Result<Holonomy<S>, Error> {
         if !self.frame().is_invariant() {
-            return Err(Error::Frame("the holonomy algebra needs an invariant frame"));
+            return Err(Error::Unsupported("the holonomy algebra needs an invariant frame".into()));
         }
         let n = self.frame().dimension();
-        let tolerance = self.gamma().tolerance();
+        let tolerance = self.affinities().tolerance();
         let mut span = Echelon::new().with_tolerance(tolerance);
         // R(e_k, e_l) is the matrix of slots 0 and 1, apart by slots 2 and 3
         let mut open = matrices(self.curvature(), [0, 1], &[2, 3])?;
@@ -52,7 +52,7 @@ impl<S: Field + Scalar> Connection<S> {
             }
             let moved = formula(
                 "L^i_mp A^p_j - A^i_p L^p_mj -> ^i_mj",
-                &[("L", self.gamma()), ("A", &matrix)],
+                &[("L", self.affinities()), ("A", &matrix)],
             );
             open.extend(matrices(&moved, [0, 2], &[1])?);
         }
@@ -62,7 +62,7 @@ impl<S: Field + Scalar> Connection<S> {
 
 impl<S: Field + Scalar> Holonomy<S> {
     /// The dimension of the algebra.
-    pub fn rank(&self) -> usize {
+    pub fn dimension(&self) -> usize {
         self.span.rank()
     }
 

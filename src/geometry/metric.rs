@@ -1,8 +1,8 @@
 //! Metrics: symmetric, non-degenerate bilinear forms.
 
-use crate::Error;
 use crate::algebra::frame::{expect_numbers, expect_slots, formula};
 use crate::algebra::{LieAlgebra, inverse, to_matrix};
+use crate::{Error, Law};
 use affinor_tensors::text::{combination, written};
 use affinor_tensors::{Down, Field, Scalar, Tensor, Up};
 use std::fmt;
@@ -35,7 +35,7 @@ impl<S: Field + Scalar> Metric<S> {
     /// The metric with these components, slots `[Down, Down]`.
     ///
     /// # Errors
-    /// [`Error::Shape`]; [`Error::NotFinite`]; [`Error::NotSymmetric`]; [`Error::Degenerate`] with a
+    /// [`Error::Shape`]; [`Error::NotFinite`]; [`Law::SymmetricMetric`]; [`Error::Degenerate`] with a
     /// vector of the kernel.
     pub fn new(
         labels: impl IntoIterator<Item: AsRef<str>>,
@@ -51,11 +51,8 @@ impl<S: Field + Scalar> Metric<S> {
         expect_numbers("the metric", &components)?;
         let skew = formula("g_ij - g_ji -> _ij", &[("g", &components)]);
         if let Some((at, residual)) = skew.components().next() {
-            return Err(Error::NotSymmetric {
-                x: label(at[0]),
-                y: label(at[1]),
-                residual: written(residual),
-            });
+            let at = [label(at[0]), label(at[1])];
+            return Err(Law::SymmetricMetric.broken(at, written(residual)));
         }
         let tolerance = components.tolerance();
         let Some(entries) = inverse(&components) else {
@@ -122,9 +119,9 @@ impl<S: Field + Scalar> Metric<S> {
     ///
     /// # Errors
     /// [`Error::Shape`] when the dimensions differ.
-    pub fn ad_variation(&self, algebra: &LieAlgebra<S>) -> Result<Tensor<S>, Error> {
+    pub fn ad_invariance_defect(&self, algebra: &LieAlgebra<S>) -> Result<Tensor<S>, Error> {
         self.expect_dimension(algebra.dimension())?;
-        let operands = [("g", &self.components), ("c", algebra.structure())];
+        let operands = [("g", &self.components), ("c", algebra.structure_constants())];
         Ok(formula("g_mj c^m_ki + g_im c^m_kj -> _kij", &operands))
     }
 

@@ -4,10 +4,10 @@
 //! one formula behind this module: [`Connection::levi_civita`] and the connections with given
 //! torsion and nonmetricity are cases of it.
 
-use crate::Error;
 use crate::algebra::frame::{Frame, expect_slots, expect_symmetry, formula};
 use crate::geometry::connection::Connection;
 use crate::geometry::metric::Metric;
+use crate::{Error, Law};
 use affinor_tensors::{Down, Field, Scalar, Tensor, TensorError, Up, contract};
 
 impl<S: Field + Scalar> Connection<S> {
@@ -27,7 +27,7 @@ impl<S: Field + Scalar> Connection<S> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Shape`] when the dimensions differ; [`Error::NotIsotropic`] on a homogeneous space, unless the metric is
+    /// [`Error::Shape`] when the dimensions differ; [`Law::IsotropyInvariance`] on a homogeneous space, unless the metric is
     /// invariant under its isotropy: `h^m_ikl g_mj + h^m_jkl g_im = 0`.
     pub fn levi_civita(frame: &Frame<S>, metric: &Metric<S>) -> Result<Self, Error> {
         let g = metric.components();
@@ -37,15 +37,12 @@ impl<S: Field + Scalar> Connection<S> {
             let moved = formula("h^m_ikl g_mj + h^m_jkl g_im -> _ijkl", &operands);
             if let Some((at, residual)) = moved.components().next() {
                 let [k, l] = [at[2], at[3]].map(|index| frame.labels()[index].as_str());
-                return Err(Error::NotIsotropic {
-                    what: "the metric",
-                    direction: format!("[{k}, {l}]_h"),
-                    at: at[..2].iter().map(|index| index + 1).collect(),
-                    residual: residual.to_string(),
-                });
+                let component = crate::error::indices(at[..2].iter().map(|index| index + 1));
+                let at = ["the metric".into(), format!("[{k}, {l}]_h"), component];
+                return Err(Law::IsotropyInvariance.broken(at, residual.to_string()));
             }
         }
-        let gamma = koszul(metric, &frame.derivative(g)?, frame.structure())?;
+        let gamma = koszul(metric, &frame.derivative(g)?, frame.structure_functions())?;
         Connection::new(frame.clone(), gamma)
     }
 
@@ -96,7 +93,7 @@ impl<S: Field + Scalar> Connection<S> {
         expect_nonmetricity(nonmetricity, n)?;
         let derivative = frame.derivative(g)?;
         let d = contract("d_kij - Q_kij -> _kij", &[("d", &derivative), ("Q", nonmetricity)])?;
-        let b = [("c", frame.structure()), ("t", torsion)];
+        let b = [("c", frame.structure_functions()), ("t", torsion)];
         let b = contract("c^i_jk + t^i_jk -> ^i_[jk]", &b)?;
         Connection::new(frame.clone(), koszul(metric, &d, &b)?)
     }

@@ -1,12 +1,12 @@
 //! Reductive homogeneous spaces G/H: their canonical connections, and invariant ones.
 
-use crate::Error;
 use crate::algebra::frame::{Frame, expect_slots, formula};
 use crate::algebra::invariants::invariant_tensors;
 use crate::algebra::lie_derivative::act;
 use crate::algebra::{BasisChange, LieAlgebra};
 use crate::geometry::connection::Connection;
 use crate::geometry::metric::Metric;
+use crate::{Error, Law};
 use affinor_tensors::linear::Matrix;
 use affinor_tensors::{Down, Field, Scalar, Tensor, TensorError, Up, Variance};
 
@@ -49,7 +49,7 @@ impl<S: Field + Scalar> ReductivePair<S> {
     ///
     /// # Errors
     /// [`Error::Shape`]; [`Error::SingularBasis`] unless both together are a basis;
-    /// [`Error::NotReductive`] with the first bracket that escapes.
+    /// [`Law::ReductiveIsotropy`] or [`Law::ReductiveComplement`] with the first bracket that escapes.
     pub fn new(algebra: &LieAlgebra<S>, h: &[Vec<S>], m: &[Vec<S>]) -> Result<Self, Error> {
         let (n, r) = (algebra.dimension(), m.len());
         let basis: Vec<_> = m.iter().chain(h).collect();
@@ -62,9 +62,9 @@ impl<S: Field + Scalar> ReductivePair<S> {
         let entries = columns
             .flat_map(|(a, x)| x.components().map(move |(i, value)| ([i[0], a], value.clone())));
         let change = Tensor::from_components(n, &[Up, Down], entries)?;
-        let change = change.with_tolerance(algebra.structure().tolerance());
+        let change = change.with_tolerance(algebra.structure_constants().tolerance());
         let adapted = algebra.change_basis(&BasisChange::new(change)?)?;
-        let c = adapted.structure();
+        let c = adapted.structure_constants();
         // the constants c^i_jk whose indices lie in h where `of_h` is true, and in m elsewhere
         let part = |of_h: [bool; 3]| {
             c.filter_map(|at, value| at.iter().map(|i| *i >= r).eq(of_h).then(|| value.clone()))
@@ -77,12 +77,10 @@ impl<S: Field + Scalar> ReductivePair<S> {
             Some([x, y, bracket].map(|v| algebra.left_frame().write(v)))
         };
         if let Some([x, y, bracket]) = escaped([false, true, true]) {
-            let law = "the vectors of h span no subalgebra";
-            return Err(Error::NotReductive { law, span: "their span", x, y, bracket });
+            return Err(Law::ReductiveIsotropy.broken([x, y], bracket));
         }
         if let Some([x, y, bracket]) = escaped([true, true, false]) {
-            let law = "the complement m is not invariant under h";
-            return Err(Error::NotReductive { law, span: "m", x, y, bracket });
+            return Err(Law::ReductiveComplement.broken([x, y], bracket));
         }
         // v(x, y) = [x, y]_h
         let vertical = part([true, false, false]);
@@ -102,7 +100,7 @@ impl<S: Field + Scalar> ReductivePair<S> {
     /// The pair with the complement of `h` that is orthogonal under the Killing form.
     ///
     /// # Errors
-    /// [`Error::DegenerateOnSubalgebra`] if the Killing form is degenerate on `h`: the orthogonal
+    /// [`Law::KillingOnSubalgebra`] if the Killing form is degenerate on `h`: the orthogonal
     /// complement does not exist, though others may. [`Error::SingularBasis`] for dependent vectors. Otherwise as
     /// [`new`](Self::new).
     pub fn orthogonal(algebra: &LieAlgebra<S>, h: &[Vec<S>]) -> Result<Self, Error> {
@@ -124,7 +122,8 @@ impl<S: Field + Scalar> ReductivePair<S> {
             let null = products.mul(&vectors.transpose())?.nullspace()?;
             if null.rows() > 0 {
                 let x = vectors.transpose().apply(&null.to_dense()[0])?;
-                return Err(Error::DegenerateOnSubalgebra { null: algebra.left_frame().write(x) });
+                let null = algebra.left_frame().write(x);
+                return Err(Law::KillingOnSubalgebra.broken([null], "0"));
             }
         }
         Self::new(algebra, h, &products.nullspace()?.to_dense())
@@ -133,7 +132,7 @@ impl<S: Field + Scalar> ReductivePair<S> {
     /// The second canonical connection, `Lambda = 0`: invariant tensors are parallel, and
     /// `T(x,y) = -[x,y]_m`, `R(x,y)z = -[[x,y]_h, z]`.
     pub fn canonical(&self) -> Connection<S> {
-        Connection::over(&self.frame, &S::zero())
+        Connection::in_frame(&self.frame, &S::zero())
     }
 
     /// The first canonical connection, the natural one without torsion: `Lambda(x) y = [x,y]_m / 2`.
@@ -143,16 +142,16 @@ impl<S: Field + Scalar> ReductivePair<S> {
     /// [`Error::Tensor`] where 2 has no inverse.
     pub fn natural(&self) -> Result<Connection<S>, Error> {
         let half = S::from_i64(2).recip().ok_or(TensorError::NotInvertible(2))?;
-        Ok(Connection::over(&self.frame, &half))
+        Ok(Connection::in_frame(&self.frame, &half))
     }
 
     /// The invariant connection with the affinities `Lambda^i_jk` on `m`.
     ///
     /// # Errors
-    /// [`Error::Shape`]; [`Error::NotIsotropic`] unless they are invariant under `h`.
+    /// [`Error::Shape`]; [`Law::IsotropyInvariance`] unless they are invariant under `h`.
     pub fn connection(&self, gamma: Tensor<S>) -> Result<Connection<S>, Error> {
         let connection = Connection::new(self.frame.clone(), gamma)?;
-        self.expect_invariant("the affinities", connection.gamma())?;
+        self.expect_invariant("the affinities", connection.affinities())?;
         Ok(connection)
     }
 
@@ -160,7 +159,7 @@ impl<S: Field + Scalar> ReductivePair<S> {
     /// `Lambda(x) y = [x,y]_m / 2 + U(x,y)`.
     ///
     /// # Errors
-    /// [`Error::Shape`]; [`Error::NotIsotropic`] unless it is invariant under `h`.
+    /// [`Error::Shape`]; [`Law::IsotropyInvariance`] unless it is invariant under `h`.
     pub fn levi_civita(&self, metric: &Metric<S>) -> Result<Connection<S>, Error> {
         let slots = [Down, Down];
         expect_slots("the metric", metric.components(), self.dimension(), &slots)?;
@@ -181,12 +180,13 @@ impl<S: Field + Scalar> ReductivePair<S> {
     fn expect_invariant(&self, what: &'static str, tensor: &Tensor<S>) -> Result<(), Error> {
         for (a, endomorphism) in self.isotropy.iter().enumerate() {
             if let Some((at, residual)) = act(endomorphism, tensor)?.components().next() {
-                return Err(Error::NotIsotropic {
-                    what,
-                    direction: self.algebra.labels()[self.dimension() + a].clone(),
-                    at: at.iter().map(|index| index + 1).collect(),
-                    residual: residual.to_string(),
-                });
+                let direction = self.algebra.labels()[self.dimension() + a].clone();
+                let at = [
+                    what.into(),
+                    direction,
+                    crate::error::indices(at.iter().map(|index| index + 1)),
+                ];
+                return Err(Law::IsotropyInvariance.broken(at, residual.to_string()));
             }
         }
         Ok(())
@@ -217,7 +217,7 @@ impl<S: Scalar> ReductivePair<S> {
     /// Whether `[m, m]` lies in `h`. The two canonical connections then coincide, without torsion and
     /// with parallel curvature.
     pub fn is_symmetric(&self) -> bool {
-        self.frame.structure().is_empty()
+        self.frame.structure_functions().is_empty()
     }
 }
 

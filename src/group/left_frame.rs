@@ -16,13 +16,14 @@ pub(crate) fn expect_left_frame<G: LieGroup>(group: &G, frame: &Frame<f64>) -> R
     if frame.dimension() != group.dimension() || !frame.is_invariant() {
         return Err(differs(format!("a frame of {} fields", frame.dimension())));
     }
-    let largest = frame.structure().components().fold(0.0, |most: f64, (_, c)| most.max(c.abs()));
+    let largest =
+        frame.structure_functions().components().fold(0.0, |most: f64, (_, c)| most.max(c.abs()));
     let basis = group.basis();
     for (j, x) in basis.iter().enumerate() {
         for (k, y) in basis.iter().enumerate() {
             let bracket = group.bracket(x, y);
             for (i, of_group) in bracket.components().iter().enumerate() {
-                let of_frame = frame.structure().get(&[i, j, k]);
+                let of_frame = frame.structure_functions().get(&[i, j, k]);
                 if (of_group - of_frame).abs() > ROUNDING * largest.max(of_group.abs()) {
                     let at = format!("c^{}_{},{}", i + 1, j + 1, k + 1);
                     return Err(differs(format!("{at} = {of_frame} and not {of_group}")));

@@ -65,7 +65,7 @@ pub trait LieGroup {
     /// `T_left(x)^-1 v`.
     ///
     /// # Errors
-    /// [`Error::SingularTangent`] where `exp` is singular: an eigenvalue of `ad_x` is
+    /// [`Law::RegularTangent`](crate::Law::RegularTangent) where `exp` is singular: an eigenvalue of `ad_x` is
     /// `2 pi i k`, `k != 0`, to the rounding of `x`. Near it the result is large.
     fn tangent_left_inverse(
         &self,
@@ -164,7 +164,7 @@ pub trait LieGroup {
     /// translations. X. Pennec and V. Arsigny, in *Matrix Information Geometry* (2013) 123-166.
     ///
     /// # Errors
-    /// [`Error::Shape`] without elements; those of [`log`](Self::log); [`Error::NoMean`] if the iteration does not converge.
+    /// [`Error::Shape`] without elements; those of [`log`](Self::log); [`Error::Invalid`] if the iteration does not converge.
     fn mean(&self, elements: &[Self::Element]) -> Result<Self::Element, Error> {
         mean::mean(self, elements)
     }
@@ -205,7 +205,7 @@ pub trait LieGroup {
     /// The algebra, with the basis `e1`, `e2`, ... of the components unless the group has names for it.
     ///
     /// # Errors
-    /// [`Error::Jacobi`] for a `bracket` that is none.
+    /// [`Law::Jacobi`](crate::Law::Jacobi) for a `bracket` that is none.
     fn algebra(&self) -> Result<LieAlgebra<f64>, Error> {
         let basis = self.basis();
         let labels: Vec<String> = (1..=basis.len()).map(|i| format!("e{i}")).collect();

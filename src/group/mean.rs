@@ -31,7 +31,7 @@ pub(super) fn mean<G: LieGroup + ?Sized>(
         }
         let correction = sum * (1.0 / elements.len() as f64);
         if !correction.is_finite() {
-            return Err(Error::NoMean { steps: step + 1, residual: f64::NAN });
+            return Err(no_mean(step + 1, f64::NAN));
         }
         let size = correction.largest();
         // of elements that are far from 1
@@ -44,5 +44,10 @@ pub(super) fn mean<G: LieGroup + ?Sized>(
         }
         before = size;
     }
-    Err(Error::NoMean { steps: MAX_STEPS, residual: before })
+    Err(no_mean(MAX_STEPS, before))
+}
+
+fn no_mean(steps: usize, size: f64) -> Error {
+    let reason = format!("after {steps} iterations the mean logarithm still has the size {size:e}");
+    Error::Invalid { what: "mean", reason }
 }

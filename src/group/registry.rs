@@ -20,7 +20,7 @@ use super::{
     Translations,
 };
 use crate::algebra::catalogue;
-use crate::{Error, LieAlgebra};
+use crate::{Error, Law, LieAlgebra};
 use affinor_tensors::linear::Matrix;
 use affinor_tensors::{Rational, Symbolic};
 use nalgebra::{DMatrix, Dyn};
@@ -73,7 +73,7 @@ const fn family(
 /// ```
 ///
 /// # Errors
-/// [`Error::NoGroup`] for an unknown name or one with parameters; those of [`of_algebra`].
+/// [`Error::Name`] for an unknown name or one with parameters; those of [`of_algebra`].
 pub fn find(name: &str) -> Result<AnyGroup, Error> {
     let mut factors = summands(name).into_iter().map(factor);
     let first = factors.next().unwrap_or_else(|| factor(name))?;
@@ -88,7 +88,9 @@ pub fn find(name: &str) -> Result<AnyGroup, Error> {
 pub fn of_algebra(algebra: &LieAlgebra<f64>) -> Result<AnyGroup, Error> {
     match Nilpotent::new(algebra.clone()) {
         Ok(group) => Ok(AnyGroup::new(group)),
-        Err(Error::NotNilpotent { .. }) => MatrixGroup::of_algebra(algebra).map(AnyGroup::new),
+        Err(Error::Broken { law: Law::Nilpotent, .. }) => {
+            MatrixGroup::of_algebra(algebra).map(AnyGroup::new)
+        }
         Err(error) => Err(error),
     }
 }
@@ -104,7 +106,8 @@ pub fn summands(name: &str) -> Vec<&str> {
 }
 
 fn factor(name: &str) -> Result<AnyGroup, Error> {
-    let refused = |reason: String| Error::NoGroup { name: name.trim().into(), reason };
+    let refused =
+        |reason: String| Error::Name(format!("no group named `{}`: {reason}", name.trim()));
     let entry = catalogue::find(name.trim()).map_err(|error| refused(error.to_string()))?;
     let closed = |family: &Family| Some((family.build)(argument(family.pattern, &entry.name)?));
     if let Some(group) = FAMILIES.iter().find_map(closed) {

@@ -2,9 +2,9 @@
 //! `ad_x^3 = -z(x) ad_x`.
 
 use super::{Coordinates, LieGroup};
-use crate::Error;
 use crate::numerics::exponential::phi1;
 use crate::numerics::stumpff::{FAR, Stumpff, inverse_tangent};
+use crate::{Error, Law};
 use nalgebra::linalg::{SVD, Schur};
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::TAU;
@@ -45,7 +45,7 @@ pub(super) fn inverse_by_series<G: LieGroup + ?Sized>(
     v: &G::Vector,
 ) -> Result<G::Vector, Error> {
     let v = DVector::from_column_slice(v.components());
-    let singular = || Error::SingularTangent { x: x.components().to_vec() };
+    let singular = || Law::RegularTangent.broken([format!("{:?}", x.components())], "0");
     let ad = ad(group, x);
     let operator = phi1(&ad);
     if !operator.iter().all(|entry| entry.is_finite()) {
@@ -95,7 +95,7 @@ pub(super) fn cubic_inverse<G: LieGroup>(
     x: &G::Vector,
     v: &G::Vector,
 ) -> Result<G::Vector, Error> {
-    let singular = || Error::SingularTangent { x: x.components().to_vec() };
+    let singular = || Law::RegularTangent.broken([format!("{:?}", x.components())], "0");
     let d = inverse_tangent(z, size).filter(|_| z <= FAR).ok_or_else(singular)?;
     let once = group.bracket(x, v);
     Ok(v.clone() + once.clone() * 0.5 + group.bracket(x, &once) * d)

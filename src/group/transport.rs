@@ -9,7 +9,7 @@ use super::{Coordinates, LieGroup, expect_left_frame};
 use crate::algebra::frame::{expect_slots, formula};
 use crate::numerics::rounding::expect_digits;
 use crate::numerics::{exponential, ode};
-use crate::{Connection, Error};
+use crate::{Connection, Error, Law};
 use affinor_tensors::{Scalar, Tensor, Up};
 use nalgebra::{DMatrix, DVector};
 
@@ -20,9 +20,9 @@ impl<S: Scalar> Connection<S> {
     /// # Errors
     /// [`Error::Shape`].
     pub fn transport_along(&self, w: &[S]) -> Result<Tensor<S>, Error> {
-        let vector = Tensor::vector(w, Up).with_tolerance(self.gamma().tolerance());
+        let vector = Tensor::vector(w, Up).with_tolerance(self.affinities().tolerance());
         expect_slots("the direction", &vector, self.frame().dimension(), &[Up])?;
-        Ok(formula("-1 L^i_jk w^j -> ^i_k", &[("L", self.gamma()), ("w", &vector)]))
+        Ok(formula("-1 L^i_jk w^j -> ^i_k", &[("L", self.affinities()), ("w", &vector)]))
     }
 
     /// The generator along the autoparallel with the constant tangent `n`, (45).
@@ -30,18 +30,18 @@ impl<S: Scalar> Connection<S> {
     /// It is `-ad_n` for `plus`, `-ad_n/2` for `zero`, and 0 for `minus`.
     ///
     /// # Errors
-    /// [`Error::NotAutoparallel`] unless `Lambda^i_jk n^j n^k = 0` (B7): else the tangent of the
+    /// [`Law::ConstantTangent`] unless `Lambda^i_jk n^j n^k = 0` (B7): else the tangent of the
     /// autoparallel does not stay constant in this frame. [`Error::Shape`].
     pub fn transport_generator(&self, n: &[S]) -> Result<Tensor<S>, Error> {
         let generator = self.transport_along(n)?;
-        let vector = Tensor::vector(n, Up).with_tolerance(self.gamma().tolerance());
+        let vector = Tensor::vector(n, Up).with_tolerance(self.affinities().tolerance());
         let drift = formula("-1 G^i_k n^k -> ^i", &[("G", &generator), ("n", &vector)]);
         if drift.is_empty() {
             return Ok(generator);
         }
         let drift = drift.to_vector().unwrap_or_default();
         let write = |components: Vec<S>| self.frame().write(components);
-        Err(Error::NotAutoparallel { n: write(n.to_vec()), residual: write(drift) })
+        Err(Law::ConstantTangent.broken([write(n.to_vec())], write(drift)))
     }
 }
 
@@ -57,7 +57,7 @@ const NOISE: f64 = 1e-3;
 /// ```
 /// use affinor::group::{LieGroup, So3};
 /// use affinor::group::transport::ParallelTranslation;
-/// use affinor::{Canonical, Connection};
+/// use affinor::{CanonicalConnection, Connection};
 /// use nalgebra::Vector3;
 /// let so3 = So3.algebra()?;
 /// let full_turn = Vector3::new(0.0, 0.0, std::f64::consts::TAU);
@@ -66,8 +66,8 @@ const NOISE: f64 = 1e-3;
 ///     Ok(on_group.along_subgroup(&full_turn)?.trace())
 /// };
 /// // once around a closed subgroup: nothing on M(3), half a turn on SO(3), after (71)
-/// assert!((around(Canonical::Plus)? - 3.0).abs() < 1e-14);
-/// assert!((around(Canonical::Zero)? + 1.0).abs() < 1e-14);
+/// assert!((around(CanonicalConnection::Plus)? - 3.0).abs() < 1e-14);
+/// assert!((around(CanonicalConnection::Zero)? + 1.0).abs() < 1e-14);
 /// # Ok::<(), affinor::Error>(())
 /// ```
 #[derive(Clone, Debug)]

@@ -91,7 +91,7 @@ impl<V: Coordinates> Velocity<V> {
     ///
     /// # Errors
     /// [`Error::Shape`] unless there are two or more samples, as many times, and these increase;
-    /// [`Error::Invalid`] and [`Error::SingularTangent`] for samples too far apart.
+    /// [`Error::Invalid`] and [`Law::RegularTangent`](crate::Law::RegularTangent) for samples too far apart.
     pub fn of_samples<G: LieGroup<Vector = V>>(
         group: &G,
         times: &[f64],

@@ -2,7 +2,7 @@
 
 mod functions;
 
-use affinor_tensors::expression::{Expression, ExpressionError, Meaning};
+use affinor_tensors::expression::{Evaluator, Expression, ExpressionError};
 use affinor_tensors::{Notation, Rational};
 use functions::{FUNCTIONS, FUNCTIONS_OF_TWO, Function, FunctionOfTwo};
 use std::cell::RefCell;
@@ -374,7 +374,7 @@ impl Reader<'_> {
     }
 }
 
-impl Meaning for Reader<'_> {
+impl Evaluator for Reader<'_> {
     type Value = usize;
 
     fn number(&self, number: &Rational) -> Result<usize, String> {

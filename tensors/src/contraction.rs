@@ -49,9 +49,9 @@ use arithmetic::{Factor, InRing, Term};
 use integers::{Cleared, OnIntegers};
 use notation::Expression;
 use num_rational::Ratio;
-use paths::MAX_PLACES;
 #[doc(hidden)]
-pub use paths::Paths;
+pub use paths::KernelThresholds;
+use paths::MAX_PLACES;
 pub use scalar::Scalar;
 use std::borrow::Cow;
 
@@ -67,17 +67,17 @@ pub fn contract<S: Scalar>(
     expression: &str,
     operands: &[(&str, &Tensor<S>)],
 ) -> Result<Tensor<S>, TensorError> {
-    S::contracted(&Paths::default(), expression, operands)
+    S::contracted(&KernelThresholds::default(), expression, operands)
 }
 
 /// [`contract`] with other thresholds between the paths of the kernel, so that tests can run every
 /// path with small tensors.
 ///
 /// # Errors
-/// As [`contract`], with [`Paths::places`] in place of 2^24.
+/// As [`contract`], with [`KernelThresholds::places`] in place of 2^24.
 #[doc(hidden)]
 pub fn contract_by<S: Scalar>(
-    paths: &Paths,
+    paths: &KernelThresholds,
     expression: &str,
     operands: &[(&str, &Tensor<S>)],
 ) -> Result<Tensor<S>, TensorError> {
@@ -86,7 +86,7 @@ pub fn contract_by<S: Scalar>(
 
 /// [`Scalar::contracted`].
 pub(crate) fn over<S: Scalar>(
-    paths: &Paths,
+    paths: &KernelThresholds,
     expression: &str,
     operands: &[(&str, &Tensor<S>)],
 ) -> Result<Tensor<S>, TensorError> {
@@ -178,7 +178,11 @@ fn fold_mirrors<S: Clone>(terms: Vec<Product<S>>, pair: Option<(usize, usize)>) 
 impl<'a, S: Scalar> Product<'a, S> {
     /// The product with two factors. A single factor is multiplied by `one`. While there are more
     /// than two, the pair that leaves the fewest indices is contracted.
-    fn in_pairs(mut self, paths: &Paths, one: &'a Tensor<S>) -> Result<Self, TensorError> {
+    fn in_pairs(
+        mut self,
+        paths: &KernelThresholds,
+        one: &'a Tensor<S>,
+    ) -> Result<Self, TensorError> {
         if self.factors.len() == 1 {
             self.factors.push((vec![], Cow::Borrowed(one)));
         }

@@ -2,7 +2,7 @@
 //!
 //! The grammar has `+ - * / ^ ( )`, integers, quotients `p/q`, decimals, `1e-3`, names, and functions
 //! like `sin(x)`. Decimals are exact. White space is that of ASCII. A `*` or a space separates a number from a name; `2x` and
-//! `a b` are errors. The caller gives names and operations their meaning ([`Meaning`]), so one
+//! `a b` are errors. The caller gives names and operations their meaning ([`Evaluator`]), so one
 //! grammar serves scalars, vectors written in basis names, and complex numbers.
 //!
 //! | notation | means |
@@ -99,7 +99,7 @@ pub enum View<'e> {
 /// An interpretation of expressions: the values of numbers and names, and the operations on values.
 ///
 /// An error is the reason in words; [`Expression::evaluate`] adds the byte range.
-pub trait Meaning {
+pub trait Evaluator {
     /// The values that expressions take.
     type Value: Clone;
     /// The value of a number.
@@ -199,7 +199,7 @@ impl Expression {
     ///
     /// # Errors
     /// The error of the meaning, with the byte range of the part where it occurs.
-    pub fn evaluate<M: Meaning>(&self, meaning: &M) -> Result<M::Value, ExpressionError> {
+    pub fn evaluate<M: Evaluator>(&self, meaning: &M) -> Result<M::Value, ExpressionError> {
         let here = |reason| ExpressionError { span: self.span(), reason };
         match &self.node {
             Node::Number(number) => meaning.number(number).map_err(here),
@@ -279,7 +279,7 @@ impl Expression {
 }
 
 /// The power by repeated squaring.
-pub(crate) fn power<M: Meaning + ?Sized>(
+pub(crate) fn power<M: Evaluator + ?Sized>(
     meaning: &M,
     mut base: M::Value,
     mut n: u64,
@@ -301,7 +301,7 @@ pub(crate) fn power<M: Meaning + ?Sized>(
 /// of functions, like [`Notation::call`] or [`no_function`].
 pub struct Scalars<N, F>(pub N, pub F);
 
-impl<S, N, F> Meaning for Scalars<N, F>
+impl<S, N, F> Evaluator for Scalars<N, F>
 where
     S: Notation,
     N: Fn(&str) -> Result<S, String>,

@@ -2,7 +2,7 @@
 //!
 //! This package knows no geometry. In reading order:
 //! - [`scalar`]: the traits [`Ring`], [`Field`] and [`Summable`], their laws, and the scalars: exact
-//!   [`Rational`]s, `f64`, [`Tracked`] floats with a rounding error estimate, [`Symbolic`] rational
+//!   [`Rational`]s, `f64`, [`TrackedFloat`] floats with a rounding error estimate, [`Symbolic`] rational
 //!   functions of parameters, [`Jet`]s, floats with first and second derivatives, and [`Recorded`]
 //!   values, which are programs;
 //! - [`expression`]: parsing and evaluating written scalars;
@@ -35,6 +35,6 @@ pub use contraction::{Scalar, contract};
 pub use error::{NotationError, TensorError};
 pub use scalar::{
     CommonFactors, Effort, EffortExceeded, Field, Jet, Kind, Notation, Rational, Recorded, Ring,
-    Sum, Summable, Symbolic, Tabular, Tolerance, Tracked,
+    Sum, Summable, Symbolic, Tabular, Tolerance, TrackedFloat,
 };
 pub use tensor::{Components, Down, Indices, Tensor, Up, Variance};

@@ -39,9 +39,10 @@ pub use recorded::{Count, Output, Recorded, Step, StraightLine, derivatives};
 pub use summable::{ExactSum, Sum, Summable, Tolerance};
 pub use symbolic::{CommonFactors, FreeFunction, PositiveFactors, Symbolic, Variable};
 pub use tabular::Tabular;
-pub use tracked::Tracked;
+pub use tracked::TrackedFloat;
 
-/// A commutative ring with 1, with operators by value and by reference.
+/// A commutative ring with 1, with operators by value and by reference. Every `x` has its negative: `x - x` vanishes, which it does
+/// not for intervals; brackets over such numbers are refused.
 ///
 /// The constants `zero()`, `one()` and [`from_i64`](Ring::from_i64) combine with every value of the
 /// type.

@@ -9,7 +9,7 @@
 //!
 //! with indices from 1. Whatever is read passes the checks of the constructors.
 
-use crate::{Rational, Summable, Symbolic, Tensor, Tolerance, Tracked, Variance};
+use crate::{Rational, Summable, Symbolic, Tensor, Tolerance, TrackedFloat, Variance};
 use serde::de::{Deserialize, Deserializer, Error};
 use serde::ser::Error as _;
 use serde::{Serialize, Serializer};
@@ -36,16 +36,16 @@ macro_rules! as_text {
 as_text!(Rational, Symbolic);
 
 /// A pair: the value and its error.
-impl Serialize for Tracked {
+impl Serialize for TrackedFloat {
     fn serialize<W: Serializer>(&self, serializer: W) -> Result<W::Ok, W::Error> {
         (self.value(), self.error()).serialize(serializer)
     }
 }
 
-impl<'de> Deserialize<'de> for Tracked {
+impl<'de> Deserialize<'de> for TrackedFloat {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let (value, error) = Deserialize::deserialize(deserializer)?;
-        Ok(Tracked::with_error(value, error))
+        Ok(TrackedFloat::with_error(value, error))
     }
 }
 

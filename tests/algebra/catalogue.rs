@@ -11,7 +11,10 @@ use affinor_tensors::{Down, Rational, Symbolic, Tensor, Up};
 use std::collections::BTreeMap;
 
 fn exact(value: &Symbolic) -> Result<Rational, Error> {
-    value.as_constant().cloned().ok_or(Error::Frame("a parameter without a value"))
+    value
+        .as_constant()
+        .cloned()
+        .ok_or_else(|| Error::Unsupported("a parameter without a value".into()))
 }
 
 /// The algebra of that name; the Jacobi identity is checked on the way.

@@ -60,7 +60,7 @@ fn functions_by_closures() {
         euler(x, [a, b]) * &scales[b] + &mixed
     });
     let frame = frame.unwrap();
-    same(frame.structure_functions(), &moved.structure_constants());
+    same(frame.structure_functions(), &moved.structure_functions());
     let x: Vec<Jet> = (0..3).map(|a| Jet::coordinate(POINT[a], a, 3)).collect();
     let slots: [Variance; 2] = [Down, Down];
     let g = Tensor::from_fn(3, slots, |[i, j]| match (i, j) {

@@ -86,7 +86,7 @@ fn the_fields_are_a_left_frame() {
 fn coordinate_frames() {
     for chart in [heisenberg(), affine(), special_linear(), euclidean(), euler_angles()] {
         let moved = chart.coordinates();
-        assert!(moved.structure_constants().is_empty());
+        assert!(moved.structure_functions().is_empty());
         let frame = Frame::coordinates(chart.names).unwrap();
         same_geometry(&moved, &frame);
         same_levi_civita(&moved, &frame);
@@ -101,7 +101,7 @@ fn moving_frames() {
     let scales = [x.clone() + &one, y.clone() * &x, one.clone()];
     let moved = Moved::scaled(&chart, &scales, y);
     assert!(
-        moved.structure_constants().components().any(|(_, value)| value.as_constant().is_none())
+        moved.structure_functions().components().any(|(_, value)| value.as_constant().is_none())
     );
     same_geometry(&moved, &moved.frame());
     same_levi_civita(&moved, &moved.frame());
@@ -130,7 +130,7 @@ fn functions_in_the_left_frame() {
         assert_eq!(product.get(&[i, m, j]), rule);
     }
     let refused = connection.in_right_frame(&chart.algebra);
-    assert!(matches!(refused, Err(Error::Frame(_))));
+    assert!(matches!(refused, Err(Error::Unsupported(_))));
 }
 
 /// Surfaces of constant curvature, each in coordinates and by an orthonormal moving frame.

@@ -177,7 +177,7 @@ impl<'c> Moved<'c> {
     }
 
     /// `[e'_a, e'_b] = A^j_a e_j(A^i_b) e_i - A^j_b e_j(A^i_a) e_i + A^j_a A^k_b c^i_jk e_i`.
-    pub fn structure(&self) -> Tensor<Symbolic> {
+    pub fn structure_functions(&self) -> Tensor<Symbolic> {
         let c = self.chart.algebra.structure_constants();
         let half = c.scale(&constant(2).recip().unwrap());
         let part = self.inhomogeneous(&half);
@@ -198,6 +198,6 @@ impl<'c> Moved<'c> {
             sum(names.iter().enumerate().map(along))
         };
         let labels = labels(self.chart.dimension());
-        Frame::moving(labels, self.structure_constants(), Arc::new(derive)).unwrap()
+        Frame::moving(labels, self.structure_functions(), Arc::new(derive)).unwrap()
     }
 }

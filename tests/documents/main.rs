@@ -4,7 +4,7 @@
 #[path = "../common/mod.rs"]
 mod common;
 
-mod definition {
+mod space {
     mod chart;
 }
 mod figures;

@@ -339,7 +339,7 @@ fn floats() {
     let sphere = Connection::levi_civita(so3.left_frame(), &metric).unwrap();
     assert_eq!(sphere.constant_curvature(&metric).unwrap(), Property::Holds(0.25));
     assert_eq!(sphere.locally_symmetric(), Property::Holds(()));
-    assert_eq!(sphere.holonomy().unwrap().rank(), 3);
+    assert_eq!(sphere.holonomy().unwrap().dimension(), 3);
     assert_eq!(metric.killing_fields(&so3).unwrap().len(), 3);
 }
 

@@ -1,7 +1,7 @@
 //! What the page gets.
 
 use affinor::Error;
-use affinor_documents::definition::{InputError, Place};
+use affinor_documents::input::{InputError, Place};
 use affinor_documents::picture::{Picture, svg};
 use affinor_documents::report::{Format, Report};
 use serde_json::{Value, json};

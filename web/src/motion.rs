@@ -4,7 +4,7 @@ use super::Refusal;
 use super::transport::short;
 use affinor::mechanics::Inertia;
 use affinor::mechanics::simulation::Method;
-use affinor_documents::definition::InputError;
+use affinor_documents::input::InputError;
 use affinor_documents::problem::{Problem, Ready};
 use affinor_documents::report::{Report, listing};
 use affinor_documents::rows::RunRows;

@@ -2,9 +2,9 @@
 
 use super::source::{self, Copy};
 use super::{Answer, Refusal, motion, transport};
-use affinor::Canonical;
+use affinor::CanonicalConnection;
 use affinor::geometry::equations::EquationKind;
-use affinor_documents::definition::{self, InputError, ScalarChoice, Space};
+use affinor_documents::input::InputError;
 use affinor_documents::over_kind;
 use affinor_documents::picture::{self, Picture};
 use affinor_documents::problem::Problem;
@@ -12,6 +12,7 @@ use affinor_documents::report::{
     ComparedSide, Comparison, Computation, Format, Info, Properties, Quantity, Report, Selection,
     Table, TableEntry, catalogue, certificate, conventions, dynkin_type,
 };
+use affinor_documents::space::{self, ScalarChoice, Space};
 use affinor_tensors::Tolerance;
 use serde::Deserialize;
 
@@ -163,19 +164,19 @@ impl Request {
         } else {
             "definition.toml"
         };
-        let request = definition::Request {
+        let request = space::Request {
             space: if self.definition.is_empty() { given(&self.space) } else { None },
             definition: given(&self.definition).map(|text| (name.into(), text)),
             connection: given(&self.connection),
             metric: given(&self.metric),
             set: given(&self.set),
-            ..definition::Request::default()
+            ..space::Request::default()
         };
         let mut space = Space::open(&request)?;
         let needs_plus =
             self.report == "equations" && ["", "euler-poincare"].contains(&&*self.motion);
         if needs_plus && space.definition.connection_is_default() {
-            space.definition.set_canonical(Canonical::Plus);
+            space.definition.set_canonical(CanonicalConnection::Plus);
         }
         Ok(space)
     }
@@ -198,8 +199,7 @@ impl Request {
     fn comparison(&self) -> Result<Comparison, Refusal> {
         let side = |name: &str, default: &str| -> Result<ComparedSide, Refusal> {
             let name = if name.trim().is_empty() { default } else { name };
-            let request =
-                definition::Request { space: Some(name.into()), ..definition::Request::default() };
+            let request = space::Request { space: Some(name.into()), ..space::Request::default() };
             Ok(computation(&Space::open(&request)?).side()?)
         };
         Ok(Comparison::new(side(&self.space, "M(3)")?, side(&self.other, "SO(3)")?))

@@ -2,7 +2,8 @@
 
 use super::Refusal;
 use affinor::geometry::ConnectionKind;
-use affinor_documents::definition::{Definition, InputError, ScalarChoice, Space};
+use affinor_documents::input::InputError;
+use affinor_documents::space::{Definition, ScalarChoice, Space};
 use affinor_documents::{Coefficient, over_kind};
 use affinor_tensors::text::combination;
 use affinor_tensors::{Tensor, Tolerance};
@@ -35,7 +36,7 @@ impl Copy {
             Copy::Toml => toml,
             Copy::Command => match (report, show) {
                 ("motion", _) => "affinor simulate problem.toml\n".into(),
-                ("equations", _) => format!("affinor equations equations.toml --motion {kind}\n"),
+                ("equations", _) => format!("affinor equations equations.toml --kind {kind}\n"),
                 ("table", show) if !show.is_empty() => {
                     format!("affinor table table.toml --show \"{show}\"\n")
                 }
@@ -84,7 +85,7 @@ fn file<S: Coefficient>(
         let _ = writeln!(text, "parameters = [{}]", list(&parameters));
     }
     text += "# [i, j, k, v]: [e_i, e_j] = v e_k + ..\nstructure_constants = [\n";
-    for (at, value) in algebra.structure().components().filter(|(at, _)| at[1] < at[2]) {
+    for (at, value) in algebra.structure_constants().components().filter(|(at, _)| at[1] < at[2]) {
         let value = quoted(&value.to_string());
         let _ = writeln!(text, "  [{}, {}, {}, {value}],", at[1] + 1, at[2] + 1, at[0] + 1);
     }
@@ -109,7 +110,7 @@ fn file<S: Coefficient>(
         ConnectionKind::Family(lambda) => {
             text += &format!("connection = {}\n", quoted(&format!("lambda = {lambda}")))
         }
-        _ => affinities(&mut text, algebra.labels(), geometry.connection().gamma()),
+        _ => affinities(&mut text, algebra.labels(), geometry.connection().affinities()),
     }
     Ok(text)
 }

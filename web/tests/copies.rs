@@ -25,7 +25,7 @@ fn commands_name_the_file_and_the_options() {
         "affinor check check.toml\n",
         "affinor info info.toml\n",
         "affinor properties properties.toml\n",
-        "affinor equations equations.toml --motion euler-poincare\n",
+        "affinor equations equations.toml --kind euler-poincare\n",
         "affinor simulate problem.toml\n",
     ];
     for ((name, request), expected) in copied().iter().zip(expected) {

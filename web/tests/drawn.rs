@@ -3,7 +3,7 @@
 use super::{answer, refused};
 use affinor::group::transport::ParallelTranslation;
 use affinor::group::{LieGroup, So3};
-use affinor::{Canonical, Connection};
+use affinor::{CanonicalConnection, Connection};
 use nalgebra::{DVector, Vector3};
 use serde_json::{Value, json};
 
@@ -20,9 +20,11 @@ fn transport_is_that_of_the_library() {
     let path = "0,0,0; 0.4,-0.9,1.1";
     let table =
         answer(json!({ "report": "transport", "path": path, "vector": "1,2,-1", "format": "csv" }));
-    for (name, which) in
-        [("plus", Canonical::Plus), ("zero", Canonical::Zero), ("minus", Canonical::Minus)]
-    {
+    for (name, which) in [
+        ("plus", CanonicalConnection::Plus),
+        ("zero", CanonicalConnection::Zero),
+        ("minus", CanonicalConnection::Minus),
+    ] {
         let connection = Connection::canonical(&So3.algebra().unwrap(), which);
         let carried =
             ParallelTranslation::new(So3, connection).unwrap().along_subgroup(&x).unwrap();

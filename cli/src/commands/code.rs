@@ -4,8 +4,9 @@ use super::failure::Failure;
 use super::options::{Scalar, Shared};
 use super::output::deliver;
 use super::stages::Stages;
-use affinor_documents::definition::{Definition, InputError, Space};
+use affinor_documents::input::InputError;
 use affinor_documents::report::Language;
+use affinor_documents::space::{Definition, Space};
 use clap::Args;
 
 #[derive(Args)]

@@ -2,8 +2,9 @@
 
 use super::failure::Failure;
 use super::options::Shared;
-use affinor_documents::definition::{InputError, Space};
+use affinor_documents::input::InputError;
 use affinor_documents::report::Comparison;
+use affinor_documents::space::Space;
 use clap::Args;
 
 #[derive(Args)]

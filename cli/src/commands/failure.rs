@@ -2,7 +2,7 @@
 
 use super::color::Color;
 use affinor::Error;
-use affinor_documents::definition::{InputError, Refusal};
+use affinor_documents::input::{InputError, Refusal};
 use annotate_snippets::{AnnotationKind, Group, Level, Origin, Renderer, Snippet};
 use std::io::{self, IsTerminal, Write};
 use std::ops::Range;

@@ -2,7 +2,7 @@
 
 use super::failure::Failure;
 use super::options::Output;
-use affinor_documents::definition::InputError;
+use affinor_documents::input::InputError;
 use affinor_documents::report::{catalogue, catalogue_where};
 use clap::Args;
 

@@ -1,6 +1,6 @@
 //! Notes on standard error, beside the results.
 
-use affinor_documents::definition::Definition;
+use affinor_documents::space::Definition;
 use std::io::{self, Write};
 
 /// Prints a note on standard error.

@@ -1,7 +1,7 @@
 //! Output of results: standard output, or a file that is replaced once all is written.
 
 use super::failure::Failure;
-use affinor_documents::definition::InputError;
+use affinor_documents::input::InputError;
 use std::fs;
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};

@@ -14,10 +14,10 @@ use super::options::{Settings, SpaceOptions};
 use super::output::deliver;
 use super::rows::{Expected, read};
 use affinor::Error;
-use affinor_documents::definition::InputError;
 use affinor_documents::figures;
 use affinor_documents::figures::diagram::Diagram;
 use affinor_documents::figures::{Connected, Figure, Path};
+use affinor_documents::input::InputError;
 use affinor_documents::picture::{self, Picture, View};
 use affinor_documents::report::dynkin_type;
 use clap::{Args, Subcommand};
@@ -150,9 +150,9 @@ struct PathOptions {
     /// repeated [default: two factors, a steady precession]
     #[arg(long = "factor", value_name = "X", allow_hyphen_values = true)]
     factors: Vec<String>,
-    /// The time of the velocity and the frame that are drawn
+    /// The fraction of the motion, from 0 to 1, at which the velocity and the frame are drawn
     #[arg(long, value_name = "T", default_value_t = FIGURE_AT, allow_negative_numbers = true)]
-    at: f64,
+    fraction: f64,
 }
 
 /// Connections on the rotation group, one panel each.
@@ -258,14 +258,16 @@ impl Arguments {
 
 impl OnMotion {
     fn print(&self, figure: impl Fn(&Path, f64) -> Result<Figure, Error>) -> Result<(), Failure> {
-        let PathOptions { factors, at } = &self.motion;
-        if !(0.0..=1.0).contains(at) {
-            return Err(InputError::usage(format!("--at {at} is not in 0 <= T <= 1")).into());
+        let PathOptions { factors, fraction } = &self.motion;
+        if !(0.0..=1.0).contains(fraction) {
+            return Err(
+                InputError::usage(format!("--fraction {fraction} is not in 0 <= T <= 1")).into()
+            );
         }
         let factors = factors.iter().map(|factor| vector("--factor", factor));
         let factors = factors.collect::<Result<Vec<_>, _>>()?;
         let path = if factors.is_empty() { precession() } else { Path { factors } };
-        self.scene.print(&figure(&path, *at)?)
+        self.scene.print(&figure(&path, *fraction)?)
     }
 }
 

@@ -4,7 +4,7 @@ use super::color::ColorOption;
 use super::failure::Failure;
 use super::note::{counted, note};
 use super::output::deliver;
-use affinor_documents::definition::{InputError, Source, numbers};
+use affinor_documents::input::{InputError, Source, numbers};
 use clap::{Args, ValueEnum};
 use nalgebra::DMatrix;
 use std::io::{self, BufRead, Write};

@@ -11,7 +11,7 @@ use super::failure::Failure;
 use super::note::{counted, line, note};
 use super::options::ProblemOptions;
 use super::output::{deliver, expect_place};
-use affinor_documents::definition::InputError;
+use affinor_documents::input::InputError;
 use affinor_documents::problem::{Integration, Problem, Progress as Step, Ready};
 use affinor_documents::rows::{Head, RunFormat};
 use checkpoint::{Plan, Store};

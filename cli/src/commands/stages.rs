@@ -1,7 +1,7 @@
 //! The stages of a computation: a spinner on a terminal, and `--timings`.
 
 use super::note::line;
-use affinor_documents::definition::InputError;
+use affinor_documents::input::InputError;
 use affinor_tensors::Effort;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::cell::RefCell;

@@ -5,7 +5,7 @@ use super::failure::Failure;
 use super::note::{note, note_default_connection};
 use super::options::{OutputFormat, Shared, SpaceOptions};
 use super::output::deliver;
-use affinor_documents::definition::InputError;
+use affinor_documents::input::InputError;
 use affinor_documents::report::{Format, Quantity, Selection};
 use clap::{Args, ValueEnum};
 

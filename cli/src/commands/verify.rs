@@ -4,7 +4,7 @@ use super::failure::Failure;
 use super::note::note;
 use super::options::{Shared, SpaceOptions};
 use super::table::{Choice, Quantities};
-use affinor_documents::definition::InputError;
+use affinor_documents::input::InputError;
 use affinor_documents::report::{Quantity, StoredTable};
 use clap::Args;
 use std::path::PathBuf;

@@ -12,8 +12,8 @@ fn arguments() {
         ("verify", &["SPACE"]),
         ("compare M3 SO3 --metric identity", &["--metric"]),
         ("equations", &["no SPACE is given"]),
-        ("equations so3", &["need a metric", "--motion"]),
-        ("equations M3 --code c --solved", &["--solved"]),
+        ("equations so3", &["need a metric", "--kind"]),
+        ("equations M3 --code c --solve", &["--solve"]),
         ("list xyzzy", &["`xyzzy`", "`affinor list` shows all"]),
         ("completions cmd", &["cmd", "bash"]),
         ("completions", &["SHELL"]),
@@ -21,7 +21,7 @@ fn arguments() {
     commands(&["table", "so3"])
         .usage(&[("so3", &["so3"]), ("--matric identity", &["--matric", "--metric"])]);
     commands(&["equations", "so3"]).usage(&[
-        ("--motion up", &["euler-poincare, autoparallel, transp"]),
+        ("--kind up", &["euler-poincare, autoparallel, transp"]),
         ("--code java", &["java", "rust, c, python"]),
     ]);
     commands(&["equations", "so3"]).mathematics(&[("--metric diag(1,1,0)", &["degenerate", "e3"])]);

@@ -21,7 +21,7 @@ const THINNEST: f64 = 0.06;
 /// of the axis that moves least; with a position also the path of the body.
 ///
 /// # Errors
-/// [`Error::NoColumn`] for a trajectory without an attitude; [`Error::Invalid`] for elements that are not rotations.
+/// [`Error::Name`] for a trajectory without an attitude; [`Error::Invalid`] for elements that are not rotations.
 pub fn animation(run: &RunRows, inertia: &Inertia, seconds: f64) -> Result<Figure, Error> {
     let times = run.column("t")?;
     let (Some(&first), Some(&last)) = (times.first(), times.last()) else {

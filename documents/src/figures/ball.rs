@@ -1,6 +1,7 @@
 //! Elements, tangent vectors and curves in the ball of rotation vectors.
 
-use crate::definition::{InputError, Request, Space};
+use crate::input::InputError;
+use crate::space::{Request, Space};
 use affinor::group::transport::ParallelTranslation;
 use affinor::group::{LieGroup, So3};
 use affinor::{ConnectionKind, Error};
@@ -44,7 +45,7 @@ pub fn connected(
 /// `dx = T_left(x)^-1 u`.
 ///
 /// # Errors
-/// [`Error::SingularTangent`] far outside the ball.
+/// [`Law::RegularTangent`](affinor::Law::RegularTangent) far outside the ball.
 pub fn arrow(x: &Vector3<f64>, u: &Vector3<f64>, scale: f64) -> Result<[Vector3<f64>; 2], Error> {
     Ok([*x, x + So3.tangent_left_inverse(x, u)? * scale])
 }

@@ -43,7 +43,7 @@ impl Drift {
     /// The changes of columns of rows.
     ///
     /// # Errors
-    /// [`Error::NoColumn`].
+    /// [`Error::Name`].
     pub fn of_rows(run: &RunRows, names: &[String]) -> Result<Self, Error> {
         let times = run.column("t")?;
         let columns = names.iter().map(|name| run.column(name));

@@ -13,7 +13,7 @@ const SAMPLES: u32 = 96;
 /// The body axes on the unit sphere in space: the columns `R E_i` of the attitude.
 ///
 /// # Errors
-/// [`Error::NoColumn`] for a trajectory without an attitude; [`Error::Invalid`] for elements that are not rotations.
+/// [`Error::Name`] for a trajectory without an attitude; [`Error::Invalid`] for elements that are not rotations.
 pub fn attitude(run: &RunRows) -> Result<Figure, Error> {
     let attitudes = run.attitudes()?;
     let mut panel = Panel::new("", 1.0, ["X", "Y", "Z"]);
@@ -32,7 +32,7 @@ pub fn attitude(run: &RunRows) -> Result<Figure, Error> {
 /// the polhode.
 ///
 /// # Errors
-/// [`Error::NoColumn`] for a trajectory without `H1`, `H2`, `H3`.
+/// [`Error::Name`] for a trajectory without `H1`, `H2`, `H3`.
 pub fn momentum(run: &RunRows, inertia: &Inertia) -> Result<Figure, Error> {
     let points = run.vectors(["H1", "H2", "H3"])?;
     let start = points.first().copied().unwrap_or_default();

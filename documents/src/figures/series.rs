@@ -10,7 +10,7 @@ const SIMILAR: f64 = 4.0;
 /// Columns over time.
 ///
 /// # Errors
-/// [`Error::NoColumn`].
+/// [`Error::Name`].
 pub fn over_time(run: &RunRows, names: &[String]) -> Result<Diagram, Error> {
     let times = run.column("t")?;
     let line = |name: &String| {
@@ -33,7 +33,7 @@ pub fn over_time(run: &RunRows, names: &[String]) -> Result<Diagram, Error> {
 /// The curve of a motion in the plane of two columns.
 ///
 /// # Errors
-/// [`Error::NoColumn`].
+/// [`Error::Name`].
 pub fn phase(run: &RunRows, names: &[String; 2]) -> Result<Diagram, Error> {
     plane(run, names, Drawn::Directed, format!("{}: phase plot", run.name))
 }
@@ -41,7 +41,7 @@ pub fn phase(run: &RunRows, names: &[String; 2]) -> Result<Diagram, Error> {
 /// The points of a motion at an event, in the plane of two columns.
 ///
 /// # Errors
-/// [`Error::NoColumn`].
+/// [`Error::Name`].
 pub fn section(run: &RunRows, names: &[String; 2], event: &str) -> Result<Diagram, Error> {
     let points = if run.rows.len() == 1 { "point" } else { "points" };
     let title = format!("{}: section at {event}, {} {points}", run.name, run.rows.len());

@@ -1,7 +1,7 @@
 //! The reader of the notation.
 
 use super::{
-    ACCENTS, Accent, Brackets, DIFFERENTIALS, FUNCTIONS, LETTERS, Node, Row, SIGNS, fraction,
+    ACCENTS, Accent, Brackets, DIFFERENTIALS, LETTERS, Node, Row, SIGNS, fraction, is_function,
     symbol,
 };
 
@@ -175,7 +175,7 @@ impl<'a> Reader<'a> {
 
     /// A letter, a function or a name, with an accent and digits; or a differential of one.
     fn word(&mut self, word: &str) -> Option<Node> {
-        if FUNCTIONS.contains(&word) {
+        if is_function(word) {
             return Some(Node::Function(word.into()));
         }
         let known = |word: &str| word.len() == 1 || LETTERS.iter().any(|(name, ..)| *name == word);

@@ -61,7 +61,7 @@ fn around_slashes(text: &str) -> Vec<[Row; 2]> {
             let word = end(start - 2, -1, " =,+-", [")]}", "([{"]).wrapping_add(1);
             let name = string(word..start - 1);
             let name = name.split(['^', '_']).next().unwrap_or_default();
-            if name == "D" || FUNCTIONS.contains(&name) {
+            if name == "D" || is_function(name) {
                 start = word;
             }
         }

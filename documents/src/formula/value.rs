@@ -1,6 +1,6 @@
 //! Values that the engine computed, read by the grammar of expressions.
 
-use super::{Brackets, FUNCTIONS, Node, Row, bare, fraction, symbol};
+use super::{Brackets, Node, Row, bare, fraction, is_function, symbol};
 use affinor_tensors::expression::{Expression, View, is_name};
 use affinor_tensors::scalar::FreeFunction;
 
@@ -169,7 +169,7 @@ fn call(head: &str, arguments: &[Expression], exponent: Option<Row>, text: &str)
         }
         "sqrt" => vec![raised(Node::Root(bare(argument)), exponent)],
         _ => {
-            let function = match FUNCTIONS.contains(&head) {
+            let function = match is_function(head) {
                 true => Node::Function(head.into()),
                 false => symbol(head),
             };

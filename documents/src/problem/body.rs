@@ -1,10 +1,11 @@
 //! Bodies by their parts: simple shapes, meshes, masses at points, holes.
 
 use super::reader::{Reader, Value};
-use crate::definition::input::{InputError, shown};
-use crate::definition::read_mesh;
-use crate::definition::source::Place;
-use crate::definition::written::{Number, PointText, Text};
+use crate::input::{
+    InputError, Place,
+    forms::{Number, PointText, Text},
+    read_mesh, shown,
+};
 use affinor::Metric;
 use affinor::group::{AnyGroup, MatrixNotation};
 use affinor::mechanics::simulation::SimulationGroup;

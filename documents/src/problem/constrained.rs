@@ -5,7 +5,7 @@ use super::keys::Keys;
 use super::on_group::{OnGroup, Start};
 use super::reader::{Reader, Written};
 use super::ready::{Column, Ready};
-use crate::definition::InputError;
+use crate::input::InputError;
 use affinor::Metric;
 use affinor::mechanics::simulation::{Class, ConstrainedSpec, Constraints, Method, Started};
 use nalgebra::DVector;

@@ -1,9 +1,12 @@
 //! Ensembles: parameters over a grid and at random.
 
 use super::reader::{Reader, Written};
-use crate::definition::input::{InputError, shown};
-use crate::definition::numbers::numbers_in;
-use crate::definition::written::{Formulas, Text};
+use crate::input::{
+    InputError,
+    forms::{Formulas, Text},
+    numbers::numbers_in,
+    shown,
+};
 use chacha20::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
 use rand_distr::StandardNormal;

@@ -8,13 +8,13 @@ use super::on_group::{OnGroup, Start};
 use super::output::RowFormulas;
 use super::reader::Reader;
 use super::ready::Ready;
-use crate::definition::InputError;
+use crate::input::InputError;
 use affinor::group::{AnyGroup, LieGroup, So3};
 use affinor::mechanics::simulation::{
     EulerPoincareSpec, ForceFunction, Forces, Side, SimulationGroup, cartan_schouten_factor,
     is_plus,
 };
-use affinor::{Canonical, Connection, Error, Metric};
+use affinor::{CanonicalConnection, Connection, Error, Metric};
 use affinor_tensors::{Symbolic, Tolerance};
 use nalgebra::{DMatrix, DVector};
 use std::borrow::Cow;
@@ -119,7 +119,7 @@ impl EulerPoincare {
             error.help("give metric = \"diag(..)\", or rows; on so(3) and se(3) also [inertia]")
         })?;
         let connection = if start.definition.connection_is_default() {
-            Connection::canonical(&group.algebra()?, Canonical::Plus)
+            Connection::canonical(&group.algebra()?, CanonicalConnection::Plus)
         } else if group.is_right() {
             let message = "right-invariant equations have the connection plus of their own frame";
             return Err(InputError::usage(message).help("name no connection"));

@@ -1,10 +1,11 @@
 //! The forces of a problem: the table `[forces]`.
 
 use super::reader::{Reader, Written};
-use crate::definition::file;
-use crate::definition::input::{InputError, shown};
-use crate::definition::source::Place;
-use crate::definition::written::{Number, Text};
+use crate::input::{
+    InputError, Place,
+    forms::{Number, Text},
+    read_rows, shown,
+};
 use affinor::Error;
 use affinor::mechanics::simulation::{ForceFunction, Forces, Side, Table};
 use serde::Deserialize;
@@ -67,7 +68,7 @@ impl ForceFormulas {
         let table = match &keys.table {
             Some(name) => {
                 let place = source.at(name);
-                let columns = file::read_rows(&reader.file(name));
+                let columns = read_rows(&reader.file(name));
                 let (names, rows) = columns.map_err(|error| error.or_at(&place))?;
                 let rows = force_rows(&names, rows).map_err(|error| error.at(&place))?;
                 let refused = |error: Error| InputError::usage(error.to_string()).at(&place);

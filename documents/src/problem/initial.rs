@@ -1,9 +1,7 @@
 //! Initial conditions on a group: an element, and a velocity or a momentum.
 
 use super::reader::{Reader, Value};
-use crate::definition::InputError;
-use crate::definition::source::Place;
-use crate::definition::written::Number;
+use crate::input::{InputError, Place, forms::Number};
 use affinor::group::{AnyGroup, LieGroup, MatrixNotation, rotation};
 use affinor::mechanics::simulation::{Observables, Side, SimulationGroup};
 use nalgebra::DVector;

@@ -3,9 +3,7 @@
 use super::keys::IntegratorKeys;
 use super::output::Output;
 use super::reader::{Reader, Value};
-use crate::definition::input::{InputError, shown};
-use crate::definition::source::{Place, Source};
-use crate::definition::written::OneOrMore;
+use crate::input::{InputError, Place, Source, forms::OneOrMore, shown};
 use affinor::mechanics::Adaptive;
 use affinor::mechanics::simulation::{Integration, Method};
 

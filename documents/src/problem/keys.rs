@@ -4,8 +4,8 @@ use super::body::InertiaKeys;
 use super::ensemble::EnsembleKeys;
 use super::forces::ForceKeys;
 use super::initial::InitialKeys;
-use crate::definition::document::Document;
-use crate::definition::written::{Entries, Formulas, MetricText, Number, OneOrMore, Text};
+use crate::input::forms::{Entries, Formulas, MetricText, Number, OneOrMore, Text};
+use crate::space::document::Document;
 use serde::Deserialize;
 
 /// The dotted paths of the keys that only problems on a group have.

@@ -4,8 +4,7 @@ use super::integrator::Member;
 use super::keys::{FlowKeys, OF_DYNAMICS, OF_GROUPS};
 use super::reader::{Reader, Value};
 use super::ready::{Column, Ready};
-use crate::definition::input::{InputError, shown};
-use crate::definition::source::Place;
+use crate::input::{InputError, Place, shown};
 use affinor::mechanics::simulation::{Class, MatrixFlow as Isospectral, Method, Started};
 
 /// An isospectral flow of matrices.

@@ -3,9 +3,7 @@
 use super::keys::{Keys, OutputKeys};
 use super::reader::{Reader, Value, Written};
 use super::ready::Column;
-use crate::definition::input::{InputError, shown};
-use crate::definition::source::{Place, Source};
-use crate::definition::written::Text;
+use crate::input::{InputError, Place, Source, forms::Text, shown};
 use affinor::mechanics::simulation::Columns;
 use affinor::mechanics::simulation::quantities::{FormulaScope, Quantity, SymbolTable};
 use affinor_tensors::Symbolic;

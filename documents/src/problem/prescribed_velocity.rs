@@ -4,7 +4,7 @@ use super::keys::{OF_DYNAMICS, PrescribedKeys};
 use super::on_group::Start;
 use super::reader::{Reader, Written};
 use super::ready::Ready;
-use crate::definition::InputError;
+use crate::input::InputError;
 use affinor::group::LieGroup;
 use affinor::mechanics::simulation::quantities::Quantity;
 use affinor::mechanics::simulation::{

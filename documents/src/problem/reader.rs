@@ -1,9 +1,11 @@
 //! Numbers and formulas of a problem, read with the parameters that are declared so far.
 
-use crate::definition::input::{InputError, shown};
-use crate::definition::notation::check_name;
-use crate::definition::source::{Place, Source};
-use crate::definition::written::{Formulas, Number, Text};
+use crate::input::{
+    InputError, Place, Source,
+    forms::{Formulas, Number, Text},
+    shown,
+};
+use crate::space::notation::check_name;
 use affinor::mechanics::formula::Formula;
 use affinor_tensors::expression::ExpressionError;
 use nalgebra::DMatrix;

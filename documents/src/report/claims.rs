@@ -3,7 +3,7 @@
 use crate::Coefficient;
 use affinor::algebra::frame::expect_numbers;
 use affinor::geometry::properties::{Property, Witness};
-use affinor::{Error, Geometry};
+use affinor::{Error, Geometry, Law};
 use affinor_tensors::text::written;
 use affinor_tensors::{Tensor, contract};
 
@@ -102,7 +102,7 @@ impl Claim {
     /// transport along a basis vector, the residual ends with that vector.
     ///
     /// ```
-    /// use affinor_documents::definition::paper;
+    /// use affinor_documents::space::paper;
     /// use affinor_documents::report::Claim;
     /// let witness = Claim::Flat.holds(&paper::so3()?)?.and_then(|property| property.witness());
     /// assert_eq!(witness.map(|witness| witness.to_string()).as_deref(), Some("R^1_212 = 1/4"));
@@ -110,17 +110,17 @@ impl Claim {
     /// ```
     ///
     /// # Errors
-    /// [`Error::NotConstant`]: the claims are about structure constants. [`Error::NotFinite`] where floats leave their range.
+    /// [`Law::Constant`]: the claims are about structure constants. [`Error::NotFinite`] where floats leave their range.
     pub fn holds<S: Coefficient>(
         self,
         geometry: &Geometry<S>,
     ) -> Result<Option<Property<String>>, Error> {
         let connection = geometry.connection();
         let algebra = geometry.frame_origin().algebra_for("a claim of the paper")?;
-        let c = algebra.structure();
+        let c = algebra.structure_constants();
         let vanish = |sum: &'static str| {
             let torsion = connection.torsion();
-            let operands = [("Lambda", connection.gamma()), ("c", c), ("tau", &torsion)];
+            let operands = [("Lambda", connection.affinities()), ("c", c), ("tau", &torsion)];
             vanishes(&contract(&format!("{sum} -> ^i_jk"), &operands)?, sum, "ijk")
         };
         let property = match (self, geometry.metric()) {
@@ -155,7 +155,7 @@ impl Claim {
                 })
             }
             (Claim::BiInvariant, Some(metric)) => {
-                vanishes(&metric.ad_variation(algebra)?, "g_mj c^m_ki + g_im c^m_kj", "kij")
+                vanishes(&metric.ad_invariance_defect(algebra)?, "g_mj c^m_ki + g_im c^m_kj", "kij")
             }
         };
         property.map(Some)
@@ -180,8 +180,8 @@ fn transport<S: Coefficient>(
         let n: Vec<S> = (0..algebra.dimension()).map(unit).collect();
         let generator = match geometry.connection().transport_generator(&n) {
             Ok(generator) => generator,
-            Err(Error::NotAutoparallel { n, residual }) => {
-                return Ok(fails("nabla_n n", format!("{residual} for n = {n}")));
+            Err(Error::Broken { law: Law::ConstantTangent, residual, .. }) => {
+                return Ok(fails("nabla_n n", format!("{residual} for n = {label}")));
             }
             Err(error) => return Err(error),
         };

@@ -10,7 +10,7 @@ use super::Quantity;
 use super::equations::{EquationReport, letters};
 use super::head::printable_list;
 use crate::Coefficient;
-use crate::definition::InputError;
+use crate::input::InputError;
 use affinor::geometry::Geometry;
 use affinor::geometry::equations::Variable;
 use affinor_tensors::scalar::derivatives;

@@ -49,7 +49,7 @@ impl ComparedSide {
     /// Computes one side.
     ///
     /// # Errors
-    /// [`Error::NotConstant`]: claims are about structure constants.
+    /// [`Law::Constant`](affinor::Law::Constant): claims are about structure constants.
     pub fn new<S: Coefficient>(geometry: &Geometry<S>) -> Result<Self, Error> {
         let kind = geometry.kind();
         let algebra = geometry.frame_origin().algebra_for("a comparison")?;
@@ -74,7 +74,7 @@ impl ComparedSide {
             ConnectionKind::Family(lambda) => format!("lambda={lambda}"),
             _ => kind.name().into(),
         };
-        let tolerance = geometry.frame().structure().tolerance();
+        let tolerance = geometry.frame().structure_functions().tolerance();
         let zero = (S::KIND == Kind::Float).then(|| head::zero(tolerance));
         Ok(ComparedSide { name: geometry.name().into(), connection, rows, verdicts, zero })
     }
@@ -272,7 +272,7 @@ fn compatibility<S: Coefficient>(geometry: &Geometry<S>) -> Result<Cell, Error> 
 
 /// The generator of transport along an autoparallel, as a multiple of `ad_n` where it is one.
 fn transport<S: Coefficient>(geometry: &Geometry<S>, algebra: &LieAlgebra<S>) -> Cell {
-    let (c, gamma) = (algebra.structure(), geometry.connection().gamma());
+    let (c, gamma) = (algebra.structure_constants(), geometry.connection().affinities());
     let generator = |text: &str, parts: Vec<Part>| {
         let law = [Part::Formula(formula("du/dt = G u")), Part::Words(", ")];
         line(&format!("du/dt = G u, {text}"), law.into_iter().chain(parts).collect())

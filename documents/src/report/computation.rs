@@ -8,7 +8,8 @@ use super::{
     StoredTable, Table, tensors_as_code,
 };
 use crate::certificate::{Check, certify};
-use crate::definition::{InputError, ScalarChoice, Space};
+use crate::input::InputError;
+use crate::space::{ScalarChoice, Space};
 use crate::{Coefficient, over_kind};
 use affinor::geometry::equations::{EquationKind, Equations};
 use affinor::{Error, Geometry};
@@ -17,7 +18,7 @@ use affinor_tensors::{Effort, Kind, Recorded, Symbolic, Tolerance};
 /// A space to be computed with, and how.
 ///
 /// ```
-/// use affinor_documents::definition::{Request, Space};
+/// use affinor_documents::space::{Request, Space};
 /// use affinor_documents::report::{Computation, Format, Quantity, Selection};
 /// let space = Space::open(&Request { space: Some("so(3)@zero".into()), ..Request::default() })?;
 /// let ricci = Selection { quantities: vec![Quantity::Ricci], ..Selection::default() };
@@ -128,7 +129,7 @@ impl<'a> Computation<'a> {
         let definition = &self.space.definition;
         over_kind!(self.kind()?, S => {
             let algebra = definition.algebra::<S>(self.tolerance)?;
-            Ok(program.structure(&definition.name, algebra.labels(), algebra.structure()))
+            Ok(program.structure(&definition.name, algebra.labels(), algebra.structure_constants()))
         })
     }
 
@@ -228,7 +229,7 @@ impl<'a> Computation<'a> {
         let equations = Equations::new(kind, geometry.connection(), geometry.metric());
         let equations = equations.map_err(|error| match error {
             Error::NoMetric => InputError::usage("Euler-Poincare equations need a metric")
-                .help("give one, as in --metric \"diag(J1,J2,J3)\", or choose another --motion"),
+                .help("give one, as in --metric \"diag(J1,J2,J3)\", or choose another --kind"),
             other => other.into(),
         })?;
         let equations = if solved { equations.solved() } else { equations };

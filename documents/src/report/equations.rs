@@ -44,7 +44,7 @@ impl<S: Coefficient> EquationReport<S> {
     pub fn new(equations: Equations<S>, geometry: &Geometry<S>) -> Self {
         let metric = geometry.metric().filter(|_| equations.kind() == EquationKind::EulerPoincare);
         let genuine = metric.map(|metric| {
-            let plus = Connection::over(geometry.frame(), &S::one());
+            let plus = Connection::in_frame(geometry.frame(), &S::one());
             let theirs = Equations::euler_poincare(&plus, metric);
             theirs.and_then(|theirs| theirs.agree_with(&equations)).unwrap_or(false)
         });

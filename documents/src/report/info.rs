@@ -11,10 +11,11 @@ use super::grid::{Cell, Grid};
 use super::head::{printable, printable_list};
 use super::{Format, Report};
 use crate::Coefficient;
-use crate::definition::{Definition, InputError};
+use crate::input::InputError;
+use crate::space::Definition;
 use affinor::algebra::structure::{
-    Counted, Ground, Identification, Indecomposable, Killing, MAX_BETTI, MAX_DECOMPOSED,
-    MAX_DERIVATIONS, RealIdeal, Structure, Subspace,
+    Certified, GroundField, Identification, Indecomposable, Killing, MAX_BETTI, MAX_DECOMPOSED,
+    MAX_DERIVATIONS, RealIdeal, StructureTheory, Subspace,
 };
 use affinor_tensors::linear::Row;
 use affinor_tensors::text::combination;
@@ -99,14 +100,16 @@ impl Info {
         stage("jacobi");
         if definition.is_rational() {
             let algebra = definition.algebra::<Rational>(tolerance)?;
-            return Self::new(&definition.name, &Structure::new(algebra), &[], stage);
+            return Self::new(&definition.name, &StructureTheory::new(algebra), &[], stage);
         }
         let (bases, parameters) = (InBases::of(&definition)?, definition.parameters());
         let numbers = bases.rational.over_the_rationals().filter(|_| parameters.is_empty());
         let mut info = match numbers {
-            Some(algebra) => Self::new(&definition.name, &Structure::new(algebra), &[], stage)?,
+            Some(algebra) => {
+                Self::new(&definition.name, &StructureTheory::new(algebra), &[], stage)?
+            }
             None => {
-                let structure = Structure::new(bases.rational.algebra().clone());
+                let structure = StructureTheory::new(bases.rational.algebra().clone());
                 Self::new(&definition.name, &structure, &parameters, stage)?
             }
         };
@@ -155,9 +158,9 @@ impl Info {
     ///
     /// # Errors
     /// None for a Lie algebra.
-    pub fn new<S: Ground + Coefficient>(
+    pub fn new<S: GroundField + Coefficient>(
         name: &str,
-        structure: &Structure<S>,
+        structure: &StructureTheory<S>,
         parameters: &[String],
         stage: &dyn Fn(&str),
     ) -> Result<Self, InputError> {
@@ -184,12 +187,12 @@ impl Info {
             None => None,
         };
         stage("derivations");
-        let (counted, inner) = (structure.derivations_counted(), n - centre.dimension());
+        let (counted, inner) = (structure.derivation_dimension(), n - centre.dimension());
         let derivations = counted.map(|all| all.dimension);
-        let forms = structure.invariant_forms_counted();
+        let forms = structure.invariant_form_dimension();
         stage("cohomology");
-        let betti = structure.betti_proved();
-        let (index, unimodular) = (structure.index_counted(), structure.is_unimodular());
+        let betti = structure.betti_numbers();
+        let (index, unimodular) = (structure.index(), structure.is_unimodular());
 
         let last = |series: &[Subspace<S>]| series.last().is_some_and(Subspace::is_zero);
         let (solvable, nilpotent) = (last(derived), last(derived) && last(lower));
@@ -261,10 +264,10 @@ impl Info {
 }
 
 /// The Levi subalgebra in the basis of its echelon form, where its constants are rational.
-fn rational_subalgebra<S: Ground>(
-    structure: &Structure<S>,
+fn rational_subalgebra<S: GroundField>(
+    structure: &StructureTheory<S>,
     levi: &Subspace<S>,
-) -> Result<Option<Structure<Rational>>, InputError> {
+) -> Result<Option<StructureTheory<Rational>>, InputError> {
     if levi.is_zero() {
         return Ok(None);
     }
@@ -277,7 +280,7 @@ fn certainty(proved: bool) -> &'static str {
 }
 
 /// A subspace whose basis is rational.
-fn rational_subspace<S: Ground>(subspace: &Subspace<S>) -> Option<Subspace<Rational>> {
+fn rational_subspace<S: GroundField>(subspace: &Subspace<S>) -> Option<Subspace<Rational>> {
     let rows = subspace.basis().iter().map(|row| {
         row.iter().map(|(at, value)| Some((*at, value.rational()?))).collect::<Option<Row<_>>>()
     });
@@ -285,9 +288,9 @@ fn rational_subspace<S: Ground>(subspace: &Subspace<S>) -> Option<Subspace<Ratio
 }
 
 /// The algebra with rational constants, if it has such and its dimension is low.
-fn over_the_rationals<S: Ground>(
-    structure: &Structure<S>,
-) -> Result<Option<Structure<Rational>>, InputError> {
+fn over_the_rationals<S: GroundField>(
+    structure: &StructureTheory<S>,
+) -> Result<Option<StructureTheory<Rational>>, InputError> {
     let low = structure.dimension() <= MAX_DECOMPOSED;
     Ok(low.then(|| structure.over_the_rationals()).flatten())
 }
@@ -327,14 +330,14 @@ impl Notes {
         }
     }
 
-    fn series<S: Ground>(&mut self, title: &str, key: &str, series: &[Subspace<S>]) {
+    fn series<S: GroundField>(&mut self, title: &str, key: &str, series: &[Subspace<S>]) {
         let dimensions: Vec<usize> = series.iter().map(Subspace::dimension).collect();
         let text: Vec<String> = dimensions.iter().map(usize::to_string).collect();
         self.row(title, text.join(", "), "dimensions, until stable");
         self.json.insert(key.into(), json!(dimensions));
     }
 
-    fn subspace<S: Ground>(
+    fn subspace<S: GroundField>(
         &mut self,
         title: &str,
         key: &'static str,
@@ -358,11 +361,11 @@ impl Notes {
         self.json.insert(key.into(), json!({ "dimension": dimension }));
     }
 
-    fn vector<S: Ground>(&self, row: &Row<S>) -> String {
+    fn vector<S: GroundField>(&self, row: &Row<S>) -> String {
         combination(row.iter().map(|(at, value)| (value.to_string(), self.labels[*at].clone())))
     }
 
-    fn killing<S: Ground>(&mut self, killing: &Killing<S>) {
+    fn killing<S: GroundField>(&mut self, killing: &Killing<S>) {
         let (rank, signature) = (killing.rank(), killing.signature());
         let determinant = killing.determinant().to_string();
         let signs = match signature {
@@ -416,8 +419,8 @@ impl Notes {
         self.row("simple ideals", lines.join("\n"), &witness);
     }
 
-    fn derivations(&mut self, counted: Option<Counted>, inner: usize) {
-        let Some(Counted { dimension: all, proved }) = counted else {
+    fn derivations(&mut self, counted: Option<Certified>, inner: usize) {
+        let Some(Certified { dimension: all, proved }) = counted else {
             let why = format!("not counted beyond dimension {MAX_DERIVATIONS}");
             self.row("derivations", "-", &why);
             self.json.insert("derivations".into(), Value::Null);
@@ -452,7 +455,7 @@ impl Notes {
         self.json.insert("betti".into(), json!(betti.map(|(numbers, _)| numbers)));
     }
 
-    fn count(&mut self, title: &str, key: &str, count: Option<Counted>, meaning: &str) {
+    fn count(&mut self, title: &str, key: &str, count: Option<Certified>, meaning: &str) {
         let witness = match count {
             Some(count) => format!("{meaning}; {}", certainty(count.proved)),
             None => meaning.to_string(),
@@ -463,7 +466,10 @@ impl Notes {
         self.json.insert(key.into(), json!(count));
     }
 
-    fn decomposition(&mut self, structure: Option<&Structure<Rational>>) -> Result<(), InputError> {
+    fn decomposition(
+        &mut self,
+        structure: Option<&StructureTheory<Rational>>,
+    ) -> Result<(), InputError> {
         let ideals = structure.map(|all| all.indecomposable_ideals()).transpose()?.flatten();
         let entry = |part: &Indecomposable| {
             let rows = part.ideal.dense();

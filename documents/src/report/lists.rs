@@ -3,9 +3,9 @@
 use super::grid::{Grid, head_of_grid};
 use super::{Report, head};
 use crate::certificate::Check;
-use crate::definition::InputError;
+use crate::input::InputError;
 use affinor::algebra::catalogue::families;
-use affinor::algebra::structure::Structure;
+use affinor::algebra::structure::StructureTheory;
 use affinor_tensors::{Symbolic, Tolerance};
 use serde_json::{Map, Value, json};
 
@@ -57,7 +57,8 @@ pub fn catalogue_where(condition: &str) -> Result<Option<impl Report + use<>>, I
     let (dimensions, properties) = conditions(condition)?;
     let (mut rows, mut entries) = (vec![], vec![]);
     for name in dimensions.flat_map(affinor::algebra::catalogue::names) {
-        let structure = Structure::new(affinor::algebra::catalogue::algebra::<Symbolic>(&name)?);
+        let structure =
+            StructureTheory::new(affinor::algebra::catalogue::algebra::<Symbolic>(&name)?);
         let holds = |property: &str| match property {
             "abelian" => structure.is_abelian(),
             "nilpotent" => structure.is_nilpotent(),

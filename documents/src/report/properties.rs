@@ -4,9 +4,10 @@ use super::grid::{Cell, Grid};
 use super::head::{kind_name, printable, printable_list};
 use super::{Format, Report};
 use crate::Coefficient;
-use crate::definition::{Definition, InputError};
+use crate::input::InputError;
+use crate::space::Definition;
 use affinor::algebra::Complex;
-use affinor::algebra::structure::{Ground, Structure};
+use affinor::algebra::structure::{GroundField, StructureTheory};
 use affinor::geometry::properties::{MAX_SEARCHED, Property};
 use affinor::{Connection, ConnectionKind, Geometry, LieAlgebra, MatrixBasis, Metric};
 use affinor_tensors::text::combination;
@@ -53,13 +54,13 @@ impl Properties {
     ///
     /// # Errors
     /// What the library refuses.
-    pub fn of_geometry<S: Ground + Coefficient>(
+    pub fn of_geometry<S: GroundField + Coefficient>(
         geometry: &Geometry<S>,
     ) -> Result<Self, InputError> {
         Self::new(geometry, &[])
     }
 
-    fn read<S: Ground + Coefficient>(
+    fn read<S: GroundField + Coefficient>(
         definition: &Definition,
         planes: &[String],
     ) -> Result<Self, InputError> {
@@ -70,7 +71,7 @@ impl Properties {
     }
 
     /// The properties of a geometry, and the sectional curvatures of planes.
-    fn new<S: Ground + Coefficient>(
+    fn new<S: GroundField + Coefficient>(
         geometry: &Geometry<S>,
         planes: &[Plane<S>],
     ) -> Result<Self, InputError> {
@@ -131,14 +132,14 @@ impl Properties {
             list.family("bi-invariant connections", &family, || Connection::bi_invariant(algebra))?;
             let holonomy = connection.holonomy()?;
             let name = name_of(geometry.frame().dimension(), holonomy.basis()?)?;
-            list.fact("holonomy algebra", &format!("dimension {}{name}", holonomy.rank()));
+            list.fact("holonomy algebra", &format!("dimension {}{name}", holonomy.dimension()));
         }
         Ok(list.finish(geometry))
     }
 }
 
 /// What is known of a matrix algebra: its real simple ideals and the dimension of its centre.
-fn name_of<S: Ground + Coefficient>(
+fn name_of<S: GroundField + Coefficient>(
     size: usize,
     basis: Vec<Tensor<S>>,
 ) -> Result<String, InputError> {
@@ -153,14 +154,14 @@ fn name_of<S: Ground + Coefficient>(
     let matrices = basis.iter().map(entries).collect();
     let bracket = MatrixBasis::new(labels, size, matrices, Tolerance::default())?.bracket()?;
     let algebra = LieAlgebra::try_from(bracket)?;
-    if algebra.structure().is_empty() {
+    if algebra.structure_constants().is_empty() {
         return Ok(", abelian".into());
     }
-    let structure = algebra.structure();
+    let structure = algebra.structure_constants();
     if structure.components().any(|(_, value)| value.rational().is_none()) {
         return Ok(String::new());
     }
-    let rational = Structure::new(algebra.map(|value| value.rational().unwrap_or_default())?);
+    let rational = StructureTheory::new(algebra.map(|value| value.rational().unwrap_or_default())?);
     let levi = rational.levi()?;
     if levi.is_zero() {
         return Ok(", solvable".into());
@@ -246,7 +247,7 @@ impl List {
     }
 
     /// The tensors of a vector space, by a basis and with parameters such as `a1, a2, ..`
-    fn family<S: Ground + Coefficient>(
+    fn family<S: GroundField + Coefficient>(
         &mut self,
         name: &str,
         family: &Family,
@@ -286,7 +287,7 @@ impl List {
     }
 
     /// The extremes of the sectional curvature, where connection and metric are rational and fit together.
-    fn extremes<S: Ground + Coefficient>(
+    fn extremes<S: GroundField + Coefficient>(
         &mut self,
         connection: &Connection<S>,
         metric: &Metric<S>,
@@ -296,7 +297,7 @@ impl List {
             && connection.metric_compatible(metric)?.holds().is_some();
         let rational =
             |tensor: &Tensor<S>| tensor.components().all(|(_, value)| value.rational().is_some());
-        if !fits || !rational(metric.components()) || !rational(algebra.structure()) {
+        if !fits || !rational(metric.components()) || !rational(algebra.structure_constants()) {
             return Ok(());
         }
         let value = |value: &S| value.rational().unwrap_or_default();
@@ -368,7 +369,7 @@ impl Report for Properties {
 
 /// The names of the basis vectors and of the parameters, which stand for nothing else.
 fn names<S: Coefficient>(geometry: &Geometry<S>) -> BTreeSet<String> {
-    let tensors = [geometry.connection().gamma(), geometry.frame().structure()];
+    let tensors = [geometry.connection().affinities(), geometry.frame().structure_functions()];
     let tensors = tensors.into_iter().chain(geometry.metric().map(Metric::components));
     let mut values = tensors.flat_map(|tensor| tensor.components().map(|(_, value)| value));
     let mut names = S::parameters_of(&mut values);

@@ -206,8 +206,8 @@ impl Quantity {
         let n = geometry.frame().dimension();
         let scalar = |value: S| Tensor::from_components(n, &[], [([], value)]);
         Ok(Some(match (self, geometry.metric()) {
-            (Quantity::Structure, _) => geometry.frame().structure().clone(),
-            (Quantity::Affinities, _) => connection.gamma().clone(),
+            (Quantity::Structure, _) => geometry.frame().structure_functions().clone(),
+            (Quantity::Affinities, _) => connection.affinities().clone(),
             (Quantity::Torsion, _) => connection.torsion(),
             (Quantity::Curvature, _) => connection.curvature().clone(),
             (Quantity::Ricci, _) => connection.ricci(),

@@ -7,8 +7,10 @@ use super::head::conventions_in_json;
 use super::json::variances;
 use super::{Format, Quantity, Report, Table, TableEntry, text};
 use crate::Coefficient;
-use crate::definition::file::{bytes, decode};
-use crate::definition::{InputError, Place, Source};
+use crate::input::{
+    InputError, Place, Source,
+    file::{bytes, decode},
+};
 use affinor_tensors::expression::{Expression, Scalars, is_name};
 use affinor_tensors::{Kind, Rational, Sum, Tensor, Variance};
 use serde_json::{Value, json};

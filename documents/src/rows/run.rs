@@ -21,17 +21,17 @@ impl RunRows {
     /// The values of a column.
     ///
     /// # Errors
-    /// [`Error::NoColumn`].
+    /// [`Error::Name`].
     pub fn column(&self, name: &str) -> Result<Vec<f64>, Error> {
         let at = self.columns.iter().position(|column| column == name);
-        let at = at.ok_or_else(|| Error::NoColumn { name: name.into() })?;
+        let at = at.ok_or_else(|| Error::Name(format!("the run has no column {name}")))?;
         Ok(self.rows.iter().map(|row| row[at]).collect())
     }
 
     /// The vectors with the components in three columns.
     ///
     /// # Errors
-    /// [`Error::NoColumn`].
+    /// [`Error::Name`].
     pub fn vectors(&self, names: [&str; 3]) -> Result<Vec<Vector3<f64>>, Error> {
         let [x, y, z] = names.map(|name| self.column(name));
         let (x, y, z) = (x?, y?, z?);
@@ -41,7 +41,7 @@ impl RunRows {
     /// The rotation matrices, by their entries or by quaternions.
     ///
     /// # Errors
-    /// [`Error::NoColumn`]; [`Error::Invalid`] for entries that are no rotation.
+    /// [`Error::Name`]; [`Error::Invalid`] for entries that are no rotation.
     pub fn attitudes(&self) -> Result<Vec<Matrix3<f64>>, Error> {
         if let (Ok(w), Ok(v)) = (self.column("qw"), self.vectors(["qx", "qy", "qz"])) {
             let turn = |(w, v): (f64, Vector3<f64>)| {

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import functools
 import numbers
 import operator
 import re
 import sys
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 from typing import Any, TypeAlias, TypeVar
 
@@ -24,10 +25,12 @@ Symbols: TypeAlias = dict[str, Any]
 """The SymPy symbols of the parameters, by name, with their assumptions."""
 
 _NAMES = re.compile(r"(?<![\w.])[A-Za-z_]\w*\b(?!\s*\()")
-_ELEMENTARY = {"sin", "cos", "tan", "cot", "exp", "sinh", "cosh", "tanh", "log", "sqrt"}
-_RECIPROCALS = {"sec": "cos", "csc": "sin", "coth": "tanh", "sech": "cosh", "csch": "sinh"}
 _OF_FORMULAS = {"Abs": "abs", "Max": "max", "Min": "min"}
 """Functions that formulas of motions call by other names than SymPy."""
+
+
+_is_elementary = functools.cache(_engine.knows)
+"""Whether the engine has the function of a name, which SymPy calls by the same name."""
 
 
 def is_sympy(value: object) -> bool:
@@ -43,7 +46,7 @@ def is_matrix(value: object) -> bool:
 
 
 def text_of(
-    value: Scalar, symbols: Symbols, *, floats: bool = False, imaginary: bool = False
+    value: Scalar, symbols: Symbols, floats: bool = False, imaginary: bool = False
 ) -> str:
     """The value in the notation of definition files; the symbols of SymPy are added to ``symbols``."""
     if isinstance(value, str):
@@ -115,11 +118,11 @@ def _regular(array: NDArray[Any], dtype: type[T]) -> NDArray[T]:
     return np.require(array, dtype, ["C", "A"]) if array.size else np.empty(array.shape, dtype)
 
 
-def with_axes(what: str, value: Any, *counts: int) -> NDArray[np.float64]:
+def with_axes(what: str, value: Any, counts: Sequence[int]) -> NDArray[np.float64]:
     """Finite real numbers as an array with one of these numbers of axes."""
     array = floats(value)
     if array.ndim not in counts:
-        expected = " or ".join(map(str, counts)) + (" axis" if counts == (1,) else " axes")
+        expected = " or ".join(map(str, counts)) + (" axis" if list(counts) == [1] else " axes")
         raise ValueError(f"{what} should be an array with {expected}, not of the shape {array.shape}")
     if not np.isfinite(array).all():
         raise ValueError(f"{what} should be finite, not {array[~np.isfinite(array)][0]}")
@@ -203,10 +206,8 @@ def _of_sympy(expression: Any, symbols: Symbols, floats: bool, imaginary: bool) 
             arguments = ", ".join(map(write, node.args))
             if isinstance(node, sympy.core.function.AppliedUndef):
                 return f"{name if floats else _undefined(node)}({arguments})"
-            if name in _RECIPROCALS:
-                return f"(1/{_RECIPROCALS[name]}({arguments}))"
             # formulas have further functions, and refuse others themselves
-            if floats or name in _ELEMENTARY:
+            if floats or _is_elementary(name):
                 return f"{_OF_FORMULAS.get(name, name)}({arguments})"
         raise TypeError(f"{node} has no counterpart among rational functions and elementary functions")
 
@@ -220,7 +221,7 @@ def _undefined(function: Any) -> str:
     name = str(function.func.__name__)
     if function.func != Function(name):
         raise ValueError(f"the function {name} has assumptions, which would be lost")
-    if name in _ELEMENTARY or not re.fullmatch(r"[A-Za-z][A-Za-z0-9]*", name):
+    if _is_elementary(name) or not re.fullmatch(r"[A-Za-z][A-Za-z0-9]*", name):
         raise ValueError(f"the function {name!r} needs another name: of ASCII letters and digits, and not that of a known one")
     return name
 
@@ -280,7 +281,7 @@ def to_sympy(text: str, symbols: Mapping[str, Any]) -> Any:
         return symbols[name] if name in symbols else sympy.Symbol(name)
 
     def function(name: str, *arguments: Any) -> Any:
-        if name in _ELEMENTARY:
+        if _is_elementary(name):
             return getattr(sympy, name)(*arguments)
         # f_r_theta is a derivative of f
         head, *by = name.split("_")
@@ -299,6 +300,16 @@ def value_of(found: Fraction | float | str, symbols: Mapping[str, Any]) -> Any:
         return to_sympy(found, symbols)
     except ImportError:
         return found
+
+
+def number(text: str, symbols: Mapping[str, Any], floats: bool) -> Any:
+    """A number of the engine as users see it."""
+    if floats:
+        return float(text)
+    try:
+        return Fraction(text)
+    except ValueError:
+        return value_of(text, symbols)
 
 
 def document(value: Any, symbols: Symbols, *, imaginary: bool = False) -> Any:

@@ -1,55 +1,236 @@
-"""What a space is made of."""
+"""Sources of algebras: names, paths, brackets, dicts, structure constants and matrices as the arguments of the engine."""
 
 from __future__ import annotations
 
+import json
+import os
 import re
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
-from affinor import _engine
-from affinor._scalars import Symbols
+import numpy as np
 
-Request = dict[str, Any]
-"""The arguments of a space: those of ``_engine.Space``."""
+from affinor._engine import LieAlgebra, Source, Tensor
+from affinor._scalars import (
+    Scalar,
+    Symbols,
+    document,
+    index,
+    integers,
+    is_matrix,
+    merged,
+    names_in,
+    replaced,
+    text_of,
+    unmasked,
+)
+
+Names = str | Sequence[str] | None
 
 
-class Source:
-    """What a space is made of: the arguments of the engine, the symbols of SymPy in them, and the scalar."""
-
-    __slots__ = ("request", "scalar", "symbols", "tolerance")
-
-    def __init__(self, request: Request, symbols: Symbols, scalar: str, tolerance: float | None) -> None:
-        if scalar not in ("exact", "float"):
-            raise ValueError(f"the scalar is exact or float, not {scalar!r}")
-        if tolerance is not None and scalar != "float":
-            raise ValueError("exact numbers have no tolerance: choose scalar='float', or leave the tolerance out")
-        self.request, self.symbols = request, symbols
-        self.scalar, self.tolerance = scalar, tolerance
-
-    def space(self, **more: Any) -> _engine.Space:
-        """The space, perhaps with another connection, metric or values of parameters; its files are read once."""
-        space = _engine.Space(**{**self.request, **more})
-        if space.files:
-            self.request = {**self.request, "files": space.files}
+def source_of(
+    space: Any,
+    *,
+    basis: Names = None,
+    scalar: str = "exact",
+    tolerance: float | None = None,
+) -> Source:
+    """The source of a name, a path, brackets as text, a dict, or structure constants."""
+    if basis is not None and isinstance(space, (LieAlgebra, Mapping)):
+        raise TypeError(f"this {type(space).__name__} has a basis: give other names with from_structure, or in the dict")
+    if isinstance(space, Source):
         return space
+    if isinstance(space, LieAlgebra):
+        source = space._source
+        if scalar == "exact" and tolerance is None:
+            return source
+        # floats stay floats
+        scalar = source.scalar if scalar == "exact" else scalar
+        return Source(source.arguments, source.symbols, scalar, source.tolerance if tolerance is None else tolerance)
+    if isinstance(space, os.PathLike):
+        space = os.fspath(space)
+    if isinstance(space, str):
+        if basis is not None:
+            return Source({"space": None, "basis": " ".join(names_of(basis)), "brackets": _brackets(space)}, {}, scalar, tolerance)
+        return Source({"space": space}, {}, scalar, tolerance)
+    if isinstance(space, (list, tuple)) and space and all(isinstance(text, str) for text in space):
+        if basis is None:
+            raise TypeError("brackets need the names of a basis: basis='x y z'")
+        return Source({"space": None, "basis": " ".join(names_of(basis)), "brackets": list(space)}, {}, scalar, tolerance)
+    symbols: Symbols = {}
+    if isinstance(space, Mapping):
+        keys = document(space, symbols)
+        if symbols:
+            declared = [str(name) for name in keys.get("parameters", [])]
+            coordinates = keys.get("chart", {}).get("coordinates", []) if isinstance(keys.get("chart"), dict) else []
+            extra = [name for name in sorted(symbols) if name not in declared and name not in coordinates]
+            keys["parameters"] = declared + extra
+        name = str(keys.get("name", "definition"))
+        return Source({"space": None, "definition": (name, json.dumps(keys))}, symbols, scalar, tolerance)
+    return from_structure(space, basis=basis, scalar=scalar, tolerance=tolerance)
 
-    def of_algebra(self) -> Source:
-        """The source without the connection and the metric, with values of the parameters that remain."""
-        request = {key: value for key, value in self.request.items() if key not in ("connection", "metric", "set")}
-        parameters = _engine.Space(**request).parameters
-        remaining = [f"{name}={value}" for name, value in self.values().items() if name in parameters]
-        if remaining:
-            request["set"] = ",".join(remaining)
-        return Source(request, self.symbols, self.scalar, self.tolerance)
 
-    def values(self) -> dict[str, str]:
-        """The values of parameters and functions that were set, by the text before the equality sign."""
-        # a comma before a name and an equality sign separates values
-        texts = re.split(r",(?=\s*\w+\s*(?:\([^()]*\)\s*)?=)", self.request.get("set") or "")
-        pairs = [text.partition("=") for text in texts if text]
-        return {name.strip(): value for name, _, value in pairs}
+def _brackets(text: str) -> list[str]:
+    """The brackets of a text, with semicolons for the commas between brackets: places in it stay the same."""
+    return [re.sub(r",(?![^\[]*\])", ";", text)]
 
-    def with_(self, **more: Any) -> Source:
-        return Source({**self.request, **more}, self.symbols, self.scalar, self.tolerance)
 
-    def of(self) -> tuple[Any, ...]:
-        return self.request, self.symbols, self.scalar, self.tolerance
+def names_of(basis: str | Sequence[str]) -> list[str]:
+    """The names in a text or a list."""
+    if isinstance(basis, str):
+        return basis.replace(",", " ").split()
+    if not isinstance(basis, Iterable):
+        raise TypeError(f"a basis is a text or a list of names, not {type(basis).__name__}")
+    return [str(name) for name in basis]
+
+
+def _definition(
+    keys: dict[str, Any], texts: Iterable[str], symbols: Symbols, scalar: str, tolerance: float | None, *without: str
+) -> Source:
+    """The source of a definition whose values are these texts."""
+    parameters = names_in(texts, without=without)
+    if parameters:
+        keys["parameters"] = parameters
+    keys.setdefault("name", "algebra")
+    return Source({"space": None, "definition": (keys["name"], json.dumps(keys))}, symbols, scalar, tolerance)
+
+
+def from_structure(
+    constants: Any,
+    *,
+    basis: Names = None,
+    name: str | None = None,
+    dimension: int | None = None,
+    scalar: str = "exact",
+    tolerance: float | None = None,
+) -> Source:
+    """The source of structure constants ``c[i, j, k]``, in any of the forms of :meth:`LieAlgebra.from_structure`."""
+    if dimension is not None:
+        dimension = index("the dimension", dimension)
+    places, values, found = _entries(constants, dimension)
+    indices = [tuple(index("an index", i) for i in at) for at in places]
+    labels = None if basis is None else names_of(basis)
+    if None not in (found, dimension) and found != dimension:
+        raise ValueError(f"the structure constants have the dimension {found}, not {dimension}")
+    n = found if dimension is None else dimension
+    if labels is not None and n is not None and len(labels) != n:
+        raise ValueError(f"{len(labels)} names for a basis of dimension {n}")
+    if n is None:
+        n = len(labels) if labels is not None else 1 + max((max(at) for at in indices), default=-1)
+    symbols: Symbols = dict(constants._symbols) if isinstance(constants, Tensor) else {}
+    texts = [text_of(value, symbols, floats=scalar == "float") for value in values]
+    for at in indices:
+        if len(at) != 3 or not all(0 <= i < n for i in at):
+            raise IndexError(f"the index {tuple(at)} is not a triple in 0..{n - 1}")
+    # [e_j, e_k] = c^i_jk e_i; files count from 1 and write [j, k, i, value]
+    rows = [[j + 1, k + 1, i + 1, text] for (i, j, k), text in zip(indices, texts, strict=True) if text != "0"]
+    keys: dict[str, Any] = {"basis": labels} if labels is not None else {"dimension": n}
+    keys["structure_constants"] = rows
+    if name is not None:
+        keys["name"] = name
+    return _definition(keys, texts, symbols, scalar, tolerance)
+
+
+def _entries(constants: Any, dimension: int | None) -> tuple[list[Any], list[Any], int | None]:
+    """Indices, values and dimension of structure constants."""
+    if isinstance(constants, Tensor):
+        if constants.slots != "^__":
+            raise ValueError(f"structure constants have the slots '^__', not {constants.slots!r}")
+        entries = constants._values() if constants.scalar == "float" else constants._texts()
+        return constants._indices().T.tolist(), entries, constants.dimension
+    if hasattr(constants, "tocoo") or hasattr(constants, "coords"):
+        return _sparse(constants)
+    if is_matrix(constants):
+        constants = constants.tolist()
+    if isinstance(constants, Mapping):
+        return [tuple(at) for at in constants], list(constants.values()), None
+    if isinstance(constants, tuple) and len(constants) == 2:
+        indices, values = np.asarray(unmasked(constants[0])), np.asarray(unmasked(constants[1]))
+        if indices.ndim != 2 or indices.shape[0] != 3 or indices.shape[1:] != values.shape:
+            raise ValueError(
+                "a COO pair has indices of the shape (3, count) and as many values, "
+                f"not {indices.shape} and {values.shape}"
+            )
+        return integers("indices", indices).T.tolist(), list(values), None
+    if isinstance(constants, (list, tuple)) and constants and isinstance(constants[0], (list, tuple)):
+        first = constants[0]
+        if len(first) == 4 and not isinstance(first[0], (list, tuple, np.ndarray)):
+            return [tuple(row[:3]) for row in constants], [row[3] for row in constants], None
+    constants = unmasked(constants)
+    array = constants if isinstance(constants, np.ndarray) else np.asarray(constants, dtype=object)
+    if array.ndim != 3 or len(set(array.shape)) != 1:
+        raise ValueError(f"structure constants should be an array of the shape (n, n, n), not {array.shape}")
+    if array.dtype.kind not in "iufO":
+        raise TypeError(f"structure constants are numbers or expressions, not {array.dtype}")
+    places = np.nonzero(array != 0)
+    return np.array(places).T.tolist(), list(array[places]), array.shape[0]
+
+
+def _sparse(constants: Any) -> tuple[list[Any], list[Any], int | None]:
+    """Entries of a sparse array of SciPy: (n, n, n), or (n, n n) with the column ``j n + k``."""
+    coo = constants.tocoo(copy=True) if hasattr(constants, "tocoo") else constants
+    if hasattr(coo, "sum_duplicates"):
+        coo.sum_duplicates()
+    shape = tuple(coo.shape)
+    if len(shape) == 3 and len(set(shape)) == 1:
+        return np.array(coo.coords).T.tolist(), list(coo.data), shape[0]
+    if len(shape) == 2 and shape[1] == shape[0] ** 2:
+        n = shape[0]
+        places = [(int(i), int(c) // n, int(c) % n) for i, c in zip(coo.row, coo.col, strict=True)]
+        return places, list(coo.data), n
+    raise ValueError(f"sparse structure constants have the shape (n, n, n) or (n, n*n), not {shape}")
+
+
+def from_matrices(
+    matrices: Iterable[Any],
+    *,
+    basis: Names = None,
+    name: str | None = None,
+    scalar: str = "exact",
+    tolerance: float | None = None,
+) -> Source:
+    """The source of a basis of matrices, in any of the forms of :meth:`LieAlgebra.from_matrices`."""
+    symbols: Symbols = {}
+    all_rows = []
+    if not isinstance(matrices, Iterable):
+        raise TypeError(f"matrices are a list of matrices, not {type(matrices).__name__}")
+    for at, matrix in enumerate(matrices):
+        rows = matrix.tolist() if hasattr(matrix, "tolist") else matrix
+        if not isinstance(rows, (list, tuple)) or not all(isinstance(row, (list, tuple)) for row in rows):
+            raise TypeError(f"matrix {at} should be a matrix, not {type(matrix).__name__}")
+        all_rows.append(
+            [[text_of(entry, symbols, floats=scalar == "float", imaginary=True) for entry in row] for row in rows]
+        )
+    keys: dict[str, Any] = {"matrices": all_rows}
+    if basis is not None:
+        keys["basis"] = names_of(basis)
+    if name is not None:
+        keys["name"] = name
+    texts = [text for rows in all_rows for row in rows for text in row]
+    return _definition(keys, texts, symbols, scalar, tolerance, "i")
+
+
+def structured(structure: Tensor, name: str, basis: Names, tolerance: float | None) -> Source:
+    """The source of the structure constants of a construction; names with a prime cannot be read again."""
+    labels = None if basis is None else names_of(basis)
+    return from_structure(
+        structure,
+        basis=None if labels is None or any("'" in label for label in labels) else labels,
+        name=name,
+        dimension=structure.dimension,
+        scalar="float" if structure.scalar == "float" else "exact",
+        tolerance=tolerance,
+    )
+
+
+def settings(values: Mapping[Any, Scalar], source: Source) -> tuple[list[tuple[str, str]], Symbols]:
+    """Values of parameters: the values that were set before, with the new ones put in, and the new ones; and all symbols."""
+    symbols = merged(source.symbols)
+    texts = {str(name): text_of(value, symbols) for name, value in values.items()}
+    before: dict[str, str] = dict(source.arguments["values"])
+    brought = names_in(before.values())
+    inner = {name: f"({text})" for name, text in texts.items()}
+    settled = [(name, replaced(text, inner)) for name, text in before.items()]
+    # a name that only the values before brought in is replaced in them
+    own = {*source.names(False)[0]}.difference(before) if before else texts.keys()
+    return settled + [(name, text) for name, text in texts.items() if name in own or name not in brought], symbols

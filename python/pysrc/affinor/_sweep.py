@@ -97,7 +97,7 @@ class SimulationTask:
         """The last row of each run, and the reason of each failure."""
         names = list(rows)
         values = np.array([rows[name] for name in names], dtype=np.float64).T.reshape(-1, len(names))
-        columns, last, failed = self.problem._engine.run_many(names, values)
+        columns, last, failed = self.problem._run_many(names, values)
         chosen = [name for name in columns if name not in rows]
         if self.columns is not None and columns:
             chosen = [column for name in self.columns for column in components(columns, name)]

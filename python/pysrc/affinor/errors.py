@@ -101,14 +101,15 @@ class ClosureError(_Pair):
 
 
 class ConstructionError(_Pair):
-    """A construction whose condition fails: no ideal, no subalgebra, no cocycle, no derivation, no action, or no limit.
+    """A construction whose condition fails: that of an ideal, a subalgebra, a cocycle, a derivation, an action, a limit, or a
+    commutative, associative algebra.
 
     ``data`` has the witness: ``pair`` or ``triple``, ``residual``, and ``derivation``, ``vector`` or ``component``.
     """
 
     @property
     def triple(self) -> tuple[str, str, str] | None:
-        """The names of three basis vectors for which a form is no cocycle."""
+        """The names of three vectors for which the condition of a cocycle or of an associative product fails."""
         return self.data.get("triple")
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import csv
 import json
 import os
@@ -10,13 +11,14 @@ import warnings
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextvars import ContextVar
 from pathlib import Path
-from typing import Any
+from typing import Any, Self
 
 import numpy as np
 from numpy.typing import NDArray
 
 from affinor import _engine
 from affinor._scalars import Symbols, document, floats, index, text_of
+from affinor.geometry import metric_text
 
 __all__ = ["Problem", "Trajectory", "convergence", "simulate"]
 
@@ -26,7 +28,7 @@ interrupts: ContextVar[str] = ContextVar("interrupts", default="return")
 """What an interrupt does to a motion that does not say it: tasks of sweeps end."""
 
 
-class Problem:
+class Problem(_engine.Problem):
     """A problem of motion: a file, a dict with the keys of such a file, or these keys as arguments.
 
     ``Problem(space="so3", metric=[2, 2, 1], initial={"velocity": [0, 0, 5]}, forces={"potential": "R33"},
@@ -37,12 +39,21 @@ class Problem:
 
     ``set`` gives parameters other values; ``method``, ``step``, ``tolerance``, ``end`` and ``every`` replace the keys of
     the integration and of the output.
+
+    Examples
+    --------
+    >>> top = Problem(space="so3", metric=[2, 2, 1], initial={"velocity": [0, 0, 5]}, output={"end": 1, "every": 0.5})
+    >>> simulate(top)["Omega3"]
+    array([5., 5., 5.])
     """
 
-    __slots__ = ("_arguments", "_contents", "_engine", "_folder")
+    __slots__ = ("_arguments", "_in_memory")
 
-    def __init__(
-        self,
+    _arguments: tuple[str | None, str | None, dict[str, Any]]
+    _in_memory: bool
+
+    def __new__(
+        cls,
         problem: str | os.PathLike[str] | Mapping[str, Any] | None = None,
         *,
         set: Mapping[str, Any] | str | None = None,
@@ -52,19 +63,18 @@ class Problem:
         end: Any = None,
         every: Any = None,
         **keys: Any,
-    ) -> None:
+    ) -> Self:
         symbols: Symbols = {}
+        texts = {"step": step, "tolerance": tolerance, "end": end, "every": every}
         options: dict[str, Any] = {
             "set": _settings(set, symbols),
             "method": method,
-            **{
-                name: None if value is None else text_of(value, symbols, floats=True)
-                for name, value in (("step", step), ("tolerance", tolerance), ("end", end), ("every", every))
-            },
+            **{key: None if value is None else text_of(value, symbols, floats=True) for key, value in texts.items()},
         }
         path = text = None
-        self._folder: tempfile.TemporaryDirectory[str] | None = None
-        try:
+        table = False
+        # the engine reads the table of forces at once
+        with contextlib.ExitStack() as stack:
             if isinstance(problem, (str, os.PathLike)):
                 if keys:
                     raise TypeError(f"a file has its own keys: {', '.join(keys)} cannot be added")
@@ -72,75 +82,50 @@ class Problem:
             elif problem is None or isinstance(problem, Mapping):
                 keys, functions = _functions({**(problem or {}), **keys})
                 options.update(functions)
-                text = json.dumps(self._document(keys, symbols))
+                keys, table = _with_table(keys, stack)
+                text = json.dumps(_document(keys, symbols))
             else:
                 raise TypeError(f"a problem is a path, a dict or keys, not {type(problem).__name__}")
-            self._arguments = (path, text, options)
-            self._open()
-        finally:
-            # the engine has read the table
-            if self._folder is not None:
-                self._folder.cleanup()
+            return cls._of(path, text, options, in_memory=table)
 
-    def _open(self) -> None:
-        path, text, options = self._arguments
-        named = None if text is None else ("problem", text)
-        self._engine = _engine.Problem(path, named, **options)
-
-    def _document(self, keys: Mapping[str, Any], symbols: Symbols) -> Any:
-        forces = keys.get("forces")
-        if isinstance(forces, Mapping) and not isinstance(forces.get("table"), (str, type(None))):
-            keys = {**keys, "forces": {**forces, "table": self._table(forces["table"])}}
-        metric = keys.get("metric")
-        if metric is not None and not isinstance(metric, str):
-            from affinor.geometry import metric_text
-
-            keys = {**keys, "metric": metric_text(metric, symbols, floats=True)}
-        return document(keys, symbols)
-
-    def _table(self, table: Any) -> str:
-        """The path of a file with the rows of a table."""
-        if isinstance(table, os.PathLike):
-            return str(os.fspath(table))
-        columns = [str(name) for name in table.columns] if hasattr(table, "columns") else None
-        rows = floats(table)
-        if rows.ndim != 2 or rows.shape[1] < 2:
-            raise ValueError(f"a table of forces has rows of a time and components, not the shape {rows.shape}")
-        self._folder = tempfile.TemporaryDirectory(prefix="affinor-")
-        path = os.path.join(self._folder.name, "forces.csv")
-        with open(path, "w", newline="", encoding="utf-8") as file:
-            writer = csv.writer(file)
-            writer.writerow(columns or ["t", *(f"M{i}" for i in range(1, rows.shape[1]))])
-            writer.writerows(rows.tolist())
-        return path
-
-    @property
-    def name(self) -> str:
-        """The name."""
-        return self._engine.name
-
-    @property
-    def ensemble_size(self) -> int | None:
-        """The number of members of the ensemble; None without one."""
-        return self._engine.members
-
-    @property
-    def ensemble_parameters(self) -> list[str]:
-        """The names of the parameters that the ensemble varies."""
-        return self._engine.varied
-
-    def member_parameters(self, member: int) -> dict[str, float]:
-        """The values of these parameters for a member, from 0."""
-        return dict(zip(self.ensemble_parameters, self._engine.variation(member), strict=True))
-
-    def __repr__(self) -> str:
-        members = "" if self.ensemble_size is None else f", {self.ensemble_size} members"
-        return f"<Problem {self.name}{members}>"
+    @classmethod
+    def _of(cls, path: str | None, text: str | None, options: dict[str, Any], *, in_memory: bool = False) -> Self:
+        made = super().__new__(cls, path, None if text is None else ("problem", text), **options)
+        made._arguments, made._in_memory = (path, text, options), in_memory
+        return made
 
     def __reduce__(self) -> Any:
-        if self._folder is not None:
+        if self._in_memory:
             raise TypeError("a problem with a table in memory cannot be pickled: write the table to a file")
-        return _restore, self._arguments
+        return type(self)._of, self._arguments
+
+
+def _document(keys: Mapping[str, Any], symbols: Symbols) -> Any:
+    """The keys of a problem as a file writes them."""
+    metric = keys.get("metric")
+    if metric is not None and not isinstance(metric, str):
+        keys = {**keys, "metric": metric_text(metric, symbols, floats=True)}
+    return document(keys, symbols)
+
+
+def _with_table(keys: dict[str, Any], stack: contextlib.ExitStack) -> tuple[dict[str, Any], bool]:
+    """The keys with the path of a table of forces, and whether the table was in memory."""
+    forces = keys.get("forces")
+    if not isinstance(forces, Mapping) or isinstance(forces.get("table"), (str, type(None))):
+        return keys, False
+    table = forces["table"]
+    if isinstance(table, os.PathLike):
+        return {**keys, "forces": {**forces, "table": str(os.fspath(table))}}, False
+    columns = [str(name) for name in table.columns] if hasattr(table, "columns") else None
+    rows = floats(table)
+    if rows.ndim != 2 or rows.shape[1] < 2:
+        raise ValueError(f"a table of forces has rows of a time and components, not the shape {rows.shape}")
+    path = os.path.join(stack.enter_context(tempfile.TemporaryDirectory(prefix="affinor-")), "forces.csv")
+    with open(path, "w", newline="", encoding="utf-8") as file:
+        writer = csv.writer(file)
+        writer.writerow(columns or ["t", *(f"M{i}" for i in range(1, rows.shape[1]))])
+        writer.writerows(rows.tolist())
+    return {**keys, "forces": {**forces, "table": path}}, True
 
 
 def _functions(keys: dict[str, Any]) -> tuple[dict[str, Any], dict[str, Any]]:
@@ -153,14 +138,6 @@ def _functions(keys: dict[str, Any]) -> tuple[dict[str, Any], dict[str, Any]]:
         raise TypeError(f"forces.{next(iter(functions))} is no function: body and spatial may be functions")
     rest = {name: force for name, force in forces.items() if name not in functions}
     return {**keys, "forces": rest}, functions
-
-
-def _restore(*arguments: Any) -> Problem:
-    problem = Problem.__new__(Problem)
-    problem._folder = None
-    problem._arguments = arguments
-    problem._open()
-    return problem
 
 
 def _settings(values: Mapping[str, Any] | str | None, symbols: Symbols) -> str | None:
@@ -300,7 +277,7 @@ def simulate(
             bar.update(share - bar.n)
 
     try:
-        found = problem._engine.run(member, tell)
+        found = problem._run(member, tell)
     finally:
         if bar is not None:
             bar.close()

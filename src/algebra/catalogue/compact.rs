@@ -6,8 +6,9 @@
 use super::name::{Argument, rule};
 use super::triangular::cartan_type;
 use super::{CatalogueError, Entry, Family, MAX_DIMENSION, Reader, numbered};
+use crate::algebra::SparseBracket;
 use crate::algebra::roots::{RootSystem, chevalley_constants};
-use std::collections::HashMap;
+use std::collections::BTreeMap;
 
 /// compact(X).
 pub(super) const FAMILY: Family = Family {
@@ -38,11 +39,9 @@ fn read(name: &str, arguments: &[Argument]) -> Result<Entry, CatalogueError> {
     let (positive, rank) = (roots.positive_roots().len(), cartan_type.rank());
     let n = 2 * positive + rank;
     // [e_j, e_k] of the Chevalley basis, for both orders
-    let mut brackets: HashMap<(usize, usize), Vec<(usize, i64)>> = HashMap::new();
-    for (j, k, i, value) in chevalley_constants(&roots) {
-        brackets.entry((j, k)).or_default().push((i, value));
-        brackets.entry((k, j)).or_default().push((i, -value));
-    }
+    let constants = chevalley_constants(&roots).into_iter();
+    let both = constants.flat_map(|(j, k, i, value)| [(j, k, i, value), (k, j, i, -value)]);
+    let split = SparseBracket::new(n, both);
     let vector = |at: usize| -> Vec<(usize, Gaussian)> {
         match (at / positive, at % positive) {
             (0, root) => vec![(root, (1, 0)), (root + positive, (-1, 0))],
@@ -53,11 +52,11 @@ fn read(name: &str, arguments: &[Argument]) -> Result<Entry, CatalogueError> {
     let mut constants = vec![];
     for j in 0..n {
         for k in j + 1..n {
-            let mut sum: HashMap<usize, Gaussian> = HashMap::new();
+            let mut sum: BTreeMap<usize, Gaussian> = BTreeMap::new();
             for (x, a) in vector(j) {
                 for (y, b) in vector(k) {
                     let (re, im) = times(a, b);
-                    for (i, value) in brackets.get(&(x, y)).into_iter().flatten() {
+                    for (_, i, value) in split.of(x).iter().filter(|(k, ..)| *k == y) {
                         let entry = sum.entry(*i).or_default();
                         *entry = (entry.0 + re * value, entry.1 + im * value);
                     }

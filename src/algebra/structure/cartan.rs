@@ -1,12 +1,12 @@
 //! Cartan subalgebras: nilpotent subalgebras that are their own normalizers (de Graaf 3.2).
 
 use super::radical::TRIALS;
-use super::{Ground, Structure, Subspace};
-use affinor_tensors::linear::modular::Residues;
+use super::{GroundField, StructureTheory, Subspace};
+use affinor_tensors::linear::modular::ResidueMatrix;
 use affinor_tensors::linear::{Matrix, Row};
 use std::cmp::Ordering;
 
-impl<S: Ground> Structure<S> {
+impl<S: GroundField> StructureTheory<S> {
     /// A Cartan subalgebra: the null component of `ad x` for an element `x` for which that component
     /// is nilpotent. Every null component is its own normalizer.
     ///
@@ -103,9 +103,9 @@ impl<S: Ground> Structure<S> {
             let kernel = ad.clone().kernel();
             // no vector of the kernel is an image
             let image = (0..n).map(|k| ad.rows().iter().map(|row| row[k]).collect()).collect();
-            let mut image = Residues::new(prime, n, image);
+            let mut image = ResidueMatrix::new(prime, n, image);
             image.reduce();
-            let both = Residues::new(prime, n, [image.rows(), &kernel[..]].concat()).rank();
+            let both = ResidueMatrix::new(prime, n, [image.rows(), &kernel[..]].concat()).rank();
             Some(kernel.len() == rank && both == n)
         });
         if regular != Some(true) {

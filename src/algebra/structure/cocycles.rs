@@ -3,7 +3,7 @@
 //! `d a(x, y) = -a([x, y])` and `d b(x, y, z) = -b([x, y], z) - b([y, z], x) - b([z, x], y)`.
 
 use super::subspace::collected;
-use super::{Ground, Structure, Subspace};
+use super::{GroundField, StructureTheory, Subspace};
 use affinor_tensors::linear::Row;
 
 /// The largest dimension at which closed 2-forms are computed.
@@ -18,7 +18,7 @@ pub struct TwoForms<S> {
     pub exact: Subspace<S>,
 }
 
-impl<S: Ground> TwoForms<S> {
+impl<S: GroundField> TwoForms<S> {
     /// Closed forms that are a basis of the second cohomology.
     pub fn cohomology(&self) -> Vec<Row<S>> {
         let mut span = self.exact.clone();
@@ -26,7 +26,7 @@ impl<S: Ground> TwoForms<S> {
     }
 }
 
-impl<S: Ground> Structure<S> {
+impl<S: GroundField> StructureTheory<S> {
     /// The closed 1-forms, a basis of the first cohomology: they vanish on the derived algebra.
     pub fn closed_one_forms(&self) -> Subspace<S> {
         Subspace::kernel(self.dimension(), self.derived().basis().iter().cloned())

@@ -1,10 +1,10 @@
 //! Betti numbers: the dimensions of Chevalley-Eilenberg cohomology with trivial coefficients.
 
-use super::certificates::Counted;
+use super::certificates::Certified;
 use super::dynkin::exponents;
-use super::reduction::Reduction;
+use super::reduction::ModularAlgebra;
 use super::subspace::collected;
-use super::{Ground, Structure};
+use super::{GroundField, StructureTheory};
 use polycore::Lead;
 use polycore::modp_echelon::Echelon;
 use std::collections::BTreeMap;
@@ -15,28 +15,25 @@ pub const MAX_DIMENSION: usize = 11;
 /// The largest Betti number that is given.
 const LARGEST: u64 = 1 << 53;
 
-impl<S: Ground> Structure<S> {
+impl<S: GroundField> StructureTheory<S> {
     /// The Betti numbers `b_0, .., b_n`; `None` beyond [`MAX_DIMENSION`] unless the algebra is reductive, and
     /// where one is beyond `2^53`, the whole numbers of a float.
     ///
     /// The polynomial of a reductive algebra is `(1+t)^z prod (1 + t^(2m+1))`, with the dimension `z` of
     /// the centre and the exponents `m` of its simple factors.
-    pub fn betti(&self) -> Option<Vec<u64>> {
-        Some(self.betti_proved()?.0)
-    }
-
-    /// As [`betti`](Self::betti), and whether the numbers are proved: by a theorem, or by closed forms multiplied out. In a
-    /// unimodular algebra `d` on `Lambda^k` has the rank of `d` on `Lambda^(n-1-k)` (Poincare duality).
-    pub fn betti_proved(&self) -> Option<(Vec<u64>, bool)> {
+    ///
+    /// The numbers come with whether they are proved: by a theorem, or by closed forms multiplied out. In a unimodular algebra
+    /// `d` on `Lambda^k` has the rank of `d` on `Lambda^(n-1-k)` (Poincare duality).
+    pub fn betti_numbers(&self) -> Option<(Vec<u64>, bool)> {
         let n = self.dimension();
         if n <= MAX_DIMENSION {
-            let mut closed: Vec<Counted> = vec![];
+            let mut closed: Vec<Certified> = vec![];
             for k in 0..=n {
                 let dual = n.checked_sub(k + 1).filter(|dual| *dual < k && self.is_unimodular());
                 closed.push(match dual.map(|dual| (dual, closed[dual])) {
-                    Some((dual, Counted { dimension, proved })) => {
+                    Some((dual, Certified { dimension, proved })) => {
                         let rank = binomial(n, dual) - dimension;
-                        Counted { dimension: binomial(n, k) - rank, proved }
+                        Certified { dimension: binomial(n, k) - rank, proved }
                     }
                     None => self.closed_forms(k),
                 });
@@ -66,11 +63,11 @@ impl<S: Ground> Structure<S> {
     }
 
     /// The closed forms of degree `k`.
-    fn closed_forms(&self, k: usize) -> Counted {
+    fn closed_forms(&self, k: usize) -> Certified {
         let n = self.dimension();
         let sets: Vec<usize> =
             (0..1usize << n).filter(|set| set.count_ones() as usize == k).collect();
-        let kernel = |reduction: &Reduction| reduction.closed_forms(&sets);
+        let kernel = |reduction: &ModularAlgebra| reduction.closed_forms(&sets);
         self.counted(sets.len(), kernel, |structure, form| {
             let image = form.iter().flat_map(|(at, factor)| {
                 let terms = differential(n, |j| structure.products.of(j), sets[*at]);
@@ -88,7 +85,7 @@ fn binomial(n: usize, k: usize) -> usize {
     (0..k).fold(1, |value, i| value * (n - i) / (i + 1))
 }
 
-impl Reduction {
+impl ModularAlgebra {
     /// A basis of the closed forms among those with these index sets, in reduced echelon form.
     fn closed_forms(&self, sets: &[usize]) -> Vec<Vec<u64>> {
         let (n, p) = (self.dimension(), self.prime());

@@ -8,7 +8,7 @@
 //! Compare G. Ovando, *Manuscripta Math.* 103 (2000) 19-30.
 
 use super::identification::{scale as scaled, spectrum, sum, vector_images};
-use super::{Structure, Subspace};
+use super::{StructureTheory, Subspace};
 use affinor_tensors::linear::{Matrix, Row};
 use affinor_tensors::{Field, Rational, Ring};
 
@@ -23,7 +23,7 @@ pub struct ComplexStructure {
     pub images: Option<Vec<Vec<Rational>>>,
 }
 
-impl Structure<Rational> {
+impl StructureTheory<Rational> {
     /// Whether there is a left-invariant complex structure; `None` for dimensions other than 2 and 4.
     pub fn complex_structure(&self) -> Option<ComplexStructure> {
         let pairs = match self.dimension() {

@@ -1,13 +1,13 @@
 //! New Lie algebras from old: quotients, extensions, semidirect sums, tensor products, contractions, complexifications.
 //!
 //! Each construction checks its conditions and refuses with a witness. Direct sums are
-//! [`LieAlgebra::direct_sum`], subalgebras [`Structure::subalgebra`], other bases
+//! [`LieAlgebra::direct_sum`], subalgebras [`StructureTheory::subalgebra`], other bases
 //! [`LieAlgebra::change_basis`].
 
 use super::subspace::{collected, combination};
-use super::{Ground, Structure, Subspace};
-use crate::Error;
+use super::{GroundField, StructureTheory, Subspace};
 use crate::algebra::{Bracket, LieAlgebra, join_labels};
+use crate::{Error, Law};
 use affinor_tensors::linear::{Matrix, Row};
 use affinor_tensors::{Down, Tensor, Up};
 
@@ -17,7 +17,7 @@ const MOST_UNITS: usize = 64;
 /// `(j, k, i, v)`: `[e_j, e_k] = .. + v e_i`.
 type Constants<S> = Vec<(usize, usize, usize, S)>;
 
-impl<S: Ground> Structure<S> {
+impl<S: GroundField> StructureTheory<S> {
     /// The constants with `j < k`.
     fn constants(&self) -> Constants<S> {
         let lines = (0..self.dimension()).flat_map(|j| {
@@ -30,7 +30,7 @@ impl<S: Ground> Structure<S> {
     /// The quotient by an ideal, in the images of the basis vectors that complement it.
     ///
     /// # Errors
-    /// [`Error::NotIdeal`] with a bracket that leaves the subspace; [`Error::Shape`] for one of other vectors.
+    /// [`Law::Ideal`] with a bracket that leaves the subspace; [`Error::Shape`] for one of other vectors.
     pub fn quotient(&self, ideal: &Subspace<S>) -> Result<LieAlgebra<S>, Error> {
         if ideal.ambient() != self.dimension() {
             let (expected, found) = (self.dimension().to_string(), ideal.ambient().to_string());
@@ -41,11 +41,8 @@ impl<S: Ground> Structure<S> {
             let ad = self.products.ad(v);
             if let Some((k, column)) = ad.columns().find(|(_, column)| !ideal.contains(column)) {
                 let minus: Row<S> = column.iter().map(|(at, v)| (*at, -v.clone())).collect();
-                return Err(Error::NotIdeal {
-                    x: labels[k].clone(),
-                    v: self.write(v),
-                    bracket: self.write(&minus),
-                });
+                let at = [labels[k].clone(), self.write(v)];
+                return Err(Law::Ideal.broken(at, self.write(&minus)));
             }
         }
         let places: Vec<usize> = ideal.complement().collect();
@@ -66,7 +63,7 @@ impl<S: Ground> Structure<S> {
     /// `omega_a(x, y)`, given as `(j, k, a, omega_a(e_j, e_k))`.
     ///
     /// # Errors
-    /// [`Error::NotCocycle`] with three basis vectors for which the cyclic sum of `omega([x,y],z)` is not
+    /// [`Law::Cocycle`] with three basis vectors for which the cyclic sum of `omega([x,y],z)` is not
     /// zero. [`Error::Shape`] for an index `j` or `k` that is not of this algebra.
     pub fn central_extension(
         &self,
@@ -84,7 +81,7 @@ impl<S: Ground> Structure<S> {
         let labels = join_labels(self.algebra.labels(), labels);
         let bracket = Bracket::from_constants(labels, constants)?;
         LieAlgebra::try_from(bracket).map_err(|error| match error {
-            Error::Jacobi { x, y, z, residual } => Error::NotCocycle { x, y, z, residual },
+            Error::Broken { law: Law::Jacobi, at, residual } => Law::Cocycle.broken(at, residual),
             error => error,
         })
     }
@@ -92,9 +89,13 @@ impl<S: Ground> Structure<S> {
     /// The semidirect sum of this algebra, which acts, and `on`: `[e_j, v] = D_j v`.
     ///
     /// # Errors
-    /// [`Error::NotDerivation`] with two vectors of `on`; [`Error::NotAction`] with two basis vectors
+    /// [`Law::Derivation`] with two vectors of `on`; [`Law::Action`] with two basis vectors
     /// and the component in which `D_[x,y]` is not `[D_x, D_y]`; a wrong number or size of matrices.
-    pub fn semidirect(&self, on: &Structure<S>, by: &[Matrix<S>]) -> Result<LieAlgebra<S>, Error> {
+    pub fn semidirect(
+        &self,
+        on: &StructureTheory<S>,
+        by: &[Matrix<S>],
+    ) -> Result<LieAlgebra<S>, Error> {
         let (n, m) = (self.dimension(), on.dimension());
         let expected = format!("{n} matrices of size {m} x {m}");
         if by.len() != n || by.iter().any(|d| d.rows() != m || d.columns() != m) {
@@ -121,12 +122,9 @@ impl<S: Ground> Structure<S> {
                     let left = apply(d, ad.column(k));
                     let residual = collected([left, minus(right)].concat());
                     if !residual.is_empty() {
-                        return Err(Error::NotDerivation {
-                            d: labels[at].clone(),
-                            x: on.algebra.labels()[j].clone(),
-                            y: on.algebra.labels()[k].clone(),
-                            residual: on.write(&residual),
-                        });
+                        let [x, y] = [j, k].map(|at| on.algebra.labels()[at].clone());
+                        let at = [labels[at].clone(), x, y];
+                        return Err(Law::Derivation.broken(at, on.write(&residual)));
                     }
                 }
             }
@@ -145,12 +143,9 @@ impl<S: Ground> Structure<S> {
                     let whole = whole.collect::<Row<S>>();
                     let residual = collected([first, minus(second), whole].concat());
                     if !residual.is_empty() {
-                        return Err(Error::NotAction {
-                            x: labels[j].clone(),
-                            y: labels[k].clone(),
-                            v: on.algebra.labels()[v].clone(),
-                            residual: on.write(&residual),
-                        });
+                        let [x, y] = [j, k].map(|at| labels[at].clone());
+                        let at = [x, y, on.algebra.labels()[v].clone()];
+                        return Err(Law::Action.broken(at, on.write(&residual)));
                     }
                 }
             }
@@ -184,7 +179,7 @@ impl<S: Ground> Structure<S> {
             Matrix::from_rows(n, rows)
         });
         let coadjoint = coadjoint.collect::<Result<Vec<_>, _>>()?;
-        self.semidirect(&Structure::new(dual), &coadjoint)
+        self.semidirect(&StructureTheory::new(dual), &coadjoint)
     }
 
     /// The tensor product with a commutative algebra, in the basis `x u_a` with the labels `x_u`:
@@ -192,20 +187,20 @@ impl<S: Ground> Structure<S> {
     ///
     /// ```
     /// use affinor::algebra::catalogue;
-    /// use affinor::algebra::structure::Structure;
+    /// use affinor::algebra::structure::StructureTheory;
     /// use affinor::tensors::{Down, Rational, Tensor, Up};
     /// // two units with u u = u, v v = v, u v = 0: two copies of the algebra
     /// let diagonal = |[d, a, b]: [usize; 3]| Rational::from(i64::from(d == a && a == b));
     /// let products = Tensor::from_fn(2, [Up, Down, Down], diagonal)?;
-    /// let so3 = Structure::new(catalogue::algebra::<Rational>("so(3)")?);
+    /// let so3 = StructureTheory::new(catalogue::algebra::<Rational>("so(3)")?);
     /// let twice = so3.tensor_product(&["u".into(), "v".into()], &products)?;
     /// assert_eq!(twice.labels()[3], "e1_v");
-    /// assert_eq!(Structure::new(twice).killing().signature(), Some([0, 6, 0]));
+    /// assert_eq!(StructureTheory::new(twice).killing().signature(), Some([0, 6, 0]));
     /// # Ok::<(), affinor::Error>(())
     /// ```
     ///
     /// # Errors
-    /// [`Error::NotCommutative`] and [`Error::NotAssociative`] with vectors for which the law fails; [`Error::Shape`];
+    /// [`Law::Commutative`] and [`Law::Associative`] with vectors for which the law fails; [`Error::Shape`];
     /// [`Error::Size`] for more than 64 vectors.
     pub fn tensor_product(
         &self,
@@ -284,8 +279,8 @@ impl<S: Ground> Structure<S> {
     /// (1953) 510-524; E. J. Saletan, *J. Math. Phys.* 2 (1961) 1-21).
     ///
     /// # Errors
-    /// [`Error::NoLimit`] with a constant for which `w_j + w_k < w_i`; a wrong number of weights.
-    pub fn contraction(&self, weights: &[i64]) -> Result<LieAlgebra<S>, Error> {
+    /// [`Law::Limit`] with a constant for which `w_j + w_k < w_i`; a wrong number of weights.
+    pub fn inonu_wigner_contraction(&self, weights: &[i64]) -> Result<LieAlgebra<S>, Error> {
         if weights.len() != self.dimension() {
             let (expected, found) = (self.dimension().to_string(), weights.len().to_string());
             return Err(Error::Shape { what: "the number of weights", expected, found });
@@ -298,12 +293,8 @@ impl<S: Ground> Structure<S> {
                 std::cmp::Ordering::Equal => kept.push((j, k, i, value)),
                 std::cmp::Ordering::Greater => {}
                 std::cmp::Ordering::Less => {
-                    return Err(Error::NoLimit {
-                        x: labels[j].clone(),
-                        y: labels[k].clone(),
-                        component: labels[i].clone(),
-                        value: value.to_string(),
-                    });
+                    let at = [j, k, i].map(|at| labels[at].clone());
+                    return Err(Law::Limit.broken(at, value.to_string()));
                 }
             }
         }
@@ -320,7 +311,7 @@ impl<S: Ground> Structure<S> {
 }
 
 /// Checks that a table of products of vectors is commutative and associative.
-fn expect_commutative_algebra<S: Ground>(
+fn expect_commutative_algebra<S: GroundField>(
     units: &[String],
     table: &[Vec<Row<S>>],
 ) -> Result<(), Error> {
@@ -333,8 +324,8 @@ fn expect_commutative_algebra<S: Ground>(
     for (x, y) in (0..m).flat_map(|y| (0..y).map(move |x| (x, y))) {
         let residual = collected([table[x][y].clone(), minus(&table[y][x])].concat());
         if !residual.is_empty() {
-            let [x, y] = [x, y].map(|at| units[at].clone());
-            return Err(Error::NotCommutative { x, y, residual: write(&residual) });
+            let at = [x, y].map(|at| units[at].clone());
+            return Err(Law::Commutative.broken(at, write(&residual)));
         }
     }
     for (x, y, z) in (0..m).flat_map(|x| (0..m).flat_map(move |y| (0..x).map(move |z| (z, y, x)))) {
@@ -342,8 +333,8 @@ fn expect_commutative_algebra<S: Ground>(
         let right = combination(&table[x], &table[y][z]);
         let residual = collected([left, minus(&right)].concat());
         if !residual.is_empty() {
-            let [x, y, z] = [x, y, z].map(|at| units[at].clone());
-            return Err(Error::NotAssociative { x, y, z, residual: write(&residual) });
+            let at = [x, y, z].map(|at| units[at].clone());
+            return Err(Law::Associative.broken(at, write(&residual)));
         }
     }
     Ok(())

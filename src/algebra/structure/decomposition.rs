@@ -10,7 +10,7 @@
 
 use super::ideals::{evaluate, minimal_polynomial};
 use super::radical::on_moment_curve;
-use super::{Structure, Subspace};
+use super::{StructureTheory, Subspace};
 use crate::Error;
 use affinor_tensors::linear::{Matrix, Row};
 use affinor_tensors::{Rational, Ring};
@@ -30,7 +30,7 @@ pub struct Indecomposable {
     pub real_parts: usize,
 }
 
-impl Structure<Rational> {
+impl StructureTheory<Rational> {
     /// Ideals that are indecomposable over the rationals, with sum the algebra; `None` beyond
     /// [`MAX_DIMENSION`].
     ///

@@ -1,60 +1,52 @@
 //! Dimensions of derivations, of the centroid and of invariant symmetric forms (de Graaf 1.9, 1.11).
 
-use super::certificates::Counted;
-use super::reduction::Reduction;
+use super::certificates::Certified;
+use super::reduction::ModularAlgebra;
 use super::subspace::collected;
-use super::{Ground, Structure};
+use super::{GroundField, StructureTheory};
 use affinor_tensors::Rational;
 use affinor_tensors::linear::Row;
-use affinor_tensors::linear::modular::Residues;
+use affinor_tensors::linear::modular::ResidueMatrix;
 
 /// The largest dimension of an algebra, not reductive, whose derivations are counted.
 pub const MAX_DIMENSION: usize = 30;
 
-impl<S: Ground> Structure<S> {
-    /// The dimension of the derivations; `None` beyond [`MAX_DIMENSION`] unless the algebra is reductive.
-    pub fn derivations(&self) -> Option<usize> {
-        Some(self.derivations_counted()?.dimension)
-    }
-
-    /// As [`derivations`](Self::derivations), and whether the number is proved: by a theorem, or by a basis multiplied out.
+impl<S: GroundField> StructureTheory<S> {
+    /// The dimension of the derivations, with its proof: a theorem, or a basis multiplied out. `None` beyond [`MAX_DIMENSION`]
+    /// unless the algebra is reductive.
+    ///
     /// Derivations of a semisimple algebra are inner (de Graaf 4.5); those of `s + z` are `ad s + gl(z)`.
-    pub fn derivations_counted(&self) -> Option<Counted> {
+    pub fn derivation_dimension(&self) -> Option<Certified> {
         let n = self.dimension();
         if self.is_semisimple() {
-            return Some(Counted::theorem(n));
+            return Some(Certified::theorem(n));
         }
         if n > MAX_DIMENSION || self.is_abelian() {
             let z = self.radical().dimension();
-            return self.is_reductive().then(|| Counted::theorem(n - z + z * z));
+            return self.is_reductive().then(|| Certified::theorem(n - z + z * z));
         }
-        let kernel = |reduction: &Reduction| reduction.derivation_equations().kernel();
-        let counted = self.counted(n * n, kernel, Structure::is_derivation_row);
+        let kernel = |reduction: &ModularAlgebra| reduction.derivation_equations().kernel();
+        let counted = self.counted(n * n, kernel, StructureTheory::is_derivation_row);
         // there are at least the inner ones
         let inner = n - self.centre().dimension();
-        Some(Counted { proved: counted.proved || counted.dimension == inner, ..counted })
+        Some(Certified { proved: counted.proved || counted.dimension == inner, ..counted })
     }
 
-    /// The dimension of the symmetric forms with `B([x,y],z) = B(x,[y,z])`; `None` beyond [`MAX_DIMENSION`]
+    /// The dimension of the symmetric forms with `B([x,y],z) = B(x,[y,z])`, with its proof; `None` beyond [`MAX_DIMENSION`]
     /// unless the algebra is reductive: then a form for each simple factor over the complex numbers, and all on the centre.
-    pub fn invariant_forms(&self) -> Option<usize> {
-        Some(self.invariant_forms_counted()?.dimension)
-    }
-
-    /// As [`invariant_forms`](Self::invariant_forms), and whether the number is proved.
-    pub fn invariant_forms_counted(&self) -> Option<Counted> {
+    pub fn invariant_form_dimension(&self) -> Option<Certified> {
         let n = self.dimension();
         if n > MAX_DIMENSION {
             let z = self.radical().dimension();
             let factors = self.is_reductive().then(|| self.dynkin_type())??;
-            return Some(Counted::theorem(factors.len() + z * (z + 1) / 2));
+            return Some(Certified::theorem(factors.len() + z * (z + 1) / 2));
         }
-        let kernel = |reduction: &Reduction| reduction.form_equations().kernel();
-        Some(self.counted(n * (n + 1) / 2, kernel, Structure::is_invariant_row))
+        let kernel = |reduction: &ModularAlgebra| reduction.form_equations().kernel();
+        Some(self.counted(n * (n + 1) / 2, kernel, StructureTheory::is_invariant_row))
     }
 }
 
-impl Structure<Rational> {
+impl StructureTheory<Rational> {
     /// Whether the map with `D^a_b` at `a n + b` is a derivation.
     fn is_derivation_row(&self, map: &Row<Rational>) -> bool {
         let n = self.dimension();
@@ -103,10 +95,10 @@ impl Structure<Rational> {
     }
 }
 
-impl Reduction {
+impl ModularAlgebra {
     /// `D[x,e_j] = [Dx,e_j] + [x,De_j]` for generators `x`, in the unknowns `D^a_b` at `a n + b`. A map
     /// that satisfies it for generators satisfies it for all `x`.
-    fn derivation_equations(&self) -> Residues {
+    fn derivation_equations(&self) -> ResidueMatrix {
         let (n, p) = (self.dimension(), self.prime());
         let mut rows = vec![];
         for x in self.generators() {
@@ -131,11 +123,11 @@ impl Reduction {
                 rows.extend(block);
             }
         }
-        Residues::new(p, n * n, rows)
+        ResidueMatrix::new(p, n * n, rows)
     }
 
     /// `B([x,e_j],e_k) + B(e_j,[x,e_k]) = 0` for generators `x`, in the unknowns `B_jk` with `j <= k`.
-    fn form_equations(&self) -> Residues {
+    fn form_equations(&self) -> ResidueMatrix {
         let (n, p) = (self.dimension(), self.prime());
         let at = |j: usize, k: usize| {
             let (j, k) = (j.min(k), j.max(k));
@@ -155,6 +147,6 @@ impl Reduction {
                 }
             }
         }
-        Residues::new(p, n * (n + 1) / 2, rows)
+        ResidueMatrix::new(p, n * (n + 1) / 2, rows)
     }
 }

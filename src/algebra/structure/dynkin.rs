@@ -15,13 +15,13 @@
 //! which may only come out too small, add up to that of `H`; each type of the same rank and dimension implies an identity of
 //! power sums, and one type alone satisfies its own. Otherwise another prime is taken.
 
-use super::reduction::{Draw, Reduction};
-use super::{Ground, Structure};
+use super::reduction::{ModularAlgebra, PseudoRandom};
+use super::{GroundField, StructureTheory};
 use crate::algebra::roots::{CartanType, Series};
-use affinor_tensors::linear::modular::{Prime, Residues};
+use affinor_tensors::linear::modular::{Prime, ResidueMatrix};
 use polycore::{Fp, Uni};
 
-impl<S: Ground> Structure<S> {
+impl<S: GroundField> StructureTheory<S> {
     /// The types of the simple factors of the Levi subalgebras over the algebraic closure, in order.
     /// `None` if no prime of a few serves.
     pub fn dynkin_type(&self) -> Option<Vec<CartanType>> {
@@ -101,17 +101,17 @@ pub(super) struct Split {
     /// A basis of H, then `X^k v`.
     pub basis: Vec<Vec<u64>>,
     /// Maps a vector to its coordinates in `basis`.
-    pub coordinates: Residues,
+    pub coordinates: ResidueMatrix,
     /// `X^m v = sum relation_k X^k v`
     relation: Vec<u64>,
     /// The even polynomials that are the centroid, by their coefficients.
     pub centroid: Vec<Vec<u64>>,
 }
 
-impl Reduction {
+impl ModularAlgebra {
     /// The types of the simple factors; `None` if the prime or the random elements do not serve.
     pub fn factors(&self) -> Option<Vec<CartanType>> {
-        let mut draw = Draw::new(3);
+        let mut draw = PseudoRandom::new(3);
         let split = Split::new(self, &mut draw)?;
         let sums = split.power_sums();
         if split.centroid.len() == 1 {
@@ -140,7 +140,7 @@ impl Reduction {
 }
 
 impl Split {
-    pub fn new(algebra: &Reduction, draw: &mut Draw) -> Option<Self> {
+    pub fn new(algebra: &ModularAlgebra, draw: &mut PseudoRandom) -> Option<Self> {
         let (n, p) = (algebra.dimension(), algebra.prime());
         let mut split = Self::of(&algebra.ad(&draw.vector(p, n)), draw)?;
         let (rank, m) = (split.rank, n - split.rank);
@@ -164,7 +164,7 @@ impl Split {
             w = split.times_x(&w);
         }
         let rows = (0..m).map(|i| columns.iter().map(|column| column[i]).collect());
-        let kernel = Residues::new(p, columns.len(), rows.collect()).kernel();
+        let kernel = ResidueMatrix::new(p, columns.len(), rows.collect()).kernel();
         split.centroid = kernel
             .into_iter()
             .map(|even| even.into_iter().flat_map(|q| [q, 0]).collect())
@@ -174,7 +174,7 @@ impl Split {
 
     /// The kernel and a cyclic vector of the image of `X`, without the centroid; `None` if no power of `X` sends to zero what `X` does
     /// not, or if the vector is not cyclic.
-    pub fn of(ad: &Residues, draw: &mut Draw) -> Option<Self> {
+    pub fn of(ad: &ResidueMatrix, draw: &mut PseudoRandom) -> Option<Self> {
         let (n, p) = (ad.columns(), ad.prime());
         let mut basis = ad.clone().kernel();
         let rank = basis.len();
@@ -245,7 +245,7 @@ impl Split {
     }
 
     /// The primitive idempotents of the centroid over the prime field, and their degrees.
-    fn idempotents(&self, draw: &mut Draw) -> Option<Vec<(Vec<u64>, usize)>> {
+    fn idempotents(&self, draw: &mut PseudoRandom) -> Option<Vec<(Vec<u64>, usize)>> {
         let (p, c) = (self.prime, self.centroid.len());
         let combine = |coefficients: &[u64], of: &[Vec<u64>]| {
             let mut sum = vec![0; of[0].len()];
@@ -285,13 +285,13 @@ impl Split {
     }
 
     /// The dimension of H within the factors of an idempotent: `[e v, X^k e v]` for odd `k` span it.
-    fn rank_within(&self, algebra: &Reduction, idempotent: &[u64]) -> usize {
+    fn rank_within(&self, algebra: &ModularAlgebra, idempotent: &[u64]) -> usize {
         let rows = self.coroots(algebra, idempotent, idempotent);
-        Residues::new(self.prime, self.rank, rows).rank()
+        ResidueMatrix::new(self.prime, self.rank, rows).rank()
     }
 
     /// The coordinates in H of `[a(X) v, X^k b(X) v]` for odd `k`.
-    pub fn coroots(&self, algebra: &Reduction, a: &[u64], b: &[u64]) -> Vec<Vec<u64>> {
+    pub fn coroots(&self, algebra: &ModularAlgebra, a: &[u64], b: &[u64]) -> Vec<Vec<u64>> {
         let left = algebra.ad(&self.vector(a));
         let mut polynomial = b.to_vec();
         (0..self.rank)
@@ -412,22 +412,24 @@ fn binomial(p: Prime, n: usize, k: usize) -> u64 {
 }
 
 /// The inverse of the matrix with these columns.
-pub(super) fn inverse_of_columns(p: Prime, columns: &[Vec<u64>]) -> Option<Residues> {
+pub(super) fn inverse_of_columns(p: Prime, columns: &[Vec<u64>]) -> Option<ResidueMatrix> {
     let n = columns.len();
     let row = |i: usize| {
         let left = columns.iter().map(|column| column[i]);
         left.chain((0..n).map(|j| u64::from(i == j))).collect()
     };
-    let mut both = Residues::new(p, 2 * n, (0..n).map(row).collect());
+    let mut both = ResidueMatrix::new(p, 2 * n, (0..n).map(row).collect());
     let pivots = both.reduce();
     let regular = pivots.len() == n && pivots.last().is_none_or(|last| *last < n);
-    regular.then(|| Residues::new(p, n, both.rows().iter().map(|row| row[n..].to_vec()).collect()))
+    regular.then(|| {
+        ResidueMatrix::new(p, n, both.rows().iter().map(|row| row[n..].to_vec()).collect())
+    })
 }
 
 /// The monic relation between the powers, ascending, if the last one is the first that depends.
 pub(super) fn relation_of(p: Prime, powers: &[Vec<u64>]) -> Option<Vec<u64>> {
     let rows = (0..powers[0].len()).map(|i| powers.iter().map(|power| power[i]).collect());
-    let kernel = Residues::new(p, powers.len(), rows.collect()).kernel();
+    let kernel = ResidueMatrix::new(p, powers.len(), rows.collect()).kernel();
     match kernel.as_slice() {
         [one] if one[powers.len() - 1] == 1 => Some(one.clone()),
         _ => None,

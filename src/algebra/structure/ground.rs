@@ -8,8 +8,8 @@ use std::cmp::Ordering;
 /// An exact field of characteristic 0 whose elements have residues modulo primes.
 ///
 /// Parameters and transcendental numbers take pseudorandom residues. A rank over rational functions is the rank at generic
-/// values, so ranks of residues are generic ranks. Residues of roots are roots of residues, and satisfy the same equations.
-pub trait Ground: Field + Scalar {
+/// values, so ranks of residues are generic ranks. ResidueMatrix of roots are roots of residues, and satisfy the same equations.
+pub trait GroundField: Field + Scalar {
     /// The residue; `None` if the prime divides the denominator, or if the residues have no root that occurs in the value.
     fn residue(&self, prime: Prime) -> Option<u64>;
 
@@ -26,7 +26,7 @@ pub trait Ground: Field + Scalar {
     fn symbolic(&self) -> Symbolic;
 }
 
-impl Ground for Rational {
+impl GroundField for Rational {
     fn residue(&self, prime: Prime) -> Option<u64> {
         prime.rational(self)
     }
@@ -52,7 +52,7 @@ impl Ground for Rational {
     }
 }
 
-impl Ground for Symbolic {
+impl GroundField for Symbolic {
     fn residue(&self, prime: Prime) -> Option<u64> {
         if let Some(constant) = self.as_constant() {
             return prime.rational(constant);

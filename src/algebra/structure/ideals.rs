@@ -8,11 +8,11 @@ use super::dynkin::{Split, inverse_of_columns};
 use super::killing::Killing;
 use super::radical::on_moment_curve;
 use super::real_forms::{complex_form, real_forms};
-use super::reduction::{Draw, Reduction};
-use super::{Structure, Subspace};
+use super::reduction::{ModularAlgebra, PseudoRandom};
+use super::{StructureTheory, Subspace};
 use crate::Error;
 use crate::algebra::roots::CartanType;
-use affinor_tensors::linear::modular::{Images, Residues, primes};
+use affinor_tensors::linear::modular::{RationalReconstruction, ResidueMatrix, primes};
 use affinor_tensors::linear::{Matrix, Row};
 use affinor_tensors::{Rational, Ring};
 use num_rational::BigRational;
@@ -63,7 +63,7 @@ const PRIMES: usize = 200;
 const SHORT: i64 = 64;
 const FEW: usize = 12;
 
-impl Structure<Rational> {
+impl StructureTheory<Rational> {
     /// The simple ideals of a semisimple algebra; `None` where the search gives up.
     ///
     /// # Errors
@@ -196,19 +196,19 @@ impl Structure<Rational> {
     /// A basis of the maps that commute with all `ad`, reconstructed from residues and multiplied out.
     fn centroid(&self, dimension: usize) -> Option<Vec<Matrix<Rational>>> {
         let n = self.dimension();
-        let mut images = Images::new(dimension * n * n);
-        let mut draw = Draw::new(4);
+        let mut images = RationalReconstruction::new(dimension * n * n);
+        let mut draw = PseudoRandom::new(4);
         let mut pivots: Option<Vec<usize>> = None;
         for prime in primes().take(PRIMES) {
-            let Some(reduction) = Reduction::new(self, prime) else { continue };
+            let Some(reduction) = ModularAlgebra::new(self, prime) else { continue };
             let Some(rows) = reduction.centroid(&mut draw) else { continue };
-            let mut echelon = Residues::new(prime, n * n, rows);
+            let mut echelon = ResidueMatrix::new(prime, n * n, rows);
             let found = echelon.reduce();
             if found.len() != dimension {
                 continue;
             }
             if pivots.as_ref().is_some_and(|pivots| *pivots != found) {
-                images = Images::new(dimension * n * n);
+                images = RationalReconstruction::new(dimension * n * n);
             }
             pivots = Some(found);
             images.add(prime, &echelon.rows().concat());
@@ -247,9 +247,9 @@ impl RealIdeal {
     }
 }
 
-impl Reduction {
+impl ModularAlgebra {
     /// The centroid modulo the prime: matrices, row by row.
-    fn centroid(&self, draw: &mut Draw) -> Option<Vec<Vec<u64>>> {
+    fn centroid(&self, draw: &mut PseudoRandom) -> Option<Vec<Vec<u64>>> {
         let (n, p) = (self.dimension(), self.prime());
         let split = Split::new(self, draw)?;
         let (r, m) = (split.rank, n - split.rank);

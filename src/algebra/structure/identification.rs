@@ -16,7 +16,7 @@ mod sign;
 mod witness;
 
 use super::subspace::collected;
-use super::{Structure, Subspace};
+use super::{StructureTheory, Subspace};
 use crate::algebra::{LieAlgebra, catalogue};
 use affinor_tensors::linear::Row;
 use affinor_tensors::{Field, Rational, Ring};
@@ -57,7 +57,7 @@ impl Identification {
 
 type Vector = Row<Rational>;
 
-impl Structure<Rational> {
+impl StructureTheory<Rational> {
     /// The name of the algebra; `None` for other dimensions.
     pub fn identify(&self) -> Option<Identification> {
         let found = self.by_invariants()?;
@@ -238,7 +238,7 @@ impl Structure<Rational> {
         for small in 1..=n {
             for name in nilpotent_names(small) {
                 let full = if small < n { format!("{name}+R^{}", n - small) } else { name };
-                if Structure::new(catalogued(&full)?).fingerprint().0 == own {
+                if StructureTheory::new(catalogued(&full)?).fingerprint().0 == own {
                     names.push(full);
                 }
             }
@@ -259,7 +259,7 @@ impl Structure<Rational> {
         let dimensions = |series: &[Subspace<Rational>]| -> Vec<usize> {
             series.iter().map(Subspace::dimension).collect()
         };
-        let (derivations, betti) = (self.derivations_counted(), self.betti_proved());
+        let (derivations, betti) = (self.derivation_dimension(), self.betti_numbers());
         let proved = derivations.is_none_or(|all| all.proved)
             && betti.as_ref().is_none_or(|(_, proved)| *proved);
         let fingerprint = (

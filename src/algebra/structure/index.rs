@@ -7,11 +7,11 @@
 //! of `r` rows are not zero and those of the same rows and any two others are, as polynomials in `f`, the Schur complement
 //! of the rows is zero, and the rank is `r`.
 
-use super::certificates::Counted;
-use super::reduction::{Draw, Reduction};
+use super::certificates::Certified;
+use super::reduction::{ModularAlgebra, PseudoRandom};
 use super::symplectic::pfaffian;
-use super::{Ground, Structure, Subspace};
-use affinor_tensors::linear::modular::Residues;
+use super::{GroundField, StructureTheory, Subspace};
+use affinor_tensors::linear::modular::ResidueMatrix;
 use affinor_tensors::{Rational, Ring, Symbolic};
 use num_traits::Zero;
 
@@ -24,24 +24,19 @@ const MAX_PRODUCTS: usize = 4000;
 /// The most coordinates of the form in the entries of a row of a Pfaffian, on average.
 const MAX_TERMS: usize = 30;
 
-impl<S: Ground> Structure<S> {
+impl<S: GroundField> StructureTheory<S> {
     /// The index: the dimension minus the largest rank of the forms `f([x, y])`, the number of
-    /// independent invariants of the coadjoint representation.
-    pub fn index(&self) -> usize {
-        self.index_counted().dimension
-    }
-
-    /// The index, and whether it is proved.
-    pub fn index_counted(&self) -> Counted {
+    /// independent invariants of the coadjoint representation; with its proof.
+    pub fn index(&self) -> Certified {
         if self.is_reductive() {
             // forms and elements are the same by an invariant form, and a regular element has a Cartan subalgebra as its centralizer
-            return Counted::theorem(self.cartan_subalgebra().dimension());
+            return Certified::theorem(self.cartan_subalgebra().dimension());
         }
         let (n, rows) = (self.dimension(), self.regular_rows());
         let dimension = n - rows.len();
         let proved = self.has_index(dimension)
             || self.over_the_rationals().is_some_and(|all| all.has_no_more_rows(&rows));
-        Counted { dimension, proved }
+        Certified { dimension, proved }
     }
 
     /// Rows on which a form `f([x, y])` is not degenerate, as many as were found.
@@ -68,7 +63,7 @@ impl<S: Ground> Structure<S> {
     }
 }
 
-impl Structure<Rational> {
+impl StructureTheory<Rational> {
     /// Whether every Pfaffian of these rows and two others is zero; `false` if they are too long.
     fn has_no_more_rows(&self, rows: &[usize]) -> bool {
         let n = self.dimension();
@@ -97,18 +92,18 @@ impl Structure<Rational> {
     }
 }
 
-impl Reduction {
+impl ModularAlgebra {
     /// Rows on which the form `f([x, y])` for a pseudorandom linear form `f` is not degenerate. Rows that are a basis of
     /// all rows are such, for an antisymmetric form.
     fn regular_rows(&self) -> Vec<usize> {
         let (n, p) = (self.dimension(), self.prime());
-        let form = Draw::new(1).vector(p, n);
+        let form = PseudoRandom::new(1).vector(p, n);
         let mut rows = vec![vec![0; n]; n];
         for (j, row) in rows.iter_mut().enumerate() {
             for &(k, i, value) in self.of(j) {
                 row[k] = p.reduce(row[k] + value * form[i]);
             }
         }
-        Residues::new(p, n, rows).reduce()
+        ResidueMatrix::new(p, n, rows).reduce()
     }
 }

@@ -4,16 +4,16 @@
 //! matrix sends to zero are a basis of the kernel.
 
 use super::subspace::denominator;
-use super::{Ground, Subspace};
+use super::{GroundField, Subspace};
 use affinor_tensors::linear::Row;
-use affinor_tensors::linear::modular::{Images, Prime, Residues, primes};
+use affinor_tensors::linear::modular::{Prime, RationalReconstruction, ResidueMatrix, primes};
 use affinor_tensors::{Rational, Ring};
 use num_traits::Zero;
 
 /// How many primes are tried.
 const PRIMES: usize = 2000;
 
-impl<S: Ground> Subspace<S> {
+impl<S: GroundField> Subspace<S> {
     /// [`kernel`](Self::kernel) of rows of dense bases, whose entries are long where they are rational.
     pub(super) fn kernel_of_long(ambient: usize, rows: Vec<Row<S>>) -> Self {
         Self::lifted_kernel(ambient, &rows).unwrap_or_else(|| Self::kernel(ambient, rows))
@@ -26,7 +26,7 @@ impl<S: Ground> Subspace<S> {
             row.iter().map(|(at, value)| Some((*at, value.rational()?))).collect::<Option<_>>()
         };
         let rows: Vec<Row<Rational>> = rows.iter().map(rational).collect::<Option<_>>()?;
-        let mut found: Option<(Vec<usize>, Images)> = None;
+        let mut found: Option<(Vec<usize>, RationalReconstruction)> = None;
         let mut taken = 0;
         for prime in primes().take(PRIMES) {
             let Some(kernel) = kernel_modulo(prime, ambient, &rows) else { continue };
@@ -44,7 +44,7 @@ impl<S: Ground> Subspace<S> {
                 // the primes before divide a minor
                 _ => {
                     taken = 0;
-                    (pivots.clone(), Images::new(pivots.len() * ambient))
+                    (pivots.clone(), RationalReconstruction::new(pivots.len() * ambient))
                 }
             };
             images.add(prime, &kernel.concat());
@@ -81,7 +81,7 @@ fn kernel_modulo(prime: Prime, ambient: usize, rows: &[Row<Rational>]) -> Option
         }
         Some(dense)
     });
-    let mut kernel = Residues::new(prime, ambient, residues.collect::<Option<_>>()?).kernel();
+    let mut kernel = ResidueMatrix::new(prime, ambient, residues.collect::<Option<_>>()?).kernel();
     kernel.iter_mut().for_each(|row| row.reverse());
     kernel.reverse();
     Some(kernel)

@@ -1,7 +1,7 @@
 //! The Killing form: rank, signature, determinant, and a basis in which it is diagonal.
 
-use super::{Ground, Structure};
-use affinor_tensors::linear::modular::{PRIMES, Prime, Residues};
+use super::{GroundField, StructureTheory};
+use affinor_tensors::linear::modular::{PRIMES, Prime, ResidueMatrix};
 use affinor_tensors::linear::{Matrix, Row};
 use std::cmp::Ordering;
 use std::collections::BTreeSet;
@@ -17,7 +17,7 @@ pub struct Killing<S> {
     pub values: Vec<S>,
 }
 
-impl<S: Ground> Killing<S> {
+impl<S: GroundField> Killing<S> {
     /// Diagonalises a symmetric matrix by elimination on rows and columns.
     pub fn new(matrix: Matrix<S>) -> Self {
         let n = matrix.rows();
@@ -79,7 +79,7 @@ struct Gram<S> {
     anisotropic: BTreeSet<usize>,
 }
 
-impl<S: Ground> Gram<S> {
+impl<S: GroundField> Gram<S> {
     fn new(matrix: &Matrix<S>) -> Self {
         let n = matrix.rows();
         let rows: Vec<Row<S>> = (0..n).map(|i| matrix.row(i).to_vec()).collect();
@@ -141,7 +141,7 @@ fn place<S>(row: &[(usize, S)], at: usize) -> Result<usize, usize> {
     row.binary_search_by_key(&at, |(i, _)| *i)
 }
 
-fn add_entry<S: Ground>(row: &mut Row<S>, at: usize, value: &S) {
+fn add_entry<S: GroundField>(row: &mut Row<S>, at: usize, value: &S) {
     match place(row, at) {
         Ok(here) => {
             let sum = row[here].1.clone() + value;
@@ -156,7 +156,7 @@ fn add_entry<S: Ground>(row: &mut Row<S>, at: usize, value: &S) {
 }
 
 /// `row + factor other`
-fn sum_of_rows<S: Ground>(row: &[(usize, S)], other: &[(usize, S)], factor: &S) -> Row<S> {
+fn sum_of_rows<S: GroundField>(row: &[(usize, S)], other: &[(usize, S)], factor: &S) -> Row<S> {
     let mut sum = Vec::with_capacity(row.len() + other.len());
     let (mut left, mut right) = (row.iter().peekable(), other.iter().peekable());
     loop {
@@ -180,7 +180,7 @@ fn sum_of_rows<S: Ground>(row: &[(usize, S)], other: &[(usize, S)], factor: &S) 
     }
 }
 
-impl<S: Ground> Structure<S> {
+impl<S: GroundField> StructureTheory<S> {
     /// The matrix of the Killing form, `K_ij = tr(ad_i ad_j)`.
     pub fn killing_matrix(&self) -> &Matrix<S> {
         self.form.get_or_init(|| {
@@ -221,14 +221,14 @@ impl<S: Ground> Structure<S> {
                 Some(row)
             };
             let rows = block.iter().map(row).collect::<Option<_>>()?;
-            regular &= Residues::new(prime, block.len(), rows).rank() == block.len();
+            regular &= ResidueMatrix::new(prime, block.len(), rows).rank() == block.len();
         }
         Some(regular)
     }
 }
 
 /// The finest blocks of indices, each ascending, outside which a symmetric matrix has no entry.
-fn blocks<S: Ground>(matrix: &Matrix<S>) -> Vec<Vec<usize>> {
+fn blocks<S: GroundField>(matrix: &Matrix<S>) -> Vec<Vec<usize>> {
     let mut block_of = vec![None; matrix.rows()];
     let mut blocks = vec![];
     for first in 0..matrix.rows() {

@@ -1,11 +1,11 @@
 //! Levi subalgebras: semisimple complements of the radical (de Graaf 4.7, 4.13).
 
 use super::subspace::{collected, combination};
-use super::{Ground, Structure, Subspace};
+use super::{GroundField, StructureTheory, Subspace};
 use crate::Error;
 use affinor_tensors::linear::{Matrix, Row};
 
-impl<S: Ground> Structure<S> {
+impl<S: GroundField> StructureTheory<S> {
     /// A Levi subalgebra. It is not unique: any two are conjugate (Malcev).
     ///
     /// A Levi subalgebra of a smaller algebra that maps onto `L/R` is one of `L`. The normalizer of
@@ -44,7 +44,7 @@ impl<S: Ground> Structure<S> {
     }
 
     /// Corrects a complement of a nilpotent radical, modulo each term of its lower central series.
-    fn lift(&self, inside: &Structure<S>) -> Result<Subspace<S>, Error> {
+    fn lift(&self, inside: &StructureTheory<S>) -> Result<Subspace<S>, Error> {
         let (n, radical) = (self.dimension(), self.radical());
         let mut lifted: Vec<Row<S>> = radical.complement().map(|at| vec![(at, S::one())]).collect();
         let quotient: Vec<usize> = radical.complement().collect();

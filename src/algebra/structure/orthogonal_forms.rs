@@ -8,14 +8,14 @@
 //! for the compact roots are those of u(r). The Killing form is negative on compact root spaces. Without positive `a_i^2`
 //! so(p,q) has at least `|p - q| / 2` negative ones. S. Helgason, *Differential Geometry, Lie Groups, and Symmetric Spaces*, ch. X.
 
-use super::Structure;
+use super::StructureTheory;
 use super::dynkin::{Split, elementary_functions, weight_power_sums};
-use super::reduction::{Draw, Reduction};
+use super::reduction::{ModularAlgebra, PseudoRandom};
 use super::subspace::{collected, denominator};
 use crate::algebra::roots::Series;
 use affinor_tensors::Rational;
 use affinor_tensors::linear::Row;
-use affinor_tensors::linear::modular::{Images, PRIMES, primes};
+use affinor_tensors::linear::modular::{PRIMES, RationalReconstruction, primes};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Pow, Signed, Zero};
@@ -27,13 +27,13 @@ const TRIALS: usize = 24;
 /// The precision doubles from the first number of binary places to the last.
 const PLACES: [usize; 2] = [64, 1 << 14];
 
-impl Structure<Rational> {
+impl StructureTheory<Rational> {
     /// Whether a real form of D_r with `r` at least 5 is so*(2r), and not so(p,q); `None` for other algebras and where no
     /// element of a few decides, and for `r` = 16, 64, .., powers of 4.
     ///
     /// ```
-    /// use affinor::algebra::{catalogue, structure::Structure};
-    /// let form = |name: &str| Structure::new(catalogue::algebra(name).unwrap());
+    /// use affinor::algebra::{catalogue, structure::StructureTheory};
+    /// let form = |name: &str| StructureTheory::new(catalogue::algebra(name).unwrap());
     /// assert_eq!(form("so*(10)").is_quaternionic_orthogonal(), Some(true));
     /// assert_eq!(form("so(6,4)").is_quaternionic_orthogonal(), Some(false));
     /// ```
@@ -48,7 +48,7 @@ impl Structure<Rational> {
         // (p - q)^2 = p + q + 2 (dim k - dim p)
         let square = (2 * r + 2 * minus).checked_sub(2 * plus)?;
         let n = self.dimension();
-        let mut draw = Draw::new(5);
+        let mut draw = PseudoRandom::new(5);
         let mut below = move |size: usize| draw.residue(PRIMES[0]) as usize % size;
         (0..TRIALS).find_map(|trial| {
             let many = (2 << (trial % 8)).min(n);
@@ -73,7 +73,7 @@ struct Element {
 
 impl Element {
     /// `None` if the element is not regular.
-    fn new(structure: &Structure<Rational>, x: &Row<Rational>, r: usize) -> Option<Self> {
+    fn new(structure: &StructureTheory<Rational>, x: &Row<Rational>, r: usize) -> Option<Self> {
         let n = structure.dimension();
         let ad = structure.products.ad(x);
         let factor =
@@ -89,15 +89,15 @@ impl Element {
         let norm: BigInt = columns.iter().flatten().map(|entry| entry * entry).sum();
         let half = r * (r - 1);
         let most: BigInt = (BigInt::from(2) + norm / BigInt::from(2 * half)).pow(half);
-        let mut images = Images::new(r + half);
+        let mut images = RationalReconstruction::new(r + half);
         let mut product = BigInt::one();
-        let mut draw = Draw::new(6);
+        let mut draw = PseudoRandom::new(6);
         let mut refused = 0;
         for prime in primes() {
             if product > &most * BigInt::from(2) {
                 break;
             }
-            let found = Reduction::new(structure, prime).and_then(|reduction| {
+            let found = ModularAlgebra::new(structure, prime).and_then(|reduction| {
                 let factor = prime.rational(&factor)?;
                 let mut dense = vec![0; n];
                 for (at, value) in x {
@@ -130,7 +130,7 @@ impl Element {
 
     fn is_quaternionic(
         &self,
-        structure: &Structure<Rational>,
+        structure: &StructureTheory<Rational>,
         start: &Row<Rational>,
         difference: usize,
     ) -> Option<bool> {
@@ -162,7 +162,7 @@ impl Element {
     }
 
     /// `K(v, X^2k v)` for `v = X u`.
-    fn moments(&self, structure: &Structure<Rational>, u: &Row<Rational>) -> Vec<BigInt> {
+    fn moments(&self, structure: &StructureTheory<Rational>, u: &Row<Rational>) -> Vec<BigInt> {
         let killing = structure.killing_matrix();
         let n = self.columns.len();
         let factor = denominator((0..n).flat_map(|i| killing.row(i)).map(|(_, value)| value));

@@ -1,35 +1,16 @@
-//! Brackets of vectors: structure constants by their first factor.
+//! Brackets of sparse vectors.
 
 use super::subspace::collected;
+use crate::algebra::SparseBracket;
 use affinor_tensors::linear::Row;
-use affinor_tensors::{Field, Scalar, Tensor};
-
-/// The constants `(k, i, c^i_jk)` of each `j`, sorted.
-#[derive(Clone, Debug)]
-pub(super) struct Products<S> {
-    by_first: Vec<Vec<(usize, usize, S)>>,
-}
+use affinor_tensors::{Field, Scalar};
 
 /// The matrix of `[x, .]`: the columns that are not zero, sorted.
 pub(super) struct Ad<S>(Vec<(usize, Row<S>)>);
 
-impl<S: Field + Scalar> Products<S> {
-    pub fn new(structure: &Tensor<S>) -> Self {
-        let mut by_first = vec![vec![]; structure.dimension()];
-        for (at, value) in structure.components() {
-            by_first[at[1]].push((at[2], at[0], value.clone()));
-        }
-        by_first.iter_mut().for_each(|line| line.sort_by_key(|&(k, i, _)| (k, i)));
-        Products { by_first }
-    }
-
-    /// The constants `(k, i, c^i_jk)` of `[e_j, .]`.
-    pub fn of(&self, j: usize) -> &[(usize, usize, S)] {
-        &self.by_first[j]
-    }
-
+impl<S: Field + Scalar> SparseBracket<S> {
     /// The matrix of `[x, .]`.
-    pub fn ad(&self, x: &[(usize, S)]) -> Ad<S> {
+    pub(super) fn ad(&self, x: &[(usize, S)]) -> Ad<S> {
         let terms = x.iter().flat_map(|(j, factor)| {
             self.of(*j).iter().map(move |(k, i, value)| (*k, (*i, value.clone() * factor)))
         });

@@ -1,6 +1,6 @@
 //! The solvable radical and the nilradical.
 
-use super::{Ground, Structure, Subspace};
+use super::{GroundField, StructureTheory, Subspace};
 use affinor_tensors::linear::{Matrix, Row};
 
 /// How many elements with small coefficients are tried first.
@@ -8,13 +8,13 @@ pub(super) const TRIALS: usize = 64;
 
 /// The coefficients `1, t, t^2, ..`. A linear form that is not zero vanishes at fewer than `count` values of `t`, so
 /// combinations with these coefficients separate finitely many linear forms after finitely many `t`.
-pub(super) fn on_moment_curve<S: Ground>(t: i64, count: usize) -> Vec<S> {
+pub(super) fn on_moment_curve<S: GroundField>(t: i64, count: usize) -> Vec<S> {
     let powers =
         std::iter::successors(Some(S::one()), |power| Some(power.clone() * &S::from_i64(t)));
     powers.take(count).collect()
 }
 
-impl<S: Ground> Structure<S> {
+impl<S: GroundField> StructureTheory<S> {
     /// The radical, the largest solvable ideal: the orthogonal complement of `[L, L]` for the Killing
     /// form (de Graaf 2.6).
     pub fn radical(&self) -> &Subspace<S> {

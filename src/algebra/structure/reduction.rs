@@ -3,25 +3,25 @@
 //! The rank of a matrix modulo a prime is at most its rank, and equal to it for all but finitely many
 //! primes.
 
-use super::{Ground, Structure};
-use affinor_tensors::linear::modular::{Prime, Residues, primes};
+use super::{GroundField, StructureTheory};
+use crate::algebra::SparseBracket;
+use affinor_tensors::linear::modular::{Prime, ResidueMatrix, primes};
 
 /// The structure constants of an algebra modulo a prime.
 #[derive(Clone, Debug)]
-pub struct Reduction {
+pub struct ModularAlgebra {
     prime: Prime,
-    /// `(k, i, c^i_jk)` of each `j`
-    by_first: Vec<Vec<(usize, usize, u64)>>,
+    constants: SparseBracket<u64>,
 }
 
 /// Pseudorandom residues, the same in every run.
 #[derive(Clone, Debug)]
-pub struct Draw(u64);
+pub struct PseudoRandom(u64);
 
-impl Draw {
+impl PseudoRandom {
     /// A sequence by its number.
     pub fn new(seed: u64) -> Self {
-        Draw(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1)
+        PseudoRandom(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1)
     }
 
     /// The next residue.
@@ -38,22 +38,17 @@ impl Draw {
     }
 }
 
-impl Reduction {
+impl ModularAlgebra {
     /// The algebra modulo a prime; `None` if the prime divides a denominator or a structure constant.
-    pub fn new<S: Ground>(structure: &Structure<S>, prime: Prime) -> Option<Self> {
+    pub fn new<S: GroundField>(structure: &StructureTheory<S>, prime: Prime) -> Option<Self> {
         let residue = |value: &S| value.residue(prime).filter(|residue| *residue != 0);
-        let line = |j: usize| {
-            let terms = structure.products.of(j).iter();
-            let residues = terms.map(|(k, i, value)| Some((*k, *i, residue(value)?)));
-            residues.collect::<Option<Vec<_>>>()
-        };
-        let by_first = (0..structure.dimension()).map(line).collect::<Option<_>>()?;
-        Some(Reduction { prime, by_first })
+        Some(ModularAlgebra { prime, constants: structure.products.map(residue)? })
     }
 
-    /// The algebra with the residues `(k, i, c^i_jk)` of each `j`.
-    pub(crate) fn from_constants(prime: Prime, by_first: Vec<Vec<(usize, usize, u64)>>) -> Self {
-        Reduction { prime, by_first }
+    /// The algebra with the residues of integers.
+    pub(crate) fn of_integers(prime: Prime, constants: &SparseBracket<i64>) -> Option<Self> {
+        let constants = constants.map(|value| Some(prime.integer(*value)))?;
+        Some(ModularAlgebra { prime, constants })
     }
 
     /// The prime.
@@ -63,16 +58,16 @@ impl Reduction {
 
     /// The dimension.
     pub fn dimension(&self) -> usize {
-        self.by_first.len()
+        self.constants.dimension()
     }
 
     /// The constants `(k, i, c^i_jk)` of `[e_j, .]`.
     pub fn of(&self, j: usize) -> &[(usize, usize, u64)] {
-        &self.by_first[j]
+        self.constants.of(j)
     }
 
     /// The matrix of `[x, .]`: row `i`, column `k`.
-    pub fn ad(&self, x: &[u64]) -> Residues {
+    pub fn ad(&self, x: &[u64]) -> ResidueMatrix {
         let (n, p) = (self.dimension(), self.prime);
         let mut rows = vec![vec![0; n]; n];
         for (j, &factor) in x.iter().enumerate().filter(|(_, factor)| **factor != 0) {
@@ -80,41 +75,30 @@ impl Reduction {
                 rows[i][k] = p.reduce(rows[i][k] + factor * value);
             }
         }
-        Residues::new(p, n, rows)
+        ResidueMatrix::new(p, n, rows)
     }
 
     /// The bracket of two vectors.
     pub fn bracket(&self, x: &[u64], y: &[u64]) -> Vec<u64> {
+        self.constants.bracket(x, y, 0, self.fused())
+    }
+
+    /// `sum + a b` of residues.
+    fn fused(&self) -> impl Fn(u64, u64, u64) -> u64 + use<> {
         let p = self.prime;
-        let mut result = vec![0; self.dimension()];
-        for (j, &factor) in x.iter().enumerate().filter(|(_, factor)| **factor != 0) {
-            for &(k, i, value) in self.of(j).iter().filter(|(k, ..)| y[*k] != 0) {
-                result[i] = p.reduce(result[i] + p.mul(factor, y[k]) * value);
-            }
-        }
-        result
+        move |sum, a, b| p.reduce(sum + a * b)
     }
 
     /// The matrix of the Killing form.
-    pub fn killing(&self) -> Residues {
-        let (n, p) = (self.dimension(), self.prime);
-        let mut rows = vec![vec![0; n]; n];
-        let mut dense = vec![0; n * n];
-        for (a, row) in rows.iter_mut().enumerate() {
-            self.of(a).iter().for_each(|&(k, i, value)| dense[k * n + i] = value);
-            for (b, entry) in row.iter_mut().enumerate() {
-                let terms = self.of(b).iter();
-                *entry = terms.fold(0, |sum, &(k, i, v)| p.reduce(sum + v * dense[i * n + k]));
-            }
-            self.of(a).iter().for_each(|&(k, i, _)| dense[k * n + i] = 0);
-        }
-        Residues::new(p, n, rows)
+    pub fn killing(&self) -> ResidueMatrix {
+        let rows = self.constants.killing(0, self.fused());
+        ResidueMatrix::new(self.prime, self.dimension(), rows)
     }
 
     /// Few vectors that generate the algebra: pseudorandom ones if fewer than the dimension do, else the basis.
     pub(super) fn generators(&self) -> Vec<Vec<u64>> {
         let (n, p) = (self.dimension(), self.prime);
-        let mut draw = Draw::new(2);
+        let mut draw = PseudoRandom::new(2);
         let mut generators = vec![];
         while generators.len() + 1 < n {
             generators.push(draw.vector(p, n));
@@ -128,14 +112,14 @@ impl Reduction {
     /// Whether the vectors generate the algebra.
     pub(crate) fn generates(&self, generators: &[Vec<u64>]) -> bool {
         let (n, p) = (self.dimension(), self.prime);
-        let ads: Vec<Residues> = generators.iter().map(|x| self.ad(x)).collect();
+        let ads: Vec<ResidueMatrix> = generators.iter().map(|x| self.ad(x)).collect();
         let mut layer = generators.to_vec();
-        let mut span = Residues::new(p, n, generators.to_vec());
+        let mut span = ResidueMatrix::new(p, n, generators.to_vec());
         let mut rank = span.reduce().len();
         while rank < n {
             let images = layer.iter().flat_map(|x| ads.iter().map(|ad| ad.apply(x)));
             let images: Vec<Vec<u64>> = images.collect();
-            let mut next = Residues::new(p, n, [span.rows(), &images].concat());
+            let mut next = ResidueMatrix::new(p, n, [span.rows(), &images].concat());
             let grown = next.reduce().len();
             if grown == rank {
                 return false;
@@ -151,17 +135,17 @@ impl Reduction {
     }
 }
 
-impl<S: Ground> Structure<S> {
+impl<S: GroundField> StructureTheory<S> {
     /// The algebra modulo primes that divide neither a denominator nor a structure constant, without end.
-    pub fn reductions(&self) -> impl Iterator<Item = Reduction> {
-        primes().filter_map(|prime| Reduction::new(self, prime))
+    pub fn reductions(&self) -> impl Iterator<Item = ModularAlgebra> {
+        primes().filter_map(|prime| ModularAlgebra::new(self, prime))
     }
 
     /// The reductions of a semisimple algebra with a Killing form that is not degenerate: they have the types of the algebra.
     /// None of another algebra.
-    pub(super) fn semisimple_reductions(&self) -> impl Iterator<Item = Reduction> {
+    pub(super) fn semisimple_reductions(&self) -> impl Iterator<Item = ModularAlgebra> {
         let regular = |prime: &Prime| self.has_regular_killing_form(*prime) == Some(true);
         let candidates = primes().take_while(|_| self.is_semisimple()).filter(regular);
-        candidates.filter_map(|prime| Reduction::new(self, prime))
+        candidates.filter_map(|prime| ModularAlgebra::new(self, prime))
     }
 }

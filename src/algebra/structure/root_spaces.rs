@@ -3,9 +3,9 @@
 use super::dynkin::relation_of;
 use super::ideals::monic;
 use super::products::Ad;
-use super::reduction::Reduction;
+use super::reduction::ModularAlgebra;
 use super::subspace::combination;
-use super::{Structure, Subspace};
+use super::{StructureTheory, Subspace};
 use crate::algebra::roots::CartanType;
 use affinor_tensors::linear::modular::PRIMES;
 use affinor_tensors::linear::{Echelon, Matrix, Row};
@@ -39,7 +39,7 @@ pub struct RootSpace {
     pub vector: Row<Rational>,
 }
 
-impl Structure<Rational> {
+impl StructureTheory<Rational> {
     /// The root spaces of a semisimple algebra for a Cartan subalgebra with basis vectors of positive Killing squares, or
     /// for [`cartan_subalgebra`](Self::cartan_subalgebra). `None` if neither splits over the rationals, or if a vector has
     /// parts of more than 24 eigenvalues.
@@ -99,7 +99,7 @@ impl Structure<Rational> {
             for (at, value) in h {
                 dense[*at] = prime.rational(value)?;
             }
-            Some((Reduction::new(self, prime)?, dense))
+            Some((ModularAlgebra::new(self, prime)?, dense))
         });
         let Some((reduction, h)) = found else { return true };
         let (n, p, ad) = (self.dimension(), reduction.prime(), reduction.ad(&h));

@@ -1,9 +1,9 @@
 //! Series, centre, centralizers and normalizers (de Graaf 1.6, 1.7).
 
-use super::{Ground, Structure, Subspace};
+use super::{GroundField, StructureTheory, Subspace};
 use affinor_tensors::linear::Row;
 
-impl<S: Ground> Structure<S> {
+impl<S: GroundField> StructureTheory<S> {
     /// The span of the brackets of two subspaces.
     pub fn bracket(&self, v: &Subspace<S>, w: &Subspace<S>) -> Subspace<S> {
         let n = self.dimension();
@@ -138,7 +138,7 @@ impl<S: Ground> Structure<S> {
 
     /// Whether all brackets vanish.
     pub fn is_abelian(&self) -> bool {
-        self.algebra.structure().is_empty()
+        self.algebra.structure_constants().is_empty()
     }
 
     /// Whether `[L, L] = L`.
@@ -173,10 +173,10 @@ impl<S: Ground> Structure<S> {
     /// Whether a subspace is an ideal, `[v, L] <= v`.
     ///
     /// ```
-    /// use affinor::algebra::structure::{Structure, Subspace};
+    /// use affinor::algebra::structure::{StructureTheory, Subspace};
     /// use affinor::{Rational, algebra::catalogue};
     /// let se3 = catalogue::algebra::<Rational>("se(3)")?;
-    /// let structure = Structure::new(se3);
+    /// let structure = StructureTheory::new(se3);
     /// let span = |from: usize| Subspace::span(6, (from..from + 3).map(|i| vec![(i, 1.into())]));
     /// let (rotations, translations) = (span(0), span(3));
     /// assert!(structure.is_ideal(&translations) && !structure.is_ideal(&rotations));
@@ -188,7 +188,7 @@ impl<S: Ground> Structure<S> {
 }
 
 /// Subspaces, each from the one before, until the dimension is stable.
-fn descend<S: Ground>(
+fn descend<S: GroundField>(
     first: Subspace<S>,
     next: impl Fn(&Subspace<S>) -> Subspace<S>,
 ) -> Vec<Subspace<S>> {

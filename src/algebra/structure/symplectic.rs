@@ -7,13 +7,13 @@
 //! one, and none at all if it is not solvable: B.-Y. Chu, *Trans. Amer. Math. Soc.* 197 (1974) 145-159.
 
 use super::cocycles::TwoForms;
-use super::{Ground, Structure, Subspace};
+use super::{GroundField, StructureTheory, Subspace};
 use crate::Error;
 use crate::algebra::LieAlgebra;
 use crate::algebra::lie_poisson::LiePoisson;
 use affinor_tensors::Symbolic;
 use affinor_tensors::linear::Row;
-use affinor_tensors::linear::modular::{Prime, Residues, primes};
+use affinor_tensors::linear::modular::{Prime, ResidueMatrix, primes};
 use num_traits::{One, Zero};
 
 /// The largest dimension at which a Pfaffian is expanded, that is: at which "there is none" can be proved.
@@ -40,7 +40,7 @@ pub enum Existence<S> {
     Open,
 }
 
-impl<S: Ground> Structure<S> {
+impl<S: GroundField> StructureTheory<S> {
     /// A closed 2-form that is not degenerate, with components as in [`TwoForms`].
     pub fn symplectic_form(&self, forms: &TwoForms<S>) -> Existence<S> {
         if self.is_unimodular() && !self.is_solvable() {
@@ -92,7 +92,7 @@ impl<S: Ground> Structure<S> {
 
     /// None, if the index is proved to be larger.
     fn by_index(&self, most: usize) -> Existence<S> {
-        let index = self.index_counted();
+        let index = self.index();
         match index.proved && index.dimension > most {
             true => Existence::Index(index.dimension),
             false => Existence::Open,
@@ -102,7 +102,7 @@ impl<S: Ground> Structure<S> {
     /// A linear form `f` at which `f([x, y])` has its largest rank, the dimension minus the index.
     pub fn regular_form(&self) -> Option<Row<S>> {
         let n = self.dimension();
-        let rank = n - self.index();
+        let rank = n - self.index().dimension;
         let differentials: Vec<_> =
             (0..n).map(|i| antisymmetric(n, &self.differential(&[(i, S::one())]))).collect();
         shortened(&differentials, n, rank, PRIMES)
@@ -113,14 +113,14 @@ impl<S: Ground> Structure<S> {
     /// # Errors
     /// As [`LiePoisson::casimir_generators`].
     pub fn casimirs(&self, most: u32) -> Result<Vec<Symbolic>, Error> {
-        let algebra: LieAlgebra<Symbolic> = self.algebra().map(Ground::symbolic)?;
+        let algebra: LieAlgebra<Symbolic> = self.algebra().map(GroundField::symbolic)?;
         LiePoisson::right(&algebra)?.casimir_generators(most)
     }
 }
 
 type Dense<S> = Vec<Vec<S>>;
 
-fn antisymmetric<S: Ground>(n: usize, form: &[(usize, S)]) -> Dense<S> {
+fn antisymmetric<S: GroundField>(n: usize, form: &[(usize, S)]) -> Dense<S> {
     let mut matrix = vec![vec![S::zero(); n]; n];
     for (at, value) in form {
         matrix[at / n][at % n] = value.clone();
@@ -136,7 +136,7 @@ enum Found<S> {
 }
 
 /// Parameters at which a combination of antisymmetric matrices of size `n` is regular.
-fn search<S: Ground>(n: usize, family: Vec<Dense<S>>) -> Found<S> {
+fn search<S: GroundField>(n: usize, family: Vec<Dense<S>>) -> Found<S> {
     if n % 2 == 1 || family.is_empty() {
         return if n == 0 { Found::Parameters(vec![]) } else { Found::Nothing };
     }
@@ -183,7 +183,12 @@ pub(super) fn pfaffian(matrix: &[Vec<Symbolic>], rows: &[usize]) -> Symbolic {
 /// Small parameters at which a combination of matrices has a rank: of a few pseudorandom ones, with as many zeros and ones
 /// as the rank allows. The rank modulo a prime is no larger than the rank, so it proves that. Primes that divide an entry are
 /// passed over.
-fn shortened<S: Ground>(family: &[Dense<S>], n: usize, rank: usize, most: usize) -> Option<Row<S>> {
+fn shortened<S: GroundField>(
+    family: &[Dense<S>],
+    n: usize,
+    rank: usize,
+    most: usize,
+) -> Option<Row<S>> {
     let residues = |prime: Prime| {
         let entry = |v: &S| v.residue(prime).filter(|residue| *residue != 0 || v.vanishes());
         let matrix = |matrix: &Dense<S>| -> Option<Vec<Vec<u64>>> {
@@ -195,7 +200,7 @@ fn shortened<S: Ground>(family: &[Dense<S>], n: usize, rank: usize, most: usize)
     reductions.find_map(|(prime, reduced)| shortened_modulo(prime, &reduced, n, rank))
 }
 
-fn shortened_modulo<S: Ground>(
+fn shortened_modulo<S: GroundField>(
     prime: Prime,
     reduced: &[Vec<Vec<u64>>],
     n: usize,
@@ -211,7 +216,7 @@ fn shortened_modulo<S: Ground>(
                 }
             }
         }
-        Residues::new(prime, n, sum).rank() == rank
+        ResidueMatrix::new(prime, n, sum).rank() == rank
     };
     let mut state = 0x9e37_79b9_u64;
     let mut draw = |below: u64| {

@@ -3,9 +3,9 @@
 use super::canonical::invariant_forms;
 use super::series::{Scaling, series};
 use super::{CanonicalCoordinates, Side};
-use crate::Error;
 use crate::algebra::frame::Frame;
 use crate::algebra::{BasisChange, LieAlgebra, to_matrix};
+use crate::{Error, Law};
 use affinor_tensors::linear::Matrix;
 use affinor_tensors::text::combination;
 use affinor_tensors::{Down, Jet, Tensor, Tolerance, Up};
@@ -31,7 +31,7 @@ impl LieAlgebra<f64> {
         side: Side,
         point: &[f64],
     ) -> Result<Tensor<Jet>, Error> {
-        let structure = self.structure().map(|value| Jet::constant(*value));
+        let structure = self.structure_constants().map(|value| Jet::constant(*value));
         let forms = invariant_forms(&structure, &jets(point), kind, side, |function, ad, _| {
             let scaling = Scaling::of(&ad.map(Jet::value))?;
             series(function, &side.signed(ad), &scaling)
@@ -90,7 +90,7 @@ impl Frame<Jet> {
     /// // so(3) in rotation vectors
     /// let so3 = catalogue::algebra("so(3)")?;
     /// let frame = Frame::canonical_at_point(&so3, CanonicalCoordinates::First, Side::Left, &[0.3, 2.0, -1.0])?;
-    /// assert!((frame.structure().get(&[2, 0, 1]).value() - 1.0).abs() < 1e-14);
+    /// assert!((frame.structure_functions().get(&[2, 0, 1]).value() - 1.0).abs() < 1e-14);
     /// // the coordinates are singular at a full turn
     /// let turn = [std::f64::consts::TAU, 0.0, 0.0];
     /// assert!(Frame::canonical_at_point(&so3, CanonicalCoordinates::First, Side::Left, &turn).is_err());
@@ -98,7 +98,7 @@ impl Frame<Jet> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Shape`]; [`Error::SingularPoint`] where the coordinates are singular up to
+    /// [`Error::Shape`]; [`Law::RegularPoint`] where the coordinates are singular up to
     /// rounding; [`Error::Overflow`] for points too far from the identity: numbers out of range, or
     /// eigenvalues of `ad_x` beyond `2^20`.
     pub fn canonical_at_point(
@@ -109,11 +109,11 @@ impl Frame<Jet> {
     ) -> Result<Self, Error> {
         let forms = algebra.canonical_forms(kind, side, point)?;
         if let Some(vector) = kernel(algebra, kind, side, point)? {
-            return Err(Error::SingularPoint { vector });
+            return Err(Law::RegularPoint.broken([vector], "0"));
         }
         let fields = to_matrix(&forms).inverse().ok_or(Error::SingularBasis)?;
         let frame = Frame::at_point(algebra.labels(), point, |_, [a, i]| fields.get(a, i))?;
-        finite("c", frame.structure())?;
+        finite("c", frame.structure_functions())?;
         Ok(frame)
     }
 }
@@ -128,7 +128,7 @@ fn kernel(
 ) -> Result<Option<String>, Error> {
     let tolerance = std::cell::Cell::new(Tolerance::default());
     let forms = invariant_forms(
-        algebra.structure(),
+        algebra.structure_constants(),
         point,
         kind,
         side,

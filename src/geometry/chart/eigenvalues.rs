@@ -5,7 +5,7 @@
 //! one coordinate after the other, as roots of the minimal polynomial of `M` at generic points. The caller must
 //! prove that the polynomial annihilates `M` everywhere.
 
-use crate::Error;
+use crate::{Error, Law};
 use affinor_tensors::linear::Matrix;
 use affinor_tensors::text::combination;
 use affinor_tensors::{Ring, Symbolic};
@@ -136,7 +136,7 @@ pub(super) fn refusal(vector: &str, polynomial: &[Symbolic]) -> Error {
     });
     let polynomial = combination(terms.filter(|(a, _)| !a.vanishes()));
     let x = if vector.contains(' ') { format!("({vector})") } else { vector.into() };
-    Error::Eigenvalue { x, polynomial }
+    Law::Eigenvalues.broken([x], polynomial)
 }
 
 /// Integers without small linear or quadratic relations: 1, 102, 10303, 40601, ...

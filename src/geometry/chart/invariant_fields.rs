@@ -38,13 +38,13 @@ impl Chart {
     /// let fields = chart.invariant_fields(&plane, CanonicalCoordinates::Second, Side::Right)?;
     /// assert_eq!(fields.written()[1], "cos(t)*d_x - sin(t)*d_y");
     /// let fields = chart.invariant_fields(&plane, CanonicalCoordinates::First, Side::Right)?;
-    /// assert_eq!(fields.frame().structure().get(&[2, 0, 1]), Symbolic::from_i64(-1));
+    /// assert_eq!(fields.frame().structure_functions().get(&[2, 0, 1]), Symbolic::from_i64(-1));
     /// # Ok::<(), affinor::Error>(())
     /// ```
     ///
     /// # Errors
-    /// [`Error::Eigenvalue`] for eigenvalues that are not such forms; [`Error::Size`] for too many of
-    /// them; [`Error::Shape`], and [`Error::Coordinate`] for one that is a parameter of the
+    /// [`Law::Eigenvalues`](crate::Law::Eigenvalues) for eigenvalues that are not such forms; [`Error::Size`] for too many of
+    /// them; [`Error::Shape`], and [`Error::Name`] for one that is a parameter of the
     /// algebra.
     pub fn invariant_fields(
         &self,
@@ -53,14 +53,16 @@ impl Chart {
         side: Side,
     ) -> Result<Fields<Symbolic>, Error> {
         let (names, labels) = (self.coordinates(), algebra.labels());
-        let used = algebra.structure().components().flat_map(|(_, value)| value.parameters());
+        let used =
+            algebra.structure_constants().components().flat_map(|(_, value)| value.parameters());
         if let Some(name) = used.into_iter().find(|name| names.contains(name)) {
-            return Err(Error::Coordinate { name });
+            return Err(Error::coordinate(&name));
         }
         let x: Vec<Symbolic> = names.iter().map(|x| Symbolic::parameter(x)).collect();
-        let forms = invariant_forms(algebra.structure(), &x, kind, side, |function, ad, at| {
-            closed_form(function, side, ad, &names[at.clone()], &labels[at])
-        })?;
+        let forms =
+            invariant_forms(algebra.structure_constants(), &x, kind, side, |function, ad, at| {
+                closed_form(function, side, ad, &names[at.clone()], &labels[at])
+            })?;
         let fields = inverse(&forms).ok_or(Error::SingularBasis)?;
         let fields = Tensor::from_components(self.dimension(), &[Up, Down], fields)?;
         self.fields(labels, fields)

@@ -19,7 +19,7 @@ impl<S: Field + Scalar> Frame<S> {
         labels: impl IntoIterator<Item: AsRef<str>>,
         change: &BasisChange<S>,
     ) -> Result<Self, Error> {
-        let constant = change.apply(self.structure())?;
+        let constant = change.apply(self.structure_functions())?;
         let h = inhomogeneous(self, change)?;
         let operands = [("c", &constant), ("h", &h)];
         // antisymmetric to the last bit, also in floats
@@ -51,7 +51,7 @@ impl<S: Field + Scalar> Connection<S> {
         labels: impl IntoIterator<Item: AsRef<str>>,
         change: &BasisChange<S>,
     ) -> Result<Self, Error> {
-        let homogeneous = change.apply(self.gamma())?;
+        let homogeneous = change.apply(self.affinities())?;
         let h = inhomogeneous(self.frame(), change)?;
         let operands = [("L", &homogeneous), ("h", &h)];
         let gamma = formula("L^i_jk + h^i_jk -> ^i_jk", &operands);

@@ -10,7 +10,7 @@ use affinor_tensors::{Field, Scalar};
 /// The paper names them by the opposite invariance, so outputs print both names. All three
 /// connections are bi-invariant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Canonical {
+pub enum CanonicalConnection {
     /// `lambda = 1`, equation (29), the paper's "left invariant canonical": M(3). Right-invariant
     /// fields are parallel.
     Plus,
@@ -23,13 +23,13 @@ pub enum Canonical {
 
 impl<S: Scalar> Connection<S> {
     /// The connection `nabla_X Y = lambda [X, Y]` on left-invariant fields: `Lambda = lambda c`.
-    pub fn family(algebra: &LieAlgebra<S>, lambda: &S) -> Self {
-        Self::over(algebra.left_frame(), lambda)
+    pub fn cartan_schouten(algebra: &LieAlgebra<S>, lambda: &S) -> Self {
+        Self::in_frame(algebra.left_frame(), lambda)
     }
 
     /// `Lambda = lambda c` over the structure of any frame.
-    pub fn over(frame: &Frame<S>, lambda: &S) -> Self {
-        Connection::unchecked(frame.clone(), frame.structure().scale(lambda))
+    pub fn in_frame(frame: &Frame<S>, lambda: &S) -> Self {
+        Connection::unchecked(frame.clone(), frame.structure_functions().scale(lambda))
     }
 }
 
@@ -38,40 +38,40 @@ impl<S: Field + Scalar> Connection<S> {
     /// or `0` (`Minus`).
     ///
     /// # Panics
-    /// Only for [`Canonical::Zero`] over a field of characteristic 2, which none of ours is.
-    pub fn canonical(algebra: &LieAlgebra<S>, which: Canonical) -> Self {
-        Self::family(algebra, &which.lambda())
+    /// Only for [`CanonicalConnection::Zero`] over a field of characteristic 2, which none of ours is.
+    pub fn canonical(algebra: &LieAlgebra<S>, which: CanonicalConnection) -> Self {
+        Self::cartan_schouten(algebra, &which.lambda())
     }
 }
 
-impl Canonical {
+impl CanonicalConnection {
     /// The factor in `Lambda = lambda c`.
     ///
     /// # Panics
     /// As [`Connection::canonical`].
     pub fn lambda<S: Field + Scalar>(self) -> S {
         match self {
-            Canonical::Plus => S::one(),
-            Canonical::Zero => S::from_i64(2).recip().expect("2 is a unit"),
-            Canonical::Minus => S::zero(),
+            CanonicalConnection::Plus => S::one(),
+            CanonicalConnection::Zero => S::from_i64(2).recip().expect("2 is a unit"),
+            CanonicalConnection::Minus => S::zero(),
         }
     }
 
     /// The short name: `plus`, `zero`, `minus`.
     pub fn name(self) -> &'static str {
         match self {
-            Canonical::Plus => "plus",
-            Canonical::Zero => "zero",
-            Canonical::Minus => "minus",
+            CanonicalConnection::Plus => "plus",
+            CanonicalConnection::Zero => "zero",
+            CanonicalConnection::Minus => "minus",
         }
     }
 
     /// The paper's words and equation.
     pub fn paper(self) -> &'static str {
         match self {
-            Canonical::Plus => "left invariant canonical, (29)",
-            Canonical::Zero => "symmetric, (31)",
-            Canonical::Minus => "right invariant canonical, (30)",
+            CanonicalConnection::Plus => "left invariant canonical, (29)",
+            CanonicalConnection::Zero => "symmetric, (31)",
+            CanonicalConnection::Minus => "right invariant canonical, (30)",
         }
     }
 }

@@ -1,8 +1,8 @@
 //! Invariance of connections under ad, and bi-invariant connections in the right-invariant frame.
 
 use super::Connection;
-use crate::Error;
 use crate::algebra::LieAlgebra;
+use crate::{Error, Law};
 use affinor_tensors::{Down, Field, Scalar, Tensor, Up, contract};
 
 impl<S: Scalar> Connection<S> {
@@ -14,37 +14,35 @@ impl<S: Scalar> Connection<S> {
     /// [`bi_invariant`](Self::bi_invariant).
     ///
     /// # Errors
-    /// [`Error::Frame`] in a frame that is not invariant.
-    pub fn ad_variation(&self) -> Result<Tensor<S>, Error> {
+    /// [`Error::Unsupported`] in a frame that is not invariant.
+    pub fn ad_invariance_defect(&self) -> Result<Tensor<S>, Error> {
         if !self.frame.is_invariant() {
-            return Err(Error::Frame("invariance under ad is defined in an invariant frame only"));
+            return Err(Error::Unsupported(
+                "invariance under ad is defined in an invariant frame only".into(),
+            ));
         }
-        Connection::over(&self.frame, &S::one()).nabla(&self.gamma)
+        Connection::in_frame(&self.frame, &S::one()).nabla(&self.gamma)
     }
 
     /// The same connection in the right-invariant frame through the same basis:
     /// `Lambda_right = Lambda - c`, over the structure `-c`.
     ///
     /// # Errors
-    /// [`Error::NotInvariant`] with a component of [`ad_variation`](Self::ad_variation) unless
-    /// that vanishes: then the components in the right-invariant frame are not constant. [`Error::Frame`]
+    /// [`Law::AdInvariance`] with a component of [`ad_invariance_defect`](Self::ad_invariance_defect) unless
+    /// that vanishes: then the components in the right-invariant frame are not constant. [`Error::Unsupported`]
     /// when the connection is not in the left-invariant frame of `algebra`.
     pub fn in_right_frame(&self, algebra: &LieAlgebra<S>) -> Result<Self, Error> {
-        if self.frame.structure() != algebra.structure() {
-            return Err(Error::Frame(
-                "the connection is not in the left-invariant frame of this algebra",
+        if self.frame.structure_functions() != algebra.structure_constants() {
+            return Err(Error::Unsupported(
+                "the connection is not in the left-invariant frame of this algebra".into(),
             ));
         }
-        if let Some((at, residual)) = self.ad_variation()?.components().next() {
-            return Err(Error::NotInvariant {
-                direction: self.frame.labels()[at[1]].clone(),
-                i: at[0] + 1,
-                j: at[2] + 1,
-                k: at[3] + 1,
-                residual: residual.to_string(),
-            });
+        if let Some((at, residual)) = self.ad_invariance_defect()?.components().next() {
+            let [i, j, k] = [at[0], at[2], at[3]].map(|index| (index + 1).to_string());
+            let at = [self.frame.labels()[at[1]].clone(), i, j, k];
+            return Err(Law::AdInvariance.broken(at, residual.to_string()));
         }
-        let operands = [("L", &self.gamma), ("c", algebra.structure())];
+        let operands = [("L", &self.gamma), ("c", algebra.structure_constants())];
         let gamma = contract("L^i_jk - c^i_jk -> ^i_jk", &operands)?;
         Connection::new(algebra.right_frame(), gamma)
     }

@@ -34,16 +34,18 @@ impl<S: Field + Scalar> Connection<S> {
     /// metrics of which this is a metric connection are those that are not degenerate.
     ///
     /// # Errors
-    /// [`Error::Frame`] in a frame that is not invariant; [`Error::Size`] as for
+    /// [`Error::Unsupported`] in a frame that is not invariant; [`Error::Size`] as for
     /// [`bi_invariant_forms`](Metric::bi_invariant_forms).
     pub fn parallel_forms(&self) -> Result<Vec<Tensor<S>>, Error> {
         if !self.frame().is_invariant() {
-            return Err(Error::Frame("constant forms are asked for in an invariant frame only"));
+            return Err(Error::Unsupported(
+                "constant forms are asked for in an invariant frame only".into(),
+            ));
         }
         let n = self.frame().dimension();
         // nabla_k acts on constants as the endomorphism Lambda^i_kj
         let mut entries = vec![vec![]; n];
-        for (at, value) in self.gamma().components() {
+        for (at, value) in self.affinities().components() {
             entries[at[1]].push(([at[0], at[2]], value.clone()));
         }
         let endomorphism = |entries| Tensor::from_components(n, &[Up, Down], entries);

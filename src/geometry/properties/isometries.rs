@@ -19,7 +19,7 @@ impl<S: Field + Scalar> Metric<S> {
     /// [`Error::Shape`] when the dimensions differ. [`Error::Linear`] over a ring that is
     /// not a field.
     pub fn killing_fields(&self, algebra: &LieAlgebra<S>) -> Result<Vec<Vec<S>>, Error> {
-        let (n, variation) = (algebra.dimension(), self.ad_variation(algebra)?);
+        let (n, variation) = (algebra.dimension(), self.ad_invariance_defect(algebra)?);
         let mut rows = vec![Vec::new(); n * n];
         for (at, value) in variation.components() {
             rows[at[1] * n + at[2]].push((at[0], value.clone()));
@@ -36,7 +36,7 @@ impl<S: Field + Scalar> Metric<S> {
     /// [`Error::Shape`] when the dimensions differ.
     pub fn bi_invariant(&self, algebra: &LieAlgebra<S>) -> Result<Property<S>, Error> {
         let equation = "g_mj c^m_ki + g_im c^m_kj".into();
-        Ok(vanishing(&self.ad_variation(algebra)?, equation, "kij"))
+        Ok(vanishing(&self.ad_invariance_defect(algebra)?, equation, "kij"))
     }
 
     /// Whether the metric is naturally reductive with respect to `G x K`, where `G` moves the group
@@ -66,8 +66,8 @@ impl<S: Field + Scalar> Metric<S> {
         algebra: &LieAlgebra<S>,
     ) -> Result<Property<S, Tensor<S>>, Error> {
         let n = algebra.dimension();
-        let (g, c) = (self.components(), algebra.structure());
-        let variation = self.ad_variation(algebra)?;
+        let (g, c) = (self.components(), algebra.structure_constants());
+        let variation = self.ad_invariance_defect(algebra)?;
         if variation.is_empty() {
             // bi-invariant: phi = 0 is a solution
             return Ok(Property::Holds(Tensor::zero(n, &[Up, Down])?));

@@ -87,7 +87,7 @@ impl Metric<Rational> {
             found.push(Extreme { curvature, plane, proved: false });
         }
         let Ok([mut least, mut most]) = <[Extreme; 2]>::try_from(found) else { return Ok(None) };
-        if self.ad_variation(algebra)?.is_empty() {
+        if self.ad_invariance_defect(algebra)?.is_empty() {
             let bound = if sign > 0.0 { &mut least } else { &mut most };
             bound.proved = bound.curvature.vanishes();
         }

@@ -31,7 +31,7 @@ impl<S: Field + Scalar> Metric<S> {
     pub fn ricci_soliton(&self, algebra: &LieAlgebra<S>) -> Result<Property<S, Soliton<S>>, Error> {
         let levi_civita = Connection::levi_civita(algebra.left_frame(), self)?;
         let ricci = levi_civita.ricci().raise(0, self.inverse())?;
-        let c = algebra.structure();
+        let c = algebra.structure_constants();
         // the defect of D = Ric - s Id as a derivation is that of Ric plus s c
         let defect = formula(
             "D^i_m c^m_jk - c^i_mk D^m_j - c^i_jm D^m_k -> ^i_[jk]",

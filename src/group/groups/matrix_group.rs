@@ -14,7 +14,7 @@ use crate::numerics::exponential::{
 };
 use crate::numerics::logarithm::{logarithm, logarithm_of_double, near_identity};
 use crate::numerics::rounding::expect_digits_of_product;
-use crate::{Bracket, Error, LieAlgebra, MatrixBasis};
+use crate::{Bracket, Error, Law, LieAlgebra, MatrixBasis};
 use affinor_tensors::Tolerance;
 use affinor_tensors::linear::Matrix;
 use nalgebra::{DMatrix, DVector};
@@ -76,8 +76,8 @@ impl MatrixGroup {
     /// The group of the span of square matrices of one size.
     ///
     /// # Errors
-    /// [`Error::Shape`]; [`Error::NotFinite`]; [`Error::Dependent`];
-    /// [`Error::NotClosed`] with the first commutator that leaves the span.
+    /// [`Error::Shape`]; [`Error::NotFinite`]; [`Law::Independent`];
+    /// [`Law::Closure`] with the first commutator that leaves the span.
     pub fn new(matrices: &[DMatrix<f64>]) -> Result<Self, Error> {
         Self::with_labels(matrices, (1..=matrices.len()).map(|at| format!("e{at}")))
     }
@@ -96,7 +96,7 @@ impl MatrixGroup {
     /// The group of a basis of matrices; complex ones `A + iB` act as `[[A, -B], [B, A]]`.
     ///
     /// # Errors
-    /// [`Error::NotClosed`]; [`Error::Shape`] without a matrix.
+    /// [`Law::Closure`]; [`Error::Shape`] without a matrix.
     pub fn from_basis(basis: &MatrixBasis<f64>) -> Result<Self, Error> {
         let bracket = basis.bracket()?;
         Self::with_bracket(basis, bracket)
@@ -115,7 +115,8 @@ impl MatrixGroup {
         )?;
         let form = diagonal_form(matrices, first.rows());
         let orthogonal = form.as_ref().is_some_and(is_identity);
-        let translations = if orthogonal { None } else { translations(bracket.structure()) };
+        let translations =
+            if orthogonal { None } else { translations(bracket.structure_constants()) };
         Ok(MatrixGroup { span, bracket, translations, form })
     }
 
@@ -123,7 +124,7 @@ impl MatrixGroup {
     /// isomorphic to any group of the algebra.
     ///
     /// # Errors
-    /// [`Error::Centre`] with a central vector, which acts as 0.
+    /// [`Law::FaithfulAdjoint`] with a central vector, which acts as 0.
     pub fn adjoint(algebra: &LieAlgebra<f64>) -> Result<Self, Error> {
         Self::represented(algebra, algebra.dimension(), adjoint_matrices(algebra))
     }
@@ -132,11 +133,11 @@ impl MatrixGroup {
     /// derivations `D`, with `[x, D] = -D x`.
     ///
     /// # Errors
-    /// [`Error::Centre`] with a central vector that every derivation maps to 0;
+    /// [`Law::FaithfulAdjoint`] with a central vector that every derivation maps to 0;
     /// [`Error::Size`] if the algebra has a centre and its derivations are too many to solve for.
     pub fn of_algebra(algebra: &LieAlgebra<f64>) -> Result<Self, Error> {
         match Self::adjoint(algebra) {
-            Err(Error::Centre { .. }) => {}
+            Err(Error::Broken { law: Law::FaithfulAdjoint, .. }) => {}
             faithful => return faithful,
         }
         let derivations = derivations(algebra)?;
@@ -160,10 +161,12 @@ impl MatrixGroup {
         let real = |m: Entries| m.into_iter().map(|(i, j, v)| (i, j, Complex::real(v))).collect();
         let matrices = matrices.into_iter().map(real).collect();
         match MatrixBasis::new(algebra.labels(), size, matrices, Tolerance::default()) {
-            Err(Error::Dependent { relation }) => Err(Error::Centre { central: relation }),
+            Err(Error::Broken { law: Law::Independent, at, residual }) => {
+                Err(Law::FaithfulAdjoint.broken(at, residual))
+            }
             basis => Self::with_bracket(
                 &basis?,
-                Bracket::new(algebra.labels(), algebra.structure().clone())?,
+                Bracket::new(algebra.labels(), algebra.structure_constants().clone())?,
             ),
         }
     }
@@ -328,7 +331,10 @@ type Entries = Vec<(usize, usize, f64)>;
 /// The matrices of `[e_j, .]`.
 fn adjoint_matrices(algebra: &LieAlgebra<f64>) -> Vec<Entries> {
     let mut matrices = vec![vec![]; algebra.dimension()];
-    algebra.structure().components().for_each(|(at, c)| matrices[at[1]].push((at[0], at[2], *c)));
+    algebra
+        .structure_constants()
+        .components()
+        .for_each(|(at, c)| matrices[at[1]].push((at[0], at[2], *c)));
     matrices
 }
 
@@ -345,7 +351,7 @@ fn derivations(algebra: &LieAlgebra<f64>) -> Result<Vec<DMatrix<f64>>, Error> {
     // unknown D^i_m is number i n + m; an equation for each i and j < k
     let equation = |i: usize, j: usize, k: usize| (i * n + j) * n + k;
     let mut rows = vec![Vec::new(); n * n * n];
-    for (at, c) in algebra.structure().components() {
+    for (at, c) in algebra.structure_constants().components() {
         let [m, j, k] = [at[0], at[1], at[2]];
         for i in 0..n {
             // D^i_m c^m_jk, c^m_ik D^i_j and c^m_ji D^i_k with the letters of this component
@@ -423,7 +429,7 @@ impl LieGroup for MatrixGroup {
     /// Not by the inverse of `exp(x)`, which loses its digits where entries are large.
     fn adjoint_exp(&self, x: &Self::Vector) -> DMatrix<f64> {
         let mut ad = DMatrix::zeros(self.dimension(), self.dimension());
-        let structure = self.bracket.structure();
+        let structure = self.bracket.structure_constants();
         structure.components().for_each(|(at, c)| ad[(at[0], at[2])] += c * x[at[1]]);
         exp(&ad)
     }

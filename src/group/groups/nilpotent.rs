@@ -4,7 +4,7 @@ use crate::group::TranslationSplit;
 use crate::group::matrices::{Generator, MatrixNotation, Partial, checked, column, replace};
 use crate::group::{Embedded, LieGroup};
 use crate::numerics::exponential::exp;
-use crate::{Error, LieAlgebra};
+use crate::{Error, Law, LieAlgebra};
 use affinor_tensors::linear::{Echelon, Matrix};
 use affinor_tensors::{Field, Scalar};
 use nalgebra::{DMatrix, DVector};
@@ -41,7 +41,7 @@ impl<S: Field + Scalar> Nilpotent<S> {
     /// The group of the algebra.
     ///
     /// # Errors
-    /// [`Error::NotNilpotent`], naming a vector in every term of the lower central series.
+    /// [`Law::Nilpotent`], naming a vector in every term of the lower central series.
     pub fn new(algebra: LieAlgebra<S>) -> Result<Self, Error> {
         let class = class(&algebra)?;
         Ok(Nilpotent { algebra, class })
@@ -74,7 +74,7 @@ fn class<S: Field + Scalar>(algebra: &LieAlgebra<S>) -> Result<usize, Error> {
     let mut term: Vec<_> = algebra.basis().collect();
     let mut class = 0;
     while !term.is_empty() {
-        let mut next = Echelon::new().with_tolerance(algebra.structure().tolerance());
+        let mut next = Echelon::new().with_tolerance(algebra.structure_constants().tolerance());
         for vector in &term {
             // brackets span no more than the term before
             if next.rank() == term.len() {
@@ -94,7 +94,7 @@ fn class<S: Field + Scalar>(algebra: &LieAlgebra<S>) -> Result<usize, Error> {
             );
             let component =
                 format!("the vector {vector} in every term of the lower central series");
-            return Err(Error::NotNilpotent { component });
+            return Err(Law::Nilpotent.broken([], component));
         }
         term = Matrix::from_rows(algebra.dimension(), next.rows().to_vec())?.to_dense();
         class += 1;

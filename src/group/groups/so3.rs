@@ -1,11 +1,11 @@
 //! SO(3), the rotations of space, as unit quaternions.
 
-use crate::Error;
 use crate::group::TranslationSplit;
 use crate::group::matrices::{MatrixNotation, TOLERANCE, checked, replace, spins};
 use crate::group::rotation;
 use crate::group::{Embedded, LieGroup};
 use crate::numerics::stumpff::{FAR, Stumpff, first_two, inverse_tangent, polynomial, turning};
+use crate::{Error, Law};
 use nalgebra::{DMatrix, Quaternion, UnitQuaternion, Vector3, Vector4};
 
 /// The rotations of space: `R` maps body to spatial components, `Rdot = R spin(Omega)`.
@@ -148,7 +148,7 @@ impl LieGroup for So3 {
         v: &Self::Vector,
     ) -> Result<Self::Vector, Error> {
         let square = x.norm_squared();
-        let singular = || Error::SingularTangent { x: x.iter().copied().collect() };
+        let singular = || Law::RegularTangent.broken([format!("{:?}", x.as_slice())], "0");
         let d = inverse_tangent(square, square).filter(|_| square <= 1e30);
         let d = d.ok_or_else(singular)?;
         Ok(in_range(v, |v| v * (1.0 - d * square) + x.cross(v) * 0.5 + x * (d * x.dot(v))))

@@ -16,13 +16,13 @@ use crate::group::{Coordinates, Embedded, TranslationSplit};
 /// ```
 /// use affinor::mechanics::{EulerPoincare, Integrator, Projected};
 /// use affinor::group::{LieGroup, Se3};
-/// use affinor::{Canonical, Connection, Metric};
+/// use affinor::{CanonicalConnection, Connection, Metric};
 /// use affinor::tensors::{Down, Tensor};
 /// use nalgebra::Vector6;
 /// let se3 = Se3.algebra()?;
 /// let masses = (0..6).map(|i| ([i, i], 1.0 + i as f64));
 /// let masses = Metric::new(se3.labels(), Tensor::from_components(6, &[Down, Down], masses)?)?;
-/// let body = EulerPoincare::free(Se3, &Connection::canonical(&se3, Canonical::Plus), &masses)?;
+/// let body = EulerPoincare::free(Se3, &Connection::canonical(&se3, CanonicalConnection::Plus), &masses)?;
 /// let mut state = body.state(0.0, Se3.identity(), &Vector6::new(0.3, 1.0, 0.1, 0.2, 0.0, 0.5));
 /// let energy = body.energy(&state);
 /// for _ in 0..100 {

@@ -57,7 +57,7 @@ pub trait LocalCoordinates<G: LieGroup> {
     /// `y'` for `g' = g velocity` at a point, to the accuracy of a method of that order.
     ///
     /// # Errors
-    /// [`Error::SingularTangent`] where the coordinates are singular.
+    /// [`Law::RegularTangent`](crate::Law::RegularTangent) where the coordinates are singular.
     fn rate(
         group: &G,
         point: &Self::Point,
@@ -117,7 +117,7 @@ impl<const STAGES: usize, T: Tabulated<STAGES>, C> RungeKutta<STAGES, T, C> {
     /// The state after a step, and its estimated error in units of the tolerance.
     ///
     /// # Errors
-    /// [`Error::Integration`], [`Error::SingularTangent`].
+    /// [`Error::Integration`], [`Law::RegularTangent`](crate::Law::RegularTangent).
     pub(super) fn advanced<S: CotangentSystem>(
         &self,
         system: &S,

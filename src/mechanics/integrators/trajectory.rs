@@ -14,13 +14,13 @@ use crate::mechanics::systems::cotangent::{CotangentSystem, State};
 /// use affinor::mechanics::events::{Direction, Event, AfterEvent};
 /// use affinor::mechanics::{Adaptive, EulerPoincare, State};
 /// use affinor::group::{LieGroup, So3};
-/// use affinor::{Canonical, Connection, Metric};
+/// use affinor::{CanonicalConnection, Connection, Metric};
 /// use affinor::tensors::{Down, Tensor};
 /// use nalgebra::Vector3;
 /// let so3 = So3.algebra()?;
 /// let moments = (0..3).map(|i| ([i, i], 1.0 + i as f64));
 /// let inertia = Metric::new(so3.labels(), Tensor::from_components(3, &[Down, Down], moments)?)?;
-/// let body = EulerPoincare::free(So3, &Connection::canonical(&so3, Canonical::Plus), &inertia)?;
+/// let body = EulerPoincare::free(So3, &Connection::canonical(&so3, CanonicalConnection::Plus), &inertia)?;
 /// let start = body.state(0.0, So3.identity(), &Vector3::new(0.3, 1.0, 0.1));
 /// // the run ends when the third component of the velocity vanishes
 /// let omega = |state: &State<So3>| body.velocity(state).z;

@@ -1,14 +1,11 @@
 //! Groups as configuration spaces of motions, and the choice of a group's own type.
 
-use super::classes::free_body::{Body, FreeStart};
-use super::methods::Method;
-use super::stepper::Stepper;
 use crate::Error;
 use crate::group::{
     AnyGroup, Coordinates, MatrixGroup, MatrixNotation, Nilpotent, Opposite, Se2, Se3, Sl2, So2,
     So3, TranslationSplit,
 };
-use crate::mechanics::{Inertia, State};
+use crate::mechanics::Inertia;
 use nalgebra::{DMatrix, DVector};
 use std::fmt::Debug;
 
@@ -30,20 +27,6 @@ pub trait SimulationGroup:
     /// The inertia of a body with a metric, if the group is that of rotations.
     fn body(&self, inertia: &DMatrix<f64>) -> Option<Result<Inertia, Error>> {
         let _ = inertia;
-        None
-    }
-
-    /// The steps of a method for bodies; `None` if the group has no such method.
-    #[doc(hidden)]
-    fn body_stepper(
-        &self,
-        method: Method,
-        inertia: &Inertia,
-        system: &Body<Self>,
-        start: &State<Self>,
-        step: f64,
-    ) -> Option<Result<Stepper<Body<Self>>, Error>> {
-        let _ = (method, inertia, system, start, step);
         None
     }
 }
@@ -70,18 +53,6 @@ impl<G: SimulationGroup> SimulationGroup for Opposite<G> {
 impl SimulationGroup for So3 {
     fn body(&self, inertia: &DMatrix<f64>) -> Option<Result<Inertia, Error>> {
         Some(Inertia::new(&inertia.fixed_view::<3, 3>(0, 0).into_owned()))
-    }
-
-    fn body_stepper(
-        &self,
-        method: Method,
-        inertia: &Inertia,
-        system: &Body<Self>,
-        start: &State<Self>,
-        step: f64,
-    ) -> Option<Result<Stepper<Body<Self>>, Error>> {
-        let (state, momentum) = (start.clone(), system.momentum(start));
-        method.body(&FreeStart { inertia: inertia.clone(), state, momentum }, step)
     }
 }
 

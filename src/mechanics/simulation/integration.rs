@@ -19,7 +19,7 @@ impl Integration {
     /// The step size of a method; 0 for methods without one.
     ///
     /// # Errors
-    /// [`Error::NoMethod`] for fixed steps without a step size, and for a tolerance that is too small.
+    /// [`Error::Unsupported`] for fixed steps without a step size, and for a tolerance that is too small.
     pub(super) fn step_of(&self, method: Method) -> Result<f64, Error> {
         method.expect_resolved(self.control.tolerance)?;
         match self.step {

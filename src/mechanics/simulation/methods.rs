@@ -280,7 +280,7 @@ impl Method {
     /// Checks that a method with step-size control can meet the tolerance.
     ///
     /// # Errors
-    /// [`Error::NoMethod`] for a tolerance below the resolution of floats.
+    /// [`Error::Unsupported`] for a tolerance below the resolution of floats.
     pub fn expect_resolved(self, tolerance: f64) -> Result<(), Error> {
         if !self.is_controlled() || tolerance >= LEAST {
             return Ok(());
@@ -292,7 +292,7 @@ impl Method {
 
     /// The error of a method that a problem does not have.
     pub(super) fn refused(self, reason: &str) -> Error {
-        Error::NoMethod { method: self.name(), reason: reason.into() }
+        Error::Unsupported(format!("the method {} does not serve here: {reason}", self.name()))
     }
 }
 

@@ -56,7 +56,7 @@ pub struct Started {
 }
 
 /// A system with the columns of its motion: what each class of problems implements.
-pub(super) trait Recorded: Send + 'static {
+pub(super) trait ObservedMotion: Send + 'static {
     /// The system.
     type System: System<State: Send>;
 
@@ -97,7 +97,7 @@ pub(super) trait Recorded: Send + 'static {
 }
 
 /// The one implementation of [`Motion`].
-struct Simulation<R: Recorded> {
+struct Simulation<R: ObservedMotion> {
     recorded: R,
     now: Progress<R::System>,
     stored: Option<Progress<R::System>>,
@@ -118,7 +118,7 @@ impl<S: System> Clone for Progress<S> {
 }
 
 /// The motion of a system from a state.
-pub(super) fn simulation<R: Recorded>(
+pub(super) fn simulation<R: ObservedMotion>(
     recorded: R,
     state: <R::System as System>::State,
     stepper: Stepper<R::System>,
@@ -127,7 +127,7 @@ pub(super) fn simulation<R: Recorded>(
     Box::new(Simulation { recorded, now, stored: None })
 }
 
-impl<R: Recorded> Simulation<R> {
+impl<R: ObservedMotion> Simulation<R> {
     /// The longest step between checks for events, by the present angular velocity.
     fn longest(&self) -> f64 {
         self.now.stepper.longest(|| self.recorded.rate(&self.now.state))
@@ -163,7 +163,7 @@ impl<R: Recorded> Simulation<R> {
     }
 }
 
-impl<R: Recorded> Motion for Simulation<R> {
+impl<R: ObservedMotion> Motion for Simulation<R> {
     fn time(&self) -> f64 {
         self.recorded.system().time(&self.now.state)
     }

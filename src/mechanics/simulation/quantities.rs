@@ -130,7 +130,7 @@ impl SymbolTable {
         (1..=self.blocks.len()).contains(&factor).then(|| (factor - 1, name))
     }
 
-    /// SymbolTable in all factors, as they are known outside.
+    /// Names in all factors, as they are known outside.
     fn of_factors(&self, names: impl Fn(&Block) -> Vec<String>) -> Vec<String> {
         let blocks = self.blocks.iter().enumerate();
         let outside = |(k, block): (usize, &Block)| {

@@ -31,7 +31,7 @@ pub trait Constraint<G: LieGroup> {
 /// ```
 /// use affinor::mechanics::{Constrained, Constraint, GeneralisedAlpha, Integrator};
 /// use affinor::group::{LieGroup, Translations};
-/// use affinor::{Canonical, Connection, Metric};
+/// use affinor::{CanonicalConnection, Connection, Metric};
 /// use affinor::tensors::{Down, Tensor};
 /// use nalgebra::{Const, DMatrix, DVector, Vector2, dvector};
 /// // a pendulum of length 1 and mass 1 in the plane, gravity 1
@@ -47,7 +47,7 @@ pub trait Constraint<G: LieGroup> {
 /// let plane = Translations(Const::<2>);
 /// let unit = Tensor::from_components(2, &[Down, Down], [([0, 0], 1.0), ([1, 1], 1.0)])?;
 /// let mass = Metric::new(plane.algebra()?.labels(), unit)?;
-/// let plus = Connection::canonical(&plane.algebra()?, Canonical::Plus);
+/// let plus = Connection::canonical(&plane.algebra()?, CanonicalConnection::Plus);
 /// let gravity = |_: f64, _: &Vector2<f64>, _: &Vector2<f64>| Vector2::new(0.0, -1.0);
 /// let pendulum = Constrained::new(plane, &plus, &mass, gravity, Rod)?;
 /// let mut state = pendulum.state(0.0, Vector2::new(1.0, 0.0), &Vector2::zeros())?;
@@ -140,7 +140,7 @@ impl<G: TranslationSplit, C: Constraint<G>, M: Torque<G>> Constrained<G, C, M> {
         constraint: C,
     ) -> Result<Self, Error> {
         expect_on_group(&group, connection, metric)?;
-        let inertial = Bilinear::of_momentum(connection.gamma());
+        let inertial = Bilinear::of_momentum(connection.affinities());
         let mass = metric.components().to_dmatrix()?;
         Ok(Constrained { group, mass, inertial, force, constraint })
     }

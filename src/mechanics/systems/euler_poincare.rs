@@ -30,13 +30,13 @@ const SAME: f64 = 1e-12;
 /// ```
 /// use affinor::mechanics::{EulerPoincare, Integrator, MuntheKaas};
 /// use affinor::group::{LieGroup, So3};
-/// use affinor::{Canonical, Connection, Metric};
+/// use affinor::{CanonicalConnection, Connection, Metric};
 /// use affinor::tensors::{Down, Tensor};
 /// use nalgebra::Vector3;
 /// let so3 = So3.algebra()?;
 /// let moments = (0..3).map(|i| ([i, i], 1.0 + i as f64));
 /// let inertia = Metric::new(so3.labels(), Tensor::from_components(3, &[Down, Down], moments)?)?;
-/// let plus = Connection::canonical(&so3, Canonical::Plus);
+/// let plus = Connection::canonical(&so3, CanonicalConnection::Plus);
 /// let body = EulerPoincare::free(So3, &plus, &inertia)?;
 /// let mut state = body.state(0.0, So3.identity(), &Vector3::new(0.3, 1.0, 0.1));
 /// let energy = body.energy(&state);
@@ -180,8 +180,8 @@ impl<G: TranslationSplit, M: Torque<G>> EulerPoincare<G, M> {
         torque: M,
     ) -> Result<Self, Error> {
         expect_on_group(&group, connection, metric)?;
-        let structure = connection.frame().structure();
-        let operands = [("L", connection.gamma()), ("c", structure)];
+        let structure = connection.frame().structure_functions();
+        let operands = [("L", connection.affinities()), ("c", structure)];
         let excess = Bilinear::of_momentum(&formula("L^j_ki - c^j_ki -> ^j_ki", &operands));
         let (metric, inverse) = (Matrix::new(metric.components()), Matrix::new(metric.inverse()));
         let centred = Centred::new(&group, &metric, &inverse, structure);

@@ -1,7 +1,7 @@
 //! Products over one denominator in machine integers.
 
 use super::arithmetic::{Arithmetic, Term};
-use super::{Paths, Product, Role};
+use super::{KernelThresholds, Product, Role};
 use crate::{Scalar, Tensor};
 use std::borrow::Cow;
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
@@ -40,7 +40,7 @@ impl Cleared {
         &'t self,
         products: &'t [Product<S>],
         dimension: usize,
-        paths: &Paths,
+        paths: &KernelThresholds,
     ) -> Option<(Vec<Term<'t, i64>>, i64)> {
         let products = || products.iter().zip(&self.numbers);
         let own = |(product, numbers): (&Product<S>, &Vec<usize>)| {
@@ -100,7 +100,7 @@ pub(super) struct OnIntegers<S> {
 }
 
 impl<S: Scalar> OnIntegers<S> {
-    pub fn new(denominator: i64, paths: &Paths) -> Self {
+    pub fn new(denominator: i64, paths: &KernelThresholds) -> Self {
         let kept = i64::from(paths.kept_quotients);
         let frequent = (-kept..=kept).map(|sum| S::from_quotient(sum, denominator)).collect();
         OnIntegers { denominator, frequent, kept, failed: AtomicBool::new(false) }
@@ -145,7 +145,7 @@ mod tests {
     /// A quotient that the ring lacks is noticed, whether it is one of the stored ones or not; a sum of zero needs none.
     #[test]
     fn missing_quotients_are_noticed() {
-        let paths = Paths { kept_quotients: 2, ..Paths::default() };
+        let paths = KernelThresholds { kept_quotients: 2, ..KernelThresholds::default() };
         for sum in [-100, -3, -2, 1, 2, 3, i64::MAX] {
             // floats lack quotients by zero
             let [with, without] =

@@ -4,7 +4,7 @@
 //! the results are sorted. Of the two factors of a term, the one with more leading indices is read entry
 //! by entry, and each entry is multiplied with the partner's row of equal summed indices.
 
-use super::Paths;
+use super::KernelThresholds;
 use super::accumulator::Accumulator;
 use super::arithmetic::{Arithmetic, Term, Value};
 use super::found::Found;
@@ -20,7 +20,7 @@ pub(super) fn run<S: Value, A: Arithmetic<S>>(
     terms: &[Term<A::Value>],
     (dimension, rank): (usize, usize),
     groups: &[Range<usize>],
-    paths: &Paths,
+    paths: &KernelThresholds,
 ) -> (Vec<u64>, Vec<S>) {
     let n = dimension as u64;
     let shape = Shape::new(n, rank, groups);

@@ -6,7 +6,7 @@
 /// every path. No threshold changes a result: exact values are equal, and floats are equal to the
 /// last bit, because every path adds the products of a component in the same order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Paths {
+pub struct KernelThresholds {
     /// A factor with at most this many rows gets a table of the beginnings of its rows.
     pub direct_rows: u64,
     /// The factors of a term get bit sets of their nonempty rows, if a set takes at most this many 64-bit
@@ -27,9 +27,9 @@ pub struct Paths {
     pub kept_quotients: u32,
 }
 
-impl Default for Paths {
+impl Default for KernelThresholds {
     fn default() -> Self {
-        Paths {
+        KernelThresholds {
             direct_rows: 1 << 22,
             marked_words: 1 << 22,
             parallel_from: 4096,

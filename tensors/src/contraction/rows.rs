@@ -3,7 +3,7 @@
 use super::arithmetic::{Factor, Term};
 use super::positions::{Digits, Position, beginnings, sort_by_counting};
 use super::shape::{Place, Shape};
-use super::{Paths, Role};
+use super::{KernelThresholds, Role};
 use std::ops::Range;
 
 /// A term laid out in rows. The driver is read entry by entry; the partner is looked up by row.
@@ -16,7 +16,7 @@ pub(super) struct Laid<V> {
 
 impl<V: Clone> Laid<V> {
     /// `None` for a term with an empty factor.
-    pub fn new(term: &Term<'_, V>, shape: Shape, paths: &Paths) -> Option<Self> {
+    pub fn new(term: &Term<'_, V>, shape: Shape, paths: &KernelThresholds) -> Option<Self> {
         if term.factors.iter().any(|factor| factor.keys.is_empty()) {
             return None;
         }

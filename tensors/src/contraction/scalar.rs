@@ -1,7 +1,7 @@
 //! The scalars that tensors of the engine are contracted over.
 
-use super::{Paths, over};
-use crate::scalar::{Jet, Rational, Recorded, Summable, Symbolic, Tracked};
+use super::{KernelThresholds, over};
+use crate::scalar::{Jet, Rational, Recorded, Summable, Symbolic, TrackedFloat};
 use crate::{Tensor, TensorError};
 use num_rational::{BigRational, Ratio};
 
@@ -15,7 +15,7 @@ pub trait Scalar: Summable {
     /// As there.
     #[doc(hidden)]
     fn contracted(
-        paths: &Paths,
+        paths: &KernelThresholds,
         expression: &str,
         operands: &[(&str, &Tensor<Self>)],
     ) -> Result<Tensor<Self>, TensorError> {
@@ -28,7 +28,7 @@ macro_rules! compiled_here {
     ($($scalar:ty),*) => {$(
         impl Scalar for $scalar {
             fn contracted(
-                paths: &Paths,
+                paths: &KernelThresholds,
                 expression: &str,
                 operands: &[(&str, &Tensor<Self>)],
             ) -> Result<Tensor<Self>, TensorError> {
@@ -37,7 +37,7 @@ macro_rules! compiled_here {
         }
     )*};
 }
-compiled_here!(f64, Rational, Symbolic, Tracked);
+compiled_here!(f64, Rational, Symbolic, TrackedFloat);
 
 impl Scalar for Jet {}
 impl Scalar for Recorded {}

@@ -1,6 +1,7 @@
 //! Other notations of functions: `ln(x)`, `sec(x)`, `sin^2(x)`.
 
 use super::{Expression, Node};
+use crate::scalar::Function;
 
 /// A function as a quotient of others at the same argument.
 struct Abbreviation {
@@ -28,9 +29,6 @@ const ABBREVIATIONS: [Abbreviation; 7] = [
     quotient("coth", None, Some("tanh")),
 ];
 
-/// The elementary functions besides abbreviations.
-const ELEMENTARY: [&str; 9] = ["sin", "cos", "tan", "exp", "sinh", "cosh", "tanh", "log", "sqrt"];
-
 /// Whether the name is another notation for a quotient of elementary functions, like `sec` and `ln`.
 ///
 /// ```
@@ -43,7 +41,7 @@ pub fn is_abbreviation(name: &str) -> bool {
 
 /// Whether the name is one of an elementary function, so that `sin^2(x)` has a meaning.
 pub(super) fn is_elementary(name: &str) -> bool {
-    ELEMENTARY.contains(&name) || is_abbreviation(name)
+    Function::from_name(name).is_some() || is_abbreviation(name)
 }
 
 impl Expression {

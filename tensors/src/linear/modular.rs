@@ -106,17 +106,17 @@ impl Prime {
 
 /// A dense matrix of residues.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Residues {
+pub struct ResidueMatrix {
     prime: Prime,
     columns: usize,
     rows: Vec<Vec<u64>>,
 }
 
-impl Residues {
+impl ResidueMatrix {
     /// The matrix with these rows of residues, each of `columns` entries.
     pub fn new(prime: Prime, columns: usize, rows: Vec<Vec<u64>>) -> Self {
         debug_assert!(rows.iter().all(|row| row.len() == columns));
-        Residues { prime, columns, rows }
+        ResidueMatrix { prime, columns, rows }
     }
 
     /// The prime.
@@ -283,12 +283,12 @@ fn short(a: u64, b: u64) -> u64 {
 /// Rational numbers with given residues modulo several primes, as long as the numerators and
 /// denominators are below the square root of half the product of the primes.
 #[derive(Clone, Debug)]
-pub struct Images(polycore::crt::MixedRadixAccumulator);
+pub struct RationalReconstruction(polycore::crt::MixedRadixAccumulator);
 
-impl Images {
+impl RationalReconstruction {
     /// No images yet, of `length` numbers.
     pub fn new(length: usize) -> Self {
-        Images(polycore::crt::MixedRadixAccumulator::new(length))
+        RationalReconstruction(polycore::crt::MixedRadixAccumulator::new(length))
     }
 
     /// Adds the residues modulo a further prime; `false` if their number is wrong.

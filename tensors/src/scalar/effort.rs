@@ -115,6 +115,7 @@ impl fmt::Display for EffortExceeded {
 impl std::error::Error for EffortExceeded {}
 
 /// The limit of this thread, for its workers.
+#[cfg(feature = "parallel")]
 pub(crate) fn current() -> Option<Arc<Effort>> {
     CURRENT.with_borrow(Clone::clone)
 }

@@ -1,7 +1,7 @@
 //! Floating point: `f64` with a tolerance for zero within one sum of products.
 //!
 //! A remainder above the tolerance counts as exact in all later sums. The scalar
-//! [`Tracked`](super::Tracked) follows rounding errors through all stages.
+//! [`TrackedFloat`](super::TrackedFloat) follows rounding errors through all stages.
 
 use super::{Field, Kind, Notation, Rational, Ring, Sum, Summable, Tabular, Tolerance};
 use num_traits::One;

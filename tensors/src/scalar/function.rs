@@ -81,11 +81,19 @@ impl fmt::Display for Function {
     }
 }
 
+/// The cotangent, a quotient of functions of the table.
+const COTANGENT: &str = "cot";
+
 /// The names of the functions that expressions call, for messages.
-pub(crate) const NAMES: [&str; 10] =
-    ["sin", "cos", "tan", "cot", "exp", "sinh", "cosh", "tanh", "log", "sqrt"];
+pub(crate) fn names() -> String {
+    let named = |function: Function| match function {
+        Function::Tan => vec![function.name(), COTANGENT],
+        _ => vec![function.name()],
+    };
+    Function::ALL.into_iter().flat_map(named).collect::<Vec<_>>().join(", ")
+}
 
 /// Whether this is the name of an elementary function, which a free function may not have.
 pub(crate) fn is_elementary(name: &str) -> bool {
-    NAMES.contains(&name)
+    name == COTANGENT || Function::from_name(name).is_some()
 }

@@ -28,7 +28,8 @@ macro_rules! ratio_scalar {
             /// When the sum does not fit the type, rather than wrap.
             fn finish(&self, tolerance: Tolerance) -> Option<$ratio> {
                 let value = self.0.finish(tolerance)?;
-                Some(<$ratio>::try_from(&value).expect("the sum fits this type"))
+                let fitting = <$ratio>::try_from(&value).ok();
+                Some(fitting.expect("the sum overflows Ratio<i64>: compute over affinor::Rational"))
             }
         }
 

@@ -56,7 +56,7 @@ pub trait Summable: Ring {
 /// empty sum.
 ///
 /// For exact scalars it is the value itself ([`ExactSum`]). For floats it also contains the sum of
-/// the magnitudes of the terms, to which the [`Tolerance`] is relative. A sum of [`Tracked`](super::Tracked) floats
+/// the magnitudes of the terms, to which the [`Tolerance`] is relative. A sum of [`TrackedFloat`](super::TrackedFloat) floats
 /// passes its rounding error on to its result.
 pub trait Sum<S>: Clone + Default + Send {
     /// Adds one term.
@@ -115,7 +115,7 @@ impl<S: Summable> Sum<S> for ExactSum<S> {
 /// The relative tolerance for zero: a sum of float products counts as zero if
 /// `|sum| <= tolerance * (sum of the |terms|)`.
 ///
-/// A [`Tracked`](super::Tracked) also counts as zero if it consists of the rounding errors of earlier sums. Exact
+/// A [`TrackedFloat`](super::TrackedFloat) also counts as zero if it consists of the rounding errors of earlier sums. Exact
 /// scalars ignore the tolerance.
 ///
 /// ```

@@ -42,7 +42,7 @@ use std::collections::BTreeSet;
 use std::fmt;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::sync::Arc;
-use variable::Kind as Meaning;
+use variable::Kind as Evaluator;
 use writing::Markup;
 
 pub use common::CommonFactors;
@@ -102,7 +102,7 @@ impl Symbolic {
 
     /// The number pi.
     pub fn pi() -> Self {
-        Self::variable(Variable::function(Meaning::Pi))
+        Self::variable(Variable::function(Evaluator::Pi))
     }
 
     /// The constant function.
@@ -348,7 +348,10 @@ impl Symbolic {
     fn has_written_form(&self) -> bool {
         let written = |variable: &Variable| {
             let kind = variable.kind();
-            matches!(kind, Meaning::HalfTangent(_) | Meaning::Exponential(_) | Meaning::Root(_))
+            matches!(
+                kind,
+                Evaluator::HalfTangent(_) | Evaluator::Exponential(_) | Evaluator::Root(_)
+            )
         };
         self.variables().iter().any(written)
     }

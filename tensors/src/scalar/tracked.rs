@@ -35,16 +35,16 @@ use std::ops::{Add, Mul, Neg};
 /// D. E. Knuth; the correction follows P. Langlois, *BIT* 41 (2001) 515-526, who keeps the first order.
 ///
 /// ```
-/// use affinor_tensors::{Notation, Rational, Sum, Summable, Tolerance, Tracked};
-/// let number = |n, d| Tracked::from_rational(&Rational::new(n, d).unwrap()).unwrap();
+/// use affinor_tensors::{Notation, Rational, Sum, Summable, Tolerance, TrackedFloat};
+/// let number = |n, d| TrackedFloat::from_rational(&Rational::new(n, d).unwrap()).unwrap();
 /// // 1/3 * 3.1 - 3.1/3 leaves 2e-16 in place of 0
 /// let rounding = number(1, 3) * number(31, 10) - number(31, 30);
 /// let later = rounding * number(1_000_000, 1);
 /// assert!(later.value() != 0.0);
-/// assert!(<Tracked as Summable>::Sum::term(&later).finish(Tolerance::default()).is_none());
+/// assert!(<TrackedFloat as Summable>::Sum::term(&later).finish(Tolerance::default()).is_none());
 /// ```
 #[derive(Clone, Copy)]
-pub struct Tracked {
+pub struct TrackedFloat {
     value: f64,
     /// The last binary digit, which no estimate of an error is known to, is 1 if the value counts as zero in the sum that
     /// it comes from. Tensors of millions of components need a third less memory than with a field of its own.
@@ -57,14 +57,14 @@ const LEFT: f64 = 1.0 / 1024.0;
 /// Nothing remains if it is at most this share: the digits that an error is known to.
 const NOTHING: f64 = 1.0 / (1u64 << 40) as f64;
 
-impl Tracked {
+impl TrackedFloat {
     /// An exact number.
     pub const fn new(value: f64) -> Self {
-        Tracked { value, marked_error: 0.0 }
+        TrackedFloat { value, marked_error: 0.0 }
     }
 
     const fn marked(value: f64, error: f64, small: bool) -> Self {
-        Tracked { value, marked_error: f64::from_bits(error.to_bits() & !1 | small as u64) }
+        TrackedFloat { value, marked_error: f64::from_bits(error.to_bits() & !1 | small as u64) }
     }
 
     const fn counts_as_zero(self) -> bool {
@@ -73,7 +73,7 @@ impl Tracked {
 
     /// A number that is known to be too large by `error`.
     pub(crate) const fn with_error(value: f64, error: f64) -> Self {
-        Tracked::marked(value, error, false)
+        TrackedFloat::marked(value, error, false)
     }
 
     /// The value.
@@ -93,9 +93,9 @@ impl Tracked {
     }
 }
 
-impl From<f64> for Tracked {
+impl From<f64> for TrackedFloat {
     fn from(value: f64) -> Self {
-        Tracked::new(value)
+        TrackedFloat::new(value)
     }
 }
 
@@ -155,8 +155,8 @@ impl TrackedSum {
         self.magnitude = magnitudes(self.magnitude, other.magnitude);
     }
 
-    fn plain(&self) -> Tracked {
-        Tracked::marked(self.value, self.error, self.magnitude.is_sign_negative())
+    fn plain(&self) -> TrackedFloat {
+        TrackedFloat::marked(self.value, self.error, self.magnitude.is_sign_negative())
     }
 
     /// Whether the value counts as zero.
@@ -181,14 +181,14 @@ impl TrackedSum {
     }
 }
 
-impl Sum<Tracked> for TrackedSum {
+impl Sum<TrackedFloat> for TrackedSum {
     #[inline(always)]
-    fn term(a: &Tracked) -> Self {
+    fn term(a: &TrackedFloat) -> Self {
         let magnitude = Self::size(a.value, a.counts_as_zero());
         TrackedSum { value: a.value, error: a.error(), magnitude }
     }
     #[inline(always)]
-    fn product(a: &Tracked, b: &Tracked) -> Self {
+    fn product(a: &TrackedFloat, b: &TrackedFloat) -> Self {
         let (value, rounding) = multiplied(a.value, b.value);
         let (e, f) = (a.error(), b.error());
         let error = e * b.value + a.value * f - e * f + rounding;
@@ -196,67 +196,67 @@ impl Sum<Tracked> for TrackedSum {
         TrackedSum { value, error, magnitude: Self::size(value, small) }
     }
     #[inline(always)]
-    fn add_term(&mut self, a: &Tracked) {
+    fn add_term(&mut self, a: &TrackedFloat) {
         self.add(Self::term(a));
     }
     #[inline(always)]
-    fn add_product(&mut self, a: &Tracked, b: &Tracked) {
+    fn add_product(&mut self, a: &TrackedFloat, b: &TrackedFloat) {
         self.add(Self::product(a, b));
     }
-    fn finish(&self, tolerance: Tolerance) -> Option<Tracked> {
+    fn finish(&self, tolerance: Tolerance) -> Option<TrackedFloat> {
         (!self.is_small(tolerance)).then(|| self.plain())
     }
-    fn kept(&self, tolerance: Tolerance) -> Option<Tracked> {
-        let kept = Tracked::marked(self.value, self.error, self.is_small(tolerance));
+    fn kept(&self, tolerance: Tolerance) -> Option<TrackedFloat> {
+        let kept = TrackedFloat::marked(self.value, self.error, self.is_small(tolerance));
         (!self.leaves(NOTHING, tolerance)).then_some(kept)
     }
 }
 
 /// Equal values; the errors do not matter.
-impl PartialEq for Tracked {
+impl PartialEq for TrackedFloat {
     fn eq(&self, other: &Self) -> bool {
         self.value == other.value
     }
 }
 
-impl PartialOrd for Tracked {
+impl PartialOrd for TrackedFloat {
     fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
         self.value.partial_cmp(&other.value)
     }
 }
 
-impl Add<&Tracked> for Tracked {
-    type Output = Tracked;
-    fn add(self, other: &Tracked) -> Tracked {
+impl Add<&TrackedFloat> for TrackedFloat {
+    type Output = TrackedFloat;
+    fn add(self, other: &TrackedFloat) -> TrackedFloat {
         let mut sum = TrackedSum::term(&self);
         sum.add_term(other);
         sum.plain()
     }
 }
 
-impl Mul<&Tracked> for Tracked {
-    type Output = Tracked;
-    fn mul(self, other: &Tracked) -> Tracked {
+impl Mul<&TrackedFloat> for TrackedFloat {
+    type Output = TrackedFloat;
+    fn mul(self, other: &TrackedFloat) -> TrackedFloat {
         TrackedSum::product(&self, other).plain()
     }
 }
 
-impl Neg for Tracked {
-    type Output = Tracked;
-    fn neg(self) -> Tracked {
-        Tracked { value: -self.value, marked_error: -self.marked_error }
+impl Neg for TrackedFloat {
+    type Output = TrackedFloat;
+    fn neg(self) -> TrackedFloat {
+        TrackedFloat { value: -self.value, marked_error: -self.marked_error }
     }
 }
 
-forward_operators!(Tracked: Add add AddAssign add_assign, Sub sub SubAssign sub_assign,
+forward_operators!(TrackedFloat: Add add AddAssign add_assign, Sub sub SubAssign sub_assign,
     Mul mul MulAssign mul_assign);
 
-impl Ring for Tracked {
+impl Ring for TrackedFloat {
     fn from_i64(n: i64) -> Self {
         // of 64 digits a float has 53
         let value = n as f64;
         let error = (value as i128 - i128::from(n)) as f64;
-        Tracked::with_error(value, error)
+        TrackedFloat::with_error(value, error)
     }
     fn vanishes(&self) -> bool {
         self.value == 0.0
@@ -266,11 +266,11 @@ impl Ring for Tracked {
         let (n, d) = (Self::from_i64(numerator), Self::from_i64(denominator));
         let (product, rounding) = multiplied(value, d.value);
         let residual = (product - n.value) - rounding + n.error() - value * d.error();
-        Some(Tracked::with_error(value, residual / (d.value - d.error())))
+        Some(TrackedFloat::with_error(value, residual / (d.value - d.error())))
     }
 }
 
-impl Summable for Tracked {
+impl Summable for TrackedFloat {
     type Sum = TrackedSum;
     fn is_small(&self) -> bool {
         self.counts_as_zero()
@@ -284,27 +284,27 @@ impl Summable for Tracked {
     }
 }
 
-impl Field for Tracked {
+impl Field for TrackedFloat {
     fn recip(&self) -> Option<Self> {
         let value = Field::recip(&self.value)?;
         // 1 - value self.value, and so the rounding of the division
         let (product, rounding) = multiplied(value, self.value);
         let residual = (1.0 - product) + rounding;
         let error = -(residual + self.error() * value) / (self.value - self.error());
-        Some(Tracked::with_error(value, error))
+        Some(TrackedFloat::with_error(value, error))
     }
     fn pivot_weight(&self) -> f64 {
         self.value.abs()
     }
 }
 
-impl Notation for Tracked {
+impl Notation for TrackedFloat {
     const KIND: Kind = Kind::Float;
     /// The nearest float, with its rounding error.
     fn from_rational(exact: &Rational) -> Option<Self> {
         let value = f64::from_rational(exact)?;
         let error = Rational::from_f64(value).map_or(0.0, |own| (own - exact).to_f64());
-        Some(Tracked::with_error(value, error))
+        Some(TrackedFloat::with_error(value, error))
     }
     fn latex(&self) -> String {
         self.corrected().latex()
@@ -317,17 +317,17 @@ impl Notation for Tracked {
     }
 }
 
-impl Tabular for Tracked {}
+impl Tabular for TrackedFloat {}
 
 /// The corrected value.
-impl fmt::Display for Tracked {
+impl fmt::Display for TrackedFloat {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.corrected().fmt(f)
     }
 }
 
 /// The value and its error: `0.1 (off by 5e-18)`.
-impl fmt::Debug for Tracked {
+impl fmt::Debug for TrackedFloat {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{:?} (off by {:?})", self.value, self.error())
     }
@@ -342,7 +342,7 @@ mod tests {
     fn an_error_keeps_its_digits_beside_the_mark() {
         for error in [0.0, 1.0, 1e-17, 0.1, 3e-300, 5e-324, f64::MAX, f64::INFINITY] {
             for (error, small) in [(error, false), (error, true), (-error, false), (-error, true)] {
-                let value = Tracked::marked(2.0, error, small);
+                let value = TrackedFloat::marked(2.0, error, small);
                 assert_eq!((value.counts_as_zero(), (-value).counts_as_zero()), (small, small));
                 assert_eq!((-value).error(), -value.error());
                 // towards zero, or not at all

@@ -230,7 +230,7 @@ impl<S> Tensor<S> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Down, Tracked, Up, contract};
+    use crate::{Down, TrackedFloat, Up, contract};
 
     #[test]
     fn coordinates_do_not_depend_on_the_number_of_threads() {
@@ -239,9 +239,10 @@ mod tests {
             if i % 2 == 1 { [0.1, 0.2, -0.3, 0.0, 0.0] } else { [1.0, 0.0, 2.0, 0.5, i as f64] }
         };
         let a = (0..5).flat_map(|i| {
-            row(i).into_iter().enumerate().map(move |(j, x)| ([i, j], Tracked::from(x)))
+            row(i).into_iter().enumerate().map(move |(j, x)| ([i, j], TrackedFloat::from(x)))
         });
-        let b = (0..25).map(|k| ([k / 5, k % 5], Tracked::from([1.0, 3.0, 0.0, 7.0, 5.0][k % 5])));
+        let b =
+            (0..25).map(|k| ([k / 5, k % 5], TrackedFloat::from([1.0, 3.0, 0.0, 7.0, 5.0][k % 5])));
         let a = Tensor::from_components(5, &[Down, Down], a).expect("a tensor");
         let b = Tensor::from_components(5, &[Up, Down], b).expect("a tensor");
         let tensor = contract("a_ij b^j_k -> _ik", &[("a", &a), ("b", &b)]).expect("a tensor");
@@ -279,7 +280,7 @@ mod tests {
 
     #[test]
     fn pieces_are_all_components_in_order() {
-        let value = |k: usize| [Tracked::from(1.0), Tracked::from(k as f64)][k % 2];
+        let value = |k: usize| [TrackedFloat::from(1.0), TrackedFloat::from(k as f64)][k % 2];
         let components = (0..25).filter(|k| k % 4 > 0).map(|k| ([k / 5, k % 5], value(k)));
         let tensor = Tensor::from_components(5, &[Down, Down], components).expect("a tensor");
         for length in [1, 2, 3, 7, 25, 100] {

@@ -5,7 +5,7 @@ use crate::common::algebras::catalogued;
 use affinor::algebra::roots::{CartanType, Series};
 use affinor::algebra::structure::real_forms::real_forms;
 use affinor::algebra::structure::{StructureTheory, Subspace};
-use affinor::{Error, LieAlgebra, Rational};
+use affinor::{Error, Law, LieAlgebra, Rational};
 use affinor_tensors::Ring;
 use affinor_tensors::linear::{Echelon, Matrix};
 use serde_json::Value;
@@ -266,6 +266,9 @@ fn constructions_refuse_what_does_not_fit() {
         assert!(
             so3.inonu_wigner_contraction(&[weight; 3]).unwrap().structure_constants().is_empty()
         );
-        assert!(matches!(so3.inonu_wigner_contraction(&[-weight; 3]), Err(Error::NoLimit { .. })));
+        assert!(matches!(
+            so3.inonu_wigner_contraction(&[-weight; 3]),
+            Err(Error::Broken { law: Law::Limit, .. })
+        ));
     }
 }

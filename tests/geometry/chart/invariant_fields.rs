@@ -220,7 +220,7 @@ fn structure_functions_are_constant_in_invariant_frames() {
     let scaled = [([0, 0], value("1")), ([1, 1], value("x1"))];
     let scaled = Tensor::from_components(2, &[Up, Down], scaled).unwrap();
     let moved = group.frame().moved(labels(2), &BasisChange::new(scaled).unwrap()).unwrap();
-    assert_eq!(moved.structure_constants().get(&[1, 0, 1]), value("1 + 1/x1"));
+    assert_eq!(moved.structure_functions().get(&[1, 0, 1]), value("1 + 1/x1"));
 }
 
 /// (B6).

@@ -3,7 +3,7 @@
 use crate::common::{
     Space, algebras::seeds, fraction, integer, property::properties, spaces, tensors,
 };
-use affinor::{CanonicalConnection, Connection, Error};
+use affinor::{CanonicalConnection, Connection, Error, Law};
 use affinor_tensors::{Rational, Tensor, Up, contract};
 use num_traits::Zero;
 use proptest::prelude::*;
@@ -129,7 +129,7 @@ properties! {
             }
             Err(error) => {
                 prop_assert!(drifts);
-                let named = matches!(error, Error::NotAutoparallel { .. });
+                let named = matches!(error, Error::Broken { law: Law::ConstantTangent, .. });
                 prop_assert!(named, "{}", error);
             }
         }

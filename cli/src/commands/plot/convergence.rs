@@ -3,8 +3,8 @@
 use super::super::failure::Failure;
 use super::super::stages::Stages;
 use affinor::mechanics::simulation::Method;
-use affinor_documents::definition::InputError;
 use affinor_documents::figures::diagram::{Diagram, Drawn, Graph, Line, Scale};
+use affinor_documents::input::InputError;
 use affinor_documents::problem::{Problem, Ready};
 use affinor_tensors::Effort;
 use clap::Args;
@@ -54,9 +54,9 @@ pub struct Comparison {
     /// The problem, a TOML file
     #[arg(value_name = "FILE")]
     problem: String,
-    /// The methods to compare, separated by commas
-    #[arg(long, value_name = "NAMES", default_value = "rkmk4,cf4")]
-    methods: String,
+    /// A method to compare; may be repeated, or a list with commas
+    #[arg(long = "method", value_name = "NAME", value_delimiter = ',', default_values = ["rkmk4", "cf4"])]
+    methods: Vec<String>,
     /// The largest step size [default: a sixteenth of the time span]
     #[arg(long, value_name = "H")]
     step: Option<f64>,
@@ -69,8 +69,8 @@ impl Comparison {
     /// The name of the problem, and the runs of each method.
     pub fn trials(&self) -> Result<(String, Vec<Trials>), Failure> {
         let problem = Problem::read(&self.problem)?;
-        let method = |name| method_of("--methods", name);
-        let methods = self.methods.split(',').map(method).collect::<Result<Vec<_>, _>>()?;
+        let methods = self.methods.iter().map(|name| method_of(name));
+        let methods = methods.collect::<Result<Vec<_>, _>>()?;
         let times = problem.times(0)?;
         let whole = times[times.len() - 1] - times[0];
         let step = self.step.unwrap_or(whole.abs() / 16.0);
@@ -88,10 +88,10 @@ impl Comparison {
 }
 
 /// The method of a name that an option gives.
-pub fn method_of(option: &str, name: &str) -> Result<Method, Failure> {
+pub fn method_of(name: &str) -> Result<Method, Failure> {
     Method::from_name(name.trim()).ok_or_else(|| {
         let all = Method::ALL.iter().map(|method| method.name()).collect::<Vec<_>>().join(", ");
-        let message = format!("{option}: there is no method `{}`", name.escape_debug());
+        let message = format!("--method: there is no method `{}`", name.escape_debug());
         InputError::usage(message).help(format!("the methods are {all}")).into()
     })
 }

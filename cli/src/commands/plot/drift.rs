@@ -6,9 +6,9 @@ use super::convergence::method_of;
 use super::run::rows_of_one;
 use super::run::times;
 use affinor::mechanics::simulation::Method;
-use affinor_documents::definition::InputError;
 use affinor_documents::figures::diagram::Diagram;
 use affinor_documents::figures::drift::{Change, Drift, diagram};
+use affinor_documents::input::InputError;
 use affinor_documents::problem::Problem;
 use affinor_tensors::Effort;
 use clap::Args;
@@ -25,8 +25,8 @@ pub struct Comparison {
     /// Draw the rows of this CSV file of `affinor simulate`, instead of integrating the problem
     #[arg(long, value_name = "FILE", conflicts_with_all = ["methods", "step", "tolerance"])]
     rows: Option<String>,
-    /// A method to compare; may be repeated [default: that of the problem]
-    #[arg(long = "method", value_name = "NAME")]
+    /// A method to compare; may be repeated, or a list with commas [default: that of the problem]
+    #[arg(long = "method", value_name = "NAME", value_delimiter = ',')]
     methods: Vec<String>,
     /// The step size of methods with fixed steps [default: that of the problem]
     #[arg(long, value_name = "H", requires = "methods")]
@@ -49,7 +49,7 @@ impl Comparison {
             drifts.push(Drift::of_rows(&run, &watched(&problem)?.0)?);
         } else {
             let stages = Stages::new(false, Effort::DEFAULT);
-            let methods = self.methods.iter().map(|name| method_of("--method", name));
+            let methods = self.methods.iter().map(|name| method_of(name));
             let methods = methods.collect::<Result<Vec<_>, _>>()?;
             if methods.is_empty() {
                 stages.begin("the motion");

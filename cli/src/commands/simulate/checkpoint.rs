@@ -7,7 +7,7 @@ use super::super::failure::Failure;
 use super::super::note::{counted, note};
 use super::super::output::{deliver, is_same};
 use super::spool::{Spool, failed};
-use affinor_documents::definition::{InputError, fingerprint};
+use affinor_documents::input::{InputError, fingerprint};
 use affinor_documents::problem::Problem;
 use serde::{Deserialize, Serialize};
 use std::fs;

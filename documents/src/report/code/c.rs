@@ -2,7 +2,7 @@
 
 use super::parts::{Function, split};
 use super::routine::{Array, Dialect, Routine, lengths};
-use crate::definition::InputError;
+use crate::input::InputError;
 use affinor_tensors::scalar::Function as Elementary;
 
 struct C;

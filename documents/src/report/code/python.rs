@@ -1,7 +1,7 @@
 //! Python with NumPy: arguments are numbers or arrays that broadcast; indices come last.
 
 use super::routine::{Array, Dialect, Routine, list};
-use crate::definition::InputError;
+use crate::input::InputError;
 use affinor_tensors::scalar::Function;
 
 struct Python;

@@ -2,7 +2,7 @@
 
 use super::super::head::printable;
 use super::super::identifiers::identifiers;
-use crate::definition::InputError;
+use crate::input::InputError;
 use affinor_tensors::scalar::{Count, Function, Output, Step, StraightLine, Variable};
 use affinor_tensors::{Notation, Rational, Recorded, Summable};
 use num_traits::{One, Zero};

@@ -1,7 +1,7 @@
 //! Rust: the arrays are returned, several as a tuple.
 
 use super::routine::{Array, Dialect, Routine, lengths};
-use crate::definition::InputError;
+use crate::input::InputError;
 use affinor_tensors::scalar::Function;
 
 struct Rust;

@@ -1,7 +1,8 @@
 //! Structure constants with square roots: a basis in which they are rational, and its row.
 
 use super::{Cell, Info, SHOWN, printable};
-use crate::definition::{Definition, InputError};
+use crate::input::InputError;
+use crate::space::Definition;
 use affinor::LieAlgebra;
 use affinor::algebra::RationalBasis;
 use affinor_tensors::{Symbolic, Tolerance};

@@ -2,7 +2,7 @@
 
 use super::{Notes, SHOWN};
 use crate::Coefficient;
-use affinor::algebra::structure::{Existence, Ground, MAX_DECOMPOSED, Structure};
+use affinor::algebra::structure::{Existence, GroundField, MAX_DECOMPOSED, StructureTheory};
 use affinor_tensors::linear::Row;
 use affinor_tensors::text::combination;
 use affinor_tensors::{Kind, Rational, Symbolic};
@@ -20,7 +20,7 @@ const LONGEST: usize = 240;
 
 impl Notes {
     /// Bases of the first and the second cohomology, as closed forms.
-    pub(super) fn cocycles<S: Ground>(&mut self, structure: &Structure<S>) {
+    pub(super) fn cocycles<S: GroundField>(&mut self, structure: &StructureTheory<S>) {
         let n = structure.dimension();
         let one = structure.closed_one_forms();
         let two = structure.two_forms().map(|forms| forms.cohomology());
@@ -49,7 +49,7 @@ impl Notes {
         self.row(title, text, if forms.is_empty() { "" } else { witness });
     }
 
-    fn one_form<S: Ground>(&self, row: &Row<S>) -> String {
+    fn one_form<S: GroundField>(&self, row: &Row<S>) -> String {
         combination(row.iter().map(|(at, v)| (v.to_string(), self.dual(*at))))
     }
 
@@ -59,13 +59,13 @@ impl Notes {
         if label.contains('/') { format!("({label})*") } else { format!("{label}*") }
     }
 
-    fn two_form<S: Ground>(&self, n: usize, row: &Row<S>) -> String {
+    fn two_form<S: GroundField>(&self, n: usize, row: &Row<S>) -> String {
         let pair = |at: usize| format!("{}^{}", self.dual(at / n), self.dual(at % n));
         combination(row.iter().map(|(at, v)| (v.to_string(), pair(*at))))
     }
 
     /// Symplectic forms in even dimension, contact forms in odd dimension, and a form of largest rank.
-    pub(super) fn nondegenerate_forms<S: Ground>(&mut self, structure: &Structure<S>) {
+    pub(super) fn nondegenerate_forms<S: GroundField>(&mut self, structure: &StructureTheory<S>) {
         let (mut symplectic, mut contact, mut regular) = (Value::Null, Value::Null, Value::Null);
         let n = structure.dimension();
         if (1..=MAX_DECOMPOSED).contains(&n) {
@@ -119,7 +119,7 @@ impl Notes {
     }
 
     /// A complex structure, in dimension 2 and 4.
-    pub(super) fn complex_structure(&mut self, structure: Option<&Structure<Rational>>) {
+    pub(super) fn complex_structure(&mut self, structure: Option<&StructureTheory<Rational>>) {
         let Some(found) = structure.and_then(|structure| structure.complex_structure()) else {
             self.json.insert("complex_structure".into(), Value::Null);
             return;
@@ -149,8 +149,11 @@ impl Notes {
     }
 
     /// Polynomial Casimir functions up to a degree, in the basis of the algebra.
-    pub(super) fn casimirs<S: Ground + Coefficient>(&mut self, structure: &Structure<S>) {
-        let constants = structure.algebra().structure();
+    pub(super) fn casimirs<S: GroundField + Coefficient>(
+        &mut self,
+        structure: &StructureTheory<S>,
+    ) {
+        let constants = structure.algebra().structure_constants();
         let parameters = S::parameters_of(&mut constants.components().map(|(_, value)| value));
         if let Some(name) = parameters.iter().find(|name| is_coordinate(name)) {
             let text = format!("not computed: rename the parameter {name}");
@@ -179,9 +182,11 @@ impl Notes {
 }
 
 /// Generators of the Casimir functions, and the degree up to which they were sought.
-fn casimirs<S: Ground + Coefficient>(structure: &Structure<S>) -> Option<(u32, Vec<Symbolic>)> {
+fn casimirs<S: GroundField + Coefficient>(
+    structure: &StructureTheory<S>,
+) -> Option<(u32, Vec<Symbolic>)> {
     let n = structure.dimension();
-    let constants = structure.algebra().structure().len();
+    let constants = structure.algebra().structure_constants().len();
     let terms = match S::KIND {
         Kind::Symbolic => TERMS_OF_PARAMETERS,
         _ => TERMS,
@@ -220,11 +225,11 @@ fn existence<S>(found: &Existence<S>, form: impl Fn(&Row<S>) -> Value) -> Value 
 }
 
 /// `[[i, "v"], ...]`
-fn json_of_one<S: Ground>(row: &Row<S>) -> Value {
+fn json_of_one<S: GroundField>(row: &Row<S>) -> Value {
     row.iter().map(|(at, value)| json!([at + 1, value.to_string()])).collect()
 }
 
 /// `[[i, j, "v"], ...]` with `i < j`
-fn json_of_two<S: Ground>(n: usize, row: &Row<S>) -> Value {
+fn json_of_two<S: GroundField>(n: usize, row: &Row<S>) -> Value {
     row.iter().map(|(at, value)| json!([at / n + 1, at % n + 1, value.to_string()])).collect()
 }

@@ -3,10 +3,11 @@
 use super::super::grid::Cell;
 use super::Notes;
 use super::basis::InBases;
-use crate::definition::{Definition, InputError};
+use crate::input::InputError;
+use crate::space::Definition;
 use affinor::algebra::roots::CartanType;
 use affinor::algebra::structure::dynkin::diagram;
-use affinor::algebra::structure::{RootSpaces, Structure, Subspace};
+use affinor::algebra::structure::{RootSpaces, StructureTheory, Subspace};
 use affinor_tensors::{Rational, Tolerance};
 use serde_json::{Value, json};
 
@@ -22,12 +23,12 @@ pub fn dynkin_type(definition: &Definition) -> Result<Vec<CartanType>, InputErro
     let definition = definition.algebra_alone();
     let types = if definition.is_rational() {
         let algebra = definition.algebra::<Rational>(Tolerance::default())?;
-        Structure::new(algebra).dynkin_type()
+        StructureTheory::new(algebra).dynkin_type()
     } else {
         let basis = InBases::of(&definition)?.rational;
         match basis.over_the_rationals() {
-            Some(algebra) => Structure::new(algebra).dynkin_type(),
-            None => Structure::new(basis.algebra().clone()).dynkin_type(),
+            Some(algebra) => StructureTheory::new(algebra).dynkin_type(),
+            None => StructureTheory::new(basis.algebra().clone()).dynkin_type(),
         }
     };
     types.ok_or_else(|| InputError::mathematics("the Dynkin type was not found"))
@@ -74,7 +75,7 @@ impl Notes {
     pub(super) fn roots(
         &mut self,
         types: Option<&[CartanType]>,
-        levi: Option<(&Structure<Rational>, &Subspace<Rational>)>,
+        levi: Option<(&StructureTheory<Rational>, &Subspace<Rational>)>,
     ) {
         let Some(types) = types.filter(|types| !types.is_empty()) else {
             self.json.insert("roots".into(), Value::Null);

@@ -4,7 +4,7 @@
 //! Sharp, Winternitz and Zassenhaus. Parameters that are not rational stay open, with equations that have rational coefficients.
 
 use super::Identification;
-use crate::algebra::structure::{Structure, Subspace};
+use crate::algebra::structure::{StructureTheory, Subspace};
 use affinor_tensors::linear::Matrix;
 use affinor_tensors::{Field, Rational, Ring};
 use num_rational::BigRational;
@@ -20,7 +20,7 @@ pub(in crate::algebra::structure) struct Spectrum {
     pub complex: Option<Option<(Rational, Rational)>>,
 }
 
-impl Structure<Rational> {
+impl StructureTheory<Rational> {
     /// The name of an algebra of dimension 4 that is not nilpotent.
     pub(super) fn real_of_dimension_four(&self) -> Option<Identification> {
         if !self.is_solvable() {

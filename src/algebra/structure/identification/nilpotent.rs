@@ -7,7 +7,7 @@ use super::polynomials::{
     MAX_VARIABLES, Polynomial, Search, System, plus, product, value, variable,
 };
 use super::witness::sum;
-use super::{Structure, Subspace, Vector, scale};
+use super::{StructureTheory, Subspace, Vector, scale};
 use crate::algebra::BasisChange;
 use crate::algebra::structure::subspace::combination;
 use affinor_tensors::{Down, Rational, Ring, Tensor, Up};
@@ -18,7 +18,7 @@ const STEPS: usize = 160;
 /// The first vector of the basis gets these multiples of the second.
 const SHEARS: [i64; 4] = [0, 1, -1, 2];
 
-impl Structure<Rational> {
+impl StructureTheory<Rational> {
     /// The images of the basis of a named nilpotent algebra; `None` if none was found.
     pub(super) fn onto_nilpotent(&self, named: &Self) -> Option<Vec<Vector>> {
         // brackets are sparse in a basis that runs through the subspaces
@@ -46,7 +46,7 @@ impl Structure<Rational> {
         let change =
             Tensor::from_fn(n, [Up, Down], |[i, a]: [usize; 2]| entries[i][a].clone()).ok()?;
         let adapted = self.algebra.change_basis(&BasisChange::new(change).ok()?).ok()?;
-        let found = Structure::new(adapted).adapted_onto(named)?;
+        let found = StructureTheory::new(adapted).adapted_onto(named)?;
         Some(found.iter().map(|row| combination(basis, row)).collect())
     }
 

@@ -4,11 +4,11 @@
 //! The bracket with another vector `y_4` of the second centre, followed by the inverse, is a map `T` of `V`. Of all `y_4` up to
 //! a factor and up to central vectors one makes the trace zero; then `T^2` is a number `d`, and `e` is `d` up to squares.
 
-use super::{Structure, Subspace, Vector, scale, witness::sum};
+use super::{StructureTheory, Subspace, Vector, scale, witness::sum};
 use affinor_tensors::linear::Matrix;
 use affinor_tensors::{Field, Rational, Ring};
 
-impl Structure<Rational> {
+impl StructureTheory<Rational> {
     /// The images of the basis of `degraaf(6,24,e=..)` with this value; `None` if the algebra is another.
     pub(super) fn onto_pairing(&self, e: &Rational) -> Option<Vec<Vector>> {
         let (centre, second) = (self.centre(), self.upper_central_series().get(2)?.clone());

@@ -5,10 +5,10 @@
 //! derived algebra; the determinant of the pairing of `L/Z_2` with `Z_2/Z`, for `f` on the centre `Z`. The first two are
 //! equivalent to `a^2 + e b^2`, the last two to `a^2 - e b^2`, up to a factor.
 
-use super::{Structure, Subspace, Vector};
+use super::{StructureTheory, Subspace, Vector};
 use affinor_tensors::{Rational, Ring};
 
-impl Structure<Rational> {
+impl StructureTheory<Rational> {
     /// Whether the parameter of a family is positive; `None` for other names, or where a form is degenerate.
     pub(super) fn has_positive_parameter(&self, name: &str) -> Option<bool> {
         let determinant = self.determinant_of_form(name)?;

@@ -6,7 +6,7 @@
 
 use super::{Vector, catalogued, scale};
 use crate::algebra::structure::subspace::{collected, combination};
-use crate::algebra::structure::{Killing, Structure, Subspace};
+use crate::algebra::structure::{Killing, StructureTheory, Subspace};
 use affinor_tensors::linear::Matrix;
 use affinor_tensors::{Field, Rational, Ring};
 use num_bigint::BigInt;
@@ -26,10 +26,10 @@ pub(super) struct Images {
     pub under_root: Option<Vec<Rational>>,
 }
 
-impl Structure<Rational> {
+impl StructureTheory<Rational> {
     /// The images of the basis of a named algebra of dimension 3 (simple), 4, or 5 and 6 (nilpotent), where one is found.
     pub(super) fn isomorphism_with(&self, name: &str) -> Option<Images> {
-        let named = Structure::new(catalogued(name)?);
+        let named = StructureTheory::new(catalogued(name)?);
         if !self.is_solvable() {
             return self.onto_simple(&named);
         }
@@ -61,7 +61,7 @@ impl Structure<Rational> {
         if !self.is_solvable() {
             return None;
         }
-        let named = Structure::new(catalogued(name)?);
+        let named = StructureTheory::new(catalogued(name)?);
         let square = |all: &Self| match all.dimension() - all.nilradical().dimension() {
             0 => all.determinant_of_form(name),
             2 => all.square_on_plane().map(|(_, _, square)| square),

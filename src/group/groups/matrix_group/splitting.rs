@@ -1,5 +1,6 @@
 //! The translations of a matrix group, computed from its algebra.
 
+use crate::algebra::SparseBracket;
 use crate::numerics::least_squares::least_squares;
 use affinor_tensors::Tensor;
 use nalgebra::{DMatrix, DVector};
@@ -18,26 +19,14 @@ const UNKNOWNS: usize = 400;
 /// `[c + f c, d + f d]` lies in the graph if `v + [c, f d] - [d, f c] = f e` for `[c, d] = e + v`: linear equations for `f`.
 pub(super) fn translations(structure: &Tensor<f64>) -> Option<DMatrix<f64>> {
     let n = structure.dimension();
-    // (k, i, c^i_jk) of each j
-    let mut ad = vec![vec![]; n];
-    structure.components().for_each(|(at, c)| ad[at[1]].push((at[2], at[0], *c)));
+    let constants = SparseBracket::of_tensor(structure);
+    let fused = |sum: f64, a: f64, b: f64| sum + a * b;
     let size = structure.components().fold(0.0, |size: f64, (_, c)| size.max(c.abs()));
-    let mut killing = DMatrix::zeros(n, n);
-    let mut own = DMatrix::zeros(n, n);
-    for i in 0..n {
-        ad[i].iter().for_each(|&(k, l, c)| own[(l, k)] = c);
-        for j in 0..n {
-            killing[(i, j)] = ad[j].iter().map(|&(k, l, c)| own[(k, l)] * c).sum();
-        }
-        ad[i].iter().for_each(|&(k, l, _)| own[(l, k)] = 0.0);
-    }
+    let killing = constants.killing(0.0, fused).concat();
+    let killing = DMatrix::from_vec(n, n, killing);
     let (inside, outside) = kernel(killing, size * size * n as f64)?;
-    let bracket = |x: &DVector<f64>, y: &DVector<f64>| -> DVector<f64> {
-        let mut sum = DVector::zeros(n);
-        for (x, ad) in x.iter().zip(&ad) {
-            ad.iter().for_each(|&(k, i, c)| sum[i] += c * y[k] * x);
-        }
-        sum
+    let bracket = |x: &DVector<f64>, y: &DVector<f64>| {
+        DVector::from_vec(constants.bracket(x.as_slice(), y.as_slice(), 0.0, fused))
     };
     let is_zero = |x: &DVector<f64>| x.amax() <= ROUNDING * size;
     let pairs = || inside.iter().flat_map(|x| inside.iter().map(move |y| (x, y)));

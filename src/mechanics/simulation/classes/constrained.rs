@@ -5,7 +5,7 @@ use crate::mechanics::formula::{Formula, Gradient};
 use crate::mechanics::simulation::forces::{Forces, ForcesOn};
 use crate::mechanics::simulation::group::{GroupVisitor, SimulationGroup, element, vector, visit};
 use crate::mechanics::simulation::methods::Method;
-use crate::mechanics::simulation::motion::{Motion, Recorded, simulation};
+use crate::mechanics::simulation::motion::{Motion, ObservedMotion, simulation};
 use crate::mechanics::simulation::observables::{Buffers, Columns, ObservationPoint};
 use crate::mechanics::simulation::quantities::{FormulaScope, Quantity, SymbolTable};
 use crate::mechanics::{Constrained, ConstrainedState, Constraint};
@@ -122,7 +122,7 @@ impl ConstrainedSpec<'_> {
     /// The motion on a group.
     ///
     /// # Errors
-    /// As [`Constrained::new`] and [`Constrained::state`]; [`Error::NoMethod`] for a method of another class.
+    /// As [`Constrained::new`] and [`Constrained::state`]; [`Error::Unsupported`] for a method of another class.
     pub fn start(self, group: &AnyGroup) -> Result<Box<dyn Motion>, Error> {
         visit(group, self)
     }
@@ -164,7 +164,7 @@ struct Moving<G: SimulationGroup> {
     buffers: RefCell<Buffers>,
 }
 
-impl<G: SimulationGroup> Recorded for Moving<G> {
+impl<G: SimulationGroup> ObservedMotion for Moving<G> {
     type System = Constrained<G, ConstraintsOn<G>, ForcesOn<G>>;
 
     fn system(&self) -> &Self::System {

@@ -6,7 +6,7 @@ use crate::mechanics::Adaptive;
 use crate::mechanics::simulation::forces::ForcesOn;
 use crate::mechanics::simulation::group::SimulationGroup;
 use crate::mechanics::simulation::methods::{Class, Method};
-use crate::mechanics::simulation::motion::Recorded;
+use crate::mechanics::simulation::motion::ObservedMotion;
 use crate::mechanics::simulation::observables::{Buffers, Columns, Observables, ObservationPoint};
 use crate::mechanics::simulation::quantities::Quantity;
 use crate::mechanics::simulation::stepper::Stepper;
@@ -52,7 +52,7 @@ impl<S: ObservedSystem> CotangentMotion<S> {
     }
 }
 
-impl<S: ObservedSystem> Recorded for CotangentMotion<S> {
+impl<S: ObservedSystem> ObservedMotion for CotangentMotion<S> {
     type System = S;
 
     fn system(&self) -> &S {
@@ -108,7 +108,7 @@ const NO_PROJECTION: &str =
 /// The steps of a method for all groups and forces; `None` for methods of other classes.
 ///
 /// # Errors
-/// [`Error::NoMethod`] for a projection method on a group without a projection.
+/// [`Error::Unsupported`] for a projection method on a group without a projection.
 pub(super) fn any_system<S: CotangentSystem<Group: SimulationGroup> + 'static>(
     group: &S::Group,
     method: Method,

@@ -1,17 +1,19 @@
 //! Euler-Poincare equations with forces.
 
 use super::cotangent::{CotangentMotion, ObservedSystem, any_system};
-use super::free_body::Body;
-use crate::group::AnyGroup;
+use super::free_body::{Body, FreeStart};
+use crate::group::{AnyGroup, So3};
 use crate::mechanics::simulation::forces::{Forces, ForcesOn};
 use crate::mechanics::simulation::group::{GroupVisitor, SimulationGroup, element, vector, visit};
 use crate::mechanics::simulation::integration::Integration;
 use crate::mechanics::simulation::methods::{Class, Method};
 use crate::mechanics::simulation::motion::{Started, simulation};
 use crate::mechanics::simulation::observables::{Columns, Observables, ObservationPoint};
-use crate::mechanics::{CotangentSystem, EulerPoincare, State};
+use crate::mechanics::simulation::stepper::Stepper;
+use crate::mechanics::{CotangentSystem, EulerPoincare, Inertia, State};
 use crate::{Connection, Error, Metric};
 use nalgebra::DVector;
+use std::any::Any;
 
 /// The data of a motion of Euler-Poincare equations, beside the group.
 pub struct EulerPoincareSpec<'s> {
@@ -37,7 +39,7 @@ impl EulerPoincareSpec<'_> {
     /// The motion on a group.
     ///
     /// # Errors
-    /// As [`EulerPoincare::new`]; [`Error::NoMethod`] with the reason for a method that does not solve this problem.
+    /// As [`EulerPoincare::new`]; [`Error::Unsupported`] with the reason for a method that does not solve this problem.
     pub fn start(self, group: &AnyGroup) -> Result<Started, Error> {
         visit(group, self)
     }
@@ -85,7 +87,7 @@ impl GroupVisitor for EulerPoincareSpec<'_> {
                 if let Some(needed) = lacks {
                     return Err(method.refused(&format!("it asks for {needed}")));
                 }
-                let stepper = group.body_stepper(method, &inertia?, &system, &start, step);
+                let stepper = body_stepper(method, inertia?, &system, &start, step);
                 let other = || method.refused("it is not for equations of motion on a group");
                 stepper.ok_or_else(other)??
             }
@@ -95,10 +97,27 @@ impl GroupVisitor for EulerPoincareSpec<'_> {
     }
 }
 
+/// The steps of a method for bodies; `None` on groups other than SO(3), and for methods of other classes.
+fn body_stepper<G: SimulationGroup>(
+    method: Method,
+    inertia: Inertia,
+    system: &Body<G>,
+    start: &State<G>,
+    step: f64,
+) -> Option<Result<Stepper<Body<G>>, Error>> {
+    let body: &Body<So3> = (system as &dyn Any).downcast_ref()?;
+    let state: &State<So3> = (start as &dyn Any).downcast_ref()?;
+    let momentum = body.momentum(state);
+    let stepper = method.body(&FreeStart { inertia, state: state.clone(), momentum }, step)?;
+    // `G` is SO(3) here
+    let own_type = |stepper| (Box::new(stepper) as Box<dyn Any>).downcast().ok();
+    stepper.map(own_type).transpose().map(|stepper| stepper.map(|stepper| *stepper))
+}
+
 /// The factor `s` of a connection `Lambda = s c`, if it is of this family: its equations have `s` times the rate of change of
 /// `H` that those of Euler and Poincare have without forces.
 pub fn cartan_schouten_factor(connection: &Connection<f64>) -> Option<f64> {
-    let (gamma, structure) = (connection.gamma(), connection.frame().structure());
+    let (gamma, structure) = (connection.affinities(), connection.frame().structure_functions());
     let (indices, value) = structure.components().next()?;
     let share = gamma.get(&indices) / value;
     (*gamma == structure.scale(&share)).then_some(share)
@@ -106,7 +125,7 @@ pub fn cartan_schouten_factor(connection: &Connection<f64>) -> Option<f64> {
 
 /// Whether the connection is `plus`, that of the Euler-Poincare equations.
 pub fn is_plus(connection: &Connection<f64>) -> bool {
-    connection.gamma() == connection.frame().structure()
+    connection.affinities() == connection.frame().structure_functions()
 }
 
 impl<G: SimulationGroup> ObservedSystem for Body<G> {

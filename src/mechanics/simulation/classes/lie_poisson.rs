@@ -83,7 +83,7 @@ impl LiePoissonSpec {
     /// The motion on a group.
     ///
     /// # Errors
-    /// [`Error::NoMethod`] for a method that is for bodies.
+    /// [`Error::Unsupported`] for a method that is for bodies.
     pub fn start(self, group: &AnyGroup) -> Result<Started, Error> {
         visit(group, self)
     }

@@ -2,7 +2,7 @@
 
 use crate::Error;
 use crate::mechanics::simulation::methods::Method;
-use crate::mechanics::simulation::motion::{Motion, Recorded, simulation};
+use crate::mechanics::simulation::motion::{Motion, ObservedMotion, simulation};
 use crate::mechanics::{Isospectral, Manakov, MatrixState, Toda, Zeitlin};
 use nalgebra::{Complex, DMatrix};
 use std::ops::Range;
@@ -44,7 +44,7 @@ impl MatrixFlow {
     ///
     /// # Errors
     /// Those of the constructors of the flow and its state, for an initial condition that is not admissible;
-    /// [`Error::NoMethod`] for a method of another class.
+    /// [`Error::Unsupported`] for a method of another class.
     pub fn start(&self, time: f64, method: Method, step: f64) -> Result<StartedFlow, Error> {
         let how = How { time, method, step };
         match self {
@@ -163,7 +163,7 @@ struct Moving<F, R> {
     count: usize,
 }
 
-impl<F, R> Recorded for Moving<F, R>
+impl<F, R> ObservedMotion for Moving<F, R>
 where
     F: Isospectral<Entry: Send> + Send + 'static,
     R: Fn(&F, &DMatrix<F::Entry>) -> Vec<f64> + Send + 'static,

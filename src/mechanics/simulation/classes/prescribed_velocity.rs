@@ -6,7 +6,7 @@ use crate::mechanics::formula::Formula;
 use crate::mechanics::integrators::{KinematicState, PrescribedVelocity};
 use crate::mechanics::simulation::group::{GroupVisitor, SimulationGroup, element, visit};
 use crate::mechanics::simulation::methods::Method;
-use crate::mechanics::simulation::motion::{Motion, Recorded, simulation};
+use crate::mechanics::simulation::motion::{Motion, ObservedMotion, simulation};
 use crate::mechanics::simulation::observables::{Buffers, Columns, Observables, ObservationPoint};
 use crate::mechanics::simulation::quantities::{FormulaScope, Quantity, SymbolTable};
 use crate::mechanics::simulation::stepper::Stepper;
@@ -63,7 +63,7 @@ impl PrescribedVelocitySpec {
     /// The motion on a group.
     ///
     /// # Errors
-    /// [`Error::NoMethod`] for a method of another class.
+    /// [`Error::Unsupported`] for a method of another class.
     pub fn start(self, group: &AnyGroup) -> Result<Box<dyn Motion>, Error> {
         visit(group, self)
     }
@@ -100,7 +100,7 @@ struct Moving<G: LieGroup> {
     buffers: RefCell<Buffers>,
 }
 
-impl<G: SimulationGroup> Recorded for Moving<G> {
+impl<G: SimulationGroup> ObservedMotion for Moving<G> {
     type System = PrescribedVelocity<G, Rate<G>>;
 
     fn system(&self) -> &Self::System {

@@ -25,7 +25,7 @@ use super::substitution::Substitution;
 use super::variable::{Kind, Part, Variable};
 use super::{PositiveFactors, Symbolic};
 use crate::expression::{MAX_SIZE, POWER};
-use crate::scalar::function::{Function, NAMES, is_elementary};
+use crate::scalar::function::{Function, is_elementary, names};
 use crate::scalar::{Field, Notation, Ring};
 use num_traits::{One, Zero, pow};
 
@@ -210,7 +210,7 @@ const UNKNOWN: [&str; 13] = [
 ];
 
 fn unknown(name: &str) -> String {
-    format!("`{name}` is not a function here: there are {}, and free functions", NAMES.join(", "))
+    format!("`{name}` is not a function here: there are {}, and free functions", names())
 }
 
 /// A function of a sum of multiples of members of the basis of arguments.

@@ -16,7 +16,7 @@ use super::normal_form::{half_angles, in_angles, in_bounded, is_balanced};
 use super::shape::Shaping;
 use super::variable::{Kind, Part, Variable};
 use super::{Form, Symbolic, memo};
-use crate::expression::{Meaning, Scalars, no_function};
+use crate::expression::{Evaluator, Scalars, no_function};
 use crate::scalar::function::Function;
 use crate::scalar::{Notation, Rational, Ring};
 use num_traits::{One, Zero, pow};
@@ -47,7 +47,7 @@ fn number<S: Notation>(c: &Rational) -> Result<S, String> {
 }
 
 /// The operations of a scalar.
-fn meaning<S: Notation>() -> impl Meaning<Value = S> {
+fn meaning<S: Notation>() -> impl Evaluator<Value = S> {
     Scalars(|name: &str| Err::<S, _>(format!("`{name}` is unknown")), no_function)
 }
 

@@ -9,7 +9,7 @@ use super::factors::{Factors, factors, known, sort, within_limits};
 use super::fraction::Fraction;
 use super::polynomial::{Polynomial, common_denominator};
 use super::writing;
-use crate::expression::{Meaning, power};
+use crate::expression::{Evaluator, power};
 use crate::scalar::Rational;
 use num_traits::One;
 
@@ -35,7 +35,7 @@ impl Shape {
     ///
     /// # Errors
     /// Those of the meaning.
-    pub fn evaluate<M: Meaning>(
+    pub fn evaluate<M: Evaluator>(
         &self,
         meaning: &M,
         variable: &mut dyn FnMut(usize, u32) -> Result<M::Value, String>,

@@ -1,0 +1,26 @@
+//! The text layer of all documents: sources and places in them, errors, TOML, JSON, CSV, numbers and meshes.
+//!
+//! In reading order: `source` and `error` have places and errors; `file` reads texts; `keys` parses TOML and `json` JSON into values,
+//! which `forms` has as they are written; `numbers`, `rows` and `mesh` read floats, tables of them, and bodies.
+
+pub(crate) mod error;
+pub(crate) mod file;
+mod files;
+pub(crate) mod forms;
+mod json;
+mod keys;
+mod literal;
+mod mesh;
+pub(crate) mod numbers;
+mod rows;
+mod source;
+
+pub(crate) use error::shown;
+pub use error::{InputError, Refusal};
+pub use file::fingerprint;
+pub use files::Files;
+pub(crate) use keys::parse_keys;
+pub use mesh::{mesh, read_mesh};
+pub use numbers::numbers;
+pub use rows::read_rows;
+pub use source::{Place, Source};

@@ -1,0 +1,143 @@
+//! Errors of the input: what is wrong, where, and what to write instead.
+
+use super::{Place, Source};
+use affinor::{Error, Law};
+use affinor_tensors::TensorError;
+use affinor_tensors::expression::{is_printable, looks_latin};
+use std::fmt;
+use std::sync::Arc;
+
+/// The kind of an error, which decides the exit status of the command line.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Refusal {
+    /// The mathematics refuses: exit status 1.
+    Mathematics,
+    /// Wrong usage or unreadable input: exit status 2.
+    Usage,
+}
+
+/// An error of the input.
+#[derive(Clone, Debug)]
+pub struct InputError {
+    /// The kind.
+    pub refusal: Refusal,
+    /// What is wrong, in one sentence, with the witness.
+    pub message: String,
+    /// The text it stands in, and where.
+    pub at: Option<Box<Place>>,
+    /// What to write instead.
+    pub help: Option<String>,
+    /// The refusal of the library that it reports.
+    pub cause: Option<Arc<Error>>,
+}
+
+impl InputError {
+    /// Wrong usage or unreadable input.
+    pub fn usage(message: impl Into<String>) -> Self {
+        let message = message.into();
+        InputError { refusal: Refusal::Usage, message, at: None, help: None, cause: None }
+    }
+
+    /// A refusal of the mathematics.
+    pub fn mathematics(message: impl Into<String>) -> Self {
+        InputError { refusal: Refusal::Mathematics, ..Self::usage(message) }
+    }
+
+    /// With advice.
+    #[must_use]
+    pub fn help(mut self, help: impl Into<String>) -> Self {
+        self.help = Some(help.into());
+        self
+    }
+
+    /// With a place.
+    #[must_use]
+    pub(crate) fn at(mut self, place: &Place) -> Self {
+        self.at = Some(Box::new(place.clone()));
+        self
+    }
+
+    /// With a place that may be unknown, unless it has one.
+    #[must_use]
+    pub(crate) fn or_at<'p>(self, place: impl Into<Option<&'p Place>>) -> Self {
+        match place.into() {
+            Some(place) if self.at.is_none() => self.at(place),
+            _ => self,
+        }
+    }
+
+    /// With the place of a part of a file, if its own place is in a copy of that part.
+    #[must_use]
+    pub(crate) fn moved(mut self, copy: &str, part: &Place) -> Self {
+        if let (Some(at), Some(whole)) = (&mut self.at, &part.span)
+            && at.source.name == copy
+        {
+            let inside = at.span.clone().filter(|_| part.text() == Some(&*at.source.text));
+            let span = inside.map(|span| whole.start + span.start..whole.start + span.end);
+            **at = Place { span: span.or(Some(whole.clone())), ..part.clone() };
+        }
+        self
+    }
+}
+
+impl Source {
+    /// An error at the place of a key, by its dotted path.
+    pub(crate) fn refused(&self, path: &str, message: impl Into<String>) -> InputError {
+        InputError::usage(message).at(&self.key(path))
+    }
+}
+
+impl fmt::Display for InputError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.message)
+    }
+}
+
+impl std::error::Error for InputError {
+    /// The source of the [`cause`](Self::cause), whose own message is repeated here.
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        self.cause.as_ref()?.source()
+    }
+}
+
+impl From<Error> for InputError {
+    fn from(error: Error) -> Self {
+        let (message, help) = (error.to_string(), advice(&error).map(String::from));
+        InputError { help, cause: Some(Arc::new(error)), ..InputError::mathematics(message) }
+    }
+}
+
+impl From<TensorError> for InputError {
+    fn from(error: TensorError) -> Self {
+        let cause = Some(Arc::new(Error::from(error.clone())));
+        InputError { cause, ..InputError::usage(error.to_string()) }
+    }
+}
+
+/// Advice in the words of the command line, or else of the library.
+fn advice(error: &Error) -> Option<&'static str> {
+    match error {
+        Error::NoMetric => Some("give a metric, for instance --metric identity"),
+        Error::Broken { law: Law::AdInvariance, .. } => {
+            Some("take --frame left, or a canonical connection")
+        }
+        Error::Overflow { .. } | Error::NotFinite { .. } => {
+            Some("compute exactly: without --scalar float")
+        }
+        other => other.advice(),
+    }
+}
+
+/// A name for a message: control characters are escaped, and all letters outside ASCII if the name looks like one in ASCII.
+/// Long names are truncated.
+pub(crate) fn shown(name: &str) -> String {
+    const LONGEST: usize = 64;
+    let latin = looks_latin(name);
+    let plain = |c: char| is_printable(c) && (c.is_ascii() || !latin);
+    let shown = name.chars().take(LONGEST).map(|c| match plain(c) {
+        true => c.to_string(),
+        false => c.escape_unicode().to_string(),
+    });
+    let rest = if name.chars().nth(LONGEST).is_some() { "..." } else { "" };
+    shown.collect::<String>() + rest
+}

@@ -1,0 +1,31 @@
+//! Files that were read.
+
+use std::collections::BTreeMap;
+use std::sync::{Arc, Mutex, PoisonError};
+
+/// The contents of files by their paths. A file is read once.
+#[derive(Clone, Debug, Default)]
+pub struct Files(Arc<Mutex<BTreeMap<String, Arc<str>>>>);
+
+impl Files {
+    /// Files with these contents.
+    pub fn new(contents: BTreeMap<String, Arc<str>>) -> Self {
+        Files(Arc::new(Mutex::new(contents)))
+    }
+
+    /// The contents of the files that were given or read.
+    pub fn contents(&self) -> BTreeMap<String, Arc<str>> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner).clone()
+    }
+
+    /// The content of a file, if it was given or read.
+    pub(crate) fn content(&self, path: &str) -> Option<Arc<str>> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner).get(path).cloned()
+    }
+
+    /// Keeps the content of a file that was read.
+    pub(crate) fn keep(&self, path: &str, content: &Arc<str>) {
+        let mut contents = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        contents.insert(path.into(), content.clone());
+    }
+}

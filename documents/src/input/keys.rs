@@ -1,0 +1,106 @@
+//! The keys of a file: TOML, or JSON with the same keys.
+
+use super::{InputError, Place, Source, json};
+use serde::de::DeserializeOwned;
+use toml::de::{DeTable, DeValue};
+
+/// The keys of a file, and the file with their places: JSON if the text begins with `{`, else TOML.
+pub(crate) fn parse_keys<T: DeserializeOwned>(
+    source: &Source,
+    content: &str,
+) -> Result<(T, Source), InputError> {
+    let text = &*source.text;
+    let start = text.trim_start();
+    if start.is_empty() {
+        let error = InputError::usage(format!("{} is empty", source.name));
+        return Err(error.help(content));
+    }
+    let refused =
+        |message: &str, span| Err(syntax(message).at(&Place { source: source.clone(), span }));
+    let table = if start.starts_with('{') {
+        json::table(text).map_err(|(message, span)| (message, Some(span)))
+    } else if source.name.ends_with(".json") {
+        let at = text.len() - start.len();
+        return refused("a JSON definition is an object of keys, {...}", Some(at..at));
+    } else {
+        DeTable::parse(text).map_err(|error| (error.message().into(), error.span()))
+    };
+    let mut table = match table {
+        Ok(table) => table,
+        Err((message, span)) => return refused(&message, span),
+    };
+    let placed = source.with_keys(table.get_ref());
+    table.get_mut().iter_mut().for_each(|(_, value)| quote_huge(value.get_mut()));
+    match T::deserialize(toml::Deserializer::from(table)) {
+        Ok(keys) => Ok((keys, placed)),
+        Err(error) => {
+            let written = error.span().and_then(|span| text.get(span)).unwrap_or_default();
+            let digits =
+                written.trim_start_matches(['+', '-']).starts_with(|c: char| c.is_ascii_digit());
+            // an integer of which `quote_huge` made a string
+            let overflow = digits && error.message().starts_with("invalid type: string");
+            let message = if overflow { "the integer overflows 64 bits" } else { error.message() };
+            refused(message, error.span())
+        }
+    }
+}
+
+/// Makes strings of the decimal integers beyond 64 bits, which the parser would refuse.
+fn quote_huge(value: &mut DeValue) {
+    match value {
+        DeValue::Integer(number)
+            if number.radix() == 10
+                && number.as_str().parse::<i64>().is_err()
+                && number.as_str().parse::<u64>().is_err() =>
+        {
+            *value = DeValue::String(number.as_str().to_string().into());
+        }
+        DeValue::Array(items) => items.iter_mut().for_each(|item| quote_huge(item.get_mut())),
+        DeValue::Table(table) => {
+            table.iter_mut().for_each(|(_, value)| quote_huge(value.get_mut()));
+        }
+        _ => {}
+    }
+}
+
+/// Keys of problem files that have new names.
+const RENAMED: [(&str, &str); 6] = [
+    ("space_velocity", "spatial_velocity"),
+    ("space_momentum", "spatial_momentum"),
+    ("space", "spatial"),
+    ("given", "prescribed"),
+    ("at", "position"),
+    ("turn", "rotation"),
+];
+
+/// An error of the parser in the terms of definition files, without a place.
+fn syntax(message: &str) -> InputError {
+    let message = message.split(" at line ").next().unwrap_or(message);
+    if let Some((what, keys)) = message.split_once(", expected ")
+        && let Some(unknown) = what.strip_prefix("unknown field ")
+        && let Some((old, new)) = RENAMED
+            .iter()
+            .find(|(old, new)| unknown == format!("`{old}`") && keys.contains(&format!("`{new}`")))
+    {
+        return InputError::usage(format!("`{old}` is now `{new}`")).help(format!("write `{new}`"));
+    }
+    let message = message
+        .replace("unknown field", "unknown key")
+        .replace("duplicate field", "duplicate key")
+        .replace("expected i64", "expected an integer");
+    match message.split_once(", expected one of ") {
+        Some((what, keys)) => {
+            let keys = keys.replace('`', "");
+            let unknown = what.split('`').nth(1).unwrap_or("");
+            let distance = |key: &&str| strsim::damerau_levenshtein(key, unknown);
+            // longer words are no typing errors
+            let nearest = keys.split(", ").filter(|key| unknown.len() < 32 && distance(key) < 3);
+            let help = match nearest.min_by_key(distance) {
+                Some(key) => format!("did you mean `{key}`?"),
+                None => format!("the keys are {keys}"),
+            };
+            InputError::usage(what).help(help)
+        }
+        None => InputError::usage(message),
+    }
+}

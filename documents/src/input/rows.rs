@@ -1,0 +1,56 @@
+//! Tables of numbers in CSV.
+
+use super::file::read;
+use super::numbers::numbers_in;
+use super::{InputError, Source, shown};
+
+/// The names and the rows of a table in CSV. Its values are numbers, `NaN`, `inf` and `-inf`.
+///
+/// # Errors
+/// A file that cannot be read, a header of numbers, a name that stands twice, a missing value or one that is no number: with the
+/// place.
+pub fn read_rows(path: &str) -> Result<(Vec<String>, Vec<Vec<f64>>), InputError> {
+    let file = read(path)?;
+    let mut lines = file.text.lines();
+    let first = lines.next().unwrap_or("");
+    if numbers_in(first, &file).is_ok_and(|row| !row.is_empty()) {
+        let message = "the first line of a table names its columns, and this one has numbers";
+        let help = "put a line of names before it, as `t,a,b,c`";
+        return Err(InputError::usage(message).at(&file.whole(first)).help(help));
+    }
+    let names: Vec<String> = first.split(',').map(|name| name.trim().to_string()).collect();
+    if let Some((_, name)) = names.iter().enumerate().find(|(at, name)| names[..*at].contains(name))
+    {
+        let message = format!("two columns have the name `{}`", shown(name));
+        return Err(InputError::usage(message).at(&file.whole(first)));
+    }
+    let mut rows = Vec::new();
+    for line in lines.filter(|line| !line.trim().is_empty()) {
+        let row = line.split(',').map(|word| value(word.trim(), line, &file));
+        let row = row.collect::<Result<Vec<_>, _>>()?;
+        if row.len() != names.len() {
+            let (found, expected) = (row.len(), names.len());
+            let message = format!("a row of {found} numbers stands below {expected} names");
+            return Err(InputError::usage(message).at(&file.whole(line)));
+        }
+        rows.push(row);
+    }
+    Ok((names, rows))
+}
+
+/// A value in a line of CSV.
+fn value(word: &str, line: &str, file: &Source) -> Result<f64, InputError> {
+    match word {
+        "NaN" => Ok(f64::NAN),
+        "inf" => Ok(f64::INFINITY),
+        "-inf" => Ok(f64::NEG_INFINITY),
+        "" => Err(InputError::usage("a value is missing").at(&file.whole(line))),
+        _ => match numbers_in(word, file)?[..] {
+            [value] => Ok(value),
+            _ => {
+                let message = format!("`{}` is not one number", shown(word));
+                Err(InputError::usage(message).at(&file.whole(line)))
+            }
+        },
+    }
+}

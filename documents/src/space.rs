@@ -1,0 +1,29 @@
+//! Spaces, on the command line and in files, read into geometries.
+//!
+//! A SPACE is a geometry of the paper, a catalogue name, a sum of names, a file, or brackets given inline ([`Space`]).
+//! Each becomes a [`Definition`], exact and symbolic, which is then converted to the scalar of the computation
+//! ([`Coefficient`](crate::Coefficient)). Files are TOML or JSON with the same keys.
+//!
+//! In reading order: `definition` is the definition; `read` reads one from a file, `document` its keys and `notation` its expressions;
+//! `request` has the SPACE of a command.
+
+mod chart;
+mod construction;
+mod definition;
+pub(crate) mod document;
+mod entry;
+mod functions;
+mod gap;
+mod group;
+pub(crate) mod notation;
+pub mod paper;
+mod plane;
+mod read;
+mod request;
+pub(crate) mod setting;
+
+pub use definition::Definition;
+use definition::{
+    ConnectionChoice, Given, MatrixEntries, MetricChoice, Origin, Pairs, add, check_dimension,
+};
+pub use request::{Request, ScalarChoice, Space};

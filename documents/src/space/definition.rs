@@ -1,0 +1,443 @@
+//! A definition: a space as it is written, exact and symbolic, converted to the scalar of a computation.
+
+use super::chart::OnChart;
+use super::functions::Functions;
+use crate::Coefficient;
+use crate::input::{InputError, Place, Source, shown};
+use affinor::algebra::Complex;
+use affinor::algebra::catalogue::MAX_DIMENSION;
+use affinor::geometry::{ConnectionKind, FrameOrigin, Geometry};
+use affinor::{Bracket, CanonicalConnection, Error, Law, LieAlgebra, MatrixBasis, Metric};
+use affinor_tensors::{Down, Ring, Symbolic, Tensor, Tolerance, Up};
+use num_traits::Zero;
+use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
+
+/// A space as it is defined: an algebra, or fields on a chart, and optionally a connection and a metric.
+///
+/// Its values are exact and may depend on parameters. They are checked when they are read over a scalar.
+#[derive(Clone, Debug)]
+pub struct Definition {
+    /// The name.
+    pub name: String,
+    /// The name of its algebra, if that differs from its own: so(3) for M(3).
+    pub(super) algebra_name: Option<String>,
+    /// The names of the basis vectors.
+    pub labels: Vec<String>,
+    pub(super) origin: Origin,
+    pub(super) metric: Option<MetricChoice>,
+    pub(super) connection: Option<(ConnectionChoice, Place)>,
+    /// Parameters that were declared, whether or not a value depends on them.
+    pub(super) declared: Vec<String>,
+    /// The file; `None` for brackets on the command line.
+    pub(super) source: Option<Source>,
+}
+
+/// The definition of the bracket.
+#[derive(Clone, Debug)]
+pub(super) enum Origin {
+    /// Brackets as given, by ordered pair (from 0).
+    Brackets(Pairs),
+    /// A matrix basis: entries (row, column, value) of each matrix.
+    Matrices(usize, Vec<MatrixEntries>),
+    /// Fields on a chart.
+    Chart(OnChart),
+}
+
+/// Right sides by ordered pair.
+pub(super) type Pairs = BTreeMap<(usize, usize), Given>;
+
+/// Two basis vectors, in order, from 0.
+pub(super) type Pair = (usize, usize);
+
+pub(super) type MatrixEntries = Vec<(usize, usize, Complex<Symbolic>)>;
+
+/// The right side of a given bracket, and its place.
+#[derive(Clone, Debug)]
+pub(super) struct Given {
+    pub(super) value: BTreeMap<usize, Symbolic>,
+    pub(super) place: Place,
+}
+
+/// A metric as it is defined.
+#[derive(Clone, Debug)]
+pub(super) enum MetricChoice {
+    Identity,
+    Killing(Place),
+    Components(Vec<([usize; 2], Symbolic)>, Option<Place>),
+}
+
+/// A connection as it is defined.
+#[derive(Clone, Debug)]
+pub(super) enum ConnectionChoice {
+    Canonical(CanonicalConnection),
+    Family(Symbolic),
+    LeviCivita,
+    Affinities(Pairs),
+}
+
+/// The components `[i, j, k]` of right sides `v^i` of the pairs `j, k`.
+pub(super) fn components<S: Coefficient>(
+    pairs: &Pairs,
+) -> Result<Vec<([usize; 3], S)>, InputError> {
+    let each = pairs.iter().flat_map(|(&(j, k), Given { value, place })| {
+        value.iter().map(move |(&i, value)| {
+            Ok(([i, j, k], S::read(value).map_err(|error| error.or_at(place))?))
+        })
+    });
+    each.collect()
+}
+
+impl Definition {
+    /// An algebra without a metric, a connection and parameters.
+    pub(super) fn new(name: impl Into<String>, labels: Vec<String>, origin: Origin) -> Self {
+        Definition {
+            name: name.into(),
+            algebra_name: None,
+            labels,
+            origin,
+            metric: None,
+            connection: None,
+            declared: vec![],
+            source: None,
+        }
+    }
+
+    /// The algebra or the fields alone, without a metric and a connection.
+    #[must_use]
+    pub fn algebra_alone(&self) -> Self {
+        Definition { metric: None, connection: None, ..self.clone() }
+    }
+
+    /// The dimension.
+    pub fn dimension(&self) -> usize {
+        self.labels.len()
+    }
+
+    /// The parameters that some value depends on, sorted.
+    pub fn parameters(&self) -> Vec<String> {
+        let mut names = Vec::new();
+        self.each_value(&mut |value| names.extend(value.parameters()));
+        let coordinates = self.coordinates();
+        names.retain(|name| !coordinates.contains(name));
+        names.sort();
+        names.dedup();
+        names
+    }
+
+    /// Whether all values are rational numbers, and nothing is a function on a chart.
+    pub fn is_rational(&self) -> bool {
+        let mut rational = !self.is_on_chart();
+        self.each_value(&mut |value| rational &= value.as_constant().is_some());
+        rational
+    }
+
+    /// The coordinates of the chart, of which values may be functions; none without a chart.
+    pub fn coordinates(&self) -> &[String] {
+        self.functions().map_or(&[], |functions| &functions.coordinates)
+    }
+
+    /// The functions on the chart.
+    pub(super) fn functions(&self) -> Option<&Functions> {
+        match &self.origin {
+            Origin::Chart(chart) => Some(&chart.functions),
+            _ => None,
+        }
+    }
+
+    /// Whether the components are functions on a chart.
+    pub fn is_on_chart(&self) -> bool {
+        matches!(self.origin, Origin::Chart(_))
+    }
+
+    /// Whether a metric was given.
+    pub fn has_metric(&self) -> bool {
+        self.metric.is_some()
+    }
+
+    /// The bracket, antisymmetric but not checked for Jacobi.
+    ///
+    /// # Errors
+    /// A refusal of the mathematics, with its witness: `[y,x]` that is not `-[x,y]`, `[x,x]` that is not zero, matrices
+    /// that are dependent or not closed under commutators.
+    pub fn bracket<S: Coefficient>(&self, tolerance: Tolerance) -> Result<Bracket<S>, InputError> {
+        let bracket = match &self.origin {
+            Origin::Brackets(given) => {
+                self.antisymmetric(given)?;
+                let constants = components(given)?;
+                let constants = constants.into_iter().map(|([i, j, k], value)| (j, k, i, value));
+                Bracket::from_constants(&self.labels, constants)?.with_tolerance(tolerance)
+            }
+            Origin::Matrices(..) => {
+                self.matrix_basis(tolerance)?.bracket().map_err(|error| self.refused(error))?
+            }
+            Origin::Chart(_) => return Err(InputError::usage("a chart has no table of brackets")),
+        };
+        Ok(bracket)
+    }
+
+    /// The Lie algebra; the Jacobi identity is checked.
+    ///
+    /// # Errors
+    /// As [`bracket`](Self::bracket), and the triple that violates Jacobi.
+    pub fn algebra<S: Coefficient>(
+        &self,
+        tolerance: Tolerance,
+    ) -> Result<LieAlgebra<S>, InputError> {
+        LieAlgebra::try_from(self.bracket(tolerance)?).map_err(|error| self.refused(error))
+    }
+
+    /// The [`algebra`](Self::algebra), or the fields on a chart.
+    ///
+    /// # Errors
+    /// As [`algebra`](Self::algebra); fields that are dependent everywhere.
+    pub fn ground<S: Coefficient>(
+        &self,
+        tolerance: Tolerance,
+    ) -> Result<FrameOrigin<S>, InputError> {
+        match &self.origin {
+            Origin::Chart(chart) => Ok(chart.fields(&self.labels)?.into()),
+            _ => Ok(self.algebra(tolerance)?.into()),
+        }
+    }
+
+    /// The metric in the frame of the geometry, if one is given.
+    ///
+    /// # Errors
+    /// A form that is not symmetric, or degenerate; the Killing form over structure functions.
+    pub fn metric<S: Coefficient>(
+        &self,
+        ground: &FrameOrigin<S>,
+        tolerance: Tolerance,
+    ) -> Result<Option<Metric<S>>, InputError> {
+        let n = self.dimension();
+        let slots = [Down, Down];
+        let (components, place) = match &self.metric {
+            None => return Ok(None),
+            Some(MetricChoice::Identity) => {
+                let ones = (0..n).map(|i| ([i, i], S::one()));
+                (Tensor::from_components(n, &slots, ones)?, None)
+            }
+            Some(MetricChoice::Killing(place)) => {
+                let algebra = ground.algebra_for("a Killing form");
+                let algebra = algebra.map_err(|error| InputError::from(error).at(place))?;
+                (algebra.killing_form(), Some(place))
+            }
+            Some(MetricChoice::Components(entries, place)) => {
+                let mut values = Vec::new();
+                for (at, value) in entries {
+                    let value = S::read(value);
+                    values.push((*at, value.map_err(|error| error.or_at(place.as_ref()))?));
+                }
+                (Tensor::from_components(n, &slots, values)?, place.as_ref())
+            }
+        };
+        let components = components.with_tolerance(tolerance);
+        let metric = Metric::new(ground.frame().labels(), components);
+        metric.map(Some).map_err(|error| InputError::from(error).or_at(place))
+    }
+
+    /// The geometry. Without a connection it takes levi-civita if there is a metric, else zero. Over a chart the default
+    /// is levi-civita, which needs a metric.
+    ///
+    /// # Errors
+    /// As [`ground`](Self::ground) and [`metric`](Self::metric).
+    pub fn geometry<S: Coefficient>(
+        &self,
+        tolerance: Tolerance,
+    ) -> Result<Geometry<S>, InputError> {
+        self.geometry_over(self.ground(tolerance)?, tolerance)
+    }
+
+    /// The geometry over an algebra or fields that are already computed ([`ground`](Self::ground)).
+    ///
+    /// # Errors
+    /// As [`metric`](Self::metric).
+    pub fn geometry_over<S: Coefficient>(
+        &self,
+        ground: FrameOrigin<S>,
+        tolerance: Tolerance,
+    ) -> Result<Geometry<S>, InputError> {
+        let metric = self.metric(&ground, tolerance)?;
+        let (choice, place) =
+            self.connection.as_ref().map(|(choice, place)| (choice, place)).unzip();
+        let kind = match choice {
+            None if metric.is_some() || self.is_on_chart() => ConnectionKind::LeviCivita,
+            None => ConnectionKind::Canonical(CanonicalConnection::Zero),
+            Some(ConnectionChoice::Canonical(which)) => ConnectionKind::Canonical(*which),
+            Some(ConnectionChoice::Family(lambda)) => {
+                let value = S::read(lambda);
+                ConnectionKind::Family(value.map_err(|error| error.or_at(place))?)
+            }
+            Some(ConnectionChoice::LeviCivita) => ConnectionKind::LeviCivita,
+            Some(ConnectionChoice::Affinities(given)) => {
+                let slots = [Up, Down, Down];
+                let gamma = Tensor::from_components(self.dimension(), &slots, components(given)?)?;
+                ConnectionKind::Affinities(gamma.with_tolerance(tolerance))
+            }
+        };
+        let geometry = Geometry::new(self.name.clone(), ground, kind, metric)
+            .map_err(|error| InputError::from(error).or_at(place))?;
+        Ok(match &self.algebra_name {
+            Some(name) => geometry.over(name),
+            None => geometry,
+        })
+    }
+
+    /// Whether the connection is left to the default.
+    pub fn connection_is_default(&self) -> bool {
+        self.connection.is_none()
+    }
+
+    /// Replaces the connection by a canonical one.
+    pub fn set_canonical(&mut self, which: CanonicalConnection) {
+        let place = Place::within(Source::new(which.name(), ""));
+        self.connection = Some((ConnectionChoice::Canonical(which), place));
+    }
+
+    /// Whether the algebra is given by matrices.
+    pub fn is_by_matrices(&self) -> bool {
+        matches!(self.origin, Origin::Matrices(..))
+    }
+
+    /// The first pair of given brackets (from 0) that is not antisymmetric, with the components of
+    /// `[x,y] + [y,x]`.
+    pub fn antisymmetry_witness(&self) -> Option<((usize, usize), BTreeMap<usize, Symbolic>)> {
+        let Origin::Brackets(given) = &self.origin else { return None };
+        self.asymmetry(given).map(|(pair, sum, _)| (pair, sum))
+    }
+
+    /// Checks that `[x,x] = 0`, and that `[y,x] = -[x,y]` where both are given.
+    pub(super) fn antisymmetric(&self, given: &Pairs) -> Result<(), InputError> {
+        let Some(((j, k), sum, place)) = self.asymmetry(given) else { return Ok(()) };
+        let written = |value: &BTreeMap<usize, Symbolic>| {
+            let terms = value.iter().filter(|(_, value)| !value.vanishes());
+            let named = terms.map(|(i, value)| (value, self.labels[*i].clone()));
+            affinor_tensors::text::combination(named)
+        };
+        let pair = [j, k].map(|at| self.labels[at].clone());
+        let (law, at) = match (given.get(&(j, k)), given.get(&(k, j))) {
+            (Some(forward), Some(backward)) if j != k => {
+                let values = [forward, backward].map(|given| written(&given.value));
+                (Law::OppositeOrders, [pair, values].concat())
+            }
+            _ => (Law::Antisymmetry, pair.into()),
+        };
+        Err(InputError::from(law.broken(at, written(&sum))).at(&place))
+    }
+
+    /// The first pair with `[x,y] + [y,x]` not zero, that sum, and its place.
+    pub(super) fn asymmetry(
+        &self,
+        given: &Pairs,
+    ) -> Option<(Pair, BTreeMap<usize, Symbolic>, Place)> {
+        given.iter().find_map(|(&(j, k), right)| {
+            let other = given.get(&(k, j));
+            if j > k || (j < k && other.is_none()) {
+                return None;
+            }
+            let mut sum = right.value.clone();
+            for (i, value) in other.iter().flat_map(|given| &given.value) {
+                let entry = sum.entry(*i).or_insert_with(Symbolic::zero);
+                *entry = entry.clone() + value;
+            }
+            sum.retain(|_, value| !value.vanishes());
+            let place = other.map_or(&right.place, |other| &other.place);
+            (!sum.is_empty()).then(|| ((j, k), sum, place.clone()))
+        })
+    }
+
+    pub(super) fn matrix_basis<S: Coefficient>(
+        &self,
+        tolerance: Tolerance,
+    ) -> Result<MatrixBasis<S>, InputError> {
+        let Origin::Matrices(size, matrices) = &self.origin else {
+            return Err(InputError::usage("this algebra is not given by matrices"));
+        };
+        let entry = |(row, column, value): &(usize, usize, Complex<Symbolic>)| {
+            let (re, im) = (S::read(&value.re)?, S::read(&value.im)?);
+            Ok((*row, *column, Complex { re, im }))
+        };
+        let read = matrices.iter().map(|entries| entries.iter().map(entry).collect());
+        let read = read.collect::<Result<Vec<Vec<_>>, InputError>>()?;
+        MatrixBasis::new(&self.labels, *size, read, tolerance).map_err(|error| self.refused(error))
+    }
+
+    /// A refusal of the mathematics, at the first given bracket that it names, or else in the whole source.
+    pub(crate) fn refused(&self, error: Error) -> InputError {
+        let whole = self.source.clone().map(Place::within);
+        let names = if let Error::Broken { at, .. } = &error { at.as_slice() } else { &[] };
+        let pairs = names.iter().zip(names.iter().cycle().skip(1));
+        let bracket = match &self.origin {
+            Origin::Brackets(given) => {
+                let index = |label: &String| self.labels.iter().position(|other| other == label);
+                let pairs = pairs.flat_map(|(x, y)| [(x, y), (y, x)]);
+                let mut pairs = pairs.filter_map(|(x, y)| Some((index(x)?, index(y)?)));
+                pairs.find_map(|pair| given.get(&pair)).map(|given| given.place.clone())
+            }
+            _ => None,
+        };
+        InputError::from(error).or_at(bracket.or(whole).as_ref())
+    }
+
+    pub(super) fn each_value(&self, f: &mut dyn FnMut(&Symbolic)) {
+        // one traversal serves both: this one visits a copy
+        self.clone().each_value_mut(&mut |value| f(value));
+    }
+
+    pub(super) fn each_value_mut(&mut self, f: &mut dyn FnMut(&mut Symbolic)) {
+        let brackets = |given: &mut Pairs, f: &mut dyn FnMut(&mut Symbolic)| {
+            given.values_mut().flat_map(|right| right.value.values_mut()).for_each(f);
+        };
+        match &mut self.origin {
+            Origin::Brackets(given) => brackets(given, f),
+            Origin::Matrices(_, matrices) => {
+                for (_, _, value) in matrices.iter_mut().flatten() {
+                    f(&mut value.re);
+                    f(&mut value.im);
+                }
+            }
+            Origin::Chart(chart) => {
+                let values = chart.fields.iter_mut().flat_map(|field| field.value.values_mut());
+                values.for_each(&mut *f);
+            }
+        }
+        if let Some(MetricChoice::Components(entries, _)) = &mut self.metric {
+            entries.iter_mut().for_each(|(_, value)| f(value));
+        }
+        match &mut self.connection {
+            Some((ConnectionChoice::Family(lambda), _)) => f(lambda),
+            Some((ConnectionChoice::Affinities(given), _)) => brackets(given, f),
+            _ => {}
+        }
+    }
+}
+
+/// Refuses a dimension of zero or above [`MAX_DIMENSION`].
+pub(super) fn check_dimension<N>(dimension: N) -> Result<usize, InputError>
+where
+    N: TryInto<usize> + std::fmt::Display + Copy,
+{
+    let fits = dimension.try_into().ok().filter(|n| (1..=MAX_DIMENSION).contains(n));
+    fits.ok_or_else(|| {
+        let message = format!("the dimension {dimension} is not between 1 and {MAX_DIMENSION}");
+        InputError::usage(message)
+    })
+}
+
+/// Adds a statement. A pair that is given twice must have the same value.
+pub(super) fn add(all: &mut Pairs, pair: (usize, usize), given: Given) -> Result<(), InputError> {
+    match all.entry(pair) {
+        Entry::Vacant(free) => drop(free.insert(given)),
+        Entry::Occupied(other) if other.get().value == given.value => {}
+        Entry::Occupied(other) => {
+            let error = InputError::usage("this pair is given a second, different value");
+            let error = error.at(&given.place);
+            return Err(match other.get().place.text() {
+                Some(first) => error.help(format!("the first is `{}`", shown(first))),
+                None => error,
+            });
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,439 @@
+//! The keys of a definition file, read into a definition.
+
+use crate::input::{
+    InputError, Place, Source,
+    forms::{
+        Block, Cell, ChartText, ConnectionText, Entries, Formulas, MatrixRows, MetricText, Part,
+        Row, Text, canonical_names, optional_names,
+    },
+    shown,
+};
+use crate::space::{
+    ConnectionChoice, Definition, Given, MatrixEntries, MetricChoice, Origin, Pairs, add,
+    chart::OnChart,
+    check_dimension,
+    construction::{
+        Construction, Contraction, Extension, OtherBasis, Quotient, Semidirect, Site, Subalgebra,
+        TensorProduct, Truncated, pairs,
+    },
+    functions::Functions,
+    notation::{
+        Names, basis, check_name, connection, lines, metric, metric_rows, shape, statement,
+    },
+    request,
+};
+use affinor::LieAlgebra;
+use affinor::geometry::chart::field_of;
+use affinor_tensors::{Ring, Symbolic, Tolerance};
+use std::collections::btree_map::Entry;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// The keys of a file. Unknown and duplicate ones are refused.
+#[derive(serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Document {
+    name: Option<String>,
+    #[serde(default, deserialize_with = "optional_names")]
+    basis: Option<Vec<Text>>,
+    dimension: Option<i64>,
+    #[serde(default, deserialize_with = "canonical_names")]
+    parameters: Vec<Text>,
+    brackets: Option<Block>,
+    structure_constants: Option<Vec<Row>>,
+    matrices: Option<Vec<MatrixRows>>,
+    sum: Option<Vec<Part<Document>>>,
+    semidirect: Option<Semidirect<Document>>,
+    subalgebra: Option<Subalgebra<Document>>,
+    quotient: Option<Quotient<Document>>,
+    central_extension: Option<Extension<Document>>,
+    contraction: Option<Contraction<Document>>,
+    change_of_basis: Option<OtherBasis<Document>>,
+    truncated: Option<Truncated<Document>>,
+    tensor_product: Option<TensorProduct<Document>>,
+    complexification: Option<Part<Document>>,
+    chart: Option<ChartText>,
+    frame: Option<Formulas>,
+    metric: Option<MetricText>,
+    connection: Option<ConnectionText>,
+    affinities: Option<Block>,
+}
+
+impl Document {
+    /// The definition.
+    pub fn define(&self, source: &Source) -> Result<Definition, InputError> {
+        let built = self.constructed(source)?;
+        let labels = self.labels(built.as_ref(), source)?;
+        let place = |at: usize| {
+            let (_, text): &(String, Option<&Text>) = &labels[at];
+            text.map_or_else(|| Place::within(source.clone()), |text| source.at(text))
+        };
+        let names: Vec<&str> = labels.iter().map(|(label, _)| &**label).collect();
+        let indices = match &built {
+            // labels of sums may have primes
+            Some(_) if self.basis.is_none() => {
+                names.iter().map(|name| name.to_string()).zip(0..).collect()
+            }
+            _ => basis(&names, &place)?,
+        };
+        let labels: Vec<String> = labels.iter().map(|(label, _)| label.clone()).collect();
+        let parameters = self.declared(&indices, source)?;
+        let declared = parameters.iter().cloned().collect();
+        let names = Names { parameters: Some(&parameters), ..Names::open(&indices, None) };
+        let functions = self.chart.as_ref().map(|chart| chart.functions(&names, source));
+        let functions = functions.transpose()?;
+        let names = Names { functions: functions.as_ref(), ..names };
+        let given = (&self.brackets, &self.structure_constants, &self.matrices);
+        let origin = match (given, &functions) {
+            ((None, None, None), _) if built.is_some() => {
+                let place = Place::within(source.clone());
+                Origin::Brackets(built.iter().flat_map(|algebra| pairs(algebra, &place)).collect())
+            }
+            ((None, None, None), Some(functions)) => self.fields(functions, &names, source)?,
+            (_, Some(_)) => {
+                let message = "a chart defines the brackets by its fields: give no others";
+                return Err(source.refused("chart", message));
+            }
+            ((Some(block), None, None), None) => {
+                Origin::Brackets(block.statements("", &names, source)?)
+            }
+            ((None, Some(rows), None), None) => {
+                Origin::Brackets(structure_constants(rows, labels.len(), &names, source)?)
+            }
+            ((None, None, Some(matrices)), None) => {
+                matrix_basis(matrices, &labels, &names, source)?
+            }
+            ((None, None, None), None) => {
+                return Err(InputError::usage(format!("{} defines no bracket", source.name)).help(
+                    "give one of brackets, structure_constants, matrices, chart, or a construction",
+                ));
+            }
+            _ => {
+                let message = format!("{} defines its bracket more than once", source.name);
+                return Err(InputError::usage(message)
+                    .help("give exactly one of brackets, structure_constants, matrices"));
+            }
+        };
+        let metric = self.metric.as_ref().map(|text| text.read(labels.len(), &names, source));
+        let metric = metric.transpose()?;
+        let table = self.connection.as_ref();
+        let kind = table.and_then(|table| table.kind.as_ref());
+        let within = table.and_then(|table| table.affinities.as_ref());
+        let affinities = source.key(match within {
+            Some(_) => "connection.affinities",
+            None => "affinities",
+        });
+        let connection = match (kind, within.or(self.affinities.as_ref())) {
+            (None, None) if table.is_some() => {
+                let message = "the connection has neither kind nor affinities";
+                return Err(source.refused("connection", message));
+            }
+            (None, None) => None,
+            (Some(text), None) => {
+                let source = source.excerpt(text);
+                Some(connection(&names, &source)?)
+            }
+            (None, Some(block)) if within.is_none() || self.affinities.is_none() => {
+                let given = block.statements("nabla", &names, source)?;
+                Some((ConnectionChoice::Affinities(given), affinities))
+            }
+            _ => {
+                let message = "a definition has a connection or affinities, not both";
+                return Err(InputError::usage(message).at(&affinities));
+            }
+        };
+        let stem = || source.name.rsplit('/').next().unwrap_or("").to_string();
+        let name = self.name.clone().unwrap_or_else(stem);
+        let source = Some(source.clone());
+        let definition = Definition::new(name, labels, origin);
+        Ok(Definition { metric, connection, declared, source, ..definition })
+    }
+
+    /// The algebra that a construction of the file builds, if it has one.
+    fn constructed(&self, source: &Source) -> Result<Option<LieAlgebra<Symbolic>>, InputError> {
+        let given = [
+            ("sum", self.sum.as_deref().map(Construction::Sum)),
+            ("semidirect", self.semidirect.as_ref().map(Construction::Semidirect)),
+            ("subalgebra", self.subalgebra.as_ref().map(Construction::Subalgebra)),
+            ("quotient", self.quotient.as_ref().map(Construction::Quotient)),
+            (
+                "central_extension",
+                self.central_extension.as_ref().map(Construction::CentralExtension),
+            ),
+            ("contraction", self.contraction.as_ref().map(Construction::Contraction)),
+            ("change_of_basis", self.change_of_basis.as_ref().map(Construction::ChangeOfBasis)),
+            ("truncated", self.truncated.as_ref().map(Construction::Truncated)),
+            ("tensor_product", self.tensor_product.as_ref().map(Construction::TensorProduct)),
+            (
+                "complexification",
+                self.complexification.as_ref().map(Construction::Complexification),
+            ),
+        ];
+        let mut given =
+            given.into_iter().filter_map(|(key, construction)| Some((key, construction?)));
+        let Some((key, construction)) = given.next() else { return Ok(None) };
+        let others = self.brackets.is_some()
+            || self.structure_constants.is_some()
+            || self.matrices.is_some()
+            || self.chart.is_some();
+        if given.next().is_some() || others || self.dimension.is_some() {
+            let message =
+                format!("`{key}` defines the algebra: give no other brackets and no dimension");
+            return Err(source.refused(key, message));
+        }
+        let read = |part: &Part<Self>, key: &str| {
+            let (definition, place) = match part {
+                Part::Name(text) => (request::part(&source.excerpt(text))?, source.at(text)),
+                Part::Nested(document) => (document.define(&source.table(key))?, source.key(key)),
+            };
+            let algebra = definition.algebra_alone().algebra(Tolerance::default());
+            algebra.map_err(|error| error.or_at(&place))
+        };
+        let (place, declared) = (source.key(key), self.parameter_names());
+        Site { source, place, declared, read: &read }.build(&construction).map(Some)
+    }
+
+    /// The names of the parameters, unchecked.
+    fn parameter_names(&self) -> BTreeSet<String> {
+        self.parameters.iter().map(|text| text.to_string()).collect()
+    }
+
+    /// The names of the coordinates; none without a chart.
+    fn coordinates(&self) -> &[Text] {
+        self.chart.as_ref().map_or(&[], |chart| &chart.coordinates)
+    }
+
+    /// The parameters and coordinates. None may have the name of something else.
+    fn declared(
+        &self,
+        labels: &BTreeMap<String, usize>,
+        source: &Source,
+    ) -> Result<BTreeSet<String>, InputError> {
+        let fields: Vec<_> = self.coordinates().iter().map(|name| field_of(name)).collect();
+        let mut parameters = BTreeSet::new();
+        let coordinates = self.coordinates().iter().map(|text| (text, "coordinate"));
+        for (name, what) in coordinates.chain(self.parameters.iter().map(|t| (t, "parameter"))) {
+            let place = source.at(name);
+            check_name(name).map_err(|error| error.at(&place))?;
+            let known = labels.contains_key(&**name) || fields.contains(&name.content);
+            let taken = known || !parameters.insert(name.to_string());
+            if taken || (&**name == "i" && self.matrices.is_some()) {
+                let message = format!("the {what} `{}` is already the name of something", &**name);
+                return Err(InputError::usage(message).at(&place));
+            }
+        }
+        Ok(parameters)
+    }
+
+    /// The fields of `frame` in terms of the coordinate fields; without `frame` the coordinate fields.
+    fn fields(
+        &self,
+        functions: &Functions,
+        names: &Names,
+        source: &Source,
+    ) -> Result<Origin, InputError> {
+        let coordinates = &functions.coordinates;
+        let labels = coordinates.iter().zip(0..).map(|(name, at)| (field_of(name), at)).collect();
+        let names = Names { labels: &labels, ..*names };
+        let place = source.key(if self.frame.is_some() { "frame" } else { "chart" });
+        let fields = match &self.frame {
+            None => {
+                let unit = |a| BTreeMap::from([(a, Symbolic::from_i64(1))]);
+                let fields = (0..coordinates.len()).map(|a| (unit(a), place.clone()));
+                fields.map(|(value, place)| Given { value, place }).collect()
+            }
+            Some(Entries(fields)) => {
+                let (found, n) = (fields.len(), coordinates.len());
+                if found != n {
+                    let message = format!("the frame has {found} fields for {n} coordinates");
+                    return Err(InputError::usage(message).at(&place));
+                }
+                let field = |(_, field): &(Text, Text)| {
+                    let excerpt = source.excerpt(field);
+                    let value = names.vector(excerpt.content(), &excerpt)?;
+                    Ok(Given { value, place: source.at(field) })
+                };
+                fields.iter().map(field).collect::<Result<_, InputError>>()?
+            }
+        };
+        Ok(Origin::Chart(OnChart { functions: functions.clone(), fields, place }))
+    }
+
+    /// The basis from `basis`, `dimension`, or the names or the number of the matrices. Names that the file has come with
+    /// their texts.
+    fn labels(
+        &self,
+        built: Option<&LieAlgebra<Symbolic>>,
+        source: &Source,
+    ) -> Result<Vec<(String, Option<&Text>)>, InputError> {
+        fn named(text: &Text) -> (String, Option<&Text>) {
+            (text.to_string(), Some(text))
+        }
+        if let Some(algebra) = built {
+            let n = algebra.dimension();
+            return match &self.basis {
+                None => Ok(algebra.labels().iter().map(|label| (label.clone(), None)).collect()),
+                Some(basis) if basis.len() == n => Ok(basis.iter().map(named).collect()),
+                Some(basis) => {
+                    let message = format!("{} names for dimension {n}", basis.len());
+                    Err(source.refused("basis", message))
+                }
+            };
+        }
+        let numbered = |at: usize| (format!("e{}", at + 1), None);
+        if let Some(ChartText { coordinates, .. }) = &self.chart {
+            if self.basis.is_some() || self.dimension.is_some() {
+                let message = "the basis of a chart is its frame: give no other";
+                return Err(source.refused("chart", message));
+            }
+            for (at, name) in coordinates.iter().enumerate() {
+                if coordinates[..at].iter().any(|other| other.content == name.content) {
+                    let message = format!("the coordinate `{}` is named twice", shown(name));
+                    return Err(InputError::usage(message).at(&source.at(name)));
+                }
+                check_name(name).map_err(|error| error.at(&source.at(name)))?;
+            }
+            return Ok(match &self.frame {
+                Some(Entries(fields)) => fields.iter().map(|(name, _)| named(name)).collect(),
+                None => coordinates.iter().map(|name| (field_of(name), Some(name))).collect(),
+            });
+        }
+        if self.frame.is_some() {
+            let help = "give its coordinates: [chart] coordinates = [\"x\", \"y\"]";
+            return Err(source.refused("frame", "a frame needs a chart").help(help));
+        }
+        match (&self.basis, self.dimension, &self.matrices) {
+            (Some(basis), None, _) => Ok(basis.iter().map(named).collect()),
+            (None, Some(dimension), _) => {
+                let n = check_dimension(dimension)
+                    .map_err(|error| error.at(&source.key("dimension")))?;
+                Ok((0..n).map(numbered).collect())
+            }
+            (None, None, Some(matrices)) => {
+                let names = matrices.iter().map(|matrix| matrix.name.as_ref()).enumerate();
+                Ok(names.map(|(at, name)| name.map_or_else(|| numbered(at), named)).collect())
+            }
+            (Some(_), Some(_), _) => {
+                Err(source.refused("dimension", "give either basis or dimension, not both"))
+            }
+            (None, None, None) => Err(InputError::usage(format!("{} has no basis", source.name))
+                .help("give basis = [\"x\", \"y\", ...] or dimension = 3")),
+        }
+    }
+}
+
+/// The right sides by ordered pair, from rows `[i, j, k, "v"]`.
+fn structure_constants(
+    rows: &[Row],
+    dimension: usize,
+    names: &Names,
+    source: &Source,
+) -> Result<Pairs, InputError> {
+    let mut given = Pairs::new();
+    for (at, Row([i, j, k], Cell(text))) in rows.iter().enumerate() {
+        let source = source.excerpt(text);
+        let place = source.whole(source.content());
+        let refuse = |reason: String| {
+            let row = format!("[{i}, {j}, {k}, \"{}\"]", shown(text));
+            let message = format!("structure_constants, entry {}, {row}: {reason}", at + 1);
+            InputError::usage(message).at(&place)
+        };
+        let index = |index: &i64| {
+            let below = index.checked_sub(1).and_then(|index| usize::try_from(index).ok());
+            below
+                .filter(|index| *index < dimension)
+                .ok_or_else(|| refuse(format!("the index {index} is not in 1..{dimension}")))
+        };
+        let (i, j, k) = (index(i)?, index(j)?, index(k)?);
+        let value = names.scalar(source.content(), &source).map_err(|error| {
+            let message = refuse(error.message.clone()).message;
+            InputError { message, ..error }.or_at(&place)
+        })?;
+        let pair = given
+            .entry((i, j))
+            .or_insert_with(|| Given { value: BTreeMap::new(), place: place.clone() });
+        match pair.value.entry(k) {
+            Entry::Vacant(free) => drop(free.insert(value)),
+            Entry::Occupied(_) => return Err(refuse("this component is given twice".into())),
+        }
+    }
+    Ok(given)
+}
+
+fn matrix_basis(
+    matrices: &[MatrixRows],
+    labels: &[String],
+    names: &Names,
+    source: &Source,
+) -> Result<Origin, InputError> {
+    let key = source.key("matrices");
+    let refuse = |at: &Place, message: String| Err(InputError::usage(message).at(at));
+    if matrices.len() != labels.len() {
+        let (found, n) = (matrices.len(), labels.len());
+        return refuse(&key, format!("{found} matrices for {n} basis vectors"));
+    }
+    let size = matrices.first().map_or(0, |m| m.rows.len());
+    let mut read: Vec<MatrixEntries> = Vec::new();
+    for (matrix, label) in matrices.iter().zip(labels) {
+        let first = matrix.rows.iter().flatten().next();
+        let place = &first.map_or_else(|| key.clone(), |Cell(text)| source.at(text));
+        if let Some(name) = &matrix.name
+            && **name != **label
+        {
+            let (name, place) = (shown(name), source.at(name));
+            return refuse(&place, format!("the matrix of `{label}` is named `{name}`"));
+        }
+        let mut widths = matrix.rows.iter().map(Vec::len);
+        if size == 0 || matrix.rows.len() != size || widths.any(|width| width != size) {
+            let form = shape(&matrix.rows);
+            let square = format!("not {0} x {0}", size.max(1));
+            return refuse(place, format!("the matrix of `{label}` has {form}, {square}"));
+        }
+        let mut entries = Vec::new();
+        for (i, row) in matrix.rows.iter().enumerate() {
+            for (j, Cell(text)) in row.iter().enumerate() {
+                let source = source.excerpt(text);
+                let value = names.complex(source.content(), &source)?;
+                if !(value.re.vanishes() && value.im.vanishes()) {
+                    entries.push((i, j, value));
+                }
+            }
+        }
+        read.push(entries);
+    }
+    Ok(Origin::Matrices(size, read))
+}
+
+impl MetricText {
+    /// The metric that is written.
+    pub(super) fn read(
+        &self,
+        dimension: usize,
+        names: &Names,
+        source: &Source,
+    ) -> Result<MetricChoice, InputError> {
+        match self {
+            MetricText::Word(text) => metric(dimension, names, &source.excerpt(text)),
+            MetricText::Rows(rows) => {
+                let entry = |Cell(text): &Cell| {
+                    let source = source.excerpt(text);
+                    names.scalar(source.content(), &source)
+                };
+                metric_rows(rows, dimension, entry, source.key("metric"))
+            }
+        }
+    }
+}
+
+impl Block {
+    fn statements(&self, head: &str, names: &Names, source: &Source) -> Result<Pairs, InputError> {
+        let mut all = Pairs::new();
+        for block in &self.0 {
+            let source = source.excerpt(block);
+            for line in lines(source.content()) {
+                let (pair, given) = statement(line, head, names, &source)?;
+                add(&mut all, pair, given)?;
+            }
+        }
+        Ok(all)
+    }
+}

@@ -1,0 +1,29 @@
+//! The group of a definition.
+
+use crate::input::InputError;
+use crate::space::{Definition, Origin};
+use affinor::LieAlgebra;
+use affinor::group::{AnyGroup, MatrixGroup, registry};
+use affinor::tensors::Tolerance;
+
+impl Definition {
+    /// A group with this algebra, in its basis: that of the [`registry`] for a name, of matrices where they are given,
+    /// else that of the brackets ([`registry::of_algebra`]).
+    ///
+    /// # Errors
+    /// What the algebra refuses; an algebra with a centre of which only brackets are known.
+    pub fn group(&self, tolerance: Tolerance) -> Result<AnyGroup, InputError> {
+        let name = self.algebra_name.as_deref().unwrap_or(&self.name);
+        let named = if self.source.is_none() { registry::find(name).ok() } else { None };
+        if let Some(group) = named {
+            return Ok(group);
+        }
+        if matches!(self.origin, Origin::Matrices(..)) {
+            return Ok(AnyGroup::new(MatrixGroup::from_basis(&self.matrix_basis(tolerance)?)?));
+        }
+        let algebra: LieAlgebra<f64> = self.algebra(tolerance)?;
+        registry::of_algebra(&algebra).map_err(|error| {
+            InputError::from(error).help("give the algebra by matrices: they name its group")
+        })
+    }
+}

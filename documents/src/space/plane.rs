@@ -1,0 +1,34 @@
+//! Planes of tangent vectors, written in the basis of a definition.
+
+use crate::Coefficient;
+use crate::input::{InputError, Source, shown};
+use crate::space::{Definition, notation::Names};
+use std::collections::{BTreeMap, BTreeSet};
+
+impl Definition {
+    /// The two vectors of a plane, combinations of the basis with a comma between them: `x1, y1 + 2*z`.
+    ///
+    /// # Errors
+    /// Other than two vectors; an expression that cannot be read.
+    pub fn plane<S: Coefficient>(&self, text: &str) -> Result<[Vec<S>; 2], InputError> {
+        let labels: BTreeMap<String, usize> = self.labels.iter().cloned().zip(0..).collect();
+        let parameters: BTreeSet<String> = self.parameters().into_iter().collect();
+        let names =
+            Names { labels: &labels, parameters: Some(&parameters), functions: None, bare: false };
+        let vector = |text: &str| {
+            let mut vector = vec![S::zero(); self.dimension()];
+            let terms = names.vector(text, &Source::new("--plane", text));
+            // an unknown name was meant as a basis vector: parameters are those of the space
+            for (at, value) in terms.map_err(|error| error.help(names.basis()))? {
+                vector[at] = S::read(&value)?;
+            }
+            Ok(vector)
+        };
+        let vectors = text.split(',').map(vector).collect::<Result<Vec<_>, InputError>>()?;
+        let count = vectors.len();
+        <[Vec<S>; 2]>::try_from(vectors).map_err(|_| {
+            InputError::usage(format!("the plane `{}` has {count} vectors, not 2", shown(text)))
+                .help("write two combinations of the basis with a comma between them")
+        })
+    }
+}

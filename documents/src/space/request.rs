@@ -1,0 +1,365 @@
+//! A SPACE of the command line, with the options that complete it.
+
+use crate::input::{
+    Files, InputError, Source,
+    forms::{MetricText, Text},
+};
+use crate::space::{
+    Definition, MetricChoice, Origin, add, check_dimension,
+    notation::{self, Names, basis, lines, metric, statement},
+    paper,
+    setting::settings,
+};
+use affinor::algebra::catalogue::CatalogueError;
+use affinor_tensors::{Kind, Rational, Symbolic};
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+/// The longest chain of definition files, each of which contains the next.
+const MAX_DEPTH: usize = 16;
+
+/// The arguments of the command line that define a space.
+#[derive(Clone, Debug, Default)]
+pub struct Request {
+    /// The SPACE, perhaps with `@connection;metric=...`.
+    pub space: Option<String>,
+    /// Instead of a SPACE: a name for messages, and the text of a definition file.
+    pub definition: Option<(String, String)>,
+    /// The basis names of inline brackets.
+    pub basis: Option<String>,
+    /// Inline brackets.
+    pub brackets: Vec<String>,
+    /// `--connection`.
+    pub connection: Option<String>,
+    /// `--metric`.
+    pub metric: Option<String>,
+    /// `--set`, as `name=value,...`.
+    pub set: Option<String>,
+    /// The files that are read already, and those that are read.
+    pub files: Files,
+}
+
+/// Which scalar to compute in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum ScalarChoice {
+    /// Rationals, or rational functions where parameters are left.
+    #[default]
+    Exact,
+    /// `f64`, with its rounding followed ([`TrackedFloat`](affinor_tensors::TrackedFloat)).
+    Float,
+}
+
+/// A space that is read.
+#[derive(Clone, Debug)]
+pub struct Space {
+    /// Its definition.
+    pub definition: Definition,
+    /// The parameters that the command line introduced.
+    pub introduced: Vec<String>,
+    /// The file it was read from.
+    pub file: Option<PathBuf>,
+}
+
+impl Space {
+    /// Reads a request.
+    ///
+    /// # Errors
+    /// A name that is unknown or ambiguous, a file that cannot be read, a value that is refused: with the place.
+    pub fn open(request: &Request) -> Result<Self, InputError> {
+        let files = &request.files;
+        let inside = request
+            .space
+            .as_deref()
+            .map_or(Ok(Request::default()), |space| split_space(space, files))?;
+        let inline_brackets = !request.brackets.is_empty();
+        let definition = match (&request.definition, &inside.space, &request.basis) {
+            (Some((name, text)), None, None) if !inline_brackets => {
+                Definition::parse_part(name, text, files)?
+            }
+            (None, Some(name), None) if !inline_brackets => find(name, files)?,
+            (None, None, Some(labels)) => inline(labels, &request.brackets)?,
+            (None, None, None) => {
+                return Err(InputError::usage("no SPACE is given")
+                    .help("name one (so3, E8, file.toml), or give --basis and --bracket"));
+            }
+            _ => {
+                return Err(InputError::usage("give a SPACE or --basis and --bracket, not both"));
+            }
+        };
+        let declared = if request.basis.is_none() { definition.parameters() } else { vec![] };
+        let mut space = Self::of(definition);
+        space.file = inside.space.filter(|name| is_path(name)).map(|name| match name.as_str() {
+            // a path for messages and comparisons, where the system has it
+            "-" => PathBuf::from("/dev/stdin"),
+            path => PathBuf::from(path),
+        });
+        let given = [(&inside.metric, "@metric"), (&request.metric, "--metric")];
+        for (text, origin) in given {
+            if let Some(text) = text {
+                let (source, n) = (Source::new(origin, text), space.definition.dimension());
+                space.set_metric(|names| metric(n, names, &source))?;
+            }
+        }
+        let given = [(&inside.connection, "@connection"), (&request.connection, "--connection")];
+        for (text, origin) in given {
+            if let Some(text) = text {
+                space.set_connection(&Source::new(origin, text))?;
+            }
+        }
+        space.introduce(&declared);
+        if let Some(text) = &request.set {
+            space.set(text, &[])?;
+        }
+        Ok(space)
+    }
+
+    /// The space of a definition.
+    pub(crate) fn of(definition: Definition) -> Self {
+        Space { definition, introduced: vec![], file: None }
+    }
+
+    /// The space with the metric and the connection of a file, unless these are left out.
+    pub(crate) fn completed_by(
+        mut self,
+        metric: Option<&MetricText>,
+        connection: Option<&Text>,
+        source: &Source,
+    ) -> Result<Self, InputError> {
+        let n = self.definition.dimension();
+        if let Some(text) = metric {
+            self.set_metric(|names| text.read(n, names, source))?;
+        }
+        if let Some(text) = connection {
+            self.set_connection(&source.excerpt(text))?;
+        }
+        Ok(self)
+    }
+
+    /// The numbers of the basis vectors by their names.
+    fn labels(&self) -> BTreeMap<String, usize> {
+        let labels = self.definition.labels.iter().enumerate();
+        labels.map(|(at, label)| (label.clone(), at)).collect()
+    }
+
+    fn set_metric(
+        &mut self,
+        read: impl FnOnce(&Names) -> Result<MetricChoice, InputError>,
+    ) -> Result<(), InputError> {
+        let labels = self.labels();
+        let names = Names::open(&labels, self.definition.functions());
+        self.definition.metric = Some(read(&names)?);
+        Ok(())
+    }
+
+    fn set_connection(&mut self, source: &Source) -> Result<(), InputError> {
+        let labels = self.labels();
+        let names = Names::open(&labels, self.definition.functions());
+        let choice = notation::connection(&names, source)?;
+        self.definition.connection = Some(choice);
+        Ok(())
+    }
+
+    /// Replaces parameters by values, `name=value,...`. Names that are parameters of `others` only are ignored.
+    ///
+    /// # Errors
+    /// As [`Definition::set`].
+    pub fn set(&mut self, text: &str, others: &[String]) -> Result<(), InputError> {
+        let source = Source::new("--set", text);
+        let before = self.definition.parameters();
+        let labels = self.labels();
+        let names = Names::open(&labels, self.definition.functions());
+        let mut values = settings(&source, &names)?;
+        values.retain(|name, _| before.contains(name) || !others.contains(name));
+        let set = self.definition.set(&values);
+        set.map_err(|error| error.or_at(&source.whole(&source.text)))?;
+        self.introduce(&before);
+        Ok(())
+    }
+
+    /// Records the parameters that are new.
+    fn introduce(&mut self, before: &[String]) {
+        let now = self.definition.parameters();
+        self.introduced.extend(now.into_iter().filter(|name| !before.contains(name)));
+    }
+
+    /// The scalars of its values: rationals if the definition has no parameters, rational functions if it has, and floats on
+    /// request. See [`over_kind`](crate::over_kind).
+    ///
+    /// # Errors
+    /// Floats on a chart; floats with parameters that have no value.
+    pub fn kind(&self, choice: ScalarChoice) -> Result<Kind, InputError> {
+        match choice {
+            ScalarChoice::Float if self.definition.is_on_chart() => {
+                Err(on_chart().help("leave --scalar float away"))
+            }
+            ScalarChoice::Float => self.in_floats().map(|_| Kind::Float),
+            ScalarChoice::Exact if self.definition.is_rational() => Ok(Kind::Exact),
+            ScalarChoice::Exact => Ok(Kind::Symbolic),
+        }
+    }
+
+    /// The definition, whose values are numbers.
+    ///
+    /// # Errors
+    /// A chart, whose functions are exact; parameters without values.
+    pub fn in_floats(&self) -> Result<&Definition, InputError> {
+        if self.definition.is_on_chart() {
+            return Err(on_chart().help("give a Lie algebra: this command computes in floats"));
+        }
+        let parameters = self.definition.parameters();
+        if !parameters.is_empty() {
+            let message = format!("floats need numbers for {}", parameters.join(", "));
+            let help = "set them, as in --set \"J1=1/2,h=-1\"";
+            return Err(InputError::usage(message).help(help));
+        }
+        Ok(&self.definition)
+    }
+}
+
+/// The refusal to compute on a chart in floats.
+fn on_chart() -> InputError {
+    InputError::usage("functions on a chart are differentiated, so they are exact")
+}
+
+/// The parts of `NAME@connection;metric=...`.
+fn split_space(space: &str, files: &Files) -> Result<Request, InputError> {
+    let mut parts = Request::default();
+    if is_path(space) && (files.content(space).is_some() || Path::new(space).is_file()) {
+        return Ok(Request { space: Some(space.into()), ..parts });
+    }
+    let source = Source::new("SPACE", space);
+    let space = &*source.text;
+    let split = space.rsplit_once('@').or_else(|| space.split_once(';'));
+    let (name, behind) = split.unwrap_or((space, ""));
+    if split.is_some() && behind.trim().is_empty() {
+        let error = InputError::usage("the connection is missing behind the name of the space");
+        let place = source.find(space, name.len()..space.len());
+        return Err(error.at(&place).help("write so3@plus, or the name alone"));
+    }
+    if let Some(first) = name.find('@').filter(|_| !is_path(name)) {
+        let error = InputError::usage("a space has one connection, behind one `@`");
+        let place = source.find(space, first..space.len());
+        return Err(error.at(&place).help("write so3@levi-civita;metric=diag(1,2,3)"));
+    }
+    parts.space = Some(name.trim().into());
+    for part in behind.split(';').map(str::trim).filter(|part| !part.is_empty()) {
+        let (place, value) = match part.split_once('=') {
+            Some((key, value)) if key.trim() == "metric" => (&mut parts.metric, value),
+            _ => (&mut parts.connection, part),
+        };
+        if place.replace(value.trim().to_string()).is_some() {
+            let error = InputError::usage("a connection or metric is named twice");
+            return Err(error.at(&source.whole(part)));
+        }
+    }
+    Ok(parts)
+}
+
+/// A geometry of the paper, a file, or a sum of catalogue names.
+fn find(name: &str, files: &Files) -> Result<Definition, InputError> {
+    let compact: String = name.chars().filter(|c| !c.is_whitespace()).collect();
+    match compact.as_str() {
+        "M(3)" | "M3" => return Definition::of_paper(&paper::m3()?, Symbolic::clone),
+        "SO(3)" | "SO3" => {
+            let exact = |value: &Rational| Symbolic::constant(value.clone());
+            return Definition::of_paper(&paper::so3()?, exact);
+        }
+        _ => {}
+    }
+    if is_path(name) {
+        return Definition::read_part(name, 0, files);
+    }
+    named(&Source::new("SPACE", name))
+}
+
+/// The algebra that a string of a definition file names: a sum of catalogue names, or a file, whose path begins at the folder
+/// of that file.
+pub(super) fn part(source: &Source) -> Result<Definition, InputError> {
+    let text = source.content();
+    if !is_path(text) {
+        return named(source);
+    }
+    let refused = |message: String| Err(InputError::usage(message).at(&source.whole(text)));
+    if text == "-" {
+        return refused("standard input is no part of a definition".into());
+    }
+    if source.depth >= MAX_DEPTH {
+        return refused(format!("{MAX_DEPTH} files lead to this one: does one contain itself?"));
+    }
+    let folder = Path::new(&source.name).parent().unwrap_or(Path::new(""));
+    let path = folder.join(text);
+    match Definition::read_part(&path.to_string_lossy(), source.depth + 1, &source.files) {
+        Err(error) => Err(error.or_at(&source.whole(text))),
+        read => read,
+    }
+}
+
+/// The sum of catalogue names that a source holds.
+fn named(source: &Source) -> Result<Definition, InputError> {
+    let text = source.content();
+    let parts = affinor::group::registry::summands(text).into_iter();
+    let parts: Vec<_> = parts.map(|part| entry(part, source)).collect::<Result<_, _>>()?;
+    check_dimension(parts.iter().map(Definition::dimension).sum::<usize>())
+        .map_err(|error| error.at(&source.whole(text)))?;
+    let mut parts = parts.into_iter();
+    let first = parts.next().ok_or_else(|| InputError::usage("no SPACE is named"))?;
+    parts.try_fold(first, Definition::direct_sum)
+}
+
+/// A catalogue entry by its name, a piece of `source`.
+fn entry(part: &str, source: &Source) -> Result<Definition, InputError> {
+    const NAMES: &str = "`affinor list` shows the names; a file ends in .toml or .json";
+    let name = part.trim();
+    if name.is_empty() {
+        let error = InputError::usage("the name of an algebra is missing here");
+        return Err(error.at(&source.whole(part)).help(NAMES));
+    }
+    let error = match affinor::algebra::catalogue::find(name) {
+        Ok(entry) => return Ok(Definition::from_entry(entry)),
+        Err(error) => error,
+    };
+    let span = match &error {
+        CatalogueError::Malformed { span, .. } => span.clone(),
+        CatalogueError::Value { source, .. } => source.span.clone(),
+        _ => 0..name.len(),
+    };
+    let refused = InputError::usage(error.to_string()).at(&source.find(name, span));
+    let foreign: String = name.chars().filter(|c| !c.is_ascii()).take(64).collect();
+    Err(match error {
+        _ if !foreign.is_empty() => {
+            let foreign = foreign.escape_unicode();
+            refused.help(format!("names of algebras are ASCII; this is not: {foreign}"))
+        }
+        CatalogueError::Unknown { .. } => refused.help(NAMES),
+        _ => refused,
+    })
+}
+
+/// Whether a SPACE is a path: `-`, an ending of a file, or a `/` outside parentheses.
+fn is_path(name: &str) -> bool {
+    let mut depth = 0i64;
+    let slash = name.chars().any(|c| {
+        depth += i64::from(c == '(') - i64::from(c == ')');
+        c == '/' && depth == 0
+    });
+    name == "-" || name.ends_with(".toml") || name.ends_with(".json") || slash
+}
+
+/// Brackets given on the command line.
+fn inline(labels: &str, brackets: &[String]) -> Result<Definition, InputError> {
+    let source = Source::new("--basis", labels);
+    let labels = source.text.split([' ', ',', '\t', '\n']);
+    let labels: Vec<&str> = labels.filter(|label| !label.is_empty()).collect();
+    let indices = basis(&labels, &|at| source.whole(labels[at]))?;
+    let names = Names { labels: &indices, parameters: None, functions: None, bare: false };
+    let mut given = BTreeMap::new();
+    for block in brackets {
+        let source = Source::new("--bracket", block);
+        for line in lines(&source.text) {
+            let (pair, right) = statement(line, "", &names, &source)?;
+            add(&mut given, pair, right)?;
+        }
+    }
+    let labels = labels.into_iter().map(str::to_string).collect();
+    Ok(Definition::new("inline algebra", labels, Origin::Brackets(given)))
+}

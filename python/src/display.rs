@@ -1,0 +1,121 @@
+//! Tensors as text, LaTeX and HTML.
+
+use crate::components::each;
+use crate::tensor::{LETTERS, PyTensor, written};
+use affinor_documents::Coefficient;
+use affinor_documents::report::{components_in_latex, components_in_text};
+use affinor_tensors::Tensor;
+use pyo3::prelude::*;
+
+/// The most components that a notebook shows.
+const SHOWN: usize = 50;
+
+/// The most components that `str` lists.
+const LISTED: usize = 2000;
+
+impl PyTensor {
+    /// The letters of the indices.
+    pub fn letters(&self) -> String {
+        let letters = || LETTERS.chars().take(self.rank()).collect();
+        self.names.letters.clone().unwrap_or_else(letters)
+    }
+
+    /// The symbol with its indices, such as `R^i_jkl`.
+    fn general(&self) -> String {
+        format!("{}{}", self.names.symbol, written(&self.letters(), &self.slots(), true))
+    }
+
+    fn count(&self) -> String {
+        let nnz = self.nnz();
+        format!("{nnz} nonzero component{}", if nnz == 1 { "" } else { "s" })
+    }
+
+    fn heading(&self) -> String {
+        let title = self.names.title.clone().unwrap_or_else(|| self.general());
+        if self.nnz() == 0 { title } else { format!("{title}: {}", self.count()) }
+    }
+}
+
+#[pymethods]
+impl PyTensor {
+    fn __repr__(&self) -> String {
+        let (general, count, scalar) = (self.general(), self.count(), self.scalar());
+        format!("<Tensor {general}, dimension {}, {count}, {scalar}>", self.dimension())
+    }
+
+    fn __str__(&self) -> String {
+        let nnz = self.nnz();
+        if nnz == 0 {
+            return format!("{}\n  {} = 0", self.heading(), self.general());
+        }
+        let symbol = &self.names.symbol;
+        let mut text =
+            each!(&self.values, tensor => components_in_text(symbol, &first(tensor, LISTED)));
+        if nnz > LISTED {
+            text += &format!("  and {} more\n", nnz - LISTED);
+        } else if self.dimension().checked_pow(self.rank() as u32) != Some(nnz) {
+            text += "  all others are zero\n";
+        }
+        format!("{}\n{text}", self.heading()).trim_end_matches('\n').into()
+    }
+
+    /// The components in LaTeX, lines of an ``aligned`` environment; at most ``limit`` of them.
+    #[pyo3(signature = (limit=None))]
+    fn to_latex(&self, limit: Option<usize>) -> String {
+        let (nnz, latex, slots) = (self.nnz(), &self.names.latex, self.slots());
+        if nnz == 0 {
+            let marked: Vec<(char, char)> = slots.chars().zip(self.letters().chars()).collect();
+            let runs = marked.chunk_by(|a, b| a.0 == b.0).map(|run| {
+                let letters: String = run.iter().map(|(_, letter)| *letter).collect();
+                format!("{}{{{letters}}}", run[0].0)
+            });
+            return format!("{latex}{} = 0", runs.collect::<Vec<_>>().join("{}"));
+        }
+        let limit = limit.unwrap_or(nnz);
+        let lines =
+            each!(&self.values, tensor => components_in_latex(latex, &first(tensor, limit)));
+        let mut lines: Vec<String> =
+            lines.into_iter().map(|line| line.replace(r"\\*", r"\\")).collect();
+        if nnz > limit {
+            lines.push(format!("&\\text{{and {} more components}}", nnz - limit));
+        }
+        format!("\\begin{{aligned}}\n{}\n\\end{{aligned}}", lines.join(" \\\\\n"))
+    }
+
+    pub fn _repr_latex_(&self) -> String {
+        format!("$$\n{}\n$$", self.to_latex(Some(SHOWN)))
+    }
+
+    /// A table of the first components of a large tensor; smaller ones are LaTeX.
+    fn _repr_html_(&self) -> Option<String> {
+        let more = self.nnz().checked_sub(SHOWN).filter(|more| *more > 0)?;
+        let escaped = |text: &str| {
+            let text = text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
+            text.replace('"', "&quot;").replace('\'', "&#x27;")
+        };
+        let head: String = self.letters().chars().map(|i| format!("<th>{i}</th>")).collect();
+        let row = |at: Vec<usize>, value: String| {
+            let cells: String = at.iter().map(|index| format!("<td>{}</td>", index + 1)).collect();
+            format!("<tr>{cells}<td>{}</td></tr>", escaped(&value))
+        };
+        let rows: String = each!(&self.values, tensor => {
+            let shown = tensor.components().take(SHOWN);
+            shown.map(|(at, value)| row(at.to_vec(), value.to_string())).collect()
+        });
+        let heading = escaped(&self.heading());
+        Some(format!(
+            "<p>{heading}; the first {SHOWN} are shown, indices from 1, {more} are not</p>\
+             <table><tr>{head}<th>value</th></tr>{rows}</table>"
+        ))
+    }
+}
+
+/// The tensor of the first components.
+fn first<S: Coefficient>(tensor: &Tensor<S>, limit: usize) -> Tensor<S> {
+    if tensor.len() <= limit {
+        return tensor.clone();
+    }
+    let some = tensor.components().take(limit).map(|(at, value)| (at, value.clone()));
+    Tensor::from_components(tensor.dimension(), tensor.slots(), some)
+        .unwrap_or_else(|_| tensor.clone())
+}

@@ -1,0 +1,146 @@
+//! Parallel transport and autoparallels on the group of a geometry.
+
+use crate::arrays::{Floats, batch, with_axes, zeros};
+use crate::class::{New, Object, Optional};
+use crate::components::float;
+use crate::geometry::{PyGeometry, each};
+use crate::group::{Array, PyGroup};
+use crate::run::run;
+use crate::values::python;
+use affinor::group::AnyGroup;
+use affinor::group::transport::ParallelTranslation;
+use affinor::{Connection, Frame, Geometry};
+use affinor_documents::Coefficient;
+use affinor_documents::input::InputError;
+use affinor_tensors::Tensor;
+use nalgebra::{DMatrix, DVector};
+use numpy::{PyArray1, PyArray2, PyArrayMethods};
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+
+type Square<'py> = Bound<'py, PyArray2<f64>>;
+
+fn square<'py>(py: Python<'py>, matrix: &DMatrix<f64>) -> PyResult<Square<'py>> {
+    let rows: Vec<Vec<f64>> = matrix.row_iter().map(|row| row.iter().copied().collect()).collect();
+    Ok(PyArray2::from_vec2(py, &rows)?)
+}
+
+/// The rows of an array of vectors.
+fn vectors(array: &Floats<'_>, dimension: usize) -> Vec<DVector<f64>> {
+    let all: Vec<f64> = array.as_array().iter().copied().collect();
+    all.chunks_exact(dimension).map(DVector::from_column_slice).collect()
+}
+
+impl PyGeometry {
+    /// The group of the algebra.
+    fn group_of(&self, py: Python<'_>) -> PyResult<PyGroup> {
+        PyGroup::of_source(py, Py::new(py, self.source.get().of_algebra(py)?)?)
+    }
+
+    /// The group of the algebra, and the connection on it.
+    fn translation(&self, py: Python<'_>) -> PyResult<(PyGroup, ParallelTranslation<AnyGroup>)> {
+        fn floats<S: Coefficient>(tensor: &Tensor<S>) -> Result<Tensor<f64>, InputError> {
+            tensor.nonzero().try_for_each(|value| float(value).map(|_| ()))?;
+            Ok(tensor.map(|value| value.to_f64().unwrap_or(f64::NAN)))
+        }
+        fn connection<S: Coefficient>(
+            geometry: &Geometry<S>,
+        ) -> Result<Connection<f64>, InputError> {
+            geometry.frame_origin().algebra_for("parallel transport on a group")?;
+            let frame = geometry.frame();
+            let frame = Frame::invariant(frame.labels(), floats(frame.structure_functions())?)?;
+            Ok(Connection::new(frame, floats(geometry.connection().affinities())?)?)
+        }
+        let group = self.group_of(py)?;
+        let translation = run(py, || {
+            let connection = each!(&self.values, geometry => connection(geometry)?);
+            Ok(ParallelTranslation::new(group.group().clone(), connection)?)
+        })?;
+        Ok((group, translation))
+    }
+}
+
+#[pymethods]
+impl PyGeometry {
+    /// The group of the algebra.
+    fn group(&self, py: Python<'_>) -> PyResult<PyGroup> {
+        self.group_of(py)
+    }
+
+    /// The matrix (dimension, dimension) of parallel translation along consecutive arcs ``exp(s x)``, ``0 <= s <= 1``.
+    ///
+    /// Components are those in the left-invariant frame; ``arcs`` is a vector ``x`` or rows of them.
+    fn transport<'py>(&self, arcs: &Object<'py>) -> PyResult<Square<'py>> {
+        let py = arcs.py();
+        let (group, translation) = self.translation(py)?;
+        let arcs = with_axes("arcs", arcs, &[1, 2])?;
+        batch("arcs", &arcs, &[group.dimension()])?;
+        let arcs = vectors(&arcs, group.dimension());
+        square(py, &run(py, || Ok(translation.along_arcs(&arcs)?))?)
+    }
+
+    /// The matrix of parallel translation along a curve of elements; of a loop its holonomy.
+    fn transport_along<'py>(&self, elements: &Object<'py>) -> PyResult<Square<'py>> {
+        let py = elements.py();
+        let (group, translation) = self.translation(py)?;
+        let elements = group.checked("elements", elements, 2)?;
+        square(py, &run(py, || Ok(translation.along_samples(&elements)?))?)
+    }
+
+    /// The autoparallel from an element (default: the identity) with a tangent vector, at times after 0.
+    #[pyo3(signature = (tangent, times, start=None, *, tolerance=1e-12))]
+    fn geodesic<'py>(
+        &self,
+        tangent: &Object<'py>,
+        times: &Object<'py>,
+        start: Optional<'py>,
+        tolerance: f64,
+    ) -> New<'py> {
+        let py = tangent.py();
+        let (group, translation) = self.translation(py)?;
+        let times = with_axes("times", times, &[0, 1])?;
+        let times: Vec<f64> = times.as_array().iter().copied().collect();
+        let start = start.map_or_else(|| Ok(group.identity(py)?.into_any()), PyResult::Ok)?;
+        let start = group.checked("start", &start, 1)?;
+        let tangent = with_axes("tangent", tangent, &[1])?;
+        batch("tangent", &tangent, &[group.dimension()])?;
+        let tangent = vectors(&tangent, group.dimension()).swap_remove(0);
+        let path =
+            run(py, || Ok(translation.autoparallel(&start[0], &tangent, &times, tolerance)?))?;
+        let elements = zeros(py, &[path.len()], &[group.coordinate_count()]);
+        let tangents = zeros(py, &[path.len()], &[group.dimension()]);
+        {
+            let (mut g, mut n) = (elements.readwrite(), tangents.readwrite());
+            let rows = g.as_slice_mut()?.chunks_exact_mut(group.coordinate_count());
+            let vectors = n.as_slice_mut()?.chunks_exact_mut(group.dimension());
+            for ((point, row), vector) in path.iter().zip(rows).zip(vectors) {
+                group.write(&point.base, row);
+                vector.copy_from_slice(point.left.as_slice());
+            }
+        }
+        let times = PyArray1::from_vec(py, times);
+        python(py, "geometry", "Geodesic")?.call1((times, elements, tangents))
+    }
+
+    /// The tangent vector at ``start`` of an autoparallel that is at ``end`` at time 1.
+    #[pyo3(signature = (start, end, *, tolerance=1e-10))]
+    fn geodesic_between<'py>(
+        &self,
+        start: &Object<'py>,
+        end: &Object<'py>,
+        tolerance: f64,
+    ) -> PyResult<Array<'py>> {
+        if tolerance.is_nan() || tolerance <= 0.0 {
+            let message = format!("the tolerance {tolerance:?} is not positive");
+            return Err(PyValueError::new_err(message));
+        }
+        let py = start.py();
+        let (group, translation) = self.translation(py)?;
+        let (start, end) = (group.checked("start", start, 1)?, group.checked("end", end, 1)?);
+        let tangent =
+            run(py, || Ok(translation.autoparallel_between(&start[0], &end[0], tolerance)?))?;
+        let out = zeros(py, &[], &[group.dimension()]);
+        out.readwrite().as_slice_mut()?.copy_from_slice(tangent.as_slice());
+        Ok(out)
+    }
+}

@@ -1,0 +1,86 @@
+//! Structure constants by their first factor: one bracket over every kind of number.
+
+use affinor_tensors::Tensor;
+
+/// The constants `(k, i, c^i_jk)` of each `j`, sorted, where `[e_j, e_k] = c^i_jk e_i`.
+///
+/// The numbers are scalars of tensors, residues modulo a prime, integers, or floats. Where they have no operators of their own,
+/// a method takes the operation `sum + a b`.
+#[derive(Clone, Debug)]
+pub(crate) struct SparseBracket<C> {
+    by_first: Vec<Vec<(usize, usize, C)>>,
+}
+
+impl<C> SparseBracket<C> {
+    /// The bracket on `R^n` with the constants `(j, k, i, c^i_jk)`, for both orders of `j` and `k`.
+    pub fn new(n: usize, constants: impl IntoIterator<Item = (usize, usize, usize, C)>) -> Self {
+        let mut by_first: Vec<Vec<_>> = (0..n).map(|_| vec![]).collect();
+        for (j, k, i, value) in constants {
+            by_first[j].push((k, i, value));
+        }
+        by_first.iter_mut().for_each(|line| line.sort_by_key(|&(k, i, _)| (k, i)));
+        SparseBracket { by_first }
+    }
+
+    /// The dimension.
+    pub fn dimension(&self) -> usize {
+        self.by_first.len()
+    }
+
+    /// The constants `(k, i, c^i_jk)` of `[e_j, .]`.
+    pub fn of(&self, j: usize) -> &[(usize, usize, C)] {
+        &self.by_first[j]
+    }
+
+    /// The constants over other numbers; `None` if one has no image.
+    pub fn map<D>(&self, image: impl Fn(&C) -> Option<D>) -> Option<SparseBracket<D>> {
+        let line = |line: &Vec<(usize, usize, C)>| {
+            line.iter().map(|(k, i, value)| Some((*k, *i, image(value)?))).collect()
+        };
+        let by_first = self.by_first.iter().map(line).collect::<Option<_>>()?;
+        Some(SparseBracket { by_first })
+    }
+}
+
+impl<S: Clone> SparseBracket<S> {
+    /// The constants `c^i_jk` of a tensor.
+    pub fn of_tensor(structure: &Tensor<S>) -> Self
+    where
+        S: affinor_tensors::Scalar,
+    {
+        let constants = structure.components();
+        Self::new(
+            structure.dimension(),
+            constants.map(|(at, value)| (at[1], at[2], at[0], value.clone())),
+        )
+    }
+}
+
+impl<C: Copy + PartialEq> SparseBracket<C> {
+    /// The bracket of two vectors. `fused(s, a, b)` is `s + a b`.
+    pub fn bracket(&self, x: &[C], y: &[C], zero: C, fused: impl Fn(C, C, C) -> C) -> Vec<C> {
+        let mut sum = vec![zero; self.dimension()];
+        for (line, &factor) in self.by_first.iter().zip(x).filter(|(_, factor)| **factor != zero) {
+            for &(k, i, value) in line.iter().filter(|(k, ..)| y[*k] != zero) {
+                sum[i] = fused(sum[i], fused(zero, factor, y[k]), value);
+            }
+        }
+        sum
+    }
+
+    /// The rows of the Killing form `tr(ad_a ad_b)`. `fused(s, a, b)` is `s + a b`.
+    pub fn killing(&self, zero: C, fused: impl Fn(C, C, C) -> C) -> Vec<Vec<C>> {
+        let n = self.dimension();
+        let mut dense = vec![zero; n * n];
+        let row = |a: usize| {
+            self.of(a).iter().for_each(|&(k, i, value)| dense[k * n + i] = value);
+            let entry = |b: usize| {
+                self.of(b).iter().fold(zero, |sum, &(k, i, v)| fused(sum, v, dense[i * n + k]))
+            };
+            let entries = (0..n).map(entry).collect();
+            self.of(a).iter().for_each(|&(k, i, _)| dense[k * n + i] = zero);
+            entries
+        };
+        (0..n).map(row).collect()
+    }
+}

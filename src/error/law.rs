@@ -1,0 +1,195 @@
+//! Laws whose failure is an error: the row of a law has its witness, class, message and advice.
+
+use super::Error;
+use std::fmt;
+
+/// A row is `Law(part: names, ...; residual) Class "message" "advice"`. The message may use every name of the row.
+macro_rules! laws {
+    ($(
+        $(#[$doc:meta])+
+        $law:ident($($part:ident: $($name:ident)+),*; $residual:ident) $class:ident
+        $message:literal $($advice:literal)?
+    )+) => {
+        /// A law that a construction needs. [`Error::Broken`] says where it fails.
+        #[non_exhaustive]
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub enum Law {
+            $($(#[$doc])+ $law,)+
+        }
+
+        impl Law {
+            /// All laws.
+            pub const ALL: &[Law] = &[$(Law::$law),+];
+
+            /// The parts of the witness, such as a `pair` or a `triple`, each with the names of its entries. In this order
+            /// the entries are in [`Error::Broken`].
+            pub fn parts(self) -> &'static [(&'static str, &'static [&'static str])] {
+                match self {
+                    $(Law::$law => &[$((stringify!($part), &[$(stringify!($name)),+])),*],)+
+                }
+            }
+
+            /// As [`Error::class`].
+            pub(super) fn class(self) -> &'static str {
+                match self {
+                    $(Law::$law => stringify!($class),)+
+                }
+            }
+
+            /// As [`Error::advice`].
+            pub(super) fn advice(self) -> Option<&'static str> {
+                let advice: &[&str] = match self {
+                    $(Law::$law => &[$($advice)?],)+
+                };
+                advice.first().copied()
+            }
+
+            /// Writes the message.
+            pub(super) fn write(
+                &self,
+                at: &[String],
+                residual: &str,
+                f: &mut fmt::Formatter<'_>,
+            ) -> fmt::Result {
+                let mut entries = at.iter().map(String::as_str);
+                let mut next = || entries.next().unwrap_or_default();
+                match self {
+                    $(Law::$law => {
+                        $($(let $name = next();)+)*
+                        let $residual = residual;
+                        write!(f, $message)
+                    })+
+                }
+            }
+        }
+    };
+}
+
+laws! {
+    /// `x - x = 0` for numbers. It fails for intervals.
+    AdditiveInverse(value: x; residual) MathematicsError
+        "the numbers are no ring: {x} - {x} = {residual}, not 0, as for intervals"
+        "compute over exact numbers or floats, and bound the error of the result"
+    /// `[x, y] + [y, x] = 0`.
+    Antisymmetry(pair: x y; residual) AntisymmetryError
+        "the bracket is not antisymmetric: [{x}, {y}] + [{y}, {x}] = {residual}"
+        "[y,x] must be -[x,y], and [x,x] zero"
+    /// The same of a bracket that is given in both orders.
+    OppositeOrders(pair: x y, values: forward backward; residual) AntisymmetryError
+        "the bracket is not antisymmetric: [{x}, {y}] + [{y}, {x}] = {residual}, \
+         for [{x}, {y}] = {forward} and [{y}, {x}] = {backward}"
+        "[y,x] must be -[x,y], and [x,x] zero"
+    /// A structure constant is given once. The residual is its second value.
+    GivenOnce(pair: x y, component: component, value: first; second) MathematicsError
+        "the component of [{x}, {y}] along {component} is given twice: {first} and {second}"
+    /// `[[x, y], z] + [[y, z], x] + [[z, x], y] = 0`.
+    Jacobi(triple: x y z; residual) JacobiError
+        "the Jacobi identity fails: [[{x},{y}],{z}] + [[{y},{z}],{x}] + [[{z},{x}],{y}] = {residual}"
+        "look at the brackets of these three basis vectors"
+    /// Structure constants become rational if basis vectors are divided by square roots. The residual is a constant
+    /// that does not.
+    RationalConstants(pair: x y, component: component; value) MathematicsError
+        "no division of basis vectors by square roots makes all structure constants rational: \
+         the component of [{x}, {y}] along {component} is {value}"
+        "structure theory computes over the rational numbers: give another basis, or a parameter instead of the number"
+    /// The span of matrices is closed under the commutator. The residual is an entry of the remainder.
+    Closure(pair: x y; residual) ClosureError
+        "the matrices do not close: [{x}, {y}] leaves their real span, by {residual}"
+        "add the missing matrices to the basis"
+    /// A subspace contains the bracket of any two of its vectors.
+    Subalgebra(pair: x y; bracket) ConstructionError
+        "the subspace is no subalgebra: [{x}, {y}] = {bracket} is not in it"
+        "add the bracket to the vectors, or take the subalgebra that they generate"
+    /// A subspace contains the bracket of its vectors `v` with any basis vector `x`.
+    Ideal(pair: x v; bracket) ConstructionError
+        "the subspace is no ideal: [{x}, {v}] = {bracket} is not in it"
+        "add the bracket to the vectors"
+    /// `omega([x, y], z) + omega([y, z], x) + omega([z, x], y) = 0`; the residual is this sum up to its sign.
+    Cocycle(triple: x y z; residual) ConstructionError
+        "the form is no cocycle: \
+         omega([{x},{y}],{z}) + omega([{y},{z}],{x}) + omega([{z},{x}],{y}) = {residual}"
+        "change the values of the form on these vectors"
+    /// `x y - y x = 0` for a product of vectors.
+    Commutative(pair: x y; residual) ConstructionError
+        "the products do not commute: {x} {y} - {y} {x} = {residual}"
+        "the vectors span a commutative, associative algebra: change their products"
+    /// `(x y) z - x (y z) = 0` for a product of vectors.
+    Associative(triple: x y z; residual) ConstructionError
+        "the products are not associative: ({x} {y}) {z} - {x} ({y} {z}) = {residual}"
+        "the vectors span a commutative, associative algebra: change their products"
+    /// `D [x, y] - [D x, y] - [x, D y] = 0` for the matrix `D` by which the vector `d` acts.
+    Derivation(derivation: d, pair: x y; residual) ConstructionError
+        "the matrix D of {d} is no derivation: D [{x},{y}] - [D {x},{y}] - [{x},D {y}] = {residual}"
+    /// `(D_x D_y - D_y D_x - D_[x,y]) v = 0` for the matrices by which an algebra acts.
+    Action(pair: x y, vector: v; residual) ConstructionError
+        "the matrices are no action: (D_{x} D_{y} - D_{y} D_{x} - D_[{x},{y}]) {v} = {residual}"
+    /// The structure constants of a contraction have a limit. The residual is a constant without one.
+    Limit(pair: x y, component: component; value) ConstructionError
+        "the contraction has no limit: the component {value} of [{x}, {y}] along {component} grows \
+         beyond all bounds"
+    /// Matrices are linearly independent over the reals.
+    Independent(relation: relation; zero) DependentError
+        "the matrices are linearly dependent over the reals: {relation} = {zero}"
+        "a basis has no such relation: leave a matrix out"
+    /// Vector fields are linearly independent somewhere.
+    IndependentFields(relation: relation; zero) DependentError
+        "the frame is degenerate: its determinant is zero, for {relation} = {zero}"
+    /// `g(x, y) - g(y, x) = 0` for a metric.
+    SymmetricMetric(pair: x y; residual) MetricError
+        "the metric is not symmetric: g({x},{y}) - g({y},{x}) = {residual}"
+        "write the same value at both places"
+    /// A value that an operation needs, such as a structure function, is constant. The residual is the value.
+    Constant(operation: what, component: component; value) MathematicsError
+        "{what} needs constants, but here {component} = {value}"
+    /// `L_direction Lambda = 0` for a connection that has constant components in the right-invariant frame.
+    AdInvariance(direction: direction, indices: i j k; residual) MathematicsError
+        "the connection has no constant components in the right-invariant frame: \
+         (L_{direction} Lambda)^{i}_{j}{k} = {residual}, not 0 (it is not invariant under ad)"
+    /// The isotropy `h` of a reductive pair contains the bracket of any two of its vectors.
+    ReductiveIsotropy(pair: x y; bracket) MathematicsError
+        "the vectors of h span no subalgebra: [{x}, {y}] = {bracket} is not in their span"
+    /// The complement `m` of a reductive pair contains the bracket of its vectors `y` with any vector `x` of `h`.
+    ReductiveComplement(pair: x y; bracket) MathematicsError
+        "the complement m is not invariant under h: [{x}, {y}] = {bracket} is not in m"
+    /// A tensor at the origin of a homogeneous space is invariant under the isotropy group.
+    IsotropyInvariance(tensor: tensor, direction: direction, component: component; residual) MathematicsError
+        "{tensor} must be invariant under h, but the action of {direction} gives the component \
+         {component} = {residual}"
+    /// The Killing form is not degenerate on a subalgebra `h`.
+    KillingOnSubalgebra(null: null; _zero) MathematicsError
+        "the Killing form is degenerate on h: {null} is orthogonal to all of it"
+    /// `nabla_n n = 0`: the autoparallel in the direction `n` has a constant tangent vector.
+    ConstantTangent(direction: n; residual) MathematicsError
+        "{n} is not the constant tangent of an autoparallel: \
+         nabla_n n = {residual} in the left-invariant frame"
+    /// The adjoint representation is faithful: no central vector exists.
+    FaithfulAdjoint(central: central; zero) MathematicsError
+        "the algebra has a centre: {central} commutes with everything, and ad takes it to {zero}"
+    /// An algebra is nilpotent. The residual is a component that should vanish.
+    Nilpotent(; component) MathematicsError
+        "the algebra is not nilpotent: {component} is not zero"
+    /// Canonical coordinates are regular at a point: the invariant forms are independent.
+    RegularPoint(vector: vector; _zero) MathematicsError
+        "the coordinates are singular at this point: the invariant forms vanish on {vector}"
+    /// The exponential map is locally invertible at `x`.
+    RegularTangent(vector: x; _zero) MathematicsError
+        "the tangent operator of exp is singular at {x}: ad_x has an eigenvalue 2 pi i k, k != 0"
+    /// The eigenvalues of `ad_x` are small integers `a + ib`. The residual is the minimal polynomial, in `z`.
+    Eigenvalues(vector: x; polynomial) MathematicsError
+        "ad_{x} has an eigenvalue other than small integers a + ib: a root of {polynomial}"
+}
+
+impl Law {
+    /// The error of the law, which fails at these vectors.
+    ///
+    /// ```
+    /// use affinor::Law;
+    /// let error = Law::Ideal.broken(["x".to_string(), "v".to_string()], "z");
+    /// assert_eq!(error.to_string(), "the subspace is no ideal: [x, v] = z is not in it");
+    /// assert_eq!(error.advice(), Some("add the bracket to the vectors"));
+    /// assert_eq!(error.class(), "ConstructionError");
+    /// ```
+    pub fn broken(self, at: impl Into<Vec<String>>, residual: impl Into<String>) -> Error {
+        Error::Broken { law: self, at: at.into(), residual: residual.into() }
+    }
+}

@@ -1,0 +1,171 @@
+//! Errors of the library, each with its witness.
+
+mod law;
+
+pub use law::Law;
+
+use crate::algebra::catalogue::CatalogueError;
+use affinor_tensors::TensorError;
+use affinor_tensors::linear::LinearError;
+
+/// An error of the library. It says what failed, where, and by how much.
+///
+/// Basis vectors appear by their labels, residuals as linear combinations of them.
+#[non_exhaustive]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum Error {
+    /// Tensors whose shapes do not fit, or scalars without an inverse that a formula needs.
+    #[error(transparent)]
+    Tensor(#[from] TensorError),
+    /// Linear equations over scalars that do not form a field.
+    #[error(transparent)]
+    Linear(#[from] LinearError),
+    /// A name that does not denote one algebra of the catalogue.
+    #[error(transparent)]
+    Catalogue(#[from] CatalogueError),
+    /// A name that denotes no group or no column, or that cannot serve as a coordinate.
+    #[error("{0}")]
+    Name(String),
+    /// A tensor of the wrong dimension or with the wrong slots.
+    #[error("{what} should have {expected}, not {found}")]
+    Shape {
+        /// The name of the object.
+        what: &'static str,
+        /// The shape it needs.
+        expected: String,
+        /// The shape it has.
+        found: String,
+    },
+    /// A search over more candidates than its limit.
+    #[error("{size} {what} are too many to search: the limit is {limit}")]
+    Size {
+        /// The candidates, in the plural.
+        what: &'static str,
+        /// Their number.
+        size: usize,
+        /// The largest number allowed.
+        limit: usize,
+    },
+    /// A component that is infinite or not a number.
+    #[error("{what}: the component {} = {value} is no finite number", indices(.at.iter().copied()))]
+    NotFinite {
+        /// The name of the object.
+        what: &'static str,
+        /// The indices of the component, from 1.
+        at: Vec<usize>,
+        /// The component.
+        value: String,
+    },
+    /// A value that left the range of `f64`.
+    #[error("{component} = {value}: the computation left the range of f64")]
+    Overflow {
+        /// The component.
+        component: String,
+        /// The value.
+        value: String,
+    },
+    /// A law that fails; see [`Law::broken`].
+    #[error(fmt = Law::write)]
+    Broken {
+        /// The law.
+        law: Law,
+        /// The vectors and other names at which it fails, in the order of [`Law::parts`].
+        at: Vec<String>,
+        /// The value that contradicts the law: in most laws a remainder that should vanish.
+        residual: String,
+    },
+    /// A tensor that lacks a required symmetry.
+    #[error(
+        "{what} is not {symmetry} in the slots {} and {}: component {} is off by {residual}",
+        .slots[0], .slots[1], indices(.at.iter().copied())
+    )]
+    Symmetry {
+        /// The tensor.
+        what: &'static str,
+        /// `symmetric` or `antisymmetric`.
+        symmetry: &'static str,
+        /// The two slots, from 1.
+        slots: [usize; 2],
+        /// The indices of a component, from 1.
+        at: Vec<usize>,
+        /// The component minus (for antisymmetry: plus) the one with the two indices exchanged.
+        residual: String,
+    },
+    /// A degenerate metric.
+    #[error("the metric is degenerate: {null} is orthogonal to every vector")]
+    Degenerate {
+        /// A vector of the kernel.
+        null: String,
+        /// Its nonzero components, each with the number of its basis vector, from 1.
+        components: Vec<(usize, String)>,
+    },
+    /// A Levi-Civita connection was asked for without a metric.
+    #[error("levi-civita is the connection of a metric, and none is given")]
+    NoMetric,
+    /// A change of basis whose matrix is singular.
+    #[error("the new basis is linearly dependent")]
+    SingularBasis,
+    /// A value that does not exist or is not admissible: `no inertia: the mass is -1`.
+    #[error("no {what}: {reason}")]
+    Invalid {
+        /// The object: `basis`, `element of the group`, `logarithm`, `mean`, `rotation`, `inertia`, `state`, `solid`
+        /// or coordinates.
+        what: &'static str,
+        /// Why, with the witness.
+        reason: String,
+    },
+    /// An operation that is not defined in this frame, or a method that does not apply to the problem.
+    #[error("{0}")]
+    Unsupported(String),
+    /// An integration that failed before its end.
+    #[error("the integration stops at t = {t}: {reason}")]
+    Integration {
+        /// The time that was reached.
+        t: f64,
+        /// Why.
+        reason: String,
+    },
+}
+
+impl Error {
+    /// A name that cannot serve as a coordinate: not an identifier, or used twice.
+    pub(crate) fn coordinate(name: &str) -> Self {
+        Error::Name(format!("`{name}` is not the name of one coordinate"))
+    }
+
+    /// The class of the error: the name of its exception in Python, such as `JacobiError`.
+    pub fn class(&self) -> &'static str {
+        self.row().0
+    }
+
+    /// What to change, if a general answer exists.
+    pub fn advice(&self) -> Option<&'static str> {
+        self.row().1
+    }
+
+    fn row(&self) -> (&'static str, Option<&'static str>) {
+        match self {
+            Error::Broken { law, .. } => (law.class(), law.advice()),
+            Error::Tensor(_) | Error::Shape { .. } => ("ShapeError", None),
+            Error::Catalogue(_) | Error::Name(_) => ("InputError", None),
+            Error::Symmetry { .. } => ("SymmetryError", None),
+            Error::NoMetric => ("MetricError", None),
+            Error::Degenerate { .. } => {
+                ("MetricError", Some("a metric has an inverse: change it, or take another"))
+            }
+            Error::Integration { .. } => ("IntegrationError", None),
+            Error::Linear(_)
+            | Error::Size { .. }
+            | Error::NotFinite { .. }
+            | Error::Overflow { .. }
+            | Error::SingularBasis
+            | Error::Invalid { .. }
+            | Error::Unsupported(_) => ("MathematicsError", None),
+        }
+    }
+}
+
+/// Indices as they are listed: `1,2,3`.
+pub(crate) fn indices(at: impl IntoIterator<Item = usize>) -> String {
+    at.into_iter().map(|index| index.to_string()).collect::<Vec<_>>().join(",")
+}
