@@ -178,6 +178,23 @@ fn every_source_says_what_it_is() {
     }
 }
 
+/// A test file bears the name of the source file or folder that it guards, or stands among the claims.
+#[test]
+fn tests_follow_the_sources() {
+    let rooms = ROOMS.map(|room| (format!("tests/{room}"), format!("src/{room}")));
+    let packages = ["tensors", "documents"].map(|p| (format!("tests/{p}"), format!("{p}/src")));
+    for (tests, guarded) in rooms.into_iter().chain(packages) {
+        for file in sources(&[&tests]) {
+            let name = file.path[tests.len() + 1..].trim_end_matches(".rs");
+            if name != "main" && !name.starts_with("claims/") && !name.starts_with("common/") {
+                let source = root().join(&guarded).join(name);
+                let exists = source.is_dir() || source.with_extension("rs").exists();
+                assert!(exists, "{}: no source {guarded}/{name}.rs", file.path);
+            }
+        }
+    }
+}
+
 fn architecture() -> String {
     let root = root();
     fs::read_to_string(root.join("ARCHITECTURE.md")).expect("the page")

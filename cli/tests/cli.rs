@@ -338,14 +338,6 @@ fn a_certificate_names_the_witness() {
 }
 
 #[test]
-fn square_roots_of_squares_are_exact() {
-    let folder = folder();
-    let table = ["table", "so3@zero;metric=diag(sqrt(9/4),1,1)", "--show", "metric"];
-    let table = run(folder.path(), &[&table[..], &["--format", "csv"]].concat(), b"");
-    assert!(table.out.contains("metric,1,1,,,3/2\n"), "{}{}", table.out, table.err);
-}
-
-#[test]
 fn undefined_tensors_are_noted() {
     let folder = folder();
     let table = run(folder.path(), &["table", "so3@zero", "--show", "metric,torsion"], b"");
@@ -443,19 +435,6 @@ fn spaces_have_short_names() {
 }
 
 #[test]
-fn sums_of_algebras_are_blocks() {
-    let sum = json_of(&["table", "so3+heisenberg3@zero", "--show", "structure"]);
-    assert_eq!(sum["algebra"]["dimension"], 6);
-    let components = sum["tensors"]["structure"]["components"].as_array().unwrap();
-    let block = |at: &Value| {
-        at[0].as_array().unwrap().iter().map(|i| i.as_u64().unwrap() > 3).collect::<Vec<_>>()
-    };
-    assert!(components.iter().all(|c| block(c).windows(2).all(|pair| pair[0] == pair[1])));
-    assert_eq!(components.iter().filter(|c| !block(c)[0]).count(), 6);
-    assert_eq!(components.iter().filter(|c| block(c)[0]).count(), 2);
-}
-
-#[test]
 fn messages_are_coloured_on_request() {
     let of = |color: &str| affinor(&["table", "so31", "--color", color]).err;
     assert!(of("always").contains("\u{1b}["));
@@ -477,31 +456,6 @@ fn floats_have_a_tolerance() {
     assert!((value.as_f64().unwrap() + 1.0 / 3.0).abs() < 1e-15, "{value}");
     assert_eq!(affinor(&[&float[..], &["--tolerance", "1e-9"]].concat()).status, 0);
     assert_eq!(affinor(&[&float[..], &["--tolerance", "0"]].concat()).status, 0);
-}
-
-#[test]
-fn the_right_frame_has_the_other_structure_constants() {
-    let csv = |frame: &str| {
-        rows(&stdout(&[
-            "table",
-            "so3@plus",
-            "--frame",
-            frame,
-            "--show",
-            "structure,affinities,torsion",
-            "--format",
-            "csv",
-        ]))
-    };
-    let (left, right) = (csv("left"), csv("right"));
-    let value = |rows: &[Vec<String>], tensor: &str| {
-        let found = rows.iter().find(|row| row[..4] == [tensor, "1", "2", "3"]);
-        found.map_or("0".to_string(), |row| row[5].clone())
-    };
-    let of = |rows: &[Vec<String>]| ["structure", "affinities", "torsion"].map(|t| value(rows, t));
-    assert_eq!(of(&left), ["1", "1", "1"]);
-    // structure -c, affinities Lambda - c, torsion c in either frame
-    assert_eq!(of(&right), ["-1", "0", "1"]);
 }
 
 #[test]

@@ -26,37 +26,13 @@ fn shape(info: &Value) -> Value {
 
 #[test]
 fn has_the_keys_of_its_schema() {
-    let keys = [
-        "dimension",
-        "abelian",
-        "nilpotent",
-        "nilpotency_class",
-        "solvable",
-        "derived_length",
-        "unimodular",
-        "perfect",
-        "reductive",
-        "semisimple",
-        "simple",
-        "centre",
-        "derived_series",
-        "lower_central_series",
-        "upper_central_series",
-        "killing",
-        "radical",
-        "nilradical",
-        "levi",
-        "rank",
-        "dynkin_type",
-        "simple_ideals",
-        "derivations",
-        "betti",
-        "identification",
-    ];
+    let keys = "dimension abelian nilpotent nilpotency_class solvable derived_length unimodular perfect reductive \
+                semisimple simple centre derived_series lower_central_series upper_central_series killing radical \
+                nilradical levi rank dynkin_type simple_ideals derivations betti identification";
     for space in ["iso(3,1)", "bianchi(VI)", "R^2", "so(3)"] {
         let info = info(space);
         assert_eq!(info["schema"], "affinor.info/1");
-        for key in keys {
+        for key in keys.split_whitespace() {
             assert!(info.get(key).is_some(), "{key} of {space}");
         }
         for key in ["centre", "radical", "nilradical", "levi"] {
@@ -64,31 +40,15 @@ fn has_the_keys_of_its_schema() {
             assert_eq!(basis.len() as u64, info[key]["dimension"].as_u64().unwrap(), "{key}");
         }
     }
-    let poincare = info("iso(3,1)");
-    assert_eq!(poincare["killing"]["signature"], json!([3, 3, 4]));
-    assert_eq!(poincare["betti"], json!([1, 0, 0, 2, 1, 0, 1, 2, 0, 0, 1]));
-    assert_eq!(poincare["derivations"], json!({ "dimension": 11, "inner": 10, "outer": 1 }));
-    assert_eq!(poincare["simple_ideals"][0]["real_form"], "sl(2,C)");
-    assert_eq!(poincare["simple_ideals"][0]["type"], "A1 + A1");
     assert_eq!(info("R^2")["dynkin_type"], Value::Null);
     assert_eq!(info("heisenberg(5)")["nilpotency_class"], 2);
     assert_eq!(info("heisenberg(5)")["derived_length"], 2);
 }
 
 #[test]
-fn of_e8() {
-    let e8 = info("E8");
-    assert_eq!((&e8["dynkin_type"], &e8["rank"]), (&json!("E8"), &json!(8)));
-    assert_eq!(e8["killing"]["signature"], json!([128, 120, 0]));
-    assert_eq!(e8["simple_ideals"][0]["real_form"], "e8(8)");
-    assert_eq!(e8["betti"].as_array().unwrap().len(), 249);
-    let text = stdout(root(), &["info", "E8"]);
-    assert!(text.contains("e8(8): type E8"), "{text}");
-}
-
-#[test]
 fn root_systems() {
     let e8 = info("E8");
+    assert_eq!(e8["betti"].as_array().unwrap().len(), 249);
     assert_eq!(e8["cartan_matrix"][0]["matrix"].as_array().unwrap().len(), 8);
     assert_eq!(e8["roots"]["positive"], 120);
     assert_eq!(e8["roots"]["vectors"].as_array().unwrap().len(), 240);
@@ -122,22 +82,6 @@ fn dynkin_diagrams_as_svg() {
     let refused = run(root(), &["plot", "dynkin", "heisenberg(3)"], b"");
     assert_eq!(refused.status, 1);
     assert!(refused.err.contains("no roots"), "{}", refused.err);
-}
-
-/// Four simple algebras and a nilpotent one, in an anonymous basis.
-#[test]
-fn of_a_scrambled_sum() {
-    let sum = info("tests/data/structure/scrambled_sum.json");
-    assert_eq!(sum["dynkin_type"], "A1 + A1 + A1 + A1 + A2");
-    let mut forms: Vec<&str> = sum["simple_ideals"]
-        .as_array()
-        .unwrap()
-        .iter()
-        .map(|ideal| ideal["real_form"].as_str().unwrap())
-        .collect();
-    forms.sort_unstable();
-    assert_eq!(forms, ["sl(2,C)", "sl(2,R)", "sl(3,R)", "su(2)"]);
-    assert_eq!(shape(&sum), json!([23, 3, 1, "A1 + A1 + A1 + A1 + A2"]));
 }
 
 #[test]
@@ -425,15 +369,7 @@ fn properties_of_geometries() {
     };
     let so3 = of(&["SO3"]);
     assert_eq!(so3["schema"], "affinor.properties/1");
-    assert_eq!(find(&so3, "constant curvature K")["value"], "K = 1/8");
     assert_eq!(find(&so3, "holonomy algebra")["value"], "dimension 3: su(2)");
-    let m3 = of(&["M3"]);
-    assert_eq!(find(&m3, "flat")["holds"], true);
-    assert_eq!(find(&m3, "torsion-free")["witness"], "tau^i_jk = 1 at i = 1, j = 2, k = 3");
-    assert_eq!(find(&m3, "metric-compatible")["holds"], false);
-    let heisenberg = of(&["heisenberg(3)", "--metric", "identity"]);
-    assert_eq!(find(&heisenberg, "algebraic Ricci soliton")["value"], "c = -3/2");
-    assert_eq!(find(&heisenberg, "Einstein (Ric = c g)")["holds"], false);
     // names that the parameters have already
     let plane = of(&["aff1", "--metric", "diag(c,K)"]);
     assert_eq!(find(&plane, "Einstein (Ric = c g)")["value"], "the constant is -1/c");
@@ -444,10 +380,6 @@ fn properties_of_geometries() {
         forms["value"],
         "dimension 1: g(x1, x1) = b1, g(y1, y1) = a2/a1*b1, g(z, z) = a3/a1*b1"
     );
-    let smallest = find(&heisenberg, "smallest K");
-    assert_eq!((&smallest["curvature"], &smallest["proved"]), (&json!("-3/4"), &json!(true)));
-    assert_eq!(find(&heisenberg, "bi-invariant connections")["dimension"], 8);
-    assert_eq!(find(&heisenberg, "parallel symmetric forms")["basis"][0][0], json!([[1, 1], "1"]));
     let of_plane = of(&["so3", "--metric", "diag(1,1,1/4)", "--plane", "e1, e2+e3"]);
     assert_eq!(find(&of_plane, "sectional curvature of e1, e2+e3")["value"], "K = 53/80");
     for plane in ["e1", "e1, e9", "e1, e2, e3"] {

@@ -1,4 +1,4 @@
-//! What the program does, a module a claim.
+//! Tests of the program: a file for a command, or for a claim about several.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 #[path = "../../tests/common/mod.rs"]
@@ -9,6 +9,7 @@ mod program;
 mod bad_input;
 mod chart_definitions;
 mod cli;
+mod code;
 mod compare;
 mod documents;
 mod e8;
@@ -23,10 +24,6 @@ mod limits;
 mod notations;
 mod paper;
 mod plot;
-mod plot_motions;
-mod program_accuracy;
-mod program_pivots;
-mod programs;
 mod range_of_floats;
 mod roots;
 #[cfg(unix)]

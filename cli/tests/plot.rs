@@ -1,5 +1,7 @@
 //! Pictures: well-formed SVG with every label, PNG of the size asked for, and what is refused.
 
+mod motions;
+
 use crate::program::{Outcome, run};
 use roxmltree::Document;
 use std::collections::BTreeSet;

@@ -8,14 +8,7 @@ use tempfile::TempDir;
 #[test]
 fn a_stored_table_verifies() {
     let folder = TempDir::new().unwrap();
-    for space in [
-        "so3",
-        "M3",
-        "SO3",
-        "sl3@plus",
-        "bianchi(VI,h=h)@lambda=t",
-        "so3@levi-civita;metric=diag(1,2,3)",
-    ] {
+    for space in ["M3", "bianchi(VI,h=h)@lambda=t"] {
         for format in ["json", "csv"] {
             let file = format!("stored.{format}");
             let table = ["table", space, "--format", format, "-o", &file];
@@ -203,25 +196,6 @@ fn the_other_sign_convention_does_not_verify() {
     );
 }
 
-/// Stored and read back, with five indices.
-#[test]
-fn derived_tensors_are_verified() {
-    let folder = TempDir::new().unwrap();
-    let space = "heisenberg3@levi-civita;metric=diag(1,2,3)";
-    for format in ["csv", "json"] {
-        let table = ["table", space, "--show", "derived", "--format", format, "-o", "stored"];
-        assert_eq!(run(folder.path(), &table, b"").status, 0);
-        let stored = fs::read_to_string(folder.path().join("stored")).unwrap();
-        assert!(format == "json" || stored.starts_with("tensor,i,j,k,l,m,value\n"), "{stored}");
-        let agrees = run(folder.path(), &["verify", space, "stored"], b"");
-        assert_eq!(agrees.status, 0, "{}{}", agrees.out, agrees.err);
-        let other = "heisenberg3@levi-civita;metric=diag(1,2,4)";
-        let differs = run(folder.path(), &["verify", other, "stored"], b"");
-        assert_eq!(differs.status, 1);
-        assert!(differs.out.contains("(nabla R)^"), "{}", differs.out);
-    }
-}
-
 /// A table of zeros has only a head in CSV.
 #[test]
 fn a_table_without_rows_verifies() {
@@ -279,17 +253,6 @@ fn basis_names_and_variances_are_compared() {
             run(folder.path(), &["verify", "so3@zero", "-"], text.replacen(from, to, 1).as_bytes());
         assert!(outcome.status > 0 && outcome.err.contains(message), "{}", outcome.err);
     }
-}
-
-/// Values longer than an expression may become while it is evaluated.
-#[test]
-fn long_values_verify() {
-    let folder = TempDir::new().unwrap();
-    let kerr = crate::program::definition("kerr.toml");
-    let table = ["table", &kerr, "--show", "kretschmann", "--format", "csv", "-o", "kerr.csv"];
-    assert_eq!(run(folder.path(), &table, b"").status, 0);
-    let outcome = run(folder.path(), &["verify", &kerr, "kerr.csv"], b"");
-    assert_eq!(outcome.status, 0, "{}{}", outcome.out, outcome.err);
 }
 
 #[test]

@@ -65,6 +65,7 @@ macro_rules! properties {
         )*
     };
 }
+#[allow(unused_imports, reason = "not every package has properties")]
 pub(crate) use properties;
 
 /// A value of any type.

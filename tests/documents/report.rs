@@ -1,5 +1,8 @@
 //! A table says the same in every format, and what it says can be read back.
 
+mod claims;
+mod stored;
+
 use crate::common::property::properties;
 use affinor::{Bracket, CanonicalConnection, ConnectionKind, Geometry, LieAlgebra, Metric};
 use affinor_documents::Coefficient;

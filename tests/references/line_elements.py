@@ -1,8 +1,9 @@
-"""The claims of tests/documents/line_elements.rs, public_reports.rs and equal_functions.rs, tested at random points in 50 digits.
+"""The claims of tests/documents/claims/{line_elements,public_reports,equal_functions}.rs, tested at random points in 50 digits.
 
     python3 tests/references/line_elements.py [NAME ...]        (Python 3.11, mpmath 1.3)
 
-The claims are read from the tables in the Rust sources, the definition files from the folders of tests/data/ with their names.
+The claims are read from the tables in the Rust sources, the definition files from the folders of tests/data/ with their names,
+or from examples/definitions/.
 """
 import random
 import re
@@ -26,7 +27,7 @@ RANGES = {"line_elements/khan_penrose": (mpf(1) / 20, mpf(3) / 5)}
 
 def claims():
     for folder in TABLES:
-        text = (ROOT / f"tests/documents/{folder}.rs").read_text()
+        text = (ROOT / f"tests/documents/claims/{folder}.rs").read_text()
         for name, claim in re.findall(r'\("(\w+)", "([^"]* = [^"]*)"\),', text):
             yield f"{folder}/{name}", claim
 
@@ -55,8 +56,8 @@ def residuals(claim, point, geometry):
 
 
 def identities():
-    """Pairs of functions that tests/documents/equal_functions.rs says are equal; the number that are not."""
-    text = (ROOT / "tests/documents/equal_functions.rs").read_text()
+    """Pairs of functions that tests/documents/claims/equal_functions.rs says are equal; the number that are not."""
+    text = (ROOT / "tests/documents/claims/equal_functions.rs").read_text()
     chart = tomllib.loads(re.search(r'const CHART: &str = "(.*?)";', text, re.S)[1].replace('\\"', '"'))
     found, failed = re.findall(r'^    "(.*) = (.*)",$', text, re.M), 0
     for left, right in found:
@@ -77,7 +78,8 @@ def main():
         if chosen and name.split("/")[1] not in chosen:
             continue
         if name not in geometries:
-            definition = Definition.read(ROOT / f"tests/data/{name}.toml")
+            paths = [ROOT / f"tests/data/{name}.toml", ROOT / f"examples/definitions/{Path(name).name}.toml"]
+            definition = Definition.read(next(filter(Path.exists, paths)))
             rng = random.Random(zlib.crc32(name.encode()))
             low, high = RANGES.get(name, (mpf(1) / 5, 3))
             geometries[name] = [random_point(definition, rng, low=low, high=high)[:2] for _ in range(POINTS)]

@@ -26,39 +26,24 @@ fn charts() {
     )]);
     definitions("a.toml", |tables: &str| chart("", tables)).usage(&[
         ("more = 1", &["a.toml:6:1", "unknown key `more`"]),
-        (
-            "[frame]\ny = \"d_x\"\nz = \"d_y\"",
-            &["a.toml:5:22", "the coordinate `y` is already the name of something"],
-        ),
+        ("[frame]\ny = \"d_x\"\nz = \"d_y\"", &["a.toml:5:22", "`y` is already the name"]),
     ]);
     definitions("a.toml", str::to_string).usage(&[
         ("[chart]\nname = \"x\"", &["a.toml:2:1", "unknown key `name`"]),
         ("[chart]\ncoordinates = []", &["dimension 0 is not between 1"]),
         ("chart = 3", &["a.toml:1:9", "integer `3`"]),
-        (
-            "[chart]\ncoordinates = [\"x\", \"x\"]",
-            &["a.toml:2:22", "the coordinate `x` is named twice"],
-        ),
+        ("[chart]\ncoordinates = [\"x\", \"x\"]", &["a.toml:2:22", "`x` is named twice"]),
         ("[chart]\ncoordinates = [\"x\", \"2\"]", &["a.toml:2:22", "`2` is not a name"]),
-        (
-            &chart("", "").replace("[\"a\"]", "[\"x\"]"),
-            &["a.toml:2:16", "the parameter `x` is already the name of something"],
-        ),
+        (&chart("", "").replace("[\"a\"]", "[\"x\"]"), &["a.toml:2:16", "`x` is already the name"]),
         (
             &chart("", "").replace("[\"a\"]", "[\"d_y\"]"),
             &["a.toml:2:16", "the parameter `d_y` is already the name of something"],
         ),
     ]);
     definitions("a.toml", with_keys).usage(&[
-        (
-            "brackets = \"[d_x, d_y] = 0\"",
-            &["a.toml:4:2", "a chart defines the brackets by its fields: give no others"],
-        ),
+        ("brackets = \"[d_x, d_y] = 0\"", &["a.toml:4:2", "a chart defines the brackets"]),
         ("structure_constants = []", &["a chart defines the brackets by its fields"]),
-        (
-            "basis = [\"u\", \"v\"]",
-            &["a.toml:4:2", "the basis of a chart is its frame: give no other"],
-        ),
+        ("basis = [\"u\", \"v\"]", &["a.toml:4:2", "the basis of a chart is its frame"]),
         ("dimension = 2", &["the basis of a chart"]),
     ]);
     let repeated = r#"{"chart": {"coordinates": ["x"]}, "chart": {"coordinates": ["y"]}}"#;
@@ -69,26 +54,14 @@ fn charts() {
 fn frames() {
     let frame = |fields: &str| chart("metric = \"identity\"", &format!("[frame]\n{fields}"));
     definitions("a.toml", frame).mathematics(&[
-        (
-            "u = \"sin(x)*d_x\"\nv = \"d_x\"",
-            &["a.toml:6:2", "the frame is degenerate: its determinant is zero, for", "*u + v = 0"],
-        ),
-        (
-            "u = \"(sin(x)^2 + cos(x)^2 - 1)*d_x\"\nv = \"d_y\"",
-            &["the frame is degenerate", "u = 0"],
-        ),
+        ("u = \"sin(x)*d_x\"\nv = \"d_x\"", &["a.toml:6:2", "degenerate", "*u + v = 0"]),
+        ("u = \"(sin(x)^2 + cos(x)^2 - 1)*d_x\"\nv = \"d_y\"", &["degenerate", "u = 0"]),
     ]);
     definitions("a.toml", frame).usage(&[
         ("u = \"d_x\"", &["a.toml:6:2", "the frame has 1 fields for 2 coordinates"]),
-        (
-            "u = \"d_x\"\nv = \"d_z\"",
-            &["a.toml:8:6", "`d_z` is neither a basis vector here nor a coordinate nor a declared"],
-        ),
+        ("u = \"d_x\"\nv = \"d_z\"", &["a.toml:8:6", "`d_z` is neither"]),
         ("u = \"x\"\nv = \"d_y\"", &["a.toml:7:6", "the part x has no basis vector"]),
-        (
-            "u = \"d_x*d_y\"\nv = \"d_y\"",
-            &["a.toml:7:6", "the product of two basis vectors is not defined"],
-        ),
+        ("u = \"d_x*d_y\"\nv = \"d_y\"", &["a.toml:7:6", "the product of two basis vectors"]),
         ("u = \"sin(d_x)*d_x\"\nv = \"d_y\"", &["a.toml:7:6", "a basis vector is no argument"]),
         ("u = \"d_x\"\nu = \"d_y\"", &["a.toml:8:1", "duplicate key"]),
         ("u = 1\nv = \"d_y\"", &["a.toml:7:5", "integer `1`"]),
@@ -113,10 +86,7 @@ fn functions() {
         ("sqrt(-4)", &["the argument of sqrt is negative: -4"]),
         ("sqrt(1 + sin(x))", &["a.toml:3:19", "the argument of sqrt contains a function"]),
         ("exp(tan(x))", &["a.toml:3:19", "divides by a function of an angle"]),
-        (
-            "sin(z)^2",
-            &["a.toml:3:23", "`z` is neither a basis vector here nor a coordinate nor a declared"],
-        ),
+        ("sin(z)^2", &["a.toml:3:23", "`z` is neither a basis vector"]),
         ("cos(1000*x)", &["more than 64 multiples"]),
         ("exp(20000*x)", &["a multiple that is greater than 10000"]),
         ("sin()", &["a.toml:3:23", "is not expected here"]),
@@ -169,16 +139,10 @@ fn functions() {
 fn metrics_and_connections() {
     definitions("a.toml", with_keys).usage(&[
         ("metric = \"diag(1)\"", &["diag has 1 entry, the dimension is 2"]),
-        (
-            "affinities = \"nabla[x, d_y] = d_x\"",
-            &["a.toml:3:21", "`x` is not a basis vector", "the basis is d_x, d_y"],
-        ),
+        ("affinities = \"nabla[x, d_y] = d_x\"", &["a.toml:3:21", "`x` is not", "is d_x, d_y"]),
     ]);
     definitions("a.toml", |tables: &str| chart("", tables)).usage(&[
-        (
-            "[metric]\ncomponents = [[\"1\", \"x\"], [\"x\"]]",
-            &["the metric has 2 rows of 1 or 2 entries"],
-        ),
+        ("[metric]\ncomponents = [[\"1\", \"x\"], [\"x\"]]", &["2 rows of 1 or 2 entries"]),
         ("[metric]\ncomponent = \"identity\"", &["a.toml:7:1", "unknown key `component`"]),
         (
             "[connection]\nkind = \"levi-civita\"\naffinities = \"nabla[d_x, d_y] = d_x\"",

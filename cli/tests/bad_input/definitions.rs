@@ -36,10 +36,7 @@ fn keys_are_checked() {
         ("brakets = \"\"", &["a.toml:3:1", "unknown key `brakets`", "did you mean `brackets`?"]),
         ("[foo]\nbar = 1", &["a.toml:3:2", "`foo`", "the keys are name, basis,"]),
         ("basis = [\"x\"]", &["a.toml:3:1", "duplicate key"]),
-        (
-            "structure_constants = []",
-            &["a.toml", "more than once", "exactly one of brackets, structure_constants, matrices"],
-        ),
+        ("structure_constants = []", &["a.toml", "more than once", "exactly one of"]),
         ("dimension = 2", &["a.toml:3:1", "either basis or dimension"]),
         ("connection = \"zero\"\naffinities = \"\"", &["a.toml:4:1", "not both"]),
         ("name = 3", &["a.toml:3:8", "integer `3`"]),
@@ -50,26 +47,14 @@ fn keys_are_checked() {
         ("", &["a.toml is empty", "a definition has a basis and brackets"]),
         (" \n\t\n", &["a.toml is empty"]),
         ("# nothing\n", &["a.toml has no basis"]),
-        (
-            "dimension = 2\nbrackets = 7",
-            &["a.toml:2:12", "integer `7`", "a string with one statement a line"],
-        ),
+        ("dimension = 2\nbrackets = 7", &["a.toml:2:12", "integer `7`", "one statement a line"]),
         ("dimension = 2\nbrackets = [[\"\"]]", &["a.toml:2:13", "expected a string"]),
         ("basis = [1, 2]\nbrackets = \"\"", &["a.toml:1:10", "integer `1`"]),
         ("dimension = 2.5\nbrackets = \"\"", &["a.toml:1:13", "`2.5`, expected an integer"]),
         ("dimension = nan\nbrackets = \"\"", &["a.toml:1:13", "`NaN`"]),
-        (
-            "dimension = 0\nbrackets = \"\"",
-            &["a.toml:1:1", "the dimension 0 is not between 1 and 2048"],
-        ),
-        (
-            "name = \"dimension\"\ndimension = -3\nbrackets = \"\"",
-            &["a.toml:2:1", "the dimension -3 is not"],
-        ),
-        (
-            "dimension = 1000000000\nbrackets = \"\"",
-            &["a.toml:1:1", "the dimension 1000000000 is not"],
-        ),
+        ("dimension = 0\nbrackets = \"\"", &["a.toml:1:1", "0 is not between 1 and 2048"]),
+        ("name = \"dimension\"\ndimension = -3\nbrackets = \"\"", &["a.toml:2:1", "dimension -3"]),
+        ("dimension = 1000000000\nbrackets = \"\"", &["a.toml:1:1", "1000000000 is not"]),
         ("basis = []\nbrackets = \"\"", &["the dimension 0 is not"]),
     ]);
     definitions("a.json", str::to_string).usage(&[
@@ -86,14 +71,7 @@ fn brackets_are_checked() {
     let content = |statements: &str| format!("{head}brackets = \"\"\"\n{statements}\n\"\"\"");
     definitions("a.toml", content).usage(&[
         ("[x, w] = q", &["a.toml:6:5", "`w` is not a basis vector", "the basis is x, y, z"]),
-        (
-            "[x, y] = z\n[y, z] = q*x",
-            &[
-                "a.toml:7:10",
-                "`q` is neither a basis vector here nor a declared parameter",
-                "declare a parameter: parameters = [\"q\"]",
-            ],
-        ),
+        ("[x, y] = z\n[y, z] = q*x", &["a.toml:7:10", "`q` is neither", "parameters = [\"q\"]"]),
         ("[x, y] = 2*x*y", &["a.toml:6:10", "the product of two basis vectors"]),
         ("[x, y] = 1/x", &["a.toml:6:12", "a basis vector cannot divide"]),
         ("[x, y] = x^2", &["a.toml:6:10", "the product of two basis vectors"]),
@@ -106,10 +84,7 @@ fn brackets_are_checked() {
         ("x y = z", &["a.toml:6:1", "this is not a bracket statement"]),
         ("nabla[x, y] = z", &["a.toml:6:1", "this is not a bracket statement"]),
         ("[x, y] = z [y, z] = x", &["a.toml:6:12", "`[` is not expected here"]),
-        (
-            "[x, y] = z\n[x, y] = 2*z",
-            &["a.toml:7:1", "a second, different value", "the first is `[x, y] = z`"],
-        ),
+        ("[x, y] = z\n[x, y] = 2*z", &["a.toml:7:1", "a second, different value", "`[x, y] = z`"]),
         ("[x, y] = 2x", &["a.toml:6:10", "write `*` or a space between the number and `x`"]),
     ]);
     definitions("a.toml", content).mathematics(&[
@@ -147,10 +122,7 @@ fn places_are_right_behind_escapes() {
 fn structure_constants_are_checked() {
     let content = |rows: &str| format!("dimension = 3\nstructure_constants = [{rows}]");
     definitions("a.toml", content).usage(&[
-        (
-            "[0, 2, 3, \"1\"]",
-            &["a.toml:2:35", "entry 1, [0, 2, 3, \"1\"]: the index 0 is not in 1..3"],
-        ),
+        ("[0, 2, 3, \"1\"]", &["a.toml:2:35", "3, \"1\"]: the index 0 is not in 1..3"]),
         ("[1, -2, 3, 1]", &["a.toml:2:35", "the index -2 is not in 1..3"]),
         (
             "[1, 2, 3, 1], [1, 2, 4, \"5\"]",
@@ -191,14 +163,8 @@ fn matrices_are_checked() {
         ),
     ]);
     definitions("a.toml", content).usage(&[
-        (
-            "[['0','1'],['0']]",
-            &["a.toml:1:16", "the matrix of `e1` has 2 rows of 1 or 2 entries, not 2 x 2"],
-        ),
-        (
-            "[['0','1'],['0','0']], [['1']]",
-            &["a.toml:1:39", "the matrix of `e2` has 1 row of 1 entry, not 2 x 2"],
-        ),
+        ("[['0','1'],['0']]", &["a.toml:1:16", "`e1` has 2 rows of 1 or 2 entries"]),
+        ("[['0','1'],['0','0']], [['1']]", &["a.toml:1:39", "`e2` has 1 row of 1 entry"]),
         ("[['0','1']]", &["the matrix of `e1` has 1 row of 2 entries, not 1 x 1"]),
         ("[]", &["a.toml:1:1", "the matrix of `e1`"]),
         ("", &["the dimension 0 is not"]),
@@ -216,10 +182,7 @@ fn matrices_are_checked() {
             "basis = ['x']\nmatrices = [{name = 'y', rows = [['1']]}]",
             &["a.toml:2:22", "the matrix of `x` is named `y`"],
         ),
-        (
-            "parameters = ['i']\nmatrices = [[['i']]]",
-            &["a.toml:1:16", "already the name of something"],
-        ),
+        ("parameters = ['i']\nmatrices = [[['i']]]", &["a.toml:1:16", "already the name"]),
     ]);
 }
 
@@ -229,28 +192,19 @@ fn metrics_are_checked() {
     definitions("a.toml", content).usage(&[
         ("'diag(1)'", &["a.toml:3:11", "diag has 1 entry, the dimension is 2"]),
         ("'diag(1, 2, 3)'", &["a.toml:3:11", "diag has 3 entries"]),
-        (
-            "[[1, 0], [0, 1], [0, 0]]",
-            &["a.toml:3:1", "the metric has 3 rows of 2 entries, the dimension is 2"],
-        ),
+        ("[[1, 0], [0, 1], [0, 0]]", &["a.toml:3:1", "3 rows of 2 entries"]),
         ("[[1, 0], [0]]", &["a.toml:3:1", "2 rows of 1 or 2 entries"]),
         ("[]", &["a.toml:3:1", "the metric has no rows"]),
         ("'[[1, 0]]'", &["a.toml:3:11", "1 row of 2 entries"]),
         ("'[1, 2]'", &["a.toml:3:12", "a row of the metric is `[a, b, ...]`"]),
-        (
-            "'euclid'",
-            &["a.toml:3:11", "`euclid` is not a metric", "identity, killing, diag(a, b, ...)"],
-        ),
+        ("'euclid'", &["a.toml:3:11", "`euclid` is not a metric", "identity, killing, diag"]),
         ("''", &["a.toml:3:11", "`` is not a metric"]),
         ("[[0.5, 0], [0, 1]]", &["a.toml:3:12", "0.5"]),
         ("[['nan', '0'], ['0', '1']]", &["a.toml:3:13", "`nan` is not a number"]),
         ("'diag(1, m)'", &["a.toml:3:19", "`m` is neither"]),
     ]);
     definitions("a.toml", content).mathematics(&[
-        (
-            "[[1, 2], [3, 1]]",
-            &["a.toml:3:1", "g(x,y) - g(y,x) = -1", "the same value at both places"],
-        ),
+        ("[[1, 2], [3, 1]]", &["a.toml:3:1", "g(x,y) - g(y,x) = -1", "the same value"]),
         ("'diag(1, 0)'", &["a.toml:3:11", "y is orthogonal to every vector"]),
         ("[[1, 2], [2, 4]]", &["a.toml:3:1", "-2*x + y is orthogonal to every vector"]),
         ("'diag(0, 0)'", &["x is orthogonal to every vector"]),

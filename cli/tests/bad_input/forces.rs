@@ -12,10 +12,7 @@ fn forces() {
         ("forces.spatial = [1, 2, 3, 4]", &["the force has 4 components"]),
         ("forces.body = [1, 'cos(wind)', 3]", &["a.toml:5:24", "^^^^", "`wind` is no name here"]),
         ("forces.body = [1, 'power', 3]", &["`power` is no name here"]),
-        (
-            "forces.potential = 'H1^2'",
-            &["a.toml:5:21", "`H1` is no name here", "a potential is a formula"],
-        ),
+        ("forces.potential = 'H1^2'", &["a.toml:5:21", "`H1` is no name here", "is a formula"]),
         ("forces.table = 'none.csv'", &["a.toml:5:", "cannot read"]),
         ("forces.table = '.'", &["a.toml:5:", "cannot read"]),
         ("forces.table_in = 'spatial'", &["there is no table"]),
@@ -86,10 +83,7 @@ fn ensembles() {
     problems("a.toml", with).usage(&[
         ("ensemble.samples = 0", &["a.toml:5:", "between 1 and"]),
         ("ensemble.samples = 10000000000", &["between 1 and 1000000000 members"]),
-        (
-            "[ensemble]\nsamples = 1000000\ngrid.a = '0 .. 1 in 100000'",
-            &["between 1 and 1000000000 members"],
-        ),
+        ("[ensemble]\nsamples = 1000000\ngrid.a = '0 .. 1 in 100000'", &["1000000000 members"]),
         ("ensemble.samples = -1", &["a.toml:5:"]),
         ("ensemble.grid.a = '0 .. 1 in 0'", &["a.toml:5:20", "at least one point"]),
         ("ensemble.grid.a = ''", &["a.toml:5:20", "a grid is"]),
@@ -98,10 +92,7 @@ fn ensembles() {
         ("ensemble.random.a = 'poisson(3)'", &["a.toml:5:22", "neither normal(mean, deviation)"]),
         ("ensemble.random.a = 'normal(3)'", &["1 numbers stand here instead of 2"]),
         ("ensemble.random.a = 'normal(3, -1)'", &["a deviation is not negative"]),
-        (
-            "ensemble = { grid = { a = '1' }, random = { a = 'uniform(0, 1)' } }",
-            &["`a` is varied twice"],
-        ),
+        ("ensemble = { grid = { a = '1' }, random = { a = 'uniform(0, 1)' } }", &["varied twice"]),
         ("ensemble.grid.t = '1'", &["`t` has a meaning already"]),
     ]);
     commands(&["simulate", "--ensemble"])
@@ -123,14 +114,8 @@ fn flows() {
             "constraints = ['g11']\nflow = { kind = 'zeitlin', size = 5, seed = 1, degree = 2 }",
             &["has no `constraints`"],
         ),
-        (
-            "flow = { kind = 'zeitlin', size = 5, modes = [[1, 2]] }",
-            &["a mode is [l, m, coefficient]"],
-        ),
-        (
-            "flow = { kind = 'zeitlin', size = 5, modes = [[0.5, 0, 1]] }",
-            &["no spherical harmonic"],
-        ),
+        ("flow = { kind = 'zeitlin', size = 5, modes = [[1, 2]] }", &["[l, m, coefficient]"]),
+        ("flow = { kind = 'zeitlin', size = 5, modes = [[0.5, 0, 1]] }", &["spherical harmonic"]),
         (
             "metric = 'identity'\nflow = { kind = 'zeitlin', size = 5, seed = 1, degree = 2 }",
             &["a.toml:1:1", "a flow of matrices has no `metric`"],
@@ -164,18 +149,9 @@ fn given_velocities() {
     problems("a.toml", given)
         .mathematics(&[("prescribed.velocity = [1, 2, 3]", &["needs a step"])]);
     problems("a.toml", given).usage(&[
-        (
-            "integrator.step = 0.1\nprescribed.velocity = [1, 2]",
-            &["a.toml:3:", "2 components, the dimension is 3"],
-        ),
-        (
-            "prescribed = { velocity = [1, 2, 3], spatial_velocity = [1, 2, 3] }",
-            &["give one of velocity"],
-        ),
-        (
-            "integrator.step = 0.1\nprescribed.spatial_velocity = [1, 2, 3]",
-            &["with invariance = \"right\""],
-        ),
+        ("integrator.step = 0.1\nprescribed.velocity = [1, 2]", &["a.toml:3:", "2 components"]),
+        ("prescribed = { velocity = [1, 2, 3], spatial_velocity = [1, 2, 3] }", &["give one"]),
+        ("integrator.step = 0.1\nprescribed.spatial_velocity = [1, 2, 3]", &["invariance"]),
         (
             "integrator.step = 0.1\nprescribed.velocity = [1, 'H1', 3]",
             &["a.toml:3:", "`H1` is no name here"],
@@ -205,10 +181,7 @@ fn bodies() {
     ]);
     problems("a.toml", instead_of(METRIC)).usage(&[
         ("inertia.moments = [1, 2]", &["components instead of 3"]),
-        (
-            "metric = 'identity'\ninertia.moments = [1, 2, 2]",
-            &["a.toml:3:1", "the metric is given twice"],
-        ),
+        ("metric = 'identity'\ninertia.moments = [1, 2, 2]", &["a.toml:3:1", "given twice"]),
         (
             "parameters = { mass = 1 }\ninertia.parts = [{ shape = 'ball', radius = 1, mass = 2 }]",
             &["a.toml:2:", "`mass` has a meaning already"],
@@ -225,10 +198,7 @@ fn bodies() {
         ("inertia = { about = 'centre', moments = [1, 1, 1] }", &["a point goes with parts"]),
     ]);
     problems("a.toml", |text: &str| instead_of(METRIC)(&part(text))).usage(&[
-        (
-            "{ shape = 'torus', mass = 1 }",
-            &["a.toml:2:", "`torus` is no shape", "cylinder (radius, height)"],
-        ),
+        ("{ shape = 'torus', mass = 1 }", &["a.toml:2:", "no shape", "(radius, height)"]),
         ("{ shape = 'ball', edges = [1, 2, 3], mass = 1 }", &["the part has radius"]),
         ("{ shape = 'ball', radius = 1, height = 2, mass = 1 }", &["the part has radius"]),
         ("{ shape = 'box', edges = [1, 2], mass = 1 }", &["a box has 2 components"]),

@@ -91,14 +91,8 @@ fn settings() {
     commands(&["table", "so3"])
         .usage(&[("--set a=1", &["--set:1:1", "`a` is no parameter here", "there are none"])]);
     commands(&[]).mathematics(&[
-        (
-            "table so3@metric=diag(1,1,1/m) --set m=0",
-            &["--set:1:1", "the denominator of 1/m becomes zero"],
-        ),
-        (
-            "table so3@metric=diag(1,1,m) --set m=0",
-            &["@metric:1:1", "e3 is orthogonal to every vector"],
-        ),
+        ("table so3@metric=diag(1,1,1/m) --set m=0", &["--set:1:1", "1/m becomes zero"]),
+        ("table so3@metric=diag(1,1,m) --set m=0", &["@metric:1:1", "e3 is orthogonal"]),
     ]);
 }
 

@@ -64,10 +64,7 @@ fn keys() {
 #[test]
 fn numbers() {
     problems("a.toml", instead_of(INITIAL)).usage(&[
-        (
-            "initial.velocity = [1, 'speed', 3]",
-            &["a.toml:3:25", "`speed` is no name here", "only pi and tau"],
-        ),
+        ("initial.velocity = [1, 'speed', 3]", &["a.toml:3:25", "no name here", "only pi and tau"]),
         ("initial.velocity = [1, '2*sin(speed)', 3]", &["a.toml:3:31", "^^^^^"]),
         ("initial.velocity = [1, 'sine(2)', 3]", &["a.toml:3:25", "`sine` is no function"]),
         ("initial.velocity = [1, nan, 3]", &["a.toml:3", "NaN"]),
@@ -85,10 +82,7 @@ fn numbers() {
         ("parameters = { a = 'b', b = 'a' }", &["a.toml:4:21", "`b` is no name here"]),
         ("parameters = { a = 'a + 1' }", &["a.toml:4:21", "`a` is no name here"]),
         ("parameters = { pi = 3 }", &["a.toml:4:16", "`pi` has a meaning already"]),
-        (
-            "parameters = { H1 = 3 }",
-            &["a.toml:4:", "`H1` has a meaning already", "take another name"],
-        ),
+        ("parameters = { H1 = 3 }", &["a.toml:4:", "has a meaning", "take another name"]),
         ("parameters = { 'a b' = 3 }", &["a.toml:4:"]),
     ]);
     let deep = format!("initial.velocity = [1, 2, '{}1{}']\n", "(".repeat(5000), ")".repeat(5000));
@@ -105,10 +99,7 @@ fn starts() {
     )]);
     problems("a.toml", after(SPACE)).usage(&[
         ("initial.quaternion = [1, 0, 0]", &["a quaternion is four numbers"]),
-        (
-            "initial.position = [0, 0, 1]",
-            &["a.toml:2:", "a position is three numbers x, y, z, for se(3)"],
-        ),
+        ("initial.position = [0, 0, 1]", &["a.toml:2:", "three numbers x, y, z"]),
         (
             "initial.quaternion = [1, 0, 0, 0]\ninitial.position = [0, 0, 1]",
             &["a quaternion is for so(3), and with a position for se(3)"],

@@ -14,10 +14,7 @@ fn json() {
     stored("a.json", str::to_string).usage(&[
         ("{", &["a.json", "line 1 column 1"]),
         ("{}", &["a.json", "the schema is missing"]),
-        (
-            "{\"schema\": \"affinor.table/2\"}",
-            &["a.json", "`affinor.table/2`, not affinor.table/1"],
-        ),
+        ("{\"schema\": \"affinor.table/2\"}", &["a.json", "`affinor.table/2`, not"]),
         ("{\"schema\": \"\\u001b[31m\"}", &["a.json", "`\\u{1b}[31m`"]),
         ("{\"schema\": \"affinor.table/1\"}", &["a.json", "no object `tensors`"]),
     ]);

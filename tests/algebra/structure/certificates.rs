@@ -1,0 +1,80 @@
+//! Dimensions that are said to be proved over the rationals, beside ranks of the same equations over the rationals.
+
+use crate::algebra::structure::{scrambled, stored};
+use crate::common::algebras::catalogued;
+use affinor::algebra::structure::StructureTheory;
+use affinor::{LieAlgebra, Rational};
+use affinor_tensors::linear::Matrix;
+
+type Algebra = LieAlgebra<Rational>;
+
+/// Its own unknowns at each of its places, and the rank of the equations over the rationals.
+struct Equations {
+    unknowns: usize,
+    rows: Vec<Vec<Rational>>,
+}
+
+impl Equations {
+    fn row(&mut self, terms: impl IntoIterator<Item = (usize, Rational)>) {
+        let mut row = vec![Rational::from(0); self.unknowns];
+        terms.into_iter().for_each(|(at, value)| {
+            row[at] = row[at].clone() + &value;
+        });
+        self.rows.push(row);
+    }
+
+    fn solutions(&self) -> usize {
+        self.unknowns - Matrix::from_dense(&self.rows).unwrap().rank().unwrap()
+    }
+}
+
+/// The derivations and the invariant symmetric forms, from the definitions.
+fn by_definition(algebra: &Algebra) -> [usize; 2] {
+    let n = algebra.dimension();
+    let c = |i: usize, j: usize, k: usize| algebra.structure_constants().get(&[i, j, k]);
+    let mut maps = Equations { unknowns: n * n, rows: vec![] };
+    let mut forms = Equations { unknowns: n * (n + 1) / 2, rows: vec![] };
+    let pair = |a: usize, b: usize| a.max(b) * (a.max(b) + 1) / 2 + a.min(b);
+    for (i, j, k) in (0..n * n * n).map(|at| (at / n / n, at / n % n, at % n)) {
+        maps.row((0..n).flat_map(|m| {
+            [(i * n + m, c(m, j, k)), (m * n + j, -c(i, m, k)), (m * n + k, -c(i, j, m))]
+        }));
+        forms.row((0..n).flat_map(|m| [(pair(m, k), c(m, i, j)), (pair(j, m), c(m, i, k))]));
+    }
+    [maps.solutions(), forms.solutions()]
+}
+
+#[test]
+fn proved_dimensions_are_those_over_the_rationals() {
+    let stored: Vec<Algebra> = stored().into_iter().map(|(algebra, _)| algebra).collect();
+    let low = stored.iter().filter(|algebra| (2..=5).contains(&algebra.dimension()));
+    let mut seen = 0;
+    for algebra in low.flat_map(|algebra| [algebra.clone(), scrambled(algebra, 7)]) {
+        let structure = StructureTheory::new(algebra.clone());
+        let counted = [structure.derivation_dimension(), structure.invariant_form_dimension()]
+            .map(Option::unwrap);
+        assert_eq!(counted.map(|all| all.dimension), by_definition(&algebra));
+        assert!(counted.iter().all(|all| all.proved), "{:?}", algebra.structure_constants());
+        assert!(structure.betti_numbers().unwrap().1, "{:?}", algebra.structure_constants());
+        assert!(structure.index().proved, "{:?}", algebra.structure_constants());
+        seen += 1;
+    }
+    assert!(seen > 40, "{seen}");
+}
+
+#[test]
+fn proved_in_the_catalogue() {
+    // index: se(3), iso(3,1) (mass and spin, 2), filiform n - 2 for an abelian ideal, E6 its rank
+    for (name, index) in
+        [("se(3)", 2), ("iso(3,1)", 2), ("filiform(9)", 7), ("E6", 6), ("heisenberg(9)", 1)]
+    {
+        let counted = StructureTheory::new(catalogued(name)).index();
+        assert_eq!((counted.dimension, counted.proved), (index, true), "{name}");
+    }
+    for name in ["se(3)", "filiform(9)", "heisenberg(9)", "gl(3)", "t(3)", "iso(3,1)"] {
+        let structure = StructureTheory::new(catalogued(name));
+        assert!(structure.derivation_dimension().unwrap().proved, "{name}");
+        assert!(structure.invariant_form_dimension().unwrap().proved, "{name}");
+        assert!(structure.betti_numbers().unwrap().1, "{name}");
+    }
+}

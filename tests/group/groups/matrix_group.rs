@@ -1,0 +1,208 @@
+//! Products and logarithms of matrix groups preserve the digits that their input determines, against 60-digit arithmetic and
+//! closed forms; and the element of the algebra nearest to a matrix.
+
+use crate::common::algebras::catalogued;
+use affinor::group::{AnyGroup, LieGroup, MatrixGroup, MatrixNotation};
+use nalgebra::{DMatrix, DVector};
+
+const EPS: f64 = f64::EPSILON;
+
+/// The largest difference of a component, relative to the largest component.
+fn relative(found: &DVector<f64>, exact: &DVector<f64>) -> f64 {
+    (found - exact).amax() / exact.amax()
+}
+
+/// Groups and numbers of the stored lines of one kind.
+fn stored(kind: &str) -> impl Iterator<Item = (AnyGroup, Vec<f64>, &'static str)> {
+    include_str!("../../data/logarithms.txt").lines().filter_map(move |line| {
+        let mut words = line.split(' ');
+        let group = AnyGroup::named(words.next()?).expect("a group of the catalogue");
+        let of_kind = words.next()? == kind;
+        let numbers = words.map(|word| word.parse().expect("a number")).collect();
+        of_kind.then_some((group, numbers, line))
+    })
+}
+
+/// `log(exp(x) exp(y))` is right to rounding for vectors of all sizes: also where the product is small, a large boost or near a
+/// half turn.
+#[test]
+fn products_have_all_digits() {
+    let mut count = 0;
+    for (group, numbers, line) in stored("product") {
+        let n = group.dimension();
+        let [x, y, z] = [0, 1, 2].map(|at| DVector::from_column_slice(&numbers[at * n..][..n]));
+        let found = group.log_product(&x, &y).expect(line);
+        assert!(relative(&found, &z) < 32.0 * EPS, "{line}: {found}");
+        count += 1;
+    }
+    assert!(count > 100, "{count}");
+}
+
+/// The logarithm of a rounded matrix is as near as the rounding of the entries allows.
+#[test]
+fn logarithms_have_the_digits_of_their_entries() {
+    let (mut count, mut sharp) = (0, 0);
+    for (group, numbers, line) in stored("log") {
+        let size = group.write(&group.identity()).nrows();
+        let (g, x) = numbers.split_at(size * size);
+        let g = group.read(&DMatrix::from_row_slice(size, size, g)).expect(line);
+        let x = DVector::from_column_slice(x);
+        let found = group.log(&g).expect(line);
+        // nilpotent groups have closed forms, and no estimate
+        let bound = group.log_rounding(&g, &x).unwrap_or(0.0) / x.amax();
+        let off = relative(&found, &x);
+        assert!(off < 32.0 * EPS + bound, "{line}: {off:e}, {bound:e}");
+        count += 1;
+        sharp += usize::from(bound < 64.0 * EPS);
+    }
+    assert!(count > 50 && sharp > 30, "{count} {sharp}");
+}
+
+/// Boosts along an axis, and along any direction of the algebra whose element is hyperbolic, add.
+#[test]
+fn boosts_add() {
+    let cases: [(&str, &[f64]); 6] = [
+        ("so(2,1)", &[1.0, 0.0, 0.0]),
+        ("so(2,1)", &[0.75, -0.625, 0.25]),
+        ("so(3,1)", &[0.0, 1.0, 0.125, 0.0, 0.0, 0.0625]),
+        ("so(2,2)", &[0.0, 0.625, 0.0, 0.0, -0.75, 0.0]),
+        ("sl(3)", &[0.25, 0.125, -0.25, 0.25, 0.125, -0.25, 0.75, -0.25]),
+        ("iso(2,1)", &[1.0, 0.0, 0.0, 0.25, -2.0, 0.5]),
+    ];
+    for (name, axis) in cases {
+        let group = AnyGroup::named(name).unwrap();
+        let axis = DVector::from_column_slice(axis);
+        // multiples without rounding errors
+        for s in [-14.0, -7.5, 0.5_f64.powi(20), 3.0, 8.0, 14.0] {
+            for t in [-8.0, -7.0, 0.25, 3.0, 6.0] {
+                let found = group.log_product(&(&axis * s), &(&axis * t)).unwrap();
+                let sum = &axis * (s + t);
+                // opposite vectors cancel to the rounding error of double-double numbers
+                let bound = 128.0 * EPS * sum.amax() + 1e-24;
+                assert!((&found - &sum).amax() <= bound, "{name} {s} {t}: {found}");
+            }
+        }
+    }
+}
+
+/// The logarithm of `exp(x)` as rounded is `x`: all digits of boosts up to rapidity 14, whose entries exceed a million.
+#[test]
+fn logarithms_of_boosts() {
+    for (name, axis) in [("so(2,1)", 0), ("so(3,1)", 1), ("so(2,2)", 1), ("iso(3,1)", 1)] {
+        let group = AnyGroup::named(name).unwrap();
+        for size in [0.1, 3.0, 6.0, 9.0, 12.0, 14.0] {
+            let mut x = DVector::from_element(group.dimension(), 0.01);
+            x[axis] = size;
+            let g = group.exp(&x);
+            let found = group.log(&g).unwrap();
+            let bound = 64.0 * EPS + 4.0 * group.log_rounding(&g, &x).unwrap() / size;
+            let off = relative(&found, &x);
+            assert!(off < bound, "{name} {size}: {off:e}, {bound:e}");
+        }
+    }
+}
+
+/// `Ad_g log(exp(x) exp(y)) = log(exp(Ad_g x) exp(Ad_g y))`, and the product of a group is that of its image in another basis
+/// of the column vectors.
+#[test]
+fn products_do_not_depend_on_bases() {
+    for name in ["so(2,1)", "so(3,1)", "sl(3)", "sp(4)", "iso(2,1)", "gl(3)"] {
+        let group = AnyGroup::named(name).unwrap();
+        let vector = |size: f64, numbers: [f64; 5]| {
+            DVector::from_fn(group.dimension(), |i, _| size * numbers[i % 5])
+        };
+        for size in [0.1, 1.0, 3.0] {
+            let x = vector(size, [0.6, -0.5, 0.2, 0.7, 0.1]);
+            let y = vector(size, [-0.2, 0.6, 0.1, -0.3, 0.4]);
+            let Ok(product) = group.log_product(&x, &y) else { continue };
+            let ad = group.adjoint_exp(&vector(0.5, [0.3, 0.7, -0.4, 0.2, 0.5]));
+            let found = group.log_product(&(&ad * &x), &(&ad * &y)).unwrap();
+            let expected = &ad * &product;
+            // the images are rounded
+            let bound = 64.0 * EPS * ad.norm().powi(2) * (4.0 * size).exp();
+            assert!(relative(&found, &expected) < bound, "{name} {size}: {found} {expected}");
+
+            let generators = group.generators();
+            let m = generators[0].nrows();
+            // unimodular, with integers as entries: the generators have no rounding error
+            let base = DMatrix::from_fn(m, m, |i, j| if i <= j { 1.0 } else { 0.0 });
+            let back = DMatrix::from_fn(m, m, |i, j| match j.checked_sub(i) {
+                Some(0) => 1.0,
+                Some(1) => -1.0,
+                _ => 0.0,
+            });
+            let images: Vec<_> = generators.iter().map(|b| &back * b * &base).collect();
+            let image = MatrixGroup::new(&images).unwrap();
+            let found = image.log_product(&x, &y).unwrap();
+            assert!(relative(&found, &product) < 64.0 * EPS, "{name} {size}: {found} {product}");
+        }
+    }
+}
+
+/// Products are found up to rapidities of 25, and rejected with a reason where double-double numbers lose digits as well.
+#[test]
+fn products_of_any_size() {
+    let group = AnyGroup::named("so(3,1)").unwrap();
+    let mut rejected = 0;
+    for size in [15.0, 20.0, 25.0, 60.0, 100.0, 500.0, 1e4] {
+        let mut x = DVector::from_element(6, 0.0);
+        x[1] = size;
+        let mut y = &x * 1e-3;
+        y[2] = 1e-3;
+        match group.log_product(&x, &y) {
+            Ok(z) => {
+                let back = group.log_product(&z, &-&y).unwrap();
+                assert!(relative(&back, &x) < 1e-13 * size, "{size}: {back}");
+                assert!(size < 40.0);
+            }
+            Err(error) => {
+                assert!(size > 25.0, "{size}: {error}");
+                rejected += 1;
+            }
+        }
+    }
+    assert_eq!(rejected, 4);
+}
+
+/// Numbers without a pattern between -1 and 1.
+fn number(at: usize) -> f64 {
+    (at as f64 * 1.7 + 0.3).sin()
+}
+
+fn nearest(group: &MatrixGroup, name: &str) {
+    let (n, generators) = (group.dimension(), group.generators());
+    let x = DVector::from_fn(n, |i, _| number(i));
+    let size = generators[0].nrows();
+    let sum = generators.iter().zip(x.iter()).map(|(b, x)| b * *x);
+    let sum = sum.fold(DMatrix::zeros(size, size), |sum: DMatrix<f64>, term| sum + term);
+    assert!((group.generator(&x) - &sum).amax() < 1e-13, "{name}");
+    assert!((group.components(&sum) - &x).amax() < 1e-11, "{name}");
+    let any = DMatrix::from_fn(size, size, |i, j| number(i * size + j));
+    let rest = &any - group.generator(&group.components(&any));
+    for b in &generators {
+        assert!(rest.dot(b).abs() < 1e-10 * b.norm() * any.norm(), "{name}: {}", rest.dot(b));
+    }
+    let small = &x * (0.1 / sum.norm());
+    let g = group.exp(&small);
+    group.expect_element(&g, 1e-9).unwrap();
+    assert!(group.expect_element(&(&g + &any * 0.1), 1e-9).is_err(), "{name}");
+}
+
+/// Root vectors share no entry with others; in a dense basis all matrices do.
+#[test]
+fn nearest_in_sparse_and_dense_bases() {
+    for name in ["so(3)", "sl(3)", "G2", "heisenberg(3)", "bianchi(IV)", "sl(2)+heisenberg(3)"] {
+        let algebra = catalogued(name).map(|value| value.to_f64()).unwrap();
+        nearest(&MatrixGroup::of_algebra(&algebra).unwrap(), name);
+    }
+    // t E_ij + s E_kl for many places at once
+    let dense: Vec<DMatrix<f64>> = {
+        let turns = [(0, 1), (0, 2), (1, 2)].map(|(i, j)| {
+            let mut m = DMatrix::zeros(3, 3);
+            (m[(i, j)], m[(j, i)]) = (1.0, -1.0);
+            m
+        });
+        vec![&turns[0] + &turns[1], &turns[1] * 2.0 - &turns[2], &turns[0] + &turns[2] * 3.0]
+    };
+    nearest(&MatrixGroup::new(&dense).unwrap(), "so(3), dense");
+}
