@@ -3,10 +3,10 @@
 //! `cargo bench -p affinor-benches --bench motion`: nanoseconds per 1000 steps, or exact states.
 
 use affinor::group::{AnyGroup, Coordinates, LieGroup, Se3, So3, TranslationSplit};
-use affinor::mechanics::integrators::kick::{FreeMotion, Order as KickOrder};
-use affinor::mechanics::integrators::moser_veselov::Order;
+use affinor::mechanics::integrators::kick::{FreeMotion, KickOrder};
+use affinor::mechanics::integrators::moser_veselov::MoserVeselovOrder;
 use affinor::mechanics::simulation::{
-    Columns, Crossings, EulerPoincareSpec, Forces, Integration, Method, Motion,
+    ColumnFormulas, Crossings, EulerPoincareSpec, Forces, Integration, Method, Motion,
 };
 use affinor::mechanics::systems::euler_poincare::{Free, Torque};
 use affinor::mechanics::{
@@ -27,11 +27,15 @@ fn free_body(criterion: &mut Criterion) {
     let attitude = UnitQuaternion::identity();
     let start = BodyState { attitude, momentum: Vector3::new(1.8, 0.4, -0.9) };
     let mut group = criterion.benchmark_group("free body");
-    for (name, order) in [("DMV2", Order::Two), ("DMV6", Order::Six), ("DMV10", Order::Ten)] {
+    for (name, order) in [
+        ("DMV2", MoserVeselovOrder::Two),
+        ("DMV6", MoserVeselovOrder::Six),
+        ("DMV10", MoserVeselovOrder::Ten),
+    ] {
         let method = MoserVeselov::new(&inertia, order);
         group.bench_function(name, |b| b.iter(|| method.steps(black_box(&start), 0.05, COUNT)));
     }
-    let method = MoserVeselov::new(&inertia, Order::Six);
+    let method = MoserVeselov::new(&inertia, MoserVeselovOrder::Six);
     group.bench_function("DMV6, preprocessed each step", |b| {
         b.iter(|| (0..COUNT).try_fold(black_box(start), |state, _| method.step(&state, 0.05)));
     });
@@ -88,14 +92,14 @@ fn integrators(criterion: &mut Criterion) {
     steps(&mut group, "DP5", &free, &MuntheKaas::DORMAND_PRINCE);
     steps(&mut group, "CF4", &free, &CommutatorFree);
     steps(&mut group, "Simo-Wong", &free, &SimoWong::new(&inertia));
-    steps(&mut group, "DMV6", &free, &MoserVeselov::new(&inertia, Order::Six));
+    steps(&mut group, "DMV6", &free, &MoserVeselov::new(&inertia, MoserVeselovOrder::Six));
     let heavy = system(So3, |_: f64, g: &UnitQuaternion<f64>, _: &Vector3<f64>| {
         Vector3::z().cross(&g.inverse_transform_vector(&Vector3::new(0.0, 0.0, -1.0)))
     });
     for (name, motion) in [
         ("exact", FreeMotion::Exact),
-        ("DMV6", FreeMotion::MoserVeselov(Order::Six)),
-        ("DMV10", FreeMotion::MoserVeselov(Order::Ten)),
+        ("DMV6", FreeMotion::MoserVeselov(MoserVeselovOrder::Six)),
+        ("DMV10", FreeMotion::MoserVeselov(MoserVeselovOrder::Ten)),
     ] {
         let kick = Kick::new(&inertia, KickOrder::Two, motion);
         steps(&mut group, &format!("kicks, {name}"), &heavy, &kick);
@@ -117,7 +121,7 @@ fn motion(potential: Option<&str>, column: &str) -> Box<dyn Motion> {
     if let Some(potential) = potential {
         forces.set_potential(potential).expect("a formula");
     }
-    let mut columns = Columns::default();
+    let mut columns = ColumnFormulas::default();
     let formula = columns.scope.read(column, forces.names(), &|_| true).expect("a formula");
     columns.formulas.push(formula);
     let metric = Tensor::from_fn(3, [Down, Down], moment).expect("a matrix");

@@ -28,8 +28,8 @@ mod sweep;
 
 use affinor::group::{Coordinates, Embedded, Se3, So3, TranslationSplit};
 use affinor::mechanics::integrators::Pair;
-use affinor::mechanics::integrators::kick::{FreeMotion, Order as KickOrder};
-use affinor::mechanics::integrators::moser_veselov::Order;
+use affinor::mechanics::integrators::kick::{FreeMotion, KickOrder};
+use affinor::mechanics::integrators::moser_veselov::MoserVeselovOrder;
 use affinor::mechanics::integrators::runge_kutta::LocalCoordinates;
 use affinor::mechanics::systems::euler_poincare::{Free, Torque};
 use affinor::mechanics::{
@@ -42,17 +42,17 @@ use satellite::Gravity;
 use std::hint::black_box;
 use sweep::{Seen, Sweep, per_step};
 
-const MOSER_VESELOV: [(&str, Order); 5] = [
-    ("DMV2", Order::Two),
-    ("DMV4", Order::Four),
-    ("DMV6", Order::Six),
-    ("DMV8", Order::Eight),
-    ("DMV10", Order::Ten),
+const MOSER_VESELOV: [(&str, MoserVeselovOrder); 5] = [
+    ("DMV2", MoserVeselovOrder::Two),
+    ("DMV4", MoserVeselovOrder::Four),
+    ("DMV6", MoserVeselovOrder::Six),
+    ("DMV8", MoserVeselovOrder::Eight),
+    ("DMV10", MoserVeselovOrder::Ten),
 ];
 const KICKS: [(&str, KickOrder); 3] =
     [("kick2", KickOrder::Two), ("kick4", KickOrder::Four), ("kick6", KickOrder::Six)];
 const MOTIONS: [(&str, FreeMotion); 2] =
-    [("exact", FreeMotion::Exact), ("DMV10", FreeMotion::MoserVeselov(Order::Ten))];
+    [("exact", FreeMotion::Exact), ("DMV10", FreeMotion::MoserVeselov(MoserVeselovOrder::Ten))];
 
 /// Measures a problem; its name stands in the rows.
 type Measure = fn(&'static str);

@@ -5,14 +5,14 @@ use affinor::group::{
     AnyGroup, Coordinates, Embedded, LieGroup, Se2, Se3, Sl2, So3, TranslationSplit,
 };
 use affinor::mechanics::events::{AfterEvent, Direction, Event, EventDetector};
-use affinor::mechanics::integrators::dense_output::Step;
-use affinor::mechanics::integrators::kick::{FreeMotion, Order as KickOrder};
-use affinor::mechanics::integrators::moser_veselov::Order;
+use affinor::mechanics::integrators::dense_output::DenseStep;
+use affinor::mechanics::integrators::kick::{FreeMotion, KickOrder};
+use affinor::mechanics::integrators::moser_veselov::MoserVeselovOrder;
 use affinor::mechanics::simulation::quantities::SymbolTable;
 use affinor::mechanics::simulation::{
-    Columns, Crossings, EulerPoincareSpec, Forces, Hamiltonian, Integration, LiePoissonSpec,
-    Method, Motion, Observables, PrescribedVelocitySpec, Side, SimulationGroup, Table,
-    VelocityFormulas,
+    ColumnFormulas, Crossings, EulerPoincareSpec, ForceFrame, ForceTable, Forces, Hamiltonian,
+    Integration, LiePoissonSpec, Method, Motion, Observables, PrescribedVelocitySpec,
+    SimulationGroup, VelocityFormulas,
 };
 use affinor::mechanics::systems::euler_poincare::{Free, Torque};
 use affinor::mechanics::{
@@ -103,14 +103,14 @@ fn steps_of_a_body() {
         g.inverse_transform_vector(&Vector3::y())
     };
     let heavy = body(So3, CanonicalConnection::Plus, weight);
-    let ten = FreeMotion::MoserVeselov(Order::Ten);
-    assert_none("DMV", &system, &MoserVeselov::new(&inertia, Order::Ten), &start);
+    let ten = FreeMotion::MoserVeselov(MoserVeselovOrder::Ten);
+    assert_none("DMV", &system, &MoserVeselov::new(&inertia, MoserVeselovOrder::Ten), &start);
     assert_none("Simo-Wong", &heavy, &SimoWong::new(&inertia), &start);
     assert_none("kicks", &heavy, &Kick::new(&inertia, KickOrder::Four, ten), &start);
     let exact = Kick::new(&inertia, KickOrder::Two, FreeMotion::Exact);
     assert_none("kicks, exact", &heavy, &exact, &start);
 
-    let method = MoserVeselov::new(&inertia, Order::Six);
+    let method = MoserVeselov::new(&inertia, MoserVeselovOrder::Six);
     let at = BodyState { attitude: start.element, momentum: start.spatial };
     assert_eq!(measure(|| assert!(method.steps(&at, 0.01, 100).is_ok())).count_total, 0);
     let motion = FreeBody::new(&inertia, &at).unwrap();
@@ -120,7 +120,7 @@ fn steps_of_a_body() {
     let never = Event::new(|_: &State<So3>| 1.0, Direction::Both, AfterEvent::GoOn);
     let mut watch = EventDetector::new(vec![never], &system, &start).unwrap();
     let mut state = start.clone();
-    let step = Step { system: &system, method: &method, start, length: 0.01 };
+    let step = DenseStep { system: &system, method: &method, start, length: 0.01 };
     let counted = measure(|| drop(watch.advance(&step, &mut state).unwrap()));
     assert_eq!(counted.count_total, 0);
 }
@@ -138,8 +138,8 @@ fn allocations(motion: &mut dyn Motion) -> u64 {
 }
 
 /// What stays positive, of all kinds of quantities.
-fn columns(names: &SymbolTable, formulas: &[&str]) -> Columns {
-    let mut columns = Columns::default();
+fn columns(names: &SymbolTable, formulas: &[&str]) -> ColumnFormulas {
+    let mut columns = ColumnFormulas::default();
     for text in formulas {
         columns.formulas.push(columns.scope.read(text, names, &|_| true).unwrap());
     }
@@ -196,13 +196,13 @@ fn steps_of_motions() {
         for &method in methods {
             let none: &dyn Fn(&mut Forces) = &|_| ();
             let force: &dyn Fn(&mut Forces) = &|forces| {
-                forces.add(Side::Body, 0, "-a*Omega1 + 0.1*sin(t)").unwrap();
-                forces.add(Side::Spatial, 1, "0.1*g12*omega1").unwrap();
+                forces.add(ForceFrame::Body, 0, "-a*Omega1 + 0.1*sin(t)").unwrap();
+                forces.add(ForceFrame::Spatial, 1, "0.1*g12*omega1").unwrap();
                 let rows = (0..3).map(|i| {
                     let row = (0..=group.dimension()).map(|k| (i * 1000 + k) as f64);
                     row.collect()
                 });
-                forces.set_table(Side::Body, Table::new(rows.collect()).unwrap());
+                forces.set_table(ForceFrame::Body, ForceTable::new(rows.collect()).unwrap());
             };
             let potential: &dyn Fn(&mut Forces) =
                 &|forces| forces.set_potential("a*g11^2 + g21*cos(g12)").unwrap();

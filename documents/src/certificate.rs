@@ -19,7 +19,7 @@ pub struct Check {
     /// The statement that holds, or the failure with its residual.
     pub detail: String,
     /// Where it fails.
-    pub witness: Option<Witness>,
+    pub witness: Option<CheckWitness>,
 }
 
 /// The largest dimension of an algebra alone at which the Bianchi identities of the default connection are computed.
@@ -27,7 +27,7 @@ const IMPLIED: usize = 300;
 
 /// Indices, from 1, at which an identity fails, and the residual by its upper index.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Witness {
+pub struct CheckWitness {
     /// The lower indices, from 1.
     pub indices: Vec<usize>,
     /// The nonzero components of the residual there.
@@ -111,7 +111,7 @@ fn ground<S: Coefficient>(
     let name = if definition.is_by_matrices() { "closure" } else { "antisymmetry" };
     let Some(bracket) = passed(name, definition.bracket(tolerance), checks)? else {
         if let Some(check) = checks.last_mut() {
-            check.witness = definition.antisymmetry_witness().map(|((j, k), sum)| Witness {
+            check.witness = definition.antisymmetry_witness().map(|((j, k), sum)| CheckWitness {
                 indices: vec![j + 1, k + 1],
                 residual: sum.iter().map(|(i, value)| (i + 1, value.to_string())).collect(),
             });
@@ -167,15 +167,15 @@ fn is_out_of_range(error: &InputError) -> bool {
 }
 
 /// Where a metric is not symmetric, or the vector that is orthogonal to all.
-fn of_metric(error: &InputError, labels: &[String]) -> Option<Witness> {
+fn of_metric(error: &InputError, labels: &[String]) -> Option<CheckWitness> {
     let number = |name: &String| labels.iter().position(|label| label == name).map(|at| at + 1);
     match error.cause.as_deref()? {
-        Error::Broken { law: Law::SymmetricMetric, at, residual } => Some(Witness {
+        Error::Broken { law: Law::SymmetricMetric, at, residual } => Some(CheckWitness {
             indices: at.iter().map(number).collect::<Option<_>>()?,
             residual: vec![(0, residual.clone())],
         }),
         Error::Degenerate { components, .. } => {
-            Some(Witness { indices: vec![], residual: components.clone() })
+            Some(CheckWitness { indices: vec![], residual: components.clone() })
         }
         _ => None,
     }
@@ -198,5 +198,5 @@ fn vanishing<S: Coefficient>(
         here.map(|(at, value)| (if upper == 1 { at[0] + 1 } else { 0 }, written(value))).collect();
     let indices: Vec<usize> = place.iter().map(|i| i + 1).collect();
     let detail = format!("not zero at {indices:?}: {residual:?}");
-    Ok(Check { name, ok: false, detail, witness: Some(Witness { indices, residual }) })
+    Ok(Check { name, ok: false, detail, witness: Some(CheckWitness { indices, residual }) })
 }

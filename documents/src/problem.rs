@@ -29,7 +29,7 @@ pub use ready::{Column, Ready};
 
 use crate::input::{InputError, Source, file, numbers::numbers_in, parse_keys};
 use crate::space::setting::no_parameter;
-use affinor::mechanics::simulation::{ForceFunction, Method, Side};
+use affinor::mechanics::simulation::{ForceFrame, ForceFunction, Method};
 use constrained::Constrained;
 use ensemble::Ensemble;
 use euler_poincare::EulerPoincare;
@@ -293,11 +293,11 @@ impl Problem {
         Problem { integrator, ..self.clone() }
     }
 
-    /// The same problem with a force as a function, beside the forces of the file. Columns of the power and Casimir functions know
+    /// The same problem with a force as a function, beside the forces of the file. ColumnFormulas of the power and Casimir functions know
     /// of it; the function is called several times in a step.
     ///
     /// ```
-    /// use affinor::mechanics::simulation::{ForceFunction, Side};
+    /// use affinor::mechanics::simulation::{ForceFunction, ForceFrame};
     /// use affinor_documents::problem::Problem;
     /// let text = r#"
     /// space = "so3"
@@ -306,7 +306,7 @@ impl Problem {
     /// output = { end = 2, every = 2 }
     /// "#;
     /// let torque = ForceFunction::new(|_, _, _| vec![0.0, 0.0, 3.0]);
-    /// let problem = Problem::parse("turn.toml", text)?.with_force(Side::Body, torque)?;
+    /// let problem = Problem::parse("turn.toml", text)?.with_force(ForceFrame::Body, torque)?;
     /// let mut ready = problem.motion(0)?;
     /// while !ready.motion.step(2.0)? {}
     /// let spin = ready.columns.iter().position(|column| column.name == "Omega3").unwrap();
@@ -316,7 +316,11 @@ impl Problem {
     ///
     /// # Errors
     /// A problem without forces: of constraints, a Hamiltonian, a prescribed velocity or a flow of matrices.
-    pub fn with_force(&self, side: Side, function: ForceFunction) -> Result<Self, InputError> {
+    pub fn with_force(
+        &self,
+        side: ForceFrame,
+        function: ForceFunction,
+    ) -> Result<Self, InputError> {
         let mut problem = self.clone();
         match &mut problem.class {
             Class::EulerPoincare(_, dynamics) => {

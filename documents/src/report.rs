@@ -36,7 +36,7 @@ pub use claims::Claim;
 pub use code::{Language, Programmed, tensors_as_code};
 pub use comparison::{ComparedSide, Comparison};
 pub use components::{GROUPED, Group, groups, independent};
-pub use computation::{Computation, Selection, Tabulated};
+pub use computation::{Computation, Selection, TableReport};
 pub use equations::EquationReport;
 pub use info::{Info, dynkin_type};
 pub use latex::components_in_latex;

@@ -4,7 +4,7 @@ use crate::arrays::{Floats, Rows, batch};
 use crate::class::properties;
 use crate::errors::{raise, wrong};
 use crate::run::{Threads, run};
-use affinor::mechanics::simulation::{ForceFunction, Side};
+use affinor::mechanics::simulation::{ForceFrame, ForceFunction};
 use affinor_documents::input::InputError;
 use affinor_documents::problem::{Integration, Problem};
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyUntypedArrayMethods};
@@ -161,7 +161,7 @@ impl PyProblem {
         body: Option<Py<PyAny>>,
         spatial: Option<Py<PyAny>>,
     ) -> PyResult<Self> {
-        let given = [(Side::Body, body), (Side::Spatial, spatial)];
+        let given = [(ForceFrame::Body, body), (ForceFrame::Spatial, spatial)];
         let given = given.into_iter().filter_map(|(side, function)| Some((side, force(function?))));
         let functions: Vec<_> = given.collect();
         let of_python = !functions.is_empty();

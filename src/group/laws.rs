@@ -10,7 +10,7 @@ use nalgebra::{DMatrix, DVector};
 /// A violated law of a group, with its two sides.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error("{law} fails: {sides} differ by {defect:e}, relative to their size")]
-pub struct Broken {
+pub struct BrokenGroupLaw {
     /// The law, as a formula.
     pub law: &'static str,
     /// The relative difference, infinite if a side does not exist.
@@ -19,7 +19,7 @@ pub struct Broken {
     pub sides: String,
 }
 
-type Check = Result<(), Broken>;
+type Check = Result<(), BrokenGroupLaw>;
 
 /// All laws on three vectors.
 ///
@@ -28,7 +28,7 @@ type Check = Result<(), Broken>;
 /// use nalgebra::Vector6;
 /// let [x, y, z] = [0.1, -0.7, 0.4].map(|a| Vector6::from_fn(|i, _| a - 0.1 * i as f64));
 /// laws::all(&Se3, &x, &y, &z)?;
-/// # Ok::<(), laws::Broken>(())
+/// # Ok::<(), laws::BrokenGroupLaw>(())
 /// ```
 ///
 /// # Errors
@@ -38,7 +38,7 @@ pub fn all<G: LieGroup>(
     x: &G::Vector,
     y: &G::Vector,
     z: &G::Vector,
-) -> Result<(), Broken> {
+) -> Result<(), BrokenGroupLaw> {
     axioms(group, x, y, z)?;
     exponential(group, x)?;
     interpolation(group, x, y)?;
@@ -130,7 +130,7 @@ pub fn translations<G: TranslationSplit>(
     x: &G::Vector,
     y: &G::Vector,
     h: &G::Vector,
-) -> Result<(), Broken> {
+) -> Result<(), BrokenGroupLaw> {
     let (g, k) = (group.exp(x), group.linear_part(&group.exp(y)));
     let between = group.between(&group.linear_part(&g), &k);
     same(
@@ -152,7 +152,7 @@ pub fn translations<G: TranslationSplit>(
             close(law, &along, &G::Vector::from_components(&products), 0.0)
         }
         (None, None) => Ok(()),
-        sides => Err(Broken { law, defect: f64::INFINITY, sides: format!("{sides:?}") }),
+        sides => Err(BrokenGroupLaw { law, defect: f64::INFINITY, sides: format!("{sides:?}") }),
     }
 }
 
@@ -197,7 +197,11 @@ fn tangents<G: LieGroup>(group: &G, x: &G::Vector, v: &G::Vector) -> Check {
 ///
 /// # Errors
 /// That it is broken.
-pub fn represented<G: LieGroup>(group: &G, x: &G::Vector, y: &G::Vector) -> Result<(), Broken> {
+pub fn represented<G: LieGroup>(
+    group: &G,
+    x: &G::Vector,
+    y: &G::Vector,
+) -> Result<(), BrokenGroupLaw> {
     let (g, h) = (group.exp(x), group.exp(y));
     let product = group.matrix(&g) * group.matrix(&h);
     let law = "matrix(g h) = matrix(g) matrix(h)";
@@ -208,8 +212,8 @@ fn ad<G: LieGroup>(group: &G, x: &G::Vector) -> DMatrix<f64> {
     group.operator_matrix(|v| group.bracket(x, v))
 }
 
-fn exists<T>(law: &'static str, side: Result<T, Error>) -> Result<T, Broken> {
-    side.map_err(|error| Broken { law, defect: f64::INFINITY, sides: error.to_string() })
+fn exists<T>(law: &'static str, side: Result<T, Error>) -> Result<T, BrokenGroupLaw> {
+    side.map_err(|error| BrokenGroupLaw { law, defect: f64::INFINITY, sides: error.to_string() })
 }
 
 fn near(law: &'static str, a: &DMatrix<f64>, b: &DMatrix<f64>, tolerance: f64) -> Check {
@@ -218,7 +222,7 @@ fn near(law: &'static str, a: &DMatrix<f64>, b: &DMatrix<f64>, tolerance: f64) -
     if defect <= tolerance {
         return Ok(());
     }
-    Err(Broken { law, defect, sides: format!("{a}and {b}") })
+    Err(BrokenGroupLaw { law, defect, sides: format!("{a}and {b}") })
 }
 
 fn close<V: Coordinates>(law: &'static str, x: &V, y: &V, tolerance: f64) -> Check {
@@ -241,5 +245,5 @@ fn same<G: LieGroup>(
     if defect <= tolerance {
         return Ok(());
     }
-    Err(Broken { law, defect, sides: format!("{g:?} and {h:?}") })
+    Err(BrokenGroupLaw { law, defect, sides: format!("{g:?} and {h:?}") })
 }

@@ -27,7 +27,7 @@ use nalgebra::{DMatrix, Dyn};
 
 /// A family of groups in closed form.
 #[derive(Clone, Copy, Debug)]
-pub struct Family {
+pub struct GroupFamily {
     /// The name in the catalogue of algebras, with `n` for a number.
     pub pattern: &'static str,
     /// How elements are written.
@@ -37,11 +37,11 @@ pub struct Family {
 }
 
 /// The groups in closed form.
-pub fn families() -> &'static [Family] {
+pub fn families() -> &'static [GroupFamily] {
     FAMILIES
 }
 
-static FAMILIES: &[Family] = &[
+static FAMILIES: &[GroupFamily] = &[
     family("R^n", "columns of n coordinates", |n| AnyGroup::new(Translations(Dyn(n)))),
     family("so(2)", "rotation matrices of size 2", |_| AnyGroup::new(So2)),
     family("so(3)", "rotation matrices of size 3", |_| AnyGroup::new(So3)),
@@ -58,8 +58,8 @@ const fn family(
     pattern: &'static str,
     summary: &'static str,
     build: fn(usize) -> AnyGroup,
-) -> Family {
-    Family { pattern, summary, build }
+) -> GroupFamily {
+    GroupFamily { pattern, summary, build }
 }
 
 /// The group of a name of the catalogue, or of names joined by `+`.
@@ -109,7 +109,8 @@ fn factor(name: &str) -> Result<AnyGroup, Error> {
     let refused =
         |reason: String| Error::Name(format!("no group named `{}`: {reason}", name.trim()));
     let entry = catalogue::find(name.trim()).map_err(|error| refused(error.to_string()))?;
-    let closed = |family: &Family| Some((family.build)(argument(family.pattern, &entry.name)?));
+    let closed =
+        |family: &GroupFamily| Some((family.build)(argument(family.pattern, &entry.name)?));
     if let Some(group) = FAMILIES.iter().find_map(closed) {
         return Ok(group);
     }

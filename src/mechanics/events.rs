@@ -1,6 +1,6 @@
 //! Events: times at which a function of the state changes its sign.
 
-use super::integrators::dense_output::Step;
+use super::integrators::dense_output::DenseStep;
 use super::{Integrator, System};
 use crate::Error;
 use crate::mechanics::stopped;
@@ -76,7 +76,7 @@ pub struct Crossing<T> {
 /// ```
 /// use affinor::mechanics::events::{Direction, Event, AfterEvent, EventDetector};
 /// use affinor::mechanics::{Integrator, PrescribedVelocity, Magnus, KinematicState};
-/// use affinor::mechanics::integrators::dense_output::Step;
+/// use affinor::mechanics::integrators::dense_output::DenseStep;
 /// use affinor::group::{LieGroup, So3};
 /// use nalgebra::Vector3;
 /// // a wheel that is turned faster and faster, by t^2/2: the first half turn
@@ -86,7 +86,7 @@ pub struct Crossing<T> {
 /// let half = Event::new(up, Direction::Falling, AfterEvent::Stop);
 /// let mut watch = EventDetector::new(vec![half], &wheel, &place)?;
 /// loop {
-///     let step = Step { system: &wheel, method: &Magnus::Four, start: place.clone(), length: 0.1 };
+///     let step = DenseStep { system: &wheel, method: &Magnus::Four, start: place.clone(), length: 0.1 };
 ///     if watch.advance(&step, &mut place)?.iter().any(|crossing| crossing.then == AfterEvent::Stop) {
 ///         break;
 ///     }
@@ -126,7 +126,7 @@ impl<'a, T: Clone> EventDetector<'a, T> {
     /// Those of the method, and [`Error::Integration`] for a function that is not a number. `state` is then unchanged.
     pub fn advance<S: System<State = T>, I: Integrator<S>>(
         &mut self,
-        step: &Step<S, I>,
+        step: &DenseStep<S, I>,
         state: &mut T,
     ) -> Result<Vec<Crossing<T>>, Error> {
         self.pass(step, step.after(step.length)?, state)
@@ -138,7 +138,7 @@ impl<'a, T: Clone> EventDetector<'a, T> {
     /// As [`advance`](Self::advance).
     pub fn pass<S: System<State = T>, I: Integrator<S>>(
         &mut self,
-        step: &Step<S, I>,
+        step: &DenseStep<S, I>,
         end: T,
         state: &mut T,
     ) -> Result<Vec<Crossing<T>>, Error> {

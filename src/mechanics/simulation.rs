@@ -29,11 +29,11 @@ pub use classes::euler_poincare::{EulerPoincareSpec, cartan_schouten_factor, is_
 pub use classes::lie_poisson::{Hamiltonian, LiePoissonSpec};
 pub use classes::matrix_flow::{MatrixFlow, StartedFlow};
 pub use classes::prescribed_velocity::{PrescribedVelocitySpec, VelocityFormulas};
-pub use crossings::{Crossing, Crossings};
-pub use forces::{ForceFunction, Forces, Side};
+pub use crossings::{Crossings, RecordedCrossing};
+pub use forces::{ForceFrame, ForceFunction, Forces};
 pub use group::SimulationGroup;
 pub use integration::Integration;
 pub use methods::{Class, Method, Steps};
 pub use motion::{Motion, Started};
-pub use observables::{Columns, Observables};
-pub use table::Table;
+pub use observables::{ColumnFormulas, Observables};
+pub use table::ForceTable;

@@ -3,8 +3,8 @@
 //! Guards the methods of `mechanics::integrators`.
 
 use affinor::group::{Embedded, LieGroup, Se3, Sl2, So3, TranslationSplit};
-use affinor::mechanics::integrators::kick::{FreeMotion, Order as KickOrder};
-use affinor::mechanics::integrators::moser_veselov::Order;
+use affinor::mechanics::integrators::kick::{FreeMotion, KickOrder};
+use affinor::mechanics::integrators::moser_veselov::MoserVeselovOrder;
 use affinor::mechanics::systems::euler_poincare::{Free, Torque};
 use affinor::mechanics::{
     BodyState, CommutatorFree, EulerPoincare, Inertia, Integrator, Kick, KinematicState, Magnus,
@@ -76,9 +76,9 @@ fn a_free_body_keeps_energy_and_momentum() {
     let (inertia, metric) = body();
     let system = system(&metric, Free);
     let methods: [(&str, &dyn Integrator<EulerPoincare<So3, Free>>); 4] = [
-        ("DMV2", &MoserVeselov::new(&inertia, Order::Two)),
-        ("DMV6", &MoserVeselov::new(&inertia, Order::Six)),
-        ("DMV10", &MoserVeselov::new(&inertia, Order::Ten)),
+        ("DMV2", &MoserVeselov::new(&inertia, MoserVeselovOrder::Two)),
+        ("DMV6", &MoserVeselov::new(&inertia, MoserVeselovOrder::Six)),
+        ("DMV10", &MoserVeselov::new(&inertia, MoserVeselovOrder::Ten)),
         ("Simo-Wong", &SimoWong::new(&inertia)),
     ];
     for (name, method) in methods {
@@ -111,7 +111,7 @@ fn a_body_in_a_potential() {
     };
     let potential = |g: &UnitQuaternion<f64>| 2.0 * (g * centre).z;
     let system = system(&metric, weight);
-    let ten = FreeMotion::MoserVeselov(Order::Ten);
+    let ten = FreeMotion::MoserVeselov(MoserVeselovOrder::Ten);
     for (order, motion, steps, bound) in [
         (KickOrder::Two, ten, MILLION, 5e-4),
         (KickOrder::Two, FreeMotion::Exact, MILLION / 5, 5e-4),
@@ -173,7 +173,7 @@ fn compensated_sums() {
     let inertia = Inertia::diagonal(&Vector3::new(0.6, 0.8, 1.0)).unwrap();
     let momentum = Vector3::new(1.8, 0.4, -0.9);
     let start = BodyState { attitude: UnitQuaternion::identity(), momentum };
-    for order in [Order::Two, Order::Six, Order::Ten] {
+    for order in [MoserVeselovOrder::Two, MoserVeselovOrder::Six, MoserVeselovOrder::Ten] {
         let end = MoserVeselov::new(&inertia, order).steps(&start, 0.05, MILLION).unwrap();
         let off = (end.space_momentum() - momentum).norm() / momentum.norm();
         let energy = inertia.energy(&end.momentum) / inertia.energy(&momentum) - 1.0;

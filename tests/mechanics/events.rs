@@ -3,8 +3,8 @@
 use crate::common::property::properties;
 use affinor::group::{LieGroup, So3};
 use affinor::mechanics::events::{AfterEvent, Direction, Event, EventDetector};
-use affinor::mechanics::integrators::dense_output::Step;
-use affinor::mechanics::integrators::moser_veselov::Order;
+use affinor::mechanics::integrators::dense_output::DenseStep;
+use affinor::mechanics::integrators::moser_veselov::MoserVeselovOrder;
 use affinor::mechanics::systems::euler_poincare::Free;
 use affinor::mechanics::{
     Adaptive, BodyState, EulerPoincare, FreeBody, Inertia, Integrator, MoserVeselov, MuntheKaas,
@@ -47,7 +47,7 @@ fn events(
     let mut watch = EventDetector::new(watched, &Clock, &state).unwrap();
     let mut found = vec![];
     for _ in 0..count {
-        let step = Step { system: &Clock, method: &Tick, start: state, length };
+        let step = DenseStep { system: &Clock, method: &Tick, start: state, length };
         let crossings = watch.advance(&step, &mut state).unwrap();
         found.extend(crossings.iter().map(|crossing| (crossing.event, crossing.state)));
         if crossings.iter().any(|crossing| crossing.then == AfterEvent::Stop) {
@@ -104,12 +104,12 @@ fn directions_and_ends() {
     let mut watch = EventDetector::new(watched(), &Clock, &state).unwrap();
     let mut numbers = vec![];
     for _ in 0..2 {
-        let step = Step { system: &Clock, method: &Tick, start: state, length: 0.25 };
+        let step = DenseStep { system: &Clock, method: &Tick, start: state, length: 0.25 };
         watch.advance(&step, &mut state).unwrap();
     }
     assert_eq!(state, 1.02);
     for _ in 0..2 {
-        let step = Step { system: &Clock, method: &Tick, start: state, length: 0.25 };
+        let step = DenseStep { system: &Clock, method: &Tick, start: state, length: 0.25 };
         numbers.extend(watch.advance(&step, &mut state).unwrap().iter().map(|c| c.event));
     }
     // a zero where the run stopped is behind it
@@ -180,7 +180,7 @@ fn what_is_no_number_is_refused() {
     ));
     let mut state = 0.9;
     let mut watch = EventDetector::new(event(), &Clock, &state).unwrap();
-    let step = Step { system: &Clock, method: &Tick, start: state, length: 0.25 };
+    let step = DenseStep { system: &Clock, method: &Tick, start: state, length: 0.25 };
     assert!(matches!(watch.advance(&step, &mut state), Err(Error::Integration { .. })));
     assert_eq!(state, 0.9);
 }
@@ -232,11 +232,12 @@ fn a_section_is_crossed_once_a_period() {
             assert!(exact.at(state.time).momentum.y.abs() < 10.0 * tolerance);
         }
     };
-    let method = MoserVeselov::new(&inertia, Order::Ten);
+    let method = MoserVeselov::new(&inertia, MoserVeselovOrder::Ten);
     let (mut state, mut found) = (start.clone(), vec![]);
     let mut watch = EventDetector::new(vec![section()], &system, &state).unwrap();
     while state.time < 10.0 * period {
-        let step = Step { system: &system, method: &method, start: state.clone(), length: 0.05 };
+        let step =
+            DenseStep { system: &system, method: &method, start: state.clone(), length: 0.05 };
         found.extend(watch.advance(&step, &mut state).unwrap().into_iter().map(|c| c.state));
     }
     check(&found, 1e-12);
@@ -281,7 +282,7 @@ fn states_within_a_step_have_its_order() {
         let length = 1.0 / steps as f64;
         let (mut state, mut largest) = (start.clone(), 0.0_f64);
         for _ in 0..steps {
-            let step = Step { system, method, start: state.clone(), length };
+            let step = DenseStep { system, method, start: state.clone(), length };
             let within = step.at(state.time + 0.37 * length).unwrap();
             let off = system.momentum(&within) - exact.at(within.time).momentum;
             largest = largest.max(off.norm());

@@ -10,8 +10,8 @@ use affinor::group::transport::ParallelTranslation;
 use affinor::group::{
     Coordinates, Embedded, Heisenberg, LieGroup, MatrixGroup, Se2, Se3, Sl2, So3, TranslationSplit,
 };
-use affinor::mechanics::integrators::kick::{FreeMotion, Order as KickOrder};
-use affinor::mechanics::integrators::moser_veselov::Order;
+use affinor::mechanics::integrators::kick::{FreeMotion, KickOrder};
+use affinor::mechanics::integrators::moser_veselov::MoserVeselovOrder;
 use affinor::mechanics::systems::euler_poincare::{Free, Torque};
 use affinor::mechanics::{
     Adaptive, BodyState, CommutatorFree, EulerPoincare, FreeBody, Inertia, Integrator, Kick,
@@ -342,10 +342,10 @@ fn orders_of_the_free_body() {
     let wong = SimoWong::new(&inertia);
     expect_order("Simo-Wong", wong.order(), 32, 4, |n| free_error(&wong, n));
     let orders = [
-        (Order::Two, 2, 32, 4),
-        (Order::Four, 4, 16, 4),
-        (Order::Six, 6, 8, 2),
-        (Order::Eight, 8, 6, 2),
+        (MoserVeselovOrder::Two, 2, 32, 4),
+        (MoserVeselovOrder::Four, 4, 16, 4),
+        (MoserVeselovOrder::Six, 6, 8, 2),
+        (MoserVeselovOrder::Eight, 8, 6, 2),
     ];
     for (order, nominal, steps, halvings) in orders {
         let method = MoserVeselov::new(&inertia, order);
@@ -353,7 +353,7 @@ fn orders_of_the_free_body() {
         expect_order(&format!("{order:?}"), nominal, steps, halvings, |n| free_error(&method, n));
     }
     // a longer step shows the next power, a shorter one is rounding
-    let ten = MoserVeselov::new(&inertia, Order::Ten);
+    let ten = MoserVeselov::new(&inertia, MoserVeselovOrder::Ten);
     expect_order("Ten", 10, 15, 1, |n| free_error_at(3.0, &ten, n));
     for order in [KickOrder::Two, KickOrder::Six] {
         let exact = Kick::new(&inertia, order, FreeMotion::Exact);
@@ -380,7 +380,7 @@ fn potential(time: f64, matrix: &DMatrix<f64>, _: &[f64]) -> Vec<f64> {
 fn orders_of_kicks() {
     let (inertia, metric) = inertia();
     let case = case(So3, CanonicalConnection::Plus, &metric, &VELOCITY, 1.0, potential);
-    for motion in [FreeMotion::Exact, FreeMotion::MoserVeselov(Order::Ten)] {
+    for motion in [FreeMotion::Exact, FreeMotion::MoserVeselov(MoserVeselovOrder::Ten)] {
         let of = |order| Kick::new(&inertia, order, motion);
         let orders =
             [(KickOrder::Two, 2, 16, 4), (KickOrder::Four, 4, 8, 4), (KickOrder::Six, 6, 4, 2)];
@@ -445,7 +445,7 @@ fn methods_for_a_free_body_refuse_a_torque() {
     let torque = |_: f64, _: &UnitQuaternion<f64>, _: &Vector3<f64>| Vector3::x();
     let system = EulerPoincare::new(So3, &connection, &metric, torque).unwrap();
     let start = system.state(0.0, So3.identity(), &VELOCITY);
-    let discrete = MoserVeselov::new(&inertia, Order::Ten);
+    let discrete = MoserVeselov::new(&inertia, MoserVeselovOrder::Ten);
     let mut state = start.clone();
     let error = Integrator::<EulerPoincare<So3, _>>::step(&discrete, &system, &mut state, 0.1);
     let error = error.unwrap_err();
@@ -509,7 +509,7 @@ fn what_is_not_meant_is_refused() {
         let mut state = system.state(0.0, So3.identity(), &VELOCITY);
         let methods: [&dyn Integrator<EulerPoincare<So3, Free>>; 3] = [
             &SimoWong::new(inertia),
-            &MoserVeselov::new(inertia, Order::Six),
+            &MoserVeselov::new(inertia, MoserVeselovOrder::Six),
             &Kick::new(inertia, KickOrder::Two, FreeMotion::Exact),
         ];
         for method in methods {
@@ -534,7 +534,7 @@ fn steps_without_a_solution_are_refused() {
     let system = EulerPoincare::free(So3, &connection, &metric).unwrap();
     let start = system.state(0.0, So3.identity(), &(VELOCITY * 1e3));
     let methods: [&dyn Integrator<EulerPoincare<So3, Free>>; 2] =
-        [&SimoWong::new(&inertia), &MoserVeselov::new(&inertia, Order::Two)];
+        [&SimoWong::new(&inertia), &MoserVeselov::new(&inertia, MoserVeselovOrder::Two)];
     for (method, h) in methods.iter().flat_map(|m| [1.0, f64::NAN, f64::INFINITY].map(|h| (m, h))) {
         let mut state = start.clone();
         let error = method.step(&system, &mut state, h).unwrap_err();

@@ -11,7 +11,7 @@ use super::ready::Ready;
 use crate::input::InputError;
 use affinor::group::{AnyGroup, LieGroup, So3};
 use affinor::mechanics::simulation::{
-    EulerPoincareSpec, ForceFunction, Forces, Side, SimulationGroup, cartan_schouten_factor,
+    EulerPoincareSpec, ForceFrame, ForceFunction, Forces, SimulationGroup, cartan_schouten_factor,
     is_plus,
 };
 use affinor::{CanonicalConnection, Connection, Error, Metric};
@@ -73,7 +73,7 @@ impl EulerPoincare {
     }
 
     /// Adds a force as a function.
-    pub fn add_force(&mut self, side: Side, function: ForceFunction) {
+    pub fn add_force(&mut self, side: ForceFrame, function: ForceFunction) {
         self.forces.add(side, function);
     }
 

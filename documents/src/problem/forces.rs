@@ -7,7 +7,7 @@ use crate::input::{
     read_rows, shown,
 };
 use affinor::Error;
-use affinor::mechanics::simulation::{ForceFunction, Forces, Side, Table};
+use affinor::mechanics::simulation::{ForceFrame, ForceFunction, ForceTable, Forces};
 use serde::Deserialize;
 
 /// The table `[forces]`.
@@ -26,18 +26,20 @@ pub(super) struct ForceKeys {
 #[derive(Clone, Debug)]
 pub(super) struct ForceFormulas {
     /// The components in the body frame and in the spatial frame.
-    components: [(Side, Vec<Written>); 2],
+    components: [(ForceFrame, Vec<Written>); 2],
     potential: Option<Written>,
-    table: Option<(Side, Table)>,
-    functions: Vec<(Side, ForceFunction)>,
+    table: Option<(ForceFrame, ForceTable)>,
+    functions: Vec<(ForceFrame, ForceFunction)>,
     place: Place,
 }
 
 impl ForceFormulas {
     pub fn read(keys: &ForceKeys, reader: &Reader) -> Result<Self, InputError> {
         let source = reader.source;
-        let components =
-            [("body", Side::Body, &keys.body), ("spatial", Side::Spatial, &keys.spatial)];
+        let components = [
+            ("body", ForceFrame::Body, &keys.body),
+            ("spatial", ForceFrame::Spatial, &keys.spatial),
+        ];
         for (key, _, list) in components {
             let is_empty = list.as_ref().is_some_and(Vec::is_empty);
             reader.refuse_empty(&format!("forces.{key}"), is_empty)?;
@@ -46,8 +48,8 @@ impl ForceFormulas {
             (side, list.iter().flatten().map(|number| reader.written(&number.0)).collect())
         });
         let side = match keys.table_in.as_deref() {
-            None | Some("body") => Side::Body,
-            Some("spatial") => Side::Spatial,
+            None | Some("body") => ForceFrame::Body,
+            Some("spatial") => ForceFrame::Spatial,
             Some("space") => {
                 let error = source.refused("forces.table_in", "`space` is now `spatial`");
                 return Err(error.help("write \"spatial\""));
@@ -72,7 +74,7 @@ impl ForceFormulas {
                 let (names, rows) = columns.map_err(|error| error.or_at(&place))?;
                 let rows = force_rows(&names, rows).map_err(|error| error.at(&place))?;
                 let refused = |error: Error| InputError::usage(error.to_string()).at(&place);
-                let table = Table::new(rows).map_err(refused)?;
+                let table = ForceTable::new(rows).map_err(refused)?;
                 Some((side, if held { table.held() } else { table }))
             }
             None => {
@@ -90,7 +92,7 @@ impl ForceFormulas {
     }
 
     /// Adds a force as a function.
-    pub fn add(&mut self, side: Side, function: ForceFunction) {
+    pub fn add(&mut self, side: ForceFrame, function: ForceFunction) {
         self.functions.push((side, function));
     }
 

@@ -3,7 +3,7 @@
 use super::reader::{Reader, Value};
 use crate::input::{InputError, Place, forms::Number};
 use affinor::group::{AnyGroup, LieGroup, MatrixNotation, rotation};
-use affinor::mechanics::simulation::{Observables, Side, SimulationGroup};
+use affinor::mechanics::simulation::{ForceFrame, Observables, SimulationGroup};
 use nalgebra::DVector;
 use serde::Deserialize;
 
@@ -103,7 +103,7 @@ impl InitialElement {
 #[derive(Clone, Debug)]
 pub(super) struct InitialMomentum {
     is_velocity: bool,
-    side: Side,
+    side: ForceFrame,
     values: Vec<Value>,
     place: Place,
 }
@@ -112,10 +112,10 @@ impl InitialMomentum {
     pub fn read(keys: &InitialKeys, reader: &Reader) -> Result<Self, InputError> {
         let source = reader.source;
         let given = [
-            ("velocity", true, Side::Body, &keys.velocity),
-            ("spatial_velocity", true, Side::Spatial, &keys.spatial_velocity),
-            ("momentum", false, Side::Body, &keys.momentum),
-            ("spatial_momentum", false, Side::Spatial, &keys.spatial_momentum),
+            ("velocity", true, ForceFrame::Body, &keys.velocity),
+            ("spatial_velocity", true, ForceFrame::Spatial, &keys.spatial_velocity),
+            ("momentum", false, ForceFrame::Body, &keys.momentum),
+            ("spatial_momentum", false, ForceFrame::Spatial, &keys.spatial_momentum),
         ];
         let mut given = given.into_iter().filter_map(|(key, is_velocity, side, list)| {
             Some((key, is_velocity, side, list.as_ref()?))
@@ -150,7 +150,8 @@ impl InitialMomentum {
         let what = if self.is_velocity { "velocity" } else { "momentum" };
         let list = Value::vector(what, &self.values, group.dimension(), values, &self.place)?;
         let vector = DVector::from_vec(list);
-        let own = self.side == if group.is_right() { Side::Spatial } else { Side::Body };
+        let own =
+            self.side == if group.is_right() { ForceFrame::Spatial } else { ForceFrame::Body };
         Ok(match (self.is_velocity, own) {
             (true, true) => observables.momentum(&vector),
             (true, false) => observables.momentum(&group.adjoint(&group.inverse(g), &vector)),

@@ -2,7 +2,7 @@
 
 use super::ready::Ready;
 use affinor::Error;
-use affinor::mechanics::simulation::{Crossing, Crossings};
+use affinor::mechanics::simulation::{Crossings, RecordedCrossing};
 
 /// A motion that is integrated through the times of its problem, with the rows and events on its way.
 pub struct Integration {
@@ -54,7 +54,7 @@ impl Integration {
             return Ok(progress);
         };
         let (reached, crossings) = self.crossings.step(self.ready.motion.as_mut(), time)?;
-        for Crossing { event, row, time } in crossings {
+        for RecordedCrossing { event, row, time } in crossings {
             let name = Some(&self.ready.events[event]);
             let stops = name == self.stop.as_ref();
             if stops || name == self.section.as_ref() {

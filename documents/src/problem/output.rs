@@ -4,8 +4,8 @@ use super::keys::{Keys, OutputKeys};
 use super::reader::{Reader, Value, Written};
 use super::ready::Column;
 use crate::input::{InputError, Place, Source, forms::Text, shown};
-use affinor::mechanics::simulation::Columns;
-use affinor::mechanics::simulation::quantities::{FormulaScope, Quantity, SymbolTable};
+use affinor::mechanics::simulation::ColumnFormulas;
+use affinor::mechanics::simulation::quantities::{FormulaScope, MotionQuantity, SymbolTable};
 use affinor_tensors::Symbolic;
 
 /// The largest number of rows of one motion.
@@ -31,7 +31,7 @@ pub(super) struct Output {
 pub(super) struct RowFormulas {
     pub columns: Vec<Column>,
     pub events: Vec<String>,
-    pub formulas: Columns,
+    pub formulas: ColumnFormulas,
 }
 
 impl Output {
@@ -72,7 +72,7 @@ impl Output {
     pub fn formulas(
         &self,
         names: &SymbolTable,
-        allowed: &dyn Fn(Quantity) -> bool,
+        allowed: &dyn Fn(MotionQuantity) -> bool,
         casimirs: &[Symbolic],
         source: &Source,
     ) -> Result<RowFormulas, InputError> {
@@ -116,7 +116,7 @@ impl Output {
             add(written.text(), written)?;
         }
         let events = self.events.iter().map(|(name, _)| name.clone()).collect();
-        Ok(RowFormulas { columns, events, formulas: Columns { scope, formulas } })
+        Ok(RowFormulas { columns, events, formulas: ColumnFormulas { scope, formulas } })
     }
 }
 

@@ -6,16 +6,16 @@ use super::reader::{Reader, Written};
 use super::ready::Ready;
 use crate::input::InputError;
 use affinor::group::LieGroup;
-use affinor::mechanics::simulation::quantities::Quantity;
+use affinor::mechanics::simulation::quantities::MotionQuantity;
 use affinor::mechanics::simulation::{
-    Class, Method, Observables, PrescribedVelocitySpec, Side, SimulationGroup, Started,
+    Class, ForceFrame, Method, Observables, PrescribedVelocitySpec, SimulationGroup, Started,
     VelocityFormulas,
 };
 
 /// The element that moves with a prescribed velocity.
 #[derive(Clone, Debug)]
 pub(super) struct PrescribedVelocity {
-    side: Side,
+    side: ForceFrame,
     /// The components of the velocity, as formulas in `t` and the parameters.
     velocity: Vec<Written>,
 }
@@ -24,8 +24,8 @@ impl PrescribedVelocity {
     pub fn read(keys: &PrescribedKeys, reader: &Reader) -> Result<Self, InputError> {
         reader.refuse("a velocity given over time", &OF_DYNAMICS)?;
         let (side, list) = match (&keys.velocity, &keys.spatial_velocity) {
-            (Some(list), None) => (Side::Body, list),
-            (None, Some(list)) => (Side::Spatial, list),
+            (Some(list), None) => (ForceFrame::Body, list),
+            (None, Some(list)) => (ForceFrame::Spatial, list),
             _ => {
                 return Err(reader
                     .source
@@ -39,7 +39,7 @@ impl PrescribedVelocity {
     pub fn motion(&self, start: &Start) -> Result<Ready, InputError> {
         let (group, member, values) = (start.group, start.member, start.member.values());
         let n = group.dimension();
-        if (self.side == Side::Spatial) != group.is_right() {
+        if (self.side == ForceFrame::Spatial) != group.is_right() {
             let message =
                 "a given velocity is in the body frame; with invariance = \"right\" it is in space";
             let place = self.velocity.first().map(Written::place);
@@ -68,8 +68,8 @@ impl PrescribedVelocity {
             added.map_err(|error| formula.refused(error, help))?;
         }
         // there is no inertia
-        let kinematic = |quantity: Quantity| {
-            use Quantity::{Energy, Kinetic, Momentum, OtherMomentum, Potential, Power};
+        let kinematic = |quantity: MotionQuantity| {
+            use MotionQuantity::{Energy, Kinetic, Momentum, OtherMomentum, Potential, Power};
             !matches!(
                 quantity,
                 Momentum(_) | OtherMomentum(_) | Kinetic | Potential | Energy | Power

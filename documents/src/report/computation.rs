@@ -53,7 +53,7 @@ pub struct Selection {
 }
 
 /// A table, and what it lacks.
-pub struct Tabulated {
+pub struct TableReport {
     /// The table.
     pub report: Box<dyn Report>,
     /// The tensors selected that are not defined for this space and frame.
@@ -80,12 +80,12 @@ impl<'a> Computation<'a> {
     ///
     /// # Errors
     /// A space that is refused; floats beyond their range.
-    pub fn table(&self, selection: &Selection) -> Result<Tabulated, InputError> {
+    pub fn table(&self, selection: &Selection) -> Result<TableReport, InputError> {
         over_kind!(self.kind()?, S => {
             let table = self.tensors::<S>(selection)?;
             let shown = |q: &Quantity| table.tensors.iter().any(|entry| entry.quantity == *q);
             let absent = selection.quantities.iter().filter(|q| !shown(q)).copied().collect();
-            Ok(Tabulated { report: Box::new(table), absent })
+            Ok(TableReport { report: Box::new(table), absent })
         })
     }
 

@@ -1,6 +1,6 @@
 //! Step-size control by embedded pairs.
 
-use super::munthe_kaas::CanonicalConnection;
+use super::munthe_kaas::ExponentialCoordinates;
 use super::projected::Projection;
 use super::runge_kutta::{LocalCoordinates, RungeKutta, expect_coordinates};
 use super::step_start::StepStart;
@@ -48,7 +48,7 @@ impl Pair {
 /// For a system without an inertia the error of the momentum is relative to its largest component. In free motions by
 /// [`projected`](Adaptive::projected) steps the momentum is a function of the element, and only the errors of the element count.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Adaptive<C = CanonicalConnection> {
+pub struct Adaptive<C = ExponentialCoordinates> {
     /// The pair.
     pub pair: Pair,
     /// The relative tolerance `r` of a step.
@@ -77,7 +77,7 @@ impl Adaptive {
             span: f64::INFINITY,
             max_steps: 1_000_000,
             max_step: f64::INFINITY,
-            coordinates: CanonicalConnection,
+            coordinates: ExponentialCoordinates,
         }
     }
 

@@ -10,19 +10,19 @@ use crate::mechanics::systems::System;
 /// costs one step.
 ///
 /// ```
-/// use affinor::mechanics::integrators::dense_output::Step;
+/// use affinor::mechanics::integrators::dense_output::DenseStep;
 /// use affinor::mechanics::{Integrator, PrescribedVelocity, Magnus, KinematicState};
 /// use affinor::group::{LieGroup, So3};
 /// use nalgebra::Vector3;
 /// let wheel = PrescribedVelocity { group: So3, velocity: |t: f64| Vector3::z() * t };
 /// let start = KinematicState { time: 0.0, element: So3.identity() };
-/// let step = Step { system: &wheel, method: &Magnus::Four, start, length: 0.5 };
+/// let step = DenseStep { system: &wheel, method: &Magnus::Four, start, length: 0.5 };
 /// let turn = So3.log(&step.at(0.2)?.element)?;
 /// assert!((turn.z - 0.02).abs() < 1e-16);
 /// # Ok::<(), affinor::Error>(())
 /// ```
 #[derive(Debug)]
-pub struct Step<'a, S: System, I> {
+pub struct DenseStep<'a, S: System, I> {
     /// The system.
     pub system: &'a S,
     /// The method of the step.
@@ -33,7 +33,7 @@ pub struct Step<'a, S: System, I> {
     pub length: f64,
 }
 
-impl<S: System, I: Integrator<S>> Step<'_, S, I> {
+impl<S: System, I: Integrator<S>> DenseStep<'_, S, I> {
     /// The state at a time. A time after the end of the step gives the result of a longer step.
     ///
     /// # Errors

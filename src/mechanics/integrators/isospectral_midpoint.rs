@@ -2,7 +2,7 @@
 
 use super::Integrator;
 use crate::Error;
-use crate::mechanics::systems::isospectral::{Entry, Isospectral, MatrixState, largest};
+use crate::mechanics::systems::isospectral::{Isospectral, MatrixEntry, MatrixState, largest};
 use nalgebra::ComplexField;
 
 /// The isospectral midpoint method: with `b = h B(X)/2`,

@@ -12,7 +12,7 @@ use nalgebra::{UnitQuaternion, Vector3};
 
 /// The order of a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Order {
+pub enum KickOrder {
     /// One free motion between two half kicks.
     Two,
     /// Six free motions, seven kicks: SRKN_6^b of Blanes and Moan.
@@ -28,7 +28,7 @@ pub enum FreeMotion {
     Exact,
     /// By one step of the discrete Moser-Veselov algorithm, which takes a quarter of the time. It has an order of its own: order 10
     /// is exact to rounding for rotations by less than 0.1 radians.
-    MoserVeselov(moser_veselov::Order),
+    MoserVeselov(moser_veselov::MoserVeselovOrder),
 }
 
 /// The fractions of a step, in its first half: of kicks, and of the free motions after them.
@@ -53,16 +53,16 @@ const SIX: [[f64; 5]; 2] = [
     ],
 ];
 
-impl Order {
+impl KickOrder {
     /// The fractions of kicks and free motions in turn, with a kick at both ends.
     fn shares(self) -> Vec<f64> {
         let mut half = match self {
-            Order::Two => vec![0.5],
-            Order::Four => {
+            KickOrder::Two => vec![0.5],
+            KickOrder::Four => {
                 let [b, a] = FOUR;
                 vec![b[0], a[0], b[1], a[1], b[2], 0.5 - a[0] - a[1]]
             }
-            Order::Six => {
+            KickOrder::Six => {
                 let [b, a] = SIX;
                 let mut shares: Vec<f64> = b.iter().zip(a).flat_map(|(b, a)| [*b, a]).collect();
                 shares.push(0.5 - b.iter().sum::<f64>());
@@ -91,7 +91,7 @@ impl Order {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Kick {
     body: Principal,
-    order: Order,
+    order: KickOrder,
     /// The inertia in principal axes.
     inertia: Inertia,
     /// The steps of the free motion; `None` if it is exact.
@@ -101,7 +101,7 @@ pub struct Kick {
 
 impl Kick {
     /// The method for a body with this inertia: its order, and the method for the free motions between kicks.
-    pub fn new(inertia: &Inertia, order: Order, motion: FreeMotion) -> Self {
+    pub fn new(inertia: &Inertia, order: KickOrder, motion: FreeMotion) -> Self {
         let (body, inertia) = (Principal::new(inertia), inertia.in_principal_axes());
         let steps = match motion {
             FreeMotion::Exact => None,

@@ -24,7 +24,7 @@ use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
 /// The order of a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Order {
+pub enum MoserVeselovOrder {
     /// Without preprocessing.
     Two,
     /// To `h^2`.
@@ -43,12 +43,12 @@ pub enum Order {
 ///
 /// ```
 /// use affinor::mechanics::{BodyState, FreeBody, Inertia, MoserVeselov};
-/// use affinor::mechanics::integrators::moser_veselov::Order;
+/// use affinor::mechanics::integrators::moser_veselov::MoserVeselovOrder;
 /// use nalgebra::{UnitQuaternion, Vector3};
 /// let inertia = Inertia::diagonal(&Vector3::new(0.6, 0.8, 1.0))?;
 /// let attitude = UnitQuaternion::identity();
 /// let start = BodyState { attitude, momentum: Vector3::new(1.8, 0.4, -0.9) };
-/// let end = MoserVeselov::new(&inertia, Order::Ten).steps(&start, 0.05, 200)?;
+/// let end = MoserVeselov::new(&inertia, MoserVeselovOrder::Ten).steps(&start, 0.05, 200)?;
 /// let exact = FreeBody::new(&inertia, &start)?.at(10.0);
 /// assert!((end.momentum - exact.momentum).norm() < 1e-11);
 /// assert!(end.attitude.angle_to(&exact.attitude) < 1e-11);
@@ -77,7 +77,7 @@ const TOO_LONG: &str = "the step is too long";
 
 impl MoserVeselov {
     /// Steps of a body, of a given order.
-    pub fn new(inertia: &Inertia, order: Order) -> Self {
+    pub fn new(inertia: &Inertia, order: MoserVeselovOrder) -> Self {
         let unit = inertia.principal_moments().max();
         let moments = (inertia.principal_moments() / unit).into();
         let degrees = order as usize;

@@ -10,12 +10,12 @@ use crate::group::{Coordinates, TranslationSplit};
 ///
 /// H. Munthe-Kaas, *BIT* 38 (1998) 92-111. Up to order 4 two brackets stand for the inverse tangent operator, as there;
 /// beyond it is the group's own. The order is that of the tableau.
-pub type MuntheKaas<const STAGES: usize, T> = RungeKutta<STAGES, T, CanonicalConnection>;
+pub type MuntheKaas<const STAGES: usize, T> = RungeKutta<STAGES, T, ExponentialCoordinates>;
 
 /// Canonical coordinates around `g_0`: `g = g_0 exp(u)`, or `g_0 exp(y) exp(u)` with the translations `y` where the group
 /// has them, which then add up as vectors.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct CanonicalConnection;
+pub struct ExponentialCoordinates;
 
 /// The rotational part of a vector, and its translation.
 #[inline(always)]
@@ -35,7 +35,7 @@ pub struct CanonicalPoint<V, E> {
     translated: Option<(V, E)>,
 }
 
-impl<G: TranslationSplit> LocalCoordinates<G> for CanonicalConnection {
+impl<G: TranslationSplit> LocalCoordinates<G> for ExponentialCoordinates {
     type Numbers = G::Vector;
     type Point = CanonicalPoint<G::Vector, G::Element>;
 

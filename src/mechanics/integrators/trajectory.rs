@@ -1,6 +1,6 @@
 //! Trajectories with dense output and events.
 
-use super::dense_output::Step;
+use super::dense_output::DenseStep;
 use super::runge_kutta::{LocalCoordinates, RungeKutta};
 use super::{Adaptive, Integrator, Pair};
 use crate::Error;
@@ -83,7 +83,7 @@ impl<C: Copy> Adaptive<C> {
             let start = state.clone();
             self.step(system, &mut state, &mut next, end)?;
             let length = state.time - start.time;
-            let step = Step { system, method: &trajectory.method, start, length };
+            let step = DenseStep { system, method: &trajectory.method, start, length };
             let found = watch.pass(&step, state.clone(), &mut state)?;
             ended = found.last().is_some_and(|event| event.then == AfterEvent::Stop);
             trajectory.events.extend(found);
@@ -111,7 +111,7 @@ impl<S: CotangentSystem, C: LocalCoordinates<S::Group>> Trajectory<'_, S, C> {
             |state: &State<S::Group>| (state.time - time) * (last - first).signum() <= 0.0;
         let before = self.states.partition_point(reached).max(1) - 1;
         let start = self.states[before].clone();
-        Step { system: self.system, method: &self.method, start, length: 0.0 }.at(time)
+        DenseStep { system: self.system, method: &self.method, start, length: 0.0 }.at(time)
     }
 }
 

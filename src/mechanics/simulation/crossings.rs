@@ -17,7 +17,7 @@ pub struct Crossings {
 
 /// An event that happened.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Crossing {
+pub struct RecordedCrossing {
     /// Its number among the watched columns, from 0.
     pub event: usize,
     /// The row at the event: the first, to the rounding of time, after the sign change.
@@ -46,7 +46,7 @@ impl Crossings {
         &mut self,
         motion: &mut dyn Motion,
         until: f64,
-    ) -> Result<(bool, Vec<Crossing>), Error> {
+    ) -> Result<(bool, Vec<RecordedCrossing>), Error> {
         if self.columns.is_empty() {
             return Ok((motion.step(until)?, vec![]));
         }
@@ -85,7 +85,7 @@ impl Crossings {
         let mut crossings = Vec::with_capacity(found.len());
         for (elapsed, event) in found {
             let time = go(motion, elapsed)?;
-            crossings.push(Crossing { event, row: motion.row(), time });
+            crossings.push(RecordedCrossing { event, row: motion.row(), time });
         }
         if motion.time() != end || !crossings.is_empty() {
             motion.roll_back();

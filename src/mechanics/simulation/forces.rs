@@ -2,8 +2,8 @@
 
 use super::group::SimulationGroup;
 use super::observables::{Buffers, Observables, ObservationPoint};
-use super::quantities::{FormulaScope, Quantity, SymbolTable};
-use super::table::{Interval, Table};
+use super::quantities::{FormulaScope, MotionQuantity, SymbolTable};
+use super::table::{ForceTable, Interval};
 use crate::group::{Coordinates, Generator, Partial};
 use crate::mechanics::formula::{Formula, Gradient};
 use crate::mechanics::systems::euler_poincare::Torque;
@@ -15,7 +15,7 @@ use std::sync::Arc;
 
 /// One of the two invariant frames.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Side {
+pub enum ForceFrame {
     /// Left-invariant: body components.
     Body,
     /// Right-invariant: spatial components.
@@ -52,11 +52,11 @@ pub struct Forces {
     observables: Observables,
     scope: FormulaScope,
     /// Formulas of components with their side and index, and their text.
-    terms: Vec<(Side, usize, Formula, String)>,
+    terms: Vec<(ForceFrame, usize, Formula, String)>,
     /// The potential, the same with its derivatives, and its text.
     potential: Option<(Formula, Gradient, String)>,
-    table: Option<(Side, Table)>,
-    functions: Vec<(Side, ForceFunction)>,
+    table: Option<(ForceFrame, ForceTable)>,
+    functions: Vec<(ForceFrame, ForceFunction)>,
     /// The interval of the table in which the present step began.
     interval: Cell<Option<Interval>>,
     buffers: RefCell<(Buffers, Sums)>,
@@ -101,8 +101,8 @@ impl Forces {
     }
 
     /// Whether forces may depend on a quantity: not on energies and on the power.
-    pub fn may_depend_on(quantity: Quantity) -> bool {
-        use Quantity::{Energy, Kinetic, Potential, Power};
+    pub fn may_depend_on(quantity: MotionQuantity) -> bool {
+        use MotionQuantity::{Energy, Kinetic, Potential, Power};
         !matches!(quantity, Kinetic | Potential | Energy | Power)
     }
 
@@ -110,7 +110,7 @@ impl Forces {
     ///
     /// # Errors
     /// As [`Formula::parse`]; also for quantities that no force [depends on](Self::may_depend_on).
-    pub fn add(&mut self, side: Side, i: usize, text: &str) -> Result<(), ExpressionError> {
+    pub fn add(&mut self, side: ForceFrame, i: usize, text: &str) -> Result<(), ExpressionError> {
         let formula = self.scope.read(text, self.observables.names(), &Self::may_depend_on)?;
         self.terms.push((side, i, formula, text.trim().into()));
         Ok(())
@@ -121,8 +121,12 @@ impl Forces {
     /// # Errors
     /// As [`Formula::parse`]; also for other quantities.
     pub fn set_potential(&mut self, text: &str) -> Result<(), ExpressionError> {
-        let allowed =
-            |q| matches!(q, Quantity::Time | Quantity::Parameter(_) | Quantity::Entry(..));
+        let allowed = |q| {
+            matches!(
+                q,
+                MotionQuantity::Time | MotionQuantity::Parameter(_) | MotionQuantity::Entry(..)
+            )
+        };
         let formula = self.scope.read(text, self.observables.names(), &allowed)?;
         let gradient = formula.differentiated();
         self.potential = Some((formula, gradient, text.trim().into()));
@@ -130,12 +134,12 @@ impl Forces {
     }
 
     /// Sets a covector over time.
-    pub fn set_table(&mut self, side: Side, table: Table) {
+    pub fn set_table(&mut self, side: ForceFrame, table: ForceTable) {
         self.table = Some((side, table));
     }
 
     /// Adds a covector as a function.
-    pub fn add_function(&mut self, side: Side, function: ForceFunction) {
+    pub fn add_function(&mut self, side: ForceFrame, function: ForceFunction) {
         self.functions.push((side, function));
     }
 
@@ -158,14 +162,14 @@ impl Forces {
 
     /// Whether no force depends on the velocity.
     pub fn are_positional(&self) -> bool {
-        use Quantity::{Entry, Named, Time};
-        let of_place = |q: &Quantity| matches!(q, Time | Entry(..) | Named(_));
+        use MotionQuantity::{Entry, Named, Time};
+        let of_place = |q: &MotionQuantity| matches!(q, Time | Entry(..) | Named(_));
         self.functions.is_empty() && self.scope.quantities().iter().all(of_place)
     }
 
     /// Whether the only force is a potential that does not depend on time, so that the energy is conserved.
     pub fn are_conservative(&self) -> bool {
-        let timeless = !self.scope.quantities().contains(&Quantity::Time);
+        let timeless = !self.scope.quantities().contains(&MotionQuantity::Time);
         self.terms.is_empty() && self.table.is_none() && self.functions.is_empty() && timeless
     }
 }
@@ -212,7 +216,7 @@ impl<G: SimulationGroup> ForcesOn<G> {
             sums.clear();
             sums.resize(2 * n, 0.0);
             let (mine, other) = sums.split_at_mut(n);
-            let own = if group.is_right() { Side::Spatial } else { Side::Body };
+            let own = if group.is_right() { ForceFrame::Spatial } else { ForceFrame::Body };
             for (side, i, formula, text) in &forces.terms {
                 let value = formula.value_in(values, workspace);
                 if !value.is_finite() {

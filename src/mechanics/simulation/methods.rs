@@ -6,7 +6,7 @@ use super::stepper::Stepper;
 use crate::Error;
 use crate::group::{So3, TranslationSplit};
 use crate::mechanics::integrators::kick::{self, FreeMotion};
-use crate::mechanics::integrators::moser_veselov::Order;
+use crate::mechanics::integrators::moser_veselov::MoserVeselovOrder;
 use crate::mechanics::integrators::{Magnus, Pair};
 use crate::mechanics::systems::euler_poincare::Torque;
 use crate::mechanics::{
@@ -184,12 +184,12 @@ methods! {
     CommutatorFree4  "cf4"               4  "any group and any forces, with a step"
         AnySystem Fixed CommutatorFree;
     MoserVeselov10   "dmv10"             10  "a free rigid body, with a step"
-        FreeBody Fixed |inertia: &Inertia| MoserVeselov::new(inertia, Order::Ten);
+        FreeBody Fixed |inertia: &Inertia| MoserVeselov::new(inertia, MoserVeselovOrder::Ten);
     SimoWong         "simo-wong"         2  "a rigid body, with a step"
         Body Fixed SimoWong::new;
     Kick4            "kick4"             4  "a body in a potential, with a step"
         BodyInPotential Fixed |inertia: &Inertia| {
-            Kick::new(inertia, kick::Order::Four, FreeMotion::MoserVeselov(Order::Ten))
+            Kick::new(inertia, kick::KickOrder::Four, FreeMotion::MoserVeselov(MoserVeselovOrder::Ten))
         };
     GeneralisedAlpha "generalised-alpha" 2  "a system with constraints"
         Constrained Fixed GeneralisedAlpha::default();

@@ -1,7 +1,7 @@
 //! Values of quantities at points of a motion.
 
 use super::group::SimulationGroup;
-use super::quantities::{FormulaScope, Quantity, SymbolTable};
+use super::quantities::{FormulaScope, MotionQuantity, SymbolTable};
 use crate::group::Coordinates;
 use crate::mechanics::formula::{Formula, Workspace};
 use nalgebra::DMatrix;
@@ -102,14 +102,14 @@ impl Observables {
 
 /// The formulas of the columns of a motion, over their scope.
 #[derive(Clone, Debug, Default)]
-pub struct Columns {
+pub struct ColumnFormulas {
     /// The quantities of the formulas.
     pub scope: FormulaScope,
     /// A formula for each column.
     pub formulas: Vec<Formula>,
 }
 
-impl Columns {
+impl ColumnFormulas {
     /// Appends the values of some of the columns at a point to `list`; `load` gives the potential and the power.
     #[allow(clippy::too_many_arguments, reason = "a point and its surroundings")]
     pub(super) fn values<G: SimulationGroup>(
@@ -118,7 +118,7 @@ impl Columns {
         group: &G,
         observables: &Observables,
         at: &ObservationPoint<G>,
-        load: &dyn Fn(Quantity) -> f64,
+        load: &dyn Fn(MotionQuantity) -> f64,
         buffers: &mut Buffers,
         list: &mut Vec<f64>,
     ) {
@@ -143,7 +143,7 @@ struct Values<'v, G: SimulationGroup> {
     group: &'v G,
     observables: &'v Observables,
     at: &'v ObservationPoint<'v, G>,
-    load: &'v dyn Fn(Quantity) -> f64,
+    load: &'v dyn Fn(MotionQuantity) -> f64,
     momentum: Option<G::Vector>,
     other_momentum: Option<G::Vector>,
     other_velocity: Option<G::Vector>,
@@ -157,7 +157,7 @@ impl<'v, G: SimulationGroup> Values<'v, G> {
         group: &'v G,
         observables: &'v Observables,
         at: &'v ObservationPoint<'v, G>,
-        load: &'v dyn Fn(Quantity) -> f64,
+        load: &'v dyn Fn(MotionQuantity) -> f64,
         entries: &'v mut Vec<f64>,
     ) -> Self {
         let (momentum, other_momentum, other_velocity) = (None, None, None);
@@ -177,11 +177,11 @@ impl<'v, G: SimulationGroup> Values<'v, G> {
 
     /// What a force may read in each stage of a step is at hand.
     #[inline(always)]
-    fn of(&mut self, quantity: Quantity) -> f64 {
+    fn of(&mut self, quantity: MotionQuantity) -> f64 {
         match quantity {
-            Quantity::Time => self.at.time,
-            Quantity::Velocity(i) => self.at.velocity.components()[i],
-            Quantity::Entry(row, column) => {
+            MotionQuantity::Time => self.at.time,
+            MotionQuantity::Velocity(i) => self.at.velocity.components()[i],
+            MotionQuantity::Entry(row, column) => {
                 if !self.written {
                     self.group.entries(self.at.element, self.entries);
                     self.written = true;
@@ -192,28 +192,30 @@ impl<'v, G: SimulationGroup> Values<'v, G> {
         }
     }
 
-    fn computed(&mut self, quantity: Quantity) -> f64 {
+    fn computed(&mut self, quantity: MotionQuantity) -> f64 {
         let Values { group, observables, at, load, .. } = *self;
         match quantity {
-            Quantity::Time | Quantity::Velocity(_) | Quantity::Entry(..) => self.of(quantity),
-            Quantity::Parameter(k) => observables.names.parameters[k].1,
-            Quantity::Named(k) => group.named(at.element, k),
-            Quantity::Momentum(i) => self.momentum().components()[i],
-            Quantity::OtherVelocity(i) => {
+            MotionQuantity::Time | MotionQuantity::Velocity(_) | MotionQuantity::Entry(..) => {
+                self.of(quantity)
+            }
+            MotionQuantity::Parameter(k) => observables.names.parameters[k].1,
+            MotionQuantity::Named(k) => group.named(at.element, k),
+            MotionQuantity::Momentum(i) => self.momentum().components()[i],
+            MotionQuantity::OtherVelocity(i) => {
                 let velocity = || group.adjoint(at.element, at.velocity);
                 self.other_velocity.get_or_insert_with(velocity).components()[i]
             }
-            Quantity::OtherMomentum(i) => {
+            MotionQuantity::OtherMomentum(i) => {
                 if self.other_momentum.is_none() {
                     let momentum = group.coadjoint(&group.inverse(at.element), self.momentum());
                     self.other_momentum = Some(momentum);
                 }
                 self.other_momentum.as_ref().map_or(f64::NAN, |h| h.components()[i])
             }
-            Quantity::Kinetic => at.energy.unwrap_or_else(|| self.kinetic()),
-            Quantity::Potential | Quantity::Power => load(quantity),
-            Quantity::Energy => {
-                at.energy.unwrap_or_else(|| self.kinetic() + load(Quantity::Potential))
+            MotionQuantity::Kinetic => at.energy.unwrap_or_else(|| self.kinetic()),
+            MotionQuantity::Potential | MotionQuantity::Power => load(quantity),
+            MotionQuantity::Energy => {
+                at.energy.unwrap_or_else(|| self.kinetic() + load(MotionQuantity::Potential))
             }
         }
     }

@@ -7,7 +7,7 @@ use affinor_tensors::expression::ExpressionError;
 
 /// A number that a motion has at each time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Quantity {
+pub enum MotionQuantity {
     /// `t`.
     Time,
     /// A parameter of the problem.
@@ -75,16 +75,16 @@ impl SymbolTable {
     }
 
     /// The quantity of a name.
-    pub fn find(&self, name: &str) -> Option<Quantity> {
+    pub fn find(&self, name: &str) -> Option<MotionQuantity> {
         if let Some(k) = self.parameters.iter().position(|(known, _)| known == name) {
-            return Some(Quantity::Parameter(k));
+            return Some(MotionQuantity::Parameter(k));
         }
         match name {
-            "t" => return Some(Quantity::Time),
-            "kinetic" => return Some(Quantity::Kinetic),
-            "potential" => return Some(Quantity::Potential),
-            "energy" => return Some(Quantity::Energy),
-            "power" => return Some(Quantity::Power),
+            "t" => return Some(MotionQuantity::Time),
+            "kinetic" => return Some(MotionQuantity::Kinetic),
+            "potential" => return Some(MotionQuantity::Potential),
+            "energy" => return Some(MotionQuantity::Energy),
+            "power" => return Some(MotionQuantity::Power),
             _ => {}
         }
         if let Some(coordinate) = self.coordinate(name) {
@@ -95,28 +95,28 @@ impl SymbolTable {
         let i: usize = behind.parse().ok().filter(|i| (1..=self.dimension).contains(i))?;
         let [[velocity, momentum], [other_velocity, other_momentum]] = self.sides;
         match stem {
-            _ if stem == velocity => Some(Quantity::Velocity(i - 1)),
-            _ if stem == momentum => Some(Quantity::Momentum(i - 1)),
-            _ if stem == other_velocity => Some(Quantity::OtherVelocity(i - 1)),
-            _ if stem == other_momentum => Some(Quantity::OtherMomentum(i - 1)),
+            _ if stem == velocity => Some(MotionQuantity::Velocity(i - 1)),
+            _ if stem == momentum => Some(MotionQuantity::Momentum(i - 1)),
+            _ if stem == other_velocity => Some(MotionQuantity::OtherVelocity(i - 1)),
+            _ if stem == other_momentum => Some(MotionQuantity::OtherMomentum(i - 1)),
             _ => None,
         }
     }
 
     /// A coordinate of the element. The names of factor `k` of a product end in `_k`, and its entries are rows of a column.
-    fn coordinate(&self, name: &str) -> Option<Quantity> {
+    fn coordinate(&self, name: &str) -> Option<MotionQuantity> {
         let (factor, name) = self.factor(name)?;
         let (before, block) = (&self.blocks[..factor], self.blocks.get(factor)?);
         let product = self.blocks.len() > 1;
         Some(match block.find(name)? {
-            Coordinate::Named(k) => {
-                Quantity::Named(before.iter().map(|block| block.names.len()).sum::<usize>() + k)
-            }
+            Coordinate::Named(k) => MotionQuantity::Named(
+                before.iter().map(|block| block.names.len()).sum::<usize>() + k,
+            ),
             Coordinate::Entry(row, column) if product => {
                 let start: usize = before.iter().map(|block| block.shape.0 * block.shape.1).sum();
-                Quantity::Entry(start + row * block.shape.1 + column, 0)
+                MotionQuantity::Entry(start + row * block.shape.1 + column, 0)
             }
-            Coordinate::Entry(row, column) => Quantity::Entry(row, column),
+            Coordinate::Entry(row, column) => MotionQuantity::Entry(row, column),
         })
     }
 
@@ -192,7 +192,7 @@ impl SymbolTable {
     }
 
     /// All names of quantities that are allowed, for messages.
-    pub fn all(&self, allowed: &dyn Fn(Quantity) -> bool) -> String {
+    pub fn all(&self, allowed: &dyn Fn(MotionQuantity) -> bool) -> String {
         let mut names: Vec<String> = vec!["t".into()];
         let n = self.dimension;
         names.extend(self.sides.as_flattened().iter().map(|stem| format!("{stem}1..{stem}{n}")));
@@ -213,7 +213,7 @@ impl SymbolTable {
 /// The quantities that some formulas use; their order numbers the variables of the formulas. Parameters are constants.
 #[derive(Clone, Debug, Default)]
 pub struct FormulaScope {
-    quantities: Vec<Quantity>,
+    quantities: Vec<MotionQuantity>,
 }
 
 impl FormulaScope {
@@ -225,18 +225,18 @@ impl FormulaScope {
         &mut self,
         text: &str,
         names: &SymbolTable,
-        allowed: &dyn Fn(Quantity) -> bool,
+        allowed: &dyn Fn(MotionQuantity) -> bool,
     ) -> Result<Formula, ExpressionError> {
         Formula::read(text, &mut |name| {
             Some(match names.find(name).filter(|quantity| allowed(*quantity))? {
-                Quantity::Parameter(k) => Symbol::Number(names.parameters[k].1),
+                MotionQuantity::Parameter(k) => Symbol::Number(names.parameters[k].1),
                 quantity => Symbol::Variable(self.index(quantity)),
             })
         })
     }
 
     /// The number of a quantity, which is added if it is new.
-    pub fn index(&mut self, quantity: Quantity) -> usize {
+    pub fn index(&mut self, quantity: MotionQuantity) -> usize {
         let known = self.quantities.iter().position(|other| *other == quantity);
         known.unwrap_or_else(|| {
             self.quantities.push(quantity);
@@ -245,13 +245,13 @@ impl FormulaScope {
     }
 
     /// The quantities in order.
-    pub fn quantities(&self) -> &[Quantity] {
+    pub fn quantities(&self) -> &[MotionQuantity] {
         &self.quantities
     }
 
     /// Replaces `values` by those of the quantities, in their order.
     #[inline]
-    pub(super) fn evaluate(&self, value: impl FnMut(Quantity) -> f64, values: &mut Vec<f64>) {
+    pub(super) fn evaluate(&self, value: impl FnMut(MotionQuantity) -> f64, values: &mut Vec<f64>) {
         values.clear();
         values.extend(self.quantities.iter().copied().map(value));
     }
@@ -266,7 +266,7 @@ impl FormulaScope {
         partial.clear();
         for (k, slope) in slopes {
             // 0 is left out, as 0 times an infinite entry is NaN
-            if let Quantity::Entry(row, column) = self.quantities[k]
+            if let MotionQuantity::Entry(row, column) = self.quantities[k]
                 && slope != 0.0
             {
                 partial.push((row, column, slope));

@@ -8,7 +8,7 @@ const ROUNDING: f64 = 4.0 * f64::EPSILON;
 /// Vectors over time, interpolated linearly between rows, or [held](Self::held). Two rows at one time are a jump: from the values of the first row to those of
 /// the second.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Table {
+pub struct ForceTable {
     times: Vec<f64>,
     values: Vec<Vec<f64>>,
     /// Whether values stay those of the last row, up to the next.
@@ -19,7 +19,7 @@ pub struct Table {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Interval(usize);
 
-impl Table {
+impl ForceTable {
     /// The table of rows, each a time and the values at that time.
     ///
     /// # Errors
@@ -47,13 +47,13 @@ impl Table {
         }
         let times = rows.iter().map(|row| row[0]).collect();
         let values = rows.into_iter().map(|row| row[1..].to_vec()).collect();
-        Ok(Table { times, values, is_held: false })
+        Ok(ForceTable { times, values, is_held: false })
     }
 
     /// The same table with values that stay those of the last row, up to the next.
     #[must_use]
     pub fn held(self) -> Self {
-        Table { is_held: true, ..self }
+        ForceTable { is_held: true, ..self }
     }
 
     /// The number of values at a time.

@@ -8,7 +8,7 @@ mod manakov;
 mod toda;
 mod zeitlin;
 
-pub use entry::Entry;
+pub use entry::MatrixEntry;
 pub use manakov::Manakov;
 pub use toda::Toda;
 pub use zeitlin::Zeitlin;
@@ -30,7 +30,7 @@ pub struct MatrixState<T> {
 /// A flow `L' = [B(L), L]`, over real or complex matrices.
 pub trait Isospectral {
     /// The entries of `L`.
-    type Entry: Entry;
+    type Entry: MatrixEntry;
 
     /// `B(L)`, of the shape of `L`.
     fn generator(&self, matrix: &DMatrix<Self::Entry>) -> DMatrix<Self::Entry>;
@@ -60,7 +60,7 @@ pub enum Symmetry {
 
 impl Symmetry {
     /// `(L + L^*)/2` or `(L - L^*)/2`.
-    pub fn part<T: Entry>(self, matrix: &DMatrix<T>) -> DMatrix<T> {
+    pub fn part<T: MatrixEntry>(self, matrix: &DMatrix<T>) -> DMatrix<T> {
         let half = T::from_real(0.5);
         matrix.zip_map(&matrix.adjoint(), |x, mirrored| match self {
             Symmetry::Hermitian => (x + mirrored) * half,
@@ -94,7 +94,7 @@ pub struct Flow<T, B> {
     entry: PhantomData<T>,
 }
 
-impl<T: Entry, B: Fn(&DMatrix<T>) -> DMatrix<T>> Flow<T, B> {
+impl<T: MatrixEntry, B: Fn(&DMatrix<T>) -> DMatrix<T>> Flow<T, B> {
     /// The flow of a function from square matrices to matrices of the same shape.
     pub fn new(generator: B) -> Self {
         Flow { generator, symmetry: None, entry: PhantomData }
@@ -118,7 +118,7 @@ impl<T: Entry, B: Fn(&DMatrix<T>) -> DMatrix<T>> Flow<T, B> {
     }
 }
 
-impl<T: Entry, B: Fn(&DMatrix<T>) -> DMatrix<T>> Isospectral for Flow<T, B> {
+impl<T: MatrixEntry, B: Fn(&DMatrix<T>) -> DMatrix<T>> Isospectral for Flow<T, B> {
     type Entry = T;
 
     fn generator(&self, matrix: &DMatrix<T>) -> DMatrix<T> {
@@ -139,7 +139,7 @@ impl<T: Entry, B: Fn(&DMatrix<T>) -> DMatrix<T>> Isospectral for Flow<T, B> {
 /// let roots = spectrum(&DMatrix::from_row_slice(2, 2, &[0.0, 2.0, 2.0, 3.0]));
 /// assert!((roots[0] + 1.0).abs() < 1e-15 && (roots[1] - 4.0).abs() < 1e-15);
 /// ```
-pub fn spectrum<T: Entry>(matrix: &DMatrix<T>) -> Vec<f64> {
+pub fn spectrum<T: MatrixEntry>(matrix: &DMatrix<T>) -> Vec<f64> {
     let finite = matrix.is_square() && largest(matrix).is_finite();
     let none = || vec![f64::NAN; matrix.nrows()];
     if !finite || matrix.is_empty() {
@@ -153,7 +153,7 @@ pub fn spectrum<T: Entry>(matrix: &DMatrix<T>) -> Vec<f64> {
 }
 
 /// The largest entry, as the sum of the moduli of its two parts; NaN if one is NaN.
-pub(in crate::mechanics) fn largest<T: Entry>(matrix: &DMatrix<T>) -> f64 {
+pub(in crate::mechanics) fn largest<T: MatrixEntry>(matrix: &DMatrix<T>) -> f64 {
     let most = |most: f64, entry: &T| {
         let size = entry.norm1();
         if size > most || size.is_nan() { size } else { most }
@@ -161,7 +161,7 @@ pub(in crate::mechanics) fn largest<T: Entry>(matrix: &DMatrix<T>) -> f64 {
     matrix.iter().fold(0.0, most)
 }
 
-fn expect_square<T: Entry>(
+fn expect_square<T: MatrixEntry>(
     what: &'static str,
     matrix: &DMatrix<T>,
     size: Option<usize>,
@@ -179,7 +179,7 @@ fn expect_square<T: Entry>(
 const ROUNDING: f64 = 1e-12;
 
 /// A state of a square matrix with finite entries and a symmetry.
-fn checked<T: Entry>(
+fn checked<T: MatrixEntry>(
     time: f64,
     matrix: DMatrix<T>,
     size: Option<usize>,

@@ -2,7 +2,7 @@
 
 use crate::common::property::properties;
 use crate::ode;
-use affinor::mechanics::integrators::moser_veselov::Order;
+use affinor::mechanics::integrators::moser_veselov::MoserVeselovOrder;
 use affinor::mechanics::{BodyState, FreeBody, Inertia, MoserVeselov};
 use nalgebra::{DVector, Matrix3, Quaternion, UnitQuaternion, Vector3, dvector};
 use proptest::prelude::*;
@@ -279,7 +279,7 @@ properties! {
             prop_assert!(unit || !time.is_finite(), "{state:?} {body:?}");
             body.at(time);
         }
-        let _ = MoserVeselov::new(&inertia, Order::Ten).steps(&start, time, 3);
+        let _ = MoserVeselov::new(&inertia, MoserVeselovOrder::Ten).steps(&start, time, 3);
     }
 }
 
@@ -378,7 +378,13 @@ fn the_equations_are_those_of_the_plus_connection() {
 fn a_million_steps_keep_what_is_kept() {
     let inertia = Inertia::diagonal(&Vector3::new(0.6, 0.8, 1.0)).unwrap();
     let start = start([1.8, 0.4, -0.9]);
-    for order in [Order::Two, Order::Four, Order::Six, Order::Eight, Order::Ten] {
+    for order in [
+        MoserVeselovOrder::Two,
+        MoserVeselovOrder::Four,
+        MoserVeselovOrder::Six,
+        MoserVeselovOrder::Eight,
+        MoserVeselovOrder::Ten,
+    ] {
         let end = MoserVeselov::new(&inertia, order).steps(&start, 0.05, 1_000_000).unwrap();
         let energy = inertia.energy(&end.momentum) / inertia.energy(&start.momentum) - 1.0;
         let space = (end.space_momentum() - start.momentum).norm();
@@ -398,7 +404,7 @@ properties! {
     ) {
         let (inertia, start) = (turned(moments, &a), BodyState { attitude, momentum });
         let exact = FreeBody::new(&inertia, &start).unwrap().at(20.0 * step);
-        let method = MoserVeselov::new(&inertia, Order::Ten);
+        let method = MoserVeselov::new(&inertia, MoserVeselovOrder::Ten);
         let end = method.steps(&start, step, 20).unwrap();
         prop_assert!(distance(&end, &exact) < 1e-12);
         // and back
@@ -416,7 +422,13 @@ properties! {
 fn a_step_that_is_too_long_is_refused() {
     let inertia = Inertia::diagonal(&Vector3::new(0.6, 0.8, 1.0)).unwrap();
     let start = start([1.8, 0.4, -0.9]);
-    for order in [Order::Two, Order::Four, Order::Six, Order::Eight, Order::Ten] {
+    for order in [
+        MoserVeselovOrder::Two,
+        MoserVeselovOrder::Four,
+        MoserVeselovOrder::Six,
+        MoserVeselovOrder::Eight,
+        MoserVeselovOrder::Ten,
+    ] {
         assert!(MoserVeselov::new(&inertia, order).steps(&start, 30.0, 10).is_err(), "{order:?}");
     }
 }

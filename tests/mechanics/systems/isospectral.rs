@@ -3,7 +3,7 @@
 use crate::common::algebras::catalogued;
 use crate::common::steps::{expect_order, run};
 use affinor::group::{LieGroup, MatrixGroup};
-use affinor::mechanics::systems::isospectral::{Entry, Flow, Symmetry, spectrum};
+use affinor::mechanics::systems::isospectral::{Flow, MatrixEntry, Symmetry, spectrum};
 use affinor::mechanics::{
     Adaptive, Composed, EulerPoincare, Integrator, Isospectral, IsospectralMidpoint, Manakov,
     MatrixState, Toda, Zeitlin,
@@ -31,7 +31,7 @@ fn references(name: &str) -> Vec<(usize, f64, Vec<f64>)> {
     found
 }
 
-fn distance<T: Entry>(x: &MatrixState<T>, y: &DMatrix<T>) -> f64 {
+fn distance<T: MatrixEntry>(x: &MatrixState<T>, y: &DMatrix<T>) -> f64 {
     (&x.matrix - y).norm()
 }
 

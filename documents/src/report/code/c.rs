@@ -1,9 +1,9 @@
 //! C99: the arrays are arguments that are written.
 
-use super::parts::{Function, split};
+use super::parts::{CodeFunction, split};
 use super::routine::{Array, Dialect, Routine, lengths};
 use crate::input::InputError;
-use affinor_tensors::scalar::Function as Elementary;
+use affinor_tensors::scalar::Function;
 
 struct C;
 
@@ -16,7 +16,7 @@ impl Dialect for C {
     fn component(&self, vector: &str, at: usize) -> String {
         format!("{vector}[{at}]")
     }
-    fn call(&self, function: Elementary, argument: &str) -> String {
+    fn call(&self, function: Function, argument: &str) -> String {
         format!("{}({argument})", function.name())
     }
     fn select(&self, values: [String; 4]) -> String {
@@ -52,7 +52,7 @@ pub fn write(routine: &Routine) -> Result<String, InputError> {
     let cleared = !statements.is_empty();
     let lines = routine.statements(&C)?;
     let (name, parameters) = (&routine.function, routine.arguments());
-    let function = Function { name, vectors, parameters: &parameters, arrays };
+    let function = CodeFunction { name, vectors, parameters: &parameters, arrays };
     let (parts, lines) = split(&function, &lines).unwrap_or_else(|| (String::new(), lines.clone()));
     statements.extend(lines);
     let body: String = statements.iter().map(|line| format!("    {line}\n")).collect();

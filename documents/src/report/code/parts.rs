@@ -12,7 +12,7 @@ const PART: usize = 150;
 const WHOLE: usize = 2 * PART;
 
 /// What a function consists of.
-pub struct Function<'f> {
+pub struct CodeFunction<'f> {
     pub name: &'f str,
     /// Declarations of the vectors among its arguments, with the names.
     pub vectors: Vec<(String, String)>,
@@ -24,7 +24,7 @@ pub struct Function<'f> {
 
 /// The functions before it, and the statements of the function that calls them; `None` if there are few
 /// statements.
-pub fn split(function: &Function, statements: &[String]) -> Option<(String, Vec<String>)> {
+pub fn split(function: &CodeFunction, statements: &[String]) -> Option<(String, Vec<String>)> {
     if statements.len() <= WHOLE {
         return None;
     }
@@ -45,7 +45,7 @@ pub fn split(function: &Function, statements: &[String]) -> Option<(String, Vec<
     }
     let places: BTreeMap<&str, usize> =
         shared.into_iter().enumerate().map(|(place, name)| (name, place)).collect();
-    let Function { name, vectors, parameters, arrays } = function;
+    let CodeFunction { name, vectors, parameters, arrays } = function;
     let [more_vectors, more_arrays] = [vectors, arrays];
     let declared =
         more_vectors.iter().chain(more_arrays).map(|(declaration, _)| declaration.clone());

@@ -6,8 +6,8 @@ use crate::mechanics::simulation::forces::{Forces, ForcesOn};
 use crate::mechanics::simulation::group::{GroupVisitor, SimulationGroup, element, vector, visit};
 use crate::mechanics::simulation::methods::Method;
 use crate::mechanics::simulation::motion::{Motion, ObservedMotion, simulation};
-use crate::mechanics::simulation::observables::{Buffers, Columns, ObservationPoint};
-use crate::mechanics::simulation::quantities::{FormulaScope, Quantity, SymbolTable};
+use crate::mechanics::simulation::observables::{Buffers, ColumnFormulas, ObservationPoint};
+use crate::mechanics::simulation::quantities::{FormulaScope, MotionQuantity, SymbolTable};
 use crate::mechanics::{Constrained, ConstrainedState, Constraint};
 use crate::{Connection, Error, Metric};
 use affinor_tensors::expression::ExpressionError;
@@ -29,7 +29,8 @@ impl Constraints {
     /// # Errors
     /// As [`Formula::parse`]; also for quantities other than entries of the element and parameters.
     pub fn add(&mut self, text: &str, names: &SymbolTable) -> Result<(), ExpressionError> {
-        let allowed = |quantity| matches!(quantity, Quantity::Parameter(_) | Quantity::Entry(..));
+        let allowed =
+            |quantity| matches!(quantity, MotionQuantity::Parameter(_) | MotionQuantity::Entry(..));
         let formula = self.scope.read(text, names, &allowed)?;
         self.formulas.push((formula.clone(), formula.differentiated()));
         Ok(())
@@ -59,7 +60,7 @@ impl<G: SimulationGroup> ConstraintsOn<G> {
         let Buffers { values, entries, .. } = buffers;
         self.group.entries(element, entries);
         let value = |quantity| match quantity {
-            Quantity::Entry(row, column) => entries[row + column * self.rows],
+            MotionQuantity::Entry(row, column) => entries[row + column * self.rows],
             _ => f64::NAN,
         };
         self.constraints.scope.evaluate(value, values);
@@ -113,7 +114,7 @@ pub struct ConstrainedSpec<'s> {
     pub step: f64,
     /// A row has the first `visible` of the formulas, the Lagrange multipliers, the largest violation of a constraint, and the
     /// other formulas.
-    pub columns: Columns,
+    pub columns: ColumnFormulas,
     /// The number of formulas before the multipliers.
     pub visible: usize,
 }
@@ -157,7 +158,7 @@ impl GroupVisitor for ConstrainedSpec<'_> {
 /// The motion with its columns.
 struct Moving<G: SimulationGroup> {
     system: Constrained<G, ConstraintsOn<G>, ForcesOn<G>>,
-    columns: Columns,
+    columns: ColumnFormulas,
     visible: usize,
     /// The number of multipliers and of the violation.
     count: usize,
@@ -183,7 +184,7 @@ impl<G: SimulationGroup> ObservedMotion for Moving<G> {
         let (forces, group) = (self.system.force(), self.system.group());
         let point = ObservationPoint::new(state.time, &state.element, &state.velocity);
         let load = |quantity| match quantity {
-            Quantity::Potential => forces.potential(&point),
+            MotionQuantity::Potential => forces.potential(&point),
             _ => forces.power(&point),
         };
         let (visible, behind) = (self.visible, self.visible + self.count);

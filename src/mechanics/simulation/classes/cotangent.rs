@@ -7,8 +7,10 @@ use crate::mechanics::simulation::forces::ForcesOn;
 use crate::mechanics::simulation::group::SimulationGroup;
 use crate::mechanics::simulation::methods::{Class, Method};
 use crate::mechanics::simulation::motion::ObservedMotion;
-use crate::mechanics::simulation::observables::{Buffers, Columns, Observables, ObservationPoint};
-use crate::mechanics::simulation::quantities::Quantity;
+use crate::mechanics::simulation::observables::{
+    Buffers, ColumnFormulas, Observables, ObservationPoint,
+};
+use crate::mechanics::simulation::quantities::MotionQuantity;
 use crate::mechanics::simulation::stepper::Stepper;
 use crate::mechanics::systems::cotangent::{CotangentSystem, State};
 use nalgebra::DMatrix;
@@ -38,14 +40,14 @@ pub(super) trait ObservedSystem:
 /// A system with the formulas of its columns.
 pub(super) struct CotangentMotion<S> {
     system: S,
-    columns: Columns,
+    columns: ColumnFormulas,
     buffers: RefCell<Buffers>,
     /// For the spectral radius of `ad_Omega`.
     matrices: RefCell<[DMatrix<f64>; 2]>,
 }
 
 impl<S: ObservedSystem> CotangentMotion<S> {
-    pub(super) fn new(system: S, columns: Columns) -> Self {
+    pub(super) fn new(system: S, columns: ColumnFormulas) -> Self {
         let n = system.group().dimension();
         let matrices = RefCell::new([DMatrix::zeros(n, n), DMatrix::zeros(n, n)]);
         CotangentMotion { system, columns, buffers: RefCell::default(), matrices }
@@ -71,8 +73,8 @@ impl<S: ObservedSystem> ObservedMotion for CotangentMotion<S> {
         let system = &self.system;
         system.at(state, |point| {
             let load = |quantity| match (quantity, system.forces()) {
-                (Quantity::Potential, Some(forces)) => forces.potential(point),
-                (Quantity::Power, Some(forces)) => forces.power(point),
+                (MotionQuantity::Potential, Some(forces)) => forces.potential(point),
+                (MotionQuantity::Power, Some(forces)) => forces.power(point),
                 _ => 0.0,
             };
             let (observables, buffers) = (system.observables(), &mut *self.buffers.borrow_mut());

@@ -8,7 +8,7 @@ use crate::mechanics::simulation::group::{GroupVisitor, SimulationGroup, element
 use crate::mechanics::simulation::integration::Integration;
 use crate::mechanics::simulation::methods::{Class, Method};
 use crate::mechanics::simulation::motion::{Started, simulation};
-use crate::mechanics::simulation::observables::{Columns, Observables, ObservationPoint};
+use crate::mechanics::simulation::observables::{ColumnFormulas, Observables, ObservationPoint};
 use crate::mechanics::simulation::stepper::Stepper;
 use crate::mechanics::{CotangentSystem, EulerPoincare, Inertia, State};
 use crate::{Connection, Error, Metric};
@@ -32,7 +32,7 @@ pub struct EulerPoincareSpec<'s> {
     /// The method; by default the one of this class of problems.
     pub integration: Integration,
     /// The columns.
-    pub columns: Columns,
+    pub columns: ColumnFormulas,
 }
 
 impl EulerPoincareSpec<'_> {

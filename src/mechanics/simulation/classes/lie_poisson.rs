@@ -8,8 +8,8 @@ use crate::mechanics::simulation::group::{GroupVisitor, SimulationGroup, element
 use crate::mechanics::simulation::integration::Integration;
 use crate::mechanics::simulation::methods::{Class, Method};
 use crate::mechanics::simulation::motion::{Started, simulation};
-use crate::mechanics::simulation::observables::{Columns, Observables, ObservationPoint};
-use crate::mechanics::simulation::quantities::{FormulaScope, Quantity};
+use crate::mechanics::simulation::observables::{ColumnFormulas, Observables, ObservationPoint};
+use crate::mechanics::simulation::quantities::{FormulaScope, MotionQuantity};
 use crate::mechanics::{CotangentSystem, State, System};
 use affinor_tensors::expression::ExpressionError;
 use nalgebra::DVector;
@@ -32,7 +32,9 @@ impl Hamiltonian {
     /// As [`Formula::parse`](crate::mechanics::formula::Formula::parse); also for quantities other than components of the momentum and parameters.
     pub fn read(text: &str, observables: &Observables) -> Result<Self, ExpressionError> {
         let mut scope = FormulaScope::default();
-        let allowed = |quantity| matches!(quantity, Quantity::Momentum(_) | Quantity::Parameter(_));
+        let allowed = |quantity| {
+            matches!(quantity, MotionQuantity::Momentum(_) | MotionQuantity::Parameter(_))
+        };
         let gradient = scope.read(text, observables.names(), &allowed)?.differentiated();
         Ok(Hamiltonian { scope, gradient, text: text.trim().into(), buffers: RefCell::default() })
     }
@@ -42,7 +44,7 @@ impl Hamiltonian {
         let (values, slopes, workspace) = &mut *self.buffers.borrow_mut();
         let h = momentum.components();
         let value = |quantity| match quantity {
-            Quantity::Momentum(i) => h[i],
+            MotionQuantity::Momentum(i) => h[i],
             _ => f64::NAN,
         };
         self.scope.evaluate(value, values);
@@ -53,7 +55,7 @@ impl Hamiltonian {
         slopes.clear();
         slopes.resize(h.len(), 0.0);
         for (k, slope) in derivatives {
-            if let Quantity::Momentum(i) = self.scope.quantities()[k] {
+            if let MotionQuantity::Momentum(i) = self.scope.quantities()[k] {
                 slopes[i] = slope;
             }
         }
@@ -76,7 +78,7 @@ pub struct LiePoissonSpec {
     /// The method; by default `rkmk4` with a step, and else a controlled one.
     pub integration: Integration,
     /// The columns.
-    pub columns: Columns,
+    pub columns: ColumnFormulas,
 }
 
 impl LiePoissonSpec {

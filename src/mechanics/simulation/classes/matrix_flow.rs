@@ -127,7 +127,7 @@ fn numbered(stem: &str, n: usize) -> Vec<String> {
     (1..=n).map(|i| format!("{stem}{i}")).collect()
 }
 
-/// Columns of the entries of a small matrix, row by row; none for large matrices.
+/// ColumnFormulas of the entries of a small matrix, row by row; none for large matrices.
 fn entries(stem: &str, n: usize) -> Vec<(String, bool)> {
     let n = if n > SMALL { 0 } else { n };
     (1..=n).flat_map(|i| (1..=n).map(move |j| (format!("{stem}{i}{j}"), false))).collect()

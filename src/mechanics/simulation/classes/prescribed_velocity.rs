@@ -7,8 +7,10 @@ use crate::mechanics::integrators::{KinematicState, PrescribedVelocity};
 use crate::mechanics::simulation::group::{GroupVisitor, SimulationGroup, element, visit};
 use crate::mechanics::simulation::methods::Method;
 use crate::mechanics::simulation::motion::{Motion, ObservedMotion, simulation};
-use crate::mechanics::simulation::observables::{Buffers, Columns, Observables, ObservationPoint};
-use crate::mechanics::simulation::quantities::{FormulaScope, Quantity, SymbolTable};
+use crate::mechanics::simulation::observables::{
+    Buffers, ColumnFormulas, Observables, ObservationPoint,
+};
+use crate::mechanics::simulation::quantities::{FormulaScope, MotionQuantity, SymbolTable};
 use crate::mechanics::simulation::stepper::Stepper;
 use affinor_tensors::expression::ExpressionError;
 use nalgebra::DVector;
@@ -29,7 +31,8 @@ impl VelocityFormulas {
     /// # Errors
     /// As [`Formula::parse`], and if the formula uses other names than `t` and parameters.
     pub fn add(&mut self, text: &str, names: &SymbolTable) -> Result<(), ExpressionError> {
-        let allowed = |quantity| matches!(quantity, Quantity::Time | Quantity::Parameter(_));
+        let allowed =
+            |quantity| matches!(quantity, MotionQuantity::Time | MotionQuantity::Parameter(_));
         self.formulas.push(self.scope.read(text, names, &allowed)?);
         Ok(())
     }
@@ -56,7 +59,7 @@ pub struct PrescribedVelocitySpec {
     /// The largest step.
     pub step: f64,
     /// The columns.
-    pub columns: Columns,
+    pub columns: ColumnFormulas,
 }
 
 impl PrescribedVelocitySpec {
@@ -96,7 +99,7 @@ struct Moving<G: LieGroup> {
     system: PrescribedVelocity<G, Rate<G>>,
     velocity: VelocityFormulas,
     observables: Observables,
-    columns: Columns,
+    columns: ColumnFormulas,
     buffers: RefCell<Buffers>,
 }
 

@@ -3,18 +3,18 @@
 use nalgebra::{Complex, ComplexField, DMatrix};
 
 /// An entry of a matrix: a real or a complex float.
-pub trait Entry: ComplexField<RealField = f64> + Copy {
+pub trait MatrixEntry: ComplexField<RealField = f64> + Copy {
     /// The product of matrices.
     fn product(a: &DMatrix<Self>, b: &DMatrix<Self>) -> DMatrix<Self>;
 }
 
-impl Entry for f64 {
+impl MatrixEntry for f64 {
     fn product(a: &DMatrix<f64>, b: &DMatrix<f64>) -> DMatrix<f64> {
         a * b
     }
 }
 
-impl Entry for Complex<f64> {
+impl MatrixEntry for Complex<f64> {
     // nalgebra has fast products of real matrices only: for size 129 these four take a fifth of the time
     fn product(a: &DMatrix<Self>, b: &DMatrix<Self>) -> DMatrix<Self> {
         let [a_re, b_re] = [a, b].map(|m| m.map(|z| z.re));
