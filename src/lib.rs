@@ -55,6 +55,8 @@ pub use geometry::forms::Form;
 pub use geometry::metric::Metric;
 pub use geometry::reductive::ReductivePair;
 pub use geometry::{ConnectionKind, FrameOrigin, Geometry};
+/// The vectors and matrices of group elements.
+pub use nalgebra;
 
 /// The program of the README, as a doctest.
 #[cfg(doctest)]

@@ -7,7 +7,7 @@
 //!   [`PrescribedVelocitySpec`] and [`MatrixFlow`] start motions on groups chosen at run time;
 //! - [`Method`]: the methods of integration, one row of a table for each; [`Integration`]: how one motion is integrated;
 //! - [`quantities`]: the names that formulas may use; [`Observables`]: their values at a point of a motion;
-//! - [`Forces`] and potentials as formulas, and tables over time ([`Table`]);
+//! - [`Forces`] and potentials as formulas, and tables over time ([`ForceTable`]);
 //! - [`Crossings`] finds events along a motion;
 //! - [`SimulationGroup`]: what a group provides for all this.
 

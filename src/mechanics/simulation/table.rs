@@ -15,7 +15,7 @@ pub struct ForceTable {
     is_held: bool,
 }
 
-/// An interval between two rows of a [`Table`], or before the first or after the last: the number of rows before it.
+/// An interval between two rows of a [`ForceTable`], or before the first or after the last: the number of rows before it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Interval(usize);
 

@@ -401,3 +401,26 @@ fn complex_structures_of_quaternions() {
     // none: at 5, of which -1 is a square, the quaternions are no matrices
     assert_eq!(is_complex(quaternions(-2, -5), "quaternions"), Some((true, false)));
 }
+
+/// Chu's theorem does not apply to algebras that are neither unimodular nor solvable: `aff(n)` has an exact symplectic form, and
+/// sums of symplectic algebras are symplectic.
+#[test]
+fn symplectic_forms_without_unimodularity() {
+    for name in ["aff(2)", "aff(2)+R^2", "aff(2)+aff(1)", "aff(2)+heisenberg(3)+R^1"] {
+        assert_eq!(is_symplectic(catalogued(name), name), Some(true), "{name}");
+        assert_eq!(is_symplectic(scrambled(&catalogued(name), 5), name), Some(true), "{name}");
+    }
+}
+
+/// `a + b` is a contact form if `d a` is symplectic on one summand and `b` is a contact form on the other.
+#[test]
+fn contact_forms_of_large_sums() {
+    for name in [
+        "aff(2)+heisenberg(3)",
+        "aff(1)+aff(1)+heisenberg(5)",
+        "heisenberg(11)",
+        "aff(2)+aff(1)+aff(1)+heisenberg(3)",
+    ] {
+        assert_eq!(is_contact(catalogued(name), name), Some(true), "{name}");
+    }
+}

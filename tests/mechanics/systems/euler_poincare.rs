@@ -6,7 +6,9 @@ use affinor::group::{
     Coordinates, Heisenberg, LieGroup, MatrixGroup, Se2, Se3, Sl2, So3, TranslationSplit,
 };
 use affinor::mechanics::systems::euler_poincare::{Free, Torque};
-use affinor::mechanics::{Adaptive, CommutatorFree, EulerPoincare, Integrator, MuntheKaas, State};
+use affinor::mechanics::{
+    Adaptive, CommutatorFree, CotangentSystem, EulerPoincare, Integrator, MuntheKaas, State,
+};
 use affinor::{CanonicalConnection, Connection, Error, Metric};
 use affinor_tensors::{Down, Tensor};
 use nalgebra::{Const, DMatrix, DVector, Matrix3, UnitQuaternion, Vector3, Vector6};
@@ -58,6 +60,38 @@ fn spatial_momentum_of_rotations_is_exact() {
     let h = [&start, &end].map(|state| state.spatial_momentum(&turns));
     assert!((&h[0] - &h[1]).norm() < 1e-14, "{h:?}");
     assert!((body.velocity(&end) - body.velocity(&start)).norm() > 0.05);
+}
+
+/// The scales of a body are its largest moment of inertia, its mass, and the radius of gyration `sqrt(J/m)` in the unit of length.
+#[test]
+fn scales_have_their_units() {
+    for unit in [1e-3, 1.0, 1e4] {
+        let moments = [2.0, 3.0, 4.0].map(|moment| moment * unit * unit);
+        let diagonal = moments.into_iter().chain([5.0; 3]).enumerate();
+        let metric = Tensor::from_components(6, &[Down, Down], diagonal.map(|(i, m)| ([i, i], m)));
+        let metric = Metric::new(Se3.algebra().unwrap().labels(), metric.unwrap()).unwrap();
+        let body = system(Se3, CanonicalConnection::Plus, &metric, Free);
+        let sizes = body.sizes().unwrap();
+        assert_eq!(sizes.inertia, [moments[2], 5.0]);
+        assert!((sizes.length / unit - (4.0_f64 / 5.0).sqrt()).abs() < 1e-15, "{sizes:?}");
+    }
+}
+
+/// Without a torque `plus` conserves the spatial momentum of translations to the last bit, wherever the body is.
+#[test]
+fn spatial_momentum_of_translations_is_exact() {
+    let metric = full(&Se3);
+    let body = system(Se3, CanonicalConnection::Plus, &metric, Free);
+    let place = Se3.exp(&Vector6::new(0.4, -1.1, 0.7, 30.0, -200.0, 1e3));
+    let start = body.state(0.0, place, &Vector6::new(0.3, -0.7, 1.2, 5.0, 2.0, -3.0));
+    for end in [
+        run(&MuntheKaas::RK4, &body, &start, 5.0, 500),
+        run(&CommutatorFree, &body, &start, 5.0, 500),
+    ] {
+        let h = [&start, &end].map(|state| state.spatial_momentum(&Se3));
+        assert_eq!(h[0].fixed_rows::<3>(3), h[1].fixed_rows::<3>(3));
+        assert!((body.velocity(&end) - body.velocity(&start)).norm() > 0.1);
+    }
 }
 
 /// Without a torque `plus` conserves the spatial momentum to rounding and the energy to the
