@@ -262,7 +262,7 @@ fn nearest(value: &Rational, exact: &BigRational) -> Result<(), TestCaseError> {
 }
 
 #[test]
-#[should_panic(expected = "the sum fits this type")]
+#[should_panic(expected = "the sum overflows Ratio<i64>")]
 fn a_sum_of_word_rationals_panics_rather_than_wraps() {
     let largest = Ratio::from_integer(i64::MAX);
     let mut sum = <Ratio<i64> as Summable>::Sum::product(&largest, &largest);
