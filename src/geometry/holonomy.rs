@@ -34,7 +34,7 @@ impl<S: Field + Scalar> Connection<S> {
     /// let algebra = catalogue::algebra::<Rational>("heisenberg(3)")?;
     /// let metric = Metric::identity(3)?;
     /// let levi_civita = Connection::levi_civita(algebra.left_frame(), &metric)?;
-    /// assert_eq!(levi_civita.holonomy()?.rank(), 3);
+    /// assert_eq!(levi_civita.holonomy()?.dimension(), 3);
     /// # Ok::<(), affinor::Error>(())
     /// ```
     pub fn holonomy(&self) -> Result<Holonomy<S>, Error> {
