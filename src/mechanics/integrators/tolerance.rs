@@ -58,3 +58,35 @@ impl Allowed {
 fn ratio(error: f64, allowed: f64) -> f64 {
     if error == 0.0 { 0.0 } else { error / allowed.max(f64::MIN_POSITIVE) }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn assert_allowed(error: f64) {
+        assert!((error - 1.0).abs() < 1e-12, "{error}");
+    }
+
+    /// The table of [`Adaptive`](crate::mechanics::Adaptive), row by row: an error that is as large as the table says is 1.
+    #[test]
+    fn each_part_has_its_tolerance() {
+        let r = 1e-6;
+        let sizes = Sizes { inertia: [8.0, 2.0], length: 3.0 };
+        let by_default = Allowed::new(r, None, 4.0, Some(sizes));
+        assert_allowed(by_default.of_coordinates([r, 0.0], [9.9, 0.0]));
+        assert_allowed(by_default.of_coordinates([5.0 * r, 0.0], [50.0, 0.0]));
+        assert_allowed(by_default.of_coordinates([0.0, 3.0 * r], [0.0, 29.0]));
+        assert_allowed(by_default.of_coordinates([0.0, 7.0 * r], [0.0, 70.0]));
+        assert_allowed(by_default.of_coordinates([0.5 * r, 3.0 * r], [0.0, 0.0]));
+        // J r/span, and m (length r)/span
+        assert_allowed(by_default.of_momentum([2.0 * r, 0.0], [1.0, 0.0]));
+        assert_allowed(by_default.of_momentum([0.0, 1.5 * r], [0.0, 1.0]));
+        assert_allowed(by_default.of_momentum([6.0 * r, 0.0], [6.0, 0.0]));
+        let given = Allowed::new(r, Some([1e-3, 1e-2]), f64::INFINITY, Some(sizes));
+        assert_allowed(given.of_coordinates([1e-3, 0.0], [1.0, 0.0]));
+        assert_allowed(given.of_coordinates([0.0, 1e-2], [0.0, 1.0]));
+        assert_allowed(given.of_momentum([0.0, 3.0 * r], [0.0, 3.0]));
+        let unscaled = Allowed::new(r, None, 4.0, None);
+        assert_allowed(unscaled.of_momentum([2.0 * r, r], [0.5, 2.0]));
+    }
+}
