@@ -94,7 +94,8 @@
 //!   the direction is the first lower index. *Nonmetricity*: `Q_kij = (nabla_k g)_ij`.
 //! - *Sectional curvature*: `K(x,y) = g(R(x,y)y, x) / (g(x,x) g(y,y) - g(x,y)^2)`; with
 //!   *Levi-Civita* by Koszul's formula aff(1) is the hyperbolic plane. *Scalar*: `S = g^jl Ric_jl`.
-//! - *Einstein*: `G_jl = Ric_jl - 1/2 S g_jl`. *Kretschmann*: `Kr = R_ijkl R^ijkl`.
+//! - *Einstein*: `G_jl = Ric_jl - 1/2 S g_jl`. *Trace-free Ricci*: `tfRic_jl = Ric_jl - S/n g_jl`.
+//!   *Kretschmann*: `Kr = R_ijkl R^ijkl`.
 //! - *Contorsion* `K_ijk = (tau_ijk + tau_jik + tau_kij)/2` and *disformation*
 //!   `L_ijk = (Q_ijk - Q_jki - Q_kij)/2`, the first index lowered: `Lambda = LeviCivita + K + L`.
 //! - *Schouten*: `P_jl = (Ric_jl - S/(2(n-1)) g_jl)/(n-2)`. *Weyl*: `W^i_jkl = R^i_jkl - delta^i_k P_jl
@@ -159,6 +160,8 @@ pub const NABLA_CURVATURE: &str = "(nabla R)^i_mjkl = (nabla_m R)^i_jkl";
 pub const RICCI_SYMMETRIC: &str = "symRic_jl = 1/2 (Ric_jl + Ric_lj)";
 /// Antisymmetric part of the Ricci tensor.
 pub const RICCI_ANTISYMMETRIC: &str = "altRic_jl = 1/2 (Ric_jl - Ric_lj)";
+/// Trace-free part of the Ricci tensor.
+pub const RICCI_TRACE_FREE: &str = "tfRic_jl = Ric_jl - S/n g_jl";
 /// Einstein tensor.
 pub const EINSTEIN: &str = "G_jl = Ric_jl - 1/2 S g_jl";
 /// Schouten tensor.
@@ -196,6 +199,7 @@ pub const ALL: &[(&str, &[&str])] = &[
     ("Ricci, scalar", &[RICCI, SCALAR_CURVATURE]),
     ("sectional", &["K(x,y) = g(R(x,y)y, x) / (g(x,x) g(y,y) - g(x,y)^2)"]),
     ("Ricci, parts", &[RICCI_SYMMETRIC, RICCI_ANTISYMMETRIC]),
+    ("Ricci, trace-free", &[RICCI_TRACE_FREE]),
     ("Einstein", &[EINSTEIN]),
     ("Schouten, Weyl, Cotton", &[SCHOUTEN, WEYL, COTTON, "of Levi-Civita, in dimension n >= 3"]),
     ("Kretschmann", &[KRETSCHMANN]),

@@ -3,7 +3,7 @@
 //! In reading order:
 //! - [`LieGroup`], the trait of every group; [`Embedded`] for embedding coordinates, [`MatrixNotation`] for matrices in files,
 //!   [`TranslationSplit`] for integrators;
-//! - in `groups`, one file for each group: closed forms [`Translations`], [`So2`], [`So3`], [`Se2`], [`Se3`], [`Se23`], [`Sl2`], [`Heisenberg`];
+//! - in `groups`, one file for each group: closed forms [`Translations`], [`So2`], [`So3`], [`Se2`], [`Se3`], [`Se23`], [`Sl2`], [`Heisenberg`], [`Homotheties`];
 //!   general groups [`MatrixGroup`], [`Nilpotent`], [`Product`], [`Opposite`] (right-invariant systems);
 //! - [`AnyGroup`], a group chosen at run time, and the [`registry`] that knows all groups by name;
 //! - [`rotation`]: quaternions, matrices, Euler angles; [`batch`]: many rotations at once;
@@ -36,7 +36,7 @@ pub use any::AnyGroup;
 pub use coordinates::Coordinates;
 pub use embedded::Embedded;
 pub use groups::{
-    ExtendedPose, Heisenberg, MatrixGroup, Nilpotent, Opposite, Product, Translations,
+    ExtendedPose, Heisenberg, Homotheties, MatrixGroup, Nilpotent, Opposite, Product, Translations,
 };
 pub use groups::{Se2, Se3, Se23, Sl2, So2, So3};
 pub(crate) use left_frame::expect_left_frame;

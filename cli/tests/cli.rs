@@ -467,8 +467,8 @@ fn derived_tensors_are_shown_when_asked_for() {
     };
     let basic = "structure, affinities, torsion, curvature, ricci, scalar_curvature, metric, \
                  inverse_metric, nonmetricity, killing";
-    let derived = "nabla_torsion, nabla_curvature, ricci_symmetric, ricci_antisymmetric, einstein, \
-                   schouten, weyl, cotton, kretschmann";
+    let derived = "nabla_torsion, nabla_curvature, ricci_symmetric, ricci_antisymmetric, \
+                   ricci_trace_free, einstein, schouten, weyl, cotton, kretschmann";
     assert_eq!(keys(&["--show", "all"]).join(", "), basic);
     assert_eq!(keys(&["--show", "derived"]).join(", "), derived);
     assert_eq!(keys(&["--show", "all,derived"]).join(", "), format!("{basic}, {derived}"));

@@ -150,6 +150,7 @@ fn the_definitions_say_what_they_claim() {
         ("heisenberg.toml", "ricci", "ricci,1,1,,,-1/2\nricci,2,2,,,-1/2\nricci,3,3,,,1/2\n"),
         ("bianchi_vi_h.toml", "killing", "killing,3,3,,,h^2 + 1\n"),
         ("hyperbolic_space.toml", "weyl,kretschmann", "kretschmann,,,,,24\n"),
+        ("hyperbolic_space.toml", "ricci_trace_free", ""),
         ("complex_hyperbolic_plane.toml", "cotton", ""),
         ("jensen_so4.toml", "killing", JENSEN),
         ("milnor_nonunimodular.toml", "ricci_antisymmetric", ""),

@@ -77,6 +77,17 @@ fn groups_of_any_algebra() {
         &[1.0, 1.0, 4.0, 0.0, 1.0, 2.0, 0.0, 0.0, 1.0],
     );
     near(&numbers(&["compose", "heisenberg3", "1,0,0, 0,1,0"], ""), &[1.0, 1.0, 0.5]);
+    // a dilation by 2 about a point of the plane
+    near(
+        &numbers(&["exp", "hom(2)", &format!("{0},1,{0}", 2f64.ln())], ""),
+        &[2.0, 0.0, 1.0 / 2f64.ln(), 0.0, 2.0, 1.0, 0.0, 0.0, 1.0],
+    );
+    near(
+        &numbers(&["log", "hom(2)", "2,0,0, 0,2,3, 0,0,1"], ""),
+        &[2f64.ln(), 0.0, 3.0 * 2f64.ln()],
+    );
+    let (code, message) = refusal(&["log", "hom(1)", "-2,0,0,1"], "");
+    assert!(code == 1 && message.contains("the factor -2 of the dilation"), "{message}");
     // by brackets alone: elements are columns of coordinates
     let file = "examples/definitions/heisenberg.toml";
     near(&numbers(&["exp", file, "1,2,3"], ""), &[1.0, 2.0, 3.0]);

@@ -234,6 +234,8 @@ quantities! {
     ricci_symmetric: tensor;
     /// Antisymmetric part of the Ricci tensor, ``(Ric_jl - Ric_lj)/2``.
     ricci_antisymmetric: tensor;
+    /// Trace-free part of the Ricci tensor, ``Ric_jl - S/n g_jl``.
+    ricci_trace_free: tensor;
     /// Einstein tensor ``G_jl = Ric_jl - 1/2 S g_jl``.
     einstein: tensor;
     /// Schouten tensor ``P_jl = (Ric_jl - S/(2 (n - 1)) g_jl)/(n - 2)`` of a Levi-Civita connection.

@@ -130,6 +130,7 @@ static FAMILIES: &[Family] = &[
     kinematical::POINCARE,
     kinematical::GALILEI,
     kinematical::SIMILARITIES,
+    kinematical::HOMOTHETIES,
     kinematical::CONFORMAL,
     kinematical::SCHROEDINGER,
     kinematical::OSCILLATOR,

@@ -1,6 +1,7 @@
 //! The groups: one file for each.
 
 mod heisenberg;
+mod homotheties;
 mod matrix_group;
 mod nilpotent;
 mod opposite;
@@ -15,6 +16,7 @@ pub(super) mod so3;
 mod translations;
 
 pub use heisenberg::Heisenberg;
+pub use homotheties::Homotheties;
 pub use matrix_group::MatrixGroup;
 pub use nilpotent::Nilpotent;
 pub use opposite::Opposite;

@@ -16,8 +16,8 @@
 //! names of factor `k` end in `_k`, as in `x_2`, `qw_1` and `g11_2`.
 
 use super::{
-    AnyGroup, Heisenberg, MatrixGroup, Nilpotent, Product, Se2, Se3, Se23, Sl2, So2, So3,
-    Translations,
+    AnyGroup, Heisenberg, Homotheties, MatrixGroup, Nilpotent, Product, Se2, Se3, Se23, Sl2, So2,
+    So3, Translations,
 };
 use crate::algebra::catalogue;
 use crate::{Error, Law, LieAlgebra};
@@ -51,6 +51,9 @@ static FAMILIES: &[GroupFamily] = &[
     family("sl(2)", "matrices of size 2 and determinant 1", |_| AnyGroup::new(Sl2)),
     family("heisenberg(n)", "upper triangular matrices of size m + 2, n = 2m + 1", |n| {
         AnyGroup::new(Heisenberg::of_pairs(n / 2))
+    }),
+    family("hom(n)", "matrices [[a, b], [0, 1]] of size n + 1, a > 0", |n| {
+        AnyGroup::new(Homotheties::of_space(n))
     }),
 ];
 

@@ -41,9 +41,18 @@ fn names() -> Vec<String> {
         ["bianchi(V)", "bianchi(VI,h=-1/2)", "bianchi(VII,h=2)", "bianchi(VIII)", "bianchi(IX)"]
             .map(String::from)
             .to_vec(),
-        ["so*(4)", "u(2)", "usp(4)", "iso(2,1)", "galilei(2)", "sim(2)", "conformal(1,1)"]
-            .map(String::from)
-            .to_vec(),
+        [
+            "so*(4)",
+            "u(2)",
+            "usp(4)",
+            "iso(2,1)",
+            "galilei(2)",
+            "sim(2)",
+            "hom(3)",
+            "conformal(1,1)",
+        ]
+        .map(String::from)
+        .to_vec(),
         [
             "schroedinger(1)",
             "oscillator(4)",

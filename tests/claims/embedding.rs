@@ -82,10 +82,15 @@ const PADDED: [Quantity; 12] = [
 ];
 
 /// What is not: the formulas speak of the metric or of the dimension.
-const DENSE: [Quantity; 4] =
-    [Quantity::Einstein, Quantity::Schouten, Quantity::Weyl, Quantity::Cotton];
+const DENSE: [Quantity; 5] = [
+    Quantity::RicciTraceFree,
+    Quantity::Einstein,
+    Quantity::Schouten,
+    Quantity::Weyl,
+    Quantity::Cotton,
+];
 
-/// Einstein, Schouten, Weyl and Cotton of the sum, by nested loops over what is not zero.
+/// Trace-free Ricci, Einstein, Schouten, Weyl and Cotton of the sum, by nested loops over what is not zero.
 struct Dense<S> {
     n: usize,
     metric: Components<S>,
@@ -176,6 +181,9 @@ impl<S: Coefficient> Dense<S> {
 
     fn of(&self, quantity: Quantity) -> Components<S> {
         match quantity {
+            Quantity::RicciTraceFree => {
+                self.less_trace(S::from_i64(self.n as i64).recip().unwrap(), S::one())
+            }
             Quantity::Einstein => self.less_trace(S::from_i64(2).recip().unwrap(), S::one()),
             Quantity::Schouten => self.schouten(),
             Quantity::Weyl => self.weyl(),
@@ -225,8 +233,8 @@ fn embedded<S: Coefficient>(space: &Geometry<S>, place: &Place, dense: bool) {
     if dense && space.metric().is_some() {
         let expected = Dense::new(place, space);
         for quantity in DENSE {
-            let applies =
-                quantity == Quantity::Einstein || space.is_levi_civita().unwrap() && n > 2;
+            let of_any = [Quantity::RicciTraceFree, Quantity::Einstein].contains(&quantity);
+            let applies = of_any || space.is_levi_civita().unwrap() && n > 2;
             let found = of(&sum, quantity);
             assert_eq!(found.is_some(), applies, "{quantity:?} in dimension {n}");
             if let Some(found) = found {

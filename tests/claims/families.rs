@@ -58,6 +58,7 @@ compact(A2): su(3) 0 0
 compact(B3): so(7) 0 0
 sim(2):  4 2
 sim(3): su(2) 4 3
+hom(3):  4 3
 conformal(3,1): su(2,2) 0 0
 conformal(1,1): sl(2,R) + sl(2,R) 0 0
 schroedinger(1): sl(2,R) 3 3

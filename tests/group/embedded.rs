@@ -133,7 +133,8 @@ fn products_that_lose_their_digits() {
 /// Products of small vectors keep their digits: the series of Baker, Campbell and Hausdorff up to the third order.
 #[test]
 fn products_of_small_vectors() {
-    for name in ["so3", "se3", "sl2", "gl(2)", "so(4)", "so(2,1)", "sim(2)", "aff(1)+sl2"] {
+    for name in ["so3", "se3", "sl2", "gl(2)", "so(4)", "so(2,1)", "sim(2)", "hom(2)", "aff(1)+sl2"]
+    {
         let group = AnyGroup::named(name).unwrap();
         for size in [1e-150, 1e-12, 1e-8, 1e-5] {
             let vector = |numbers: [f64; 5]| {

@@ -9,9 +9,9 @@ use affinor::algebra::Complex;
 use affinor::group::fields::{InvariantField, Side, right_translate};
 use affinor::group::transport::ParallelTranslation;
 use affinor::group::{
-    AnyGroup, Coordinates, Embedded, Heisenberg, LieGroup, MatrixGroup, MatrixNotation, Nilpotent,
-    Opposite, Product, Se2, Se3, Se23, Sl2, So2, So3, TranslationSplit, Translations, laws,
-    registry,
+    AnyGroup, Coordinates, Embedded, Heisenberg, Homotheties, LieGroup, MatrixGroup,
+    MatrixNotation, Nilpotent, Opposite, Product, Se2, Se3, Se23, Sl2, So2, So3, TranslationSplit,
+    Translations, laws, registry,
 };
 use affinor::{CanonicalConnection, Connection, Error, Law, LieAlgebra, MatrixBasis};
 use affinor_tensors::Tolerance;
@@ -129,6 +129,8 @@ laws! {
     sl2: Sl2;
     heisenberg_3: Heisenberg::<Const<3>>::new();
     heisenberg_5: Heisenberg::<Const<5>>::new();
+    homotheties_2: Homotheties::<Const<2>>::new();
+    homotheties_4: Homotheties::<Const<4>>::new();
     translations: Translations(Const::<3>);
     position_and_attitude: Product(Translations(Const::<3>), So3);
     product_of_products: Product(Product(Sl2, So2), Heisenberg::<Const<3>>::new());
@@ -148,6 +150,7 @@ laws! {
     by_name_se23: AnyGroup::named("se_2(3)").unwrap();
     by_name_sum: AnyGroup::named("so3 + R^3 + so2").unwrap();
     by_name_nilpotent: AnyGroup::named("heisenberg(5) + R^2").unwrap();
+    by_name_homotheties: AnyGroup::named("hom(3)").unwrap();
     by_name_rigid_bodies: AnyGroup::named("se3+se3").unwrap();
     by_name_matrices: AnyGroup::named("sl2+su(2)").unwrap();
 }
@@ -212,6 +215,8 @@ fn brackets_are_those_of_the_catalogue() {
     agree(&Sl2, &floats("sl(2)"));
     agree(&Heisenberg::<Const<3>>::new(), &floats("heisenberg(3)"));
     agree(&Heisenberg::<Const<7>>::new(), &floats("heisenberg(7)"));
+    agree(&Homotheties::<Const<2>>::new(), &floats("hom(1)"));
+    agree(&Homotheties::<Const<4>>::new(), &floats("hom(3)"));
     agree(&matrices(&spins()), &floats("so(3)"));
     agree(&matrices(&units(3)), &floats("gl(3)"));
     agree(&MatrixGroup::from_basis(&pauli()).unwrap(), &floats("so(3)"));
@@ -290,6 +295,7 @@ fn closed_forms_agree_with_matrix_groups() {
     agree(&Se23, &numbers);
     agree(&Sl2, &numbers);
     agree(&Heisenberg::<Const<5>>::new(), &numbers);
+    agree(&Homotheties::<Const<4>>::new(), &numbers);
 }
 
 properties! {

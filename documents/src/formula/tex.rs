@@ -23,7 +23,7 @@ pub(crate) fn term(row: &[Node], first: bool) -> String {
 }
 
 /// Names of tensors and groups, set upright.
-const UPRIGHT: [&str; 5] = ["Ric", "symRic", "altRic", "Kr", "SO"];
+const UPRIGHT: [&str; 6] = ["Ric", "symRic", "altRic", "tfRic", "Kr", "SO"];
 /// Functions that LaTeX knows.
 const COMMANDS: [&str; 10] =
     ["exp", "log", "sin", "cos", "tan", "cot", "sinh", "cosh", "tanh", "det"];

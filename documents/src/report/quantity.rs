@@ -78,6 +78,8 @@ quantities! {
     RicciSymmetric, "ricci_symmetric", "Ricci tensor, symmetric part", "symRic", "\\mathrm{symRic}", "_jl", is::RICCI_SYMMETRIC;
     /// Antisymmetric part of the Ricci tensor.
     RicciAntisymmetric, "ricci_antisymmetric", "Ricci tensor, antisymmetric part", "altRic", "\\mathrm{altRic}", "_jl", is::RICCI_ANTISYMMETRIC;
+    /// Trace-free part of the Ricci tensor.
+    RicciTraceFree, "ricci_trace_free", "Ricci tensor, trace-free part", "tfRic", "\\mathrm{tfRic}", "_jl", is::RICCI_TRACE_FREE;
     /// Einstein tensor `G_jl`.
     Einstein, "einstein", "Einstein tensor", "G", "G", "_jl", is::EINSTEIN;
     /// Schouten tensor `P_jl` of a Levi-Civita connection.
@@ -226,6 +228,7 @@ impl Quantity {
             (Quantity::Metric, Some(metric)) => metric.components().clone(),
             (Quantity::InverseMetric, Some(metric)) => metric.inverse().clone(),
             (Quantity::Nonmetricity, Some(metric)) => connection.nonmetricity(metric)?,
+            (Quantity::RicciTraceFree, Some(metric)) => connection.ricci_trace_free(metric)?,
             (Quantity::Einstein, Some(metric)) => connection.einstein(metric)?,
             (Quantity::Kretschmann, Some(metric)) => scalar(connection.kretschmann(metric)?)?,
             (Quantity::Schouten | Quantity::Weyl | Quantity::Cotton, _)

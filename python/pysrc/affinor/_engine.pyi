@@ -225,6 +225,7 @@ class Geometry:
     nabla_curvature: Final[Tensor]
     ricci_symmetric: Final[Tensor]
     ricci_antisymmetric: Final[Tensor]
+    ricci_trace_free: Final[Tensor]
     einstein: Final[Tensor]
     schouten: Final[Tensor]
     weyl: Final[Tensor]

@@ -1,4 +1,4 @@
-//! Algebras of kinematics: Poincare, Galilei, conformal, similarities, Schroedinger, oscillator.
+//! Algebras of kinematics: Poincare, Galilei, conformal, similarities, homotheties, Schroedinger, oscillator.
 
 use super::orthogonal::rotations;
 use super::{Entry, Family, Reader, numbered, pair_count};
@@ -48,6 +48,20 @@ pub(super) const SIMILARITIES: Family = Family {
         count: 1,
         dimension: |n| (n[0] >= 1).then(|| pair_count(n[0].saturating_add(1)).saturating_add(1)),
         build: |name, n| similarities(name, n[0]),
+    },
+};
+
+/// hom(n).
+pub(super) const HOMOTHETIES: Family = Family {
+    pattern: "hom(n)",
+    needs: "n >= 1",
+    summary: "translations and dilations of R^n, a frame of hyperbolic space; basis d, translations p1..pn: \
+              [d,p_i] = p_i",
+    example: "hom(2)",
+    reader: Reader::Integers {
+        count: 1,
+        dimension: |n| (n[0] >= 1).then(|| n[0].saturating_add(1)),
+        build: |name, n| homotheties(name, n[0]),
     },
 };
 
@@ -123,6 +137,13 @@ fn similarities(name: String, n: usize) -> Entry {
     let signs = vec![1; n];
     let matrices = rotations(&signs).chain([dilation]).chain(translations);
     Entry::of_integer_matrices(name, labels, n + 1, matrices)
+}
+
+fn homotheties(name: String, n: usize) -> Entry {
+    let labels = [vec!["d".into()], numbered("p", n)].concat();
+    let dilation = (0..n).map(|i| (i, i, 1)).collect();
+    let translations = (0..n).map(|i| vec![(i, n, 1)]);
+    Entry::of_integer_matrices(name, labels, n + 1, [dilation].into_iter().chain(translations))
 }
 
 /// Matrices that preserve `eta + 2 x_n x_(n+1)`.

@@ -44,6 +44,18 @@ impl<S: Field + Scalar> Connection<S> {
         self.ricci_less_trace(metric, &half)
     }
 
+    /// The trace-free part of the Ricci tensor, slots `_jl`: `Ric_jl - S/n g_jl`. Where it is symmetric, as for a Levi-Civita
+    /// connection, it vanishes exactly if the metric is Einstein.
+    ///
+    /// # Errors
+    /// [`Error::Shape`] when the dimensions differ; [`Error::Tensor`] over a field in which `n` has no
+    /// inverse.
+    pub fn ricci_trace_free(&self, metric: &Metric<S>) -> Result<Tensor<S>, Error> {
+        let n = self.frame().dimension() as i64;
+        let share = S::from_i64(n).recip().ok_or(TensorError::NotInvertible(n))?;
+        self.ricci_less_trace(metric, &share)
+    }
+
     /// `Ric_jl - share S g_jl`.
     pub(super) fn ricci_less_trace(
         &self,

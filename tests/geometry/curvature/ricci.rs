@@ -1,4 +1,4 @@
-//! The tensors made of the curvature: Einstein, Schouten, Weyl, Cotton, Kretschmann, the parts of
+//! The tensors made of the curvature: trace-free Ricci, Einstein, Schouten, Weyl, Cotton, Kretschmann, the parts of
 //! Ricci, and the derivatives of torsion and curvature.
 
 use crate::common::algebras::{by_table, catalogued};
@@ -72,7 +72,7 @@ properties! {
         let ricci_squared = contract("r^i_j r^j_i ->", &[("r", &mixed)])?.to_scalar().unwrap();
         let scalar = connection.scalar_curvature(metric)?;
         let weyl_squared = square(&connection.weyl(metric)?, metric);
-        let expected = weyl_squared + &(ricci_squared * &fraction(4, n - 2))
+        let expected = weyl_squared + &(ricci_squared.clone() * &fraction(4, n - 2))
             - &(scalar.clone() * &scalar * &fraction(2, (n - 1) * (n - 2)));
         prop_assert_eq!(connection.kretschmann(metric)?, expected);
         for any in space.connections() {
@@ -82,7 +82,13 @@ properties! {
         let schouten = metric.trace(&connection.schouten(metric)?)?;
         prop_assert_eq!(schouten, scalar.clone() * &fraction(1, 2 * (n - 1)));
         let einstein = metric.trace(&connection.einstein(metric)?)?;
-        prop_assert_eq!(einstein, scalar * &fraction(2 - n, 2));
+        prop_assert_eq!(einstein, scalar.clone() * &fraction(2 - n, 2));
+        // |Ric|^2 is the sum of the squares of its trace-free part and of its trace
+        let free = connection.ricci_trace_free(metric)?;
+        prop_assert_eq!(metric.trace(&free)?, integer(0));
+        let mixed = free.raise(0, metric.inverse())?;
+        let square = contract("r^i_j r^j_i ->", &[("r", &mixed)])?.to_scalar().unwrap();
+        prop_assert_eq!(ricci_squared, square + &(scalar.clone() * &scalar * &fraction(1, n)));
     }
 
     /// The parts add up; without torsion the antisymmetric one is half a trace of the curvature.
@@ -127,11 +133,13 @@ properties! {
                 (0..n).fold(integer(0), |sum, m| sum + &(h.get(&[i, m]) * &p(m, k)))
             };
             let einstein = connection.einstein(metric)?;
+            let free = connection.ricci_trace_free(metric)?;
             let (schouten, weyl) = (connection.schouten(metric)?, connection.weyl(metric)?);
             let (cotton, nabla) = (connection.cotton(metric)?, connection.nabla(&schouten)?);
             let delta = |i: usize, k: usize| integer(i64::from(i == k));
             for [j, l] in (0..n * n).map(|key| [key / n, key % n]) {
                 prop_assert_eq!(einstein.get(&[j, l]), less(fraction(1, 2), j, l));
+                prop_assert_eq!(free.get(&[j, l]), less(fraction(1, n as i64), j, l));
                 prop_assert_eq!(schouten.get(&[j, l]), p(j, l));
                 for k in 0..n {
                     let curl = nabla.get(&[k, j, l]) - &nabla.get(&[l, j, k]);
