@@ -2,10 +2,13 @@
 
 import copy
 import json
+import types
 
 import jsonschema
 import pytest
 from test_command_line import ROOT, needs_command, run, spaces
+
+import affinor as af
 
 SCHEMA = json.loads((ROOT / "docs" / "table.schema.json").read_text(encoding="utf-8"))
 VALIDATOR = jsonschema.Draft202012Validator(SCHEMA)
@@ -26,6 +29,13 @@ def written(*arguments):
 
 def test_the_schema_is_one():
     jsonschema.Draft202012Validator.check_schema(SCHEMA)
+
+
+def test_every_quantity_is_a_property():
+    names = SCHEMA["properties"]["tensors"]["propertyNames"]["enum"]
+    assert len(names) > 15
+    for name in names:
+        assert isinstance(getattr(af.Geometry, name), types.GetSetDescriptorType), name
 
 
 @needs_command

@@ -175,11 +175,11 @@ methods! {
         AnySystem Controlled Pair::Eight;
     MuntheKaas4      "rkmk4"             4  "any group and any forces, with a step"
         AnySystem Fixed MuntheKaas::RK4;
-    Projected4       "projected4"        4  "any group and any forces, with a step"
+    Projected4       "projected4"        4  "a group with a projection and any forces, with a step"
         Projection Fixed Projected::RK4;
-    Projected54      "projected54"       5  "any group and any forces, with a step"
+    Projected54      "projected54"       5  "a group with a projection and any forces, to a tolerance"
         Projection Controlled Pair::Five;
-    Projected853     "projected853"      8  "any group and any forces, with a step"
+    Projected853     "projected853"      8  "a group with a projection and any forces, to a tolerance"
         Projection Controlled Pair::Eight;
     CommutatorFree4  "cf4"               4  "any group and any forces, with a step"
         AnySystem Fixed CommutatorFree;
