@@ -33,9 +33,9 @@ use std::process::ExitCode;
 /// Differential geometry of Lie groups, from a table of brackets.
 ///
 /// A SPACE is a geometry of the paper (M3, SO3), a name of the catalogue (so3, "so(3,1)", E8,
-/// "so3+R^3") or a definition file (x.toml, x.json, or - for standard input); it is left out where
-/// --basis and --bracket define it. It may carry its connection and metric:
-/// "so3@levi-civita;metric=diag(1,2,3)".
+/// "so3+R^3"), a file (x.toml, x.json, a table such as x.csv, or - for standard input), or brackets
+/// "[x,y]=z, [y,z]=x"; it is left out where --basis and --bracket define it. It may carry its
+/// connection and metric: "so3@levi-civita;metric=diag(1,2,3)".
 ///
 /// Exit status: 0 success; 1 the mathematics refuses, as for brackets that violate the Jacobi
 /// identity; 2 wrong usage or unreadable input; 130, 143 stopped by a signal.
