@@ -4,6 +4,7 @@ mod arguments;
 mod check;
 mod code;
 mod color;
+mod columns;
 mod compare;
 mod completions;
 mod conventions;

@@ -211,7 +211,7 @@ fn what_is_refused() {
     assert_eq!((outcome.status, outcome.out.lines().count()), (2, 1));
 }
 
-/// The head of CSV names the columns, and is skipped when it is read back.
+/// The head of CSV names the columns.
 #[test]
 fn columns_of_csv_have_names() {
     let head = |arguments: &[&str]| {
@@ -240,7 +240,8 @@ fn columns_of_csv_have_names() {
 #[test]
 fn headers_and_missing_numbers() {
     let expected = output(&["exp", "so3"], "1,2,3\n");
-    for header in ["x,y,z", "\"x\",\"y\",\"z\"", "x1 x2 x3", "\u{feff}x;y;z", "\"angle 1\", b 2,c"]
+    for header in
+        ["x,y,z", "\"x\",\"y\",\"z\"", "x1 x2 x3", "\u{feff}x;y;z", "e1,e2,e3", "v_1 v_2 v_3"]
     {
         assert_eq!(output(&["exp", "so3"], &format!("{header}\n1,2,3\n")), expected, "{header}");
     }
@@ -302,5 +303,70 @@ fn refused_rows_are_left_out_on_request() {
             let (code, message) = refusal(&[arguments, stop].concat(), "");
             assert!(code > 0 && message.contains(reason), "{arguments:?}: {message}");
         }
+    }
+}
+
+/// A head of input names the columns in any order; other names are refused.
+#[test]
+fn heads_order_the_columns_of_input() {
+    let convert = |from: &str, input: &str| {
+        output(&["convert", "--from", from, "--to", "vector", "--degrees"], input)
+    };
+    let turn = convert("quaternion", "0.7071068,0,0,0.7071068\n");
+    for input in [
+        "qx,qy,qz,qw\n0,0,0.7071068,0.7071068\n",
+        "z w x y\n0.7071068 0.7071068 0 0\n",
+        "\"W\";\"X\";\"Y\";\"Z\"\n0.7071068;0;0;0.7071068\n",
+    ] {
+        assert_eq!(convert("quaternion", input), turn, "{input}");
+    }
+    let angles = convert("ZYX", "10,20,30\n");
+    assert_eq!(convert("ZYX", "roll,pitch,yaw\n30,20,10\n"), angles);
+    assert_eq!(convert("ZYX", "angle3,angle1,angle2\n30,10,20\n"), angles);
+    assert_eq!(convert("xyz", "yaw,roll,pitch\n10,30,20\n"), convert("xyz", "30,20,10\n"));
+    let order = [
+        "convert",
+        "--from",
+        "quaternion",
+        "--to",
+        "quaternion",
+        "--order",
+        "xyzw",
+        "--format",
+        "csv",
+    ];
+    assert_eq!(output(&order, "0,0,1,0\n"), "x,y,z,w\n0,0,1,0\n");
+    assert_eq!(output(&order, "w,x,y,z\n0,0,0,1\n"), "x,y,z,w\n0,0,1,0\n");
+    // what affinor writes with a head is read back, with its columns in reverse order too
+    for (space, vector) in
+        [("so3", "0.1,0.2,0.3"), ("se(3)", "0.1,0.2,0.3,1,2,3"), ("so3+so2", "0.1,0.2,0.3,0.4")]
+    {
+        let written = output(&["exp", space, "--format", "csv", vector], "");
+        let reversed = |line: &str| line.split(',').rev().collect::<Vec<_>>().join(",") + "\n";
+        let reversed: String = written.lines().map(reversed).collect();
+        let log = |input: &str| output(&["log", space, "--format", "csv"], input);
+        assert_eq!(log(&reversed), log(&written), "{space}");
+    }
+    for (arguments, head, says) in [
+        (
+            &["convert", "--from", "quaternion", "--to", "vector"][..],
+            "q0,q1,q2,q3",
+            "columns named q0, q1, q2, q3 are not a quaternion",
+        ),
+        (
+            &["convert", "--from", "quaternion", "--to", "vector"],
+            "t,x,y,z",
+            "name the columns w, x, y, z; or qw, qx, qy, qz",
+        ),
+        (
+            &["convert", "--from", "ZXZ", "--to", "vector"],
+            "roll,pitch,yaw",
+            "are not a triple of Euler angles",
+        ),
+        (&["exp", "so3"], "a,b,c", "columns named a, b, c are not a vector"),
+        (&["log", "so2"], "g11,g12,g21,g21", "are not an element"),
+    ] {
+        let outcome = run(root(), arguments, format!("{head}\n0,0,0,0\n").as_bytes());
+        assert!(outcome.status == 2 && outcome.err.contains(says), "{head}: {}", outcome.err);
     }
 }

@@ -43,10 +43,10 @@ fn semidirect(n: usize, random: &mut Random) -> String {
     let mut text =
         format!("basis {}\n", (1..=n).map(|i| format!("e{i}")).collect::<Vec<_>>().join(" "));
     for j in 2..=n {
-        let mut terms = vec![format!("{} e{n}", random.value())];
+        let mut terms = vec![format!("{}*e{n}", random.value())];
         terms.extend(
             (0..random.below(3))
-                .map(|_| format!("{} e{}", random.value(), random.below(n - 1) + 2)),
+                .map(|_| format!("{}*e{}", random.value(), random.below(n - 1) + 2)),
         );
         writeln!(text, "[e1, e{j}] = {} # a comment", terms.join(" - ")).unwrap();
     }
@@ -121,7 +121,7 @@ fn columns_are_read_by_their_names() {
 #[test]
 fn differentials_of_nilmanifolds_are_read() {
     let mut random = Random(13);
-    for n in 3..=15 {
+    for n in 3..=15usize {
         let generators = n.div_ceil(2).max(2);
         let (mut list, mut brackets) = (vec![format!("0^{generators}")], String::new());
         for k in generators + 1..=n {
@@ -135,7 +135,7 @@ fn differentials_of_nilmanifolds_are_read() {
             let sign = if negative { "-" } else { "" };
             list.push(format!("{sign}{value}*{pair}"));
             let opposite = if negative { "" } else { "-" };
-            writeln!(brackets, "[e{i}, e{j}] = {opposite}{value} e{k}").unwrap();
+            writeln!(brackets, "[e{i}, e{j}] = {opposite}{value}*e{k}").unwrap();
         }
         let list = format!("({})", list.join(","));
         // each pair of indices may occur for several k

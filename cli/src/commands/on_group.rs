@@ -1,9 +1,10 @@
 //! `affinor exp`, `log`, `compose`, `adjoint`: operations of the group of a space.
 
+use super::columns::Expected;
 use super::failure::Failure;
 use super::note::{counted, note};
 use super::options::{Settings, SpaceOptions};
-use super::rows::{Expected, RowOutput, map_rows, vector};
+use super::rows::{RowOutput, map_rows, vector};
 use affinor::group::{AnyGroup, LieGroup, MatrixNotation};
 use clap::Args;
 use nalgebra::{DMatrix, DVector};
@@ -41,16 +42,22 @@ pub enum Operation {
 
 impl Arguments {
     pub fn run(&self, operation: Operation) -> Result<(), Failure> {
-        let group = self.open()?;
+        let (group, labels) = self.open()?;
         let (n, shape) = (group.dimension(), group.write(&group.identity()).shape());
         let a_vector = format!("a vector of this algebra of dimension {n}");
         let expected = match operation {
-            Operation::Exp | Operation::Adjoint => Expected { numbers: n, what: a_vector },
-            Operation::Compose => Expected { numbers: 2 * n, what: format!("twice {a_vector}") },
+            Operation::Exp | Operation::Adjoint => {
+                Expected::vector(n, a_vector).or(&labels).or(&["x", "y", "z"])
+            }
+            Operation::Compose => {
+                let pair = ["x", "y"].map(|letter| (1..=n).map(move |at| format!("{letter}{at}")));
+                let pair: Vec<String> = pair.into_iter().flatten().collect();
+                Expected::vector(2 * n, format!("twice {a_vector}")).or(&pair)
+            }
             Operation::Log => {
                 let (rows, columns) = shape;
                 let what = format!("an element of {rows} rows and {columns} columns");
-                Expected { numbers: rows * columns, what }
+                Expected::matrix(shape, what)
             }
         };
         let angles = Angles::new(self.degrees, &group);
@@ -82,10 +89,12 @@ impl Arguments {
         Ok(())
     }
 
-    fn open(&self) -> Result<AnyGroup, Failure> {
+    /// The group, and the names of its basis vectors.
+    fn open(&self) -> Result<(AnyGroup, Vec<String>), Failure> {
         self.settings.start_threads()?;
         let space = self.settings.open(Some(&self.space), &SpaceOptions::default())?;
-        Ok(space.in_floats()?.group(self.settings.tolerance()?)?)
+        let definition = space.in_floats()?;
+        Ok((definition.group(self.settings.tolerance()?)?, definition.labels.clone()))
     }
 }
 

@@ -77,6 +77,10 @@ pub(super) fn definition(source: &Source) -> Result<Definition, InputError> {
     let text = source.content();
     match NOTATIONS.iter().find(|notation| (notation.recognises)(text)) {
         Some(notation) => (notation.read)(source),
+        // the parser finds the first fault
+        None if source.name.ends_with(".toml") || source.name.ends_with(".json") => {
+            document(source)
+        }
         None => Err(unknown(source)),
     }
 }

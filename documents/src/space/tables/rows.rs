@@ -15,7 +15,8 @@ const VALUE: [&str; 5] = ["value", "c", "v", "coefficient", "constant"];
 pub(super) fn is_table(text: &str) -> bool {
     let first = first_line(text);
     let fields = fields(first, separator(first));
-    let separated = first.contains([',', ';', '\t']) || fields.iter().all(|field| is_index(field));
+    let separated =
+        first.contains([',', ';', '\t']) || fields.iter().take(3).all(|field| is_index(field));
     !first.contains(['(', '[', '{', '=', '<']) && fields.len() >= 4 && separated
 }
 
