@@ -20,6 +20,7 @@ mod output;
 mod paper;
 mod plot;
 mod properties;
+mod restore;
 mod rows;
 mod simulate;
 mod stages;
@@ -66,7 +67,7 @@ enum Command {
     /// Map coordinates x to the group element exp(x)
     Exp(on_group::Arguments),
     /// Map a group element, a matrix given row by row, to its coordinates
-    Log(on_group::Arguments),
+    Log(on_group::LogArguments),
     /// Compute the coordinates of exp(x) exp(y); a row is x, then y
     Compose(on_group::Arguments),
     /// Print the matrix of Ad at exp(x)
@@ -102,7 +103,7 @@ pub fn main() -> ExitCode {
         Command::Properties(arguments) => arguments.run(),
         Command::Equations(arguments) => arguments.run(),
         Command::Exp(arguments) => arguments.run(Operation::Exp),
-        Command::Log(arguments) => arguments.run(Operation::Log),
+        Command::Log(arguments) => arguments.run(),
         Command::Compose(arguments) => arguments.run(Operation::Compose),
         Command::Adjoint(arguments) => arguments.run(Operation::Adjoint),
         Command::Transport(arguments) => arguments.run(),

@@ -3,6 +3,7 @@
 use super::columns::Expected;
 use super::failure::Failure;
 use super::note::{counted, note};
+use super::restore::{Restore, Restored};
 use super::rows::{self, RowOutput, map_rows};
 use affinor::Error;
 use affinor::group::rotation;
@@ -34,6 +35,8 @@ pub struct Arguments {
     /// The order of the components of quaternions, read without a head and written
     #[arg(long, value_enum, value_name = "ORDER", default_value_t = Order::Wxyz)]
     pub order: Order,
+    #[command(flatten)]
+    pub restore: Restore,
     #[command(flatten)]
     pub output: RowOutput,
 }
@@ -144,12 +147,21 @@ impl Arguments {
             expected = expected.without_head([3, 0, 1, 2]);
         }
         let head = if ends[1] { "x,y,z,w" } else { self.to.head() };
+        let mut restored = Restored::default();
         map_rows(&self.rows, &expected, head, &self.output, |row| {
-            let g = self.from.rotation(row, unit)?;
+            let g = match self.from {
+                Kind::Matrix => {
+                    let matrix = DMatrix::from_row_slice(3, 3, row);
+                    let strict = |_: &DMatrix<f64>| self.from.rotation(row, unit);
+                    restored.read(&self.restore, &So3, &matrix, strict)?
+                }
+                from => from.rotation(row, unit)?,
+            };
             let (row, lock) = self.to.written(&g, unit)?;
             locked.set(locked.get() + u64::from(lock.is_some()));
             Ok(if ends[1] { DMatrix::from_fn(1, 4, |_, at| row[(at + 1) % 4]) } else { row })
         })?;
+        restored.note();
         if locked.get() > 0 {
             let rows = counted(locked.get(), "row");
             note(&format!("gimbal lock in {rows}: the last angle is set to 0 there"));

@@ -4,6 +4,7 @@ use super::columns::Expected;
 use super::failure::Failure;
 use super::note::{counted, note};
 use super::options::{Settings, SpaceOptions};
+use super::restore::{Restore, Restored};
 use super::rows::{RowOutput, map_rows, vector};
 use affinor::group::{AnyGroup, LieGroup, MatrixNotation};
 use clap::Args;
@@ -27,13 +28,28 @@ pub struct Arguments {
     pub output: RowOutput,
 }
 
+/// A group and its elements.
+#[derive(Args)]
+pub struct LogArguments {
+    #[command(flatten)]
+    pub arguments: Arguments,
+    #[command(flatten)]
+    pub restore: Restore,
+}
+
+impl LogArguments {
+    pub fn run(&self) -> Result<(), Failure> {
+        self.arguments.run(Operation::Log(&self.restore))
+    }
+}
+
 /// The operation on each row.
 #[derive(Clone, Copy)]
-pub enum Operation {
+pub enum Operation<'r> {
     /// From coordinates to the element.
     Exp,
     /// From an element to its coordinates.
-    Log,
+    Log(&'r Restore),
     /// From two coordinate vectors, concatenated, to the coordinates of the product.
     Compose,
     /// From coordinates to the matrix of `Ad`.
@@ -41,7 +57,7 @@ pub enum Operation {
 }
 
 impl Arguments {
-    pub fn run(&self, operation: Operation) -> Result<(), Failure> {
+    pub fn run(&self, operation: Operation<'_>) -> Result<(), Failure> {
         let (group, labels) = self.open()?;
         let (n, shape) = (group.dimension(), group.write(&group.identity()).shape());
         let a_vector = format!("a vector of this algebra of dimension {n}");
@@ -54,7 +70,7 @@ impl Arguments {
                 let pair: Vec<String> = pair.into_iter().flatten().collect();
                 Expected::vector(2 * n, format!("twice {a_vector}")).or(&pair)
             }
-            Operation::Log => {
+            Operation::Log(_) => {
                 let (rows, columns) = shape;
                 let what = format!("an element of {rows} rows and {columns} columns");
                 Expected::matrix(shape, what)
@@ -64,9 +80,9 @@ impl Arguments {
         let head = match operation {
             Operation::Exp => "g",
             Operation::Adjoint => "Ad",
-            Operation::Log | Operation::Compose => "x",
+            Operation::Log(_) | Operation::Compose => "x",
         };
-        let mut coarse = Coarse::default();
+        let (mut coarse, mut restored) = (Coarse::default(), Restored::default());
         map_rows(&self.rows, &expected, head, &self.output, |row| {
             Ok(match operation {
                 Operation::Exp => group.write(&group.exp(&angles.read(row))),
@@ -76,9 +92,9 @@ impl Arguments {
                     let product = group.log_product(&angles.read(x), &angles.read(y))?;
                     vector(&angles.written(product))
                 }
-                Operation::Log => {
+                Operation::Log(restore) => {
                     let element = DMatrix::from_row_slice(shape.0, shape.1, row);
-                    let g = group.read(&element)?;
+                    let g = restored.read(restore, &group, &element, |m| group.read(m))?;
                     let x = group.log(&g)?;
                     coarse.add(group.log_rounding(&g, &x), x.amax());
                     vector(&angles.written(x))
@@ -86,6 +102,7 @@ impl Arguments {
             })
         })?;
         coarse.note();
+        restored.note();
         Ok(())
     }
 
