@@ -370,3 +370,121 @@ fn heads_order_the_columns_of_input() {
         assert!(outcome.status == 2 && outcome.err.contains(says), "{head}: {}", outcome.err);
     }
 }
+
+/// Elements rounded to 3 to 8 digits are restored on all groups; without `--restore` those off the group are refused.
+#[test]
+fn rounded_elements_are_restored() {
+    let groups = [
+        ("so2", 1),
+        ("so3", 3),
+        ("so(4)", 6),
+        ("so(5)", 10),
+        ("se(2)", 3),
+        ("se(3)", 6),
+        ("sim(3)", 7),
+        ("sl2", 3),
+        ("sl(3)", 8),
+        ("gl(2)", 4),
+        ("su(2)", 3),
+        ("su(3)", 8),
+        ("so(2,1)", 3),
+        ("so(3,1)", 6),
+        ("heisenberg(3)", 3),
+        ("aff(2)", 6),
+        ("so3+so2", 4),
+        ("so3+R^2", 5),
+    ];
+    for (group, n) in groups {
+        let row = |k: usize| {
+            let entry = |i: usize| (0.7 * ((3 * k + i + 1) as f64 * 2.3).sin()).to_string();
+            (0..n).map(entry).collect::<Vec<_>>().join(",")
+        };
+        let vectors: Vec<String> = (0..3).map(row).collect();
+        let numbers = |text: &str| -> Vec<f64> {
+            text.lines()
+                .skip(1)
+                .flat_map(|line| line.split(','))
+                .map(|x| x.parse().unwrap())
+                .collect()
+        };
+        let exp = output(&["exp", group, "--format", "csv"], &(vectors.join("\n") + "\n"));
+        let exact = numbers(&format!("head\n{}", vectors.join("\n")));
+        for digits in 3..=8usize {
+            let round = |x: &str| format!("{:.digits$}", x.parse::<f64>().unwrap());
+            let line = |line: &str| line.split(',').map(round).collect::<Vec<_>>().join(",") + "\n";
+            let rounded: String = exp.lines().skip(1).map(line).collect();
+            let log = ["log", group, "--format", "csv", "--restore"];
+            let outcome = run(root(), &log, rounded.as_bytes());
+            assert_eq!(outcome.status, 0, "{group} {digits}: {}", outcome.err);
+            assert!(outcome.err.contains("3 rows restored"), "{}", outcome.err);
+            let close = |found: &[f64]| {
+                let off = found.iter().zip(&exact).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+                assert!(off < 20.0 * 0.1f64.powi(digits as i32), "{group} {digits}: {off:e}");
+            };
+            close(&numbers(&outcome.out));
+            // one tolerance for all groups: 1e-6
+            let strict = run(root(), &log[..4], rounded.as_bytes());
+            match strict.status {
+                0 => close(&numbers(&strict.out)),
+                _ => assert!(
+                    digits < 7 && strict.err.contains("--restore"),
+                    "{group} {digits}: {}",
+                    strict.err
+                ),
+            }
+        }
+    }
+    // a reflection, and a matrix far off
+    for element in ["-1,0,0,0,1,0,0,0,1", "1,0.5,0,0,1,0,0,0,1"] {
+        let outcome = run(root(), &["log", "so3", "--restore", element], b"");
+        assert!(outcome.status == 1 && outcome.err.contains("nearest element"), "{}", outcome.err);
+    }
+    let half_turn = "0.7071,0,0.7071,0,-1,0,0.7071,0,-0.7071";
+    let convert = [
+        "convert",
+        "--restore",
+        "--from",
+        "matrix",
+        "--to",
+        "vector",
+        "--format",
+        "csv",
+        half_turn,
+    ];
+    let found = output(&convert, "");
+    let angle = found
+        .lines()
+        .nth(1)
+        .unwrap()
+        .split(',')
+        .map(|x| x.parse::<f64>().unwrap().powi(2))
+        .sum::<f64>();
+    assert!((angle.sqrt() - std::f64::consts::PI).abs() < 1e-9, "{found}");
+}
+
+/// Logarithms are found up to the rounding of an angle near half a turn.
+#[test]
+fn logarithms_near_half_a_turn() {
+    type Vector = fn(f64) -> Vec<f64>;
+    let groups: [(&str, Vector); 5] = [
+        ("sim(3)", |t| vec![t / 3f64.sqrt(), t / 3f64.sqrt(), t / 3f64.sqrt(), 0.5, 1.0, 1.0, 1.0]),
+        ("so(4)", |t| vec![t, 0.0, 0.0, 0.0, 0.0, 0.0]),
+        ("so(5)", |t| vec![t, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.1]),
+        ("so(3,1)", |t| vec![t, 0.0, 0.0, 0.3, 0.0, 0.0]),
+        ("su(3)", |t| vec![t, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]),
+    ];
+    for (group, vector) in groups {
+        for power in 1..=12 {
+            let x = vector(std::f64::consts::PI - 0.1f64.powi(power));
+            let row = x.iter().map(f64::to_string).collect::<Vec<_>>().join(",");
+            let g = output(&["exp", group, "--format", "csv", &row], "");
+            let log = output(&["log", group, "--format", "csv"], &g);
+            let found = log.lines().nth(1).unwrap().split(',').map(|x| x.parse::<f64>().unwrap());
+            let off = found.zip(&x).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+            assert!(off < 1e-13, "{group} {power}: {off:e}");
+        }
+    }
+    let g = output(&["exp", "gl(2)", "--format", "csv", "0.1,3.14159265,-3.14159265,0.1"], "");
+    let (code, message) = refusal(&["log", "gl(2)"], &g);
+    assert!(code == 1 && message.contains("too near pi"), "{message}");
+}

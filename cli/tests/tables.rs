@@ -112,7 +112,7 @@ fn columns_are_read_by_their_names() {
             "{order:?}"
         );
         // without a head the order is that of affinor
-        let plain: String = rows.iter().map(|row| row.join(" ") + "\n").collect();
+        let plain: String = rows.iter().map(|row| row.join(";") + "\n").collect();
         assert_eq!(structure("-", &plain), expected);
     }
 }

@@ -137,6 +137,8 @@ struct Entry<'t> {
     j: Cow<'t, str>,
     k: Cow<'t, str>,
     i: Cow<'t, str>,
+    /// Whether the value is subtracted.
+    negative: bool,
     value: &'t str,
     place: &'t str,
 }
@@ -149,32 +151,25 @@ fn algebra(
     entries: &[Entry],
     index: impl Fn(&str) -> Result<usize, String>,
 ) -> Result<Definition, InputError> {
-    let mut given = Pairs::new();
-    for Entry { j, k, i, value, place } in entries {
+    let (none, mut given) = (BTreeMap::new(), Pairs::new());
+    for Entry { j, k, i, negative, value, place } in entries {
         let place = source.whole(place);
         let index =
             |at: &str| index(at.trim()).map_err(|reason| InputError::usage(reason).at(&place));
-        add_constant(&mut given, [index(i)?, index(j)?, index(k)?], value.trim(), source, &place)?;
+        let at = [index(i)?, index(j)?, index(k)?];
+        let value = Names::open(&none, None).scalar(value.trim(), source)?;
+        add_constant(&mut given, at, if *negative { -value } else { value }, &place);
     }
     Ok(of_brackets(source, labels, given))
 }
 
 /// Adds `value e_i` to `[e_j, e_k]`; indices from 0.
-fn add_constant(
-    given: &mut Pairs,
-    [i, j, k]: [usize; 3],
-    value: &str,
-    source: &Source,
-    place: &Place,
-) -> Result<(), InputError> {
-    let none = BTreeMap::new();
-    let value = Names::open(&none, None).scalar(value, source)?;
+fn add_constant(given: &mut Pairs, [i, j, k]: [usize; 3], value: Symbolic, place: &Place) {
     let pair = given
         .entry((j, k))
         .or_insert_with(|| Given { value: BTreeMap::new(), place: place.clone() });
     let sum = pair.value.remove(&i).unwrap_or_else(|| Symbolic::from_i64(0));
     pair.value.insert(i, sum + &value);
-    Ok(())
 }
 
 /// [`algebra`] with the basis `e1`, ..., `en` and numbers from 1.

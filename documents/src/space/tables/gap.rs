@@ -57,6 +57,7 @@ fn program<'t>(source: &Source, text: &'t str) -> Result<Table<'t>, InputError> 
             j: (*j).into(),
             k: (*k).into(),
             i: pair[1].into(),
+            negative: false,
             value: pair[0],
             place: statement.trim(),
         }));
@@ -99,6 +100,7 @@ fn list<'t>(source: &Source, text: &'t str) -> Result<Table<'t>, InputError> {
                 j: (j + 1).to_string().into(),
                 k: (k + 1).to_string().into(),
                 i: (*i).into(),
+                negative: false,
                 value,
                 place: column,
             }));

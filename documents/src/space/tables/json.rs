@@ -79,7 +79,8 @@ pub(super) fn definition(source: &Source) -> Result<Definition, InputError> {
             .help("write it with --show structure"));
     };
     let n = labels.len();
-    let mut given = Pairs::new();
+    let (none, mut given) = (BTreeMap::new(), Pairs::new());
+    let names = Names::open(&none, None);
     for (at, Number(text)) in &components {
         let place = source.at(text);
         let refused = |reason: String| InputError::usage(reason).at(&place);
@@ -89,15 +90,14 @@ pub(super) fn definition(source: &Source) -> Result<Definition, InputError> {
         let index = |at: i64| number(&at.to_string(), n).map_err(refused);
         let source = source.excerpt(text);
         let at = [index(i)?, index(j)?, index(k)?];
-        add_constant(&mut given, at, source.content(), &source, &place)?;
+        let value = names.scalar(source.content(), &source)?;
+        add_constant(&mut given, at, value, &place);
     }
     let mut definition = of_brackets(&source, labels, given);
     if let Some(name) = &table.name {
         definition.name = name.to_string();
     }
     if let Some(Entries(factors)) = &table.factors {
-        let none = BTreeMap::new();
-        let names = Names::open(&none, None);
         let known = definition.parameters();
         let used = factors.iter().filter(|(name, _)| known.contains(name));
         let value = |(name, text): &(String, Text)| {

@@ -71,7 +71,14 @@ fn printed(source: &Source, call: &str) -> Result<Definition, InputError> {
         let ([_, value], [j, k, i]) = (&pair[..], &at[..]) else {
             return refuse(source, row, "an entry is [[i, j, k], v]");
         };
-        entries.push(Entry { j: (*j).into(), k: (*k).into(), i: (*i).into(), value, place: row });
+        entries.push(Entry {
+            j: (*j).into(),
+            k: (*k).into(),
+            i: (*i).into(),
+            negative: false,
+            value,
+            place: row,
+        });
     }
     numbered(source, n, &entries)
 }

@@ -95,7 +95,14 @@ pub(super) fn definition(source: &Source) -> Result<Definition, InputError> {
             return refuse(source, line, "this component is given twice");
         }
         let value = row[columns.value];
-        entries.push(Entry { i: i.into(), j: j.into(), k: k.into(), value, place: line });
+        entries.push(Entry {
+            i: i.into(),
+            j: j.into(),
+            k: k.into(),
+            negative: false,
+            value,
+            place: line,
+        });
     }
     if entries.is_empty() {
         let error =

@@ -57,7 +57,14 @@ pub(super) fn definition(source: &Source) -> Result<Definition, InputError> {
             let i = unquoted(i);
             used.push(i);
             let (j, k) = (canonical_name(j), canonical_name(k));
-            entries.push(Entry { j, k, i: canonical_name(i), value: number(value), place: item });
+            entries.push(Entry {
+                j,
+                k,
+                i: canonical_name(i),
+                negative: false,
+                value: number(value),
+                place: item,
+            });
         }
     }
     let (labels, named) = match named(text) {

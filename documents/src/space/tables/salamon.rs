@@ -44,10 +44,13 @@ pub(super) fn definition(source: &Source) -> Result<Definition, InputError> {
                     .at(&source.whole(if term.is_empty() { item } else { term }))
                     .help("write 12 for e^1 e^2, 1.10 for e^1 e^10, 2*12 with a factor"));
             };
-            // [e_j, e_i] has the sign of de^k
-            let (first, second) = if negative { (i, j) } else { (j, i) };
+            // e^j e^i = - e^i e^j
+            let rising = i.parse::<usize>().ok() <= j.parse().ok();
+            let (first, second) = if rising { (i, j) } else { (j, i) };
             let (j, k, i) = (first.into(), second.into(), k.to_string().into());
-            entries.push(Entry { j, k, i, value: factor, place: term });
+            // [e_i, e_j] has the opposite sign of de^k
+            let negative = rising != negative;
+            entries.push(Entry { j, k, i, negative, value: factor, place: term });
         }
     }
     if k == 0 {
