@@ -95,7 +95,9 @@ impl Arguments {
                 Operation::Log(restore) => {
                     let element = DMatrix::from_row_slice(shape.0, shape.1, row);
                     let g = restored.read(restore, &group, &element, |m| group.read(m))?;
-                    let x = group.log(&g)?;
+                    let x = group
+                        .log(&g)
+                        .map_err(|error| restored.refused(restore, &group, &element, error))?;
                     coarse.add(group.log_rounding(&g, &x), x.amax());
                     vector(&angles.written(x))
                 }

@@ -8,6 +8,9 @@ use affinor_documents::input::InputError;
 use clap::Args;
 use nalgebra::DMatrix;
 
+/// Advice where a matrix is not an element.
+const ADVICE: &str = "--restore takes the nearest element of the group";
+
 /// Whether matrices off the group are accepted.
 #[derive(Args)]
 pub struct Restore {
@@ -44,10 +47,25 @@ impl Restored {
             let is_off = matches!(error, Error::Invalid { .. });
             let error = InputError::from(error);
             match is_off {
-                true => error.help("--restore takes the nearest element of the group").into(),
+                true => error.help(ADVICE).into(),
                 false => error.into(),
             }
         })
+    }
+
+    /// The error of a logarithm, with advice if the nearest element has one.
+    pub fn refused<G: MatrixNotation>(
+        &self,
+        option: &Restore,
+        group: &G,
+        matrix: &DMatrix<f64>,
+        error: Error,
+    ) -> Failure {
+        let has_log = |(g, _): (G::Element, f64)| group.log(&g).is_ok();
+        match !option.restore && restored(group, matrix).is_ok_and(has_log) {
+            true => InputError::from(error).help(ADVICE).into(),
+            false => error.into(),
+        }
     }
 
     /// Notes the largest change.
