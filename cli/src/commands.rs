@@ -4,6 +4,7 @@ mod arguments;
 mod check;
 mod code;
 mod color;
+mod columns;
 mod compare;
 mod completions;
 mod conventions;
@@ -19,6 +20,7 @@ mod output;
 mod paper;
 mod plot;
 mod properties;
+mod restore;
 mod rows;
 mod simulate;
 mod stages;
@@ -33,9 +35,9 @@ use std::process::ExitCode;
 /// Differential geometry of Lie groups, from a table of brackets.
 ///
 /// A SPACE is a geometry of the paper (M3, SO3), a name of the catalogue (so3, "so(3,1)", E8,
-/// "so3+R^3") or a definition file (x.toml, x.json, or - for standard input); it is left out where
-/// --basis and --bracket define it. It may carry its connection and metric:
-/// "so3@levi-civita;metric=diag(1,2,3)".
+/// "so3+R^3"), a file (x.toml, x.json, a table such as x.csv, or - for standard input), or brackets
+/// "[x,y]=z, [y,z]=x"; it is left out where --basis and --bracket define it. It may carry its
+/// connection and metric: "so3@levi-civita;metric=diag(1,2,3)".
 ///
 /// Exit status: 0 success; 1 the mathematics refuses, as for brackets that violate the Jacobi
 /// identity; 2 wrong usage or unreadable input; 130, 143 stopped by a signal.
@@ -65,7 +67,7 @@ enum Command {
     /// Map coordinates x to the group element exp(x)
     Exp(on_group::Arguments),
     /// Map a group element, a matrix given row by row, to its coordinates
-    Log(on_group::Arguments),
+    Log(on_group::LogArguments),
     /// Compute the coordinates of exp(x) exp(y); a row is x, then y
     Compose(on_group::Arguments),
     /// Print the matrix of Ad at exp(x)
@@ -101,7 +103,7 @@ pub fn main() -> ExitCode {
         Command::Properties(arguments) => arguments.run(),
         Command::Equations(arguments) => arguments.run(),
         Command::Exp(arguments) => arguments.run(Operation::Exp),
-        Command::Log(arguments) => arguments.run(Operation::Log),
+        Command::Log(arguments) => arguments.run(),
         Command::Compose(arguments) => arguments.run(Operation::Compose),
         Command::Adjoint(arguments) => arguments.run(Operation::Adjoint),
         Command::Transport(arguments) => arguments.run(),

@@ -222,7 +222,7 @@ fn what_is_refused() {
     assert_eq!((outcome.status, outcome.out.lines().count()), (2, 1));
 }
 
-/// The head of CSV names the columns, and is skipped when it is read back.
+/// The head of CSV names the columns.
 #[test]
 fn columns_of_csv_have_names() {
     let head = |arguments: &[&str]| {
@@ -251,7 +251,8 @@ fn columns_of_csv_have_names() {
 #[test]
 fn headers_and_missing_numbers() {
     let expected = output(&["exp", "so3"], "1,2,3\n");
-    for header in ["x,y,z", "\"x\",\"y\",\"z\"", "x1 x2 x3", "\u{feff}x;y;z", "\"angle 1\", b 2,c"]
+    for header in
+        ["x,y,z", "\"x\",\"y\",\"z\"", "x1 x2 x3", "\u{feff}x;y;z", "e1,e2,e3", "v_1 v_2 v_3"]
     {
         assert_eq!(output(&["exp", "so3"], &format!("{header}\n1,2,3\n")), expected, "{header}");
     }
@@ -314,4 +315,187 @@ fn refused_rows_are_left_out_on_request() {
             assert!(code > 0 && message.contains(reason), "{arguments:?}: {message}");
         }
     }
+}
+
+/// A head of input names the columns in any order; other names are refused.
+#[test]
+fn heads_order_the_columns_of_input() {
+    let convert = |from: &str, input: &str| {
+        output(&["convert", "--from", from, "--to", "vector", "--degrees"], input)
+    };
+    let turn = convert("quaternion", "0.7071068,0,0,0.7071068\n");
+    for input in [
+        "qx,qy,qz,qw\n0,0,0.7071068,0.7071068\n",
+        "z w x y\n0.7071068 0.7071068 0 0\n",
+        "\"W\";\"X\";\"Y\";\"Z\"\n0.7071068;0;0;0.7071068\n",
+    ] {
+        assert_eq!(convert("quaternion", input), turn, "{input}");
+    }
+    let angles = convert("ZYX", "10,20,30\n");
+    assert_eq!(convert("ZYX", "roll,pitch,yaw\n30,20,10\n"), angles);
+    assert_eq!(convert("ZYX", "angle3,angle1,angle2\n30,10,20\n"), angles);
+    assert_eq!(convert("xyz", "yaw,roll,pitch\n10,30,20\n"), convert("xyz", "30,20,10\n"));
+    let order = [
+        "convert",
+        "--from",
+        "quaternion",
+        "--to",
+        "quaternion",
+        "--order",
+        "xyzw",
+        "--format",
+        "csv",
+    ];
+    assert_eq!(output(&order, "0,0,1,0\n"), "x,y,z,w\n0,0,1,0\n");
+    assert_eq!(output(&order, "w,x,y,z\n0,0,0,1\n"), "x,y,z,w\n0,0,1,0\n");
+    // what affinor writes with a head is read back, with its columns in reverse order too
+    for (space, vector) in
+        [("so3", "0.1,0.2,0.3"), ("se(3)", "0.1,0.2,0.3,1,2,3"), ("so3+so2", "0.1,0.2,0.3,0.4")]
+    {
+        let written = output(&["exp", space, "--format", "csv", vector], "");
+        let reversed = |line: &str| line.split(',').rev().collect::<Vec<_>>().join(",") + "\n";
+        let reversed: String = written.lines().map(reversed).collect();
+        let log = |input: &str| output(&["log", space, "--format", "csv"], input);
+        assert_eq!(log(&reversed), log(&written), "{space}");
+    }
+    for (arguments, head, says) in [
+        (
+            &["convert", "--from", "quaternion", "--to", "vector"][..],
+            "q0,q1,q2,q3",
+            "columns named q0, q1, q2, q3 are not a quaternion",
+        ),
+        (
+            &["convert", "--from", "quaternion", "--to", "vector"],
+            "t,x,y,z",
+            "name the columns w, x, y, z; or qw, qx, qy, qz",
+        ),
+        (
+            &["convert", "--from", "ZXZ", "--to", "vector"],
+            "roll,pitch,yaw",
+            "are not a triple of Euler angles",
+        ),
+        (&["exp", "so3"], "a,b,c", "columns named a, b, c are not a vector"),
+        (&["log", "so2"], "g11,g12,g21,g21", "are not an element"),
+    ] {
+        let outcome = run(root(), arguments, format!("{head}\n0,0,0,0\n").as_bytes());
+        assert!(outcome.status == 2 && outcome.err.contains(says), "{head}: {}", outcome.err);
+    }
+}
+
+/// Elements rounded to 3 to 8 digits are restored on all groups; without `--restore` those off the group are refused.
+#[test]
+fn rounded_elements_are_restored() {
+    let groups = [
+        ("so2", 1),
+        ("so3", 3),
+        ("so(4)", 6),
+        ("so(5)", 10),
+        ("se(2)", 3),
+        ("se(3)", 6),
+        ("sim(3)", 7),
+        ("sl2", 3),
+        ("sl(3)", 8),
+        ("gl(2)", 4),
+        ("su(2)", 3),
+        ("su(3)", 8),
+        ("so(2,1)", 3),
+        ("so(3,1)", 6),
+        ("heisenberg(3)", 3),
+        ("aff(2)", 6),
+        ("so3+so2", 4),
+        ("so3+R^2", 5),
+    ];
+    for (group, n) in groups {
+        let row = |k: usize| {
+            let entry = |i: usize| (0.7 * ((3 * k + i + 1) as f64 * 2.3).sin()).to_string();
+            (0..n).map(entry).collect::<Vec<_>>().join(",")
+        };
+        let vectors: Vec<String> = (0..3).map(row).collect();
+        let numbers = |text: &str| -> Vec<f64> {
+            text.lines()
+                .skip(1)
+                .flat_map(|line| line.split(','))
+                .map(|x| x.parse().unwrap())
+                .collect()
+        };
+        let exp = output(&["exp", group, "--format", "csv"], &(vectors.join("\n") + "\n"));
+        let exact = numbers(&format!("head\n{}", vectors.join("\n")));
+        for digits in 3..=8usize {
+            let round = |x: &str| format!("{:.digits$}", x.parse::<f64>().unwrap());
+            let line = |line: &str| line.split(',').map(round).collect::<Vec<_>>().join(",") + "\n";
+            let rounded: String = exp.lines().skip(1).map(line).collect();
+            let log = ["log", group, "--format", "csv", "--restore"];
+            let outcome = run(root(), &log, rounded.as_bytes());
+            assert_eq!(outcome.status, 0, "{group} {digits}: {}", outcome.err);
+            assert!(outcome.err.contains("3 rows restored"), "{}", outcome.err);
+            let close = |found: &[f64]| {
+                let off = found.iter().zip(&exact).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+                assert!(off < 20.0 * 0.1f64.powi(digits as i32), "{group} {digits}: {off:e}");
+            };
+            close(&numbers(&outcome.out));
+            // one tolerance for all groups: 1e-6
+            let strict = run(root(), &log[..4], rounded.as_bytes());
+            match strict.status {
+                0 => close(&numbers(&strict.out)),
+                _ => assert!(
+                    digits < 7 && strict.err.contains("--restore"),
+                    "{group} {digits}: {}",
+                    strict.err
+                ),
+            }
+        }
+    }
+    // a reflection, and a matrix far off
+    for element in ["-1,0,0,0,1,0,0,0,1", "1,0.5,0,0,1,0,0,0,1"] {
+        let outcome = run(root(), &["log", "so3", "--restore", element], b"");
+        assert!(outcome.status == 1 && outcome.err.contains("nearest element"), "{}", outcome.err);
+    }
+    let half_turn = "0.7071,0,0.7071,0,-1,0,0.7071,0,-0.7071";
+    let convert = [
+        "convert",
+        "--restore",
+        "--from",
+        "matrix",
+        "--to",
+        "vector",
+        "--format",
+        "csv",
+        half_turn,
+    ];
+    let found = output(&convert, "");
+    let angle = found
+        .lines()
+        .nth(1)
+        .unwrap()
+        .split(',')
+        .map(|x| x.parse::<f64>().unwrap().powi(2))
+        .sum::<f64>();
+    assert!((angle.sqrt() - std::f64::consts::PI).abs() < 1e-9, "{found}");
+}
+
+/// Logarithms are found up to the rounding of an angle near half a turn.
+#[test]
+fn logarithms_near_half_a_turn() {
+    type Vector = fn(f64) -> Vec<f64>;
+    let groups: [(&str, Vector); 5] = [
+        ("sim(3)", |t| vec![t / 3f64.sqrt(), t / 3f64.sqrt(), t / 3f64.sqrt(), 0.5, 1.0, 1.0, 1.0]),
+        ("so(4)", |t| vec![t, 0.0, 0.0, 0.0, 0.0, 0.0]),
+        ("so(5)", |t| vec![t, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.1]),
+        ("so(3,1)", |t| vec![t, 0.0, 0.0, 0.3, 0.0, 0.0]),
+        ("su(3)", |t| vec![t, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]),
+    ];
+    for (group, vector) in groups {
+        for power in 1..=12 {
+            let x = vector(std::f64::consts::PI - 0.1f64.powi(power));
+            let row = x.iter().map(f64::to_string).collect::<Vec<_>>().join(",");
+            let g = output(&["exp", group, "--format", "csv", &row], "");
+            let log = output(&["log", group, "--format", "csv"], &g);
+            let found = log.lines().nth(1).unwrap().split(',').map(|x| x.parse::<f64>().unwrap());
+            let off = found.zip(&x).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+            assert!(off < 1e-13, "{group} {power}: {off:e}");
+        }
+    }
+    let g = output(&["exp", "gl(2)", "--format", "csv", "0.1,3.14159265,-3.14159265,0.1"], "");
+    let (code, message) = refusal(&["log", "gl(2)"], &g);
+    assert!(code == 1 && message.contains("too near pi"), "{message}");
 }

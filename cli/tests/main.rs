@@ -29,5 +29,6 @@ mod roots;
 #[cfg(unix)]
 mod simulate;
 mod snapshots;
+mod tables;
 mod values;
 mod verify;

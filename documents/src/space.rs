@@ -2,9 +2,10 @@
 //!
 //! A SPACE is a geometry of the paper, a catalogue name, a sum of names, a file, or brackets given inline ([`Space`]).
 //! Each becomes a [`Definition`], exact and symbolic, which is then converted to the scalar of the computation
-//! ([`Coefficient`](crate::Coefficient)). Files are TOML or JSON with the same keys.
+//! ([`Coefficient`](crate::Coefficient)). Files are TOML or JSON with the same keys, or tables of structure constants.
 //!
-//! In reading order: `definition` is the definition; `read` reads one from a file, `document` its keys and `notation` its expressions;
+//! In reading order: `definition` is the definition; `read` reads one from a file, `tables` chooses its notation, `document`
+//! reads its keys and `notation` its expressions;
 //! `request` has the SPACE of a command.
 
 mod chart;
@@ -13,7 +14,6 @@ mod definition;
 pub(crate) mod document;
 mod entry;
 mod functions;
-mod gap;
 mod group;
 pub(crate) mod notation;
 pub mod paper;
@@ -21,6 +21,7 @@ mod plane;
 mod read;
 mod request;
 pub(crate) mod setting;
+mod tables;
 
 pub use definition::Definition;
 use definition::{

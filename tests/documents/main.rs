@@ -6,6 +6,7 @@ mod common;
 
 mod space {
     mod chart;
+    mod tables;
 }
 mod figures;
 mod report;

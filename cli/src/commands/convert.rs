@@ -1,13 +1,15 @@
 //! `affinor convert`: coordinates of rotations, converted into one another.
 
+use super::columns::Expected;
 use super::failure::Failure;
 use super::note::{counted, note};
-use super::rows::{self, Expected, RowOutput, map_rows};
+use super::restore::{Restore, Restored};
+use super::rows::{self, RowOutput, map_rows};
 use affinor::Error;
 use affinor::group::rotation;
 use affinor::group::rotation::{GimbalLock, Sequence};
 use affinor::group::{LieGroup, So3};
-use clap::Args;
+use clap::{Args, ValueEnum};
 use nalgebra::{DMatrix, Matrix3, UnitQuaternion, Vector3};
 use std::cell::Cell;
 
@@ -16,7 +18,7 @@ const TOLERANCE: f64 = 1e-6;
 
 #[derive(Args)]
 pub struct Arguments {
-    /// The coordinates read: vector (a rotation vector), quaternion (w,x,y,z), matrix, gibbs or
+    /// The coordinates read: vector (a rotation vector), quaternion (w,x,y,z or --order), matrix, gibbs or
     /// modified (Rodrigues vectors), or Euler angles such as ZYX, about axes of the body, or zyx,
     /// about axes of space
     #[arg(long, value_name = "KIND", value_parser = kind)]
@@ -30,8 +32,20 @@ pub struct Arguments {
     /// Read and write rotation vectors and Euler angles in degrees
     #[arg(long)]
     pub degrees: bool,
+    /// The order of the components of quaternions, read without a head and written
+    #[arg(long, value_enum, value_name = "ORDER", default_value_t = Order::Wxyz)]
+    pub order: Order,
+    #[command(flatten)]
+    pub restore: Restore,
     #[command(flatten)]
     pub output: RowOutput,
+}
+
+/// An order of the components of a quaternion `w + x i + y j + z k`.
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Order {
+    Wxyz,
+    Xyzw,
 }
 
 /// Coordinates of rotations.
@@ -42,19 +56,35 @@ pub enum Kind {
     Matrix,
     Gibbs,
     Modified,
-    Euler(Sequence),
+    /// With the axes, as letters.
+    Euler(Sequence, [char; 3]),
 }
 
 impl Kind {
     fn expected(self) -> Expected {
-        let (numbers, what) = match self {
-            Kind::Vector => (3, "a rotation vector"),
-            Kind::Quaternion => (4, "a quaternion"),
-            Kind::Matrix => (9, "a rotation matrix"),
-            Kind::Gibbs | Kind::Modified => (3, "a Rodrigues vector"),
-            Kind::Euler(_) => (3, "a triple of Euler angles"),
-        };
-        Expected { numbers, what: what.into() }
+        const AXES: [&str; 3] = ["x", "y", "z"];
+        match self {
+            Kind::Vector => {
+                let expected = Expected::vector(3, "a rotation vector").or(&AXES);
+                expected.or(&["rx", "ry", "rz"]).or(&["wx", "wy", "wz"])
+            }
+            Kind::Quaternion => {
+                Expected::named(&["w", "x", "y", "z"], "a quaternion").or(&["qw", "qx", "qy", "qz"])
+            }
+            Kind::Matrix => Expected::matrix((3, 3), "a rotation matrix"),
+            Kind::Gibbs | Kind::Modified => Expected::vector(3, "a Rodrigues vector").or(&AXES),
+            Kind::Euler(_, axes) => {
+                let expected = Expected::vector(3, "a triple of Euler angles");
+                let name = |axis: char| match axis.to_ascii_uppercase() {
+                    'X' => "roll",
+                    'Y' => "pitch",
+                    _ => "yaw",
+                };
+                let names = axes.map(name);
+                // an axis that occurs twice has two angles
+                if names[0] == names[2] { expected } else { expected.or(&names) }
+            }
+        }
     }
 
     /// The names of the columns.
@@ -63,7 +93,7 @@ impl Kind {
             Kind::Vector | Kind::Gibbs | Kind::Modified => "x,y,z",
             Kind::Quaternion => "w,x,y,z",
             Kind::Matrix => "R",
-            Kind::Euler(_) => "angle",
+            Kind::Euler(..) => "angle",
         }
     }
 
@@ -75,7 +105,7 @@ impl Kind {
             Kind::Matrix => rotation::from_matrix(&Matrix3::from_row_slice(row), TOLERANCE)?,
             Kind::Gibbs => rotation::from_rodrigues(&vector()),
             Kind::Modified => rotation::from_modified_rodrigues(&vector()),
-            Kind::Euler(sequence) => sequence.rotation((vector() * unit).into()),
+            Kind::Euler(sequence, _) => sequence.rotation((vector() * unit).into()),
         })
     }
 
@@ -95,7 +125,7 @@ impl Kind {
             }
             Kind::Gibbs => (vector(rotation::rodrigues(g)?), None),
             Kind::Modified => (vector(rotation::modified_rodrigues(g)), None),
-            Kind::Euler(sequence) => {
+            Kind::Euler(sequence, _) => {
                 let found = sequence.angles(g);
                 (vector(Vector3::from(found.angles) / unit), found.lock)
             }
@@ -107,12 +137,31 @@ impl Arguments {
     pub fn run(&self) -> Result<(), Failure> {
         let unit = if self.degrees { 1f64.to_radians() } else { 1.0 };
         let locked = Cell::new(0u64);
-        map_rows(&self.rows, &self.from.expected(), self.to.head(), &self.output, |row| {
-            let g = self.from.rotation(row, unit)?;
+        let scalar_last = self.order == Order::Xyzw;
+        let ends = [self.from, self.to].map(|kind| matches!(kind, Kind::Quaternion) && scalar_last);
+        if scalar_last && ends == [false; 2] {
+            note("--order has no effect: no quaternion is read or written");
+        }
+        let mut expected = self.from.expected();
+        if ends[0] {
+            expected = expected.without_head([3, 0, 1, 2]);
+        }
+        let head = if ends[1] { "x,y,z,w" } else { self.to.head() };
+        let mut restored = Restored::default();
+        map_rows(&self.rows, &expected, head, &self.output, |row| {
+            let g = match self.from {
+                Kind::Matrix => {
+                    let matrix = DMatrix::from_row_slice(3, 3, row);
+                    let strict = |_: &DMatrix<f64>| self.from.rotation(row, unit);
+                    restored.read(&self.restore, &So3, &matrix, strict)?
+                }
+                from => from.rotation(row, unit)?,
+            };
             let (row, lock) = self.to.written(&g, unit)?;
             locked.set(locked.get() + u64::from(lock.is_some()));
-            Ok(row)
+            Ok(if ends[1] { DMatrix::from_fn(1, 4, |_, at| row[(at + 1) % 4]) } else { row })
         })?;
+        restored.note();
         if locked.get() > 0 {
             let rows = counted(locked.get(), "row");
             note(&format!("gimbal lock in {rows}: the last angle is set to 0 there"));
@@ -128,8 +177,11 @@ fn kind(name: &str) -> Result<Kind, String> {
         "matrix" => Kind::Matrix,
         "gibbs" => Kind::Gibbs,
         "modified" => Kind::Modified,
-        _ => Kind::Euler(name.parse().map_err(|_| {
-            "the kinds are vector, quaternion, matrix, gibbs, modified, and Euler angles such as ZYX"
-        })?),
+        _ => {
+            let unknown = "the kinds are vector, quaternion, matrix, gibbs, modified, and Euler angles such as ZYX";
+            let axes: Vec<char> = name.chars().collect();
+            let axes = axes.try_into().map_err(|_| unknown)?;
+            Kind::Euler(name.parse().map_err(|_| unknown)?, axes)
+        }
     })
 }

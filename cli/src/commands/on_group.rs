@@ -1,9 +1,11 @@
 //! `affinor exp`, `log`, `compose`, `adjoint`: operations of the group of a space.
 
+use super::columns::Expected;
 use super::failure::Failure;
 use super::note::{counted, note};
 use super::options::{Settings, SpaceOptions};
-use super::rows::{Expected, RowOutput, map_rows, vector};
+use super::restore::{Restore, Restored};
+use super::rows::{RowOutput, map_rows, vector};
 use affinor::group::{AnyGroup, LieGroup, MatrixNotation};
 use clap::Args;
 use nalgebra::{DMatrix, DVector};
@@ -26,13 +28,28 @@ pub struct Arguments {
     pub output: RowOutput,
 }
 
+/// A group and its elements.
+#[derive(Args)]
+pub struct LogArguments {
+    #[command(flatten)]
+    pub arguments: Arguments,
+    #[command(flatten)]
+    pub restore: Restore,
+}
+
+impl LogArguments {
+    pub fn run(&self) -> Result<(), Failure> {
+        self.arguments.run(Operation::Log(&self.restore))
+    }
+}
+
 /// The operation on each row.
 #[derive(Clone, Copy)]
-pub enum Operation {
+pub enum Operation<'r> {
     /// From coordinates to the element.
     Exp,
     /// From an element to its coordinates.
-    Log,
+    Log(&'r Restore),
     /// From two coordinate vectors, concatenated, to the coordinates of the product.
     Compose,
     /// From coordinates to the matrix of `Ad`.
@@ -40,26 +57,32 @@ pub enum Operation {
 }
 
 impl Arguments {
-    pub fn run(&self, operation: Operation) -> Result<(), Failure> {
-        let group = self.open()?;
+    pub fn run(&self, operation: Operation<'_>) -> Result<(), Failure> {
+        let (group, labels) = self.open()?;
         let (n, shape) = (group.dimension(), group.write(&group.identity()).shape());
         let a_vector = format!("a vector of this algebra of dimension {n}");
         let expected = match operation {
-            Operation::Exp | Operation::Adjoint => Expected { numbers: n, what: a_vector },
-            Operation::Compose => Expected { numbers: 2 * n, what: format!("twice {a_vector}") },
-            Operation::Log => {
+            Operation::Exp | Operation::Adjoint => {
+                Expected::vector(n, a_vector).or(&labels).or(&["x", "y", "z"])
+            }
+            Operation::Compose => {
+                let pair = ["x", "y"].map(|letter| (1..=n).map(move |at| format!("{letter}{at}")));
+                let pair: Vec<String> = pair.into_iter().flatten().collect();
+                Expected::vector(2 * n, format!("twice {a_vector}")).or(&pair)
+            }
+            Operation::Log(_) => {
                 let (rows, columns) = shape;
                 let what = format!("an element of {rows} rows and {columns} columns");
-                Expected { numbers: rows * columns, what }
+                Expected::matrix(shape, what)
             }
         };
         let angles = Angles::new(self.degrees, &group);
         let head = match operation {
             Operation::Exp => "g",
             Operation::Adjoint => "Ad",
-            Operation::Log | Operation::Compose => "x",
+            Operation::Log(_) | Operation::Compose => "x",
         };
-        let mut coarse = Coarse::default();
+        let (mut coarse, mut restored) = (Coarse::default(), Restored::default());
         map_rows(&self.rows, &expected, head, &self.output, |row| {
             Ok(match operation {
                 Operation::Exp => group.write(&group.exp(&angles.read(row))),
@@ -69,23 +92,28 @@ impl Arguments {
                     let product = group.log_product(&angles.read(x), &angles.read(y))?;
                     vector(&angles.written(product))
                 }
-                Operation::Log => {
+                Operation::Log(restore) => {
                     let element = DMatrix::from_row_slice(shape.0, shape.1, row);
-                    let g = group.read(&element)?;
-                    let x = group.log(&g)?;
+                    let g = restored.read(restore, &group, &element, |m| group.read(m))?;
+                    let x = group
+                        .log(&g)
+                        .map_err(|error| restored.refused(restore, &group, &element, error))?;
                     coarse.add(group.log_rounding(&g, &x), x.amax());
                     vector(&angles.written(x))
                 }
             })
         })?;
         coarse.note();
+        restored.note();
         Ok(())
     }
 
-    fn open(&self) -> Result<AnyGroup, Failure> {
+    /// The group, and the names of its basis vectors.
+    fn open(&self) -> Result<(AnyGroup, Vec<String>), Failure> {
         self.settings.start_threads()?;
         let space = self.settings.open(Some(&self.space), &SpaceOptions::default())?;
-        Ok(space.in_floats()?.group(self.settings.tolerance()?)?)
+        let definition = space.in_floats()?;
+        Ok((definition.group(self.settings.tolerance()?)?, definition.labels.clone()))
     }
 }
 

@@ -276,8 +276,9 @@ impl Shared {
     }
 }
 
-/// Notes the parameters that stand on the command line alone.
+/// Notes how open conventions of the space are understood, and the parameters that occur on the command line alone.
 fn note_parameters(space: &Space) {
+    space.definition.notes().iter().for_each(|text| note(text));
     if !space.introduced.is_empty() {
         note(&format!("taken as parameters: {}", space.introduced.join(", ")));
     }

@@ -8,11 +8,12 @@ mod png;
 mod run;
 
 use super::color::ColorOption;
+use super::columns::Expected;
 use super::failure::Failure;
 use super::note::{line, note};
 use super::options::{Settings, SpaceOptions};
 use super::output::deliver;
-use super::rows::{Expected, read};
+use super::rows::read;
 use affinor::Error;
 use affinor_documents::figures;
 use affinor_documents::figures::diagram::Diagram;
@@ -298,7 +299,7 @@ pub fn connected(names: &[&str], metric: Option<&str>) -> Result<Vec<Connected>,
 
 impl Scene {
     fn print(&self, figure: &Figure) -> Result<(), Failure> {
-        let expected = Expected { numbers: 2, what: "azimuth and elevation".into() };
+        let expected = Expected::vector(2, "azimuth and elevation");
         let [azimuth, elevation] = read("--view", &self.view, &expected)?[..] else {
             return Err(InputError::usage("--view: azimuth and elevation are two numbers").into());
         };
@@ -350,6 +351,6 @@ impl Image {
 }
 
 fn vector(option: &str, text: &str) -> Result<Vector3<f64>, Failure> {
-    let expected = Expected { numbers: 3, what: "a rotation vector".into() };
+    let expected = Expected::vector(3, "a rotation vector");
     Ok(Vector3::from_column_slice(&read(option, text, &expected)?))
 }

@@ -1,6 +1,7 @@
 //! Rows of numbers, read from arguments or from lines of standard input, and written as text, CSV or JSON lines.
 
 use super::color::ColorOption;
+use super::columns::Expected;
 use super::failure::Failure;
 use super::note::{counted, note};
 use super::output::deliver;
@@ -44,15 +45,9 @@ pub fn vector(values: &[f64]) -> DMatrix<f64> {
     DMatrix::from_row_slice(1, values.len(), values)
 }
 
-/// The length and the meaning of an input row.
-pub struct Expected {
-    pub numbers: usize,
-    pub what: String,
-}
-
 /// Maps each row of the arguments, or of standard input if there are none, and writes the results.
 ///
-/// A first line without any number is the header of a table, and is skipped. `head` is as in [`write_rows`].
+/// A first line without any number names the columns ([`Expected::order`]). `head` is as in [`write_rows`].
 pub fn map_rows(
     arguments: &[String],
     expected: &Expected,
@@ -60,11 +55,15 @@ pub fn map_rows(
     output: &RowOutput,
     mut map: impl FnMut(&[f64]) -> Result<DMatrix<f64>, Failure>,
 ) -> Result<(), Failure> {
-    let (mut rows, mut skipped) = (0, 0);
+    let (mut rows, mut skipped, mut order) = (0, 0, expected.unnamed.clone());
     write_rows(output, head, |write| {
-        let mut each = |name: &str, row: &str| {
+        let mut each = |name: &str, row: &str, order: Option<&Vec<usize>>| {
             rows += 1;
-            match read(name, row, expected).and_then(|row| write(map(&row)?)) {
+            let read = read(name, row, expected).map(|row| match order {
+                Some(order) => order.iter().map(|at| row[*at]).collect(),
+                None => row,
+            });
+            match read.and_then(|row| write(map(&row)?)) {
                 Err(Failure::Input(error)) if output.on_error == OnError::Skip => {
                     skipped += 1;
                     let message = error.message.strip_prefix(&format!("{name}: "));
@@ -77,14 +76,16 @@ pub fn map_rows(
         };
         if !arguments.is_empty() {
             let mut numbered = (1..).zip(arguments);
-            return numbered.try_for_each(|(number, row)| each(&format!("row {number}"), row));
+            return numbered
+                .try_for_each(|(number, row)| each(&format!("row {number}"), row, order.as_ref()));
         }
         lines(|number, line| {
+            let place = format!("<standard input>, line {number}");
             if number == 1 && is_header(line) {
-                note("the first line has no numbers; it is skipped as the header of a table");
+                order = Some(expected.order(&place, &fields(line))?);
                 return Ok(());
             }
-            each(&format!("<standard input>, line {number}"), line)
+            each(&place, line, order.as_ref())
         })
     })?;
     if skipped > 0 {
@@ -148,12 +149,16 @@ fn is_header(line: &str) -> bool {
         word.starts_with(|c: char| c.is_alphabetic() || c == '_')
             && !no_names.contains(&&*word.to_lowercase())
     };
+    numbers(&Source::new("", line)).is_err() && fields(line).into_iter().all(is_name)
+}
+
+/// The fields of a line between commas, semicolons and tabs, or else between spaces.
+fn fields(line: &str) -> Vec<&str> {
     let signs = [',', ';', '\t'];
-    let mut fields: Box<dyn Iterator<Item = &str>> = match line.contains(signs) {
-        true => Box::new(line.split(signs).map(str::trim)),
-        false => Box::new(line.split_whitespace()),
-    };
-    numbers(&Source::new("", line)).is_err() && fields.all(is_name)
+    match line.contains(signs) {
+        true => line.split(signs).map(str::trim).collect(),
+        false => line.split_whitespace().collect(),
+    }
 }
 
 /// Calls `each` with the number and text of every line of standard input that is neither empty nor a comment.
@@ -179,7 +184,7 @@ pub fn read(name: &str, line: &str, expected: &Expected) -> Result<Vec<f64>, Fai
     if row.len() == expected.numbers {
         return Ok(row);
     }
-    let (found, Expected { numbers, what }) = (row.len(), expected);
+    let (found, Expected { numbers, what, .. }) = (row.len(), expected);
     let message = format!("{name}: {what} has {numbers} numbers, not {found}");
     Err(InputError::usage(message).help(format!("it reads `{}`", line.escape_debug())).into())
 }

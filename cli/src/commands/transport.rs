@@ -1,10 +1,11 @@
 //! `affinor transport`: parallel translation along arcs of a group.
 
+use super::columns::Expected;
 use super::failure::Failure;
 use super::note::note_default_connection;
 use super::on_group::Angles;
 use super::options::{GeometryOptions, Settings, SpaceOptions};
-use super::rows::{Expected, RowOutput, map_rows, read, vector, write_rows};
+use super::rows::{RowOutput, map_rows, read, vector, write_rows};
 use affinor::group::LieGroup;
 use affinor::group::transport::ParallelTranslation;
 use clap::Args;
@@ -43,7 +44,7 @@ impl Arguments {
         let group = definition.group(tolerance)?;
         let n = group.dimension();
         let what = format!("a vector of this algebra of dimension {n}");
-        let expected = Expected { numbers: n, what };
+        let expected = Expected::vector(n, what).or(&definition.labels).or(&["x", "y", "z"]);
         let angles = Angles::new(self.degrees, &group);
         let arcs = self.along.iter().map(|x| Ok(angles.read(&read("--along", x, &expected)?)));
         let arcs = arcs.collect::<Result<Vec<_>, Failure>>()?;

@@ -29,6 +29,8 @@ pub struct Definition {
     pub(super) connection: Option<(ConnectionChoice, Place)>,
     /// Parameters that were declared, whether or not a value depends on them.
     pub(super) declared: Vec<String>,
+    /// Notes on conventions that the file leaves open, and how they are understood.
+    pub(super) notes: Vec<String>,
     /// The file; `None` for brackets on the command line.
     pub(super) source: Option<Source>,
 }
@@ -99,6 +101,7 @@ impl Definition {
             metric: None,
             connection: None,
             declared: vec![],
+            notes: vec![],
             source: None,
         }
     }
@@ -107,6 +110,11 @@ impl Definition {
     #[must_use]
     pub fn algebra_alone(&self) -> Self {
         Definition { metric: None, connection: None, ..self.clone() }
+    }
+
+    /// Notes for readers: how conventions that the file leaves open are understood, such as the order of the basis.
+    pub fn notes(&self) -> &[String] {
+        &self.notes
     }
 
     /// The dimension.
@@ -345,6 +353,14 @@ impl Definition {
             let place = other.map_or(&right.place, |other| &other.place);
             (!sum.is_empty()).then(|| ((j, k), sum, place.clone()))
         })
+    }
+
+    /// Notes the order of a basis that the file does not name.
+    pub(super) fn note_basis(&mut self) {
+        const SHOWN: usize = 12;
+        let first = self.labels.iter().take(SHOWN).map(String::as_str).collect::<Vec<_>>();
+        let more = if self.labels.len() > SHOWN { ", ..." } else { "" };
+        self.notes.push(format!("the basis is taken as {}{more}", first.join(", ")));
     }
 
     pub(super) fn matrix_basis<S: Coefficient>(

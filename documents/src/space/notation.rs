@@ -173,13 +173,31 @@ pub(super) fn statement(
     Ok((pair, Given { value, place: whole }))
 }
 
-/// The statements of a block, one a line or separated by `;`, without comments and blank lines.
+/// The statements of a block, one per line or separated by `;` or by commas before a bracket, without comments and blank lines.
 pub(super) fn lines(block: &str) -> impl Iterator<Item = &str> {
     block
         .lines()
         .map(|line| line.split('#').next().unwrap_or(""))
         .flat_map(|line| line.split(';'))
+        .flat_map(between_commas)
         .filter(|line| !line.trim().is_empty())
+}
+
+/// The statements between commas that another bracket or the end of the line follows: `[x, y] = z, [y, z] = x`.
+fn between_commas(line: &str) -> Vec<&str> {
+    let (mut depth, mut start, mut parts) = (0i64, 0, Vec::new());
+    for (at, symbol) in line.char_indices() {
+        depth += i64::from("([".contains(symbol)) - i64::from(")]".contains(symbol));
+        let rest = line[at..].strip_prefix(',').map(str::trim_start);
+        let ends =
+            |rest: &str| rest.is_empty() || rest.starts_with('[') || rest.starts_with("nabla[");
+        if depth == 0 && at > start && rest.is_some_and(ends) {
+            parts.push(&line[start..at]);
+            start = at + 1;
+        }
+    }
+    parts.push(&line[start..]);
+    parts
 }
 
 /// A metric as written: `identity`, `killing`, `diag(...)`, or rows `[[...], ...]`.

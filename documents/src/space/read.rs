@@ -1,9 +1,8 @@
 //! Definitions read from files.
 
-use super::document::Document;
-use super::{Definition, gap};
+use super::{Definition, tables};
 use crate::input::file::{name, read};
-use crate::input::{Files, InputError, Source, parse_keys};
+use crate::input::{Files, InputError, Source};
 
 impl Definition {
     /// Reads a definition from a file, or from standard input for `-`.
@@ -21,7 +20,7 @@ impl Definition {
             None => read(path)?,
         };
         files.keep(path, &source.text);
-        Self::of_source(&source.below(depth, files))
+        tables::definition(&source.below(depth, files))
     }
 
     /// Reads a definition from the text of a file; messages call it `name`.
@@ -45,15 +44,6 @@ impl Definition {
     /// Reads a definition from a text that may name files.
     pub(crate) fn parse_part(name: &str, text: &str, files: &Files) -> Result<Self, InputError> {
         let source = Source::new(name.escape_debug().to_string(), text);
-        Self::of_source(&source.below(0, files))
-    }
-
-    fn of_source(source: &Source) -> Result<Self, InputError> {
-        if gap::is_table(&source.text) {
-            return gap::definition(source);
-        }
-        let (keys, source) =
-            parse_keys::<Document>(source, "a definition has a basis and brackets")?;
-        keys.define(&source)
+        tables::definition(&source.below(0, files))
     }
 }

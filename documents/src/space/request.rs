@@ -9,6 +9,7 @@ use crate::space::{
     notation::{self, Names, basis, lines, metric, statement},
     paper,
     setting::settings,
+    tables,
 };
 use affinor::algebra::catalogue::CatalogueError;
 use affinor_tensors::{Kind, Rational, Symbolic};
@@ -86,7 +87,11 @@ impl Space {
                 return Err(InputError::usage("give a SPACE or --basis and --bracket, not both"));
             }
         };
-        let declared = if request.basis.is_none() { definition.parameters() } else { vec![] };
+        let is_file = |name: &String| !tables::is_inline(name);
+        let declared = match (&request.basis, &inside.space) {
+            (None, space) if space.as_ref().is_none_or(is_file) => definition.parameters(),
+            _ => vec![],
+        };
         let mut space = Self::of(definition);
         space.file = inside.space.filter(|name| is_path(name)).map(|name| match name.as_str() {
             // a path for messages and comparisons, where the system has it
@@ -229,7 +234,15 @@ fn split_space(space: &str, files: &Files) -> Result<Request, InputError> {
     }
     let source = Source::new("SPACE", space);
     let space = &*source.text;
-    let split = space.rsplit_once('@').or_else(|| space.split_once(';'));
+    let metric = |at: &usize| space[at + 1..].trim_start().starts_with("metric");
+    let split = space.rsplit_once('@').or_else(|| match tables::is_inline(space) {
+        // semicolons may separate brackets
+        true => {
+            let at = space.match_indices(';').map(|(at, _)| at).find(metric)?;
+            Some((&space[..at], &space[at + 1..]))
+        }
+        false => space.split_once(';'),
+    });
     let (name, behind) = split.unwrap_or((space, ""));
     if split.is_some() && behind.trim().is_empty() {
         let error = InputError::usage("the connection is missing behind the name of the space");
@@ -266,6 +279,9 @@ fn find(name: &str, files: &Files) -> Result<Definition, InputError> {
         }
         _ => {}
     }
+    if tables::is_inline(name) {
+        return tables::definition(&Source::new("SPACE", name));
+    }
     if is_path(name) {
         return Definition::read_part(name, 0, files);
     }
@@ -276,6 +292,9 @@ fn find(name: &str, files: &Files) -> Result<Definition, InputError> {
 /// of that file.
 pub(super) fn part(source: &Source) -> Result<Definition, InputError> {
     let text = source.content();
+    if tables::is_inline(text) {
+        return tables::definition(source);
+    }
     if !is_path(text) {
         return named(source);
     }
@@ -308,7 +327,8 @@ fn named(source: &Source) -> Result<Definition, InputError> {
 
 /// A catalogue entry by its name, a piece of `source`.
 fn entry(part: &str, source: &Source) -> Result<Definition, InputError> {
-    const NAMES: &str = "`affinor list` shows the names; a file ends in .toml or .json";
+    const NAMES: &str =
+        "`affinor list` shows the names; a file has an ending, such as .toml or .csv";
     let name = part.trim();
     if name.is_empty() {
         let error = InputError::usage("the name of an algebra is missing here");
@@ -335,14 +355,21 @@ fn entry(part: &str, source: &Source) -> Result<Definition, InputError> {
     })
 }
 
-/// Whether a SPACE is a path: `-`, an ending of a file, or a `/` outside parentheses.
+/// Whether a SPACE is a path: `-`, a name with an ending such as `.toml` or `.csv`, or a `/` outside parentheses.
 fn is_path(name: &str) -> bool {
+    if tables::is_inline(name) {
+        return false;
+    }
     let mut depth = 0i64;
     let slash = name.chars().any(|c| {
         depth += i64::from(c == '(') - i64::from(c == ')');
         c == '/' && depth == 0
     });
-    name == "-" || name.ends_with(".toml") || name.ends_with(".json") || slash
+    let ending = name.rsplit_once('.').is_some_and(|(stem, ending)| {
+        let letters = ending.starts_with(|c: char| c.is_ascii_alphabetic());
+        !stem.is_empty() && letters && ending.chars().all(|c| c.is_ascii_alphanumeric())
+    });
+    name == "-" || ending || slash
 }
 
 /// Brackets given on the command line.

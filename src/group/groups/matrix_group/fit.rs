@@ -4,6 +4,7 @@
 //! These errors mostly leave the group. The nearest element of the group depends on `g` by `|g|` alone.
 
 use super::span::Span;
+use crate::group::matrices::TOLERANCE;
 use crate::numerics::double::{exp_less_identity, mapped, rounded};
 use crate::numerics::exponential::{balance, balanced_by, exp};
 use nalgebra::{DMatrix, DVector};
@@ -17,8 +18,8 @@ const WORK: usize = 10_000_000;
 /// The relative length of a step that ends the iteration.
 const SETTLED: f64 = 4.0 * f64::EPSILON;
 
-/// The largest relative distance of the nearest element.
-const OFF: f64 = 1e-9;
+/// The largest relative distance of the nearest element, that of matrices that are read as elements.
+const OFF: f64 = TOLERANCE;
 
 /// The coordinates `x` for which `|exp(x^i B_i) - g|` is least, from a first guess. `None` if `g` is farther from the group
 /// than rounding takes it, or the iteration does not converge.

@@ -1,9 +1,8 @@
 //! Tables of structure constants of GAP: as a program of `SetEntrySCTable`, or as the list that GAP prints.
 
-use crate::input::{InputError, Source, shown};
-use crate::space::{Definition, Given, Origin, Pairs, check_dimension, notation::Names};
-use affinor_tensors::{Ring, Symbolic};
-use std::collections::BTreeMap;
+use super::{Entry, expect_characteristic_0, list as items, numbered, refuse};
+use crate::input::{InputError, Source};
+use crate::space::Definition;
 
 /// Whether a text is a table of GAP.
 pub(super) fn is_table(text: &str) -> bool {
@@ -19,52 +18,16 @@ fn list_end(text: &str) -> Option<&str> {
 
 /// The algebra of a table.
 pub(super) fn definition(source: &Source) -> Result<Definition, InputError> {
+    expect_characteristic_0(source)?;
     let text = source.content();
     let (dimension, entries) = match text.contains("EmptySCTable") {
         true => program(source, text)?,
         false => list(source, text)?,
     };
-    let n = check_dimension(dimension)?;
-    let labels: Vec<String> = (1..=n).map(|at| format!("e{at}")).collect();
-    let none = BTreeMap::new();
-    let names = Names::open(&none, None);
-    let mut given = Pairs::new();
-    for Entry { j, k, i, value, place } in entries {
-        let index = |at: &str| {
-            let number: Option<usize> = at.trim().parse().ok();
-            number.filter(|at| (1..=n).contains(at)).map(|at| at - 1).ok_or_else(|| {
-                let message = format!("the index {} is not in 1..{n}", shown(at));
-                InputError::usage(message).at(&source.whole(place))
-            })
-        };
-        let (j, k, i) = (index(&j)?, index(&k)?, index(i)?);
-        let value = names.scalar(value.trim(), source)?;
-        let pair = given
-            .entry((j, k))
-            .or_insert_with(|| Given { value: BTreeMap::new(), place: source.whole(place) });
-        let sum = pair.value.remove(&i).unwrap_or_else(|| Symbolic::from_i64(0));
-        pair.value.insert(i, sum + &value);
-    }
-    let name = source.name.rsplit('/').next().unwrap_or_default().to_string();
-    let mut definition = Definition::new(name, labels, Origin::Brackets(given));
-    definition.source = Some(source.clone());
-    Ok(definition)
-}
-
-/// One constant as written: `[e_j, e_k] = .. + value e_i`.
-struct Entry<'t> {
-    j: String,
-    k: String,
-    i: &'t str,
-    value: &'t str,
-    place: &'t str,
+    numbered(source, dimension, &entries)
 }
 
 type Table<'t> = (usize, Vec<Entry<'t>>);
-
-fn refuse<T>(source: &Source, part: &str, message: &str) -> Result<T, InputError> {
-    Err(InputError::usage(message).at(&source.whole(part)))
-}
 
 /// `EmptySCTable( n, .. )` and lines `SetEntrySCTable( T, j, k, [ v, i, .. ] )`.
 fn program<'t>(source: &Source, text: &'t str) -> Result<Table<'t>, InputError> {
@@ -91,9 +54,10 @@ fn program<'t>(source: &Source, text: &'t str) -> Result<Table<'t>, InputError> 
             return refuse(source, statement.trim(), "write SetEntrySCTable( T, j, k, [ v, i ] )");
         };
         entries.extend(terms.chunks(2).map(|pair| Entry {
-            j: j.to_string(),
-            k: k.to_string(),
-            i: pair[1],
+            j: (*j).into(),
+            k: (*k).into(),
+            i: pair[1].into(),
+            negative: false,
             value: pair[0],
             place: statement.trim(),
         }));
@@ -133,35 +97,14 @@ fn list<'t>(source: &Source, text: &'t str) -> Result<Table<'t>, InputError> {
                 return refuse(source, column, "as many values as indices are needed");
             }
             entries.extend(indices.iter().zip(values).map(|(i, value)| Entry {
-                j: (j + 1).to_string(),
-                k: (k + 1).to_string(),
-                i,
+                j: (j + 1).to_string().into(),
+                k: (k + 1).to_string().into(),
+                i: (*i).into(),
+                negative: false,
                 value,
                 place: column,
             }));
         }
     }
     Ok((dimension, entries))
-}
-
-/// The items of a list in brackets.
-fn items(text: &str) -> Option<Vec<&str>> {
-    let inside = text.trim().strip_prefix('[')?.strip_suffix(']')?;
-    let (mut depth, mut from, mut items) = (0i64, 0, vec![]);
-    for (at, symbol) in inside.char_indices() {
-        match symbol {
-            '[' => depth += 1,
-            ']' => depth -= 1,
-            ',' if depth == 0 => {
-                items.push(inside[from..at].trim());
-                from = at + 1;
-            }
-            _ => {}
-        }
-    }
-    let last = inside[from..].trim();
-    if !(last.is_empty() && items.is_empty()) {
-        items.push(last);
-    }
-    Some(items)
 }

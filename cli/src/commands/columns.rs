@@ -1,0 +1,159 @@
+//! The columns of rows of input, named by a head line.
+
+use affinor_documents::input::InputError;
+
+/// The length and the meaning of an input row, and the names of its columns.
+pub struct Expected {
+    pub numbers: usize,
+    pub what: String,
+    /// Names of the columns in the order of the numbers; each list is one choice. The first is shown in messages.
+    names: Vec<Vec<String>>,
+    /// Rows and columns, if one letter with numbers names all entries: `x1`, `x2`, or `g11`, `g12`.
+    shape: Option<(usize, usize)>,
+    /// The position in the rows of each number without a head, if not in order.
+    pub unnamed: Option<Vec<usize>>,
+}
+
+impl Expected {
+    /// A vector, whose columns may be one letter with numbers from 1.
+    pub fn vector(numbers: usize, what: impl Into<String>) -> Self {
+        let names = vec![(1..=numbers).map(|at| format!("x{at}")).collect()];
+        Expected { numbers, what: what.into(), names, shape: Some((1, numbers)), unnamed: None }
+    }
+
+    /// A matrix row by row, whose columns are one letter with the numbers of row and column.
+    pub fn matrix((rows, columns): (usize, usize), what: impl Into<String>) -> Self {
+        let between = if rows.max(columns) < 10 { "" } else { "_" };
+        let name = |at: usize| format!("g{}{between}{}", at / columns + 1, at % columns + 1);
+        let names = vec![(0..rows * columns).map(name).collect()];
+        let shape = Some((rows, columns));
+        Expected { numbers: rows * columns, what: what.into(), names, shape, unnamed: None }
+    }
+
+    /// Columns with these names only.
+    pub fn named(names: &[&str], what: impl Into<String>) -> Self {
+        let expected = Expected {
+            numbers: names.len(),
+            what: what.into(),
+            names: vec![],
+            shape: None,
+            unnamed: None,
+        };
+        expected.or(names)
+    }
+
+    /// With another choice of names.
+    #[must_use]
+    pub fn or<S: AsRef<str>>(mut self, names: &[S]) -> Self {
+        let names: Vec<String> = names.iter().map(|name| name.as_ref().to_string()).collect();
+        if names.len() == self.numbers {
+            self.names.push(names);
+        }
+        self
+    }
+
+    /// With the position in the rows of each number if no head names the columns.
+    #[must_use]
+    pub fn without_head<const N: usize>(mut self, order: [usize; N]) -> Self {
+        self.unnamed = Some(order.to_vec());
+        self
+    }
+
+    /// The position in the rows of each number, by the names of a head.
+    ///
+    /// # Errors
+    /// A head with other names.
+    pub fn order(&self, place: &str, head: &[&str]) -> Result<Vec<usize>, InputError> {
+        let lower = |name: &str| name.trim().trim_matches('"').trim().to_lowercase();
+        let head: Vec<String> = head.iter().map(|name| lower(name)).collect();
+        let position = |name: &String| head.iter().position(|other| *other == lower(name));
+        let chosen = self.names.iter().find_map(|names| names.iter().map(position).collect());
+        let order = chosen.or_else(|| self.numbered(&head));
+        order.filter(|_| head.len() == self.numbers).ok_or_else(|| {
+            const SHOWN: usize = 12;
+            let list = |names: &[String]| {
+                let more = if names.len() > SHOWN { ", ..." } else { "" };
+                names[..names.len().min(SHOWN)].join(", ") + more
+            };
+            let choices: Vec<String> = self.names.iter().map(|names| list(names)).collect();
+            let named = list(&head).escape_debug().to_string();
+            let message = format!("{place}: columns named {named} are not {}", self.what);
+            let help = format!(
+                "name the columns {}, in any order, or omit the head",
+                choices.join("; or ")
+            );
+            InputError::usage(message).help(help)
+        })
+    }
+
+    /// The positions by the numbers behind one letter.
+    fn numbered(&self, head: &[String]) -> Option<Vec<usize>> {
+        let (rows, columns) = self.shape?;
+        let numbers = |c: char| c.is_ascii_digit() || c == '_';
+        let stem = head.first()?.trim_end_matches(numbers);
+        let mut order = vec![None; self.numbers];
+        for (position, name) in head.iter().enumerate() {
+            let behind = name.strip_prefix(stem)?.trim_start_matches([' ', '_']);
+            let (row, column): (usize, usize) = match behind.split_once('_') {
+                _ if rows == 1 => (1, behind.parse().ok()?),
+                Some((row, column)) => (row.parse().ok()?, column.parse().ok()?),
+                None if behind.len() == 2 && behind.is_ascii() => {
+                    (behind[..1].parse().ok()?, behind[1..].parse().ok()?)
+                }
+                None => return None,
+            };
+            if !((1..=rows).contains(&row) && (1..=columns).contains(&column)) {
+                return None;
+            }
+            order[(row - 1) * columns + column - 1] = Some(position);
+        }
+        order.into_iter().collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Expected;
+
+    /// Every permutation of every choice of names is undone.
+    #[test]
+    fn permuted_heads_are_put_in_order() {
+        let quaternion =
+            Expected::named(&["w", "x", "y", "z"], "a quaternion").or(&["qw", "qx", "qy", "qz"]);
+        let matrix = Expected::matrix((3, 3), "a matrix");
+        let large = Expected::matrix((2, 11), "a matrix");
+        let vector = Expected::vector(12, "a vector");
+        for expected in [quaternion, matrix, large, vector] {
+            for names in &expected.names {
+                let n = names.len();
+                for step in
+                    (1..n).filter(|step| (1..=n).all(|k| k == 1 || step % k != 0 || n % k != 0))
+                {
+                    let head: Vec<String> =
+                        (0..n).map(|at| names[(at * step + 1) % n].to_uppercase()).collect();
+                    let borrowed: Vec<&str> = head.iter().map(String::as_str).collect();
+                    let order = expected.order("head", &borrowed).unwrap_or_default();
+                    let read: Vec<String> =
+                        order.iter().map(|at| head[*at].to_lowercase()).collect();
+                    assert_eq!(&read, names, "{head:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn other_names_are_refused() {
+        let quaternion = Expected::named(&["w", "x", "y", "z"], "a quaternion");
+        for head in [
+            &["q0", "q1", "q2", "q3"][..],
+            &["w", "x", "y"],
+            &["w", "x", "y", "y"],
+            &["t", "w", "x", "y", "z"],
+        ] {
+            assert!(quaternion.order("head", head).is_err(), "{head:?}");
+        }
+        for head in [["x1", "x2", "x2"], ["x0", "x1", "x2"], ["x1", "y2", "x3"]] {
+            assert!(Expected::vector(3, "a vector").order("head", &head).is_err(), "{head:?}");
+        }
+    }
+}

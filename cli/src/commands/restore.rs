@@ -1,0 +1,80 @@
+//! `--restore`: matrices that are rounded to few digits, replaced by the nearest elements of the group.
+
+use super::failure::Failure;
+use super::note::{counted, note};
+use affinor::Error;
+use affinor::group::{MatrixNotation, restored};
+use affinor_documents::input::InputError;
+use clap::Args;
+use nalgebra::DMatrix;
+
+/// Advice where a matrix is not an element.
+const ADVICE: &str = "--restore takes the nearest element of the group";
+
+/// Whether matrices off the group are accepted.
+#[derive(Args)]
+pub struct Restore {
+    /// Replace each matrix by the nearest element of the group, if no entry changes by more than 0.1
+    /// (or a tenth of an entry above 1), and note the largest change
+    #[arg(long)]
+    restore: bool,
+}
+
+/// The matrices that were restored.
+#[derive(Default)]
+pub struct Restored {
+    rows: u64,
+    /// The largest change of an entry.
+    distance: f64,
+}
+
+impl Restored {
+    /// The element of a matrix: the nearest one with `--restore`, else that of `strict`.
+    pub fn read<G: MatrixNotation>(
+        &mut self,
+        option: &Restore,
+        group: &G,
+        matrix: &DMatrix<f64>,
+        strict: impl FnOnce(&DMatrix<f64>) -> Result<G::Element, Error>,
+    ) -> Result<G::Element, Failure> {
+        if option.restore {
+            let (g, distance) = restored(group, matrix)?;
+            self.rows += 1;
+            self.distance = self.distance.max(distance);
+            return Ok(g);
+        }
+        strict(matrix).map_err(|error| {
+            let is_off = matches!(error, Error::Invalid { .. });
+            let error = InputError::from(error);
+            match is_off {
+                true => error.help(ADVICE).into(),
+                false => error.into(),
+            }
+        })
+    }
+
+    /// The error of a logarithm, with advice if the nearest element has one.
+    pub fn refused<G: MatrixNotation>(
+        &self,
+        option: &Restore,
+        group: &G,
+        matrix: &DMatrix<f64>,
+        error: Error,
+    ) -> Failure {
+        let has_log = |(g, _): (G::Element, f64)| group.log(&g).is_ok();
+        match !option.restore && restored(group, matrix).is_ok_and(has_log) {
+            true => InputError::from(error).help(ADVICE).into(),
+            false => error.into(),
+        }
+    }
+
+    /// Notes the largest change.
+    pub fn note(&self) {
+        if self.rows > 0 {
+            let (rows, distance) = (counted(self.rows, "row"), self.distance);
+            note(&format!(
+                "{rows} restored: the nearest elements differ by at most {distance:.1e} in an entry"
+            ));
+        }
+    }
+}

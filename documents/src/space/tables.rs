@@ -1,0 +1,296 @@
+//! Notations of definitions and of tables of structure constants, recognised by their content.
+//!
+//! [`notation_of`] chooses one [`Notation`] from the text alone; its reader then reports every error with its place.
+//! Each reader is a file of the folder `tables`, with the grammar in its head.
+
+mod brackets;
+mod gap;
+mod json;
+mod maple;
+mod rows;
+mod sage;
+mod salamon;
+
+use super::document::Document;
+use super::notation::Names;
+use super::{Definition, Given, Origin, Pairs, add, check_dimension};
+use crate::input::{InputError, Place, Source, parse_keys, shown};
+use affinor_tensors::expression::canonical_name;
+use affinor_tensors::{Ring, Symbolic};
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+
+/// A notation in which a space can be written.
+struct Notation {
+    /// Its name in the list of readable notations.
+    name: &'static str,
+    /// Whether a text is in this notation, judged by its first characters or by a word that only this notation has.
+    recognises: fn(&str) -> bool,
+    /// Reads a text of this notation.
+    read: fn(&Source) -> Result<Definition, InputError>,
+    /// Whether a SPACE of the command line may be a text in this notation.
+    inline: bool,
+}
+
+/// All notations. The first that recognises a text reads it.
+const NOTATIONS: [Notation; 8] = [
+    Notation {
+        name: "JSON of `affinor table`",
+        recognises: json::is_table,
+        read: json::definition,
+        inline: false,
+    },
+    Notation { name: "GAP", recognises: gap::is_table, read: gap::definition, inline: false },
+    Notation { name: "Maple", recognises: maple::is_table, read: maple::definition, inline: false },
+    Notation { name: "Sage", recognises: sage::is_table, read: sage::definition, inline: false },
+    Notation {
+        name: "(0,0,12)",
+        recognises: salamon::is_table,
+        read: salamon::definition,
+        inline: true,
+    },
+    Notation {
+        name: "brackets [x, y] = z",
+        recognises: brackets::is_table,
+        read: brackets::definition,
+        inline: true,
+    },
+    Notation {
+        name: "CSV rows i,j,k,value",
+        recognises: rows::is_table,
+        read: rows::definition,
+        inline: false,
+    },
+    Notation {
+        name: "keys in TOML or JSON",
+        recognises: is_document,
+        read: document,
+        inline: false,
+    },
+];
+
+/// The definition that a text contains.
+///
+/// # Errors
+/// A text in none of the notations; errors of the reader, with the place.
+pub(super) fn definition(source: &Source) -> Result<Definition, InputError> {
+    let text = source.content();
+    match NOTATIONS.iter().find(|notation| (notation.recognises)(text)) {
+        Some(notation) => (notation.read)(source),
+        // the parser finds the first fault
+        None if source.name.ends_with(".toml") || source.name.ends_with(".json") => {
+            document(source)
+        }
+        None => Err(unknown(source)),
+    }
+}
+
+/// Whether a SPACE of the command line is itself a table, and not a name or a path.
+pub(super) fn is_inline(space: &str) -> bool {
+    let mut inline = NOTATIONS.iter().filter(|notation| notation.inline);
+    space.trim_start().starts_with(['(', '['])
+        && inline.any(|notation| (notation.recognises)(space))
+}
+
+/// Whether a text consists of keys: an empty text, an object of JSON, a key with `=`, or the head of a table.
+fn is_document(text: &str) -> bool {
+    let first = first_line(text);
+    first.is_empty() || first.starts_with(['{', '[']) || first.contains('=')
+}
+
+fn document(source: &Source) -> Result<Definition, InputError> {
+    let (keys, source) = parse_keys::<Document>(source, "a definition has a basis and brackets")?;
+    keys.define(&source)
+}
+
+/// The error about a text in no notation, with a guess what it is.
+fn unknown(source: &Source) -> InputError {
+    const GUESSES: [(&str, &str); 8] = [
+        ("MutableDenseNDimArray", "a program for SymPy; write the table for GAP, Sage or Maple"),
+        ("\\begin", "LaTeX"),
+        ("\\documentclass", "LaTeX"),
+        ("%PDF", "PDF"),
+        ("<html", "HTML"),
+        ("<?xml", "XML"),
+        ("Rule[", "Mathematica"),
+        ("import ", "a program in Python"),
+    ];
+    let text = source.content();
+    let names: Vec<&str> = NOTATIONS.iter().map(|notation| notation.name).collect();
+    let seems = GUESSES.iter().find(|(sign, _)| text.contains(sign));
+    let seems = seems.map_or(String::new(), |(_, what)| format!("; it seems to be {what}"));
+    let message = format!("{} is not a definition of a space{seems}", source.name);
+    let help = format!("these can be read (docs/formats.md): {}", names.join(", "));
+    InputError::usage(message).at(&source.whole(first_line(text))).help(help)
+}
+
+/// The first line that is neither blank nor a comment (`#`, `//`), trimmed.
+fn first_line(text: &str) -> &str {
+    let mut lines = text.lines().map(str::trim);
+    lines
+        .find(|line| !(line.is_empty() || line.starts_with('#') || line.starts_with("//")))
+        .unwrap_or("")
+}
+
+/// A structure constant as written: `[e_j, e_k] = ... + value e_i`. `place` is the piece of the text for messages.
+struct Entry<'t> {
+    j: Cow<'t, str>,
+    k: Cow<'t, str>,
+    i: Cow<'t, str>,
+    /// Whether the value is subtracted.
+    negative: bool,
+    value: &'t str,
+    place: &'t str,
+}
+
+/// The algebra with the basis `labels` and these structure constants, which are added up. `index` finds a basis vector,
+/// from 0, or returns the reason why it is none.
+fn algebra(
+    source: &Source,
+    labels: Vec<String>,
+    entries: &[Entry],
+    index: impl Fn(&str) -> Result<usize, String>,
+) -> Result<Definition, InputError> {
+    let (none, mut given) = (BTreeMap::new(), Pairs::new());
+    for Entry { j, k, i, negative, value, place } in entries {
+        let place = source.whole(place);
+        let index =
+            |at: &str| index(at.trim()).map_err(|reason| InputError::usage(reason).at(&place));
+        let at = [index(i)?, index(j)?, index(k)?];
+        let value = Names::open(&none, None).scalar(value.trim(), source)?;
+        add_constant(&mut given, at, if *negative { -value } else { value }, &place);
+    }
+    Ok(of_brackets(source, labels, given))
+}
+
+/// Adds `value e_i` to `[e_j, e_k]`; indices from 0.
+fn add_constant(given: &mut Pairs, [i, j, k]: [usize; 3], value: Symbolic, place: &Place) {
+    let pair = given
+        .entry((j, k))
+        .or_insert_with(|| Given { value: BTreeMap::new(), place: place.clone() });
+    let sum = pair.value.remove(&i).unwrap_or_else(|| Symbolic::from_i64(0));
+    pair.value.insert(i, sum + &value);
+}
+
+/// [`algebra`] with the basis `e1`, ..., `en` and numbers from 1.
+fn numbered(source: &Source, n: usize, entries: &[Entry]) -> Result<Definition, InputError> {
+    let place = source.whole(first_line(source.content()));
+    let n = check_dimension(n).map_err(|error| error.or_at(&place))?;
+    let labels = (1..=n).map(|at| format!("e{at}")).collect();
+    algebra(source, labels, entries, |at| number(at, n))
+}
+
+/// The index, from 0, that a number from 1 to `n` means.
+fn number(at: &str, n: usize) -> Result<usize, String> {
+    let number = at.parse().ok().filter(|at| (1..=n).contains(at));
+    number.map(|at| at - 1).ok_or_else(|| format!("the index {} is not in 1..{n}", shown(at)))
+}
+
+/// The algebra of brackets; its name is that of the file.
+fn of_brackets(source: &Source, labels: Vec<String>, given: Pairs) -> Definition {
+    let name = match source.name.as_str() {
+        "SPACE" => "inline algebra",
+        path => path.rsplit('/').next().unwrap_or_default(),
+    };
+    let mut definition = Definition::new(name, labels, Origin::Brackets(given));
+    definition.source = Some(source.clone());
+    definition
+}
+
+fn refuse<T>(source: &Source, part: &str, message: impl Into<String>) -> Result<T, InputError> {
+    Err(InputError::usage(message).at(&source.whole(part)))
+}
+
+/// The names of basis vectors in their canonical form.
+fn basis_vectors(names: &[&str]) -> Vec<String> {
+    names.iter().map(|name| canonical_name(name).into_owned()).collect()
+}
+
+/// The pieces between commas outside brackets of all kinds and quotes, trimmed and without comments before them.
+fn items(inside: &str) -> Vec<&str> {
+    split_at_top(inside, &[',']).into_iter().map(uncommented).collect()
+}
+
+/// The pieces between `separators` outside brackets of all kinds and quotes. A blank last piece is dropped.
+fn split_at_top<'t>(inside: &'t str, separators: &[char]) -> Vec<&'t str> {
+    let (mut depth, mut from, mut pieces, mut quote) = (0i64, 0, vec![], None);
+    for (at, symbol) in inside.char_indices() {
+        match symbol {
+            '\'' | '"' if quote.is_none() => quote = Some(symbol),
+            _ if quote.is_some() => quote = quote.filter(|open| *open != symbol),
+            '(' | '[' | '{' => depth += 1,
+            ')' | ']' | '}' => depth -= 1,
+            _ if separators.contains(&symbol) && depth == 0 => {
+                pieces.push(&inside[from..at]);
+                from = at + symbol.len_utf8();
+            }
+            _ => {}
+        }
+    }
+    if !inside[from..].trim().is_empty() {
+        pieces.push(&inside[from..]);
+    }
+    pieces
+}
+
+/// The text inside the bracket that `text` begins with, up to the one that closes it.
+fn enclosed(text: &str) -> Option<&str> {
+    let (mut depth, mut quote) = (0i64, None);
+    for (at, symbol) in text.char_indices() {
+        match symbol {
+            '\'' | '"' if quote.is_none() => quote = Some(symbol),
+            _ if quote.is_some() => quote = quote.filter(|open| *open != symbol),
+            '(' | '[' | '{' => depth += 1,
+            ')' | ']' | '}' => depth -= 1,
+            _ => {}
+        }
+        if depth == 0 {
+            return (at > 0).then(|| &text[1..at]);
+        }
+    }
+    None
+}
+
+/// The items of a list in brackets, which is the whole text.
+fn list(text: &str) -> Option<Vec<&str>> {
+    let text = text.trim();
+    let inside = text.starts_with(['[', '(']).then(|| enclosed(text)).flatten()?;
+    (inside.len() + 2 == text.len()).then(|| items(inside))
+}
+
+/// A text without its quotes.
+fn unquoted(text: &str) -> &str {
+    text.trim().trim_matches(['\'', '"']).trim()
+}
+
+/// A piece without the comments before it, trimmed.
+fn uncommented(piece: &str) -> &str {
+    let mut piece = piece.trim();
+    while piece.starts_with('#') {
+        piece = piece.split_once('\n').map_or("", |(_, rest)| rest).trim();
+    }
+    piece
+}
+
+/// Refuses a table over a finite field, which a program names `GF(2)`, `Z(3)` or `Zmod(5)`.
+fn expect_characteristic_0(source: &Source) -> Result<(), InputError> {
+    const FIELDS: [&str; 8] =
+        ["GF", "GaloisField", "FiniteField", "Z", "Zmod", "ZmodnZ", "IntegerModRing", "Integers"];
+    for line in source.content().lines() {
+        let code = line.split('#').next().unwrap_or_default();
+        for (at, _) in code.match_indices('(') {
+            let name = code[..at].trim_end();
+            let is_name = |c: char| c.is_alphanumeric() || c == '_';
+            let from = name.trim_end_matches(is_name).len();
+            if FIELDS.contains(&&name[from..]) {
+                let end = code[at..].find(')').map_or(code.len(), |end| at + end + 1);
+                let field = &code[from..end];
+                let message = format!("the table is over the finite field {}", shown(field));
+                return Err(InputError::usage(message)
+                    .at(&source.whole(field))
+                    .help("affinor computes over the rational numbers and their extensions only"));
+            }
+        }
+    }
+    Ok(())
+}
