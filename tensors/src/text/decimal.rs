@@ -11,6 +11,8 @@ use num_rational::BigRational;
 /// let third = Rational::new(-1, 3).unwrap();
 /// assert_eq!(rounded(&third, 4, true).as_deref(), Some("-0.3333"));
 /// assert_eq!(rounded(&third, 4, false).as_deref(), Some("-0.3334"));
+/// let large = Rational::new(1_234_567_891, 1).unwrap();
+/// assert_eq!(rounded(&large, 3, false).as_deref(), Some("1.23e9"));
 /// ```
 ///
 /// `None` for zero and numbers beyond the range of floats.
@@ -47,7 +49,13 @@ fn decimal(units: &BigInt, exponent: i32) -> String {
     let places = match usize::try_from(-exponent) {
         Ok(places) if places <= digits.len() + 5 => places,
         _ if exponent == 0 => 0,
-        _ => return format!("{sign}{digits}e{exponent}"),
+        _ => {
+            let short = digits.trim_end_matches('0');
+            let (first, rest) = short.split_at(short.len().min(1));
+            let point = if rest.is_empty() { "" } else { "." };
+            let exponent = exponent + digits.len() as i32 - 1;
+            return format!("{sign}{first}{point}{rest}e{exponent}");
+        }
     };
     let padded = format!("{digits:0>width$}", width = places + 1);
     let (whole, part) = padded.split_at(padded.len() - places);
