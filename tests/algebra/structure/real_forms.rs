@@ -88,7 +88,7 @@ fn sums_are_named_by_their_parts() {
     for (sum, name) in [
         ("so(3,1)+heisenberg(3)", "sl(2,C) + heisenberg(3)"),
         ("heisenberg(5)+so(3)+R^2", "su(2) + heisenberg(5) + R^2"),
-        ("so(5)+so(2,1)", "so(5) + sl(2,R)"),
+        ("so(5)+so(2,1)", "sl(2,R) + so(5)"),
         ("G2+R^1", "g2(2) + R^1"),
         ("usp(8)+R^1", "usp(8) + R^1"),
     ] {

@@ -448,7 +448,7 @@ fn second_cohomology_of_free_nilpotent_algebras() {
         assert_eq!(structure.two_forms().unwrap().cohomology().len(), next, "{name}");
     }
     // filiform: the closed 2-forms e1 e_n and floor((n-1)/2) others
-    for n in [20, 40, 60] {
+    for n in [20usize, 40, 60] {
         let structure = StructureTheory::new(catalogued(&format!("filiform({n})")));
         assert_eq!(structure.two_forms().unwrap().cohomology().len(), n.div_ceil(2), "{n}");
     }
