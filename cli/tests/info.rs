@@ -98,9 +98,10 @@ fn with_parameters_holds_for_generic_values() {
         assert_eq!(all["killing"]["rank"], rank, "{name}");
         assert_eq!(all["exceptional_values"], json!(["-1", "0", "1"]), "{name}");
     }
-    // mu1^p mu2^q is invariant where p + h q = 0
+    // mu1^p mu2^q is invariant where p + h q = 0, and of degree 4 at most
     assert_eq!(generic["casimirs"]["generators"], json!([]));
-    assert_eq!(generic["exceptional_casimirs"], json!(["-2", "-1", "-1/2", "0"]));
+    let values = json!(["-3", "-2", "-1", "-1/2", "-1/3", "0"]);
+    assert_eq!(generic["exceptional_casimirs"], values);
     let special = run(root(), &["info", "bianchi(VI)", "--set", "h=-1", "--format", "json"], b"");
     let special: Value = serde_json::from_str(&special.out).unwrap();
     assert_eq!((&special["generic"], &special["unimodular"]), (&json!(false), &json!(true)));

@@ -193,8 +193,8 @@ impl Info {
         let low = rational.as_ref().filter(|_| n <= MAX_DECOMPOSED);
         stage("forms");
         notes.cocycles(structure);
-        notes.nondegenerate_forms(structure);
         notes.complex_structure(rational.as_ref(), n);
+        notes.nondegenerate_forms(structure);
         stage("casimirs");
         notes.casimirs(structure, rational.as_ref())?;
         stage("decomposition");

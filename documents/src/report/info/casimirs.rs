@@ -47,6 +47,7 @@ impl Notes {
         let text = match generators.len() {
             0 => "none".into(),
             1..=SHOWN if text.len() <= LONGEST => text,
+            1 => "1 generator; in --format json".into(),
             all => format!("{all} generators; in --format json"),
         };
         let witness = format!("polynomials in mu_i = mu(e_i), generators up to degree {degree}");
