@@ -98,9 +98,10 @@ fn with_parameters_holds_for_generic_values() {
         assert_eq!(all["killing"]["rank"], rank, "{name}");
         assert_eq!(all["exceptional_values"], json!(["-1", "0", "1"]), "{name}");
     }
-    // mu1^p mu2^q is invariant where p + h q = 0
+    // mu1^p mu2^q is invariant where p + h q = 0, and of degree 4 at most
     assert_eq!(generic["casimirs"]["generators"], json!([]));
-    assert_eq!(generic["exceptional_casimirs"], json!(["-2", "-1", "-1/2", "0"]));
+    let values = json!(["-3", "-2", "-1", "-1/2", "-1/3", "0"]);
+    assert_eq!(generic["exceptional_casimirs"], values);
     let special = run(root(), &["info", "bianchi(VI)", "--set", "h=-1", "--format", "json"], b"");
     let special: Value = serde_json::from_str(&special.out).unwrap();
     assert_eq!((&special["generic"], &special["unimodular"]), (&json!(false), &json!(true)));
@@ -473,4 +474,115 @@ fn other_programs_get_their_tables() {
         refused.err
     );
     assert_eq!(run(root(), &["check", "so3", "--format", "sage"], b"").status, 2);
+}
+
+/// The notions of the rows, in order.
+fn notions(space: &str) -> Vec<String> {
+    let text = stdout(root(), &["info", space, "--format", "csv"]);
+    let first = |line: &str| line.split(',').next().unwrap_or_default().to_string();
+    text.lines().skip(1).map(first).filter(|notion| !notion.is_empty()).collect()
+}
+
+/// Every algebra has the same rows and keys; a key that is null has a reason.
+#[test]
+fn rows_are_always_there() {
+    let expected = notions("so(3)");
+    for space in [
+        "R^1",
+        "R^2",
+        "aff(1)",
+        "heisenberg(3)",
+        "se(3)",
+        "G2",
+        "filiform(13)",
+        "parabolic(A4,1)",
+        "t(6)",
+        "n(9)",
+        "usp(8)",
+        "R^40",
+        "D9",
+        "free_nilpotent(3,3)",
+    ] {
+        let found: Vec<String> =
+            notions(space).into_iter().filter(|notion| notion != "not decided").collect();
+        // drawings have several lines
+        let of = |all: &[String]| {
+            all.iter().filter(|notion| expected.contains(notion)).cloned().collect::<Vec<_>>()
+        };
+        assert_eq!(of(&found), expected, "{space}");
+        let info = info(space);
+        for (key, value) in info.as_object().unwrap() {
+            let reason = &info["reasons"][key];
+            assert!(!value.is_null() || reason.is_string(), "{key} of {space}");
+        }
+    }
+    assert_eq!(info("G2")["casimirs"]["degrees"], json!([2]));
+    assert_eq!(info("usp(8)")["identification"]["name"], "usp(8)");
+}
+
+/// A 2-step nilpotent algebra of dimension 14 without a symplectic form.
+#[test]
+fn no_symplectic_form_in_dimension_14() {
+    let file = "basis = ['e1','e2','e3','e4','e5','e6','e7','z1','z2','z3','z4','z5','z6','z7']\nbrackets = '''
+        [e1,e2]=z1
+        [e3,e4]=z1
+        [e1,e6]=z1
+        [e5,e7]=z1
+        [e2,e5]=z2
+        [e2,e6]=z3
+        [e2,e7]=z4
+        [e3,e5]=z5
+        [e3,e6]=z6
+        [e3,e7]=z7'''";
+    let found = info_of(file);
+    let symplectic = &found["symplectic"];
+    assert_eq!((&symplectic["exists"], &symplectic["proved"]), (&json!(false), &json!(true)));
+    assert_eq!((&symplectic["closed"], &symplectic["rank"]), (&json!(42), &json!(12)));
+    assert_eq!(found["cocycles"]["two_forms"].as_array().unwrap().len(), 42 - 7);
+    assert_eq!(found["betti"][2], 42 - 7);
+}
+
+/// Exceptional values are roots of the polynomials of the computation; others are named as open.
+#[test]
+fn exceptional_values_are_roots() {
+    let of = |brackets: &str| {
+        info_of(&format!(
+            "parameters = ['h']\nbasis = ['e1','e2','e3','e4','e5']\nbrackets = '{brackets}'"
+        ))
+    };
+    let found = of("[e2,e3]=e1; [e1,e5]=2*e1; [e2,e5]=e2; [e3,e5]=e3; [e4,e5]=h*e4");
+    let values = found["exceptional_values"].as_array().unwrap();
+    for value in ["-4", "0", "1", "2"] {
+        assert!(values.contains(&json!(value)), "{value} in {values:?}");
+    }
+    // unimodular at a root of high height, and of no rational number
+    let found = of("[e1,e5]=e1; [e2,e5]=(355/113 - h)*e2; [e3,e5]=-e3");
+    assert!(found["exceptional_values"].as_array().unwrap().contains(&json!("355/113")));
+    let found = of("[e1,e5]=e1; [e2,e5]=(h^2 - 3)*e2; [e3,e5]=-e3");
+    assert!(found["exceptional_open"].as_array().unwrap().contains(&json!("h^2 - 3")));
+    let several = info_of(
+        "parameters = ['a', 'b']\nbasis = ['x', 'y', 'z']\nbrackets = '[x, z] = a*x; [y, z] = b*y'",
+    );
+    assert_eq!(several["exceptional_values"], Value::Null);
+    assert_eq!(several["reasons"]["exceptional_values"], "not computed with several parameters");
+}
+
+/// A table in which no tensor applies is an error with help.
+#[test]
+fn tables_without_tensors_are_refused() {
+    for (space, help) in
+        [(vec!["so3@plus"], "--metric"), (vec!["so3@plus", "--format", "csv"], "--metric")]
+    {
+        let arguments = [&["table"], &space[..], &["--show", "kretschmann"]].concat();
+        let outcome = run(root(), &arguments, b"");
+        assert_eq!(outcome.status, 2, "{}", outcome.err);
+        assert!(
+            outcome.err.contains(help) && outcome.err.contains("kretschmann"),
+            "{}",
+            outcome.err
+        );
+        assert!(outcome.out.is_empty());
+    }
+    // some of the tensors
+    assert_eq!(run(root(), &["table", "so3@plus", "--show", "kretschmann,torsion"], b"").status, 0);
 }

@@ -85,6 +85,9 @@ fn polynomial<S: Notation + Scalar>(value: &Symbolic) -> Option<S> {
 /// # Errors
 /// [`CatalogueError`], with similar or possible names.
 pub fn find(name: &str) -> Result<Entry, CatalogueError> {
+    if let Some(other) = name::of_real_form(name) {
+        return Ok(name::resolve(&other)?.build());
+    }
     Ok(name::resolve(name)?.build())
 }
 

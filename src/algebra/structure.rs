@@ -2,12 +2,14 @@
 //!
 //! - [`GroundField`]: the scalars, rationals and rational functions of parameters;
 //! - [`Subspace`]: subspaces in reduced row echelon form; `products`: brackets of vectors;
-//! - `kernels`: kernels of dense matrices, lifted from residues;
+//! - `kernels`: kernels of matrices, lifted from residues;
 //! - [`StructureTheory`]: an algebra with its brackets tabulated; `series`, `killing`, `radical`, `cartan`, `levi`;
 //! - [`reduction`]: the algebra modulo a prime, for ranks; `derivations`, `cohomology`; `certificates`: dimensions proved over the rationals; `index`;
 //! - [`dynkin`], `root_spaces`, `ideals`, [`real_forms`], `orthogonal_forms`: Dynkin types, roots, simple ideals over the reals and their names;
+//! - `quadratic`: quadratic Casimir functions of reductive algebras;
 //! - `cocycles`, `symplectic`, `complex_structures`: closed forms of low degree, symplectic and contact forms, Casimir functions;
 //! - `decomposition`: indecomposable ideals; `identification`: names in low dimension;
+//! - [`exceptional`]: candidates for exceptional values of a parameter;
 //! - `constructions`: quotients, extensions, semidirect sums, contractions, complexifications.
 //!
 //! W. A. de Graaf, *Lie Algebras: Theory and Algorithms*, North-Holland 2000.
@@ -28,9 +30,9 @@
 //! | `ideals`: primes for the centroid | the maps commute with all `ad`, one for each simple factor |
 //! | `ideals`: generator of the centroid | degree of its minimal polynomial; points of a moment curve until one serves |
 //! | `decomposition`: element of the centroid | number of its eigenvalues; points of a moment curve until one serves |
-//! | `certificates`: primes for derivations, invariant forms, closed forms | a basis is multiplied out; otherwise "modulo two primes" |
+//! | `certificates`: primes for derivations, invariant forms, closed forms | a basis is multiplied out; otherwise "modulo two primes"; Betti numbers beyond dimension 11 always so |
 //! | `index`: form and primes | centre, abelian ideals, parity, or Pfaffians that vanish; otherwise "modulo two primes" |
-//! | `symplectic`: symplectic, contact and regular forms | full rank modulo a prime; "none" by Pfaffian, index or theorem; otherwise "none found" |
+//! | `symplectic`: symplectic, contact and regular forms | full rank modulo a prime; "none" by Pfaffian, index theorem or common kernel; otherwise "modulo two primes" |
 //! | `orthogonal_forms`: regular element and primes | bounds of the coefficients, and intervals; otherwise both names |
 //! | `root_spaces`: prime | only excludes a Cartan subalgebra that does not split; root vectors are exact |
 //! | `identification`: names of nilpotent algebras | proved dimensions, or an isomorphism that is multiplied out; otherwise "modulo two primes" |
@@ -49,6 +51,7 @@ mod constructions;
 mod decomposition;
 mod derivations;
 pub mod dynkin;
+pub mod exceptional;
 mod ground;
 mod ideals;
 mod identification;
@@ -58,6 +61,7 @@ mod killing;
 mod levi;
 mod orthogonal_forms;
 mod products;
+mod quadratic;
 mod radical;
 pub mod real_forms;
 pub mod reduction;
@@ -67,7 +71,7 @@ mod subspace;
 mod symplectic;
 
 pub use certificates::Certified;
-pub use cocycles::{MAX_DIMENSION as MAX_FORMS, TwoForms};
+pub use cocycles::{MAX_ANY as MAX_FORMS_WITH_PARAMETERS, MAX_DIMENSION as MAX_FORMS, TwoForms};
 pub use cohomology::MAX_DIMENSION as MAX_BETTI;
 pub use complex_structures::ComplexStructure;
 pub use decomposition::{Indecomposable, MAX_DIMENSION as MAX_DECOMPOSED};

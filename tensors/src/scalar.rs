@@ -8,6 +8,7 @@
 //! ([`Ring::vanishes`]). The functions in [`laws`] test the laws that every scalar obeys; use them
 //! for a scalar of your own.
 
+mod divisors;
 #[cfg(feature = "num-dual")]
 mod dual;
 pub(crate) mod effort;
@@ -29,6 +30,7 @@ use num_traits::{One, Zero};
 use std::fmt::{Debug, Display};
 use std::ops::{Add, Mul, Neg, Sub};
 
+pub use divisors::divisors_of;
 pub use effort::{Effort, EffortExceeded};
 pub use function::Function;
 pub use jet::Jet;

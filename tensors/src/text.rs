@@ -1,5 +1,9 @@
 //! Values and linear combinations as text.
 
+mod decimal;
+
+pub use decimal::{exact_decimal, rounded};
+
 use std::fmt::Display;
 
 /// A linear combination as text, from its coefficients and labels: `a + 2*b - (p + q)*c`.

@@ -8,6 +8,7 @@ mod decomposition;
 mod ideals;
 mod identification;
 mod orthogonal_forms;
+mod real_forms;
 mod root_spaces;
 mod symplectic;
 

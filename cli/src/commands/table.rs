@@ -80,6 +80,19 @@ impl Arguments {
         }
         let table = stages.bound(|| computation.table(&selection))??;
         let absent: Vec<&str> = table.absent.iter().map(|quantity| quantity.key()).collect();
+        let known = self.selection.quantities();
+        if self.selection.show.is_some() && known.iter().all(|one| table.absent.contains(one)) {
+            let message = format!("no tensor to show: this space has no {}", absent.join(", "));
+            let metric = space.definition.has_metric();
+            let help = match (metric, selection.right_frame) {
+                (true, true) => {
+                    "the metric has no constant components there: leave --frame right away"
+                }
+                (true, false) => "show tensors of this connection: --show torsion,curvature",
+                (false, _) => "give a metric, as in --metric identity",
+            };
+            return Err(InputError::usage(message).help(help).into());
+        }
         if !absent.is_empty() && selection.right_frame && space.definition.has_metric() {
             let why = "the metric has no constant components in the right-invariant frame";
             note(&format!("not shown: {}; {why}", absent.join(", ")));

@@ -10,7 +10,7 @@ use affinor::algebra::Complex;
 use affinor::algebra::structure::{GroundField, StructureTheory};
 use affinor::geometry::properties::{MAX_SEARCHED, Property};
 use affinor::{Connection, ConnectionKind, Geometry, LieAlgebra, MatrixBasis, Metric};
-use affinor_tensors::text::combination;
+use affinor_tensors::text::{combination, exact_decimal, rounded};
 use affinor_tensors::{Rational, Ring, Symbolic, Tensor, Tolerance};
 use serde_json::{Value, json};
 use std::collections::{BTreeMap, BTreeSet};
@@ -309,18 +309,20 @@ impl List {
             return Ok(());
         };
         let names = [("smallest K", "at most"), ("largest K", "at least")];
-        for ((name, bound), extreme) in names.into_iter().zip(extremes) {
+        for (((name, bound), up), extreme) in names.into_iter().zip([true, false]).zip(extremes) {
             let vector = |x: &Vec<Rational>| {
                 let terms = x.iter().zip(labels).filter(|(v, _)| !v.vanishes());
-                combination(
-                    terms.map(|(v, label)| (v.to_string(), printable(label))).collect::<Vec<_>>(),
-                )
+                let terms = terms.map(|(v, label)| (component(v), printable(label)));
+                combination(terms.collect::<Vec<_>>())
             };
             let [x, y] = &extreme.plane;
             let (k, plane) = (&extreme.curvature, format!("plane {}, {}", vector(x), vector(y)));
             let text = match extreme.proved {
                 true => format!("K = {k}, {plane}"),
-                false => format!("{bound} {k}, {plane}; found by a search, not proved"),
+                false => {
+                    let k = shortened(k, up);
+                    format!("{bound} {k}, {plane}; found by a search, not proved")
+                }
             };
             self.fact(name, &text);
             let rows: Vec<Vec<String>> =
@@ -365,6 +367,28 @@ impl Report for Properties {
     fn write(&self, format: Format, out: &mut dyn Write) -> io::Result<()> {
         self.0.write(format, out)
     }
+}
+
+/// Fractions of more characters are written as decimal numbers.
+const LONG: usize = 20;
+/// Significant digits of such a number. The search decides more of them.
+const DIGITS: u32 = 10;
+
+/// A number, if it is long rounded up or down to ten significant digits.
+fn shortened(value: &Rational, up: bool) -> String {
+    let text = value.to_string();
+    match text.len() > LONG {
+        true => rounded(value, DIGITS, up).unwrap_or(text),
+        false => text,
+    }
+}
+
+/// The fractions of the last denominator of the search as decimal numbers, short fractions as they are.
+fn component(value: &Rational) -> String {
+    let text = value.to_string();
+    // fractions with the other denominators are shorter
+    let long = text.len() > 8 && text.contains('/');
+    long.then(|| exact_decimal(value, 8)).flatten().unwrap_or(text)
 }
 
 /// The names of the basis vectors and of the parameters, which stand for nothing else.

@@ -83,6 +83,25 @@ pub(super) fn resolve(name: &str) -> Result<Reading<'_>, CatalogueError> {
     }
 }
 
+/// The catalogue's name of a real form under its name in Helgason's tables: `su*(2n)`, and `g2(2)` with the signature of the Killing
+/// form, of the split and the compact forms of exceptional type.
+pub(super) fn of_real_form(name: &str) -> Option<String> {
+    let (head, argument) = name.trim().strip_suffix(')')?.split_once('(')?;
+    if head.trim() == "su*" {
+        let size: usize = argument.trim().parse().ok()?;
+        return (size >= 2 && size.is_multiple_of(2)).then(|| format!("sl({},H)", size / 2));
+    }
+    const EXCEPTIONAL: [(&str, i64, i64); 5] =
+        [("e6", 6, 78), ("e7", 7, 133), ("e8", 8, 248), ("f4", 4, 52), ("g2", 2, 14)];
+    let (head, split, dimension) = EXCEPTIONAL.into_iter().find(|(known, ..)| *known == head)?;
+    let character: i64 = argument.trim().parse().ok()?;
+    match character {
+        same if same == split => Some(head.to_uppercase()),
+        same if same == -dimension => Some(format!("compact({})", head.to_uppercase())),
+        _ => None,
+    }
+}
+
 /// What the arguments of these families have to be.
 pub(super) fn rule(families: &[&Family]) -> String {
     let rules = families.iter().map(|family| format!("{} needs {}", family.pattern, family.needs));

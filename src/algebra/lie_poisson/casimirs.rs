@@ -128,7 +128,7 @@ impl LiePoisson {
 }
 
 /// The positive number whose products with all numbers are integers without a common divisor.
-fn primitive_factor(numbers: &[Rational]) -> Rational {
+pub(in crate::algebra) fn primitive_factor(numbers: &[Rational]) -> Rational {
     let above = denominator(numbers.iter());
     let divisor = numbers.iter().fold(BigInt::zero(), |mut divisor, number| {
         let mut rest = BigRational::from(&(number.clone() * &above)).to_integer();

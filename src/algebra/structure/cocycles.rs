@@ -7,7 +7,10 @@ use super::{GroundField, StructureTheory, Subspace};
 use affinor_tensors::linear::Row;
 
 /// The largest dimension at which closed 2-forms are computed.
-pub const MAX_DIMENSION: usize = 12;
+pub const MAX_DIMENSION: usize = 60;
+/// Up to this dimension also with parameters and in a dense basis; beyond it the structure constants are rational and few.
+pub const MAX_ANY: usize = 12;
+const MAX_CONSTANTS: usize = 4000;
 
 /// The left-invariant 2-forms. The component `b(e_i, e_j)` with `i < j` stands at `i n + j`.
 #[derive(Clone, Debug)]
@@ -43,10 +46,14 @@ impl<S: GroundField> StructureTheory<S> {
         collected(terms.collect())
     }
 
-    /// The closed and the exact 2-forms; `None` beyond [`MAX_DIMENSION`].
+    /// The closed and the exact 2-forms; `None` beyond [`MAX_DIMENSION`], and beyond dimension 12 with parameters or more than
+    /// 4000 structure constants `c^i_jk`.
     pub fn two_forms(&self) -> Option<TwoForms<S>> {
         let n = self.dimension();
-        if n > MAX_DIMENSION {
+        let constants = self.algebra().structure_constants();
+        let few = constants.len() <= MAX_CONSTANTS;
+        let low = few && constants.components().all(|(_, value)| value.rational().is_some());
+        if n > MAX_DIMENSION || n > MAX_ANY && !low {
             return None;
         }
         let mut equations = vec![];

@@ -9,24 +9,31 @@ use polycore::Lead;
 use polycore::modp_echelon::Echelon;
 use std::collections::BTreeMap;
 
-/// The largest dimension at which the ranks of all differentials are computed.
-pub const MAX_DIMENSION: usize = 11;
+/// The largest dimension at which closed forms of all degrees are lifted to the rationals and multiplied out.
+const MAX_CERTIFIED: usize = 11;
+/// The largest dimension at which the ranks of all differentials are computed modulo primes.
+pub const MAX_DIMENSION: usize = 18;
+/// The most forms of one degree, and the most products of their number and the number of structure constants, beyond
+/// [`MAX_CERTIFIED`].
+const MAX_ROWS: usize = 13_000;
+const MAX_WORK: usize = 1_500_000;
 
 /// The largest Betti number that is given.
 const LARGEST: u64 = 1 << 53;
 
 impl<S: GroundField> StructureTheory<S> {
-    /// The Betti numbers `b_0, .., b_n`; `None` beyond [`MAX_DIMENSION`] unless the algebra is reductive, and
-    /// where one is beyond `2^53`, the whole numbers of a float.
+    /// The Betti numbers `b_0, .., b_n`; `None` beyond [`MAX_DIMENSION`] or where the differentials have too many entries,
+    /// unless the algebra is reductive, and where one is beyond `2^53`, the whole numbers of a float.
     ///
     /// The polynomial of a reductive algebra is `(1+t)^z prod (1 + t^(2m+1))`, with the dimension `z` of
     /// the centre and the exponents `m` of its simple factors.
     ///
-    /// The numbers come with whether they are proved: by a theorem, or by closed forms multiplied out. In a unimodular algebra
-    /// `d` on `Lambda^k` has the rank of `d` on `Lambda^(n-1-k)` (Poincare duality).
+    /// The numbers come with whether they are proved: by a theorem, or, up to dimension 11, by closed forms multiplied out.
+    /// Beyond, they are computed from ranks modulo two primes. In a unimodular algebra `d` on `Lambda^k` has the rank of `d` on
+    /// `Lambda^(n-1-k)` (Poincare duality).
     pub fn betti_numbers(&self) -> Option<(Vec<u64>, bool)> {
         let n = self.dimension();
-        if n <= MAX_DIMENSION {
+        if n <= MAX_CERTIFIED {
             let mut closed: Vec<Certified> = vec![];
             for k in 0..=n {
                 let dual = n.checked_sub(k + 1).filter(|dual| *dual < k && self.is_unimodular());
@@ -44,7 +51,7 @@ impl<S: GroundField> StructureTheory<S> {
             return Some((betti.collect(), closed.iter().all(|counted| counted.proved)));
         }
         if !self.is_reductive() {
-            return None;
+            return Some((self.betti_modulo_primes()?, false));
         }
         let degrees = self.dynkin_type()?.into_iter().flat_map(exponents);
         let degrees = degrees.map(|m| 2 * m + 1);
@@ -60,6 +67,26 @@ impl<S: GroundField> StructureTheory<S> {
             polynomial = product;
         }
         Some((polynomial, true))
+    }
+
+    /// The Betti numbers from the ranks modulo two primes, of which the larger one counts.
+    fn betti_modulo_primes(&self) -> Option<Vec<u64>> {
+        let (n, duality) = (self.dimension(), self.is_unimodular());
+        let mut best: Option<Vec<Vec<u64>>> = None;
+        for reduction in self.reductions().take(2) {
+            let [forms, ranks] = reduction.ranks_of_differentials(duality)?;
+            best = Some(match best {
+                // with equal weights modulo both primes
+                Some(known) if known[0] == forms => {
+                    let larger = known[1].iter().zip(&ranks).map(|(a, b)| *a.max(b)).collect();
+                    vec![forms, larger]
+                }
+                _ => vec![forms, ranks],
+            });
+        }
+        let [forms, ranks] = &best?[..] else { return None };
+        let exact = |k: usize| if k == 0 { 0 } else { ranks[k - 1] };
+        (0..=n).map(|k| forms[k].checked_sub(ranks[k])?.checked_sub(exact(k))).collect()
     }
 
     /// The closed forms of degree `k`.
@@ -86,6 +113,59 @@ fn binomial(n: usize, k: usize) -> usize {
 }
 
 impl ModularAlgebra {
+    /// The dimensions of a complex with the cohomology of the algebra, and the ranks of its differentials, by degree; `None` if
+    /// they are too large. With `duality` ranks above the middle are those below.
+    ///
+    /// A derivation `ad_x` acts as zero on cohomology. So where `ad_x` is diagonal in the basis, forms of weight zero suffice.
+    /// Forms that are pivots of the exact ones are left out, for they are closed up to other forms: `d d = 0`.
+    fn ranks_of_differentials(&self, duality: bool) -> Option<[Vec<u64>; 2]> {
+        let (n, p) = (self.dimension(), self.prime());
+        if n > MAX_DIMENSION {
+            return None;
+        }
+        let is_diagonal = |j: &usize| self.of(*j).iter().all(|(k, i, _)| k == i);
+        let weights = (0..n).filter(is_diagonal).map(|j| {
+            let mut weights = vec![0; n];
+            self.of(j).iter().for_each(|&(k, _, value)| weights[k] = value);
+            weights
+        });
+        let weights: Vec<Vec<u64>> = weights.filter(|w| w.iter().any(|v| *v != 0)).collect();
+        let elements = |set: usize| (0..n).filter(move |i| set >> i & 1 == 1);
+        let invariant = |set: &usize| {
+            let weight = |w: &Vec<u64>| elements(*set).fold(0, |sum, i| p.add(sum, w[i]));
+            weights.iter().all(|w| weight(w) == 0)
+        };
+        let mut sets: Vec<Vec<usize>> = vec![vec![]; n + 1];
+        for set in (0..1usize << n).filter(invariant) {
+            sets[set.count_ones() as usize].push(set);
+        }
+        let rows = sets.iter().map(Vec::len).max().unwrap_or(0);
+        let constants: usize = (0..n).map(|j| self.of(j).len() / 2).sum();
+        if rows > MAX_ROWS || rows * constants > MAX_WORK {
+            return None;
+        }
+        let mut ranks: Vec<u64> = vec![];
+        let mut exact = vec![false; 1 << n];
+        for k in 0..=n {
+            if let Some(&dual) = n.checked_sub(k + 1).and_then(|dual| ranks.get(dual))
+                && duality
+            {
+                ranks.push(dual);
+                continue;
+            }
+            let mut echelon = Echelon::new(Lead::Low, p.get());
+            let mut pivots = vec![];
+            for &set in sets[k].iter().filter(|set| !exact[**set]) {
+                let terms = differential(n, |j| self.of(j), set).into_iter();
+                let row = terms.map(|(to, minus, &c)| (to, if minus { p.neg(c) } else { c }));
+                pivots.extend(echelon.insert(&row.collect::<Vec<_>>()));
+            }
+            pivots.iter().for_each(|pivot| exact[*pivot] = true);
+            ranks.push(pivots.len() as u64);
+        }
+        Some([sets.iter().map(|sets| sets.len() as u64).collect(), ranks])
+    }
+
     /// A basis of the closed forms among those with these index sets, in reduced echelon form.
     fn closed_forms(&self, sets: &[usize]) -> Vec<Vec<u64>> {
         let (n, p) = (self.dimension(), self.prime());
@@ -110,7 +190,7 @@ impl ModularAlgebra {
 }
 
 /// The terms `(set, minus, c)` of `d e^set`, with `d e^i = -sum over j < l of c^i_jl e^j e^l`.
-fn differential<'a, V>(
+pub(super) fn differential<'a, V>(
     n: usize,
     of: impl Fn(usize) -> &'a [(usize, usize, V)],
     set: usize,

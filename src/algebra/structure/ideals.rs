@@ -194,7 +194,7 @@ impl StructureTheory<Rational> {
     }
 
     /// A basis of the maps that commute with all `ad`, reconstructed from residues and multiplied out.
-    fn centroid(&self, dimension: usize) -> Option<Vec<Matrix<Rational>>> {
+    pub(super) fn centroid(&self, dimension: usize) -> Option<Vec<Matrix<Rational>>> {
         let n = self.dimension();
         let mut images = RationalReconstruction::new(dimension * n * n);
         let mut draw = PseudoRandom::new(4);

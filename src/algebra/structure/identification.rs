@@ -1,4 +1,5 @@
-//! The name of an algebra of low dimension: real ones up to dimension 4, nilpotent ones up to 6.
+//! The name of an algebra of low dimension: real ones up to dimension 4, nilpotent ones up to 6; of simple and Heisenberg
+//! algebras; and of direct sums of these.
 //!
 //! Parameters are decided by invariants of the action that do not change with a multiple of the acting vector, such as
 //! `tr^2 / det`: these are rational where eigenvalues are not.
@@ -13,6 +14,7 @@ mod nilpotent;
 mod pairing;
 mod polynomials;
 mod sign;
+mod sums;
 mod witness;
 
 use super::subspace::collected;
@@ -58,9 +60,10 @@ impl Identification {
 type Vector = Row<Rational>;
 
 impl StructureTheory<Rational> {
-    /// The name of the algebra; `None` for other dimensions.
+    /// The name of the algebra, or of the parts of a direct sum: simple ideals by type and signature, Heisenberg and abelian
+    /// ideals, and those of low dimension. `None` for other algebras.
     pub fn identify(&self) -> Option<Identification> {
-        let found = self.by_invariants()?;
+        let Some(found) = self.by_invariants() else { return self.as_sum() };
         let named = found.isomorphism.is_none() && found.parameter.is_none();
         match &found.names[..] {
             [name] if named => match self.isomorphism_with(name) {

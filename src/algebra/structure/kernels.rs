@@ -1,4 +1,4 @@
-//! Kernels of dense matrices, lifted from residues modulo primes and multiplied out.
+//! Kernels of matrices, lifted from residues modulo primes and multiplied out.
 //!
 //! Modulo a prime the kernel has at least the dimension that it has over the rationals. As many rational vectors in echelon form that the
 //! matrix sends to zero are a basis of the kernel.
@@ -9,9 +9,14 @@ use affinor_tensors::linear::Row;
 use affinor_tensors::linear::modular::{Prime, RationalReconstruction, ResidueMatrix, primes};
 use affinor_tensors::{Rational, Ring};
 use num_traits::Zero;
+use polycore::Lead;
+use polycore::modp_echelon::Echelon;
 
 /// How many primes are tried.
 const PRIMES: usize = 2000;
+/// Of more unknowns, equations with fewer entries on average are eliminated by their entries.
+const MANY: usize = 150;
+const SPARSE: usize = 12;
 
 impl<S: GroundField> Subspace<S> {
     /// [`kernel`](Self::kernel) of rows of dense bases, whose entries are long where they are rational.
@@ -26,41 +31,47 @@ impl<S: GroundField> Subspace<S> {
             row.iter().map(|(at, value)| Some((*at, value.rational()?))).collect::<Option<_>>()
         };
         let rows: Vec<Row<Rational>> = rows.iter().map(rational).collect::<Option<_>>()?;
-        let mut found: Option<(Vec<usize>, RationalReconstruction)> = None;
+        // the places of the entries, vector by vector, and their residues
+        let mut found: Option<(Vec<Vec<usize>>, RationalReconstruction)> = None;
         let mut taken = 0;
         for prime in primes().take(PRIMES) {
             let Some(kernel) = kernel_modulo(prime, ambient, &rows) else { continue };
-            let pivots: Vec<usize> =
-                kernel.iter().filter_map(|row| row.iter().position(|v| *v != 0)).collect();
-            if pivots.is_empty() {
+            if kernel.is_empty() {
                 return Some(Self::zero(ambient));
             }
+            let of = |row: &SparseRow| row.iter().map(|(at, _)| *at).collect::<Vec<usize>>();
+            let places: Vec<Vec<usize>> = kernel.iter().map(of).collect();
+            let entries = |places: &[Vec<usize>]| places.iter().map(Vec::len).sum::<usize>();
+            // a prime that divides a minor gives more vectors, or other pivots; one that divides an entry fewer entries
+            let size = |places: &[Vec<usize>]| (places.len(), usize::MAX - entries(places));
             let (known, mut images) = match found.take() {
-                Some((known, images)) if known.len() < pivots.len() => {
+                Some((known, images)) if known == places => (known, images),
+                Some((known, images)) if size(&known) < size(&places) => {
                     found = Some((known, images));
                     continue;
                 }
-                Some((known, images)) if known == pivots => (known, images),
-                // the primes before divide a minor
                 _ => {
                     taken = 0;
-                    (pivots.clone(), RationalReconstruction::new(pivots.len() * ambient))
+                    let length = entries(&places);
+                    (places, RationalReconstruction::new(length))
                 }
             };
-            images.add(prime, &kernel.concat());
+            let residues: Vec<u64> = kernel.iter().flatten().map(|(_, value)| *value).collect();
+            images.add(prime, &residues);
             taken += 1;
             // a reconstruction takes longer than a prime
             if taken % (1 + taken / 8) == 0
                 && let Some(numbers) = images.rationals()
             {
-                let vectors: Vec<&[Rational]> = numbers.chunks(ambient).collect();
-                if vectors.iter().all(|vector| sent_to_zero(&rows, vector)) {
-                    let entries = |vector: &[Rational]| {
-                        let entries = vector.iter().cloned().enumerate();
-                        entries
-                            .filter(|(_, v)| !v.vanishes())
-                            .map(|(at, v)| (at, S::from_rational(v)))
-                            .collect()
+                let mut numbers = numbers.into_iter();
+                let vectors: Vec<Row<Rational>> = known
+                    .iter()
+                    .map(|places| places.iter().copied().zip(numbers.by_ref()).collect())
+                    .collect();
+                if vectors.iter().all(|vector| sent_to_zero(ambient, &rows, vector)) {
+                    let entries = |vector: Row<Rational>| {
+                        let entries = vector.into_iter().filter(|(_, v)| !v.vanishes());
+                        entries.map(|(at, v)| (at, S::from_rational(v))).collect()
                     };
                     return Some(Self::span(ambient, vectors.into_iter().map(entries)));
                 }
@@ -71,8 +82,19 @@ impl<S: GroundField> Subspace<S> {
     }
 }
 
+type SparseRow = Vec<(usize, u64)>;
+
 /// The kernel modulo a prime in reduced row echelon form; `None` if the prime divides a denominator.
-fn kernel_modulo(prime: Prime, ambient: usize, rows: &[Row<Rational>]) -> Option<Vec<Vec<u64>>> {
+fn kernel_modulo(prime: Prime, ambient: usize, rows: &[Row<Rational>]) -> Option<Vec<SparseRow>> {
+    if ambient > MANY && rows.iter().map(Vec::len).sum::<usize>() < SPARSE * rows.len() {
+        let mut echelon = Echelon::new(Lead::High, prime.get());
+        for row in rows {
+            let residue = |(at, value): &(usize, Rational)| Some((*at, prime.rational(value)?));
+            let row: SparseRow = row.iter().map(residue).collect::<Option<_>>()?;
+            echelon.insert(&row.into_iter().filter(|(_, v)| *v != 0).collect::<Vec<_>>());
+        }
+        return Some(echelon.nullspace(ambient));
+    }
     // in the opposite order of the columns the last component of a kernel vector is its pivot
     let residues = rows.iter().map(|row| {
         let mut dense = vec![0; ambient];
@@ -81,18 +103,24 @@ fn kernel_modulo(prime: Prime, ambient: usize, rows: &[Row<Rational>]) -> Option
         }
         Some(dense)
     });
-    let mut kernel = ResidueMatrix::new(prime, ambient, residues.collect::<Option<_>>()?).kernel();
-    kernel.iter_mut().for_each(|row| row.reverse());
-    kernel.reverse();
-    Some(kernel)
+    let kernel = ResidueMatrix::new(prime, ambient, residues.collect::<Option<_>>()?).kernel();
+    let sparse = |row: &Vec<u64>| {
+        let entries = row.iter().rev().copied().enumerate();
+        entries.filter(|(_, value)| *value != 0).collect()
+    };
+    Some(kernel.iter().rev().map(sparse).collect())
 }
 
 /// Whether all products with a vector are zero.
-fn sent_to_zero(rows: &[Row<Rational>], vector: &[Rational]) -> bool {
-    let denominator = denominator(vector.iter());
-    let integers: Vec<Rational> = vector.iter().map(|value| value.clone() * &denominator).collect();
+fn sent_to_zero(ambient: usize, rows: &[Row<Rational>], vector: &Row<Rational>) -> bool {
+    let denominator = denominator(vector.iter().map(|(_, value)| value));
+    let mut integers = vec![Rational::from(0); ambient];
+    for (at, value) in vector {
+        integers[*at] = value.clone() * &denominator;
+    }
     rows.iter().all(|row| {
-        let terms = row.iter().map(|(at, value)| value.clone() * &integers[*at]);
+        let terms = row.iter().filter(|(at, _)| !integers[*at].is_zero());
+        let terms = terms.map(|(at, value)| value.clone() * &integers[*at]);
         terms.fold(Rational::from(0), |sum, term| sum + &term).is_zero()
     })
 }

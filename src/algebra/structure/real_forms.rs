@@ -71,11 +71,16 @@ fn orthogonal(n: usize) -> impl Iterator<Item = (usize, String)> {
     (0..=n / 2).map(move |q| (pairs(q) + pairs(n - q), two("so", n - q, q)))
 }
 
-/// sp(p,q) has quaternionic arguments, sp(2r,R) real ones.
+/// sp(p,q) has quaternionic arguments, sp(2r,R) real ones; usp(2r) is the compact form.
 fn symplectic(r: usize) -> Vec<(usize, String)> {
     let compact = |n: usize| n * (2 * n + 1);
     let split = (r * r, format!("sp({},R)", 2 * r));
-    let others = (0..=r / 2).map(|q| (compact(q) + compact(r - q), two("sp", r - q, q)));
+    // sp(r) is the split form of another type in the catalogue
+    let name = |q: usize| match q {
+        0 => format!("usp({})", 2 * r),
+        q => format!("sp({},{q})", r - q),
+    };
+    let others = (0..=r / 2).map(|q| (compact(q) + compact(r - q), name(q)));
     [split].into_iter().chain(others).collect()
 }
 

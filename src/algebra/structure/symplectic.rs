@@ -6,7 +6,9 @@
 //! An exact symplectic form exists if and only if the index is 0 (Frobenius algebras). A unimodular algebra has no exact
 //! one, and none at all if it is not solvable: B.-Y. Chu, *Trans. Amer. Math. Soc.* 197 (1974) 145-159.
 
+use super::certificates::Certified;
 use super::cocycles::TwoForms;
+use super::reduction::{ModularAlgebra, PseudoRandom};
 use super::{GroundField, StructureTheory, Subspace};
 use crate::Error;
 use crate::algebra::LieAlgebra;
@@ -36,7 +38,10 @@ pub enum Existence<S> {
     Index(usize),
     /// The algebra is unimodular: then it has no exact symplectic form, and none at all if it is not solvable (Chu).
     Unimodular,
-    /// None was found, and the Pfaffian was not expanded.
+    /// The general form has this rank, which is too small: modulo primes at pseudorandom forms, or proved, because all forms
+    /// vanish on a common kernel. Of a contact form it is the rank of `d a`, bordered by `a`.
+    Rank(Certified),
+    /// None was found, although there may be one.
     Open,
 }
 
@@ -55,19 +60,43 @@ impl<S: GroundField> StructureTheory<S> {
             return Existence::Unimodular;
         }
         match self.nondegenerate(&forms.exact) {
-            Existence::Open => self.by_index(0),
+            found @ (Existence::Open | Existence::Rank(Certified { proved: false, .. })) => {
+                match self.by_index(0) {
+                    Existence::Open => found,
+                    proved => proved,
+                }
+            }
             found => found,
         }
     }
 
     fn nondegenerate(&self, forms: &Subspace<S>) -> Existence<S> {
         let n = self.dimension();
-        let family = forms.basis().iter().map(|row| antisymmetric(n, row)).collect();
-        match search(n, family) {
+        let family: Vec<Entries<S>> =
+            forms.basis().iter().map(|row| antisymmetric(n, row)).collect();
+        match search(n, &family) {
             Found::Parameters(t) => Existence::Witness(forms.vector(&t)),
             Found::Nothing => Existence::Impossible,
-            Found::Open => Existence::Open,
+            Found::Open => self.by_rank(n, &family),
         }
+    }
+
+    /// The rank of the general form of a family, if it is too small.
+    fn by_rank(&self, n: usize, family: &[Entries<S>]) -> Existence<S> {
+        let residues = |reduction: ModularAlgebra| generic_rank(reduction.prime(), n, family);
+        let rank = self.reductions().filter_map(residues).take(2).max().unwrap_or(0);
+        if rank == n {
+            return Existence::Open;
+        }
+        let mut rows = vec![];
+        for form in family {
+            let mut by_row = vec![vec![]; n];
+            form.iter().for_each(|(i, j, value)| by_row[*i].push((*j, value.clone())));
+            rows.extend(by_row.into_iter().filter(|row| !row.is_empty()));
+        }
+        let kernel = n - Subspace::span(n, rows).dimension();
+        // an antisymmetric form has even rank
+        Existence::Rank(Certified { dimension: rank, proved: rank + 1 >= n - kernel })
     }
 
     /// A contact form `a`: `a (d a)^k` is not zero in dimension `2 k + 1`.
@@ -75,18 +104,18 @@ impl<S: GroundField> StructureTheory<S> {
         let n = self.dimension();
         let bordered = |i: usize| {
             let differential = antisymmetric(n, &self.differential(&[(i, S::one())]));
-            let mut matrix = vec![vec![S::zero(); n + 1]; n + 1];
-            for (j, row) in differential.iter().enumerate() {
-                matrix[j + 1][1..].clone_from_slice(row);
-            }
-            matrix[0][i + 1] = S::one();
-            matrix[i + 1][0] = -S::one();
-            matrix
+            let shifted = differential.into_iter().map(|(j, k, value)| (j + 1, k + 1, value));
+            let border = [(0, i + 1, S::one()), (i + 1, 0, -S::one())];
+            border.into_iter().chain(shifted).collect()
         };
-        match search(n + 1, (0..n).map(bordered).collect()) {
+        let family: Vec<Entries<S>> = (0..n).map(bordered).collect();
+        match search(n + 1, &family) {
             Found::Parameters(t) => Existence::Witness(t),
             Found::Nothing => Existence::Impossible,
-            Found::Open => self.by_index(1),
+            Found::Open => match self.by_index(1) {
+                Existence::Open => self.by_rank(n + 1, &family),
+                found => found,
+            },
         }
     }
 
@@ -118,15 +147,42 @@ impl<S: GroundField> StructureTheory<S> {
     }
 }
 
-type Dense<S> = Vec<Vec<S>>;
+/// The entries `(i, j, v)` of an antisymmetric matrix.
+type Entries<S> = Vec<(usize, usize, S)>;
 
-fn antisymmetric<S: GroundField>(n: usize, form: &[(usize, S)]) -> Dense<S> {
-    let mut matrix = vec![vec![S::zero(); n]; n];
-    for (at, value) in form {
-        matrix[at / n][at % n] = value.clone();
-        matrix[at % n][at / n] = -value.clone();
+fn antisymmetric<S: GroundField>(n: usize, form: &[(usize, S)]) -> Entries<S> {
+    let both = |(at, value): &(usize, S)| {
+        let (i, j) = (at / n, at % n);
+        [(i, j, value.clone()), (j, i, -value.clone())]
+    };
+    form.iter().flat_map(both).collect()
+}
+
+/// The rank modulo a prime of a pseudorandom combination; `None` if the prime divides an entry.
+fn generic_rank<S: GroundField>(prime: Prime, n: usize, family: &[Entries<S>]) -> Option<usize> {
+    let reduced: Vec<_> = family.iter().map(|form| residues(prime, form)).collect::<Option<_>>()?;
+    let t = PseudoRandom::new(5).vector(prime, family.len());
+    Some(combined(prime, n, &t, &reduced).rank())
+}
+
+/// The residues of a matrix; `None` if the prime divides an entry.
+fn residues<S: GroundField>(prime: Prime, form: &Entries<S>) -> Option<Entries<u64>> {
+    let residue = |(i, j, value): &(usize, usize, S)| {
+        let residue = value.residue(prime).filter(|residue| *residue != 0)?;
+        Some((*i, *j, residue))
+    };
+    form.iter().map(residue).collect()
+}
+
+/// The combination of matrices with these coefficients.
+fn combined(prime: Prime, n: usize, t: &[u64], reduced: &[Entries<u64>]) -> ResidueMatrix {
+    let mut sum = vec![vec![0; n]; n];
+    for (&factor, matrix) in t.iter().zip(reduced).filter(|(factor, _)| **factor != 0) {
+        for (i, j, value) in matrix {
+            sum[*i][*j] = prime.add(sum[*i][*j], prime.mul(factor, *value));
+        }
     }
-    matrix
+    ResidueMatrix::new(prime, n, sum)
 }
 
 enum Found<S> {
@@ -136,11 +192,11 @@ enum Found<S> {
 }
 
 /// Parameters at which a combination of antisymmetric matrices of size `n` is regular.
-fn search<S: GroundField>(n: usize, family: Vec<Dense<S>>) -> Found<S> {
+fn search<S: GroundField>(n: usize, family: &[Entries<S>]) -> Found<S> {
     if n % 2 == 1 || family.is_empty() {
         return if n == 0 { Found::Parameters(vec![]) } else { Found::Nothing };
     }
-    if let Some(t) = shortened(&family, n, n, PRIMES) {
+    if let Some(t) = shortened(family, n, n, PRIMES) {
         return Found::Parameters(t);
     }
     if n > MAX_PFAFFIAN {
@@ -149,19 +205,16 @@ fn search<S: GroundField>(n: usize, family: Vec<Dense<S>>) -> Found<S> {
     // no parameter of the brackets begins with a space
     let parameters: Vec<Symbolic> =
         (0..family.len()).map(|at| Symbolic::parameter(&format!(" t{at}"))).collect();
-    let entry = |i: usize, j: usize| {
-        family.iter().zip(&parameters).fold(Symbolic::zero(), |sum, (matrix, t)| {
-            match matrix[i][j].vanishes() {
-                true => sum,
-                false => sum + &(matrix[i][j].symbolic() * t),
-            }
-        })
-    };
-    let general: Vec<Vec<Symbolic>> =
-        (0..n).map(|i| (0..n).map(|j| entry(i, j)).collect()).collect();
+    let mut general = vec![vec![Symbolic::zero(); n]; n];
+    for (matrix, t) in family.iter().zip(&parameters) {
+        for (i, j, value) in matrix {
+            let sum = std::mem::replace(&mut general[*i][*j], Symbolic::zero());
+            general[*i][*j] = sum + &(value.symbolic() * t);
+        }
+    }
     match pfaffian(&general, &(0..n).collect::<Vec<_>>()).is_zero() {
         true => Found::Nothing,
-        false => shortened(&family, n, n, MORE_PRIMES).map_or(Found::Open, Found::Parameters),
+        false => shortened(family, n, n, MORE_PRIMES).map_or(Found::Open, Found::Parameters),
     }
 }
 
@@ -184,39 +237,28 @@ pub(super) fn pfaffian(matrix: &[Vec<Symbolic>], rows: &[usize]) -> Symbolic {
 /// as the rank allows. The rank modulo a prime is no larger than the rank, so it proves that. Primes that divide an entry are
 /// passed over.
 fn shortened<S: GroundField>(
-    family: &[Dense<S>],
+    family: &[Entries<S>],
     n: usize,
     rank: usize,
     most: usize,
 ) -> Option<Row<S>> {
-    let residues = |prime: Prime| {
-        let entry = |v: &S| v.residue(prime).filter(|residue| *residue != 0 || v.vanishes());
-        let matrix = |matrix: &Dense<S>| -> Option<Vec<Vec<u64>>> {
-            matrix.iter().map(|row| row.iter().map(entry).collect()).collect()
-        };
-        Some((prime, family.iter().map(matrix).collect::<Option<Vec<_>>>()?))
+    let reduced = |prime: Prime| {
+        let reduced = family.iter().map(|form| residues(prime, form));
+        Some((prime, reduced.collect::<Option<Vec<_>>>()?))
     };
-    let mut reductions = primes().filter_map(residues).take(most);
+    let mut reductions = primes().filter_map(reduced).take(most);
     reductions.find_map(|(prime, reduced)| shortened_modulo(prime, &reduced, n, rank))
 }
 
 fn shortened_modulo<S: GroundField>(
     prime: Prime,
-    reduced: &[Vec<Vec<u64>>],
+    reduced: &[Entries<u64>],
     n: usize,
     rank: usize,
 ) -> Option<Row<S>> {
     let regular = |t: &[i64]| {
-        let mut sum = vec![vec![0; n]; n];
-        for (factor, matrix) in t.iter().zip(reduced).filter(|(factor, _)| **factor != 0) {
-            let factor = prime.integer(*factor);
-            for (row, terms) in sum.iter_mut().zip(matrix) {
-                for (entry, term) in row.iter_mut().zip(terms) {
-                    *entry = prime.add(*entry, prime.mul(factor, *term));
-                }
-            }
-        }
-        ResidueMatrix::new(prime, n, sum).rank() == rank
+        let t: Vec<u64> = t.iter().map(|factor| prime.integer(*factor)).collect();
+        combined(prime, n, &t, reduced).rank() == rank
     };
     let mut state = 0x9e37_79b9_u64;
     let mut draw = |below: u64| {

@@ -3,7 +3,8 @@
 //! In three dimensions the plane orthogonal to `n` has the curvature `S/2 - Ric(n,n)/g(n,n)`, so the extremes belong to
 //! eigenvectors of the Ricci endomorphism (J. Milnor, *Adv. Math.* 21 (1976) 293-329, section 4). Elsewhere planes are
 //! searched in floats, from vectors of an orthonormal basis, their sums and differences: for fixed `x` the best `y` is an eigenvector of
-//! `g(R(x,y)y,x)`, then `x` for this `y`, and so on. The plane found is rounded, and its curvature is exact.
+//! `g(R(x,y)y,x)`, then `x` for this `y`, and so on. The plane found is rounded, and its curvature is exact: it differs from that of
+//! the plane found by rounding errors.
 
 use super::Property;
 use crate::Error;
@@ -15,16 +16,20 @@ use affinor_tensors::linear::Matrix;
 use affinor_tensors::{Rational, Ring, Tensor};
 use nalgebra::{DMatrix, DVector};
 use num_rational::BigRational;
-use num_traits::ToPrimitive;
+use num_traits::{One, Signed, ToPrimitive};
 use polycore::Uni;
 
 /// The largest dimension in which extremes of the sectional curvature are searched.
 pub const MAX_SEARCHED: usize = 12;
 
-/// How often a plane is improved, at most.
+/// How often each plane is improved, at most, and how often the best one.
 const ROUNDS: usize = 60;
-/// The denominators that are tried for the plane, in order; then the last.
-const DENOMINATORS: [i64; 10] = [1, 2, 3, 4, 5, 6, 8, 10, 12, 1000];
+const LAST_ROUNDS: usize = 5000;
+/// Planes with pseudorandom vectors with which searches begin as well.
+const RANDOM_STARTS: usize = 40;
+/// The denominators that are tried for the plane, in order; then the last. An error `e` of the plane changes an extreme
+/// curvature by `e^2`, so the last one leaves an error of the order of the rounding errors.
+const DENOMINATORS: [i64; 10] = [1, 2, 3, 4, 5, 6, 8, 10, 12, 100_000_000];
 
 /// The smallest or the largest sectional curvature, with the plane that has it.
 #[derive(Clone, Debug, PartialEq)]
@@ -155,11 +160,17 @@ impl Search {
         sign: f64,
     ) -> Result<Option<Self>, Error> {
         let n = connection.frame().dimension();
-        let float = |value: &Rational| BigRational::from(value).to_f64().unwrap_or(f64::NAN);
+        let float = |value: BigRational| value.to_f64().unwrap_or(f64::NAN);
+        // multiples of the metric or of the structure constants have the same planes: the largest component becomes 1
         let dense = |tensor: &Tensor<Rational>| {
+            let exact = tensor.components().map(|(at, value)| (at, BigRational::from(value)));
+            let exact: Vec<_> = exact.collect();
+            let largest = exact.iter().map(|(_, value)| value.abs()).max();
+            let largest = largest.unwrap_or_else(BigRational::one);
             let mut values = vec![0.0; n.pow(tensor.slots().len() as u32)];
-            for (at, value) in tensor.components() {
-                values[at.iter().fold(0, |place, i| place * n + i)] = sign * float(value);
+            for (at, value) in exact {
+                values[at.iter().fold(0, |place, i| place * n + i)] =
+                    sign * float(value / &largest);
             }
             values
         };
@@ -172,51 +183,78 @@ impl Search {
             let matrix = DMatrix::from_row_slice(n, n * n * n, &curvature);
             curvature = (matrix.transpose() * &basis).transpose().as_slice().to_vec();
         }
+        let largest = curvature.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
+        if !(largest > 0.0 && largest.is_finite()) {
+            return Ok(None);
+        }
+        curvature.iter_mut().for_each(|value| *value /= largest);
         Ok(Some(Search { n, basis, curvature }))
     }
 
     /// The plane found with the largest (`side` 1) or the smallest (-1) curvature.
     fn best(&self, side: f64) -> [Vec<Rational>; 2] {
         let mut best: Option<(f64, [DVector<f64>; 2])> = None;
-        for (mut x, mut y) in self.starts(side) {
-            let mut value = self.value(&x, &y);
-            let mut unchanged = 0;
-            for _ in 0..ROUNDS {
-                let next = self.partner(&x, side);
-                let improved = self.value(&x, &next);
-                if side * (improved - value) > 1e-14 * (1.0 + value.abs()) {
-                    (y, value, unchanged) = (next, improved, 0);
-                } else {
-                    unchanged += 1;
-                }
-                if unchanged == 2 {
-                    break;
-                }
-                std::mem::swap(&mut x, &mut y);
-            }
+        for plane in self.starts(side) {
+            let (value, plane) = self.improved(plane, side, ROUNDS);
             // a little ahead, so that equal planes are taken in the order of the basis
             if best.as_ref().is_none_or(|(known, _)| side * (value - known) > 1e-9) {
-                best = Some((value, [x, y]));
+                best = Some((value, plane));
             }
         }
-        let (_, [x, y]) = best.expect("a plane, for the dimension is at least 2");
+        let (_, plane) = best.expect("a plane, for the dimension is at least 2");
+        let (_, [x, y]) = self.improved(plane, side, LAST_ROUNDS);
         rounded(&(&self.basis * x), &(&self.basis * y))
     }
 
-    /// Pairs of basis vectors; sums and differences of basis vectors, with the best partner. Of two basis vectors each
+    /// Replaces one vector of a plane after the other by the best partner of the other one, until the curvature stays. The
+    /// curvatures are of the order of 1.
+    fn improved(
+        &self,
+        [mut x, mut y]: [DVector<f64>; 2],
+        side: f64,
+        rounds: usize,
+    ) -> (f64, [DVector<f64>; 2]) {
+        let mut value = self.value(&x, &y);
+        let mut unchanged = 0;
+        for _ in 0..rounds {
+            let next = self.partner(&x, side);
+            let improved = self.value(&x, &next);
+            if side * (improved - value) > 1e-15 {
+                (y, value, unchanged) = (next, improved, 0);
+            } else {
+                unchanged += 1;
+            }
+            if unchanged == 2 {
+                break;
+            }
+            std::mem::swap(&mut x, &mut y);
+        }
+        (value, [x, y])
+    }
+
+    /// Pairs of basis vectors; sums and differences of basis vectors, and pseudorandom vectors, with the best partner. Of two basis vectors each
     /// may be the best partner of the other without the plane being extreme.
-    fn starts(&self, side: f64) -> Vec<(DVector<f64>, DVector<f64>)> {
+    fn starts(&self, side: f64) -> Vec<[DVector<f64>; 2]> {
         let n = self.n;
         let unit = |at: usize| DVector::from_fn(n, |row, _| f64::from(u8::from(row == at)));
         let pairs = || (0..n).flat_map(|i| (i + 1..n).map(move |j| (i, j)));
-        let coordinate = pairs().map(|(i, j)| (unit(i), unit(j)));
+        let coordinate = pairs().map(|(i, j)| [unit(i), unit(j)]);
         let diagonal = pairs().flat_map(|(i, j)| [unit(i) + unit(j), unit(i) - unit(j)]);
-        let diagonal = diagonal.map(|x| {
+        let mut state = 0x9e37_79b9_u64;
+        let mut draw = move || {
+            state = state
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
+            (state >> 11) as f64 / (1u64 << 52) as f64 - 1.0
+        };
+        let random: Vec<DVector<f64>> =
+            (0..RANDOM_STARTS).map(|_| DVector::from_fn(n, |_, _| draw())).collect();
+        let with_partner = diagonal.chain(random).map(|x| {
             let x = x.normalize();
             let y = self.partner(&x, side);
-            (x, y)
+            [x, y]
         });
-        coordinate.chain(diagonal).collect()
+        coordinate.chain(with_partner).collect()
     }
 
     /// `M_jl = R_ijkl x^i x^k`, symmetric.
@@ -238,7 +276,7 @@ impl Search {
     /// The unit vector orthogonal to `x` that makes the curvature extreme.
     fn partner(&self, x: &DVector<f64>, side: f64) -> DVector<f64> {
         let form = self.form(x) * side;
-        let shift = 2.0 * form.norm() + 1.0;
+        let shift = 2.0 * form.norm() + 1e-3;
         let eigen = (form - x * x.transpose() * shift).symmetric_eigen();
         eigen.eigenvectors.column(eigen.eigenvalues.imax()).into_owned()
     }

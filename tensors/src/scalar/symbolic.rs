@@ -34,7 +34,7 @@ mod sum;
 mod variable;
 mod writing;
 
-use super::{Field, Kind, Notation, Rational, Ring, Summable, Tabular};
+use super::{Field, Kind, Notation, Rational, Ring, Summable, Tabular, divisors};
 use crate::expression::is_name;
 use fraction::Fraction;
 use polynomial::Polynomial;
@@ -227,7 +227,10 @@ impl Field for Symbolic {
     fn recip(&self) -> Option<Self> {
         match &self.0 {
             Form::Constant(c) => c.recip().map(Self::constant),
-            Form::Fraction(f) => canonical::reciprocal(f),
+            Form::Fraction(f) => {
+                divisors::record(self);
+                canonical::reciprocal(f)
+            }
         }
     }
     fn pivot_weight(&self) -> f64 {

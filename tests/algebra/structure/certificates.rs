@@ -78,3 +78,33 @@ fn proved_in_the_catalogue() {
         assert!(structure.betti_numbers().unwrap().1, "{name}");
     }
 }
+
+/// Betti numbers modulo primes, beyond the dimension at which closed forms are multiplied out: of a product of groups they are
+/// the products of the polynomials, and of Heisenberg groups `C(2m,k) - C(2m,k-2)` up to the middle
+/// (L. J. Santharoubane, *Proc. Amer. Math. Soc.* 87 (1983) 23-28).
+#[test]
+fn betti_numbers_of_higher_dimension() {
+    let betti = |name: &str| StructureTheory::new(catalogued(name)).betti_numbers().unwrap();
+    let product = |a: &[u64], b: &[u64]| {
+        let mut product = vec![0; a.len() + b.len() - 1];
+        for (i, j) in (0..a.len()).flat_map(|i| (0..b.len()).map(move |j| (i, j))) {
+            product[i + j] += a[i] * b[j];
+        }
+        product
+    };
+    for (first, second) in [
+        ("heisenberg(7)", "filiform(6)"),
+        ("filiform(5)", "degraaf(5,6)+aff(1)"),
+        ("se(3)", "t(3)"),
+        ("free_nilpotent(2,3)", "free_nilpotent(3,2)+R^1"),
+    ] {
+        let (sum, _) = betti(&format!("{first}+{second}"));
+        assert_eq!(sum, product(&betti(first).0, &betti(second).0), "{first}+{second}");
+    }
+    let binomial = |n: u64, k: u64| (0..k).fold(1, |value, i| value * (n - i) / (i + 1));
+    let m = 6;
+    let of = |k: u64| binomial(2 * m, k) - k.checked_sub(2).map_or(0, |k| binomial(2 * m, k));
+    let mut expected: Vec<u64> = (0..=m).map(of).collect();
+    expected.extend(expected.clone().iter().rev());
+    assert_eq!(betti("heisenberg(13)"), (expected, false));
+}

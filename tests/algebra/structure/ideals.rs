@@ -219,7 +219,11 @@ fn names_of_real_forms() {
     let data: Value = serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap();
     let other = |name: &str| match name {
         "su(1,1)" => "sl(2,R)".to_string(),
-        name => name.replace(",0)", ")"),
+        // sp(n) is the split form of another type in the catalogue
+        name => match name.strip_prefix("sp(").and_then(|rest| rest.strip_suffix(",0)")) {
+            Some(n) => format!("usp({})", 2 * n.parse::<usize>().unwrap()),
+            None => name.replace(",0)", ")"),
+        },
     };
     let mut count = 0;
     for form in data["real_forms"].as_array().unwrap() {

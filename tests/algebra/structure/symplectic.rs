@@ -1,10 +1,10 @@
 //! Closed forms of low degree, symplectic and contact forms, multiplied out and compared with published lists.
 
 use crate::algebra::structure::{scrambled, stored};
-use crate::common::algebras::{by_table, catalogued};
+use crate::common::algebras::{by_table, catalogued, symbolic};
 use affinor::algebra::catalogue;
-use affinor::algebra::structure::{Existence, StructureTheory};
-use affinor::{LieAlgebra, Rational, Symbolic};
+use affinor::algebra::structure::{Certified, Existence, StructureTheory};
+use affinor::{LieAlgebra, LiePoisson, Rational, Symbolic};
 use affinor_tensors::Ring;
 use affinor_tensors::linear::{Matrix, Row};
 use std::collections::{BTreeMap, BTreeSet};
@@ -71,7 +71,10 @@ fn is_symplectic(algebra: LieAlgebra<Rational>, name: &str) -> Option<bool> {
             assert_eq!(rank(&form), structure.dimension(), "{name}");
             Some(true)
         }
-        Existence::Impossible | Existence::Unimodular | Existence::Index(_) => Some(false),
+        Existence::Impossible
+        | Existence::Unimodular
+        | Existence::Index(_)
+        | Existence::Rank(_) => Some(false),
         Existence::Open => None,
     }
 }
@@ -90,7 +93,10 @@ fn is_contact(algebra: LieAlgebra<Rational>, name: &str) -> Option<bool> {
             assert_eq!(rank(&with), n, "{name}");
             Some(true)
         }
-        Existence::Impossible | Existence::Unimodular | Existence::Index(_) => Some(false),
+        Existence::Impossible
+        | Existence::Unimodular
+        | Existence::Index(_)
+        | Existence::Rank(_) => Some(false),
         Existence::Open => None,
     }
 }
@@ -423,4 +429,79 @@ fn contact_forms_of_large_sums() {
     ] {
         assert_eq!(is_contact(catalogued(name), name), Some(true), "{name}");
     }
+}
+
+/// Algebras beyond the dimension of Pfaffians: a 2-step nilpotent one of dimension 14 has closed 2-forms of dimension 42 and of
+/// rank at most 12, in any basis.
+#[test]
+fn no_symplectic_form_by_the_generic_rank() {
+    let table = [
+        (1, 2, 8, 1),
+        (3, 4, 8, 1),
+        (1, 6, 8, 1),
+        (5, 7, 8, 1),
+        (2, 5, 9, 1),
+        (2, 6, 10, 1),
+        (2, 7, 11, 1),
+        (3, 5, 12, 1),
+        (3, 6, 13, 1),
+        (3, 7, 14, 1),
+    ];
+    let algebra = by_table(14, &table);
+    let structure = StructureTheory::new(algebra.clone());
+    let forms = structure.two_forms().unwrap();
+    assert_eq!(forms.closed.dimension(), 42);
+    let expected = Existence::Rank(Certified { dimension: 12, proved: true });
+    assert_eq!(structure.symplectic_form(&forms), expected);
+    // the sum of two copies of a symplectic algebra is symplectic
+    for name in ["filiform(4)+filiform(4)+filiform(4)+filiform(4)", "aff(1)+R^18"] {
+        assert_eq!(is_symplectic(catalogued(name), name), Some(true), "{name}");
+    }
+    assert_eq!(is_symplectic(catalogued("heisenberg(13)+R^1"), "heisenberg"), Some(false));
+}
+
+/// A closed 2-form of the free nilpotent algebras, from Witt's formula: `b_2` is the number of brackets of the next step.
+#[test]
+fn second_cohomology_of_free_nilpotent_algebras() {
+    for (generators, step, next) in
+        [(2, 2, 2), (2, 3, 3), (2, 4, 6), (3, 2, 8), (3, 3, 18), (2, 5, 9), (4, 2, 20), (5, 2, 40)]
+    {
+        let name = format!("free_nilpotent({generators},{step})");
+        let structure = StructureTheory::new(catalogued(&name));
+        assert_eq!(structure.two_forms().unwrap().cohomology().len(), next, "{name}");
+    }
+    // filiform: the closed 2-forms e1 e_n and floor((n-1)/2) others
+    for n in [20usize, 40, 60] {
+        let structure = StructureTheory::new(catalogued(&format!("filiform({n})")));
+        assert_eq!(structure.two_forms().unwrap().cohomology().len(), n.div_ceil(2), "{n}");
+    }
+}
+
+/// Quadratic Casimir functions are invariant, and one for each simple factor over the complex numbers.
+#[test]
+fn quadratic_casimirs() {
+    for (name, degrees) in [
+        ("so(3)", vec![2]),
+        ("so(3,1)+R^2", vec![1, 1, 2, 2]),
+        ("so(4)", vec![2, 2]),
+        ("G2", vec![2]),
+        ("sl(3)+so(5)", vec![2, 2]),
+        ("gl(4)", vec![1, 2]),
+        ("u(3)", vec![1, 2]),
+    ] {
+        let structure = StructureTheory::new(catalogued(name));
+        let found = structure.quadratic_casimirs().unwrap().unwrap();
+        let space = LiePoisson::right(&symbolic(structure.algebra())).unwrap();
+        for casimir in &found {
+            assert!(space.is_casimir(casimir), "{name}: {casimir}");
+        }
+        let degree = |casimir: &Symbolic| casimir.terms()[0].0.iter().map(|(_, e)| *e).sum::<u32>();
+        assert_eq!(found.iter().map(degree).collect::<Vec<_>>(), degrees, "{name}");
+        // as many as the search by linear equations finds
+        if structure.dimension() <= 10 {
+            assert_eq!(structure.casimirs(2).unwrap().len(), found.len(), "{name}");
+        }
+    }
+    let solvable = StructureTheory::new(catalogued("aff(1)"));
+    assert_eq!(solvable.quadratic_casimirs().unwrap(), None);
 }

@@ -6,6 +6,7 @@ use crate::common::{fraction, integer};
 use affinor::algebra::structure::StructureTheory;
 use affinor::geometry::properties::Extreme;
 use affinor::{CanonicalConnection, Connection, Geometry, Metric, Rational};
+use affinor_tensors::{Down, Tensor};
 
 /// The smallest and the largest curvature; each is that of its plane, and no coordinate plane lies beyond a proved one.
 fn extremes(space: &Geometry<Rational>) -> [Extreme; 2] {
@@ -161,4 +162,96 @@ fn planes_in_floats() {
         assert!(one.is_some());
         assert_eq!(one, other);
     }
+}
+
+/// Multiples of a metric have the same extreme planes: the curvatures are divided by the factor.
+#[test]
+fn do_not_depend_on_the_scale() {
+    let metric = |factor: &str| format!("diag({factor},2*{factor},3*{factor},5*{factor})");
+    let of = |factor: &str| extremes(&named("patera(4,7)", &metric(factor)));
+    let plain = of("1");
+    assert_ne!(plain[0].plane, plain[1].plane);
+    for (factor, value) in [("10^18", 18), ("10^30", 30), ("10^-18", -18)] {
+        let scaled = of(factor);
+        let ten = |power: u32| (0..power).fold(integer(1), |value, _| value * &integer(10));
+        for (a, b) in plain.iter().zip(&scaled) {
+            let factor = ten(i32::unsigned_abs(value));
+            let (left, right) = match value > 0 {
+                true => (a.curvature.clone(), b.curvature.clone() * &factor),
+                false => (a.curvature.clone() * &factor, b.curvature.clone()),
+            };
+            let (left, right) = (left.to_f64(), right.to_f64());
+            assert!((left - right).abs() <= 1e-12 * left.abs().max(right.abs()), "{value}");
+        }
+    }
+}
+
+/// Random planes, each improved by small random steps, find none beyond the extremes of random metrics by more than rounding.
+#[test]
+fn no_plane_lies_beyond() {
+    let mut state = 7_u64;
+    let mut draw = move || {
+        state =
+            state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 33) as i64
+    };
+    for name in ["patera(4,7)", "so(3)+R^1", "degraaf(5,6)", "heisenberg(5)"] {
+        for _ in 0..2 {
+            let n = catalogued(name).dimension();
+            // A^T A + 1
+            let a: Vec<Vec<i64>> =
+                (0..n).map(|_| (0..n).map(|_| draw() % 5 - 2).collect()).collect();
+            let entry = |i: usize, j: usize| {
+                (0..n).map(|k| a[k][i] * a[k][j]).sum::<i64>() + i64::from(i == j)
+            };
+            let algebra = catalogued(name);
+            let components =
+                Tensor::from_fn(n, [Down, Down], |[i, j]| integer(entry(i, j))).unwrap();
+            let metric = Metric::new(algebra.labels(), components).unwrap();
+            let connection = Connection::levi_civita(algebra.left_frame(), &metric).unwrap();
+            let curvature = lowered(&connection, &metric);
+            let found = metric.sectional_extremes(&algebra).unwrap().unwrap();
+            let curvature = |x: &[f64], y: &[f64]| curvature_of(&curvature, &metric, x, y);
+            let [least, most] = [&found[0], &found[1]].map(|extreme| extreme.curvature.to_f64());
+            for (side, limit) in [(-1.0, least), (1.0, most)] {
+                for _ in 0..6 {
+                    let mut plane: Vec<f64> =
+                        (0..2 * n).map(|_| draw() as f64 / 1e9 - 1.0).collect();
+                    let value = |plane: &[f64]| side * curvature(&plane[..n], &plane[n..]);
+                    let (mut best, mut step) = (value(&plane), 0.5);
+                    while step > 1e-6 {
+                        let next: Vec<f64> =
+                            plane.iter().map(|v| v + step * (draw() as f64 / 1e9 - 1.0)).collect();
+                        let new = value(&next);
+                        match new > best {
+                            true => (plane, best) = (next, new),
+                            false => step *= 0.97,
+                        }
+                    }
+                    let scale = least.abs().max(most.abs());
+                    assert!(best <= side * limit + 1e-9 * scale, "{name}: {best} beyond {limit}");
+                }
+            }
+        }
+    }
+}
+
+type Entries = Vec<([usize; 4], f64)>;
+
+/// The components `R_ijkl` in floats.
+fn lowered(connection: &Connection<Rational>, metric: &Metric<Rational>) -> Entries {
+    let lowered = connection.curvature().lower(0, metric.components()).unwrap();
+    lowered.components().map(|(at, r)| ([at[0], at[1], at[2], at[3]], r.to_f64())).collect()
+}
+
+/// The sectional curvature of a plane in floats; NaN for vectors that are nearly parallel.
+fn curvature_of(curvature: &Entries, metric: &Metric<Rational>, x: &[f64], y: &[f64]) -> f64 {
+    let form = |x: &[f64], y: &[f64]| {
+        let terms = metric.components().components();
+        terms.map(|(at, g)| g.to_f64() * x[at[0]] * y[at[1]]).sum::<f64>()
+    };
+    let above: f64 =
+        curvature.iter().map(|([i, j, k, l], r)| r * x[*i] * y[*j] * x[*k] * y[*l]).sum();
+    let below = form(x, x) * form(y, y) - form(x, y) * form(x, y);
+    if below > 1e-9 { above / below } else { f64::NAN }
 }

@@ -1,22 +1,14 @@
-//! Closed forms of low degree, symplectic and contact forms, Casimir functions.
+//! Closed forms of low degree, symplectic and contact forms, complex structures.
 
-use super::{Notes, SHOWN};
-use crate::Coefficient;
-use affinor::algebra::structure::{Existence, GroundField, MAX_DECOMPOSED, StructureTheory};
+use super::{LONGEST, NOT_RATIONAL, Notes, SHOWN, certainty};
+use affinor::algebra::structure::{
+    Certified, Existence, GroundField, MAX_FORMS, MAX_FORMS_WITH_PARAMETERS, StructureTheory,
+    TwoForms,
+};
+use affinor_tensors::Rational;
 use affinor_tensors::linear::Row;
 use affinor_tensors::text::combination;
-use affinor_tensors::{Kind, Rational, Symbolic};
 use serde_json::{Value, json};
-
-/// The highest degree of Casimir functions, the largest number of monomials of that degree, and the largest product of that
-/// number and the number of structure constants, which are many in a dense basis.
-const CASIMIR_DEGREE: u32 = 4;
-const MONOMIALS: usize = 350;
-const TERMS: usize = 60_000;
-/// The same product where the brackets have parameters.
-const TERMS_OF_PARAMETERS: usize = 6_000;
-/// Longer answers are written in JSON only.
-const LONGEST: usize = 240;
 
 impl Notes {
     /// Bases of the first and the second cohomology, as closed forms.
@@ -26,13 +18,16 @@ impl Notes {
         let two = structure.two_forms().map(|forms| forms.cohomology());
         let written: Vec<String> = one.basis().iter().map(|row| self.one_form(row)).collect();
         self.listed("first cohomology", &written, "closed 1-forms; x* is dual to x");
-        if let Some(two) = &two {
-            let written: Vec<String> = two.iter().map(|row| self.two_form(n, row)).collect();
-            self.listed(
-                "second cohomology",
-                &written,
-                "closed 2-forms, independent of the exact ones",
-            );
+        let title = "second cohomology";
+        match &two {
+            Some(two) => {
+                let written: Vec<String> = two.iter().map(|row| self.two_form(n, row)).collect();
+                self.listed(title, &written, "closed 2-forms, independent of the exact ones");
+            }
+            None => {
+                self.row(title, "-", &no_forms());
+                self.reason("cocycles", &format!("two_forms: {}", no_forms()));
+            }
         }
         let one: Vec<Value> = one.basis().iter().map(json_of_one).collect();
         let two = two.map(|two| two.iter().map(|row| json_of_two(n, row)).collect::<Vec<_>>());
@@ -66,62 +61,122 @@ impl Notes {
 
     /// Symplectic forms in even dimension, contact forms in odd dimension, and a form of largest rank.
     pub(super) fn nondegenerate_forms<S: GroundField>(&mut self, structure: &StructureTheory<S>) {
-        let (mut symplectic, mut contact, mut regular) = (Value::Null, Value::Null, Value::Null);
         let n = structure.dimension();
-        if (1..=MAX_DECOMPOSED).contains(&n) {
-            if let Some(forms) = structure.two_forms().filter(|_| n.is_multiple_of(2)) {
-                let [any, exact] =
-                    [structure.symplectic_form(&forms), structure.exact_symplectic_form(&forms)];
-                // an exact form is the better witness
-                let best = if matches!(exact, Existence::Witness(_)) { &exact } else { &any };
-                let (text, witness) = match best {
-                    Existence::Witness(form) if best == &exact => {
-                        (self.two_form(n, form), "exact, not degenerate (a Frobenius algebra)")
-                    }
-                    Existence::Witness(form) => {
-                        (self.two_form(n, form), "closed, not degenerate; no exact one")
-                    }
-                    Existence::Impossible => {
-                        ("none".into(), "the Pfaffian of every closed 2-form vanishes")
-                    }
-                    Existence::Unimodular => {
-                        ("none".into(), "unimodular, not solvable (theorem of Chu)")
-                    }
-                    // of an exact form alone, which is shown where it is a witness
-                    Existence::Index(_) | Existence::Open => ("-".into(), "none found"),
-                };
-                self.row("symplectic form", text, witness);
-                symplectic = existence(&any, |row| json_of_two(n, row));
-                symplectic["exact"] = existence(&exact, |row| json_of_two(n, row));
+        let forms = structure.two_forms();
+        let even = n.is_multiple_of(2);
+        match &forms {
+            _ if !even => {
+                self.absent("symplectic form", "symplectic", "none", "the dimension is odd")
             }
-            if n % 2 == 1 {
-                let found = structure.contact_form();
-                let (text, witness) = match &found {
-                    Existence::Witness(form) => {
-                        (self.one_form(form), "a (d a)^k is not zero".into())
-                    }
-                    Existence::Impossible | Existence::Unimodular => {
-                        ("none".into(), "a (d a)^k vanishes for every 1-form a".into())
-                    }
-                    Existence::Index(index) => {
-                        ("none".into(), format!("the index is {index}, and has to be 1"))
-                    }
-                    Existence::Open => ("-".into(), "none found".to_string()),
-                };
-                self.row("contact form", text, &witness);
-                contact = existence(&found, json_of_one);
+            Some(forms) => self.symplectic(structure, forms),
+            None => self.absent("symplectic form", "symplectic", "-", &no_forms()),
+        }
+        match &forms {
+            _ if even => self.absent("contact form", "contact", "none", "the dimension is even"),
+            Some(_) => self.contact(structure),
+            None => self.absent("contact form", "contact", "-", &no_forms()),
+        }
+        let regular = forms.map(|_| structure.regular_form());
+        match regular {
+            Some(Some(form)) => {
+                self.json.insert("regular_form".into(), json_of_one(&form));
             }
-            regular = structure.regular_form().map_or(Value::Null, |form| json_of_one(&form));
+            Some(None) => self.null("regular_form", "none found"),
+            None => self.null("regular_form", &no_forms()),
+        }
+    }
+
+    fn symplectic<S: GroundField>(&mut self, structure: &StructureTheory<S>, forms: &TwoForms<S>) {
+        let n = structure.dimension();
+        let [any, exact] =
+            [structure.symplectic_form(forms), structure.exact_symplectic_form(forms)];
+        // an exact form is the better witness
+        let best = if matches!(exact, Existence::Witness(_)) { &exact } else { &any };
+        let (text, witness) = match best {
+            Existence::Witness(form) if best == &exact => {
+                (self.two_form(n, form), "exact, not degenerate (a Frobenius algebra)".into())
+            }
+            Existence::Witness(form) => {
+                (self.two_form(n, form), "closed, not degenerate; no exact one".into())
+            }
+            Existence::Impossible => {
+                ("none".into(), "the Pfaffian of every closed 2-form vanishes".into())
+            }
+            Existence::Unimodular => {
+                ("none".into(), "unimodular, not solvable (theorem of Chu)".into())
+            }
+            Existence::Rank(Certified { dimension, proved }) => {
+                let closed = forms.closed.dimension();
+                let how = certainty(*proved);
+                let why = format!(
+                    "closed 2-forms have dimension {closed} and generic rank {dimension}; {how}"
+                );
+                ("none".into(), why)
+            }
+            // of an exact form alone, which is shown where it is a witness
+            Existence::Index(_) | Existence::Open => ("-".into(), "none found".to_string()),
+        };
+        let (text, long) = self.shortened(text);
+        self.row("symplectic form", text, &format!("{witness}{long}"));
+        let mut symplectic = existence(&any, |row| json_of_two(n, row));
+        symplectic["exact"] = existence(&exact, |row| json_of_two(n, row));
+        if let Existence::Rank(rank) = &any {
+            symplectic["closed"] = json!(forms.closed.dimension());
+            symplectic["rank"] = json!(rank.dimension);
+            symplectic["proved"] = json!(rank.proved);
         }
         self.json.insert("symplectic".into(), symplectic);
+    }
+
+    fn contact<S: GroundField>(&mut self, structure: &StructureTheory<S>) {
+        let n = structure.dimension();
+        let found = structure.contact_form();
+        let (text, witness) = match &found {
+            Existence::Witness(form) => (self.one_form(form), "a (d a)^k is not zero".into()),
+            Existence::Impossible | Existence::Unimodular => {
+                ("none".into(), "a (d a)^k vanishes for every 1-form a".into())
+            }
+            Existence::Index(index) => {
+                ("none".into(), format!("the index is {index}, and has to be 1"))
+            }
+            Existence::Rank(Certified { dimension, proved }) => {
+                let how = certainty(*proved);
+                let why = format!("d a, bordered by a, has rank {dimension} of {}; {how}", n + 1);
+                ("none".into(), why)
+            }
+            Existence::Open => ("-".into(), "none found".to_string()),
+        };
+        let (text, long) = self.shortened(text);
+        self.row("contact form", text, &format!("{witness}{long}"));
+        let mut contact = existence(&found, json_of_one);
+        if let Existence::Rank(rank) = &found {
+            contact["proved"] = json!(rank.proved);
+        }
         self.json.insert("contact".into(), contact);
-        self.json.insert("regular_form".into(), regular);
+    }
+
+    /// A form, or where to read a long one.
+    fn shortened(&self, text: String) -> (String, &'static str) {
+        match text.len() <= LONGEST {
+            true => (text, ""),
+            false => ("exists".into(), "; in --format json"),
+        }
     }
 
     /// A complex structure, in dimension 2 and 4.
-    pub(super) fn complex_structure(&mut self, structure: Option<&StructureTheory<Rational>>) {
+    pub(super) fn complex_structure(
+        &mut self,
+        structure: Option<&StructureTheory<Rational>>,
+        dimension: usize,
+    ) {
         let Some(found) = structure.and_then(|structure| structure.complex_structure()) else {
-            self.json.insert("complex_structure".into(), Value::Null);
+            let (answer, why) = match dimension {
+                odd if odd % 2 == 1 => ("none", "the dimension is odd"),
+                0 | 2 | 4 if structure.is_none() => ("-", NOT_RATIONAL),
+                0 | 2 | 4 => ("-", "not decided"),
+                _ => ("-", "not computed beyond dimension 4"),
+            };
+            self.absent("complex structure", "complex_structure", answer, why);
             return;
         };
         let rows = found.images.map(|rows| {
@@ -147,77 +202,22 @@ impl Notes {
         let json = json!({ "exists": found.exists, "images": rows });
         self.json.insert("complex_structure".into(), json);
     }
-
-    /// Polynomial Casimir functions up to a degree, in the basis of the algebra.
-    pub(super) fn casimirs<S: GroundField + Coefficient>(
-        &mut self,
-        structure: &StructureTheory<S>,
-    ) {
-        let constants = structure.algebra().structure_constants();
-        let parameters = S::parameters_of(&mut constants.components().map(|(_, value)| value));
-        if let Some(name) = parameters.iter().find(|name| is_coordinate(name)) {
-            let text = format!("not computed: rename the parameter {name}");
-            self.row("Casimir functions", text, "mu_i = mu(e_i) are the coordinates");
-            self.json.insert("casimirs".into(), Value::Null);
-            return;
-        }
-        let found = casimirs(structure);
-        let Some((degree, generators)) = found else {
-            self.json.insert("casimirs".into(), Value::Null);
-            return;
-        };
-        let degrees: Vec<u32> = generators.iter().map(degree_in_mu).collect();
-        let generators: Vec<String> = generators.iter().map(ToString::to_string).collect();
-        let text = generators.join(", ");
-        let text = match generators.len() {
-            0 => "none".into(),
-            1..=SHOWN if text.len() <= LONGEST => text,
-            all => format!("{all} generators; in --format json"),
-        };
-        let witness = format!("polynomials in mu_i = mu(e_i), generators up to degree {degree}");
-        self.row("Casimir functions", text, &witness);
-        let json = json!({ "degree": degree, "degrees": degrees, "generators": generators });
-        self.json.insert("casimirs".into(), json);
-    }
 }
 
-/// Generators of the Casimir functions, and the degree up to which they were sought.
-fn casimirs<S: GroundField + Coefficient>(
-    structure: &StructureTheory<S>,
-) -> Option<(u32, Vec<Symbolic>)> {
-    let n = structure.dimension();
-    let constants = structure.algebra().structure_constants().len();
-    let terms = match S::KIND {
-        Kind::Symbolic => TERMS_OF_PARAMETERS,
-        _ => TERMS,
-    };
-    let fits = |count: usize| count <= MONOMIALS && count * constants <= terms;
-    let low = (1..=CASIMIR_DEGREE).take_while(|degree| fits(monomials(n, *degree)));
-    let degree = low.last().filter(|_| n <= MAX_DECOMPOSED)?;
-    Some((degree, structure.casimirs(degree).ok()?))
-}
-
-/// Whether the name is that of a coordinate `mu_i`.
-fn is_coordinate(name: &str) -> bool {
-    name.strip_prefix("mu").is_some_and(|number| number.parse::<usize>().is_ok())
-}
-
-/// The degree of a homogeneous polynomial in `mu1, mu2, ..`, whose coefficients may have parameters.
-fn degree_in_mu(polynomial: &Symbolic) -> u32 {
-    let terms = polynomial.terms();
-    let powers = terms.first().into_iter().flat_map(|(powers, _)| powers);
-    powers.filter(|(variable, _)| is_coordinate(variable.text())).map(|(_, power)| power).sum()
-}
-
-/// How many monomials of a degree there are in `n` variables.
-fn monomials(n: usize, degree: u32) -> usize {
-    (1..=degree as usize).fold(1, |count, k| count * (n + k - 1) / k)
+/// Why closed 2-forms are absent.
+fn no_forms() -> String {
+    format!(
+        "not computed beyond dimension {MAX_FORMS}, nor beyond {MAX_FORMS_WITH_PARAMETERS} with parameters or in a dense basis"
+    )
 }
 
 fn existence<S>(found: &Existence<S>, form: impl Fn(&Row<S>) -> Value) -> Value {
     match found {
         Existence::Witness(row) => json!({ "exists": true, "form": form(row) }),
-        Existence::Impossible | Existence::Unimodular | Existence::Index(_) => {
+        Existence::Impossible
+        | Existence::Unimodular
+        | Existence::Index(_)
+        | Existence::Rank(_) => {
             json!({ "exists": false, "form": null })
         }
         Existence::Open => json!({ "exists": null, "form": null }),

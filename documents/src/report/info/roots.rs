@@ -1,8 +1,8 @@
 //! The root system of the Levi subalgebra: Cartan matrix, Dynkin diagram, roots.
 
 use super::super::grid::Cell;
-use super::Notes;
 use super::basis::InBases;
+use super::{Notes, SOLVABLE};
 use crate::input::InputError;
 use crate::space::Definition;
 use affinor::algebra::roots::CartanType;
@@ -11,6 +11,8 @@ use affinor::algebra::structure::{RootSpaces, StructureTheory, Subspace};
 use affinor_tensors::{Rational, Tolerance};
 use serde_json::{Value, json};
 
+/// Why there is no type.
+const NOT_FOUND: &str = "the Dynkin type is not found";
 /// Cartan matrices of higher rank are written in JSON only.
 const SHOWN_RANK: usize = 8;
 
@@ -41,20 +43,26 @@ impl Notes {
             let names: Vec<String> = types.iter().map(ToString::to_string).collect();
             names.join(" + ")
         });
-        let written = written.filter(|_| !solvable);
-        self.json.insert("dynkin_type".into(), json!(written));
-        let matrices = types.filter(|_| !solvable).map(|types| {
-            let entry = |one: &CartanType| json!({ "type": one.to_string(), "matrix": one.cartan_matrix() });
-            types.iter().map(entry).collect::<Vec<_>>()
-        });
-        self.json.insert("cartan_matrix".into(), json!(matrices));
         if solvable {
+            self.absent("Dynkin type", "dynkin_type", "none", SOLVABLE);
+            self.row("Dynkin diagram", "none", SOLVABLE);
+            self.absent("Cartan matrix", "cartan_matrix", "none", SOLVABLE);
             return;
         }
-        let text = written.unwrap_or_else(|| "not found".into());
+        let Some(types) = types else {
+            self.absent("Dynkin type", "dynkin_type", "not found", NOT_FOUND);
+            self.row("Dynkin diagram", "-", NOT_FOUND);
+            self.absent("Cartan matrix", "cartan_matrix", "-", NOT_FOUND);
+            return;
+        };
+        self.json.insert("dynkin_type".into(), json!(written));
+        let entry =
+            |one: &CartanType| json!({ "type": one.to_string(), "matrix": one.cartan_matrix() });
+        let matrices: Vec<Value> = types.iter().map(entry).collect();
+        self.json.insert("cartan_matrix".into(), json!(matrices));
+        let text = written.unwrap_or_default();
         self.row("Dynkin type", text, "of the Levi subalgebra, over the complex numbers");
-        let diagrams: Vec<String> =
-            types.iter().copied().flatten().map(|one| diagram(*one)).collect();
+        let diagrams: Vec<String> = types.iter().map(|one| diagram(*one)).collect();
         let diagrams = Cell::drawn(&diagrams.join("\n\n"));
         self.row("Dynkin diagram", diagrams, "simple roots as in Bourbaki");
         let matrix = |one: &CartanType| {
@@ -63,12 +71,14 @@ impl Notes {
                 |row: &Vec<i64>| row.iter().map(|v| format!("{v:2}")).collect::<Vec<_>>().join(" ");
             rows.iter().map(line).collect::<Vec<_>>().join("\n")
         };
-        let types = types.unwrap_or_default();
-        if !types.is_empty() && types.iter().all(|one| one.rank() <= SHOWN_RANK) {
-            let matrices: Vec<String> = types.iter().map(matrix).collect();
-            let matrices = Cell::drawn(&matrices.join("\n\n"));
-            self.row("Cartan matrix", matrices, "<a_i, a_j^v>: row i, column j");
-        }
+        let matrices = match types.iter().all(|one| one.rank() <= SHOWN_RANK) {
+            true => {
+                let matrices: Vec<String> = types.iter().map(matrix).collect();
+                Cell::drawn(&matrices.join("\n\n"))
+            }
+            false => "in --format json".into(),
+        };
+        self.row("Cartan matrix", matrices, "<a_i, a_j^v>: row i, column j");
     }
 
     /// The roots of the Levi subalgebra, with their values on a Cartan subalgebra where it splits.
@@ -77,12 +87,16 @@ impl Notes {
         types: Option<&[CartanType]>,
         levi: Option<(&StructureTheory<Rational>, &Subspace<Rational>)>,
     ) {
-        let Some(types) = types.filter(|types| !types.is_empty()) else {
-            self.json.insert("roots".into(), Value::Null);
+        let Some(known) = types.filter(|types| !types.is_empty()) else {
+            let (answer, why) = match types {
+                Some(_) => ("none", SOLVABLE),
+                None => ("-", NOT_FOUND),
+            };
+            self.absent("root system", "roots", answer, why);
             return;
         };
-        let rank: usize = types.iter().map(|one| one.rank()).sum();
-        let all: usize = types.iter().map(|one| one.dimension() - one.rank()).sum();
+        let rank: usize = known.iter().map(|one| one.rank()).sum();
+        let all: usize = known.iter().map(|one| one.dimension() - one.rank()).sum();
         let found = levi.and_then(|(inside, levi)| Some((inside.root_spaces()?, levi)));
         let cartan = found.as_ref().map(|(found, levi)| levi.within(&found.cartan));
         let witness = match &cartan {
