@@ -7,10 +7,8 @@ use affinor::algebra::structure::real_forms::real_forms;
 use affinor::algebra::structure::{StructureTheory, Subspace};
 use affinor::{Error, LieAlgebra, Rational};
 
-type Structure = StructureTheory<Rational>;
-
 /// Invariants that do not depend on the basis.
-fn invariants(structure: &StructureTheory) -> impl PartialEq + std::fmt::Debug + use<> {
+fn invariants(structure: &StructureTheory<Rational>) -> impl PartialEq + std::fmt::Debug + use<> {
     let dimensions = |series: &[Subspace<Rational>]| -> Vec<usize> {
         series.iter().map(Subspace::dimension).collect()
     };
