@@ -84,7 +84,8 @@ fn nearest<G: MatrixNotation>(group: &G, guess: G::Element, m: &DMatrix<f64>) ->
         } else {
             damping *= 10.0;
         }
-        if step.amax() <= 4.0 * f64::EPSILON || !(damping < 1e12) || (settled && damping < 1e-9) {
+        let ends = damping.is_nan() || damping >= 1e12 || (settled && damping < 1e-9);
+        if step.amax() <= 4.0 * f64::EPSILON || ends {
             break;
         }
     }

@@ -146,7 +146,7 @@ impl ModularAlgebra {
         }
         let mut ranks: Vec<u64> = vec![];
         let mut exact = vec![false; 1 << n];
-        for k in 0..=n {
+        for (k, sets) in sets.iter().enumerate() {
             if let Some(&dual) = n.checked_sub(k + 1).and_then(|dual| ranks.get(dual))
                 && duality
             {
@@ -155,7 +155,7 @@ impl ModularAlgebra {
             }
             let mut echelon = Echelon::new(Lead::Low, p.get());
             let mut pivots = vec![];
-            for &set in sets[k].iter().filter(|set| !exact[**set]) {
+            for &set in sets.iter().filter(|set| !exact[**set]) {
                 let terms = differential(n, |j| self.of(j), set).into_iter();
                 let row = terms.map(|(to, minus, &c)| (to, if minus { p.neg(c) } else { c }));
                 pivots.extend(echelon.insert(&row.collect::<Vec<_>>()));

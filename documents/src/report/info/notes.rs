@@ -77,13 +77,11 @@ impl Notes {
         self.row("it is not", of(false), "");
         let open: Vec<_> = flags.iter().filter(|(_, value, _)| value.is_none()).collect();
         if !open.is_empty() {
-            let named = |name: &dyn Fn(&(&str, Option<bool>, Option<String>)) -> String| {
-                open.iter().map(|flag| name(flag)).collect::<Vec<_>>().join(", ")
-            };
-            let why = |(name, _, why): &(&str, Option<bool>, Option<String>)| {
+            let names: Vec<_> = open.iter().map(|(name, ..)| *name).collect();
+            let why = open.iter().map(|(name, _, why)| {
                 format!("{name}: {}", why.as_deref().unwrap_or("not computed"))
-            };
-            self.row("not decided", named(&|flag| flag.0.into()), &named(&why));
+            });
+            self.row("not decided", names.join(", "), &why.collect::<Vec<_>>().join(", "));
         }
         for (name, value, why) in flags {
             self.json.insert(name.to_string(), json!(value));
