@@ -342,8 +342,12 @@ fn undefined_tensors_are_noted() {
     let folder = folder();
     let table = run(folder.path(), &["table", "so3@zero", "--show", "metric,torsion"], b"");
     assert_eq!((table.status, &*table.err), (0, "note: not defined for this space: metric\n"));
-    let table = run(folder.path(), &["table", "M3", "--frame", "right", "--show", "metric"], b"");
-    assert!(table.err.contains("no constant components in the right-invariant frame"));
+    for (show, status) in [("metric,torsion", 0), ("metric", 2)] {
+        let right = ["table", "M3", "--frame", "right", "--show", show];
+        let table = run(folder.path(), &right, b"");
+        assert_eq!(table.status, status);
+        assert!(table.err.contains("no constant components in the right-invariant frame"));
+    }
 }
 
 #[test]

@@ -86,7 +86,7 @@ impl Arguments {
             let metric = space.definition.has_metric();
             let help = match (metric, selection.right_frame) {
                 (true, true) => {
-                    "the metric has no constant components there: leave --frame right away"
+                    "the metric has no constant components in the right-invariant frame: leave --frame right away"
                 }
                 (true, false) => "show tensors of this connection: --show torsion,curvature",
                 (false, _) => "give a metric, as in --metric identity",
