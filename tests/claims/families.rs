@@ -48,7 +48,7 @@ sp(1,1): so(4,1) 0 0
 sp(2,1): sp(2,1) 0 0
 usp(2): su(2) 0 0
 usp(4): so(5) 0 0
-usp(6): sp(3) 0 0
+usp(6): usp(6) 0 0
 iso(3,1): sl(2,C) 4 4
 iso(1,1):  3 2
 galilei(3): su(2) 7 7
