@@ -19,8 +19,9 @@ impl StructureTheory<Rational> {
     /// ```
     /// use affinor::algebra::structure::StructureTheory;
     /// use affinor::{Rational, algebra::catalogue};
-    /// let unitary = StructureTheory::new(catalogue::algebra::<Rational>("so(3)+R^1")?);
-    /// let casimirs = unitary.quadratic_casimirs()?.expect("a reductive algebra");
+    /// let [so3, line] = ["so(3)", "R^1"].map(catalogue::algebra::<Rational>);
+    /// let sum = StructureTheory::new(so3?.direct_sum(&line?)?);
+    /// let casimirs = sum.quadratic_casimirs()?.expect("a reductive algebra");
     /// assert_eq!(casimirs[0].to_string(), "mu4");
     /// assert_eq!(casimirs[1].to_string(), "mu1^2 + mu2^2 + mu3^2");
     /// # Ok::<(), affinor::Error>(())
