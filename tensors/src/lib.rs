@@ -22,6 +22,7 @@ pub mod contraction;
 mod dense;
 mod error;
 pub mod expression;
+mod function;
 pub mod linear;
 mod operations;
 pub mod scalar;

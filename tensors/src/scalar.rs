@@ -13,7 +13,6 @@ mod divisors;
 mod dual;
 pub(crate) mod effort;
 mod float;
-pub(crate) mod function;
 mod jet;
 pub mod laws;
 mod notation;
@@ -30,9 +29,9 @@ use num_traits::{One, Zero};
 use std::fmt::{Debug, Display};
 use std::ops::{Add, Mul, Neg, Sub};
 
+pub use crate::function::Function;
 pub use divisors::divisors_of;
 pub use effort::{Effort, EffortExceeded};
-pub use function::Function;
 pub use jet::Jet;
 pub use notation::{Kind, Notation};
 pub use rational::Rational;

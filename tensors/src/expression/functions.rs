@@ -1,7 +1,7 @@
 //! Other notations of functions: `ln(x)`, `sec(x)`, `sin^2(x)`.
 
 use super::{Expression, Node};
-use crate::scalar::Function;
+use crate::function::Function;
 
 /// A function as a quotient of others at the same argument.
 struct Abbreviation {

@@ -9,11 +9,11 @@ mod operators;
 mod solution;
 mod straight_line;
 
-use super::function::{Function, is_elementary};
 use super::{
     Field, Kind, Notation, Rational, Ring, Sum, Summable, Symbolic, Tabular, Tolerance, Variable,
 };
 use crate::expression::is_name;
+use crate::function::{Function, is_elementary};
 use crate::linear::Matrix;
 use image::Image;
 use num_traits::{One, Zero};

@@ -25,7 +25,7 @@ use super::substitution::Substitution;
 use super::variable::{Kind, Part, Variable};
 use super::{PositiveFactors, Symbolic};
 use crate::expression::{MAX_SIZE, POWER};
-use crate::scalar::function::{Function, is_elementary, names};
+use crate::function::{Function, is_elementary, names};
 use crate::scalar::{Field, Notation, Ring};
 use num_traits::{One, Zero, pow};
 

@@ -8,7 +8,7 @@ use super::substitution::Substitution;
 use super::variable::{Kind, Variable};
 use super::{PositiveFactors, Symbolic};
 use crate::expression::is_name;
-use crate::scalar::function::is_elementary;
+use crate::function::is_elementary;
 use num_traits::Zero;
 use std::sync::Arc;
 

@@ -16,7 +16,7 @@ use super::polynomial::{Polynomial, constant};
 use super::sum::SymbolicSum;
 use super::variable::{Kind, Part, Variable};
 use super::{Form, Rational, Symbolic};
-use crate::scalar::function::Function;
+use crate::function::Function;
 use crate::scalar::{Field, Ring, Sum};
 use num_traits::{One, Zero, pow};
 

@@ -17,7 +17,7 @@ use super::shape::Shaping;
 use super::variable::{Kind, Part, Variable};
 use super::{Form, Symbolic, memo};
 use crate::expression::{Evaluator, Scalars, no_function};
-use crate::scalar::function::Function;
+use crate::function::Function;
 use crate::scalar::{Notation, Rational, Ring};
 use num_traits::{One, Zero, pow};
 

@@ -5,7 +5,7 @@
 
 use super::free::Applied;
 use super::{Symbolic, writing};
-use crate::scalar::function::Function;
+use crate::function::Function;
 use std::cmp::Ordering;
 use std::collections::HashMap;
 use std::fmt;
