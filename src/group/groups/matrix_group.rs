@@ -1,6 +1,7 @@
 //! Groups of real matrices, given by a basis of their algebra.
 
 mod fit;
+mod half_turn;
 mod span;
 mod splitting;
 
@@ -17,11 +18,9 @@ use crate::numerics::rounding::expect_digits_of_product;
 use crate::{Bracket, Error, Law, LieAlgebra, MatrixBasis};
 use affinor_tensors::Tolerance;
 use affinor_tensors::linear::Matrix;
-use nalgebra::linalg::Schur;
 use nalgebra::{DMatrix, DVector};
 use span::Span;
 use splitting::translations;
-use std::f64::consts::PI;
 
 /// The relative distance from the algebra that roundings give a logarithm.
 const OUTSIDE: f64 = 1e-9;
@@ -45,21 +44,6 @@ const CLOSE: f64 = 0.1;
 /// The largest power of an element whose logarithm is tested. It covers the orders of the centres of small classical groups,
 /// and of half and third turns.
 const POWERS: usize = 12;
-
-/// The size of the components of a vector that leads to a neighbour of an element.
-const NEIGHBOURHOOD: f64 = 1e-3;
-
-/// The number of lines through an element on which neighbours are sought.
-const NEIGHBOURS: usize = 8;
-
-/// The distance of angles from `pi` that floats tell apart.
-const BRANCH: f64 = 1e-14;
-
-/// The distance of an angle from `pi` at which a logarithm that is not found is ill-conditioned.
-const NEAR_PI: f64 = 1e-6;
-
-/// The largest number of iterations of a Schur decomposition.
-const ITERATIONS: usize = 1000;
 
 /// The relative rounding of the trace and of powers of a generator.
 const ROUNDING: f64 = 1e-12;
@@ -295,39 +279,9 @@ impl MatrixGroup {
         }
     }
 
-    /// The logarithm of an element with an angle so near `pi` that square roots do not converge: from the logarithms of
-    /// elements in its neighbourhood. `None` if none of them leads to it, or the angle is `pi`.
-    fn log_near_half_turn(&self, g: &DMatrix<f64>) -> Option<DVector<f64>> {
-        let n = self.dimension();
-        // generic directions, the same in every run
-        let entry = |at: usize| NEIGHBOURHOOD * (12.9898 * (at + 1) as f64).sin();
-        let directions = (0..NEIGHBOURS).map(|k| DVector::from_fn(n, |i, _| entry(k * n + i)));
-        directions.flat_map(|x| [x.clone(), -x]).find_map(|direction| {
-            let log = logarithm(&(g * exp(&self.generator(&direction)))).ok()?;
-            let guess = self.components(&log);
-            let is_close = self.outside(&log) <= CLOSE * (1.0 + log.norm());
-            let x = is_close.then(|| fit::nearest(&self.span, g, &guess)).flatten()?;
-            let schur = Schur::try_new(self.generator(&x), f64::EPSILON, ITERATIONS)?;
-            let angles = schur.complex_eigenvalues().map(|eigenvalue| eigenvalue.im.abs());
-            // beyond pi it is the logarithm of another branch
-            (angles.max() < PI - BRANCH).then_some(x)
-        })
-    }
-
     fn size(&self) -> usize {
         self.span.size()
     }
-}
-
-/// The error about the logarithm of a matrix with an angle near `pi`; `None` if it has none, or the angle is `pi`.
-fn near_pi(g: &DMatrix<f64>) -> Option<Error> {
-    let eigenvalues = Schur::try_new(g.clone(), f64::EPSILON, ITERATIONS)?.complex_eigenvalues();
-    let gaps = eigenvalues.iter().map(|eigenvalue| PI - eigenvalue.im.atan2(eigenvalue.re).abs());
-    let gap = gaps.fold(f64::INFINITY, f64::min);
-    let reason =
-        format!("an angle is too near pi, by {gap:.1e}: the rounding of the entries decides");
-    let near = 0.0 < gap && gap < NEAR_PI;
-    near.then_some(Error::Invalid { what: "logarithm", reason })
 }
 
 /// `log(exp(x) exp(y))` in floats.
@@ -461,7 +415,9 @@ impl LieGroup for MatrixGroup {
         let log = match log {
             Ok(log) => log,
             Err(error) => {
-                return self.log_near_half_turn(g).ok_or_else(|| near_pi(g).unwrap_or(error));
+                return self
+                    .log_near_half_turn(g)
+                    .ok_or_else(|| half_turn::near_pi(g).unwrap_or(error));
             }
         };
         let outside = self.outside(&log) / (1.0 + log.norm());
