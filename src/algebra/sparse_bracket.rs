@@ -1,6 +1,6 @@
 //! Structure constants by their first factor: one bracket over every kind of number.
 
-use affinor_tensors::Tensor;
+use affinor_tensors::{Scalar, Tensor};
 
 /// The constants `(k, i, c^i_jk)` of each `j`, sorted, where `[e_j, e_k] = c^i_jk e_i`.
 ///
@@ -42,17 +42,12 @@ impl<C> SparseBracket<C> {
     }
 }
 
-impl<S: Clone> SparseBracket<S> {
+impl<S: Scalar> SparseBracket<S> {
     /// The constants `c^i_jk` of a tensor.
-    pub fn of_tensor(structure: &Tensor<S>) -> Self
-    where
-        S: affinor_tensors::Scalar,
-    {
+    pub fn of_tensor(structure: &Tensor<S>) -> Self {
         let constants = structure.components();
-        Self::new(
-            structure.dimension(),
-            constants.map(|(at, value)| (at[1], at[2], at[0], value.clone())),
-        )
+        let constants = constants.map(|(at, value)| (at[1], at[2], at[0], value.clone()));
+        Self::new(structure.dimension(), constants)
     }
 }
 

@@ -88,31 +88,7 @@ fn common_factor(parameter: &str, polynomial: &Symbolic) -> Option<Uni<BigRation
         let value = |at| terms.get(&at).map_or_else(BigRational::zero, BigRational::from);
         Uni::new((0..=degree).map(value).collect())
     });
-    polynomials.reduce(greatest_common_divisor)
-}
-
-/// Euclid's algorithm.
-fn greatest_common_divisor(a: Uni<BigRational>, b: Uni<BigRational>) -> Uni<BigRational> {
-    let (mut a, mut b) = (a.0, b.0);
-    let trim = |p: &mut Vec<BigRational>| {
-        while p.last().is_some_and(BigRational::is_zero) {
-            p.pop();
-        }
-    };
-    trim(&mut a);
-    trim(&mut b);
-    while let Some(lead) = b.last().cloned() {
-        while a.len() >= b.len() {
-            let (shift, factor) = (a.len() - b.len(), a[a.len() - 1].clone() / &lead);
-            b.iter().enumerate().for_each(|(at, value)| {
-                a[at + shift] -= value * &factor;
-            });
-            a.pop();
-            trim(&mut a);
-        }
-        std::mem::swap(&mut a, &mut b);
-    }
-    Uni::new(a)
+    polynomials.reduce(|a, b| a.gcd(&b))
 }
 
 impl StructureTheory<Symbolic> {
