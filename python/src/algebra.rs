@@ -2,12 +2,11 @@
 
 use crate::class::{New, Object, Optional, constructors, immutable, properties};
 use crate::components::{Held, Values, of};
-use crate::geometry::Values as Geometries;
+use crate::geometries::{Geometries, Made, algebra, made, symbolic};
 use crate::group::PyGroup;
 use crate::report::Written;
 use crate::run::run;
 use crate::source::{Given, PySource};
-use crate::structure::{Made, algebra, made, symbolic};
 use crate::tensor::{Names, PyTensor, contract_all};
 use crate::values::{error, merged, python};
 use affinor::{BasisChange, LieAlgebra};
@@ -145,7 +144,8 @@ impl PyAlgebra {
         };
         let (py, first, second) = (slf.py(), slf.get(), other.get());
         let sources = [first, second].map(|algebra| algebra.source.get());
-        if let [Some(a), Some(b)] = sources.map(PySource::plain_name)
+        if let [Some(a), Some(b)] =
+            [first, second].map(|one| one.source.get().plain_name(&one.space))
             && sources[0].scalar == sources[1].scalar
         {
             return slf.get_type().call1((sources[0].renamed(py, format!("{a}+{b}")),));

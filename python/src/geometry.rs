@@ -2,14 +2,14 @@
 
 use crate::algebra::PyAlgebra;
 use crate::class::{New, Object, Optional, constructors, immutable, in_python, properties};
-use crate::components::{Held, text};
+use crate::components::Held;
 use crate::errors::refused;
+use crate::geometries::{Geometries, Grounded, each, in_floats};
 use crate::report::{all_formats, format, written};
 use crate::run::run;
 use crate::source::PySource;
-use crate::structure::in_floats;
 use crate::tensor::{Names, PyTensor};
-use crate::values::{error, merged, number, python};
+use crate::values::{merged, number, python};
 use affinor::geometry::equations::{EquationKind, Equations};
 use affinor::geometry::properties::Property;
 use affinor::{Error, Geometry};
@@ -18,107 +18,9 @@ use affinor_documents::input::InputError;
 use affinor_documents::report::{
     ComparedSide, Comparison, EquationReport, Properties, Quantity, Report, Table,
 };
-use affinor_tensors::{Kind, Rational, Symbolic, TrackedFloat};
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple, PyType};
-
-/// A geometry over one of the scalars.
-#[derive(Clone, Debug)]
-pub enum Values {
-    Exact(Geometry<Rational>),
-    Symbolic(Geometry<Symbolic>),
-    Float(Geometry<TrackedFloat>),
-}
-
-/// Runs the same expression over each scalar.
-macro_rules! each {
-    ($values:expr, $geometry:ident => $body:expr) => {
-        match $values {
-            $crate::geometry::Values::Exact($geometry) => $body,
-            $crate::geometry::Values::Symbolic($geometry) => $body,
-            $crate::geometry::Values::Float($geometry) => $body,
-        }
-    };
-}
-
-pub(crate) use each;
-
-/// A scalar of the geometries that Python holds.
-pub trait Grounded: Held {
-    fn geometry(geometry: Geometry<Self>) -> Values;
-}
-
-impl Grounded for Rational {
-    fn geometry(geometry: Geometry<Self>) -> Values {
-        Values::Exact(geometry)
-    }
-}
-
-impl Grounded for Symbolic {
-    fn geometry(geometry: Geometry<Self>) -> Values {
-        Values::Symbolic(geometry)
-    }
-}
-
-impl Grounded for TrackedFloat {
-    fn geometry(geometry: Geometry<Self>) -> Values {
-        Values::Float(geometry)
-    }
-}
-
-impl Values {
-    /// The names of the frame vectors.
-    pub fn labels(&self) -> Vec<String> {
-        each!(self, geometry => geometry.frame().labels().to_vec())
-    }
-
-    /// The name of the scalar.
-    pub fn scalar(&self) -> &'static str {
-        text(match self {
-            Values::Exact(_) => Kind::Exact,
-            Values::Symbolic(_) => Kind::Symbolic,
-            Values::Float(_) => Kind::Float,
-        })
-    }
-
-    /// The brackets of the algebra as text, one a line; none if the frame has none.
-    pub fn brackets(&self) -> Option<String> {
-        each!(self, geometry => geometry.algebra().map(|algebra| algebra.to_string()))
-    }
-
-    /// A quantity; none where it does not apply.
-    pub fn quantity(
-        &self,
-        py: Python<'_>,
-        quantity: Quantity,
-        symbols: &Py<PyDict>,
-    ) -> PyResult<Option<PyTensor>> {
-        let found =
-            run(py, || Ok(each!(self, geometry => quantity.of(geometry)?.map(Held::wrap))))?;
-        let names = || Names {
-            symbol: quantity.symbol().into(),
-            latex: quantity.latex().into(),
-            title: Some(quantity.title().into()),
-            letters: Some(quantity.letters()),
-        };
-        found.map(|values| PyTensor::new(py, values, symbols.bind(py), names())).transpose()
-    }
-
-    /// A quantity; an error where it does not apply.
-    pub fn tensor(
-        &self,
-        py: Python<'_>,
-        quantity: Quantity,
-        symbols: &Py<PyDict>,
-    ) -> PyResult<PyTensor> {
-        self.quantity(py, quantity, symbols)?.ok_or_else(|| {
-            let reason = format!("{} is not defined for this geometry", quantity.key());
-            let help = "ricci contractions and norms need a metric; schouten, weyl and cotton need levi-civita in dimension 3 or more";
-            error(py, "MathematicsError", (reason, help))
-        })
-    }
-}
 
 /// A frame with a connection and perhaps a metric; every quantity of ``affinor table`` is a property.
 ///
@@ -153,7 +55,7 @@ pub struct PyGeometry {
     extra: Vec<(String, Py<PyTensor>)>,
     frame: String,
     pub symbols: Py<PyDict>,
-    pub values: Values,
+    pub values: Geometries,
 }
 
 /// The quantity of a name.
@@ -391,9 +293,9 @@ impl PyGeometry {
     /// The dict is the JSON document ``affinor.properties/1``; ``print`` shows the table.
     fn properties<'py>(&self, py: Python<'py>) -> New<'py> {
         let written = run(py, || match &self.values {
-            Values::Exact(geometry) => all_formats(&Properties::of_geometry(geometry)?),
-            Values::Symbolic(geometry) => all_formats(&Properties::of_geometry(geometry)?),
-            Values::Float(_) => Err(in_floats("the list of properties")),
+            Geometries::Exact(geometry) => all_formats(&Properties::of_geometry(geometry)?),
+            Geometries::Symbolic(geometry) => all_formats(&Properties::of_geometry(geometry)?),
+            Geometries::Float(_) => Err(in_floats("the list of properties")),
         })?;
         python(py, "structure", "Report")?.call1((written,))
     }

@@ -6,6 +6,7 @@ mod class;
 mod components;
 mod display;
 mod errors;
+mod geometries;
 mod geometry;
 mod group;
 mod motion;

@@ -2,7 +2,7 @@
 
 use crate::class::Object;
 use crate::components::Values;
-use crate::geometry::{Grounded, Values as Geometries};
+use crate::geometries::{Geometries, Grounded};
 use crate::run::run;
 use crate::tensor::PyTensor;
 use crate::values::python;
@@ -206,12 +206,11 @@ impl PySource {
         Ok(self.with(py, Arguments { values, ..alone }))
     }
 
-    /// The name, if the source is a name of the catalogue alone.
-    pub fn plain_name(&self) -> Option<&str> {
+    /// The name of a space, if the source is that of an algebra of the catalogue, or a sum of them, alone.
+    pub fn plain_name(&self, space: &Space) -> Option<&str> {
         let name = self.arguments.space.as_deref()?;
-        let plain = !name.contains('@') && !name.ends_with(".toml") && !name.ends_with(".json");
-        let others = Arguments { space: None, ..self.arguments() };
-        (plain && others == Arguments::default()).then_some(name)
+        let alone = Arguments { space: None, ..self.arguments() } == Arguments::default();
+        (alone && space.definition.is_of_catalogue() && !name.contains('@')).then_some(name)
     }
 
     /// The source of another name.

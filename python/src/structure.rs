@@ -3,13 +3,13 @@
 use crate::algebra::PyAlgebra;
 use crate::class::{New, Object, Optional, in_python};
 use crate::components::{Held, Values, of};
-use crate::geometry::Values as Geometries;
+use crate::geometries::{Geometries, Made, algebra, each, in_floats, made, symbolic};
 use crate::report::{Written, all_formats};
 use crate::run::run;
 use crate::tensor::PyTensor;
 use crate::values::{merged, python};
 use affinor::algebra::structure::{GroundField, StructureTheory, Subspace};
-use affinor::{BasisChange, Bracket, Geometry, LieAlgebra};
+use affinor::{BasisChange, Bracket, LieAlgebra};
 use affinor_documents::input::InputError;
 use affinor_documents::report::{Info, Program};
 use affinor_tensors::linear::{Matrix, Row};
@@ -21,18 +21,6 @@ use std::sync::Arc;
 
 /// The name of a construction in errors.
 const WHAT: &str = "a construction";
-
-pub fn in_floats(what: &str) -> InputError {
-    let error = InputError::usage(format!("{what} is exact, and the values here are floats"));
-    error.help("give exact numbers (int, Fraction, SymPy or texts) and leave out scalar='float'")
-}
-
-/// The labels and the structure constants of a new algebra.
-pub type Made = (Vec<String>, Values);
-
-pub fn made<S: Held>(algebra: &LieAlgebra<S>) -> Made {
-    (algebra.labels().to_vec(), S::wrap(algebra.structure_constants().clone()))
-}
 
 /// The properties that are entries of the report of the structure: a row has the name, the form of the value, and the keys.
 macro_rules! answers {
@@ -66,7 +54,7 @@ answers! {
     is_reductive: value["reductive"];
     /// Whether the Killing form is not degenerate.
     is_semisimple: value["semisimple"];
-    /// Whether there is no proper ideal over the reals; None if it was not decided.
+    /// Whether the only ideals over the reals are zero and the algebra; None if it was not decided.
     is_simple: value["simple"];
     /// Whether the centre is zero and all derivations are inner; None if it was not decided.
     is_complete: value["complete"];
@@ -149,28 +137,6 @@ impl PyAlgebra {
     }
 }
 
-/// The algebra of a geometry on a group.
-pub fn algebra<'a, S: Held>(
-    geometry: &'a Geometry<S>,
-    what: &'static str,
-) -> Result<&'a LieAlgebra<S>, InputError> {
-    Ok(geometry.frame_origin().algebra_for(what)?)
-}
-
-/// The algebra over expressions.
-pub fn symbolic(
-    values: &Geometries,
-    what: &'static str,
-) -> Result<LieAlgebra<Symbolic>, InputError> {
-    match values {
-        Geometries::Exact(geometry) => {
-            Ok(algebra(geometry, what)?.map(|value| Symbolic::constant(value.clone()))?)
-        }
-        Geometries::Symbolic(geometry) => Ok(algebra(geometry, what)?.clone()),
-        Geometries::Float(_) => Err(InputError::usage("both algebras need the same scalar")),
-    }
-}
-
 /// The components of vectors.
 fn rows<S: Held>(vectors: &[Values]) -> Result<Vec<Row<S>>, InputError> {
     let row = |vector: &Values| -> Result<Row<S>, InputError> {
@@ -198,7 +164,7 @@ impl PyAlgebra {
             PyValueError::new_err(format!("the programs are {names}, not {program:?}"))
         })?;
         run(py, || {
-            crate::geometry::each!(&self.values, geometry => {
+            each!(&self.values, geometry => {
                 let algebra = geometry.frame_origin().algebra_for("input of other programs")?;
                 Ok(program.structure(geometry.name(), algebra.labels(), algebra.structure_constants()))
             })
@@ -339,7 +305,7 @@ constructions! {
     };
     /// The Inonu-Wigner contraction: ``e_i`` is scaled by ``t^w_i``, in the limit of ``t`` to 0.
     ///
-    /// Weights for which there is no limit raise ConstructionError.
+    /// Weights without a limit raise ConstructionError.
     #[pyo3(signature = (weights, *, basis=None))]
     fn contraction(weights) = |structure: S, weights: Vec<i64>, _given| {
         Ok(made::<S>(&structure.inonu_wigner_contraction(&weights)?))

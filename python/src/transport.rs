@@ -3,7 +3,8 @@
 use crate::arrays::{Floats, batch, with_axes, zeros};
 use crate::class::{New, Object, Optional};
 use crate::components::float;
-use crate::geometry::{PyGeometry, each};
+use crate::geometries::each;
+use crate::geometry::PyGeometry;
 use crate::group::{Array, PyGroup};
 use crate::run::run;
 use crate::values::python;

@@ -45,7 +45,7 @@ pub fn number<'py>(
     python(symbols.py(), "_scalars", "number")?.call1((text, symbols, floats))
 }
 
-/// The symbols of several objects; one name stands for one symbol.
+/// The symbols of several objects. Two different symbols of one name are an error.
 pub fn merged<'py, 'a>(
     py: Python<'py>,
     all: impl IntoIterator<Item = &'a Py<PyDict>>,

@@ -118,6 +118,19 @@ def test_sparse_entries_with_equal_indices_are_added():
     assert values.nnz == 4
 
 
+@pytest.mark.parametrize("table", ["(0,0,12)", "[x,y]=z", "table.csv", "M3"])
+def test_direct_sums_of_tables_and_of_the_paper(table, tmp_path):
+    path = tmp_path / "table.csv"
+    path.write_text("j,k,i,value\n1,2,3,1\n", encoding="utf-8")
+    first = af.LieAlgebra(path if table == "table.csv" else table)
+    for both, at in [(first + so3, (0, 3)), (so3 + first, (3, 0))]:
+        assert both.dimension == 6
+        constants = both.structure.to_numpy(object)
+        for part, start in [(first, at[0]), (so3, at[1])]:
+            block = constants[start : start + 3, start : start + 3, start : start + 3]
+            assert (block == part.structure.to_numpy(object)).all()
+
+
 def test_direct_sums():
     assert (so3 + af.LieAlgebra("R^3")).dimension == 6
     both = af.LieAlgebra(epsilon()) + so3

@@ -122,6 +122,11 @@ impl Definition {
         self.labels.len()
     }
 
+    /// Whether a SPACE with this definition is a name of the catalogue or a sum of such names, which sums may contain.
+    pub fn is_of_catalogue(&self) -> bool {
+        self.source.is_none() && self.algebra_name.is_none()
+    }
+
     /// The parameters that some value depends on, sorted.
     pub fn parameters(&self) -> Vec<String> {
         let mut names = Vec::new();

@@ -14,8 +14,9 @@ impl Definition {
     /// What the algebra refuses; an algebra with a centre of which only brackets are known.
     pub fn group(&self, tolerance: Tolerance) -> Result<AnyGroup, InputError> {
         let name = self.algebra_name.as_deref().unwrap_or(&self.name);
-        let named = if self.source.is_none() { registry::find(name).ok() } else { None };
-        if let Some(group) = named {
+        if self.source.is_none()
+            && let Ok(group) = registry::find(name)
+        {
             return Ok(group);
         }
         if matches!(self.origin, Origin::Matrices(..)) {
