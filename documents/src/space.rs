@@ -15,6 +15,7 @@ pub(crate) mod document;
 mod entry;
 mod functions;
 mod group;
+mod named;
 pub(crate) mod notation;
 pub mod paper;
 mod plane;

@@ -17,10 +17,10 @@ use crate::space::{
         TensorProduct, Truncated, pairs,
     },
     functions::Functions,
+    named,
     notation::{
         Names, basis, check_name, connection, lines, metric, metric_rows, shape, statement,
     },
-    request,
 };
 use affinor::LieAlgebra;
 use affinor::geometry::chart::field_of;
@@ -182,7 +182,7 @@ impl Document {
         }
         let read = |part: &Part<Self>, key: &str| {
             let (definition, place) = match part {
-                Part::Name(text) => (request::part(&source.excerpt(text))?, source.at(text)),
+                Part::Name(text) => (named::part(&source.excerpt(text))?, source.at(text)),
                 Part::Nested(document) => (document.define(&source.table(key))?, source.key(key)),
             };
             let algebra = definition.algebra_alone().algebra(Tolerance::default());

@@ -1,8 +1,9 @@
 //! Definitions read from files.
 
+use super::document::Document;
 use super::{Definition, tables};
 use crate::input::file::{name, read};
-use crate::input::{Files, InputError, Source};
+use crate::input::{Files, InputError, Source, parse_keys};
 
 impl Definition {
     /// Reads a definition from a file, or from standard input for `-`.
@@ -20,7 +21,7 @@ impl Definition {
             None => read(path)?,
         };
         files.keep(path, &source.text);
-        tables::definition(&source.below(depth, files))
+        Self::of_source(&source.below(depth, files))
     }
 
     /// Reads a definition from the text of a file; messages call it `name`.
@@ -44,6 +45,27 @@ impl Definition {
     /// Reads a definition from a text that may name files.
     pub(crate) fn parse_part(name: &str, text: &str, files: &Files) -> Result<Self, InputError> {
         let source = Source::new(name.escape_debug().to_string(), text);
-        tables::definition(&source.below(0, files))
+        Self::of_source(&source.below(0, files))
     }
+
+    /// The definition that a text contains: a table, or else keys.
+    fn of_source(source: &Source) -> Result<Self, InputError> {
+        if let Some(table) = tables::definition(source) {
+            return table;
+        }
+        // of a file that should have keys the parser finds the first fault
+        let has_keys = [".toml", ".json"].iter().any(|ending| source.name.ends_with(ending));
+        if !has_keys && !is_document(source.content()) {
+            return Err(tables::unknown(source));
+        }
+        let (keys, source) =
+            parse_keys::<Document>(source, "a definition has a basis and brackets")?;
+        keys.define(&source)
+    }
+}
+
+/// Whether a text consists of keys: an empty text, an object of JSON, a key with `=`, or the head of a table.
+fn is_document(text: &str) -> bool {
+    let first = tables::first_line(text);
+    first.is_empty() || first.starts_with(['{', '[']) || first.contains('=')
 }

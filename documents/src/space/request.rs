@@ -5,19 +5,16 @@ use crate::input::{
     forms::{MetricText, Text},
 };
 use crate::space::{
-    Definition, MetricChoice, Origin, add, check_dimension,
+    Definition, MetricChoice, Origin, add,
+    named::{is_path, named},
     notation::{self, Names, basis, lines, metric, statement},
     paper,
     setting::settings,
     tables,
 };
-use affinor::algebra::catalogue::CatalogueError;
 use affinor_tensors::{Kind, Rational, Symbolic};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
-
-/// The longest chain of definition files, each of which contains the next.
-const MAX_DEPTH: usize = 16;
 
 /// The arguments of the command line that define a space.
 #[derive(Clone, Debug, Default)]
@@ -279,97 +276,13 @@ fn find(name: &str, files: &Files) -> Result<Definition, InputError> {
         }
         _ => {}
     }
-    if tables::is_inline(name) {
-        return tables::definition(&Source::new("SPACE", name));
+    if let Some(table) = tables::inline(&Source::new("SPACE", name)) {
+        return table;
     }
     if is_path(name) {
         return Definition::read_part(name, 0, files);
     }
     named(&Source::new("SPACE", name))
-}
-
-/// The algebra that a string of a definition file names: a sum of catalogue names, or a file, whose path begins at the folder
-/// of that file.
-pub(super) fn part(source: &Source) -> Result<Definition, InputError> {
-    let text = source.content();
-    if tables::is_inline(text) {
-        return tables::definition(source);
-    }
-    if !is_path(text) {
-        return named(source);
-    }
-    let refused = |message: String| Err(InputError::usage(message).at(&source.whole(text)));
-    if text == "-" {
-        return refused("standard input is no part of a definition".into());
-    }
-    if source.depth >= MAX_DEPTH {
-        return refused(format!("{MAX_DEPTH} files lead to this one: does one contain itself?"));
-    }
-    let folder = Path::new(&source.name).parent().unwrap_or(Path::new(""));
-    let path = folder.join(text);
-    match Definition::read_part(&path.to_string_lossy(), source.depth + 1, &source.files) {
-        Err(error) => Err(error.or_at(&source.whole(text))),
-        read => read,
-    }
-}
-
-/// The sum of catalogue names that a source holds.
-fn named(source: &Source) -> Result<Definition, InputError> {
-    let text = source.content();
-    let parts = affinor::group::registry::summands(text).into_iter();
-    let parts: Vec<_> = parts.map(|part| entry(part, source)).collect::<Result<_, _>>()?;
-    check_dimension(parts.iter().map(Definition::dimension).sum::<usize>())
-        .map_err(|error| error.at(&source.whole(text)))?;
-    let mut parts = parts.into_iter();
-    let first = parts.next().ok_or_else(|| InputError::usage("no SPACE is named"))?;
-    parts.try_fold(first, Definition::direct_sum)
-}
-
-/// A catalogue entry by its name, a piece of `source`.
-fn entry(part: &str, source: &Source) -> Result<Definition, InputError> {
-    const NAMES: &str =
-        "`affinor list` shows the names; a file has an ending, such as .toml or .csv";
-    let name = part.trim();
-    if name.is_empty() {
-        let error = InputError::usage("the name of an algebra is missing here");
-        return Err(error.at(&source.whole(part)).help(NAMES));
-    }
-    let error = match affinor::algebra::catalogue::find(name) {
-        Ok(entry) => return Ok(Definition::from_entry(entry)),
-        Err(error) => error,
-    };
-    let span = match &error {
-        CatalogueError::Malformed { span, .. } => span.clone(),
-        CatalogueError::Value { source, .. } => source.span.clone(),
-        _ => 0..name.len(),
-    };
-    let refused = InputError::usage(error.to_string()).at(&source.find(name, span));
-    let foreign: String = name.chars().filter(|c| !c.is_ascii()).take(64).collect();
-    Err(match error {
-        _ if !foreign.is_empty() => {
-            let foreign = foreign.escape_unicode();
-            refused.help(format!("names of algebras are ASCII; this is not: {foreign}"))
-        }
-        CatalogueError::Unknown { .. } => refused.help(NAMES),
-        _ => refused,
-    })
-}
-
-/// Whether a SPACE is a path: `-`, a name with an ending such as `.toml` or `.csv`, or a `/` outside parentheses.
-fn is_path(name: &str) -> bool {
-    if tables::is_inline(name) {
-        return false;
-    }
-    let mut depth = 0i64;
-    let slash = name.chars().any(|c| {
-        depth += i64::from(c == '(') - i64::from(c == ')');
-        c == '/' && depth == 0
-    });
-    let ending = name.rsplit_once('.').is_some_and(|(stem, ending)| {
-        let letters = ending.starts_with(|c: char| c.is_ascii_alphabetic());
-        !stem.is_empty() && letters && ending.chars().all(|c| c.is_ascii_alphanumeric())
-    });
-    name == "-" || ending || slash
 }
 
 /// Brackets given on the command line.

@@ -1,6 +1,6 @@
-//! Notations of definitions and of tables of structure constants, recognised by their content.
+//! Notations of tables of structure constants, recognised by their content.
 //!
-//! [`notation_of`] chooses one [`Notation`] from the text alone; its reader then reports every error with its place.
+//! [`definition`] chooses one [`Notation`] from the text alone; its reader then reports every error with its place.
 //! Each reader is a file of the folder `tables`, with the grammar in its head.
 
 mod brackets;
@@ -11,10 +11,9 @@ mod rows;
 mod sage;
 mod salamon;
 
-use super::document::Document;
 use super::notation::Names;
 use super::{Definition, Given, Origin, Pairs, add, check_dimension};
-use crate::input::{InputError, Place, Source, parse_keys, shown};
+use crate::input::{InputError, Place, Source, shown};
 use affinor_tensors::expression::canonical_name;
 use affinor_tensors::{Ring, Symbolic};
 use std::borrow::Cow;
@@ -33,7 +32,7 @@ struct Notation {
 }
 
 /// All notations. The first that recognises a text reads it.
-const NOTATIONS: [Notation; 8] = [
+const NOTATIONS: [Notation; 7] = [
     Notation {
         name: "JSON of `affinor table`",
         recognises: json::is_table,
@@ -61,28 +60,24 @@ const NOTATIONS: [Notation; 8] = [
         read: rows::definition,
         inline: false,
     },
-    Notation {
-        name: "keys in TOML or JSON",
-        recognises: is_document,
-        read: document,
-        inline: false,
-    },
 ];
 
-/// The definition that a text contains.
+/// The algebra of a text in one of the notations; `None` for other texts.
 ///
 /// # Errors
-/// A text in none of the notations; errors of the reader, with the place.
-pub(super) fn definition(source: &Source) -> Result<Definition, InputError> {
+/// Errors of the reader, with the place.
+pub(super) fn definition(source: &Source) -> Option<Result<Definition, InputError>> {
     let text = source.content();
-    match NOTATIONS.iter().find(|notation| (notation.recognises)(text)) {
-        Some(notation) => (notation.read)(source),
-        // the parser finds the first fault
-        None if source.name.ends_with(".toml") || source.name.ends_with(".json") => {
-            document(source)
-        }
-        None => Err(unknown(source)),
-    }
+    let notation = NOTATIONS.iter().find(|notation| (notation.recognises)(text))?;
+    Some((notation.read)(source))
+}
+
+/// The algebra of a text in a notation of [`is_inline`]; `None` for other texts.
+///
+/// # Errors
+/// As [`definition`].
+pub(super) fn inline(source: &Source) -> Option<Result<Definition, InputError>> {
+    is_inline(source.content()).then(|| definition(source)).flatten()
 }
 
 /// Whether a SPACE of the command line is itself a table, and not a name or a path.
@@ -92,19 +87,8 @@ pub(super) fn is_inline(space: &str) -> bool {
         && inline.any(|notation| (notation.recognises)(space))
 }
 
-/// Whether a text consists of keys: an empty text, an object of JSON, a key with `=`, or the head of a table.
-fn is_document(text: &str) -> bool {
-    let first = first_line(text);
-    first.is_empty() || first.starts_with(['{', '[']) || first.contains('=')
-}
-
-fn document(source: &Source) -> Result<Definition, InputError> {
-    let (keys, source) = parse_keys::<Document>(source, "a definition has a basis and brackets")?;
-    keys.define(&source)
-}
-
 /// The error about a text in no notation, with a guess what it is.
-fn unknown(source: &Source) -> InputError {
+pub(super) fn unknown(source: &Source) -> InputError {
     const GUESSES: [(&str, &str); 8] = [
         ("MutableDenseNDimArray", "a program for SymPy; write the table for GAP, Sage or Maple"),
         ("\\begin", "LaTeX"),
@@ -116,7 +100,8 @@ fn unknown(source: &Source) -> InputError {
         ("import ", "a program in Python"),
     ];
     let text = source.content();
-    let names: Vec<&str> = NOTATIONS.iter().map(|notation| notation.name).collect();
+    let names = NOTATIONS.iter().map(|notation| notation.name).chain(["keys in TOML or JSON"]);
+    let names: Vec<&str> = names.collect();
     let seems = GUESSES.iter().find(|(sign, _)| text.contains(sign));
     let seems = seems.map_or(String::new(), |(_, what)| format!("; it seems to be {what}"));
     let message = format!("{} is not a definition of a space{seems}", source.name);
@@ -125,7 +110,7 @@ fn unknown(source: &Source) -> InputError {
 }
 
 /// The first line that is neither blank nor a comment (`#`, `//`), trimmed.
-fn first_line(text: &str) -> &str {
+pub(super) fn first_line(text: &str) -> &str {
     let mut lines = text.lines().map(str::trim);
     lines
         .find(|line| !(line.is_empty() || line.starts_with('#') || line.starts_with("//")))

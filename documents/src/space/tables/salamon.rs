@@ -1,8 +1,8 @@
 //! Nilmanifolds in Salamon's notation: `(0,0,12)` lists `de^1`, `de^2`, `de^3` with `12` for `e^1 e^2`.
 //!
-//! `de^k = sum of a_ij e^i e^j` means `[e_i, e_j] = - a_ij e_k`, since `de^k(x, y) = -e^k([x, y])`. A dot separates
-//! indices of several digits, `1.10`, as does a comma in braces, `{1,10}`. Terms may have factors, `2*13`, and `0^3` stands for
-//! three zeros.
+//! `de^k = sum of a_ij e^i e^j` means `[e_i, e_j] = - a_ij e_k`, since `de^k(x, y) = -e^k([x, y])`. Indices of
+//! several digits have a dot between them, `1.10`, or a comma in braces, `{1,10}`. Terms may have factors, `2*13`. `0^3` is
+//! `0,0,0`.
 
 use super::{Entry, enclosed, first_line, items, numbered, refuse};
 use crate::input::{InputError, Source, shown};
@@ -59,7 +59,7 @@ pub(super) fn definition(source: &Source) -> Result<Definition, InputError> {
     numbered(source, k, &entries)
 }
 
-/// The number of zeros that `0` and `0^n` stand for.
+/// The number of zeros in an item: 1 for `0`, and `n` for `0^n`.
 fn zeros(item: &str) -> Option<usize> {
     let rest = item.strip_prefix('0')?.trim();
     match rest.strip_prefix('^') {
