@@ -39,6 +39,7 @@ mod group {
     mod embedded;
     mod groups;
     mod laws;
+    mod restored;
     mod rotation;
     mod tangent;
     mod transport;
