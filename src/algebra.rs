@@ -170,7 +170,7 @@ impl<S: Scalar> LieAlgebra<S> {
     /// The same algebra over another scalar, by a homomorphism of rings.
     ///
     /// # Errors
-    /// [`Law::Jacobi`](crate::Law::Jacobi) or [`Law::Antisymmetry`](crate::Law::Antisymmetry) when `f` is no homomorphism.
+    /// [`Law::Jacobi`](crate::Law::Jacobi) or [`Law::Antisymmetry`](crate::Law::Antisymmetry) when `f` is not a homomorphism.
     pub fn map<T: Scalar>(&self, f: impl Fn(&S) -> T) -> Result<LieAlgebra<T>, Error> {
         Bracket::new(self.labels(), self.structure_constants().map(f))?.try_into()
     }

@@ -274,26 +274,30 @@ fn constructions_carry_names_metrics_and_connections() {
 #[test]
 fn constructions_are_refused_with_a_witness() {
     let rows = [
-        ("quotient = { of = 'so(3)', by = ['e1'] }", 1, "no ideal: [e2, e1] = -e3 is not in it"),
+        (
+            "quotient = { of = 'so(3)', by = ['e1'] }",
+            1,
+            "not an ideal: [e2, e1] = -e3 is not in it",
+        ),
         (
             "subalgebra = { of = 'sl(3)', spanned_by = ['E12', 'E23'] }",
             1,
-            "no subalgebra: [E12, E23] = E13 is not in it",
+            "not a subalgebra: [E12, E23] = E13 is not in it",
         ),
         (
             "central_extension = { of = 'so(3)+R^1', centre = ['z'], cocycle = \"[e1, e1'] = z\" }",
             1,
-            "no cocycle",
+            "not a cocycle",
         ),
         (
             "[semidirect]\nof = 'R^1'\non = 'heisenberg(3)'\nby = [[[1, 0, 0], [0, 1, 0], [0, 0, 1]]]",
             1,
-            "the matrix D of e1 is no derivation: D [x1,y1] - [D x1,y1] - [x1,D y1] = -z",
+            "the matrix D of e1 is not a derivation: D [x1,y1] - [D x1,y1] - [x1,D y1] = -z",
         ),
         (
             "[semidirect]\nof = 'R^2'\non = 'R^2'\nby = [[[0, 1], [0, 0]], [[0, 0], [1, 0]]]",
             1,
-            "no action: (D_e1 D_e2 - D_e2 D_e1 - D_[e1,e2]) e1 = e1",
+            "not an action: (D_e1 D_e2 - D_e2 D_e1 - D_[e1,e2]) e1 = e1",
         ),
         (
             "[tensor_product]\nof = 'so(3)'\nbasis = ['u', 'v']\nproducts = 'product[u, u] = v; product[v, v] = u'",

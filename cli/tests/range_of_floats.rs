@@ -71,7 +71,7 @@ fn every_command_refuses_what_floats_do_not_hold() {
             let arguments = [command, &["--scalar", "float"]].concat();
             let outcome = run(&arguments, "");
             assert_eq!((outcome.status, outcome.out.as_str()), (1, ""), "{arguments:?}: {space}");
-            assert!(outcome.err.contains("is no finite number"), "{}", outcome.err);
+            assert!(outcome.err.contains("is not a finite number"), "{}", outcome.err);
             assert!(outcome.err.contains("compute exactly"), "{}", outcome.err);
         }
     }

@@ -199,18 +199,18 @@ filiform = af.LieAlgebra("filiform(4)")
 floats = af.LieAlgebra("so3", scalar="float")
 
 REFUSED = [
-    (lambda: heisenberg.quotient(["x1"]), {"pair": ("y1", "x1"), "residual": "-z"}, "no ideal"),
-    (lambda: so3.subalgebra(["e1", "e2"]), {"pair": ("e1", "e2"), "residual": "e3"}, "no subalgebra"),
+    (lambda: heisenberg.quotient(["x1"]), {"pair": ("y1", "x1"), "residual": "-z"}, "not an ideal"),
+    (lambda: so3.subalgebra(["e1", "e2"]), {"pair": ("e1", "e2"), "residual": "e3"}, "not a subalgebra"),
     (lambda: so3.contraction([0, 0, 1]), {"pair": ("e1", "e2"), "component": "e3", "residual": "1"}, "no limit"),
     (
         lambda: af.LieAlgebra("R^1").semidirect("so3", [np.eye(3)]),
         {"derivation": "e1", "pair": ("e1", "e2"), "residual": "-e3"},
-        "no derivation",
+        "not a derivation",
     ),
     (
         lambda: R2.semidirect("R^2", [[[0, 1], [0, 0]], [[0, 0], [1, 0]]]),
         {"pair": ("e1", "e2"), "vector": "e1", "residual": "e1"},
-        "no action",
+        "not an action",
     ),
 ]
 
@@ -225,7 +225,7 @@ def test_a_refusal_has_its_witness(call, data, message):
 
 def test_a_form_that_is_no_cocycle():
     sl2 = af.LieAlgebra("so3") + af.LieAlgebra("R^1")
-    with pytest.raises(af.ConstructionError, match="no cocycle") as found:
+    with pytest.raises(af.ConstructionError, match="not a cocycle") as found:
         sl2.central_extension({(0, 3): 1}, "z")
     assert len(found.value.triple) == 3 and found.value.residual not in ("0", None)
     assert found.value.pair is None

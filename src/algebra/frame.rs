@@ -30,7 +30,7 @@ impl<S: Scalar> Frame<S> {
     ///
     /// # Errors
     /// [`Error::Shape`] unless `structure` has the slots `^i_jk` in the dimension of the labels; [`Error::Invalid`] for
-    /// a label that is empty or stands twice; [`Error::NotFinite`]; [`Law::Antisymmetry`].
+    /// an empty label, or two equal labels; [`Error::NotFinite`]; [`Law::Antisymmetry`].
     pub fn invariant(
         labels: impl IntoIterator<Item: AsRef<str>>,
         structure: Tensor<S>,
@@ -213,7 +213,7 @@ impl Frame<Symbolic> {
     /// structure (A9), and partial derivatives.
     ///
     /// # Errors
-    /// [`Error::Invalid`] for a name that is empty or stands twice; [`Error::Tensor`] if the dimension is too large for the
+    /// [`Error::Invalid`] for an empty name, or two equal names; [`Error::Tensor`] if the dimension is too large for the
     /// indices of a tensor, 64 bits.
     pub fn coordinates(names: impl IntoIterator<Item: AsRef<str>>) -> Result<Self, Error> {
         let names: Arc<[String]> =

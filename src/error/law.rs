@@ -68,7 +68,7 @@ macro_rules! laws {
 laws! {
     /// `x - x = 0` for numbers. It fails for intervals.
     AdditiveInverse(value: x; residual) MathematicsError
-        "the numbers are no ring: {x} - {x} = {residual}, not 0, as for intervals"
+        "the numbers are not a ring: {x} - {x} = {residual}, not 0, as for intervals"
         "compute over exact numbers or floats, and bound the error of the result"
     /// `[x, y] + [y, x] = 0`.
     Antisymmetry(pair: x y; residual) AntisymmetryError
@@ -98,15 +98,15 @@ laws! {
         "add the missing matrices to the basis"
     /// A subspace contains the bracket of any two of its vectors.
     Subalgebra(pair: x y; bracket) ConstructionError
-        "the subspace is no subalgebra: [{x}, {y}] = {bracket} is not in it"
+        "the subspace is not a subalgebra: [{x}, {y}] = {bracket} is not in it"
         "add the bracket to the vectors, or take the subalgebra that they generate"
     /// A subspace contains the bracket of its vectors `v` with any basis vector `x`.
     Ideal(pair: x v; bracket) ConstructionError
-        "the subspace is no ideal: [{x}, {v}] = {bracket} is not in it"
+        "the subspace is not an ideal: [{x}, {v}] = {bracket} is not in it"
         "add the bracket to the vectors"
     /// `omega([x, y], z) + omega([y, z], x) + omega([z, x], y) = 0`; the residual is this sum up to its sign.
     Cocycle(triple: x y z; residual) ConstructionError
-        "the form is no cocycle: \
+        "the form is not a cocycle: \
          omega([{x},{y}],{z}) + omega([{y},{z}],{x}) + omega([{z},{x}],{y}) = {residual}"
         "change the values of the form on these vectors"
     /// `x y - y x = 0` for a product of vectors.
@@ -119,10 +119,10 @@ laws! {
         "the vectors span a commutative, associative algebra: change their products"
     /// `D [x, y] - [D x, y] - [x, D y] = 0` for the matrix `D` by which the vector `d` acts.
     Derivation(derivation: d, pair: x y; residual) ConstructionError
-        "the matrix D of {d} is no derivation: D [{x},{y}] - [D {x},{y}] - [{x},D {y}] = {residual}"
+        "the matrix D of {d} is not a derivation: D [{x},{y}] - [D {x},{y}] - [{x},D {y}] = {residual}"
     /// `(D_x D_y - D_y D_x - D_[x,y]) v = 0` for the matrices by which an algebra acts.
     Action(pair: x y, vector: v; residual) ConstructionError
-        "the matrices are no action: (D_{x} D_{y} - D_{y} D_{x} - D_[{x},{y}]) {v} = {residual}"
+        "the matrices are not an action: (D_{x} D_{y} - D_{y} D_{x} - D_[{x},{y}]) {v} = {residual}"
     /// The structure constants of a contraction have a limit. The residual is a constant without one.
     Limit(pair: x y, component: component; value) ConstructionError
         "the contraction has no limit: the component {value} of [{x}, {y}] along {component} grows \
@@ -147,7 +147,7 @@ laws! {
          (L_{direction} Lambda)^{i}_{j}{k} = {residual}, not 0 (it is not invariant under ad)"
     /// The isotropy `h` of a reductive pair contains the bracket of any two of its vectors.
     ReductiveIsotropy(pair: x y; bracket) MathematicsError
-        "the vectors of h span no subalgebra: [{x}, {y}] = {bracket} is not in their span"
+        "the vectors of h do not span a subalgebra: [{x}, {y}] = {bracket} is not in their span"
     /// The complement `m` of a reductive pair contains the bracket of its vectors `y` with any vector `x` of `h`.
     ReductiveComplement(pair: x y; bracket) MathematicsError
         "the complement m is not invariant under h: [{x}, {y}] = {bracket} is not in m"
@@ -185,7 +185,7 @@ impl Law {
     /// ```
     /// use affinor::Law;
     /// let error = Law::Ideal.broken(["x".to_string(), "v".to_string()], "z");
-    /// assert_eq!(error.to_string(), "the subspace is no ideal: [x, v] = z is not in it");
+    /// assert_eq!(error.to_string(), "the subspace is not an ideal: [x, v] = z is not in it");
     /// assert_eq!(error.advice(), Some("add the bracket to the vectors"));
     /// assert_eq!(error.class(), "ConstructionError");
     /// ```

@@ -47,7 +47,7 @@ pub enum Error {
         limit: usize,
     },
     /// A component that is infinite or not a number.
-    #[error("{what}: the component {} = {value} is no finite number", indices(.at.iter().copied()))]
+    #[error("{what}: the component {} = {value} is not a finite number", indices(.at.iter().copied()))]
     NotFinite {
         /// The name of the object.
         what: &'static str,

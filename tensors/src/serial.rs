@@ -67,7 +67,7 @@ impl<S: Summable + Serialize> Serialize for Tensor<S> {
         let component =
             |(at, value): (crate::Indices, _)| (at.iter().map(|index| index + 1).collect(), value);
         if let Some(value) = self.nonzero().find(|value| !value.is_number()) {
-            return Err(W::Error::custom(format!("a component is {value}, no finite number")));
+            return Err(W::Error::custom(format!("a component is {value}, not a finite number")));
         }
         Written {
             schema: SCHEMA.into(),

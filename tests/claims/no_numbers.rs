@@ -62,5 +62,5 @@ fn every_constructor_says_what_is_no_number() {
         refused(basis, &[1, 2], value);
     }
     let said = Metric::new(labels(3), with([Down, Down], [0, 1], f64::NAN)).unwrap_err();
-    assert_eq!(said.to_string(), "the metric: the component 1,2 = NaN is no finite number");
+    assert_eq!(said.to_string(), "the metric: the component 1,2 = NaN is not a finite number");
 }

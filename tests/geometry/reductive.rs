@@ -457,7 +457,7 @@ fn what_is_no_pair_is_refused() {
     let refused = ReductivePair::new(&so3, &units(3, [0, 1]), &units(3, [2])).unwrap_err();
     assert_eq!(
         refused.to_string(),
-        "the vectors of h span no subalgebra: [e1, e2] = e3 is not in their span"
+        "the vectors of h do not span a subalgebra: [e1, e2] = e3 is not in their span"
     );
     // y spans an ideal of aff(1), and no complement is invariant
     let affine = by_table(2, &[(1, 2, 2, 1)]);

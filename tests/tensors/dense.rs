@@ -112,7 +112,7 @@ fn what_is_read_is_checked() {
 #[test]
 fn what_is_no_number_is_not_written() {
     for wild in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
-        let message = format!("a component is {wild}, no finite number");
+        let message = format!("a component is {wild}, not a finite number");
         let floats = Tensor::vector(&[1.0, wild], Up);
         assert_eq!(serde_json::to_string(&floats).unwrap_err().to_string(), message);
         let tracked = serde_json::to_string(&floats.map(|v| TrackedFloat::new(*v)));

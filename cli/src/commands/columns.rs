@@ -115,7 +115,7 @@ impl Expected {
 mod tests {
     use super::Expected;
 
-    /// Every permutation of every choice of names is undone.
+    /// Heads that name every `step`-th column, for all steps without a common divisor with their number, are put in order.
     #[test]
     fn permuted_heads_are_put_in_order() {
         let quaternion =

@@ -93,7 +93,7 @@ fn syntax(message: &str) -> InputError {
             let keys = keys.replace('`', "");
             let unknown = what.split('`').nth(1).unwrap_or("");
             let distance = |key: &&str| strsim::damerau_levenshtein(key, unknown);
-            // longer words are no typing errors
+            // a longer word is not a misspelt key
             let nearest = keys.split(", ").filter(|key| unknown.len() < 32 && distance(key) < 3);
             let help = match nearest.min_by_key(distance) {
                 Some(key) => format!("did you mean `{key}`?"),

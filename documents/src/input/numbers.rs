@@ -17,7 +17,7 @@ use std::f64::consts::{PI, TAU};
 /// ```
 ///
 /// # Errors
-/// A word that is no finite number, or so near zero that a float would lose its digits, with its place.
+/// A word that is not a finite number, or so near zero that a float would lose its digits, with its place.
 pub fn numbers(source: &Source) -> Result<Vec<f64>, InputError> {
     numbers_in(source.content(), source)
 }

@@ -7,8 +7,8 @@ use super::{InputError, Source, shown};
 /// The names and the rows of a table in CSV. Its values are numbers, `NaN`, `inf` and `-inf`.
 ///
 /// # Errors
-/// A file that cannot be read, a header of numbers, a name that stands twice, a missing value or one that is no number: with the
-/// place.
+/// With the place: a file that cannot be read, a head of numbers, two columns of one name, a missing value, and a value that is not
+/// a number.
 pub fn read_rows(path: &str) -> Result<(Vec<String>, Vec<Vec<f64>>), InputError> {
     let file = read(path)?;
     let mut lines = file.text.lines();

@@ -41,7 +41,7 @@ impl RunRows {
     /// The rotation matrices, by their entries or by quaternions.
     ///
     /// # Errors
-    /// [`Error::Name`]; [`Error::Invalid`] for entries that are no rotation.
+    /// [`Error::Name`]; [`Error::Invalid`] for entries that are not those of a rotation.
     pub fn attitudes(&self) -> Result<Vec<Matrix3<f64>>, Error> {
         if let (Ok(w), Ok(v)) = (self.column("qw"), self.vectors(["qx", "qy", "qz"])) {
             let turn = |(w, v): (f64, Vector3<f64>)| {

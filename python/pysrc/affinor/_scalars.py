@@ -239,7 +239,7 @@ def _symbol(symbol: Any, symbols: Symbols) -> str:
 
 
 def merged(*several: Mapping[str, Any]) -> Symbols:
-    """The symbols of several objects; one name stands for one symbol."""
+    """The symbols of several objects. Two different symbols of one name are an error."""
     result: Symbols = {}
     for symbols in several:
         for symbol in symbols.values():

@@ -11,7 +11,7 @@ use affinor::algebra::structure::{RootSpaces, StructureTheory, Subspace};
 use affinor_tensors::{Rational, Tolerance};
 use serde_json::{Value, json};
 
-/// Why there is no type.
+/// The reason in the row of the type, where none is found.
 const NOT_FOUND: &str = "the Dynkin type is not found";
 /// Cartan matrices of higher rank are written in JSON only.
 const SHOWN_RANK: usize = 8;
