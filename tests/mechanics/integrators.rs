@@ -1,6 +1,7 @@
 //! Orders of the integrators, on groups of several kinds, against solutions that share no code with them; and what
 //! they keep.
 
+mod adaptive;
 mod projected;
 
 use crate::common::steps::{expect_order, run};

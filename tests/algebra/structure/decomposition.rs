@@ -1,7 +1,7 @@
 //! Random sums of indecomposable algebras have their summands back (Krull and Schmidt), in dense bases too.
 
 use crate::algebra::structure::{regular, scrambled, stored};
-use crate::common::algebras::catalogued;
+use crate::common::algebras::{by_table, catalogued};
 use affinor::algebra::structure::{Indecomposable, StructureTheory, Subspace};
 use affinor::{LieAlgebra, Rational};
 use affinor_tensors::linear::Echelon;
@@ -165,5 +165,60 @@ fn sums_with_equal_parts() {
     ] {
         let found: Vec<usize> = kinds(catalogued(name)).iter().map(|one| one.dimension).collect();
         assert_eq!(found, dimensions, "{name}");
+    }
+}
+
+/// `L` over the field `Q[x]/(p)`, as an algebra over the rationals: `p` is monic, given by its lower coefficients, and the vector
+/// `e_i x^a` has the number `i d + a`.
+fn over_field(algebra: &Algebra, p: &[i64]) -> Algebra {
+    let (n, d) = (algebra.dimension(), p.len());
+    // x^k modulo p
+    let mut powers: Vec<Vec<i64>> =
+        (0..d).map(|k| (0..d).map(|a| i64::from(a == k)).collect()).collect();
+    for k in d..2 * d {
+        let before = powers[k - 1].clone();
+        let carry = before[d - 1];
+        powers
+            .push((0..d).map(|a| if a == 0 { 0 } else { before[a - 1] } - carry * p[a]).collect());
+    }
+    let c = algebra.structure_constants();
+    let mut table = vec![];
+    for (at, value) in c.components().filter(|(at, _)| at[1] < at[2]) {
+        let value: i64 = value.to_string().parse().unwrap();
+        for (a, b) in (0..d).flat_map(|a| (0..d).map(move |b| (a, b))) {
+            for (m, share) in powers[a + b].iter().enumerate().filter(|(_, share)| **share != 0) {
+                table.push((
+                    at[1] * d + a + 1,
+                    at[2] * d + b + 1,
+                    at[0] * d + m + 1,
+                    value * share,
+                ));
+            }
+        }
+    }
+    by_table(n * d, &table)
+}
+
+/// Over a number field with `r` real and `s` pairs of complex embeddings an algebra falls into `r + s` parts over the reals.
+#[test]
+fn algebras_over_fields_with_complex_embeddings() {
+    // x^2 + 1, x^2 - 2, x^3 - 2, x^3 - 3 x + 1, x^4 - 2, x^4 + 1
+    let fields: [(&[i64], usize); 6] = [
+        (&[1, 0], 1),
+        (&[-2, 0], 2),
+        (&[-2, 0, 0], 2),
+        (&[1, -3, 0], 3),
+        (&[-2, 0, 0, 0], 3),
+        (&[1, 0, 0, 0], 2),
+    ];
+    for (p, parts) in fields {
+        for name in ["heisenberg(3)", "sl(2)", "aff(1)"] {
+            let algebra = over_field(&catalogued(name), p);
+            for algebra in [scrambled(&algebra, 5), algebra] {
+                let found = kinds(algebra);
+                assert_eq!(found.len(), 1, "{name} over {p:?}");
+                assert_eq!(found[0].real_parts, parts, "{name} over {p:?}");
+            }
+        }
     }
 }

@@ -1,0 +1,46 @@
+//! Steps under control: a step is accepted within the tolerance, whatever length was tried first.
+
+use super::full;
+use affinor::group::{Coordinates, Embedded, Se2, Se3, Sl2, So3, TranslationSplit};
+use affinor::mechanics::integrators::runge_kutta::LocalCoordinates;
+use affinor::mechanics::{Adaptive, EulerPoincare};
+use affinor::{CanonicalConnection, Connection};
+
+/// After a step of length `h` with the error `e`, in units of the tolerance, the next one is `0.9 h e^(-1/order)`, between a fifth
+/// and five times `h`. So it is at least `0.9 h` if the step was within the tolerance.
+fn accepted_within_the_tolerance<G, C>(group: G, velocity: &[f64], method: &Adaptive<C>)
+where
+    G: Embedded + TranslationSplit + Clone,
+    C: LocalCoordinates<G> + Copy,
+{
+    let n = group.dimension();
+    let plus = Connection::canonical(&group.algebra().unwrap(), CanonicalConnection::Plus);
+    let torque = |time: f64, _: &G::Element, _: &G::Vector| {
+        G::Vector::from_components(
+            &(0..n).map(|i| (3.0 * time + i as f64).sin()).collect::<Vec<_>>(),
+        )
+    };
+    let system = EulerPoincare::new(group.clone(), &plus, &full(&group), torque).unwrap();
+    let start = system.state(0.0, group.identity(), &G::Vector::from_components(velocity));
+    let mut rejected = 0;
+    for tried in (-40..=8).map(|power| 10.0_f64.powf(0.05 * f64::from(power))) {
+        let (mut state, mut next) = (start.clone(), tried);
+        method.step(&system, &mut state, &mut next, 1e3).unwrap();
+        let taken = state.time;
+        assert!(next >= 0.9 * taken, "{tried}: {next} after {taken}");
+        rejected += usize::from(taken < tried);
+    }
+    // both kinds occur
+    assert!((5..45).contains(&rejected), "{rejected}");
+}
+
+#[test]
+fn steps_are_accepted_within_the_tolerance() {
+    for method in [Adaptive::new(1e-6), Adaptive::of_order_8(1e-9)] {
+        accepted_within_the_tolerance(So3, &[0.5, -0.3, 0.6], &method);
+        accepted_within_the_tolerance(Se2, &[1.2, 0.8, -0.6], &method);
+        accepted_within_the_tolerance(Se3, &[0.5, -0.3, 0.6, 0.4, 0.2, -0.5], &method);
+        accepted_within_the_tolerance(Sl2, &[0.5, -0.3, 0.6], &method);
+        accepted_within_the_tolerance(So3, &[0.5, -0.3, 0.6], &method.projected());
+    }
+}
