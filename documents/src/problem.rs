@@ -23,9 +23,11 @@ mod output;
 mod prescribed_velocity;
 mod reader;
 mod ready;
+mod solid;
 
 pub use integration::{Integration, Progress};
-pub use ready::{Column, Ready};
+pub use ready::{Column, Factor, Ready};
+pub use solid::Solid;
 
 use crate::input::{InputError, Source, file, numbers::numbers_in, parse_keys};
 use crate::space::setting::no_parameter;
@@ -315,7 +317,7 @@ impl Problem {
     /// ```
     ///
     /// # Errors
-    /// A problem without forces: of constraints, a Hamiltonian, a prescribed velocity or a flow of matrices.
+    /// A problem without forces: of a Hamiltonian, a prescribed velocity or a flow of matrices.
     pub fn with_force(
         &self,
         side: ForceFrame,
@@ -327,8 +329,12 @@ impl Problem {
                 dynamics.add_force(side, function);
                 Ok(problem)
             }
+            Class::Constrained(_, dynamics) => {
+                dynamics.add_force(side, function);
+                Ok(problem)
+            }
             _ => Err(InputError::usage("a force as a function needs Euler-Poincare equations")
-                .help("give a metric, and no constraints")),
+                .help("give a metric")),
         }
     }
 
@@ -336,6 +342,14 @@ impl Problem {
     #[must_use]
     pub fn with_columns(&self, names: &[&str]) -> Self {
         Problem { output: self.output.with_columns(names, &self.source), ..self.clone() }
+    }
+
+    /// The same problem with rows at the initial time and at these times.
+    #[must_use]
+    pub fn at_times(&self, times: &[f64]) -> Self {
+        let mut problem = self.clone();
+        problem.output.times = self.output.times.listed(times, &self.source);
+        problem
     }
 
     /// The same problem with a row at the end only.

@@ -1,7 +1,8 @@
 //! Groups chosen at run time, and their direct products.
 
 use super::{
-    Block, Coordinates, Embedded, Generator, LieGroup, MatrixNotation, Partial, TranslationSplit,
+    Block, Coordinates, Embedded, Generator, LieGroup, MatrixNotation, Partial, Product,
+    TranslationSplit,
 };
 use crate::{Error, LieAlgebra};
 use nalgebra::{DMatrix, DVector};
@@ -45,6 +46,22 @@ impl AnyGroup {
     /// As there.
     pub fn named(name: &str) -> Result<Self, Error> {
         super::registry::find(name)
+    }
+
+    /// The factors of a direct product of groups that were chosen at run time, in order; otherwise the group alone.
+    ///
+    /// ```
+    /// use affinor::group::{AnyGroup, LieGroup};
+    /// let bodies = AnyGroup::named("se3+so3+R^2")?;
+    /// let dimensions: Vec<usize> = bodies.factors().iter().map(|factor| factor.dimension()).collect();
+    /// assert_eq!(dimensions, [6, 3, 2]);
+    /// # Ok::<(), affinor::Error>(())
+    /// ```
+    pub fn factors(&self) -> Vec<&AnyGroup> {
+        match self.downcast_ref::<Product<AnyGroup, AnyGroup>>() {
+            Some(Product(first, second)) => [first.factors(), second.factors()].concat(),
+            None => vec![self],
+        }
     }
 
     /// The group that it was [made](Self::new) of, if that has this type.

@@ -86,6 +86,12 @@ pub(crate) enum PointText {
     Numbers(Vec<Number>),
 }
 
+/// A table, or a list of tables.
+pub(crate) enum OneOrEach<T> {
+    One(T),
+    Each(Vec<T>),
+}
+
 /// The names and values of a table, in order.
 pub(crate) struct Entries<K, V>(pub Vec<(K, V)>);
 
@@ -305,6 +311,18 @@ impl<D: de::DeserializeOwned> Form for Part<D> {
     }
 }
 
+impl<T: de::DeserializeOwned> Form for OneOrEach<T> {
+    const EXPECTED: &'static str = "a table, or a list of tables";
+
+    fn list<'de, A: SeqAccess<'de>>(items: A) -> Result<Self, A::Error> {
+        all(items).map(OneOrEach::Each)
+    }
+
+    fn table<'de, A: MapAccess<'de>>(items: A) -> Result<Self, A::Error> {
+        T::deserialize(de::value::MapAccessDeserializer::new(items)).map(OneOrEach::One)
+    }
+}
+
 impl Form for ConnectionText {
     const EXPECTED: &'static str = "the name of a connection, or a table with kind or affinities";
 
@@ -426,6 +444,12 @@ deserialize!(
 );
 
 impl<'de, D: de::DeserializeOwned> Deserialize<'de> for Part<D> {
+    fn deserialize<T: Deserializer<'de>>(deserializer: T) -> Result<Self, T::Error> {
+        read(deserializer)
+    }
+}
+
+impl<'de, O: de::DeserializeOwned> Deserialize<'de> for OneOrEach<O> {
     fn deserialize<T: Deserializer<'de>>(deserializer: T) -> Result<Self, T::Error> {
         read(deserializer)
     }

@@ -1,20 +1,20 @@
-//! Bodies by their parts: simple shapes, meshes, masses at points, holes.
+//! Bodies by their parts: simple shapes, meshes, masses at points, holes; several bodies; wheels.
 
 use super::reader::{Reader, Value};
+use super::solid::Solid;
 use crate::input::{
     InputError, Place,
-    forms::{Number, PointText, Text},
+    forms::{Number, OneOrEach, PointText, Text},
     read_mesh, shown,
 };
 use affinor::Metric;
-use affinor::group::{AnyGroup, MatrixNotation};
-use affinor::mechanics::simulation::SimulationGroup;
+use affinor::group::{AnyGroup, LieGroup, MatrixNotation, Opposite};
 use affinor::mechanics::{Inertia, MassProperties};
 use affinor_tensors::{Down, Tensor};
-use nalgebra::{Isometry3, Matrix3, Vector3};
+use nalgebra::{DMatrix, Isometry3, Matrix3, Vector3};
 use serde::Deserialize;
 
-/// The table `[inertia]`: a rigid body.
+/// The table `[inertia]`: a rigid body, or what one factor of a group moves.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct InertiaKeys {
@@ -22,6 +22,7 @@ pub(super) struct InertiaKeys {
     pub parts: Option<Vec<PartKeys>>,
     pub moments: Option<Vec<Number>>,
     pub matrix: Option<Vec<Vec<Number>>>,
+    pub axis: Option<Vec<Number>>,
 }
 
 /// A part of a body.
@@ -44,6 +45,9 @@ pub(super) struct PartKeys {
     pub hole: bool,
 }
 
+/// The radius with which a mass at a point is drawn, relative to the distance of the farthest.
+const POINT: f64 = 0.08;
+
 /// The shapes, with the keys of their sizes.
 const SHAPES: [(&str, &[&str]); 6] = [
     ("box", &["edges"]),
@@ -54,11 +58,20 @@ const SHAPES: [(&str, &[&str]); 6] = [
     ("points", &["points"]),
 ];
 
+/// What moves: a body, or one for each factor of a group.
+#[derive(Clone, Debug)]
+pub(super) enum Bodies {
+    One(Body),
+    Each(Vec<Body>, Place),
+}
+
 /// A body whose numbers are formulas.
 #[derive(Clone, Debug)]
 pub(super) struct Body {
     about: Option<About>,
     content: Content,
+    /// The axis of a wheel, in the first body.
+    axis: Option<Vec<Value>>,
     place: Place,
 }
 
@@ -91,14 +104,101 @@ struct Part {
 enum Shape {
     /// By its name and its sizes.
     Named(&'static str, Vec<Vec<Value>>),
-    /// At density 1.
-    Solid(MassProperties),
+    /// At density 1, with its surface.
+    Mesh(MassProperties, Solid),
+}
+
+impl Bodies {
+    /// Reads the bodies, and their meshes.
+    pub fn read(keys: &OneOrEach<InertiaKeys>, reader: &Reader) -> Result<Self, InputError> {
+        let place = |path: &str| reader.source.key(path);
+        match keys {
+            OneOrEach::One(keys) => Ok(Bodies::One(Body::read(keys, place("inertia"), reader)?)),
+            OneOrEach::Each(list) => {
+                let bodies = list
+                    .iter()
+                    .enumerate()
+                    .map(|(at, keys)| Body::read(keys, place(&format!("inertia.{at}")), reader));
+                Ok(Bodies::Each(bodies.collect::<Result<_, _>>()?, place("inertia")))
+            }
+        }
+    }
+
+    /// The metric on the group, and the parameters `mass`, `centre1`, `centre2`, `centre3` of each body of parts. In a product
+    /// their names end in the number of the factor: `mass_2`.
+    ///
+    /// A wheel of moment `I` turns in the first body, whose inertia `J` is that of all but this moment, with the velocity `rho`
+    /// about the axis `a`: the kinetic energy is `(J(Omega, Omega) + I (a . Omega + rho)^2)/2`.
+    pub fn metric(
+        &self,
+        group: &AnyGroup,
+        labels: &[String],
+        values: &[f64],
+    ) -> Result<Moved<Metric<f64>>, InputError> {
+        let factors = match group.downcast_ref::<Opposite<AnyGroup>>() {
+            Some(_) => vec![group],
+            None => group.factors(),
+        };
+        let (bodies, place) = match self {
+            Bodies::One(body) => (std::slice::from_ref(body), &body.place),
+            Bodies::Each(bodies, place) => (&bodies[..], place),
+        };
+        if bodies.len() != factors.len() {
+            let (found, needed) = (bodies.len(), factors.len());
+            let message = format!("the space has {needed} parts, but there are {found} inertias");
+            let help = "give one table [[inertia]] for each part of the sum, in order";
+            return Err(InputError::usage(message).at(place).help(help));
+        }
+        let n = labels.len();
+        let (mut matrix, mut names, mut solids) = (DMatrix::zeros(n, n), vec![], vec![]);
+        let mut first = 0;
+        for (at, (body, factor)) in bodies.iter().zip(&factors).enumerate() {
+            let own = body.block(factor, values)?;
+            let (block, size) = (own.metric, factor.dimension());
+            matrix.view_mut((first, first), (size, size)).copy_from(&block);
+            let number = if factors.len() > 1 { format!("_{}", at + 1) } else { String::new() };
+            solids.extend(own.solids);
+            names.extend(own.names.into_iter().map(|(name, value)| (name + &number, value)));
+            if let Some(axis) = &body.axis {
+                let refused = |message: &str| Err(InputError::usage(message).at(&body.place));
+                if at == 0 || size != 1 || !turns(factors[0]) {
+                    return refused(
+                        "an axis is that of a wheel on R^1 or so(2), in a first part so(3) or se(3)",
+                    );
+                }
+                let axis = three("`axis`", axis, values)?;
+                let Some(axis) =
+                    axis.try_normalize(0.0).filter(|a| a.iter().all(|x| x.is_finite()))
+                else {
+                    return refused("the axis of a wheel has a direction");
+                };
+                let moment = block[(0, 0)];
+                for i in 0..3 {
+                    for j in 0..3 {
+                        matrix[(i, j)] += moment * axis[i] * axis[j];
+                    }
+                    matrix[(i, first)] = moment * axis[i];
+                    matrix[(first, i)] = moment * axis[i];
+                }
+            }
+            first += size;
+        }
+        let components = Tensor::from_fn(n, [Down, Down], |[i, j]| matrix[(i, j)]);
+        let metric = components.map_err(affinor::Error::from);
+        let metric = metric.and_then(|components| Metric::new(labels, components));
+        let metric = metric.map_err(|error| InputError::from(error).at(place))?;
+        Ok(Moved { metric, names, solids })
+    }
+}
+
+/// Whether a group has rotations of a body, as SO(3) and SE(3).
+fn turns(group: &AnyGroup) -> bool {
+    let is_opposite = group.downcast_ref::<Opposite<AnyGroup>>().is_some();
+    group.names().first() == Some(&"qw") && !is_opposite && matches!(group.dimension(), 3 | 6)
 }
 
 impl Body {
-    /// Reads a body, and its meshes.
-    pub fn read(keys: &InertiaKeys, reader: &Reader) -> Result<Self, InputError> {
-        let place = reader.source.key("inertia");
+    fn read(keys: &InertiaKeys, place: Place, reader: &Reader) -> Result<Self, InputError> {
         let content = match (&keys.parts, &keys.moments, &keys.matrix) {
             (Some(parts), None, None) => {
                 let parts = parts.iter().map(|part| part.read(reader));
@@ -134,7 +234,8 @@ impl Body {
             let error = InputError::usage("a point goes with parts").at(&place);
             return Err(error.help("moments and matrix are about the point that stays"));
         }
-        Ok(Body { about, content, place })
+        let axis = reader.optional_values(&keys.axis)?;
+        Ok(Body { about, content, axis, place })
     }
 }
 
@@ -157,7 +258,11 @@ impl PartKeys {
             }
             (None, Some(file)) => {
                 let mesh = read_mesh(&reader.file(file)).map_err(|error| error.or_at(&place))?;
-                (Shape::Solid(mesh.mass_properties()), &[][..])
+                let surface = Solid {
+                    corners: mesh.vertices().to_vec(),
+                    faces: mesh.triangles().iter().map(|triangle| triangle.to_vec()).collect(),
+                };
+                (Shape::Mesh(mesh.mass_properties(), surface), &[][..])
             }
             _ => return Err(refused("a part has a shape or a mesh".into())),
         };
@@ -200,27 +305,41 @@ impl PartKeys {
     }
 }
 
-/// Parameters that a body adds: its mass, and its centre from the point that stays.
-type Names = Vec<(String, f64)>;
+/// A kinetic energy, and what formulas and pictures take from the bodies.
+pub(super) struct Moved<M> {
+    /// The metric, or the matrix of one factor.
+    pub metric: M,
+    /// The parameters that bodies of parts add: the mass, and the centre from the point that stays.
+    pub names: Vec<(String, f64)>,
+    /// The parts of each body, from the point that stays.
+    pub solids: Vec<Vec<Solid>>,
+}
 
 impl Body {
-    /// The metric on so(3) or se(3), and the parameters `mass`, `centre1`, `centre2`, `centre3`.
-    pub fn metric(
-        &self,
-        group: &AnyGroup,
-        labels: &[String],
-        values: &[f64],
-    ) -> Result<(Metric<f64>, Names), InputError> {
+    /// The inner products of a basis of one factor, and the parameters that the body adds.
+    fn block(&self, group: &AnyGroup, values: &[f64]) -> Result<Moved<DMatrix<f64>>, InputError> {
         let refused = |message: &str| Err(InputError::usage(message).at(&self.place));
-        let turns = group.names().first() == Some(&"qw") && !group.is_right();
-        let whole = match (turns, labels.len()) {
-            (true, 3) => false,
-            (true, 6) => true,
-            _ => return refused("an inertia is that of bodies: so(3) and se(3), left-invariant"),
-        };
-        let on_rotations = |matrix: &Matrix3<f64>| {
-            Metric::new(labels, Tensor::from_fn(3, [Down, Down], |[i, j]| matrix[(i, j)])?)
-        };
+        let failed = |error: affinor::Error| InputError::from(error).at(&self.place);
+        let of_moments = |metric| Ok(Moved { metric, names: vec![], solids: vec![vec![]] });
+        let n = group.dimension();
+        if !turns(group) {
+            return match &self.content {
+                Content::Matrix(rows) if group.algebra()?.structure_constants().is_empty() => {
+                    let matrix = Value::matrix("inertia", rows, values, &self.place)?;
+                    if matrix.shape() != (n, n) {
+                        return refused(&format!("the inertia has {n} rows and columns here"));
+                    }
+                    let is_positive = matrix.is_square() && matrix.clone().cholesky().is_some();
+                    if matrix != matrix.transpose() || !is_positive {
+                        return refused("masses and moments are positive, and a matrix symmetric");
+                    }
+                    of_moments(matrix)
+                }
+                _ => refused("an inertia is that of bodies: so(3) and se(3), left-invariant"),
+            };
+        }
+        let whole = n == 6;
+        let dense = |matrix: &Matrix3<f64>| DMatrix::from_fn(3, 3, |i, j| matrix[(i, j)]);
         let parts = match &self.content {
             Content::Matrix(_) if whole => {
                 return refused("on se(3) a body has a mass and a centre: give its parts");
@@ -233,8 +352,8 @@ impl Body {
                 };
                 let matrix = Matrix3::from_columns(&[a, b, c]).transpose();
                 let inertia = Inertia::new(&matrix).and_then(|inertia| inertia.require_physical());
-                inertia.map_err(|error| InputError::from(error).at(&self.place))?;
-                return Ok((on_rotations(&matrix)?, vec![]));
+                inertia.map_err(failed)?;
+                return of_moments(dense(&matrix));
             }
             Content::Parts(parts) => parts,
         };
@@ -247,19 +366,22 @@ impl Body {
             None if whole => Vector3::zeros(),
             None | Some(About::Centre) => *body.centre(),
         };
-        let metric = match whole {
-            true => {
-                body.metric().and_then(|metric| Metric::new(labels, metric.components().clone()))
-            }
-            false => body
-                .inertia_about(&point)
-                .and_then(|_| on_rotations(&body.inertia_matrix_about(&point))),
+        let matrix = if whole {
+            let metric = body.metric().map_err(failed)?;
+            metric.components().to_dmatrix().map_err(affinor::Error::from)?
+        } else {
+            body.inertia_about(&point).map_err(failed)?;
+            dense(&body.inertia_matrix_about(&point))
         };
-        let metric = metric.map_err(|error| InputError::from(error).at(&self.place))?;
         let centre = body.centre() - point;
         let mut names = vec![("mass".to_string(), body.mass())];
         names.extend((0..3).map(|i| (format!("centre{}", i + 1), centre[i])));
-        Ok((metric, names))
+        let motion = Isometry3::new(-point, Vector3::zeros());
+        let mut solids = vec![];
+        for part in parts.iter().filter(|part| !part.hole) {
+            solids.extend(part.solids(values)?.iter().map(|solid| solid.moved(&motion)));
+        }
+        Ok(Moved { metric: matrix, names, solids: vec![solids] })
     }
 
     /// All parts, then without the holes.
@@ -286,7 +408,7 @@ impl Part {
     fn masses(&self, values: &[f64]) -> Result<MassProperties, InputError> {
         let refused = |error| InputError::from(error).at(&self.place);
         let shape = match &self.shape {
-            Shape::Solid(solid) => Ok(*solid),
+            Shape::Mesh(solid, _) => Ok(*solid),
             Shape::Named(name, sizes) => match (*name, sizes.as_slice()) {
                 ("box", [edges]) => MassProperties::cuboid(&three("a box", edges, values)?),
                 ("ellipsoid", [axes]) => {
@@ -315,15 +437,51 @@ impl Part {
             (None, Some(density)) => shape.of_density(density.at(values)?),
             (None, None) => Ok(shape),
         };
+        Ok(part.map_err(refused)?.moved(&self.pose(values)?))
+    }
+
+    /// The motion from the frame of the shape to that of the body.
+    fn pose(&self, values: &[f64]) -> Result<Isometry3<f64>, InputError> {
         let vector = |what: &str, list: &Option<Vec<Value>>| match list {
             Some(list) => three(what, list, values),
             None => Ok(Vector3::zeros()),
         };
-        let motion = Isometry3::new(
-            vector("`position`", &self.position)?,
-            vector("`rotation`", &self.rotation)?,
-        );
-        Ok(part.map_err(refused)?.moved(&motion))
+        let position = vector("`position`", &self.position)?;
+        Ok(Isometry3::new(position, vector("`rotation`", &self.rotation)?))
+    }
+
+    /// Its surface in the frame of the body.
+    fn solids(&self, values: &[f64]) -> Result<Vec<Solid>, InputError> {
+        let shapes = match &self.shape {
+            Shape::Mesh(_, surface) => vec![surface.clone()],
+            Shape::Named(name, sizes) => match (*name, sizes.as_slice()) {
+                ("box", [edges]) => vec![Solid::cuboid(&three("a box", edges, values)?)],
+                ("ellipsoid", [axes]) => {
+                    vec![Solid::ellipsoid(&three("an ellipsoid", axes, values)?)]
+                }
+                ("ball", [radius]) => {
+                    vec![Solid::ellipsoid(&Vector3::repeat(radius[0].at(values)?))]
+                }
+                ("cylinder", [radius, height]) => {
+                    vec![Solid::cylinder(radius[0].at(values)?, height[0].at(values)?)]
+                }
+                ("rod", [length]) => vec![Solid::rod(length[0].at(values)?)],
+                (_, points) => {
+                    let places = points.iter().filter_map(|point| point.get(1..));
+                    let places = places.map(|at| three("the place of a point", at, values));
+                    let places = places.collect::<Result<Vec<_>, _>>()?;
+                    let far = places.iter().map(|x| x.norm()).fold(0.0, f64::max);
+                    let radius = POINT * if far > 0.0 { far } else { 1.0 };
+                    let ball = Solid::ellipsoid(&Vector3::repeat(radius));
+                    places
+                        .iter()
+                        .map(|x| ball.moved(&Isometry3::new(*x, Vector3::zeros())))
+                        .collect()
+                }
+            },
+        };
+        let pose = self.pose(values)?;
+        Ok(shapes.iter().map(|solid| solid.moved(&pose)).collect())
     }
 }
 

@@ -7,7 +7,9 @@ use super::reader::{Reader, Written};
 use super::ready::{Column, Ready};
 use crate::input::InputError;
 use affinor::Metric;
-use affinor::mechanics::simulation::{Class, ConstrainedSpec, Constraints, Method, Started};
+use affinor::mechanics::simulation::{
+    Class, ConstrainedSpec, Constraints, ForceFrame, ForceFunction, Method, Started,
+};
 use nalgebra::DVector;
 
 /// Equations of motion with Lagrange multipliers.
@@ -23,8 +25,13 @@ impl Constrained {
         let constraints: Vec<_> = keys.constraints.iter().flatten().collect();
         reader.refuse_empty("constraints", constraints.is_empty())?;
         let constraints = constraints.into_iter().map(|text| reader.written(text)).collect();
-        let dynamics = EulerPoincare::read(keys, on_group, reader)?.without_casimirs();
+        let dynamics = EulerPoincare::read(keys, on_group, reader)?.constrained();
         Ok(Constrained { dynamics, constraints })
+    }
+
+    /// Adds a force as a function.
+    pub fn add_force(&mut self, side: ForceFrame, function: ForceFunction) {
+        self.dynamics.add_force(side, function);
     }
 
     pub fn motion(&self, start: &Start) -> Result<Ready, InputError> {
@@ -67,7 +74,8 @@ impl Constrained {
         };
         let started = Started { motion: spec.start(group)?, method };
         let ready = Ready::new(started, &member.times, columns, rows.events);
-        Ok(Ready { inertia: Some(inertia), notes, ..ready })
+        let factors = energy.factors(start.group);
+        Ok(Ready { inertia: Some(inertia), factors, notes, ..ready })
     }
 }
 

@@ -1,13 +1,14 @@
 //! Equations of motion of a kinetic energy and of forces, with or without constraints.
 
-use super::body::Body;
+use super::body::{Bodies, Moved};
 use super::forces::ForceFormulas;
 use super::initial::InitialMomentum;
 use super::keys::Keys;
 use super::on_group::{OnGroup, Start};
 use super::output::RowFormulas;
 use super::reader::Reader;
-use super::ready::Ready;
+use super::ready::{Factor, Kept, Ready};
+use super::solid::Solid;
 use crate::input::InputError;
 use affinor::group::{AnyGroup, LieGroup, So3};
 use affinor::mechanics::simulation::{
@@ -24,11 +25,13 @@ use std::sync::OnceLock;
 /// `DH/Dt = M`.
 #[derive(Clone, Debug)]
 pub(super) struct EulerPoincare {
-    /// The body that moves, instead of a metric.
-    body: Option<Body>,
+    /// The bodies that move, instead of a metric.
+    bodies: Option<Bodies>,
     initial: InitialMomentum,
     forces: ForceFormulas,
     casimirs: Vec<Symbolic>,
+    /// Whether constraint forces act as well.
+    is_constrained: bool,
     /// The kinetic energy of all members of an ensemble, if it depends on no parameter.
     shared: OnceLock<KineticEnergy>,
 }
@@ -40,6 +43,17 @@ pub(super) struct KineticEnergy {
     pub connection: Connection<f64>,
     /// The names that a body adds, with their values.
     of_body: Vec<(String, f64)>,
+    /// The parts of each body, to be drawn.
+    solids: Vec<Vec<Solid>>,
+}
+
+impl KineticEnergy {
+    /// The factors of the group, with the parts that they move.
+    pub fn factors(&self, group: &AnyGroup) -> Vec<Factor> {
+        let solids = self.solids.iter().cloned().chain(std::iter::repeat(vec![]));
+        let each = group.factors().into_iter().zip(solids);
+        each.map(|(factor, solids)| Factor { dimension: factor.dimension(), solids }).collect()
+    }
 }
 
 /// The equations of one motion, and its initial condition.
@@ -61,13 +75,14 @@ impl EulerPoincare {
             return Err(error.help("give one of metric, inertia"));
         }
         let forces = ForceFormulas::read(&keys.forces, reader)?;
-        let body = keys.inertia.as_ref().map(|keys| Body::read(keys, reader)).transpose()?;
+        let bodies = keys.inertia.as_ref().map(|keys| Bodies::read(keys, reader)).transpose()?;
         let initial = InitialMomentum::read(&keys.initial, reader)?;
         Ok(EulerPoincare {
-            body,
+            bodies,
             initial,
             forces,
             casimirs: on_group.casimirs(),
+            is_constrained: false,
             shared: OnceLock::new(),
         })
     }
@@ -77,9 +92,9 @@ impl EulerPoincare {
         self.forces.add(side, function);
     }
 
-    /// The same without Casimir functions, which constraint forces change.
-    pub fn without_casimirs(self) -> Self {
-        EulerPoincare { casimirs: Default::default(), ..self }
+    /// The same with constraint forces, which change the Casimir functions and the momentum.
+    pub fn constrained(self) -> Self {
+        EulerPoincare { casimirs: vec![], is_constrained: true, ..self }
     }
 
     /// The motion without constraints.
@@ -99,20 +114,22 @@ impl EulerPoincare {
         };
         let started = spec.start(start.group)?;
         let ready = Ready::new(started, &member.times, rows.columns, rows.events);
-        Ok(Ready { inertia: Some(inertia), notes, ..ready })
+        let factors = energy.factors(start.group);
+        Ok(Ready { inertia: Some(inertia), factors, notes, ..ready })
     }
 
     fn energy(&self, start: &Start) -> Result<KineticEnergy, InputError> {
         let group = start.group;
         let tolerance = Tolerance::default();
         let ground = start.definition.ground(tolerance)?;
-        let (metric, of_body) = match &self.body {
-            Some(body) => {
+        let (metric, of_body, solids) = match &self.bodies {
+            Some(bodies) => {
                 let labels = group.algebra()?.labels().to_vec();
-                let (metric, names) = body.metric(group, &labels, &start.member.values())?;
-                (Some(metric), names)
+                let Moved { metric, names, solids } =
+                    bodies.metric(group, &labels, &start.member.values())?;
+                (Some(metric), names, solids)
             }
-            None => (start.definition.metric(&ground, tolerance)?, vec![]),
+            None => (start.definition.metric(&ground, tolerance)?, vec![], vec![]),
         };
         let metric = metric.ok_or_else(|| {
             let error = InputError::mathematics("a motion needs the metric of its kinetic energy");
@@ -126,7 +143,7 @@ impl EulerPoincare {
         } else {
             start.definition.geometry_over(ground, tolerance)?.connection().clone()
         };
-        Ok(KineticEnergy { metric, connection, of_body })
+        Ok(KineticEnergy { metric, connection, of_body, solids })
     }
 
     /// The equations and the initial condition of one motion.
@@ -136,7 +153,7 @@ impl EulerPoincare {
             Some(energy) => Cow::Borrowed(energy),
             None => Cow::Owned(self.energy(start)?),
         };
-        let is_new = self.shared.get().is_none() && self.body.is_none();
+        let is_new = self.shared.get().is_none() && self.bodies.is_none();
         if is_new && start.on_group.definition().parameters().is_empty() {
             // another thread may have set the same value in the meantime
             let _ = self.shared.set(energy.clone().into_owned());
@@ -157,7 +174,12 @@ impl EulerPoincare {
         self.forces.apply(&mut forces, start.definition.dimension())?;
         // forces change the coadjoint orbit
         let casimirs = if forces.is_empty() { &self.casimirs[..] } else { &[] };
-        let rows = member.output.formulas(forces.names(), &|_| true, casimirs, member.source)?;
+        let kept = Kept {
+            energy: forces.are_conservative() && is_plus(&energy.connection),
+            momentum: forces.is_empty() && is_plus(&energy.connection) && !self.is_constrained,
+        };
+        let rows =
+            member.output.formulas(forces.names(), &|_| true, casimirs, kept, member.source)?;
         let element = start.on_group.element().at(group, &values)?;
         let momentum = self.initial.at(group, &element, forces.observables(), &values)?;
         Ok(System { energy, inertia, forces, rows, element, momentum, notes })

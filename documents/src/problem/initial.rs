@@ -2,7 +2,7 @@
 
 use super::reader::{Reader, Value};
 use crate::input::{InputError, Place, forms::Number};
-use affinor::group::{AnyGroup, LieGroup, MatrixNotation, rotation};
+use affinor::group::{AnyGroup, LieGroup, MatrixNotation, Opposite, rotation};
 use affinor::mechanics::simulation::{ForceFrame, Observables, SimulationGroup};
 use nalgebra::DVector;
 use serde::Deserialize;
@@ -16,10 +16,34 @@ pub(super) struct InitialKeys {
     pub coordinates: Option<Vec<Number>>,
     pub quaternion: Option<Vec<Number>>,
     pub position: Option<Vec<Number>>,
+    pub parts: Option<Vec<ElementKeys>>,
     pub velocity: Option<Vec<Number>>,
     pub spatial_velocity: Option<Vec<Number>>,
     pub momentum: Option<Vec<Number>>,
     pub spatial_momentum: Option<Vec<Number>>,
+}
+
+impl InitialKeys {
+    /// The keys of an element that is given at once.
+    fn element(&self) -> ElementKeys {
+        let Self { element, coordinates, quaternion, position, .. } = self;
+        ElementKeys {
+            element: element.clone(),
+            coordinates: coordinates.clone(),
+            quaternion: quaternion.clone(),
+            position: position.clone(),
+        }
+    }
+}
+
+/// The element of a group, or of one factor of a product in a table of `[[initial.parts]]`.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct ElementKeys {
+    pub element: Option<Vec<Vec<Number>>>,
+    pub coordinates: Option<Vec<Number>>,
+    pub quaternion: Option<Vec<Number>>,
+    pub position: Option<Vec<Number>>,
 }
 
 /// The initial element of the group.
@@ -32,33 +56,45 @@ pub(super) enum InitialElement {
     Rows(Vec<Vec<Value>>, Place),
     /// A quaternion `w, x, y, z`, by default 1, and the position of the body.
     Pose(Option<Vec<Value>>, Vec<Value>, Place),
+    /// One element for each factor.
+    Parts(Vec<InitialElement>, Place),
 }
 
 impl InitialElement {
     pub fn read(keys: &InitialKeys, reader: &Reader) -> Result<Self, InputError> {
+        let own = Self::of_one(&keys.element(), "initial", reader)?;
+        let Some(parts) = &keys.parts else { return Ok(own) };
+        if !matches!(own, Self::Identity) {
+            let error = reader.source.refused("initial", "the element is given more than once");
+            return Err(error.help("give the parts alone"));
+        }
+        let each = parts.iter().enumerate();
+        let parts =
+            each.map(|(at, part)| Self::of_one(part, &format!("initial.parts.{at}"), reader));
+        Ok(Self::Parts(parts.collect::<Result<_, _>>()?, reader.source.key("initial.parts")))
+    }
+
+    /// The element that the table `path` gives at once.
+    fn of_one(keys: &ElementKeys, path: &str, reader: &Reader) -> Result<Self, InputError> {
         let source = reader.source;
-        let pose = keys.quaternion.as_ref().map(|_| "initial.quaternion");
-        let pose = pose.or(keys.position.as_ref().map(|_| "initial.position"));
-        let element = match (&keys.element, &keys.coordinates, pose) {
+        let key = |name: &str| source.key(&format!("{path}.{name}"));
+        let pose = keys.quaternion.as_ref().map(|_| "quaternion");
+        let pose = pose.or(keys.position.as_ref().map(|_| "position"));
+        Ok(match (&keys.element, &keys.coordinates, pose) {
             (None, None, None) => Self::Identity,
-            (Some(rows), None, None) => {
-                Self::Rows(reader.rows(rows)?, source.key("initial.element"))
-            }
-            (None, Some(x), None) => {
-                Self::Coordinates(reader.values(x)?, source.key("initial.coordinates"))
-            }
-            (None, None, Some(key)) => {
+            (Some(rows), None, None) => Self::Rows(reader.rows(rows)?, key("element")),
+            (None, Some(x), None) => Self::Coordinates(reader.values(x)?, key("coordinates")),
+            (None, None, Some(name)) => {
                 let position = keys.position.as_deref().unwrap_or(&[]);
                 let q = reader.optional_values(&keys.quaternion)?;
-                Self::Pose(q, reader.values(position)?, source.key(key))
+                Self::Pose(q, reader.values(position)?, key(name))
             }
             _ => {
-                let error = source.refused("initial", "the element is given more than once");
+                let error = source.refused(path, "the element is given more than once");
                 let help = "give one of element, coordinates, quaternion; a position stands beside a quaternion or alone";
                 return Err(error.help(help));
             }
-        };
-        Ok(element)
+        })
     }
 
     /// The element at these values of the parameters.
@@ -68,6 +104,23 @@ impl InitialElement {
             Self::Coordinates(x, place) => {
                 let x = Value::vector("coordinates", x, group.dimension(), values, place)?;
                 return Ok(group.exp(&x.into()));
+            }
+            Self::Parts(parts, place) => {
+                let whole = group.downcast_ref::<Opposite<AnyGroup>>();
+                let factors = whole.map_or(group, |opposite| &opposite.0).factors();
+                if parts.len() != factors.len() {
+                    let (found, needed) = (parts.len(), factors.len());
+                    let message =
+                        format!("the space has {needed} parts, but there are {found} elements");
+                    let help = "give one table [[initial.parts]] for each part of the sum, in order; an empty one is the identity";
+                    return Err(InputError::usage(message).at(place).help(help));
+                }
+                let numbers = parts
+                    .iter()
+                    .zip(factors)
+                    .map(|(part, factor)| Ok(part.at(factor, values)?.as_slice().to_vec()));
+                let numbers = numbers.collect::<Result<Vec<_>, InputError>>()?;
+                return Ok(DVector::from_vec(numbers.concat()));
             }
             Self::Rows(rows, place) => (Value::matrix("element", rows, values, place)?, place),
             Self::Pose(quaternion, position, place) => {

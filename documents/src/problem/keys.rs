@@ -4,12 +4,12 @@ use super::body::InertiaKeys;
 use super::ensemble::EnsembleKeys;
 use super::forces::ForceKeys;
 use super::initial::InitialKeys;
-use crate::input::forms::{Entries, Formulas, MetricText, Number, OneOrMore, Text};
+use crate::input::forms::{Entries, Formulas, MetricText, Number, OneOrEach, OneOrMore, Text};
 use crate::space::document::Document;
 use serde::Deserialize;
 
 /// The dotted paths of the keys that only problems on a group have.
-pub(super) const OF_GROUPS: [&str; 11] = [
+pub(super) const OF_GROUPS: [&str; 12] = [
     "space",
     "definition",
     "invariance",
@@ -18,6 +18,7 @@ pub(super) const OF_GROUPS: [&str; 11] = [
     "initial.coordinates",
     "initial.quaternion",
     "initial.position",
+    "initial.parts",
     "output.columns",
     "quantities",
     "events",
@@ -45,7 +46,7 @@ pub(super) struct Keys {
     pub space: Option<Text>,
     pub definition: Option<Document>,
     pub metric: Option<MetricText>,
-    pub inertia: Option<InertiaKeys>,
+    pub inertia: Option<OneOrEach<InertiaKeys>>,
     pub connection: Option<Text>,
     pub invariance: Option<Text>,
     pub parameters: Option<Entries<Text, Number>>,

@@ -4,7 +4,7 @@ use super::initial::InitialMomentum;
 use super::keys::Keys;
 use super::on_group::{OnGroup, Start};
 use super::reader::{Reader, Written};
-use super::ready::Ready;
+use super::ready::{Kept, Ready};
 use crate::input::{InputError, forms::Text};
 use affinor::group::LieGroup;
 use affinor::mechanics::simulation::{Hamiltonian, LiePoissonSpec, Observables};
@@ -58,7 +58,8 @@ impl LiePoisson {
                     format!("it is a formula of {momentum}1..{momentum}{n} and the parameters");
                 self.hamiltonian.refused(error, help)
             })?;
-        let rows = member.output.formulas(names, &|_| true, &self.casimirs, member.source)?;
+        let kept = Kept { energy: true, momentum: true };
+        let rows = member.output.formulas(names, &|_| true, &self.casimirs, kept, member.source)?;
         let element = start.on_group.element().at(group, &values)?;
         let momentum = self.initial.at(group, &element, &observables, &values)?;
         let spec = LiePoissonSpec {

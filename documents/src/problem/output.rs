@@ -2,7 +2,7 @@
 
 use super::keys::{Keys, OutputKeys};
 use super::reader::{Reader, Value, Written};
-use super::ready::Column;
+use super::ready::{Column, Kept};
 use crate::input::{InputError, Place, Source, forms::Text, shown};
 use affinor::mechanics::simulation::ColumnFormulas;
 use affinor::mechanics::simulation::quantities::{FormulaScope, MotionQuantity, SymbolTable};
@@ -74,6 +74,7 @@ impl Output {
         names: &SymbolTable,
         allowed: &dyn Fn(MotionQuantity) -> bool,
         casimirs: &[Symbolic],
+        kept: Kept,
         source: &Source,
     ) -> Result<RowFormulas, InputError> {
         let help = || format!("the names here are {}", names.all(allowed));
@@ -92,24 +93,27 @@ impl Output {
                 return Err(InputError::usage(message).at(&stem.place()).help(help()));
             }
             let watched = ["energy", conserved].contains(&stem.text());
+            let is_kept = if stem.text() == "energy" { kept.energy } else { kept.momentum };
             for name in expanded {
                 expect_new(&columns, &[], &name, &stem.place())?;
                 add(&name, stem)?;
-                columns.push(Column::new(name, watched));
+                let conserved = watched && is_kept;
+                columns.push(Column { conserved, ..Column::new(name, watched) });
             }
         }
         for (name, written) in &self.quantities {
             expect_new(&columns, &[], name, &source.key(&format!("quantities.{name}")))?;
             add(written.text(), written)?;
             let formula = Some(written.text().into());
-            columns.push(Column { name: name.clone(), formula, watched: true });
+            let column = Column::new(name, true);
+            columns.push(Column { formula, conserved: false, ..column });
         }
         for (i, casimir) in casimirs.iter().enumerate() {
             let text = casimir.to_string().replace("mu", names.momentum());
             // a coefficient may be beyond the range of floats
             if add(&text, &Written::beside(source, &*text)).is_ok() {
                 let name = format!("casimir{}", i + 1);
-                columns.push(Column { name, formula: Some(text), watched: true });
+                columns.push(Column { formula: Some(text), ..Column::new(name, true) });
             }
         }
         for (_, written) in &self.events {
@@ -176,6 +180,12 @@ impl Times {
             }
         };
         Ok(Times { start, rows })
+    }
+
+    /// The same start and these times.
+    pub fn listed(&self, times: &[f64], source: &Source) -> Self {
+        let times = times.iter().map(|time| Value::constant(source, *time)).collect();
+        Times { start: self.start.clone(), rows: Rows::Listed(times) }
     }
 
     /// The times at these values of the parameters, the start first.

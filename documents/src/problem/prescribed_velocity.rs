@@ -3,7 +3,7 @@
 use super::keys::{OF_DYNAMICS, PrescribedKeys};
 use super::on_group::Start;
 use super::reader::{Reader, Written};
-use super::ready::Ready;
+use super::ready::{Kept, Ready};
 use crate::input::InputError;
 use affinor::group::LieGroup;
 use affinor::mechanics::simulation::quantities::MotionQuantity;
@@ -75,7 +75,8 @@ impl PrescribedVelocity {
                 Momentum(_) | OtherMomentum(_) | Kinetic | Potential | Energy | Power
             )
         };
-        let rows = member.output.formulas(names, &kinematic, &[], member.source)?;
+        let kept = Kept { energy: false, momentum: false };
+        let rows = member.output.formulas(names, &kinematic, &[], kept, member.source)?;
         let spec = PrescribedVelocitySpec {
             velocity,
             observables,

@@ -1,5 +1,6 @@
 //! A motion that is ready to start, and the columns of its rows.
 
+use super::solid::Solid;
 use affinor::mechanics::simulation::{Method, Motion, Started};
 use nalgebra::DMatrix;
 
@@ -17,8 +18,19 @@ pub struct Ready {
     pub events: Vec<String>,
     /// The matrix of the metric, for equations of motion with a kinetic energy.
     pub inertia: Option<DMatrix<f64>>,
+    /// The factors of its group; none for a flow of matrices.
+    pub factors: Vec<Factor>,
     /// Warnings about the problem.
     pub notes: Vec<String>,
+}
+
+/// A factor of the group of a motion.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Factor {
+    /// Its dimension.
+    pub dimension: usize,
+    /// The parts of the body that it moves, to be drawn; none for a body by its moments, and of holes.
+    pub solids: Vec<Solid>,
 }
 
 impl Ready {
@@ -30,7 +42,16 @@ impl Ready {
         events: Vec<String>,
     ) -> Self {
         let (Started { motion, method }, times) = (started, times.to_vec());
-        Ready { motion, method, times, columns, events, inertia: None, notes: vec![] }
+        Ready {
+            motion,
+            method,
+            times,
+            columns,
+            events,
+            inertia: None,
+            factors: vec![],
+            notes: vec![],
+        }
     }
 }
 
@@ -41,13 +62,24 @@ pub struct Column {
     pub name: String,
     /// The formula of a named quantity or of a Casimir function.
     pub formula: Option<String>,
-    /// Whether it is expected to be conserved, so that its change is reported.
+    /// Whether its change is reported.
     pub watched: bool,
+    /// Whether the equations conserve it, by what is known of the forces.
+    pub conserved: bool,
+}
+
+/// What a motion conserves.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Kept {
+    /// The energy.
+    pub energy: bool,
+    /// The momentum in the other frame than that of the equations.
+    pub momentum: bool,
 }
 
 impl Column {
-    /// A column without a formula.
+    /// A column without a formula; one that is watched is conserved.
     pub fn new(name: impl Into<String>, watched: bool) -> Self {
-        Column { name: name.into(), formula: None, watched }
+        Column { name: name.into(), formula: None, watched, conserved: watched }
     }
 }

@@ -332,6 +332,47 @@ pub const CHECKS: &[Check] = &[
         }
         Run::new(&problem, 0).keeps(&["energy", "h1", "h2", "h3", "h4", "h5", "h6"], 1e-9);
     }),
+    ("gyrostat", |name| {
+        let run = Run::new(&open(name), 0);
+        run.keeps(&["energy", "H4", "h1", "h2", "h3"], 1e-8);
+        let expected = &joints()[name];
+        let row = run.at(number(&expected["time"]));
+        let momentum = run.values(row, &["H1", "H2", "H3"]);
+        assert!(off(&momentum, &numbers(&expected["momentum"])) < 1e-8, "{momentum:?}");
+        let found = run.values(row, &["qw_1", "qx_1", "qy_1", "qz_1"]);
+        let q = numbers(&expected["quaternion"]);
+        let opposite: Vec<f64> = q.iter().map(|x| -x).collect();
+        assert!(off(&found, &q).min(off(&found, &opposite)) < 1e-8, "{found:?}");
+    }),
+    // of order 2, with the forces of the joints
+    ("double_pendulum", |name| {
+        let expected = &joints()[name];
+        let axes = ["g13_1", "g23_1", "g33_1", "g13_2", "g23_2", "g33_2"];
+        let error = |problem: &Problem| {
+            let run = Run::new(&problem.with_columns(&[&["t"], &axes[..]].concat()), 0);
+            assert!(run.column("violation").iter().all(|off| off.abs() < 1e-10));
+            let down = run
+                .values(run.at(number(&expected["time"])), &axes)
+                .iter()
+                .map(|x| -x)
+                .collect::<Vec<_>>();
+            off(&down, &numbers(&expected["directions"]))
+        };
+        let problem = open(name);
+        let method = problem.motion(0).unwrap().method;
+        let (whole, half) =
+            (error(&problem), error(&problem.with_method(method, Some(0.0005), None)));
+        let order = (whole / half).log2();
+        println!("{name}: {whole:.1e} {half:.1e}, order {order}");
+        assert!(whole < 1e-3 && (order - 2.0).abs() < 0.1, "{whole:e} {half:e}");
+    }),
+    ("joined_bodies", |name| {
+        let run = Run::new(&open(name), 0);
+        let sums = ["linear1", "linear2", "linear3", "angular1", "angular2", "angular3"];
+        run.keeps(&sums, 1e-4);
+        run.keeps(&["energy"], 1e-4);
+        assert!(run.column("violation").iter().all(|off| off.abs() < 1e-10));
+    }),
 ];
 
 fn simpson(values: &[f64], h: f64) -> f64 {

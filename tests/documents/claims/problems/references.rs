@@ -23,6 +23,11 @@ pub fn references() -> Value {
     serde_json::from_str(include_str!("../../../../tests/data/motions.json")).unwrap()
 }
 
+/// The states of bodies with wheels and joints, by equations that use no product of groups.
+pub fn joints() -> Value {
+    serde_json::from_str(include_str!("../../../../tests/data/joints.json")).unwrap()
+}
+
 /// The states of a motion of `motions.json` that are within its times: elements and body momenta.
 pub fn taylor(run: &Run, name: &str, bound: f64) {
     let all = references();
