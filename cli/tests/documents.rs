@@ -12,10 +12,12 @@ use std::path::PathBuf;
 type Outcome = Result<(), Box<dyn std::error::Error>>;
 
 /// The documents that quote outputs of the program.
-const DOCUMENTS: [&str; 6] = [
+const DOCUMENTS: [&str; 8] = [
     "README.md",
     "docs/formats.md",
     "docs/motion.md",
+    "docs/wheels.md",
+    "docs/joints.md",
     "docs/structure.md",
     "docs/translation.md",
     "docs/programs.md",

@@ -125,8 +125,8 @@ fn what_cannot_be_drawn_is_refused() {
     let cases: [(&[&str], &str); 12] = [
         (&["circles"], "circles"),
         (&[], "Usage"),
-        (&["images", "-o", "x.jpg"], "neither .svg nor .png"),
-        (&["images", "-o", "x"], "neither .svg nor .png"),
+        (&["images", "-o", "x.jpg"], "neither .svg, .png nor .gif"),
+        (&["images", "-o", "x"], "neither .svg, .png nor .gif"),
         (&["images", "-o", "missing/x.svg"], "cannot write missing/x.svg"),
         (&["images", "--width", "0"], "--width 0"),
         (&["images", "--width", "100000"], "--width 100000"),

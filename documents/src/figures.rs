@@ -16,7 +16,7 @@ pub mod run;
 pub mod series;
 mod transport;
 
-pub use animation::animation;
+pub use animation::{Moving, animation};
 pub use autoparallels::autoparallels;
 pub use frames::frames;
 pub use images::images;
@@ -24,6 +24,7 @@ pub use motion::motion;
 pub use path::Path;
 pub use transport::transport;
 
+use crate::problem::Solid;
 use affinor::group::So3;
 use affinor::group::transport::ParallelTranslation;
 use nalgebra::{Matrix3, Vector3};
@@ -62,20 +63,39 @@ pub struct Panel {
     pub arrows: Vec<Arrow>,
     /// The points.
     pub marks: Vec<Mark>,
-    /// A body in motion.
-    pub body: Option<Body>,
+    /// Bodies in motion.
+    pub bodies: Vec<Body>,
 }
 
-/// A box in motion, with its axes of inertia.
+/// What is drawn of a body, in its own frame.
+#[derive(Clone, Debug)]
+pub enum Look {
+    /// A box with its axes of inertia, along the coordinates.
+    Box {
+        /// Half the lengths of its edges, along the axes.
+        half: [f64; 3],
+        /// The length of the axes, from the centre of the box.
+        reach: f64,
+        /// The captions of the axes.
+        captions: [String; 3],
+    },
+    /// Its parts.
+    Parts {
+        /// Their surfaces.
+        solids: Vec<Solid>,
+        /// The role, which determines the colour.
+        role: Role,
+        /// The caption of the body.
+        caption: String,
+    },
+}
+
+/// A body in motion.
 #[derive(Clone, Debug)]
 pub struct Body {
-    /// Half the lengths of its edges, along the axes.
-    pub half: [f64; 3],
-    /// The length of the axes, from the centre of the box.
-    pub reach: f64,
-    /// The captions of the axes.
-    pub captions: [String; 3],
-    /// The axes, as columns, and the centre, at equal intervals of time.
+    /// What is drawn.
+    pub look: Look,
+    /// The axes of its frame, as columns, and the origin, at equal intervals of time.
     pub poses: Vec<(Matrix3<f64>, Vector3<f64>)>,
     /// The times of the first and the last pose.
     pub times: [f64; 2],
@@ -164,7 +184,7 @@ impl Panel {
     fn new(title: impl Into<String>, radius: f64, axes: [&'static str; 3]) -> Self {
         let title = title.into();
         let (curves, arrows, marks) = (vec![], vec![], vec![]);
-        Panel { title, radius, sphere: true, axes, curves, arrows, marks, body: None }
+        Panel { title, radius, sphere: true, axes, curves, arrows, marks, bodies: vec![] }
     }
 
     fn mark(&mut self, label: &str, caption: &str, at: Vector3<f64>) {

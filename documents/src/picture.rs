@@ -14,6 +14,7 @@ mod heat;
 mod label;
 mod legend;
 mod roots;
+mod still;
 mod style;
 mod svg;
 mod view;

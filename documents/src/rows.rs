@@ -1,12 +1,14 @@
-//! Runs: the rows of a motion in a file, one module a format.
+//! Runs: the rows of a motion, in a file (one module a format) or dense enough for a curve.
 
 mod csv;
+mod dense;
 mod json;
 #[cfg(feature = "parquet")]
 mod parquet;
 mod run;
 
 pub(crate) use csv::failed;
+pub use dense::DenseRows;
 pub use run::RunRows;
 
 use std::io::{self, Write};

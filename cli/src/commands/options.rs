@@ -165,13 +165,18 @@ impl Settings {
 impl ProblemOptions {
     /// Reads the problem, with the values of the options; `method` replaces the method of the file.
     pub fn open(&self, method: Option<&str>) -> Result<Problem, Failure> {
+        let mut problem = self.with_own_integration()?;
+        problem.replace_integration(method, self.step.as_deref(), self.tolerance.as_deref())?;
+        Ok(problem)
+    }
+
+    /// Reads the problem, with the values and times of the options, to be integrated as the file says.
+    pub fn with_own_integration(&self) -> Result<Problem, Failure> {
         let mut problem = Problem::read(&self.problem)?;
         for set in &self.set {
             problem.set(set)?;
         }
-        let ProblemOptions { step, tolerance, end, every, .. } = self;
-        problem.replace_integration(method, step.as_deref(), tolerance.as_deref())?;
-        problem.replace_times(end.as_deref(), every.as_deref())?;
+        problem.replace_times(self.end.as_deref(), self.every.as_deref())?;
         Ok(problem)
     }
 

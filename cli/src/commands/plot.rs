@@ -1,10 +1,9 @@
-//! `affinor plot`: figures of the paper and of trajectories, as SVG, and with the feature `png` as PNG.
+//! `affinor plot`: figures of the paper and of trajectories, as SVG, and with the feature `png` as PNG and GIF.
 
 mod convergence;
-mod curve;
 mod drift;
 #[cfg(feature = "png")]
-mod png;
+mod raster;
 mod run;
 
 use super::color::ColorOption;
@@ -182,7 +181,7 @@ struct Scene {
 struct Image {
     #[cfg_attr(
         feature = "png",
-        doc = "Write to this file, .svg or .png, instead of SVG on standard output"
+        doc = "Write to this file, .svg, .png or .gif, instead of SVG on standard output"
     )]
     #[cfg_attr(not(feature = "png"), doc = "Write to this file, .svg, instead of standard output")]
     #[arg(short = 'o', long = "output", value_name = "FILE")]
@@ -221,7 +220,7 @@ impl Arguments {
                     return Err(InputError::usage(message).into());
                 }
                 let figure = on.trajectory.animation(seconds)?;
-                let bodies = figure.panels.iter().filter_map(|panel| panel.body.as_ref());
+                let bodies = figure.panels.iter().flat_map(|panel| &panel.bodies);
                 for turn in bodies.map(|body| body.turn).filter(|turn| *turn > MOST_TURN) {
                     note(&format!(
                         "the body rotates by {turn:.2} radians between frames: a shorter motion is clearer"
@@ -327,23 +326,28 @@ impl Image {
             let message = format!("--width {} is not between 1 and {MAX_WIDTH}", self.width);
             return Err(InputError::usage(message).into());
         }
-        let svg = picture::svg(picture, self.width);
-        let Some(file) = &self.file else { return Ok(svg.into_bytes()) };
+        let svg = || picture::svg(picture, self.width).into_bytes();
+        let Some(file) = &self.file else { return Ok(svg()) };
         let ending = file.extension().map(|ending| ending.to_string_lossy().to_lowercase());
+        #[cfg(feature = "png")]
+        let raster = |encode: fn(&Picture, u32) -> Result<Vec<u8>, Box<dyn std::error::Error>>| {
+            let bytes = encode(picture, self.width);
+            bytes.map_err(|reason| InputError::usage(reason.to_string()).into())
+        };
         match ending.as_deref() {
-            Some("svg") => Ok(svg.into_bytes()),
+            Some("svg") => Ok(svg()),
             #[cfg(feature = "png")]
-            Some("png") => {
-                Ok(png::png(&svg).map_err(|reason| InputError::usage(reason.to_string()))?)
-            }
+            Some("png") => raster(raster::png),
+            #[cfg(feature = "png")]
+            Some("gif") => raster(raster::gif),
             #[cfg(not(feature = "png"))]
-            Some("png") => {
+            Some("png" | "gif") => {
                 let message = "this program was built without the feature `png`";
                 let help = "write .svg, or build it with `cargo install --path cli --features png`";
                 Err(InputError::usage(message).help(help).into())
             }
             _ => {
-                let message = format!("{} ends in neither .svg nor .png", file.display());
+                let message = format!("{} ends in neither .svg, .png nor .gif", file.display());
                 Err(InputError::usage(message).help("the ending selects the format").into())
             }
         }

@@ -312,6 +312,14 @@ fn films_stay_small_and_follow_the_position() {
         let still = affinor(&folder, &["animation", &example("kirchhoff"), "-o", "x.png"]);
         assert_eq!(still.status, 0, "{}", still.err);
         assert_eq!(fs::read(folder.path().join("x.png")).unwrap()[..4], *b"\x89PNG");
+        let options = ["--seconds", "0.5", "--width", "200", "-o", "x.gif"];
+        let film =
+            affinor(&folder, &[&["animation", &example("kirchhoff")][..], &options].concat());
+        assert_eq!(film.status, 0, "{}", film.err);
+        let film = fs::read(folder.path().join("x.gif")).unwrap();
+        assert_eq!(film[..6], *b"GIF89a");
+        // ten frames, each after a block that controls it
+        assert_eq!(film.windows(3).filter(|bytes| bytes == b"\x21\xf9\x04").count(), 10);
     }
 }
 

@@ -1,6 +1,7 @@
-//! A body in motion: a box with its axes of inertia.
+//! Bodies in motion: boxes with their axes of inertia, or the parts of which the problem makes them.
 
-use super::{Body, Figure, Panel, Role};
+use super::{Body, Figure, Look, Panel, Role};
+use crate::problem::Solid;
 use crate::rows::RunRows;
 use affinor::Error;
 use affinor::mechanics::Inertia;
@@ -10,84 +11,196 @@ use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
 const RATE: f64 = 25.0;
 /// The largest number of frames.
 const FRAMES: f64 = 2400.0;
+/// The largest number of corners in all frames of parts: about 2 MB of a picture.
+const CORNERS: usize = 120_000;
 /// The rotation between two frames, in radians, unless there would be too many.
 const TURN: f64 = 0.25;
 /// Half the diagonal of the box, in radii of the picture: on the sphere of the axes, and along a path.
 const SIZES: [f64; 2] = [0.62, 0.2];
 /// The least edge of the box, relative to its diagonal.
 const THINNEST: f64 = 0.06;
+/// The distance of the farthest corner of parts on the sphere of the axes, in radii.
+const PARTS: f64 = 0.9;
+/// The roles whose colours tell bodies apart.
+const COLORS: [Role; 6] =
+    [Role::Left, Role::Velocity, Role::Right, Role::Carried, Role::Direction, Role::Frame(0)];
 
-/// The body of rows, in a film of some seconds: a homogeneous box with the same axes and ratios of inertia, and the path
-/// of the axis that moves least; with a position also the path of the body.
+/// A body that moves in a trajectory.
+#[derive(Clone, Debug)]
+pub struct Moving {
+    /// The end of the names of its columns: empty, or the number of its factor, as in `_2`.
+    pub factor: String,
+    /// Its inertia.
+    pub inertia: Inertia,
+    /// Its parts; without them it is drawn as a homogeneous box with the same axes and ratios of inertia.
+    pub solids: Vec<Solid>,
+}
+
+/// A body with its attitudes, and its places if it has a position.
+struct Track<'m> {
+    moving: &'m Moving,
+    attitudes: Vec<Matrix3<f64>>,
+    places: Option<Vec<Vector3<f64>>>,
+}
+
+/// The bodies of rows, in a film of some seconds. Bodies with a position move along their paths in one panel. Each other body
+/// turns about its fixed point, with the path of the axis of inertia that moves least.
 ///
 /// # Errors
 /// [`Error::Name`] for a trajectory without an attitude; [`Error::Invalid`] for elements that are not rotations.
-pub fn animation(run: &RunRows, inertia: &Inertia, seconds: f64) -> Result<Figure, Error> {
+pub fn animation(run: &RunRows, bodies: &[Moving], seconds: f64) -> Result<Figure, Error> {
     let times = run.column("t")?;
     let (Some(&first), Some(&last)) = (times.first(), times.last()) else {
         let reason = "there are no rows".into();
         return Err(Error::Invalid { what: "trajectory", reason });
     };
-    let axes = inertia.axes();
-    let turns: Vec<Matrix3<f64>> = run.attitudes()?.iter().map(|r| r * axes).collect();
-    let places = run.vectors(["g14", "g24", "g34"]).ok();
-    let moments = inertia.principal_moments();
-    let size = SIZES[usize::from(places.is_some())];
-    let (mut panel, center) = match &places {
-        Some(places) => space(places, size),
-        None => (Panel::new("", 1.0, ["X", "Y", "Z"]), Vector3::zeros()),
-    };
-    let captions = [0, 1, 2].map(|i| {
-        let axis = ["1", "2", "3"][i];
-        format!("axis {axis} of inertia, moment {}", (moments[i] * 1e6).round() / 1e6)
-    });
-    match &places {
-        Some(places) => {
-            let path = places.iter().map(|place| place - center).collect();
-            panel.path(Role::Motion, "path of the body", path);
-        }
-        None => {
-            let (i, path) = calmest(&turns);
-            panel.path(Role::Frame(i), &format!("path of axis {}", i + 1), path);
-        }
+    let mut tracks = vec![];
+    for moving in bodies {
+        let attitudes = run.attitudes(&moving.factor)?;
+        tracks.push(Track { moving, attitudes, places: run.positions(&moving.factor).ok() });
     }
-    let whole: f64 = turns.windows(2).map(|pair| angle(&pair[0], &pair[1])).sum();
-    let count = (whole / TURN).max(RATE * seconds).clamp(1.0, FRAMES).ceil() as u32;
-    let poses = (0..=count).map(|k| {
-        let (at, share) = between(&times, first + (last - first) * f64::from(k) / f64::from(count));
-        let next = (at + 1).min(times.len() - 1);
-        let place = places.as_ref().map_or(center, |all| all[at].lerp(&all[next], share));
-        (turned(&turns[at], &turns[next], share), place - center)
-    });
-    let radius = panel.radius;
-    let edges = inertia.box_edges();
-    let edges = edges.map(|edge| edge.max(THINNEST * edges.norm()));
-    let half = edges * (size * radius / edges.norm());
-    panel.body = Some(Body {
-        half: half.into(),
-        reach: if places.is_some() { 1.5 * size * radius } else { radius },
-        captions,
-        poses: poses.collect(),
-        times: [first, last],
-        turn: whole / f64::from(count),
-        seconds,
-    });
-    Ok(Figure { title: format!("{}: the body in motion", run.name), panels: vec![panel] })
+    let whole = tracks.iter().map(Track::turn).fold(0.0, f64::max);
+    let corners = |solid: &Solid| solid.faces.iter().map(Vec::len).sum::<usize>();
+    let solids = || bodies.iter().flat_map(|moving| &moving.solids);
+    // a part that passes another is drawn in two layers or more
+    let drawn = solids().map(corners).sum::<usize>() * solids().count().clamp(1, 3);
+    let most = FRAMES.min((CORNERS / drawn.max(1)) as f64);
+    let count = (whole / TURN).max(RATE * seconds).min(most).max(1.0).ceil() as u32;
+    let film =
+        Film { times: &times, span: [first, last], count, turn: whole / f64::from(count), seconds };
+    let (placed, turning): (Vec<Track>, Vec<Track>) =
+        tracks.into_iter().partition(|track| track.places.is_some());
+    let alone = placed.len() + turning.len() == 1;
+    let mut panels = vec![];
+    if !placed.is_empty() {
+        panels.push(space(&placed, &film));
+    }
+    for track in &turning {
+        let number = track.moving.factor.trim_start_matches('_');
+        let title = if alone { String::new() } else { format!("body {number}") };
+        panels.push(sphere(track, title, &film));
+    }
+    let bodies = if alone { "the body" } else { "the bodies" };
+    Ok(Figure { title: format!("{}: {bodies} in motion", run.name), panels })
 }
 
-/// A panel around a path in space, with room for a body, and its centre.
-fn space(places: &[Vector3<f64>], size: f64) -> (Panel, Vector3<f64>) {
-    let start = places.first().copied().unwrap_or_default();
-    let corners = places.iter().fold((start, start), |(low, high), x| (low.inf(x), high.sup(x)));
+/// The times of a film.
+struct Film<'t> {
+    /// The times of the rows.
+    times: &'t [f64],
+    span: [f64; 2],
+    /// The number of intervals between frames.
+    count: u32,
+    turn: f64,
+    seconds: f64,
+}
+
+impl Film<'_> {
+    /// The body of a track, in a frame in which its axes are the columns of `axes`, with its places from `centre`.
+    fn body(&self, track: &Track, look: Look, axes: &Matrix3<f64>, centre: &Vector3<f64>) -> Body {
+        let [first, last] = self.span;
+        let pose = |k: u32| {
+            let share = f64::from(k) / f64::from(self.count);
+            let (at, share) = between(self.times, first + (last - first) * share);
+            let next = (at + 1).min(self.times.len() - 1);
+            let place =
+                track.places.as_ref().map_or(*centre, |all| all[at].lerp(&all[next], share));
+            let attitude = |at: usize| track.attitudes[at] * axes;
+            (turned(&attitude(at), &attitude(next), share), place - centre)
+        };
+        let poses = (0..=self.count).map(pose).collect();
+        Body { look, poses, times: self.span, turn: self.turn, seconds: self.seconds }
+    }
+}
+
+impl Track<'_> {
+    /// The angle through which the body turns.
+    fn turn(&self) -> f64 {
+        self.attitudes.windows(2).map(|pair| angle(&pair[0], &pair[1])).sum()
+    }
+
+    /// The attitudes of the axes of inertia.
+    fn axes(&self) -> Vec<Matrix3<f64>> {
+        self.attitudes.iter().map(|r| r * self.moving.inertia.axes()).collect()
+    }
+
+    /// A homogeneous box with the same ratios of inertia, of half this diagonal.
+    fn cuboid(&self, diagonal: f64, reach: f64) -> Look {
+        let moments = self.moving.inertia.principal_moments();
+        let captions = [0, 1, 2].map(|i| {
+            let axis = ["1", "2", "3"][i];
+            format!("axis {axis} of inertia, moment {}", (moments[i] * 1e6).round() / 1e6)
+        });
+        let edges = self.moving.inertia.box_edges();
+        let edges = edges.map(|edge| edge.max(THINNEST * edges.norm()));
+        Look::Box { half: (edges * (diagonal / edges.norm())).into(), reach, captions }
+    }
+
+    /// The distance of its farthest corner from its origin; 0 without parts.
+    fn reach(&self) -> f64 {
+        self.moving.solids.iter().map(Solid::reach).fold(0.0, f64::max)
+    }
+
+    /// Its parts, scaled.
+    fn parts(&self, scale: f64, role: Role, caption: String) -> Look {
+        let scaled = |solid: &Solid| {
+            let corners = solid.corners.iter().map(|x| x * scale).collect();
+            Solid { corners, faces: solid.faces.clone() }
+        };
+        Look::Parts { solids: self.moving.solids.iter().map(scaled).collect(), role, caption }
+    }
+}
+
+/// A body that turns about a point.
+fn sphere(track: &Track, title: String, film: &Film) -> Panel {
+    let mut panel = Panel::new(title, 1.0, ["X", "Y", "Z"]);
+    let (i, path) = calmest(&track.axes());
+    panel.path(Role::Frame(i), &format!("path of axis {}", i + 1), path);
+    let origin = Vector3::zeros();
+    panel.bodies.push(if track.moving.solids.is_empty() {
+        film.body(track, track.cuboid(SIZES[0], 1.0), track.moving.inertia.axes(), &origin)
+    } else {
+        let look = track.parts(PARTS / track.reach(), COLORS[0], "the body".into());
+        film.body(track, look, &Matrix3::identity(), &origin)
+    });
+    panel
+}
+
+/// Bodies along their paths in space, with room around them.
+fn space(tracks: &[Track], film: &Film) -> Panel {
+    let places = || tracks.iter().flat_map(|track| track.places.iter().flatten());
+    let start = places().next().copied().unwrap_or_default();
+    let corners = places().fold((start, start), |(low, high), x| (low.inf(x), high.sup(x)));
     let center = (corners.0 + corners.1) * 0.5;
-    let farthest = places.iter().map(|x| (x - center).norm()).fold(0.0, f64::max);
-    let radius = if farthest > 0.0 { farthest / (1.0 - size) } else { 1.0 };
-    let mut panel = Panel::new("", radius, ["X", "Y", "Z"]);
+    let farthest = places().map(|x| (x - center).norm()).fold(0.0, f64::max);
+    // boxes have no size of their own
+    let has_boxes = tracks.iter().any(|track| track.moving.solids.is_empty());
+    let mut radius = if has_boxes { farthest / (1.0 - SIZES[1]) } else { 0.0 };
+    for track in tracks {
+        let places = track.places.iter().flatten();
+        let own = places.map(|x| (x - center).norm()).fold(0.0, f64::max);
+        radius = radius.max(own + track.reach());
+    }
+    let mut panel = Panel::new("", if radius > 0.0 { radius } else { 1.0 }, ["X", "Y", "Z"]);
     panel.sphere = false;
-    if center.norm() < radius {
+    if center.norm() < panel.radius {
         panel.mark("O", "", -center);
     }
-    (panel, center)
+    for (at, track) in tracks.iter().enumerate() {
+        let number = track.moving.factor.trim_start_matches('_');
+        let name = if number.is_empty() { "the body".into() } else { format!("body {number}") };
+        let path = track.places.iter().flatten().map(|place| place - center).collect();
+        let role = if tracks.len() > 1 { COLORS[at % COLORS.len()] } else { Role::Motion };
+        panel.path(role, &format!("path of {name}"), path);
+        panel.bodies.push(if track.moving.solids.is_empty() {
+            let size = SIZES[1] * panel.radius;
+            film.body(track, track.cuboid(size, 1.5 * size), track.moving.inertia.axes(), &center)
+        } else {
+            let look = track.parts(1.0, COLORS[at % COLORS.len()], name);
+            film.body(track, look, &Matrix3::identity(), &center)
+        });
+    }
+    panel
 }
 
 /// The axis with the shortest path on the sphere, and the path.

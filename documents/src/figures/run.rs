@@ -10,22 +10,29 @@ use std::f64::consts::TAU;
 /// The number of intervals on an ellipse.
 const SAMPLES: u32 = 96;
 
-/// The body axes on the unit sphere in space: the columns `R E_i` of the attitude.
+/// The body axes on the unit sphere in space: the columns `R E_i` of the attitude. A product has a panel for each of the factors
+/// that end the names of its columns.
 ///
 /// # Errors
 /// [`Error::Name`] for a trajectory without an attitude; [`Error::Invalid`] for elements that are not rotations.
-pub fn attitude(run: &RunRows) -> Result<Figure, Error> {
-    let attitudes = run.attitudes()?;
-    let mut panel = Panel::new("", 1.0, ["X", "Y", "Z"]);
-    for i in 0..3 {
-        let points: Vec<_> = attitudes.iter().map(|r| r.column(i).into_owned()).collect();
-        let tip = points.last().copied().unwrap_or_default();
-        let axis = ["E₁", "E₂", "E₃"][i];
-        let caption = format!("body axis {axis} (arrow at the final time)");
-        panel.path(Role::Frame(i), &caption, points);
-        panel.arrow(Role::Frame(i), [&format!("R {axis}"), ""], [Vector3::zeros(), tip]);
-    }
-    Ok(Figure { title: format!("{}: body axes in space", run.name), panels: vec![panel] })
+pub fn attitude(run: &RunRows, factors: &[String]) -> Result<Figure, Error> {
+    let panel = |factor: &String| {
+        let attitudes = run.attitudes(factor)?;
+        let number = factor.trim_start_matches('_');
+        let title = if number.is_empty() { String::new() } else { format!("body {number}") };
+        let mut panel = Panel::new(title, 1.0, ["X", "Y", "Z"]);
+        for i in 0..3 {
+            let points: Vec<_> = attitudes.iter().map(|r| r.column(i).into_owned()).collect();
+            let tip = points.last().copied().unwrap_or_default();
+            let axis = ["E₁", "E₂", "E₃"][i];
+            let caption = format!("body axis {axis} (arrow at the final time)");
+            panel.path(Role::Frame(i), &caption, points);
+            panel.arrow(Role::Frame(i), [&format!("R {axis}"), ""], [Vector3::zeros(), tip]);
+        }
+        Ok(panel)
+    };
+    let panels = factors.iter().map(panel).collect::<Result<_, Error>>()?;
+    Ok(Figure { title: format!("{}: body axes in space", run.name), panels })
 }
 
 /// The body momentum `H` on the sphere of its norm, and the energy ellipsoid. A free motion follows their intersection,

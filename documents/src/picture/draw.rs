@@ -54,7 +54,7 @@ pub fn draw(figure: &Figure, view: &View) -> Picture {
         plane.ball(panel);
         plane.contents(panel);
         shapes.append(&mut plane.shapes);
-        if let Some(body) = &panel.body {
+        if let Some(body) = panel.bodies.first() {
             shapes.extend(film::clock(body, [left + 40.0, left + width - 40.0], top + row - 8.0));
         }
     }
@@ -198,11 +198,9 @@ impl Plane<'_> {
             }
         }
         self.shapes.append(&mut symbols);
-        if let Some(body) = &panel.body {
-            let place = |x: &Vector3<f64>| self.place(x);
-            let shapes = film::body(body, self.view, place);
-            self.shapes.extend(shapes);
-        }
+        let place = |x: &Vector3<f64>| self.place(x);
+        let shapes = film::bodies(&panel.bodies, self.view, place);
+        self.shapes.extend(shapes);
     }
 }
 

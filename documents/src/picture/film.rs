@@ -1,49 +1,158 @@
-//! A body in motion, as polygons with a frame for each pose.
+//! Bodies in motion, as polygons with a frame for each pose.
 
 use super::{Anchor, Font, Ink, Point, Shape, Stroke, View, style};
-use crate::figures::{Body, Role};
-use nalgebra::Vector3;
+use crate::figures::{Body, Look, Role};
+use crate::problem::Solid;
+use nalgebra::{Matrix3, Vector3};
 
-/// A box and its axes of inertia. A face is visible while it is turned to the eye; an axis that points away begins behind
-/// the box.
-pub(super) fn body(body: &Body, view: &View, place: impl Fn(&Vector3<f64>) -> Point) -> Vec<Shape> {
-    let towards = |i: usize, sign: f64| -> Vec<bool> {
-        body.poses
-            .iter()
-            .map(|(r, _)| sign * view.depth(&r.column(i).into_owned()) >= 0.0)
-            .collect()
-    };
-    let film = |corners: &[Vector3<f64>], shown, fill, stroke| {
-        let at = |pose: &(nalgebra::Matrix3<f64>, Vector3<f64>)| {
-            corners.iter().map(|x| place(&(pose.0 * x + pose.1))).collect::<Vec<Point>>()
-        };
-        let frames = body.poses.iter().map(at).collect();
-        Shape::Film { frames, shown, fill, stroke, seconds: body.seconds }
-    };
-    let axis = |i: usize, sign: f64| {
-        let ends = [Vector3::ith(i, body.half[i]), Vector3::ith(i, body.reach.max(body.half[i]))];
-        let stroke = Stroke { width: 3.0, dash: style::SOLID, ..style::stroke(Role::Frame(i)).0 };
-        film(&ends, towards(i, sign), None, stroke)
-    };
-    let face = |i: usize, sign: f64| {
-        let [j, k] = [(i + 1) % 3, (i + 2) % 3];
-        let corners = [[1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0], [1.0, -1.0]].map(|[a, b]| {
-            let (j, k) = (Vector3::ith(j, a * body.half[j]), Vector3::ith(k, b * body.half[k]));
-            Vector3::ith(i, sign * body.half[i]) + j + k
-        });
-        let ink = style::stroke(Role::Frame(i)).0.ink;
-        let edge = Stroke { ink: style::BLACK, width: 1.0, dash: style::SOLID };
-        film(
-            &corners,
-            towards(i, sign),
-            Some(style::tint(ink, if sign > 0.0 { 0.45 } else { 0.7 })),
-            edge,
-        )
-    };
-    let behind = (0..3).map(|i| axis(i, -1.0));
-    let faces = (0..3).flat_map(|i| [face(i, -1.0), face(i, 1.0)]);
-    behind.chain(faces).chain((0..3).map(|i| axis(i, 1.0))).collect()
+/// Bodies, the nearer in front. A face is visible while it is turned to the eye.
+pub(super) fn bodies(
+    bodies: &[Body],
+    view: &View,
+    place: impl Fn(&Vector3<f64>) -> Point,
+) -> Vec<Shape> {
+    let mut shapes = vec![];
+    let mut parts = vec![];
+    for body in bodies {
+        let film = Film { body, view, place: &place };
+        match &body.look {
+            Look::Box { half, reach, .. } => shapes.extend(film.cuboid(half, *reach)),
+            Look::Parts { solids, role, .. } => {
+                parts.extend(solids.iter().map(|solid| Part::new(film, solid, *role)));
+            }
+        }
+    }
+    shapes.extend(layered(&parts));
+    shapes
 }
+
+/// Parts in as many layers, from back to front. In each frame a part is shown in the layer of its distance from the eye.
+fn layered<P: Fn(&Vector3<f64>) -> Point>(parts: &[Part<P>]) -> Vec<Shape> {
+    let frames = parts.first().map_or(0, |part| part.depths.len());
+    // the layer of each part in each frame
+    let mut layers = vec![vec![0; frames]; parts.len()];
+    for frame in 0..frames {
+        let mut order: Vec<usize> = (0..parts.len()).collect();
+        order.sort_by(|a, b| parts[*a].depths[frame].total_cmp(&parts[*b].depths[frame]));
+        for (layer, part) in order.into_iter().enumerate() {
+            layers[part][frame] = layer;
+        }
+    }
+    let in_layer = |layer: usize| {
+        parts.iter().zip(&layers).flat_map(move |(part, layers)| {
+            let here: Vec<bool> = layers.iter().map(|own| *own == layer).collect();
+            if here.contains(&true) { part.shapes(&here) } else { vec![] }
+        })
+    };
+    (0..parts.len()).flat_map(in_layer).collect()
+}
+
+/// The film of a body.
+struct Film<'b, P> {
+    body: &'b Body,
+    view: &'b View,
+    place: &'b P,
+}
+
+impl<P> Clone for Film<'_, P> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<P> Copy for Film<'_, P> {}
+
+impl<P: Fn(&Vector3<f64>) -> Point> Film<'_, P> {
+    /// Whether a direction of the body points to the eye, frame by frame.
+    fn towards(&self, direction: &Vector3<f64>) -> Vec<bool> {
+        let points =
+            |(r, _): &(Matrix3<f64>, Vector3<f64>)| self.view.depth(&(r * direction)) >= 0.0;
+        self.body.poses.iter().map(points).collect()
+    }
+
+    fn polygon(
+        &self,
+        corners: &[Vector3<f64>],
+        shown: Vec<bool>,
+        fill: Option<Ink>,
+        stroke: Stroke,
+    ) -> Shape {
+        let at = |pose: &(Matrix3<f64>, Vector3<f64>)| {
+            corners.iter().map(|x| (self.place)(&(pose.0 * x + pose.1))).collect::<Vec<Point>>()
+        };
+        let frames = self.body.poses.iter().map(at).collect();
+        Shape::Film { frames, shown, fill, stroke, seconds: self.body.seconds }
+    }
+
+    /// A box and its axes of inertia. An axis that points away begins behind the box.
+    fn cuboid(&self, half: &[f64; 3], reach: f64) -> Vec<Shape> {
+        let towards = |i: usize, sign: f64| self.towards(&Vector3::ith(i, sign));
+        let axis = |i: usize, sign: f64| {
+            let ends = [Vector3::ith(i, half[i]), Vector3::ith(i, reach.max(half[i]))];
+            let stroke =
+                Stroke { width: 3.0, dash: style::SOLID, ..style::stroke(Role::Frame(i)).0 };
+            self.polygon(&ends, towards(i, sign), None, stroke)
+        };
+        let face = |i: usize, sign: f64| {
+            let [j, k] = [(i + 1) % 3, (i + 2) % 3];
+            let corners = [[1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0], [1.0, -1.0]].map(|[a, b]| {
+                let (j, k) = (Vector3::ith(j, a * half[j]), Vector3::ith(k, b * half[k]));
+                Vector3::ith(i, sign * half[i]) + j + k
+            });
+            let ink = style::stroke(Role::Frame(i)).0.ink;
+            let tint = style::tint(ink, if sign > 0.0 { 0.45 } else { 0.7 });
+            self.polygon(&corners, towards(i, sign), Some(tint), EDGE)
+        };
+        let behind = (0..3).map(|i| axis(i, -1.0));
+        let faces = (0..3).flat_map(|i| [face(i, -1.0), face(i, 1.0)]);
+        behind.chain(faces).chain((0..3).map(|i| axis(i, 1.0))).collect()
+    }
+}
+
+/// The edges of faces.
+const EDGE: Stroke = Stroke { ink: style::BLACK, width: 1.0, dash: style::SOLID };
+/// The edges of the faces of parts.
+const THIN: Stroke = Stroke { width: 0.5, ..EDGE };
+
+/// A part of a body in its film.
+struct Part<'b, P> {
+    film: Film<'b, P>,
+    solid: &'b Solid,
+    role: Role,
+    /// How near its middle is to the eye, frame by frame.
+    depths: Vec<f64>,
+}
+
+impl<'b, P: Fn(&Vector3<f64>) -> Point> Part<'b, P> {
+    fn new(film: Film<'b, P>, solid: &'b Solid, role: Role) -> Self {
+        let middle = solid.corners.iter().sum::<Vector3<f64>>() / solid.corners.len() as f64;
+        let depth = |(r, x): &(Matrix3<f64>, Vector3<f64>)| film.view.depth(&(r * middle + x));
+        Part { film, solid, role, depths: film.body.poses.iter().map(depth).collect() }
+    }
+
+    /// Its faces, in the frames in which it is shown.
+    fn shapes(&self, here: &[bool]) -> Vec<Shape> {
+        let ink = style::stroke(self.role).0.ink;
+        let face = |face: &Vec<usize>| {
+            let corners: Vec<Vector3<f64>> = face.iter().map(|k| self.solid.corners[*k]).collect();
+            if let [_, _] = corners[..] {
+                let stroke = Stroke { ink, width: 3.0, dash: style::SOLID };
+                return self.film.polygon(&corners, here.to_vec(), None, stroke);
+            }
+            let (a, b) = (corners[1] - corners[0], corners[2] - corners[0]);
+            let normal = a.cross(&b);
+            let towards = self.film.towards(&normal);
+            let shown = towards.iter().zip(here).map(|(towards, here)| *towards && *here).collect();
+            // faces of one body differ in shade by their direction
+            let share = normal.try_normalize(0.0).map_or(0.0, |n| n.dot(&LIGHT));
+            self.film.polygon(&corners, shown, Some(style::tint(ink, 0.5 + 0.25 * share)), THIN)
+        };
+        self.solid.faces.iter().map(face).collect()
+    }
+}
+
+/// The direction of the body from which its faces are lightest.
+const LIGHT: Vector3<f64> = Vector3::new(0.36, 0.48, 0.8);
 
 /// A bar that grows with the time, between the first and the last time.
 pub(super) fn clock(body: &Body, [left, right]: [f64; 2], y: f64) -> Vec<Shape> {

@@ -2,7 +2,7 @@
 
 use super::arrow::arrow;
 use super::{Anchor, Font, Shape, Stroke, style};
-use crate::figures::{Figure, Role};
+use crate::figures::{Figure, Look, Role};
 
 const LINE: f64 = 24.0;
 const COLUMNS: usize = 2;
@@ -36,9 +36,17 @@ impl Legend {
             for arrow in &panel.arrows {
                 add(Sample::Arrow(style::stroke(arrow.role).0), &arrow.caption);
             }
-            for (i, caption) in panel.body.iter().flat_map(|body| body.captions.iter().enumerate())
-            {
-                add(Sample::Line(style::stroke(Role::Frame(i)).0), caption);
+            for body in &panel.bodies {
+                match &body.look {
+                    Look::Box { captions, .. } => {
+                        for (i, caption) in captions.iter().enumerate() {
+                            add(Sample::Line(style::stroke(Role::Frame(i)).0), caption);
+                        }
+                    }
+                    Look::Parts { role, caption, .. } => {
+                        add(Sample::Line(style::stroke(*role).0), caption);
+                    }
+                }
             }
             for mark in &panel.marks {
                 add(Sample::Point, &mark.caption);

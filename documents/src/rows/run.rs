@@ -38,12 +38,14 @@ impl RunRows {
         Ok((0..x.len()).map(|k| Vector3::new(x[k], y[k], z[k])).collect())
     }
 
-    /// The rotation matrices, by their entries or by quaternions.
+    /// The rotation matrices of a factor of a product, by their entries or by quaternions; `factor` is the end of the names of
+    /// its columns, as in `qw_2`, and empty for a group that is no product.
     ///
     /// # Errors
     /// [`Error::Name`]; [`Error::Invalid`] for entries that are not those of a rotation.
-    pub fn attitudes(&self) -> Result<Vec<Matrix3<f64>>, Error> {
-        if let (Ok(w), Ok(v)) = (self.column("qw"), self.vectors(["qx", "qy", "qz"])) {
+    pub fn attitudes(&self, factor: &str) -> Result<Vec<Matrix3<f64>>, Error> {
+        let quaternions = self.column(&format!("qw{factor}"));
+        if let (Ok(w), Ok(v)) = (quaternions, self.of_factor(["qx", "qy", "qz"], factor)) {
             let turn = |(w, v): (f64, Vector3<f64>)| {
                 let q = nalgebra::Quaternion::from_parts(w, v);
                 affinor::group::rotation::matrix(&nalgebra::UnitQuaternion::new_normalize(q))
@@ -51,7 +53,7 @@ impl RunRows {
             return Ok(w.into_iter().zip(v).map(turn).collect());
         }
         let rows = [["g11", "g12", "g13"], ["g21", "g22", "g23"], ["g31", "g32", "g33"]];
-        let [a, b, c] = rows.map(|names| self.vectors(names));
+        let [a, b, c] = rows.map(|names| self.of_factor(names, factor));
         let (a, b, c) = (a?, b?, c?);
         let matrix = |k: usize| {
             let r = Matrix3::from_rows(&[a[k], b[k], c[k]].map(|row| row.transpose()));
@@ -63,5 +65,19 @@ impl RunRows {
             Err(Error::Invalid { what: "rotation", reason })
         };
         (0..a.len()).map(matrix).collect()
+    }
+
+    /// The positions of a factor, by the last column of its matrix or by their coordinates.
+    ///
+    /// # Errors
+    /// [`Error::Name`].
+    pub fn positions(&self, factor: &str) -> Result<Vec<Vector3<f64>>, Error> {
+        let entries = self.of_factor(["g14", "g24", "g34"], factor);
+        entries.or_else(|_| self.of_factor(["x", "y", "z"], factor))
+    }
+
+    fn of_factor(&self, names: [&str; 3], factor: &str) -> Result<Vec<Vector3<f64>>, Error> {
+        let names = names.map(|name| format!("{name}{factor}"));
+        self.vectors([&names[0], &names[1], &names[2]])
     }
 }

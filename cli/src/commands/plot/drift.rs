@@ -1,6 +1,7 @@
 //! Drift of the conserved quantities, by one or several methods.
 
 use super::super::failure::Failure;
+use super::super::options::ProblemOptions;
 use super::super::stages::Stages;
 use super::convergence::method_of;
 use super::run::rows_of_one;
@@ -19,21 +20,14 @@ const SAMPLES: u32 = 400;
 /// A problem of mechanics, and the methods whose drift is drawn.
 #[derive(Args)]
 pub struct Comparison {
-    /// The problem, a TOML file
-    #[arg(value_name = "FILE")]
-    problem: String,
+    #[command(flatten)]
+    problem: ProblemOptions,
     /// Draw the rows of this CSV file of `affinor simulate`, instead of integrating the problem
-    #[arg(long, value_name = "FILE", conflicts_with_all = ["methods", "step", "tolerance"])]
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["methods", "step", "tolerance", "end", "every"])]
     rows: Option<String>,
     /// A method to compare; may be repeated, or a list with commas [default: that of the problem]
     #[arg(long = "method", value_name = "NAME", value_delimiter = ',')]
     methods: Vec<String>,
-    /// The step size of methods with fixed steps [default: that of the problem]
-    #[arg(long, value_name = "H", requires = "methods")]
-    step: Option<f64>,
-    /// The relative tolerance of methods with step-size control [default: that of the problem]
-    #[arg(long, value_name = "TOL", requires = "methods")]
-    tolerance: Option<f64>,
     /// Divide each change by the size of the initial value, where that is not zero
     #[arg(long)]
     relative: bool,
@@ -41,7 +35,7 @@ pub struct Comparison {
 
 impl Comparison {
     pub fn drift(&self) -> Result<Diagram, Failure> {
-        let problem = Problem::read(&self.problem)?;
+        let problem = self.problem.open(None)?;
         let change = if self.relative { Change::Relative } else { Change::Absolute };
         let mut drifts = vec![];
         if let Some(file) = &self.rows {
@@ -61,10 +55,16 @@ impl Comparison {
                     return Err(InputError::usage(message).into());
                 }
                 stages.begin(method.name());
-                let problem = problem.with_method(*method, self.step, self.tolerance);
+                let mut problem = self.problem.with_own_integration()?;
+                let ProblemOptions { step, tolerance, .. } = &self.problem;
+                problem.replace_integration(
+                    Some(method.name()),
+                    step.as_deref().filter(|_| method.has_steps()),
+                    tolerance.as_deref().filter(|_| method.is_controlled()),
+                )?;
                 let drift = along(&problem, method.name().into());
                 drifts.push(drift.map_err(|failure| match failure {
-                    Failure::Input(error) if method.has_steps() && self.step.is_none() => {
+                    Failure::Input(error) if method.has_steps() && self.problem.step.is_none() => {
                         Failure::from(
                             error.help("--step H gives the step of methods with fixed steps"),
                         )

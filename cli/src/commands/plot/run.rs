@@ -3,16 +3,15 @@
 use super::super::failure::Failure;
 use super::super::options::ProblemOptions;
 use super::super::stages::Stages;
-use super::curve::Curve;
 use affinor::Error;
 use affinor::mechanics::Inertia;
 use affinor_documents::figures;
-use affinor_documents::figures::Figure;
 use affinor_documents::figures::diagram::Diagram;
 use affinor_documents::figures::series;
+use affinor_documents::figures::{Figure, Moving};
 use affinor_documents::input::{InputError, read_rows};
 use affinor_documents::problem::{Problem, Ready};
-use affinor_documents::rows::RunRows;
+use affinor_documents::rows::{DenseRows, RunRows};
 use affinor_tensors::Effort;
 use clap::Args;
 use nalgebra::Matrix3;
@@ -170,7 +169,7 @@ fn curve(problem: &Problem, names: &[String]) -> Result<(RunRows, Ready), Failur
     columns.retain(|column| ready.columns[*column].name != "t");
     let names = columns.iter().map(|column| ready.columns[*column].name.clone());
     let columns_of_rows = ["t".into()].into_iter().chain(names).collect();
-    let rows = Curve::along(ready.motion.as_mut(), &times(problem)?, &columns)?;
+    let rows = DenseRows::along(ready.motion.as_mut(), &times(problem)?, &columns)?;
     Ok((RunRows { name: problem.name.clone(), columns: columns_of_rows, rows }, ready))
 }
 
@@ -205,10 +204,15 @@ impl Trajectory {
         }
     }
 
+    /// The body axes in space, of each factor that rotates.
     pub fn attitude(&self) -> Result<Figure, Failure> {
-        let problem = self.with_columns(&ENTRIES, NO_ATTITUDE)?;
-        let (rows, _) = self.rows(&problem, &ENTRIES)?;
-        figures::run::attitude(&rows).map_err(|error| no_attitude(error).into())
+        let factors = rotating(&self.problem()?)?;
+        let columns = names(&factors, &ENTRIES);
+        let columns: Vec<&str> = columns.iter().map(String::as_str).collect();
+        let problem = self.with_columns(&columns, NO_ATTITUDE)?;
+        let (rows, _) = self.rows(&problem, &columns)?;
+        let factors: Vec<String> = factors.into_iter().map(|(_, end)| end).collect();
+        figures::run::attitude(&rows, &factors).map_err(|error| no_attitude(error).into())
     }
 
     pub fn momentum(&self) -> Result<Figure, Failure> {
@@ -228,22 +232,57 @@ impl Trajectory {
         })
     }
 
-    /// The body in motion, as a box with its axes of inertia, in a film of some seconds.
+    /// The bodies in motion, in a film of some seconds.
     pub fn animation(&self, seconds: f64) -> Result<Figure, Failure> {
-        let moved = [&ENTRIES[..], &POSITION].concat();
-        let (problem, columns) = match self.with_columns(&moved, "") {
-            Ok(problem) => (problem, &moved[..]),
-            Err(_) => (self.with_columns(&ENTRIES, NO_ATTITUDE)?, &ENTRIES[..]),
+        let factors = rotating(&self.problem()?)?;
+        let turned = names(&factors, &ENTRIES);
+        let mut columns: Vec<&str> = turned.iter().map(String::as_str).collect();
+        let mut problem = self.with_columns(&columns, NO_ATTITUDE)?;
+        let places: Vec<_> =
+            factors.iter().map(|one| names(std::slice::from_ref(one), &POSITION)).collect();
+        for places in &places {
+            let with: Vec<&str> =
+                columns.iter().copied().chain(places.iter().map(String::as_str)).collect();
+            // factors without a position turn about a point
+            if let Ok(extended) = self.with_columns(&with, "") {
+                (problem, columns) = (extended, with);
+            }
+        }
+        let (rows, ready) = self.rows(&problem, &columns)?;
+        let moving = |(at, end): &(usize, String)| {
+            let first: usize = ready.factors.iter().take(*at).map(|factor| factor.dimension).sum();
+            // a motion with a given velocity has no metric
+            let inertia = match &ready.inertia {
+                Some(inertia) => inertia.fixed_view::<3, 3>(first, first).into_owned(),
+                None => Matrix3::identity(),
+            };
+            let solids = ready.factors.get(*at).map_or(vec![], |factor| factor.solids.clone());
+            Ok(Moving { factor: end.clone(), inertia: Inertia::new(&inertia)?, solids })
         };
-        let (rows, ready) = self.rows(&problem, columns)?;
-        // a motion with a given velocity has no metric
-        let inertia = match &ready.inertia {
-            Some(inertia) => inertia.fixed_view::<3, 3>(0, 0).into_owned(),
-            None => Matrix3::identity(),
-        };
-        let inertia = Inertia::new(&inertia)?;
-        figures::animation(&rows, &inertia, seconds).map_err(|error| no_attitude(error).into())
+        let bodies = factors.iter().map(moving).collect::<Result<Vec<_>, Error>>()?;
+        figures::animation(&rows, &bodies, seconds).map_err(|error| no_attitude(error).into())
     }
+}
+
+/// The factors of the group that are rotations, by their index from 0, with the ends of the names of their columns.
+fn rotating(problem: &Problem) -> Result<Vec<(usize, String)>, Failure> {
+    let columns = match problem.with_columns(&["element"]).motion(0) {
+        Ok(ready) => ready.columns,
+        // the error of the problem itself
+        Err(_) => problem.motion(0)?.columns,
+    };
+    let ends = columns.iter().filter_map(|column| column.name.strip_prefix("qw"));
+    let number = |end: &str| end.trim_start_matches('_').parse::<usize>().map_or(0, |k| k - 1);
+    let found: Vec<_> = ends.map(|end| (number(end), end.to_string())).collect();
+    Ok(if found.is_empty() { vec![(0, String::new())] } else { found })
+}
+
+/// The names of columns of each of the factors.
+fn names(factors: &[(usize, String)], columns: &[&str]) -> Vec<String> {
+    let of = |(_, end): &(usize, String)| {
+        columns.iter().map(|column| format!("{column}{end}")).collect::<Vec<_>>()
+    };
+    factors.iter().flat_map(of).collect()
 }
 
 /// The error of rows without attitudes.

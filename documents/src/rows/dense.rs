@@ -13,7 +13,7 @@ const INTERVALS: f64 = 1e4;
 const RELATIVE: f64 = 1e-9;
 
 /// The curve of some columns along a motion.
-pub struct Curve<'m> {
+pub struct DenseRows<'m> {
     motion: &'m mut dyn Motion,
     columns: &'m [usize],
     /// The least and the largest value of each column so far.
@@ -23,7 +23,7 @@ pub struct Curve<'m> {
     rows: Vec<Vec<f64>>,
 }
 
-impl<'m> Curve<'m> {
+impl<'m> DenseRows<'m> {
     /// Rows of the time and the columns, through the times of a problem. Long steps are halved by dense output until each
     /// chord is close to the curve.
     ///
@@ -36,7 +36,7 @@ impl<'m> Curve<'m> {
     ) -> Result<Vec<Vec<f64>>, Error> {
         let span = times.last().map_or(0.0, |last| (last - times[0]).abs());
         let least = span / INTERVALS;
-        let mut curve = Curve { motion, columns, ranges: vec![], least, rows: vec![] };
+        let mut curve = DenseRows { motion, columns, ranges: vec![], least, rows: vec![] };
         let first = curve.row();
         curve.ranges = first[1..].iter().map(|value| [*value, *value]).collect();
         curve.rows.push(first);
