@@ -2,12 +2,13 @@
 
 use crate::class::{New, Object, Optional, constructors, immutable, properties};
 use crate::components::{Held, Values, of};
+use crate::contraction::contract_all;
 use crate::geometries::{Geometries, Made, algebra, made, symbolic};
 use crate::group::PyGroup;
 use crate::report::Written;
 use crate::run::run;
 use crate::source::{Given, PySource};
-use crate::tensor::{Names, PyTensor, contract_all};
+use crate::tensor::{Names, PyTensor};
 use crate::values::{error, merged, python};
 use affinor::{BasisChange, LieAlgebra};
 use affinor_documents::input::InputError;

@@ -36,7 +36,7 @@ fn exception(py: Python<'_>, error: &InputError) -> PyResult<PyErr> {
         None => None,
         Some(place) => {
             let found = PyDict::new(py);
-            found.set_item("source", &place.source.name)?;
+            found.set_item("source", in_words_of_python(&place.source.name))?;
             if let Some(span) =
                 place.span.clone().filter(|span| place.source.text.get(span.clone()).is_some())
             {
@@ -49,7 +49,8 @@ fn exception(py: Python<'_>, error: &InputError) -> PyResult<PyErr> {
             Some(found)
         }
     };
-    let arguments = (class, &error.message, &error.help, place, data);
+    let help = error.help.as_deref().map(in_words_of_python);
+    let arguments = (class, in_words_of_python(&error.message), help, place, data);
     let made = py.import("affinor.errors")?.getattr("_of_engine")?.call1(arguments)?;
     Ok(PyErr::from_value(made))
 }
@@ -82,4 +83,42 @@ fn witness<'py>(py: Python<'py>, error: &Error) -> PyResult<Bound<'py, PyDict>> 
         _ => {}
     }
     Ok(data)
+}
+
+/// Options of the command line as arguments of Python, `--max-step` as `max_step`, and its commands as functions.
+fn in_words_of_python(text: &str) -> String {
+    let mut words = String::with_capacity(text.len());
+    let mut rest = text;
+    while let Some(at) = rest.find("--") {
+        let (before, option) = rest.split_at(at);
+        let end = |c: char| !(c.is_ascii_lowercase() || c == '-');
+        let name = &option[2..];
+        let name = &name[..name.find(end).unwrap_or(name.len())];
+        let begins = before.chars().last().is_none_or(|c| c.is_whitespace() || "`\"(".contains(c));
+        words += before;
+        if begins && name.starts_with(|c: char| c.is_ascii_lowercase()) {
+            words += &name.replace('-', "_");
+        } else {
+            words += &option[..2 + name.len()];
+        }
+        rest = &option[2 + name.len()..];
+    }
+    (words + rest).replace("`affinor list`", "`affinor.catalogue()`")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::in_words_of_python;
+
+    #[test]
+    fn options_are_arguments() {
+        for (text, words) in [
+            ("--metric", "metric"),
+            ("give --max-step, or `--basis \"x y\"`", "give max_step, or `basis \"x y\"`"),
+            ("a--b -- c ---", "a--b -- c ---"),
+            ("`affinor list` shows the names", "`affinor.catalogue()` shows the names"),
+        ] {
+            assert_eq!(in_words_of_python(text), words);
+        }
+    }
 }

@@ -411,6 +411,11 @@ impl PyGeometry {
         Ok((python(py, "geometry", "restored")?, arguments))
     }
 
+    /// The metric and the affinities.
+    fn _repr_latex_<'py>(slf: &Bound<'py, Self>) -> New<'py> {
+        python(slf.py(), "geometry", "latex")?.call1((slf,))
+    }
+
     fn __repr__(&self) -> String {
         let (name, connection, scalar) = (self.name(), self.connection(), self.scalar());
         let dimension = self.dimension();

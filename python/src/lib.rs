@@ -4,6 +4,7 @@ mod algebra;
 mod arrays;
 mod class;
 mod components;
+mod contraction;
 mod display;
 mod errors;
 mod geometries;
@@ -24,17 +25,19 @@ mod _engine {
     #[pymodule_export]
     use crate::algebra::{PyAlgebra, catalogue};
     #[pymodule_export]
+    use crate::contraction::contract_all;
+    #[pymodule_export]
     use crate::geometry::{PyGeometry, compare, conventions};
     #[pymodule_export]
     use crate::group::{PyGroup, groups};
     #[pymodule_export]
-    use crate::motion::PyProblem;
+    use crate::motion::{PyProblem, methods};
     #[pymodule_export]
     use crate::run::{_panic, set_threads, threads};
     #[pymodule_export]
     use crate::source::PySource;
     #[pymodule_export]
-    use crate::tensor::{_restore_tensor, PyTensor, contract_all};
+    use crate::tensor::{_restore_tensor, PyTensor};
     #[pymodule_export]
     use crate::values::{evaluate, knows};
 }

@@ -4,14 +4,16 @@ use crate::arrays::{Floats, Rows, batch};
 use crate::class::properties;
 use crate::errors::{raise, wrong};
 use crate::run::{Threads, run};
-use affinor::mechanics::simulation::{ForceFrame, ForceFunction};
+use affinor::mechanics::simulation::{ForceFrame, ForceFunction, Method};
 use affinor_documents::input::InputError;
 use affinor_documents::problem::{Integration, Problem};
+use affinor_documents::rows::DenseRows;
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyUntypedArrayMethods};
 use pyo3::exceptions::PyException;
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict, PyList};
 use std::cell::RefCell;
+use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
@@ -211,6 +213,7 @@ impl PyProblem {
         let ready = threads.run(py, || Ok(checked(problem.motion(member))))??;
         let names: Vec<String> = ready.columns.iter().map(|column| column.name.clone()).collect();
         let watched: Vec<bool> = ready.columns.iter().map(|column| column.watched).collect();
+        let conserved: Vec<bool> = ready.columns.iter().map(|column| column.conserved).collect();
         let (method, why) = (ready.method.name(), ready.method.why());
         let notes = ready.notes.clone();
         // values of events at the start may call forces
@@ -241,6 +244,7 @@ impl PyProblem {
         found.set_item("name", &problem.name)?;
         found.set_item("columns", names)?;
         found.set_item("watched", watched)?;
+        found.set_item("conserved", conserved)?;
         found.set_item("rows", table(py, rows, width)?)?;
         found.set_item("events", PyList::new(py, events)?)?;
         found.set_item("method", method)?;
@@ -249,6 +253,35 @@ impl PyProblem {
         found.set_item("failed", failed)?;
         found.set_item("interrupt", interrupt)?;
         Ok(found)
+    }
+
+    /// The columns of a member, and rows that are dense enough to be drawn.
+    fn _curve<'py>(
+        &self,
+        py: Python<'py>,
+        member: u64,
+    ) -> PyResult<(Vec<String>, Bound<'py, PyArray2<f64>>)> {
+        let problem = &self.0;
+        let threads = if self.1 { Threads::apart(py, 1)? } else { Threads::shared(py)? };
+        let (names, rows) = threads.run(py, || {
+            Ok(checked((|| {
+                let mut ready = problem.motion(member)?;
+                let names: Vec<String> =
+                    ready.columns.iter().map(|column| column.name.clone()).collect();
+                let others: Vec<usize> = (0..names.len()).filter(|k| names[*k] != "t").collect();
+                let rows = DenseRows::along(ready.motion.as_mut(), &ready.times, &others)?;
+                let names =
+                    ["t".into()].into_iter().chain(others.iter().map(|k| names[*k].clone()));
+                Ok::<_, InputError>((names.collect::<Vec<String>>(), rows))
+            })()))
+        })??;
+        let width = names.len();
+        Ok((names, table(py, rows.concat(), width)?))
+    }
+
+    /// The same problem with rows at these times, after that of the initial time.
+    fn _at_times(&self, times: Vec<f64>) -> Self {
+        PyProblem(self.0.at_times(&times), self.1)
     }
 
     /// Integrates the problem once for each row of values of parameters, on all threads: the columns, the last row of each
@@ -322,4 +355,15 @@ impl PyProblem {
 
 fn text(py: Python<'_>, text: &str) -> PyResult<Py<PyAny>> {
     Ok(text.into_pyobject(py)?.into_any().unbind())
+}
+
+/// The methods of integration by name, each with what it is for.
+///
+/// Examples
+/// --------
+/// >>> methods()["rkmk853"]
+/// 'any group and any forces, to a tolerance'
+#[pyfunction]
+pub fn methods() -> BTreeMap<&'static str, &'static str> {
+    Method::ALL.iter().map(|method| (method.name(), method.why())).collect()
 }

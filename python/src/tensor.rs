@@ -5,13 +5,14 @@ use crate::class::{New, Object, Optional, immutable, in_python, properties};
 use crate::components::{
     Held, Values, build, each, marks, of, parameters, text, widest, write_floats,
 };
+use crate::contraction::{contract_all, filled};
 use crate::errors::refused;
 use crate::run::run;
 use crate::values::{self, error, index, python, text_of};
 use affinor_documents::input::InputError;
 use affinor_documents::over_kind;
 use affinor_tensors::{Kind, Notation, Rational, Symbolic, Tensor, TrackedFloat, contract};
-use numpy::{PyArrayDyn, PyArrayLikeDyn, PyArrayMethods, PyUntypedArray};
+use numpy::{PyArrayDescr, PyArrayDyn, PyArrayLikeDyn, PyArrayMethods, PyUntypedArray};
 use pyo3::exceptions::{PyIndexError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict, PyInt, PyIterator, PyList, PySlice, PyTuple};
@@ -270,9 +271,23 @@ impl PyTensor {
         PyTuple::new(py, vec![self.dimension(); self.rank()])
     }
 
+    /// The type of the elements of :meth:`to_numpy`: float64, or object with parameters.
+    #[getter]
+    fn dtype<'py>(&self, py: Python<'py>) -> Bound<'py, PyArrayDescr> {
+        let numbers = parameters(&self.values).is_empty();
+        if numbers { numpy::dtype::<f64>(py) } else { PyArrayDescr::object(py) }
+    }
+
     #[getter(_symbols)]
     fn symbols_of(&self, py: Python<'_>) -> Py<PyDict> {
         self.symbols.clone_ref(py)
+    }
+
+    fn __len__(&self) -> PyResult<usize> {
+        match self.rank() {
+            0 => Err(PyTypeError::new_err("a tensor of rank 0 has no length")),
+            _ => Ok(self.dimension()),
+        }
     }
 
     fn __bool__(&self) -> PyResult<bool> {
@@ -290,15 +305,16 @@ impl PyTensor {
         python(slf.py(), "tensor", "rows")?.call1((slf,))
     }
 
-    /// The component at indices from 0, or the tensor in which some indices are fixed: ``R[0, :, :, 1]``.
+    /// The component at indices from 0, or the tensor in which some indices are fixed: ``R[0, :, :, 1]``, ``R[0, ..., -1]``.
     ///
-    /// Displays and the command line count from 1.
+    /// Negative indices count from the end. Displays and the command line count from 1.
     fn __getitem__<'py>(&self, at: Object<'py>) -> New<'py> {
         let (py, rank, dimension) = (at.py(), self.rank(), self.dimension());
         let at = match at.cast_into::<PyTuple>() {
             Ok(at) => at,
             Err(error) => PyTuple::new(py, [error.into_inner()])?,
         };
+        let at = filled(&at, rank)?;
         if at.len() != rank {
             let reason = format!("a tensor of rank {rank} takes {rank} indices, not {}", at.len());
             return Err(PyIndexError::new_err(reason));
@@ -313,11 +329,10 @@ impl PyTensor {
                 true => item,
                 false => python(py, "_scalars", "index")?.call1(("an index", item))?,
             };
-            let found = index.extract().ok().filter(|found| *found < dimension);
-            let reason = || {
-                let last = dimension as isize - 1;
-                format!("the index {index} is not in 0..{last}; negative ones do not count")
-            };
+            let size = dimension as isize;
+            let found = index.extract().ok().filter(|found: &isize| (-size..size).contains(found));
+            let found = found.map(|found| found.rem_euclid(size) as usize);
+            let reason = || format!("the index {index} is not in {}..{}", -size, size - 1);
             found.map(Some).ok_or_else(|| PyIndexError::new_err(reason()))
         };
         let at = at.iter().map(place).collect::<PyResult<Vec<_>>>()?;
@@ -454,7 +469,7 @@ impl PyTensor {
         others: Bound<'py, PyTuple>,
     ) -> PyResult<Self> {
         let factors = PyTuple::new(slf.py(), [slf])?.as_sequence().concat(others.as_sequence())?;
-        self::contract_all(expression, factors.to_tuple()?, None)
+        contract_all(expression, factors.to_tuple()?, None)
     }
 
     /// The slots in another order: slot ``a`` of the result is slot ``order[a]`` of this tensor.
@@ -521,6 +536,7 @@ in_python! { PyTensor, "tensor":
     /// Tensors with parameters need ``object``, which is then the default.
     to_numpy (dtype=None) [dtype];
     __array__ (dtype=None, copy=None) [dtype, copy];
+    _sympy_ () [];
     /// An array of SymPy (sparse if it is large); an expression for rank 0, a matrix for rank 2.
     to_sympy () [];
     /// A DataFrame with a row for each nonzero component: its indices, from 0, and its value.
@@ -544,39 +560,4 @@ pub fn _restore_tensor(stored: Stored<'_>) -> PyResult<PyTensor> {
     };
     let values = read.map_err(|error| PyValueError::new_err(error.to_string()))?;
     PyTensor::new(symbols.py(), values, &symbols, names)
-}
-
-/// A sum of products in index letters.
-///
-/// ``contract("^i_jk ^j -> ^i_k", c, v)`` takes its factors in order; ``contract("c^i_jk v^j -> ^i_k", c=c, v=v)`` by
-/// name. A letter that occurs twice in a term, once upper and once lower, is summed. Terms may have rational
-/// coefficients: ``"1/2 a^i_j - b^i_j -> ^i_j"``.
-///
-/// Examples
-/// --------
-/// >>> c, v = LieAlgebra("so3").structure, Tensor([1, 0, 0], "^")
-/// >>> contract("^i_jk ^j -> ^i_k", c, v)[2, 1]
-/// Fraction(1, 1)
-#[pyfunction(name = "contract")]
-#[pyo3(signature = (expression, *factors, **named))]
-pub fn contract_all<'py>(
-    expression: Object<'py>,
-    factors: Bound<'py, PyTuple>,
-    named: Option<Bound<'py, PyDict>>,
-) -> PyResult<PyTensor> {
-    let py = factors.py();
-    let operands = python(py, "tensor", "operands")?.call1((expression, factors, named))?;
-    let (expression, operands): (String, Vec<(String, Py<PyTensor>)>) = operands.extract()?;
-    let symbols = values::merged(py, operands.iter().map(|(_, tensor)| &tensor.get().symbols))?;
-    let all: Vec<&Values> = operands.iter().map(|(_, tensor)| &tensor.get().values).collect();
-    let values = run(py, || {
-        over_kind!(widest(all.iter().copied()), S => {
-            let tensors = all.iter().map(|values| of::<S>(values));
-            let tensors = tensors.collect::<Result<Vec<_>, _>>()?;
-            let names = operands.iter().map(|(name, _)| name.as_str());
-            let named: Vec<_> = names.zip(tensors.iter().map(|tensor| &**tensor)).collect();
-            Ok(S::wrap(contract(&expression, &named)?))
-        })
-    })?;
-    PyTensor::new(py, values, &symbols, Names::of("T"))
 }

@@ -1,6 +1,7 @@
 """Wrong arguments: each says what was expected. No panic and no abort reaches Python."""
 
 import pickle
+import sys
 
 import numpy as np
 import pytest
@@ -81,7 +82,8 @@ WRONG = [
     (lambda: af.Tensor(["a+"], "^"), ValueError, "a\\+"),
     (lambda: t3[0], IndexError, "2 indices"),
     (lambda: t3[0, 3], IndexError, "0..2"),
-    (lambda: t3[0, -1], IndexError, "negative"),
+    (lambda: t3[0, -4], IndexError, r"-4 is not in -3\.\.2"),
+    (lambda: t3[..., 0, ...], IndexError, "once"),
     (lambda: t3[0, 1.0], TypeError, "float"),
     (lambda: t3[0, 0:1], IndexError, "slice"),
     (lambda: t3 + 1, TypeError, "unsupported"),
@@ -244,3 +246,26 @@ def test_a_law_names_its_witness():
     direction, indices = data["direction"], "^{}_{}{}".format(*data["indices"])
     assert f"(L_{direction} Lambda){indices} = {data['residual']}," in found.value.message
     assert found.value.help == "take --frame left, or a canonical connection"
+
+
+def test_messages_are_in_the_words_of_python():
+    with pytest.raises(af.InputError) as caught:
+        af.Geometry("so3", metric="diag(1,2")
+    assert caught.value.place["source"] == "metric" and "in the argument metric" in str(caught.value)
+    with pytest.raises(af.AffinorError) as caught:
+        af.LieAlgebra("so(q)")
+    assert "--" not in str(caught.value) and "affinor list" not in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("module", "extra", "call"),
+    [
+        ("pandas", "pandas", lambda: af.LieAlgebra("so3").structure.to_pandas()),
+        ("sympy", "sympy", lambda: af.LieAlgebra("so3").structure.to_sympy()),
+        ("pyarrow", "pandas", lambda: af.simulate(space="so3", metric=[1, 1, 1], initial={"velocity": [1, 0, 0]}, output={"end": 1}).to_arrow()),
+    ],
+)
+def test_missing_packages_are_named_with_their_extra(monkeypatch, module, extra, call):
+    monkeypatch.setitem(sys.modules, module, None)
+    with pytest.raises(ImportError, match=rf"{module}.*affinor\[{extra}\]"):
+        call()

@@ -1,6 +1,7 @@
 """SimulationTask: the values of the command line, every way in, interrupts and errors."""
 
 import gc
+import inspect
 import os
 import pickle
 import signal
@@ -9,6 +10,10 @@ import time
 import warnings
 from pathlib import Path
 
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 import sympy as sp
@@ -223,3 +228,78 @@ def test_members_are_those_of_the_ensemble():
     for member in (1, 5, -1):
         with pytest.raises(ValueError, match="no ensemble"):
             af.simulate(problem, member=member)
+
+
+TURN = {"space": "so3", "metric": [2, 3, 4], "initial": {"velocity": [0.3, 2, 0.1]}, "output": {"end": 4, "every": 2}}
+
+
+def test_a_trajectory_at_other_times():
+    motion = af.simulate(**TURN)
+    times = np.array([3.0, 0.0, 1.7, 0.1, 1.7])
+    found = motion(times)
+    assert found.t.tolist() == times.tolist()
+    dense = af.simulate(**{**TURN, "output": {"times": [0.1, 1.7, 3.0]}})
+    assert np.array_equal(found.rows[3], dense.rows[1]) and np.array_equal(found.rows[4], dense.rows[2])
+    assert np.array_equal(motion(0.1).rows[0], dense.rows[1])
+    back = motion(-1.0)
+    assert back.t.tolist() == [-1.0] and abs(back["energy"][0] - motion["energy"][0]) < 1e-12
+    restored = pickle.loads(pickle.dumps(motion))
+    assert np.array_equal(restored.rows, motion.rows)
+    with pytest.raises(ValueError, match="unpickled"):
+        restored(1.0)
+
+
+def test_curves_are_smooth_whatever_the_rows():
+    motion = af.simulate(**{**TURN, "output": {"end": 4, "every": 4}})
+    axes = motion.plot("attitude")
+    path = np.array(axes.lines[0].get_data_3d())
+    assert path.shape[1] > 30 and np.allclose(np.linalg.norm(path, axis=0), 1)
+    assert len(motion.plot("series", columns=["Omega1"]).lines[0].get_xdata()) > 20
+    with pytest.raises(ValueError, match="projection '3d'"):
+        motion.plot("momentum", ax=plt.figure().add_subplot())
+
+
+def test_only_what_is_conserved_is_drawn_as_conserved():
+    free = af.simulate(**TURN)
+    assert free.conserved == ["h1", "h2", "h3", "energy", "casimir1"]
+    heavy = af.simulate(**TURN, forces={"potential": "R33"}, quantities={"height": "R33"})
+    assert heavy.conserved == ["energy"] and "height" in heavy.watched
+    pushed = af.simulate(**TURN, forces={"body": ["-Omega1", 0, 0]})
+    assert pushed.conserved == []
+    with pytest.raises(ValueError, match="conserve no column"):
+        pushed.plot()
+
+
+def test_keys_are_in_the_signature():
+    for function in (af.simulate, af.Problem):
+        names = list(inspect.signature(function).parameters)
+        assert {"metric", "constraints", "method", "every"} <= set(names)
+    with pytest.raises(TypeError, match="did you mean 'metric'"):
+        af.simulate(space="so3", metrik=[1, 1, 1])
+    assert "rkmk853" in af.methods() and af.methods()["exact"]
+
+
+def test_columns_of_sympy_are_components():
+    t = sp.Symbol("t")
+    force = sp.Matrix([sp.sin(t), 0, 0])
+    found = af.simulate(**TURN, forces={"body": force})
+    expected = af.simulate(**TURN, forces={"body": ["sin(t)", 0, 0]})
+    assert np.array_equal(found.rows, expected.rows)
+    with pytest.raises(ValueError, match="column"):
+        af.simulate(**TURN, forces={"body": sp.eye(3)})
+
+
+def test_functions_act_on_constrained_motions():
+    # a pendulum in the plane with a torque about its axis, as a formula and as a function
+    pendulum = {
+        "space": "se3",
+        "metric": [1, 1, 1, 1, 1, 1],
+        "constraints": ["g14", "g24", "g34"],
+        "initial": {"velocity": [0, 0, 1, 0, 0, 0]},
+        "integrator": {"step": 0.01},
+        "output": {"end": 1},
+    }
+    formula = af.simulate(**pendulum, forces={"body": [0, 0, "-Omega3", 0, 0, 0]})
+    function = af.simulate(**pendulum, forces={"body": lambda t, g, omega: [0, 0, -omega[2], 0, 0, 0]})
+    assert np.allclose(formula["Omega"], function["Omega"], atol=1e-9)
+    assert abs(formula["Omega3"][-1] - np.exp(-1)) < 1e-4

@@ -357,3 +357,24 @@ def test_columns_of_motions_by_their_stems():
     assert table.column_names == ["row", "spin", "energy", "Omega1", "Omega2", "Omega3", "error"]
     with pytest.raises(KeyError, match="no column 'Phi'"):
         af.sweep(af.SimulationTask(TOP, columns=["Phi"]), {"spin": [1]})
+
+
+def test_a_task_that_exits_is_an_error_of_its_row(tmp_path):
+    def task(row):
+        if row["a"] == 1:
+            raise SystemExit(3)
+        return {"b": row["a"]}
+
+    found = af.sweep(task, {"a": [0, 1, 2]}, out=tmp_path / "exits").to_pandas()
+    assert found["error"].tolist() == [None, "SystemExit: 3", None]
+
+
+def test_a_broken_manifest_and_an_empty_grid_are_named(tmp_path):
+    folder = tmp_path / "rows"
+    af.sweep(lambda row: {}, {"a": [1]}, out=folder)
+    for text in ("", "{", "[]", "{}"):
+        (folder / "_affinor.json").write_text(text)
+        with pytest.raises(ValueError, match="does not describe a sweep"):
+            af.sweep(lambda row: {}, {"a": [1]}, out=folder)
+    with pytest.raises(ValueError, match="the list of b is empty"):
+        af.sweep(lambda row: {}, {"a": [1], "b": []})

@@ -221,3 +221,37 @@ def test_components_without_floats_say_why():
 def test_orders_of_slots():
     with pytest.raises(af.ShapeError, match=r"\[0, 0\] are not different slots"):
         af.Tensor([[1, 2], [3, 4]], "^_").permute(0, 0)
+
+
+def test_indices_as_in_numpy():
+    rng = np.random.default_rng(4)
+    dense = rng.integers(-2, 3, (4,) * 4)
+    tensor = af.Tensor(dense, "^___")
+    assert len(tensor) == 4 and tensor.dtype == np.float64 and af.Tensor(["a"], "^").dtype == object
+    everything = slice(None)
+    for at in [(-1, 0, -4, 2), (-1, ...), (..., -2), (1, ..., -3), (..., 0, 1), (0, -1, ..., 2, 3), (everything, -1, ...), ...]:
+        found, expected = tensor[at], dense[at]
+        assert np.array_equal(found.to_numpy() if isinstance(found, af.Tensor) else found, expected), at
+    with pytest.raises(TypeError, match="rank 0"):
+        len(af.Tensor({(): 2}, "", dimension=3))
+
+
+def test_products_by_matmul():
+    rng = np.random.default_rng(5)
+    for a, b in [("^", "_"), ("_^", "_^"), ("^_", "^__"), ("^__", "^"), ("_", "^___")]:
+        x, y = rng.integers(-3, 4, (3,) * len(a)), rng.integers(-3, 4, (3,) * len(b))
+        product = af.Tensor(x, a) @ af.Tensor(y, b)
+        assert product.slots == a[:-1] + b[1:]
+        assert np.array_equal(product.to_numpy(), np.tensordot(x, y, 1)), (a, b)
+    for a, b in [("^", "^"), ("__", "_^")]:
+        with pytest.raises(af.ShapeError, match="upper index beside a lower"):
+            af.Tensor(np.ones((3,) * len(a), int), a) @ af.Tensor(np.ones((3,) * len(b), int), b)
+
+
+def test_matrices_of_sympy_are_exact():
+    third = af.Tensor([[Fraction(1, 3), 0], [0, 1]], "^_")
+    assert sp.Matrix(third) == sp.diag(sp.Rational(1, 3), 1)
+    assert sp.sympify(third) == sp.diag(sp.Rational(1, 3), 1)
+    assert np.asarray(third).dtype == np.float64
+    a = sp.Symbol("a", positive=True)
+    assert sp.Matrix(af.Geometry("so3", metric=[a, 1, 1]).metric) == sp.diag(a, 1, 1)

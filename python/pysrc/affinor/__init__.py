@@ -26,7 +26,7 @@ from affinor.errors import (
 )
 from affinor.geometry import Geodesic, Geometry, Property, check, compare, conventions
 from affinor.group import SE2, SE3, SE2_3, SL2, SO2, SO3, Group, RotationGroup, groups
-from affinor.motion import Convergence, Problem, Trajectory, convergence, simulate
+from affinor.motion import Convergence, Problem, Trajectory, convergence, methods, simulate
 from affinor.structure import Report
 from affinor.tensor import Tensor, contract
 
@@ -74,6 +74,7 @@ __all__ = [
     "convergence",
     "conventions",
     "groups",
+    "methods",
     "set_threads",
     "simulate",
     "sweep",

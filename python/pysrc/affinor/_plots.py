@@ -8,6 +8,8 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from affinor._optional import optional
+
 
 class Columns(Protocol):
     """What a plot reads of a trajectory."""
@@ -19,9 +21,26 @@ class Columns(Protocol):
     @property
     def columns(self) -> list[str]: ...
     @property
-    def watched(self) -> list[str]: ...
+    def conserved(self) -> list[str]: ...
+    def curve(self) -> tuple[list[str], NDArray[np.float64]]: ...
     def __contains__(self, name: object) -> bool: ...
     def __getitem__(self, name: str) -> NDArray[np.float64]: ...
+
+
+class _Curve:
+    """Columns of a curve by name or stem."""
+
+    def __init__(self, columns: Sequence[str], rows: NDArray[np.float64]) -> None:
+        self.columns, self.rows = list(columns), rows
+
+    def __contains__(self, name: object) -> bool:
+        return name in self.columns
+
+    def __getitem__(self, name: str) -> NDArray[np.float64]:
+        from affinor.motion import components
+
+        found = [self.columns.index(column) for column in components(self.columns, name)]
+        return self.rows[:, found[0]] if name in self.columns else self.rows[:, found]
 
 
 KINDS = ("conserved", "series", "attitude", "momentum")
@@ -31,31 +50,38 @@ def plot(trajectory: Columns, kind: str, columns: Sequence[str] | None, ax: Any)
     """The plot of a kind; the axes."""
     if kind not in KINDS:
         raise ValueError(f"the plots are {', '.join(KINDS)}, not {kind!r}")
-    import matplotlib.pyplot as plt
+    plt = optional("matplotlib.pyplot", "plot")
 
     space = kind in ("attitude", "momentum")
+    if space and ax is not None and not hasattr(ax, "set_zlabel"):
+        raise ValueError(f"{kind} is drawn in space: give axes of the projection '3d', or none")
+    # curves do not depend on the times of the rows
+    smooth = _Curve(*trajectory.curve()) if kind != "conserved" else None
     if ax is None:
         ax = plt.figure().add_subplot(projection="3d" if space else None)
     if kind == "series":
         shown = list(columns) if columns is not None else [name for name in trajectory.columns if name != "t"][:6]
         for name in shown:
-            ax.plot(trajectory.t, trajectory[name], label=name)
+            trajectory[name]  # the message for a column that is not there
+            ax.plot(smooth["t"], smooth[name], label=name)
         ax.set_ylabel("value")
     elif kind == "conserved":
-        shown = list(columns) if columns is not None else trajectory.watched
+        shown = list(columns) if columns is not None else trajectory.conserved
+        if not shown:
+            raise ValueError("the equations conserve no column of this motion: choose some with columns=")
         for name in shown:
             change = np.abs(trajectory[name] - trajectory[name][0])
             ax.semilogy(trajectory.t, np.maximum(change, 1e-18), label=name)
         ax.set_ylabel("change of conserved quantities")
     elif kind == "attitude":
-        axes = _axes(trajectory)
+        axes = _axes(smooth)
         for axis in range(3):
             path = axes[:, :, axis].T
             ax.plot(*path, label=f"body axis {axis + 1}")
             ax.scatter(*path[:, -1:])
         _sphere(ax, 1.0)
     else:
-        path = trajectory["H"].T
+        path = smooth["H"].T
         if len(path) != 3:
             raise ValueError(f"a momentum of 3 components is drawn, and this one has {len(path)}")
         ax.plot(*path, label="H")
@@ -72,7 +98,7 @@ def plot(trajectory: Columns, kind: str, columns: Sequence[str] | None, ax: Any)
 
 def plot_convergence(errors: Mapping[str, Any], steps: Sequence[float], ax: Any = None) -> Any:
     """The errors of methods over the step size, on logarithmic axes."""
-    import matplotlib.pyplot as plt
+    plt = optional("matplotlib.pyplot", "plot")
 
     ax = plt.figure().add_subplot() if ax is None else ax
     for method, error in errors.items():
@@ -83,7 +109,7 @@ def plot_convergence(errors: Mapping[str, Any], steps: Sequence[float], ax: Any 
     return ax
 
 
-def _axes(trajectory: Columns) -> Any:
+def _axes(trajectory: _Curve) -> Any:
     """Rotation matrices, from the quaternion or from the entries of the element."""
     from affinor.group import SO3
 

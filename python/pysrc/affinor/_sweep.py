@@ -20,6 +20,7 @@ from typing import Any
 import numpy as np
 
 from affinor import _engine
+from affinor._optional import optional
 from affinor._scalars import index
 from affinor.motion import Problem, components, interrupts
 
@@ -116,13 +117,11 @@ class Sweep:
     @property
     def manifest(self) -> dict[str, Any]:
         """What the sweep computes, and its partitions with their numbers of rows."""
-        found: dict[str, Any] = json.loads((self.folder / _MANIFEST).read_text(encoding="utf-8"))
-        return found
+        return _manifest(self.folder / _MANIFEST)
 
     def to_arrow(self) -> Any:
         """All rows as a table of Arrow, in the order of the grid."""
-        import pyarrow as pa
-        import pyarrow.parquet as pq
+        pa, pq = optional("pyarrow", "sweep"), optional("pyarrow.parquet", "sweep")
 
         names = sorted(self.manifest["partitions"])
         tables = [pq.read_table(self.folder / name) for name in names]
@@ -176,6 +175,9 @@ def sweep(
         raise ValueError(f"{sorted(reserved)[0]!r} is a column of every sweep: rename the parameter")
     if not names:
         raise ValueError("a grid has at least one parameter")
+    if not len(source):
+        empty = [name for name, values in getattr(source, "values", {}).items() if not values]
+        raise ValueError(f"the grid has no rows: {f'the list of {empty[0]} is empty' if empty else 'give some samples'}")
     with contextlib.ExitStack() as stack:
         if out is None:
             out = stack.enter_context(tempfile.TemporaryDirectory(prefix="affinor-sweep-"))
@@ -203,9 +205,7 @@ def _run(task: Any, source: _Grid, folder: Path, chunk: int, on: Any, progress: 
 
     bar: Any = None
     if progress:
-        from tqdm.auto import tqdm
-
-        bar = tqdm(total=len(source), initial=len(source) - sum(min(chunk, len(source) - s) for s in missing))
+        bar = optional("tqdm.auto", "progress").tqdm(total=len(source), initial=len(source) - sum(min(chunk, len(source) - s) for s in missing))
     kinds: dict[str, Kind] = {}
     for name in sorted(done):
         _unify(kinds, folder / name)
@@ -285,8 +285,7 @@ def _partition(
     task: Any, start: int, rows: Columns, kinds: dict[str, Kind], folder: str, name: str, threads: int | None = None
 ) -> tuple[str, int]:
     """Computes a partition and writes it: its name, and its number of rows."""
-    import pyarrow as pa
-    import pyarrow.parquet as pq
+    pa, pq = optional("pyarrow", "sweep"), optional("pyarrow.parquet", "sweep")
 
     before = _engine.threads()
     threads = before if threads is None else threads
@@ -329,7 +328,7 @@ def _each(
             if not isinstance(found, Mapping):
                 raise TypeError(f"a task returns a dict of results, not {type(found).__name__}")
             return {str(key): _plain(value) for key, value in found.items()}, None
-        except Exception as error:
+        except (Exception, SystemExit) as error:
             return {}, _reason(error)
         finally:
             interrupts.reset(before)
@@ -351,7 +350,7 @@ def _each(
     return {key: [result.get(key) for result, _ in found] for key in kinds}, [error for _, error in found], kinds
 
 
-def _reason(error: Exception) -> str:
+def _reason(error: BaseException) -> str:
     return f"{type(error).__name__}: {str(error).splitlines()[0] if str(error) else ''}"
 
 
@@ -424,7 +423,7 @@ def _array(pa: Any, values: list[Any], kind: Kind) -> Any:
 
 def _unify(kinds: dict[str, Kind], path: Path) -> None:
     """Adds the kinds of the results of a partition; they are those of the partitions before."""
-    import pyarrow.parquet as pq
+    pq = optional("pyarrow.parquet", "sweep")
 
     metadata = pq.read_schema(path).metadata or {}
     for key, kind in json.loads(metadata.get(b"affinor", "{}")).items():
@@ -433,8 +432,7 @@ def _unify(kinds: dict[str, Kind], path: Path) -> None:
 
 def _begin(folder: Path, head: Mapping[str, Any]) -> dict[str, Any]:
     """The partitions that are there; a folder of another sweep is refused."""
-    import pyarrow as pa
-    import pyarrow.parquet as pq
+    pa, pq = optional("pyarrow", "sweep"), optional("pyarrow.parquet", "sweep")
 
     path = folder / _MANIFEST
     if not path.exists():
@@ -443,7 +441,7 @@ def _begin(folder: Path, head: Mapping[str, Any]) -> dict[str, Any]:
             raise ValueError(f"{folder} has {foreign[0]}, which belongs to no sweep: choose another folder")
         _write_json(path, {**head, "partitions": {}})
         return {}
-    before = json.loads(path.read_text(encoding="utf-8"))
+    before = _manifest(path)
     other = [key for key in head if before.get(key) != head[key]]
     if other:
         raise ValueError(f"{folder} has rows of another {other[0]}: choose another folder")
@@ -453,6 +451,17 @@ def _begin(folder: Path, head: Mapping[str, Any]) -> dict[str, Any]:
         with contextlib.suppress(pa.ArrowException, OSError):
             done[item.name] = {"rows": pq.read_metadata(item).num_rows}
     return done
+
+
+def _manifest(path: Path) -> dict[str, Any]:
+    """What a folder says of its sweep."""
+    try:
+        found = json.loads(path.read_text(encoding="utf-8"))
+        if not isinstance(found, dict) or not isinstance(found.get("partitions"), dict):
+            raise ValueError("its keys are missing")
+    except ValueError as error:
+        raise ValueError(f"{path} does not describe a sweep ({error}): choose another folder, or remove this one") from error
+    return found
 
 
 def _write_json(path: Path, value: Any) -> None:
@@ -511,7 +520,7 @@ def _on_dask(client: Any, parts: Iterator[tuple[Any, ...]]) -> Iterator[tuple[st
 
 
 def _on_ray(parts: Iterator[tuple[Any, ...]]) -> Iterator[tuple[str, int]]:
-    import ray
+    ray = optional("ray", "ray")
 
     if not ray.is_initialized():
         ray.init(include_dashboard=False, log_to_driver=False)

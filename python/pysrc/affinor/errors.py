@@ -44,10 +44,12 @@ class AffinorError(ValueError):
     def __str__(self) -> str:
         lines = [self.message]
         if self.place is not None:
-            at = str(self.place["source"])
-            if "line" in self.place:
-                at += f":{self.place['line']}:{self.place['column']}: {self.place['text']}"
-            lines.append(f"  at {at}")
+            source, text = str(self.place["source"]), self.place.get("text")
+            if source.isidentifier():
+                lines.append(f"  in the argument {source}" + (f": {text}" if text is not None else ""))
+            else:
+                at = f"{source}:{self.place['line']}:{self.place['column']}: {text}" if "line" in self.place else source
+                lines.append(f"  at {at}")
         if self.help is not None:
             lines.append(f"  help: {self.help}")
         return "\n".join(lines)

@@ -60,6 +60,14 @@ def completed(source: Source, connection: Any, metric: Any) -> Source:
     return Source(arguments, symbols, source.scalar, source.tolerance)
 
 
+def latex(geometry: Geometry) -> str:
+    """The metric and the affinities of a geometry in LaTeX, for notebooks."""
+    metric = geometry.metric
+    parts = [] if metric is None else [metric]
+    shown = [tensor.to_latex(30) for tensor in [*parts, geometry.affinities]]
+    return "\n".join(f"$$\n{part}\n$$" for part in shown)
+
+
 def check(
     space: Any,
     *,

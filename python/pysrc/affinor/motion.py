@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import contextlib
 import csv
+import difflib
+import inspect
 import json
 import os
 import tempfile
@@ -11,16 +13,18 @@ import warnings
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextvars import ContextVar
 from pathlib import Path
-from typing import Any, Self
+from typing import Any, Self, TypedDict, TypeVar, Unpack
 
 import numpy as np
 from numpy.typing import NDArray
 
 from affinor import _engine
-from affinor._scalars import Symbols, document, floats, index, text_of
+from affinor._engine import methods
+from affinor._optional import optional
+from affinor._scalars import Symbols, document, floats, index, is_matrix, text_of
 from affinor.geometry import metric_text
 
-__all__ = ["Problem", "Trajectory", "convergence", "simulate"]
+__all__ = ["Problem", "Trajectory", "convergence", "methods", "simulate"]
 
 Floats = NDArray[np.float64]
 
@@ -28,6 +32,58 @@ interrupts: ContextVar[str] = ContextVar("interrupts", default="return")
 """What an interrupt does to a motion that does not say it: tasks of sweeps end."""
 
 
+class ProblemKeys(TypedDict, total=False):
+    """The keys of a problem, and what replaces some of them."""
+
+    set: Mapping[str, Any] | str | None
+    method: str | None
+    step: Any
+    tolerance: Any
+    end: Any
+    every: Any
+    name: str | None
+    space: Any
+    definition: Mapping[str, Any] | None
+    metric: Any
+    inertia: Mapping[str, Any] | Sequence[Mapping[str, Any]] | None
+    connection: Any
+    invariance: str | None
+    parameters: Mapping[str, Any] | None
+    flow: Mapping[str, Any] | None
+    initial: Mapping[str, Any] | None
+    prescribed: Mapping[str, Any] | None
+    hamiltonian: Any
+    constraints: Sequence[Any] | None
+    forces: Mapping[str, Any] | None
+    integrator: Mapping[str, Any] | None
+    output: Mapping[str, Any] | None
+    quantities: Mapping[str, Any] | None
+    events: Mapping[str, Any] | None
+    ensemble: Mapping[str, Any] | None
+
+
+Function = TypeVar("Function", bound=Callable[..., Any])
+
+
+def spelled_out(function: Function) -> Function:
+    """The function or class with the keys of a problem in its signature, for help and completion."""
+    signature = inspect.signature(function)
+    own = [parameter for parameter in signature.parameters.values() if parameter.kind is not inspect.Parameter.VAR_KEYWORD]
+    keys = [inspect.Parameter(key, inspect.Parameter.KEYWORD_ONLY, default=None) for key in ProblemKeys.__annotations__]
+    function.__signature__ = signature.replace(parameters=[*own, *keys])  # type: ignore[attr-defined]
+    return function
+
+
+def unknown(keys: Mapping[str, Any]) -> None:
+    """Refuses keys that no problem has."""
+    for key in keys:
+        if key not in ProblemKeys.__annotations__:
+            near = difflib.get_close_matches(key, ProblemKeys.__annotations__, 1)
+            hint = f"; did you mean {near[0]!r}?" if near else f"; the keys are {', '.join(ProblemKeys.__annotations__)}"
+            raise TypeError(f"a problem has no key {key!r}{hint}")
+
+
+@spelled_out
 class Problem(_engine.Problem):
     """A problem of motion: a file, a dict with the keys of such a file, or these keys as arguments.
 
@@ -37,8 +93,21 @@ class Problem(_engine.Problem):
     ``{"spatial": force}``: ``force(t, g, omega)`` takes the time, the matrix of the element and the body velocity, and returns
     the components of the covector. Such a force is slow: a formula is some hundred times faster.
 
-    ``set`` gives parameters other values; ``method``, ``step``, ``tolerance``, ``end`` and ``every`` replace the keys of
-    the integration and of the output.
+    Parameters
+    ----------
+    problem : path or dict, optional
+        A TOML or JSON file, or a dict with its keys; without it the keys are arguments.
+    set : dict or str, optional
+        New values of parameters.
+    method : str, optional
+        The method of integration, one of :func:`methods`; replaces that of the file.
+    step, tolerance, end, every : number, expression or str, optional
+        The step size, the relative tolerance, the final time and the time between rows; each replaces the key of the file.
+    space, metric, ... :
+        The keys of a file: ``space`` (a name or a :class:`LieAlgebra`), ``definition``, ``metric``, ``inertia`` (a dict, or a list
+        with a dict for each part of a sum), ``connection``, ``invariance``, ``parameters``, ``initial`` (element and velocity),
+        ``forces``, ``constraints``, ``hamiltonian``, ``prescribed``, ``flow``, ``integrator``, ``output``, ``quantities``,
+        ``events`` and ``ensemble``.
 
     Examples
     --------
@@ -55,14 +124,25 @@ class Problem(_engine.Problem):
     def __new__(
         cls,
         problem: str | os.PathLike[str] | Mapping[str, Any] | None = None,
-        *,
-        set: Mapping[str, Any] | str | None = None,
-        method: str | None = None,
-        step: Any = None,
-        tolerance: Any = None,
-        end: Any = None,
-        every: Any = None,
-        **keys: Any,
+        **keys: Unpack[ProblemKeys],
+    ) -> Self:
+        unknown(keys)
+        # a key that is None is not given
+        given: dict[str, Any] = {key: value for key, value in keys.items() if value is not None}
+        options = {name: given.pop(name, None) for name in ("set", "method", "step", "tolerance", "end", "every")}
+        return cls._made(problem, given, **options)
+
+    @classmethod
+    def _made(
+        cls,
+        problem: Any,
+        keys: dict[str, Any],
+        set: Mapping[str, Any] | str | None,
+        method: str | None,
+        step: Any,
+        tolerance: Any,
+        end: Any,
+        every: Any,
     ) -> Self:
         symbols: Symbols = {}
         texts = {"step": step, "tolerance": tolerance, "end": end, "every": every}
@@ -100,8 +180,28 @@ class Problem(_engine.Problem):
         return type(self)._of, self._arguments
 
 
+_LISTS = {
+    "forces": ("body", "spatial"),
+    "initial": ("coordinates", "velocity", "spatial_velocity", "momentum", "spatial_momentum"),
+    "prescribed": ("velocity", "spatial_velocity"),
+}
+"""The keys whose values are lists of components, which SymPy has as columns."""
+
+
+def _listed(vector: Any) -> Any:
+    """The components of a column or row of SymPy."""
+    if 1 not in vector.shape:
+        raise ValueError(f"components are a list or a column, not a matrix of the shape {vector.shape}")
+    return list(vector)
+
+
 def _document(keys: Mapping[str, Any], symbols: Symbols) -> Any:
     """The keys of a problem as a file writes them."""
+    for table, names in _LISTS.items():
+        part = keys.get(table)
+        if isinstance(part, Mapping):
+            columns = {name: _listed(part[name]) for name in names if is_matrix(part.get(name))}
+            keys = {**keys, table: {**part, **columns}}
     metric = keys.get("metric")
     if metric is not None and not isinstance(metric, str):
         keys = {**keys, "metric": metric_text(metric, symbols, floats=True)}
@@ -165,15 +265,22 @@ class Trajectory:
     (rows, components). ``rows`` has all columns.
     """
 
-    __slots__ = ("columns", "error", "events", "interrupted", "method", "name", "notes", "rows", "watched")
+    __slots__ = (
+        "_motion", "columns", "conserved", "error", "events", "interrupted", "method", "name", "notes", "rows", "watched",
+    )  # fmt: skip
 
-    def __init__(self, found: Mapping[str, Any]) -> None:
+    def __init__(self, found: Mapping[str, Any], motion: tuple[_engine.Problem, int] | None = None) -> None:
+        self._motion = motion
         self.name: str = found["name"]
         self.rows: Floats = found["rows"]
         self.columns: list[str] = list(found["columns"])
         self.watched: list[str] = [
             name for name, watched in zip(self.columns, found["watched"], strict=True) if watched
         ]
+        self.conserved: list[str] = [
+            name for name, conserved in zip(self.columns, found["conserved"], strict=True) if conserved
+        ]
+        """The columns that the equations conserve: the energy, the momentum in space, Casimir functions, as the forces allow."""
         self.events: list[tuple[str, float]] = list(found["events"])
         self.method: str = found["method"]
         self.notes: list[str] = list(found["notes"])
@@ -202,6 +309,62 @@ class Trajectory:
         """The times."""
         return self["t"]
 
+    def __getstate__(self) -> Any:
+        # a motion may have functions that cannot be pickled
+        return None, {name: getattr(self, name) for name in self.__slots__ if name != "_motion"}
+
+    def __setstate__(self, state: Any) -> None:
+        self._motion = None
+        for name, value in state[1].items():
+            setattr(self, name, value)
+
+    def __call__(self, t: Any) -> Trajectory:
+        """The motion at other times, which is integrated anew by the same method.
+
+        Parameters
+        ----------
+        t : float or array
+            Times in any order.
+
+        Returns
+        -------
+        Trajectory
+            A row for each time, in the order of the times.
+
+        Raises
+        ------
+        ValueError
+            The trajectory was unpickled, so that its problem is not known; or times lie on both sides of the initial time.
+
+        Examples
+        --------
+        >>> turn = simulate(space="so3", metric="identity", initial={"velocity": [0, 0, 2]}, output={"end": 1})
+        >>> turn([0.25, 0.5])["qz"].round(12).tolist()
+        [0.247403959255, 0.479425538604]
+        """
+        if self._motion is None:
+            raise ValueError("the problem of a trajectory that was unpickled is not known: simulate it with these times")
+        times = np.atleast_1d(floats(t)).ravel()
+        wanted = np.unique(times)
+        if len(wanted) and self.t[0] > wanted[0]:
+            wanted = wanted[::-1]
+        problem, member = self._motion
+        found = problem._at_times(wanted.tolist())._run(member)
+        for failed in (found["interrupt"], found["failed"]):
+            if failed is not None:
+                raise failed
+        at = list(found["columns"]).index("t")
+        place = {time: row for row, time in enumerate(found["rows"][:, at].tolist())}
+        found["rows"] = found["rows"][[place[time] for time in times.tolist()]]
+        return Trajectory(found, self._motion)
+
+    def curve(self) -> tuple[list[str], Floats]:
+        """The names of the columns, and rows that are close enough for a smooth curve; the rows themselves where the problem is not known."""
+        if self._motion is None or self.interrupted or self.error:
+            return self.columns, self.rows
+        problem, member = self._motion
+        return problem._curve(member)
+
     def drift(self) -> dict[str, float]:
         """The largest change of each watched quantity (energy, ``h``, Casimir functions, named quantities) from its initial value."""
         if not len(self):
@@ -210,13 +373,13 @@ class Trajectory:
 
     def to_pandas(self) -> Any:
         """A DataFrame."""
-        import pandas as pd
+        pd = optional("pandas", "pandas")
 
         return pd.DataFrame(self.rows, columns=self.columns)
 
     def to_arrow(self) -> Any:
         """A table of Arrow."""
-        import pyarrow as pa
+        pa = optional("pyarrow", "pandas")
 
         return pa.table({name: np.ascontiguousarray(self[name]) for name in self.columns})
 
@@ -238,6 +401,7 @@ class Trajectory:
         return str(frame._repr_html_())
 
 
+@spelled_out
 def simulate(
     problem: Problem | str | os.PathLike[str] | Mapping[str, Any] | None = None,
     *,
@@ -245,9 +409,9 @@ def simulate(
     progress: bool | Callable[[float], object] = False,
     on_error: str = "raise",
     on_interrupt: str | None = None,
-    **keys: Any,
+    **keys: Unpack[ProblemKeys],
 ) -> Trajectory:
-    """The trajectory of a problem: a file, a dict, or keys as arguments (:class:`Problem`).
+    """The trajectory of a problem: a file, a dict, or keys as arguments, as of :class:`Problem`.
 
     ``member`` chooses one of an ensemble, from 0. ``progress`` shows a bar of tqdm, or is called with the share of the time
     that is passed. An interrupt (Ctrl-C) ends the run: the trajectory has the rows so far and ``interrupted`` is set;
@@ -269,9 +433,7 @@ def simulate(
     bar = None
     tell: Callable[[float], object] | None = progress if callable(progress) else None
     if progress is True:
-        from tqdm.auto import tqdm
-
-        bar = tqdm(total=1.0, bar_format="{percentage:3.0f}%|{bar}| {elapsed}<{remaining}")
+        bar = optional("tqdm.auto", "progress").tqdm(total=1.0, bar_format="{percentage:3.0f}%|{bar}| {elapsed}<{remaining}")
 
         def tell(share: float) -> None:
             bar.update(share - bar.n)
@@ -281,7 +443,7 @@ def simulate(
     finally:
         if bar is not None:
             bar.close()
-    trajectory = Trajectory(found)
+    trajectory = Trajectory(found, (problem, member))
     interrupt, failed = found["interrupt"], found["failed"]
     if interrupt is not None:
         if on_interrupt == "raise" or not isinstance(interrupt, KeyboardInterrupt):

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import itertools
 import re
+import sys
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from typing import Any
@@ -15,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from affinor._engine import Tensor, contract
+from affinor._optional import optional
 from affinor._scalars import Scalar, Symbols, floats, index, integers, is_matrix, merged, replaced, text_of, unmasked
 
 __all__ = ["Tensor", "contract"]
@@ -140,12 +142,21 @@ def to_numpy(tensor: Tensor, dtype: Any) -> NDArray[Any]:
 def __array__(tensor: Tensor, dtype: Any, copy: bool | None) -> NDArray[Any]:
     if copy is False:
         raise ValueError("a dense array of a sparse tensor is always a copy")
+    # matrices of SymPy are made of arrays, and floats would lose the exact values
+    caller = sys._getframe(1).f_globals.get("__name__", "")
+    if dtype is None and tensor.scalar != "float" and caller.partition(".")[0] == "sympy":
+        dtype = object
     return to_numpy(tensor, dtype)
+
+
+def _sympy_(tensor: Tensor) -> Any:
+    """What ``sympy.sympify`` makes of a tensor."""
+    return to_sympy(tensor)
 
 
 def to_sympy(tensor: Tensor) -> Any:
     """An array of SymPy; an expression for rank 0, a matrix for rank 2."""
-    import sympy
+    sympy = optional("sympy", "sympy")
 
     found = {at: sympy.Float(value) if isinstance(value, float) else sympy.sympify(value) for at, value in tensor.items()}
     if tensor.rank == 0:
@@ -160,7 +171,7 @@ def to_sympy(tensor: Tensor) -> Any:
 
 def to_pandas(tensor: Tensor) -> Any:
     """A DataFrame with a row for each nonzero component."""
-    import pandas as pd
+    pd = optional("pandas", "pandas")
 
     indices, values = to_coo(tensor, float if tensor.scalar == "float" and not tensor.parameters else object)
     return pd.DataFrame({**dict(zip(tensor._letters, indices, strict=True)), "value": values})

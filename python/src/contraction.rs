@@ -1,0 +1,98 @@
+//! Contractions of tensors, and the indices of their parts.
+
+use crate::class::Object;
+use crate::components::{Held, Values, of, widest};
+use crate::run::run;
+use crate::tensor::{LETTERS, Names, PyTensor, written};
+use crate::values::{self, error, python};
+use affinor_documents::over_kind;
+use affinor_tensors::contract;
+use pyo3::exceptions::PyIndexError;
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyEllipsis, PySlice, PyTuple};
+
+/// Indices in which `...` stands for as many full slices as there are indices left.
+pub fn filled<'py>(at: &Bound<'py, PyTuple>, rank: usize) -> PyResult<Bound<'py, PyTuple>> {
+    let py = at.py();
+    let dots = PyEllipsis::get(py);
+    let Some(place) = at.iter().position(|item| item.is(&*dots)) else { return Ok(at.clone()) };
+    if at.iter().skip(place + 1).any(|item| item.is(&*dots)) {
+        return Err(PyIndexError::new_err("an index has '...' once at most"));
+    }
+    let full = PySlice::full(py).into_any();
+    let before = at.iter().take(place);
+    let between = std::iter::repeat_n(full, (rank + 1).saturating_sub(at.len()));
+    PyTuple::new(py, before.chain(between).chain(at.iter().skip(place + 1)).collect::<Vec<_>>())
+}
+
+#[pymethods]
+impl PyTensor {
+    /// The sum over the last index of one tensor and the first of the other, one of them upper and one lower.
+    fn __matmul__(&self, py: Python<'_>, other: &PyTensor) -> PyResult<Self> {
+        let (a, b) = (self.slots(), other.slots());
+        let pair = (a.chars().last(), b.chars().next());
+        if !matches!(pair, (Some('^'), Some('_')) | (Some('_'), Some('^'))) {
+            let reason = format!(
+                "a product needs an upper index beside a lower one: the slots are {a:?} and {b:?}"
+            );
+            return Err(error(py, "ShapeError", (reason,)));
+        }
+        // letters: those of the first, the one that is summed, those of the second
+        let letters: Vec<char> = LETTERS.chars().chain('r'..='z').collect();
+        let (rank, last) = (self.rank(), self.rank() + other.rank() - 1);
+        if last > letters.len() {
+            let reason = format!("a product has at most {} indices", letters.len());
+            return Err(error(py, "ShapeError", (reason,)));
+        }
+        let named = |slots: &str, from: usize| {
+            written(&letters[from..].iter().collect::<String>(), slots, false)
+        };
+        let (first, second) = (named(&a, 0), named(&b, rank - 1));
+        let summed: String = [&first[..2 * (rank - 1)], &second[2..]].concat();
+        let expression = format!("a{first} b{second} -> {summed}");
+        let both = [&self.values, &other.values];
+        let values = run(py, || {
+            over_kind!(widest(both), S => {
+                let (a, b) = (of::<S>(both[0])?, of::<S>(both[1])?);
+                Ok(S::wrap(contract(&expression, &[("a", &*a), ("b", &*b)])?))
+            })
+        })?;
+        let symbols = values::merged(py, [&self.symbols, &other.symbols])?;
+        Self::new(py, values, &symbols, Names::of("T"))
+    }
+}
+
+/// A sum of products in index letters.
+///
+/// ``contract("^i_jk ^j -> ^i_k", c, v)`` takes its factors in order; ``contract("c^i_jk v^j -> ^i_k", c=c, v=v)`` by
+/// name. A letter that occurs twice in a term, once upper and once lower, is summed. Terms may have rational
+/// coefficients: ``"1/2 a^i_j - b^i_j -> ^i_j"``.
+///
+/// Examples
+/// --------
+/// >>> c, v = LieAlgebra("so3").structure, Tensor([1, 0, 0], "^")
+/// >>> contract("^i_jk ^j -> ^i_k", c, v)[2, 1]
+/// Fraction(1, 1)
+#[pyfunction(name = "contract")]
+#[pyo3(signature = (expression, *factors, **named))]
+pub fn contract_all<'py>(
+    expression: Object<'py>,
+    factors: Bound<'py, PyTuple>,
+    named: Option<Bound<'py, PyDict>>,
+) -> PyResult<PyTensor> {
+    let py = factors.py();
+    let operands = python(py, "tensor", "operands")?.call1((expression, factors, named))?;
+    let (expression, operands): (String, Vec<(String, Py<PyTensor>)>) = operands.extract()?;
+    let symbols = values::merged(py, operands.iter().map(|(_, tensor)| &tensor.get().symbols))?;
+    let all: Vec<&Values> = operands.iter().map(|(_, tensor)| &tensor.get().values).collect();
+    let values = run(py, || {
+        over_kind!(widest(all.iter().copied()), S => {
+            let tensors = all.iter().map(|values| of::<S>(values));
+            let tensors = tensors.collect::<Result<Vec<_>, _>>()?;
+            let names = operands.iter().map(|(name, _)| name.as_str());
+            let named: Vec<_> = names.zip(tensors.iter().map(|tensor| &**tensor)).collect();
+            Ok(S::wrap(contract(&expression, &named)?))
+        })
+    })?;
+    PyTensor::new(py, values, &symbols, Names::of("T"))
+}
