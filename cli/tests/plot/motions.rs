@@ -195,10 +195,10 @@ fn the_drift_of_methods_is_compared() {
     // the height of the end of a line is the logarithm of its largest change: relative to an energy of 4.205
     assert_ne!(absolute, relative);
     let cases: [(&[&str], i32, &str); 4] = [
+        (&["--set", "q=1"], 2, "`q` is no parameter"),
         (&["--method", "euler"], 2, "there is no method `euler`"),
         (&["--method", "rkmk4"], 1, "--step H gives the step"),
         (&["--method", "rkmk54", "--method", "rkmk54"], 2, "is given twice"),
-        (&["--step", "0.1"], 2, "--method"),
     ];
     for (arguments, status, message) in cases {
         let refused = affinor(&folder, &[&["drift", &problem][..], arguments].concat());

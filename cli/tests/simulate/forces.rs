@@ -128,8 +128,6 @@ fn tables_jump_and_hold() {
         "method = \"rkmk853\"\ntolerance = 1e-3",
         "method = \"rkmk54\"\ntolerance = 1e-3",
         "method = \"rkmk4\"\nstep = 0.25",
-        // no multiple of the step is the time of a row
-        "method = \"rkmk4\"\nstep = 0.43",
     ];
     for ((table, impulse), key) in [(pulse, ""), (saw, "linear"), (held, "hold")] {
         let key =
