@@ -9,6 +9,7 @@ mod errors;
 mod geometries;
 mod geometry;
 mod group;
+mod limits;
 mod motion;
 mod report;
 mod run;
@@ -28,9 +29,11 @@ mod _engine {
     #[pymodule_export]
     use crate::group::{PyGroup, groups};
     #[pymodule_export]
+    use crate::limits::PyBudget;
+    #[pymodule_export]
     use crate::motion::PyProblem;
     #[pymodule_export]
-    use crate::run::{_panic, set_threads, threads};
+    use crate::run::{_panic, clear_caches, set_threads, threads};
     #[pymodule_export]
     use crate::source::PySource;
     #[pymodule_export]

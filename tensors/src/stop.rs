@@ -9,8 +9,10 @@
 use crate::limits::Limits;
 use std::fmt;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
-use std::sync::Arc;
 use std::sync::atomic::{AtomicU8, AtomicUsize, Ordering::Relaxed};
+use std::sync::{Arc, Mutex, PoisonError, mpsc};
+use std::thread;
+use std::time::Duration;
 
 /// The reason why a computation was stopped.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -48,8 +50,7 @@ pub struct StopToken(Arc<Flag>);
 #[derive(Debug, Default)]
 struct Flag(AtomicU8);
 
-const REASONS: [StopReason; 3] =
-    [StopReason::Interrupted, StopReason::Timeout, StopReason::Memory];
+const REASONS: [StopReason; 3] = [StopReason::Interrupted, StopReason::Timeout, StopReason::Memory];
 
 /// The number of tokens of this process whose flag is set. While it is zero, a checkpoint is one load and one branch.
 static REQUESTED: AtomicUsize = AtomicUsize::new(0);
@@ -66,6 +67,11 @@ impl StopToken {
     /// A flag that is not set.
     pub fn new() -> Self {
         Self::default()
+    }
+
+    /// The token under which this thread computes, if any.
+    pub fn current() -> Option<Self> {
+        Limits::with(|limits| limits.stop.clone())
     }
 
     /// Sets the flag. The first reason counts.
@@ -147,7 +153,7 @@ pub fn checkpoint() {
 fn end() {
     let found = Limits::with(|limits| Some((limits.stop.as_ref()?.requested()?, limits.stage)));
     if let Some((reason, stage)) = found
-        && !std::thread::panicking()
+        && !thread::panicking()
     {
         resume_unwind(Box::new(Stopped { reason, stage }));
     }
@@ -168,5 +174,50 @@ pub struct Stage {
 impl Drop for Stage {
     fn drop(&mut self) {
         Limits::set_stage(self.before);
+    }
+}
+
+/// The time between two looks of a thread that waits for [`detached`] work.
+const OFTEN: Duration = Duration::from_millis(10);
+
+/// The result of long work without checkpoints, such as a function of another library. Another thread computes it, if this thread has
+/// a token: when the token is set, this thread unwinds, and the other one ends its work in vain.
+///
+/// ```
+/// use affinor_tensors::stop::{StopReason, StopToken, detached};
+/// use std::{sync::mpsc, thread, time::Duration};
+/// assert_eq!(detached(|| 2 + 2), 4);
+/// let token = StopToken::new();
+/// let (done, wait) = mpsc::channel::<()>();
+/// token.request(StopReason::Timeout);
+/// // it would wait for ever
+/// assert!(token.run(|| detached(move || wait.recv())).is_err());
+/// drop(done);
+/// ```
+pub fn detached<T: Send + 'static>(work: impl FnOnce() -> T + Send + 'static) -> T {
+    if Limits::with(|limits| limits.stop.is_none()) {
+        return work();
+    }
+    checkpoint();
+    let (send, receive) = mpsc::channel();
+    let work = Arc::new(Mutex::new(Some(work)));
+    let take = |work: &Mutex<Option<_>>| work.lock().unwrap_or_else(PoisonError::into_inner).take();
+    let shared = work.clone();
+    let thread = thread::Builder::new().spawn(move || {
+        if let Some(work) = take(&shared) {
+            // a thread that unwinds has dropped the receiver
+            let _ = send.send(catch_unwind(AssertUnwindSafe(work)));
+        }
+    });
+    if thread.is_err()
+        && let Some(work) = take(&work)
+    {
+        return work();
+    }
+    loop {
+        match receive.recv_timeout(OFTEN) {
+            Ok(result) => return result.unwrap_or_else(|panic| resume_unwind(panic)),
+            Err(_) => checkpoint(),
+        }
     }
 }
