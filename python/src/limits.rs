@@ -10,7 +10,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 /// The time between two looks.
-pub const OFTEN: Duration = Duration::from_millis(20);
+const OFTEN: Duration = Duration::from_millis(20);
 
 /// Limits that hold at the same time: the innermost block first.
 #[pyclass(name = "Budget", frozen, module = "affinor._engine")]
@@ -56,8 +56,22 @@ impl PyBudget {
     }
 
     /// The limit that is passed, if any.
-    fn exceeded(&self) -> Option<(StopReason, &Budget)> {
-        self.0.iter().find_map(|budget| Some((budget.exceeded()?, budget)))
+    fn exceeded(&self) -> Option<Passed> {
+        self.0.iter().find_map(|budget| Some(Passed { reason: budget.exceeded()?, of: *budget }))
+    }
+}
+
+/// A limit that is passed.
+struct Passed {
+    reason: StopReason,
+    of: Budget,
+}
+
+impl Passed {
+    /// The exception of a computation in this stage.
+    fn raise(&self, py: Python<'_>, stage: &str) -> PyErr {
+        let message = self.of.message(self.reason, stage);
+        errors::limit(py, &message, self.reason == StopReason::Memory, stage)
     }
 }
 
@@ -65,7 +79,9 @@ impl PyBudget {
 pub struct Watch {
     token: StopToken,
     budget: PyBudget,
+    /// The exception of a signal.
     raised: Option<PyErr>,
+    passed: Option<Passed>,
 }
 
 impl Watch {
@@ -74,10 +90,10 @@ impl Watch {
     /// # Errors
     /// A limit that is passed already.
     pub fn begin(py: Python<'_>) -> PyResult<Self> {
-        let watch = Watch { token: StopToken::new(), budget: PyBudget::current(py)?, raised: None };
-        match watch.budget.exceeded() {
-            Some((reason, _)) => Err(watch.stopped(py, reason, "")),
-            None => Ok(watch),
+        let budget = PyBudget::current(py)?;
+        match budget.exceeded() {
+            Some(passed) => Err(passed.raise(py, "")),
+            None => Ok(Watch { token: StopToken::new(), budget, raised: None, passed: None }),
         }
     }
 
@@ -88,7 +104,8 @@ impl Watch {
 
     /// The time until the next look.
     pub fn pause(&self) -> Duration {
-        self.budget.0.iter().filter_map(Budget::rest).fold(OFTEN, Duration::min)
+        let rests = self.budget.0.iter().filter_map(Budget::rest);
+        rests.filter(|rest| !rest.is_zero()).fold(OFTEN, Duration::min)
     }
 
     /// Looks for signals and limits, and stops the computation if there is one.
@@ -99,8 +116,11 @@ impl Watch {
             self.raised = Some(error);
             self.token.request(StopReason::Interrupted);
         }
-        if let Some((reason, _)) = self.budget.exceeded() {
-            self.token.request(reason);
+        if self.passed.is_none()
+            && let Some(passed) = self.budget.exceeded()
+        {
+            self.token.request(passed.reason);
+            self.passed = Some(passed);
         }
     }
 
@@ -109,17 +129,10 @@ impl Watch {
         match (self.raised, done) {
             (Some(error), _) => Err(error),
             (None, Ok(result)) => Ok(result),
-            (None, Err(Stopped { reason, stage })) => {
-                Err(Watch { raised: None, ..self }.stopped(py, reason, stage))
-            }
+            (None, Err(stopped)) => Err(match self.passed {
+                Some(passed) => passed.raise(py, stopped.stage),
+                None => errors::internal(py, &stopped.to_string()),
+            }),
         }
-    }
-
-    /// The exception of a limit.
-    fn stopped(&self, py: Python<'_>, reason: StopReason, stage: &str) -> PyErr {
-        let passed = self.budget.exceeded().filter(|(own, _)| *own == reason);
-        let budget = passed.map(|(_, budget)| budget).or(self.budget.0.first());
-        let message = budget.map_or("interrupted".into(), |own| own.message(reason, stage));
-        errors::limit(py, &message, reason == StopReason::Memory, stage)
     }
 }

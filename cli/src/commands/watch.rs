@@ -136,7 +136,7 @@ impl Watch {
                     _ => "--timeout",
                 };
                 InputError::mathematics(message(reason))
-                    .help(format!("{option} sets this limit"))
+                    .help(format!("raise {option} to allow more"))
                     .into()
             }
             Some(Ending::Signal(signal)) => {
