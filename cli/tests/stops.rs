@@ -79,9 +79,12 @@ fn a_signal_ends_every_command() {
     // a program that waits for its input
     let mut child =
         program(Path::new(".")).args(["log", "so3"]).stdin(Stdio::piped()).spawn().unwrap();
+    // `wait` would close it
+    let input = child.stdin.take();
     thread::sleep(Duration::from_millis(300));
     send("INT", &child);
     assert_eq!(wait(&mut child), 130);
+    drop(input);
 }
 
 #[test]
