@@ -77,6 +77,7 @@ mod claims {
     mod property_witnesses;
     mod right_frame;
     mod scalars_agree;
+    mod stops;
     mod structure_constants;
     mod travelling;
     mod trials;

@@ -27,10 +27,13 @@ mod stages;
 mod table;
 mod transport;
 mod verify;
+mod watch;
 
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
+use failure::Failure;
 use on_group::Operation;
 use std::process::ExitCode;
+use watch::{LimitOptions, Watch};
 
 /// Differential geometry of Lie groups, from a table of brackets.
 ///
@@ -40,10 +43,12 @@ use std::process::ExitCode;
 /// connection and metric: "so3@levi-civita;metric=diag(1,2,3)".
 ///
 /// Exit status: 0 success; 1 the mathematics refuses, as for brackets that violate the Jacobi
-/// identity; 2 wrong usage or unreadable input; 130, 143 stopped by a signal.
+/// identity, or a limit is passed; 2 wrong usage or unreadable input; 130, 143 stopped by a signal.
 #[derive(Parser)]
 #[command(name = "affinor", version, max_term_width = 80)]
 struct Cli {
+    #[command(flatten)]
+    limits: LimitOptions,
     #[command(subcommand)]
     command: Command,
 }
@@ -94,7 +99,23 @@ enum Command {
 pub fn main() -> ExitCode {
     let matches = arguments::parse::<Cli>();
     let cli = Cli::from_arg_matches(&matches).unwrap_or_else(|error| error.exit());
-    let outcome = match cli.command {
+    let color = color::chosen(&matches);
+    let watch = Watch::begin(&cli.limits, color);
+    let outcome = watch.and_then(|watch| {
+        let outcome = watch.run(|| run(cli.command, &watch));
+        // kept until the process ends
+        std::mem::forget(watch.last_word());
+        outcome
+    });
+    match outcome {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => failure.report(color).into(),
+    }
+}
+
+/// Runs a command.
+fn run(command: Command, watch: &Watch) -> Result<(), Failure> {
+    match command {
         Command::Compare(arguments) => arguments.run(),
         Command::Table(arguments) => arguments.run(),
         Command::Check(arguments) => arguments.run(),
@@ -108,15 +129,11 @@ pub fn main() -> ExitCode {
         Command::Adjoint(arguments) => arguments.run(Operation::Adjoint),
         Command::Transport(arguments) => arguments.run(),
         Command::Convert(arguments) => arguments.run(),
-        Command::Simulate(arguments) => arguments.run(),
+        Command::Simulate(arguments) => arguments.run(watch),
         Command::Plot(arguments) => arguments.run(),
         Command::Paper(arguments) => arguments.run(),
         Command::List(arguments) => arguments.run(),
         Command::Conventions(arguments) => arguments.run(),
         Command::Completions(arguments) => arguments.run(&mut Cli::command()),
-    };
-    match outcome {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(failure) => failure.report(color::chosen(&matches)),
     }
 }

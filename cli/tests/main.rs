@@ -29,6 +29,8 @@ mod roots;
 #[cfg(unix)]
 mod simulate;
 mod snapshots;
+#[cfg(unix)]
+mod stops;
 mod tables;
 mod values;
 mod verify;

@@ -6,7 +6,7 @@ mod events;
 mod forces;
 mod messages;
 mod options;
-mod running;
+pub mod running;
 mod signals;
 mod stops;
 mod sums;

@@ -8,10 +8,12 @@
 //! - [`formula`]: formulas as trees, written as text, LaTeX and MathML; [`page`]: pages of HTML;
 //! - [`figures`]: figures of the paper and of trajectories, with rotations as points of a ball;
 //! - [`picture`]: shapes on a plane as SVG, and drawings of figures, diagrams, tensors and roots;
-//! - [`rows`]: the rows of trajectories as CSV, JSON and, with the feature `parquet`, Parquet.
+//! - [`rows`]: the rows of trajectories as CSV, JSON and, with the feature `parquet`, Parquet;
+//! - [`budget`]: limits on the time and the memory of a computation.
 //!
 //! The program `affinor` is built on this package.
 
+pub mod budget;
 pub mod certificate;
 mod coefficient;
 pub mod figures;

@@ -21,6 +21,24 @@ pub fn internal(py: Python<'_>, text: &str) -> PyErr {
     made.and_then(|class| class.call1((text,))).map_or_else(|failed| failed, PyErr::from_value)
 }
 
+/// The exception of a limit on the time, or on the memory, that was passed in a stage.
+pub fn limit(py: Python<'_>, message: &str, memory: bool, stage: &str) -> PyErr {
+    let made = || -> PyResult<PyErr> {
+        let data = PyDict::new(py);
+        data.set_item("limit", if memory { "memory" } else { "timeout" })?;
+        data.set_item("stage", Some(stage).filter(|stage| !stage.is_empty()))?;
+        let class = py.import("affinor.errors")?.getattr("LimitError")?;
+        Ok(PyErr::from_value(class.call1((message, None::<&str>, None::<&str>, data))?))
+    };
+    made().unwrap_or_else(|failed| failed)
+}
+
+/// Whether an exception is of this class of `affinor.errors`.
+pub fn is_a(py: Python<'_>, error: &PyErr, class: &str) -> bool {
+    let class = py.import("affinor.errors").and_then(|errors| errors.getattr(class));
+    class.is_ok_and(|class| error.matches(py, class).unwrap_or(false))
+}
+
 /// A wrong value or a wrong shape: what was expected, and what was found.
 pub fn wrong(what: &str, expected: &str, found: &str) -> PyErr {
     pyo3::exceptions::PyValueError::new_err(format!("{what} should be {expected}, not {found}"))

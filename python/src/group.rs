@@ -12,7 +12,9 @@ use affinor::group::{
     So3, registry,
 };
 use affinor_documents::input::InputError;
+use affinor_tensors::Limits;
 use affinor_tensors::Tolerance;
+use affinor_tensors::stop::checkpoint;
 use nalgebra::{DMatrix, DVector};
 use numpy::{PyArrayDyn, PyArrayMethods};
 use pyo3::exceptions::PyTypeError;
@@ -209,6 +211,13 @@ fn apply_all<G: MatrixNotation + Sync>(
     if out.len() <= ALONE * width {
         return task((0, out));
     }
+    let limits = Limits::current();
+    let task = |chunk| {
+        limits.run(|| {
+            checkpoint();
+            task(chunk)
+        })
+    };
     out.par_chunks_mut(ALONE * width).enumerate().try_for_each(task)
 }
 

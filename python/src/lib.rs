@@ -10,6 +10,7 @@ mod errors;
 mod geometries;
 mod geometry;
 mod group;
+mod limits;
 mod motion;
 mod report;
 mod run;
@@ -31,9 +32,11 @@ mod _engine {
     #[pymodule_export]
     use crate::group::{PyGroup, groups};
     #[pymodule_export]
+    use crate::limits::PyBudget;
+    #[pymodule_export]
     use crate::motion::{PyProblem, methods};
     #[pymodule_export]
-    use crate::run::{_panic, set_threads, threads};
+    use crate::run::{_panic, clear_caches, set_threads, threads};
     #[pymodule_export]
     use crate::source::PySource;
     #[pymodule_export]

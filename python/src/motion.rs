@@ -2,19 +2,20 @@
 
 use crate::arrays::{Floats, Rows, batch};
 use crate::class::properties;
-use crate::errors::{raise, wrong};
+use crate::errors::{is_a, raise, wrong};
 use crate::run::{Threads, run};
 use affinor::mechanics::simulation::{ForceFrame, ForceFunction, Method};
 use affinor_documents::input::InputError;
 use affinor_documents::problem::{Integration, Problem};
 use affinor_documents::rows::DenseRows;
+use affinor_tensors::stop::checkpoint;
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyUntypedArrayMethods};
 use pyo3::exceptions::PyException;
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict, PyList};
 use std::cell::RefCell;
 use std::collections::BTreeMap;
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
@@ -102,24 +103,23 @@ struct Piece {
 impl Piece {
     /// Walks until the end of the motion or of the piece.
     fn integrate(
+        &mut self,
         integration: &mut Integration,
         rows: &mut Vec<f64>,
         more: impl Fn() -> bool,
-    ) -> Self {
-        let mut piece = Piece::default();
-        while !piece.done && more() {
+    ) {
+        while !self.done && more() {
             match checked(integration.step()) {
                 Ok(step) => {
                     step.rows.iter().for_each(|row| rows.extend_from_slice(row));
-                    piece.events.extend(step.events);
-                    piece.done = step.done;
+                    self.events.extend(step.events);
+                    self.done = step.done;
                 }
                 Err(error) => {
-                    (piece.failed, piece.done) = (Some(error), true);
+                    (self.failed, self.done) = (Some(error), true);
                 }
             }
         }
-        piece
     }
 }
 
@@ -222,15 +222,25 @@ impl PyProblem {
         let (mut rows, mut events) = (Vec::new(), Vec::new());
         let (mut failed, mut interrupt) = (None, None);
         loop {
-            let piece = threads.run(py, || {
+            let mut piece = Piece::default();
+            let stopped = threads.run(py, || {
                 let until = Instant::now() + PIECE;
-                Ok(Piece::integrate(&mut integration, &mut rows, || Instant::now() < until))
-            })?;
+                piece.integrate(&mut integration, &mut rows, || Instant::now() < until);
+                Ok(())
+            });
             events.extend(piece.events);
             match piece.failed.map(PyErr::from) {
                 Some(error) if error.is_instance_of::<PyException>(py) => failed = Some(error),
                 // such as KeyboardInterrupt
                 error => interrupt = error,
+            }
+            // a step that took long was stopped in its middle
+            match stopped {
+                Err(error) if is_a(py, &error, "InternalError") => return Err(error),
+                Err(error) if is_a(py, &error, "LimitError") => {
+                    (failed, piece.done) = (Some(error), true);
+                }
+                stopped => interrupt = interrupt.or(stopped.err()),
             }
             let told = progress.as_ref().map(|progress| progress.call1((integration.progress(),)));
             let told = told.transpose().and_then(|_| py.check_signals());
@@ -296,7 +306,6 @@ impl PyProblem {
         let rows = Rows::new(&values, own, own);
         let count: usize = own.iter().product();
         let problem = self.0.to_the_end();
-        let stop = AtomicBool::new(false);
         let one = |row: &[f64]| {
             let settings = names.iter().zip(row).map(|(name, value)| format!("{name}={value:?}"));
             let mut problem = problem.clone();
@@ -305,15 +314,20 @@ impl PyProblem {
             let columns: Vec<String> =
                 ready.columns.iter().map(|column| column.name.clone()).collect();
             let mut found = Vec::new();
-            let more = || !stop.load(Ordering::Relaxed);
-            let failed = Piece::integrate(&mut problem.integrate(ready), &mut found, more).failed;
+            let mut piece = Piece::default();
+            piece.integrate(&mut problem.integrate(ready), &mut found, || {
+                checkpoint();
+                true
+            });
+            let failed = piece.failed;
             let last = found.split_off(found.len().saturating_sub(columns.len()));
             failed.map_or(Ok((columns, last)), Err)
         };
         // rows are no tasks of a pool: a thread that waits in a force would begin another one
         let (next, found) = (AtomicUsize::new(0), Mutex::new(vec![]));
         let work = || {
-            while !stop.load(Ordering::Relaxed) {
+            loop {
+                checkpoint();
                 let at = next.fetch_add(1, Ordering::Relaxed);
                 if at >= count {
                     break;
@@ -322,14 +336,7 @@ impl PyProblem {
                 found.lock().unwrap_or_else(PoisonError::into_inner).push((at, row));
             }
         };
-        let mut signal = Ok(());
-        Threads::apart(py, count)?.each(py, &work, PIECE, || {
-            if signal.is_ok() {
-                signal = Python::attach(|py| py.check_signals());
-            }
-            stop.store(signal.is_err(), Ordering::Relaxed);
-        })?;
-        signal?;
+        Threads::apart(py, count)?.each(py, &work)?;
         let mut found = found.into_inner().unwrap_or_else(PoisonError::into_inner);
         found.sort_by_key(|(at, _)| *at);
         let columns = found.iter().find_map(|(_, row)| row.as_ref().ok());

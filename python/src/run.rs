@@ -1,13 +1,17 @@
 //! The one door to computations: without the interpreter lock, in a pool of this process, and without panics.
 
 use crate::errors;
+use crate::limits::Watch;
 use affinor_documents::input::InputError;
+use affinor_tensors::Limits;
+use affinor_tensors::scalar;
+use affinor_tensors::stop::{StopToken, Stopped};
+use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::{Arc, Mutex, PoisonError, mpsc};
-use std::time::Duration;
 
 /// The threads of a process. A pool does not survive `fork`: a child makes its own.
 struct Pool {
@@ -51,42 +55,48 @@ impl Threads {
         Ok(Threads(threads.into()))
     }
 
-    /// Runs a computation.
+    /// Runs a computation. A signal or a limit of Python stops it.
     pub fn run<T: Send>(
         &self,
         py: Python<'_>,
         work: impl FnOnce() -> Result<T, InputError> + Send,
     ) -> PyResult<T> {
-        let done = py.detach(|| catch_unwind(AssertUnwindSafe(|| self.0.install(work))));
-        finish(py, done)
-    }
-
-    /// Runs the same work on each thread, and meanwhile calls `look` again and again.
-    pub fn each(
-        &self,
-        py: Python<'_>,
-        work: &(dyn Fn() + Sync),
-        every: Duration,
-        mut look: impl FnMut() + Send,
-    ) -> PyResult<()> {
+        if StopToken::current().is_some() {
+            // a function that a computation calls: the watch over that computation is enough
+            let limits = Limits::current();
+            let work = || limits.run(|| self.0.install(|| limits.run(work)));
+            return finish(py, py.detach(|| catch_unwind(AssertUnwindSafe(work))));
+        }
+        let mut watch = Watch::begin(py)?;
         let done = py.detach(|| {
-            std::thread::scope(|scope| {
-                let (end, ended) = mpsc::channel();
-                scope.spawn(move || {
-                    let work = || self.0.broadcast(|_| work());
-                    let done = catch_unwind(AssertUnwindSafe(work)).map(|_| Ok(()));
+            let (token, (end, ended)) = (watch.token(), mpsc::channel());
+            self.0.in_place_scope(|scope| {
+                scope.spawn(move |_| {
+                    let done = catch_unwind(AssertUnwindSafe(|| token.run(work)));
                     // the receiver waits for it
                     let _ = end.send(done);
                 });
                 loop {
-                    match ended.recv_timeout(every) {
+                    match ended.recv_timeout(watch.pause()) {
                         Ok(done) => break done,
-                        Err(_) => look(),
+                        Err(_) => watch.look(),
                     }
                 }
             })
         });
-        finish(py, done)
+        match done {
+            Ok(done) => watch.finish(py, done)?.map_err(|error| errors::raise(py, &error)),
+            Err(panic) => finish(py, Err(panic)),
+        }
+    }
+
+    /// Runs the same work on each thread.
+    pub fn each(&self, py: Python<'_>, work: &(dyn Fn() + Sync)) -> PyResult<()> {
+        self.run(py, || {
+            let limits = Limits::current();
+            self.0.broadcast(|_| limits.run(work));
+            Ok(())
+        })
     }
 }
 
@@ -109,6 +119,8 @@ fn finish<T>(
 ) -> PyResult<T> {
     match done {
         Ok(result) => result.map_err(|error| errors::raise(py, &error)),
+        // of a computation around this one
+        Err(panic) if panic.is::<Stopped>() => Err(PyKeyboardInterrupt::new_err(())),
         Err(panic) => {
             let text = panic.downcast_ref::<&str>().map(|text| (*text).to_string());
             let text = text.or_else(|| panic.downcast_ref::<String>().cloned());
@@ -138,6 +150,15 @@ const MOST_THREADS: usize = 1024;
 #[pyfunction]
 pub fn threads(py: Python<'_>) -> PyResult<usize> {
     run(py, || Ok(rayon::current_num_threads()))
+}
+
+/// Frees what symbolic computations of this process have stored to find it again. Results do not depend on it.
+///
+/// Each thread stores a bounded number of short values. The function waits until other computations have ended.
+#[pyfunction]
+pub fn clear_caches(py: Python<'_>) -> PyResult<()> {
+    scalar::clear_caches();
+    Threads::shared(py)?.each(py, &scalar::clear_caches)
 }
 
 /// Panics inside of the door; the tests show that Python gets an exception.

@@ -2,6 +2,7 @@
 
 use super::LieAlgebra;
 use crate::Error;
+use affinor_tensors::stop::checkpoint;
 use affinor_tensors::{Field, Scalar, TensorError};
 
 impl<S: Field + Scalar> LieAlgebra<S> {
@@ -46,6 +47,7 @@ impl<S: Field + Scalar> LieAlgebra<S> {
             let zero = vec![S::zero(); self.dimension()];
             nested[0].push(zero.clone());
             nested.push(vec![zero.clone(); n]);
+            checkpoint();
             for q in 1..=n {
                 let mut total = zero.clone();
                 // q - 1 factors are left, each of degree 1 at least

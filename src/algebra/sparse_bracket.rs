@@ -1,5 +1,6 @@
 //! Structure constants by their first factor: one bracket over every kind of number.
 
+use affinor_tensors::stop::checkpoint;
 use affinor_tensors::{Scalar, Tensor};
 
 /// The constants `(k, i, c^i_jk)` of each `j`, sorted, where `[e_j, e_k] = c^i_jk e_i`.
@@ -54,6 +55,7 @@ impl<S: Scalar> SparseBracket<S> {
 impl<C: Copy + PartialEq> SparseBracket<C> {
     /// The bracket of two vectors. `fused(s, a, b)` is `s + a b`.
     pub fn bracket(&self, x: &[C], y: &[C], zero: C, fused: impl Fn(C, C, C) -> C) -> Vec<C> {
+        checkpoint();
         let mut sum = vec![zero; self.dimension()];
         for (line, &factor) in self.by_first.iter().zip(x).filter(|(_, factor)| **factor != zero) {
             for &(k, i, value) in line.iter().filter(|(k, ..)| y[*k] != zero) {
@@ -68,6 +70,7 @@ impl<C: Copy + PartialEq> SparseBracket<C> {
         let n = self.dimension();
         let mut dense = vec![zero; n * n];
         let row = |a: usize| {
+            checkpoint();
             self.of(a).iter().for_each(|&(k, i, value)| dense[k * n + i] = value);
             let entry = |b: usize| {
                 self.of(b).iter().fold(zero, |sum, &(k, i, v)| fused(sum, v, dense[i * n + k]))

@@ -7,6 +7,7 @@ mod ricci;
 
 use crate::algebra::frame::formula;
 use crate::geometry::connection::Connection;
+use affinor_tensors::stop::stage;
 use affinor_tensors::{Scalar, Tensor};
 
 /// The components `R^i_jkl` of the curvature.
@@ -33,6 +34,7 @@ impl<S: Scalar> Connection<S> {
     ///
     /// It is computed on the first call and stored.
     pub fn curvature(&self) -> &Tensor<S> {
+        let _stage = stage("curvature");
         let cell = &self.curvature;
         // not `get_or_init(compute)`: a thread of the pool that waits within `compute` may take up
         // work that asks for this curvature
@@ -51,6 +53,7 @@ impl<S: Scalar> Connection<S> {
     /// Where values grow ([`GROWS`](affinor_tensors::Summable::GROWS)) and the curvature is not known yet, it is computed without the
     /// curvature, whose components may be much longer.
     pub fn ricci(&self) -> Tensor<S> {
+        let _stage = stage("ricci");
         if S::GROWS && self.curvature.get().is_none() {
             let known = self.ricci.get().cloned();
             return known.unwrap_or_else(|| {
@@ -82,12 +85,14 @@ impl<S: Scalar> Connection<S> {
     /// The derivative of the torsion, slots `^i_mjk`: `(nabla_m tau)^i_jk`. Zero for the canonical
     /// connections of a group.
     pub fn nabla_torsion(&self) -> Tensor<S> {
+        let _stage = stage("nabla_torsion");
         self.nabla(&self.torsion()).expect("the torsion belongs to the frame")
     }
 
     /// The derivative of the curvature, slots `^i_mjkl`: `(nabla_m R)^i_jkl`. Zero for a
     /// torsion-free connection exactly where the space is locally symmetric.
     pub fn nabla_curvature(&self) -> Tensor<S> {
+        let _stage = stage("nabla_curvature");
         self.nabla(self.curvature()).expect("the curvature belongs to the frame")
     }
 
@@ -95,6 +100,7 @@ impl<S: Scalar> Connection<S> {
     /// over `j, k, l` of `R^i_jkl - tau^m_kl tau^i_mj - (nabla_k tau)^i_lj`. Zero for every
     /// connection over a frame whose structure satisfies the Jacobi identity.
     pub fn bianchi_first(&self) -> Tensor<S> {
+        let _stage = stage("first Bianchi identity");
         let (torsion, nabla) = (self.torsion(), self.nabla_torsion());
         formula(
             "R^i_jkl + R^i_klj + R^i_ljk \
@@ -115,6 +121,7 @@ impl<S: Scalar> Connection<S> {
     /// e_m(R^i_jkl) + Lambda^i_mp R^p_jkl - Lambda^p_mj R^i_pkl - c^p_mk R^i_jpl
     /// ```
     pub fn bianchi_second(&self) -> Tensor<S> {
+        let _stage = stage("second Bianchi identity");
         let curvature = self.curvature();
         let derivative =
             self.frame().derivative(curvature).expect("the curvature belongs to the frame");

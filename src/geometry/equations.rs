@@ -8,6 +8,7 @@ use crate::algebra::frame::{expect_slots, formula};
 use crate::algebra::to_matrix;
 use crate::geometry::connection::Connection;
 use crate::geometry::metric::Metric;
+use affinor_tensors::stop::stage;
 use affinor_tensors::{Down, Field, Scalar, Tensor, Up};
 
 /// The kind of equations of motion.
@@ -138,6 +139,7 @@ impl<S: Field + Scalar> Equations<S> {
     /// The same equations solved for the rates, `dx^i/dt = h^il (q_ljk y^j x^k + M_l)`.
     #[must_use]
     pub fn solved(&self) -> Self {
+        let _stage = stage("solution for the derivatives");
         // equations solved for the rates have an upper index
         if self.force.is_none() || self.quadratic.slots()[0] == Up {
             return self.clone();

@@ -4,6 +4,7 @@ use crate::Error;
 use crate::algebra::frame::formula;
 use crate::geometry::connection::Connection;
 use affinor_tensors::linear::{Echelon, Row};
+use affinor_tensors::stop::stage;
 use affinor_tensors::{Down, Field, Indices, Scalar, Tensor, Up};
 
 /// The Lie algebra of the holonomy group: a subalgebra of gl(n) with a reduced basis.
@@ -38,6 +39,7 @@ impl<S: Field + Scalar> Connection<S> {
     /// # Ok::<(), affinor::Error>(())
     /// ```
     pub fn holonomy(&self) -> Result<Holonomy<S>, Error> {
+        let _stage = stage("holonomy");
         if !self.frame().is_invariant() {
             return Err(Error::Unsupported("the holonomy algebra needs an invariant frame".into()));
         }

@@ -3,6 +3,7 @@
 use crate::algebra::frame::{expect_numbers, expect_slots, formula};
 use crate::algebra::{LieAlgebra, inverse, to_matrix};
 use crate::{Error, Law};
+use affinor_tensors::stop::stage;
 use affinor_tensors::text::{combination, written};
 use affinor_tensors::{Down, Field, Scalar, Tensor, Up};
 use std::fmt;
@@ -46,6 +47,7 @@ impl<S: Field + Scalar> Metric<S> {
     }
 
     fn labelled(labels: &[String], components: Tensor<S>) -> Result<Self, Error> {
+        let _stage = stage("metric");
         let label = |i: usize| labels[i].clone();
         expect_slots("the metric", &components, labels.len(), &[Down, Down])?;
         expect_numbers("the metric", &components)?;

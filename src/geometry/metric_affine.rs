@@ -8,6 +8,7 @@ use crate::algebra::frame::{Frame, expect_slots, expect_symmetry, formula};
 use crate::geometry::connection::Connection;
 use crate::geometry::metric::Metric;
 use crate::{Error, Law};
+use affinor_tensors::stop::stage;
 use affinor_tensors::{Down, Field, Scalar, Tensor, TensorError, Up, contract};
 
 impl<S: Field + Scalar> Connection<S> {
@@ -30,6 +31,7 @@ impl<S: Field + Scalar> Connection<S> {
     /// [`Error::Shape`] when the dimensions differ; [`Law::IsotropyInvariance`] on a homogeneous space, unless the metric is
     /// invariant under its isotropy: `h^m_ikl g_mj + h^m_jkl g_im = 0`.
     pub fn levi_civita(frame: &Frame<S>, metric: &Metric<S>) -> Result<Self, Error> {
+        let _stage = stage("levi-civita");
         let g = metric.components();
         expect_slots("the metric", g, frame.dimension(), &[Down, Down])?;
         if !frame.is_invariant() {

@@ -2,6 +2,7 @@
 
 use super::{Coordinates, LieGroup};
 use crate::{Error, Frame};
+use affinor_tensors::stop::checkpoint;
 
 /// The tolerance of structure constants, over the largest of them: those of a basis in other units lose digits by its size.
 const ROUNDING: f64 = 1e-12;
@@ -21,6 +22,7 @@ pub(crate) fn expect_left_frame<G: LieGroup>(group: &G, frame: &Frame<f64>) -> R
     let basis = group.basis();
     for (j, x) in basis.iter().enumerate() {
         for (k, y) in basis.iter().enumerate() {
+            checkpoint();
             let bracket = group.bracket(x, y);
             for (i, of_group) in bracket.components().iter().enumerate() {
                 let of_frame = frame.structure_functions().get(&[i, j, k]);

@@ -2,6 +2,7 @@
 
 use super::{Coordinates, LieGroup};
 use crate::Error;
+use affinor_tensors::stop::checkpoint;
 
 /// The largest number of iterations.
 const MAX_STEPS: usize = 100;
@@ -23,6 +24,7 @@ pub(super) fn mean<G: LieGroup + ?Sized>(
     for step in 0..MAX_STEPS {
         let mut sum = G::Vector::zeros(group.dimension());
         for g in elements {
+            checkpoint();
             let log = group.log(&group.between(&mean, g))?;
             if step == 0 {
                 spread = spread.max(log.largest());

@@ -3,6 +3,7 @@
 use super::matrices::expect_shape;
 use super::{Coordinates, MatrixNotation};
 use crate::Error;
+use affinor_tensors::stop::checkpoint;
 use nalgebra::{DMatrix, DVector};
 
 /// The largest distance of a matrix from the group, of each entry, relative to entries above 1.
@@ -67,6 +68,7 @@ fn nearest<G: MatrixNotation>(group: &G, guess: G::Element, m: &DMatrix<f64>) ->
     let (mut g, mut damping) = (guess, 1e-3);
     let mut rest = off(&g);
     for _ in 0..STEPS {
+        checkpoint();
         let slopes = slopes(group, &g, rest.len());
         let (square, gradient) = (slopes.tr_mul(&slopes), slopes.tr_mul(&rest));
         let mut damped = square.clone();
@@ -96,6 +98,7 @@ fn nearest<G: MatrixNotation>(group: &G, guess: G::Element, m: &DMatrix<f64>) ->
 fn slopes<G: MatrixNotation>(group: &G, g: &G::Element, rows: usize) -> DMatrix<f64> {
     let mut slopes = DMatrix::zeros(rows, group.dimension());
     for (x, mut column) in group.basis().into_iter().zip(slopes.column_iter_mut()) {
+        checkpoint();
         let at = |step: f64| group.write(&group.compose(g, &group.exp(&(x.clone() * step))));
         let difference = (at(DIFFERENCE) - at(-DIFFERENCE)) / (2.0 * DIFFERENCE);
         column.copy_from_slice(difference.as_slice());

@@ -10,6 +10,7 @@ use crate::algebra::frame::{expect_slots, formula};
 use crate::numerics::rounding::expect_digits;
 use crate::numerics::{exponential, ode};
 use crate::{Connection, Error, Law};
+use affinor_tensors::stop::checkpoint;
 use affinor_tensors::{Scalar, Tensor, Up};
 use nalgebra::{DMatrix, DVector};
 
@@ -130,6 +131,7 @@ impl<G: LieGroup> ParallelTranslation<G> {
         let mut rounded = carried.clone();
         let mut signs = signs();
         for x in arcs {
+            checkpoint();
             let arc = self.along_subgroup(x)?;
             rounded = arc.map(|entry| entry * (1.0 + f64::EPSILON * signs())) * rounded;
             carried = arc * carried;

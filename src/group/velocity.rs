@@ -3,6 +3,7 @@
 use super::fields::right_translate;
 use super::{Coordinates, LieGroup};
 use crate::Error;
+use affinor_tensors::stop::checkpoint;
 
 /// The velocity `g'` of a path, translated to the identity: `g' = L_g* body` (55) `= R_g* spatial` (59).
 ///
@@ -141,6 +142,7 @@ fn weight(times: &[f64], i: usize, k: usize) -> f64 {
 fn continued<G: LieGroup>(group: &G, x: &G::Vector, g: &G::Element) -> Result<G::Vector, Error> {
     let mut x = x.clone();
     for _ in 0..MAX_STEPS {
+        checkpoint();
         let rest = group.log(&group.compose(&group.exp(&-x.clone()), g))?;
         let step = group.tangent_left_inverse(&x, &rest)?;
         x = x + step.clone();

@@ -3,6 +3,7 @@
 //! Error-free sums and products: T. J. Dekker, *Numerische Mathematik* 18 (1971) 224-242. Products are split and not fused, so
 //! that results are the same on every machine.
 
+use affinor_tensors::stop::checkpoint;
 use nalgebra::DMatrix;
 use num_traits::{One, Zero};
 use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
@@ -167,6 +168,7 @@ pub(crate) fn exp_less_identity(m: &DMatrix<Double>) -> DMatrix<Double> {
     let x = m.map(|value| value.scaled(part));
     let (mut sum, mut term, mut k) = (x.clone(), x.clone(), 1.0);
     while rounded(&term).norm() > Double::EPSILON * size * part {
+        checkpoint();
         k += 1.0;
         let divisor = Double::from(k);
         term = (term * &x).map(|value| value / divisor);
@@ -180,6 +182,7 @@ pub(crate) fn inverse(m: &DMatrix<Double>) -> Option<DMatrix<Double>> {
     let n = m.nrows();
     let (mut m, mut inverse) = (m.clone(), DMatrix::identity(n, n));
     for k in 0..n {
+        checkpoint();
         let size = |i: &usize| m[(*i, k)].rounded().abs();
         let pivot = (k..n).max_by(|i, j| size(i).total_cmp(&size(j)))?;
         m.swap_rows(k, pivot);

@@ -1,6 +1,7 @@
 //! The exponential of matrices, and `(exp(M) - 1)/M`.
 
 use affinor_tensors::linear::balancing;
+use affinor_tensors::stop::{checkpoint, detached};
 use nalgebra::DMatrix;
 
 /// Matrices with entries up to this size, times their rows, are exponentiated by nalgebra, which forms sixth powers.
@@ -27,17 +28,33 @@ fn exp_halved_from(m: &DMatrix<f64>, large: f64) -> DMatrix<f64> {
     } else if !m.iter().all(|v| v.is_finite()) {
         DMatrix::from_element(m.nrows(), m.ncols(), f64::NAN)
     } else if size < large {
-        m.exp()
+        plain(m)
     } else {
         let (m, exponents) = balanced(m);
         let size = m.amax() * m.nrows() as f64;
         let halvings = size.log2().clamp(0.0, 1100.0).ceil() as i32;
         let halvings = if size < large { 0 } else { halvings };
         let half = scaled(&m, |_, _| -halvings);
-        let exp = (0..halvings).fold(half.exp(), |e, _| &e * &e);
+        let square = |e: DMatrix<f64>, _| {
+            checkpoint();
+            &e * &e
+        };
+        let exp = (0..halvings).fold(plain(&half), square);
         unbalanced(&exp, &exponents)
     }
 }
+
+/// The exponential as nalgebra computes it.
+fn plain(m: &DMatrix<f64>) -> DMatrix<f64> {
+    if m.nrows() < LONG {
+        return m.exp();
+    }
+    let m = m.clone();
+    detached(move || m.exp())
+}
+
+/// The exponential of a matrix of so many rows takes longer than a few milliseconds.
+const LONG: usize = 100;
 
 /// The entries times powers of two, in parts that are in the range of floats.
 fn scaled(m: &DMatrix<f64>, exponent: impl Fn(usize, usize) -> i32) -> DMatrix<f64> {

@@ -5,6 +5,7 @@
 use super::double::{self, Double, mapped, rounded};
 use super::exponential::{balance, balanced, balanced_by, exp, unbalanced};
 use crate::Error;
+use affinor_tensors::stop::checkpoint;
 use nalgebra::linalg::Schur;
 use nalgebra::{ClosedAddAssign, ClosedMulAssign, ClosedSubAssign, DMatrix, Scalar};
 use num_traits::{One, Zero};
@@ -46,6 +47,7 @@ pub(crate) fn logarithm_of_double(x: &DMatrix<Double>) -> Result<DMatrix<f64>, E
     off_the_negative_axis(&a, rounding(&a))?;
     let mut squarings = 0;
     while rounded(&less_one).norm() > NEAR {
+        checkpoint();
         if squarings == ROOTS {
             return Err(too_many_roots());
         }
@@ -64,6 +66,7 @@ fn rooted_to(a: &DMatrix<f64>, near: f64) -> Result<DMatrix<f64>, Error> {
     }
     let (mut root, mut squarings) = (a.clone(), 0);
     while less_identity(&root).norm() > near {
+        checkpoint();
         if squarings == ROOTS {
             return Err(too_many_roots());
         }

@@ -2,6 +2,7 @@
 
 use super::tableaux::{DormandPrince8, Tableau, Tabulated, combined_error};
 use crate::Error;
+use affinor_tensors::stop::checkpoint;
 use nalgebra::DVector;
 
 /// The smallest step relative to the time: in a shorter one rounding makes the times of the stages coincide.
@@ -60,6 +61,7 @@ fn advance(
     let [size, speed] = [&y, &slope].map(|v| norm(v, &y, &y, tolerance));
     let mut next = if size > 1e-5 && speed > 1e-5 { 0.01 * size / speed } else { 1e-6 };
     for _ in 0..MAX_STEPS {
+        checkpoint();
         let left = end - t;
         let last = next >= left.abs();
         let h = if last { left } else { next.copysign(left) };

@@ -9,7 +9,8 @@
 //! - [`Tensor`]: sorted nonzero components with upper and lower slots;
 //! - [`contract`]: sums of products written with index letters, computed by one kernel;
 //! - [`linear`]: rank, nullspace, solutions, inverse and determinant over any field;
-//! - [`text`]: values and linear combinations as text.
+//! - [`text`]: values and linear combinations as text;
+//! - [`stop`]: computations that can be stopped from outside.
 //!
 //! # Features
 //! - `parallel` (default): contractions on several threads, by rayon;
@@ -23,17 +24,20 @@ mod dense;
 mod error;
 pub mod expression;
 mod function;
+mod limits;
 pub mod linear;
 mod operations;
 pub mod scalar;
 #[cfg(feature = "serde")]
 mod serial;
+pub mod stop;
 mod tensor;
 pub mod text;
 mod threads;
 
 pub use contraction::{Scalar, contract};
 pub use error::{NotationError, TensorError};
+pub use limits::Limits;
 pub use scalar::{
     CommonFactors, Effort, EffortExceeded, Field, Jet, Kind, Notation, Rational, Recorded, Ring,
     Sum, Summable, Symbolic, Tabular, Tolerance, TrackedFloat,

@@ -8,6 +8,7 @@
 //! ([`Ring::vanishes`]). The functions in [`laws`] test the laws that every scalar obeys; use them
 //! for a scalar of your own.
 
+mod caches;
 mod divisors;
 #[cfg(feature = "num-dual")]
 mod dual;
@@ -30,6 +31,7 @@ use std::fmt::{Debug, Display};
 use std::ops::{Add, Mul, Neg, Sub};
 
 pub use crate::function::Function;
+pub use caches::clear_caches;
 pub use divisors::divisors_of;
 pub use effort::{Effort, EffortExceeded};
 pub use jet::Jet;

@@ -1,7 +1,9 @@
 //! The threads of rayon, or one without the feature `parallel`.
 
 #[cfg(feature = "parallel")]
-use crate::scalar::effort;
+use crate::limits::Limits;
+#[cfg(feature = "parallel")]
+use crate::stop::checkpoint;
 #[cfg(feature = "parallel")]
 use rayon::prelude::*;
 use std::sync::{Mutex, PoisonError};
@@ -57,13 +59,17 @@ pub(crate) fn map<W: Send, I: Fn() -> W + Sync, T: Send>(
 ) -> Vec<T> {
     #[cfg(feature = "parallel")]
     {
-        let limit = effort::current();
+        let limits = Limits::current();
         let values: Vec<Mutex<Option<T>>> = (0..n).map(|_| Mutex::new(None)).collect();
         let worker = || {
-            let (mut taken, f, limit, values) = (states.take(), &f, &limit, &values);
+            let (mut taken, f, values) = (states.take(), &f, &values);
+            let mut limits = limits.clone();
             let work = move |at: u64| {
                 let Some(state) = &mut taken.state else { return };
-                let value = effort::inherit(limit.clone(), || f(state, at));
+                let value = limits.lend(|| {
+                    checkpoint();
+                    f(state, at)
+                });
                 *values[at as usize].lock().unwrap_or_else(PoisonError::into_inner) = Some(value);
             };
             Box::new(work) as Box<dyn FnMut(u64) + '_>
@@ -90,9 +96,8 @@ pub(crate) fn join<A: Send, B: Send>(
 ) -> (A, B) {
     #[cfg(feature = "parallel")]
     {
-        let limit = effort::current();
-        let [first, second] = [limit.clone(), limit];
-        rayon::join(|| effort::inherit(first, a), || effort::inherit(second, b))
+        let limits = Limits::current();
+        rayon::join(|| limits.run(a), || limits.run(b))
     }
     #[cfg(not(feature = "parallel"))]
     (a(), b())

@@ -9,4 +9,5 @@ mod expression;
 mod linear;
 mod operations;
 mod scalar;
+mod stop;
 mod tensor;

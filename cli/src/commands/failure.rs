@@ -1,12 +1,12 @@
 //! Failures of a command: the error report and the exit status.
 
 use super::color::Color;
+use super::note::line;
 use affinor::Error;
 use affinor_documents::input::{InputError, Refusal};
 use annotate_snippets::{AnnotationKind, Group, Level, Origin, Renderer, Snippet};
 use std::io::{self, IsTerminal, Write};
 use std::ops::Range;
-use std::process::ExitCode;
 
 /// The reason why a command failed.
 pub enum Failure {
@@ -16,8 +16,8 @@ pub enum Failure {
     Output(io::Error, String),
     /// Results that say themselves what the mathematics refuses.
     Refuted,
-    /// A signal, by its number.
-    Signal(u8),
+    /// A signal, by its number, with the message if there is still one to report.
+    Signal(u8, Option<String>),
 }
 
 impl From<InputError> for Failure {
@@ -34,24 +34,25 @@ impl From<Error> for Failure {
 
 impl Failure {
     /// Reports the failure on standard error; its exit status. A closed pipe ends the program with success.
-    pub fn report(self, color: Color) -> ExitCode {
+    pub fn report(self, color: Color) -> u8 {
         match self {
-            Failure::Output(error, _) if error.kind() == io::ErrorKind::BrokenPipe => {
-                ExitCode::SUCCESS
-            }
-            Failure::Refuted => ExitCode::from(1),
+            Failure::Output(error, _) if error.kind() == io::ErrorKind::BrokenPipe => 0,
+            Failure::Refuted => 1,
             // the exit status that shells use
-            Failure::Signal(signal) => ExitCode::from(128 + signal),
+            Failure::Signal(signal, message) => {
+                message.iter().for_each(|message| line(message));
+                128 + signal
+            }
             Failure::Output(error, target) => {
                 show(&InputError::usage(format!("cannot write {target}: {error}")), color);
-                ExitCode::from(2)
+                2
             }
             Failure::Input(error) => {
                 show(&error, color);
-                ExitCode::from(match error.refusal {
+                match error.refusal {
                     Refusal::Mathematics => 1,
                     Refusal::Usage => 2,
-                })
+                }
             }
         }
     }

@@ -2,6 +2,7 @@
 
 use super::failure::Failure;
 use affinor_documents::input::InputError;
+use affinor_tensors::stop::checkpoint;
 use std::fs;
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
@@ -16,6 +17,7 @@ pub fn deliver(
     inputs: &[PathBuf],
     write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
 ) -> Result<(), Failure> {
+    let write = |out: &mut dyn Write| write(&mut Polled(out));
     let Some(path) = file else {
         let mut out = BufWriter::with_capacity(1 << 16, io::stdout().lock());
         let done = write(&mut out).and_then(|()| out.flush());
@@ -32,6 +34,20 @@ pub fn deliver(
         replace(&target, write)
     };
     done.map_err(|error| Failure::Output(error, shown))
+}
+
+/// A writer with a checkpoint before each piece.
+struct Polled<'w>(&'w mut dyn Write);
+
+impl Write for Polled<'_> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        checkpoint();
+        self.0.write(bytes)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.0.flush()
+    }
 }
 
 /// Refuses, before any work, a file that cannot be written: one of `inputs`, a folder, or a file in a folder

@@ -2,7 +2,6 @@
 
 mod checkpoint;
 mod progress;
-mod signals;
 mod spool;
 mod summary;
 
@@ -11,6 +10,7 @@ use super::failure::Failure;
 use super::note::{counted, line, note};
 use super::options::ProblemOptions;
 use super::output::{deliver, expect_place};
+use super::watch::{Ending, Watch};
 use affinor_documents::input::InputError;
 use affinor_documents::problem::{Integration, Problem, Progress as Step, Ready};
 use affinor_documents::rows::{Head, RunFormat};
@@ -18,7 +18,6 @@ use checkpoint::{Plan, Store};
 use clap::Args;
 use progress::Progress;
 use rayon::prelude::*;
-use signals::Signals;
 use std::convert::Infallible;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -86,7 +85,7 @@ const WITH_PARQUET: &str =
     "choose csv or json, or build it with `cargo install --path cli --features parquet`";
 
 impl Arguments {
-    pub fn run(&self) -> Result<(), Failure> {
+    pub fn run(&self, watch: &Watch) -> Result<(), Failure> {
         let problem = self.problem.open(self.method.as_deref())?;
         let format = self.format()?;
         let begun = Instant::now();
@@ -115,14 +114,13 @@ impl Arguments {
             columns: names.map(String::from).collect(),
         };
         let mut store = plan.begin(head.columns.len())?;
-        let signals = Signals::hear()
-            .map_err(|error| InputError::usage(format!("cannot listen to signals: {error}")))?;
+        watch.ask();
         let end = match members {
-            Some(size) => self.members(&problem, size, &mut store, &signals)?,
-            None => one(&problem, ready, &mut store, &signals)?,
+            Some(size) => self.members(&problem, size, &mut store, watch)?,
+            None => one(&problem, ready, &mut store, watch)?,
         };
-        if !matches!(end, End::Signal(_)) {
-            signals.let_through();
+        if !matches!(end, End::Early(_)) {
+            watch.let_through();
         }
         let mut target = self.file.clone();
         if !matches!(end, End::Reached)
@@ -146,11 +144,19 @@ impl Arguments {
                 }
                 .into());
             }
-            End::Signal(signal) => {
+            End::Early(ending) => {
                 let resume =
                     if self.checkpoint.is_some() { "; --resume continues the run" } else { "" };
-                line(&format!("interrupted; {kept}{resume}"));
-                return Err(Failure::Signal(signal));
+                return Err(match (ending, watch.failure("")) {
+                    (Ending::Signal(signal), _) => {
+                        let message = format!("interrupted; {kept}{resume}");
+                        Failure::Signal(signal, Some(message))
+                    }
+                    (Ending::Limit(_), Failure::Input(error)) => {
+                        error.help(format!("{kept}{resume}")).into()
+                    }
+                    (Ending::Limit(_), failure) => failure,
+                });
             }
         }
         if !self.ensemble {
@@ -187,7 +193,7 @@ impl Arguments {
         problem: &Problem,
         size: u64,
         store: &mut Store,
-        signals: &Signals,
+        watch: &Watch,
     ) -> Result<End, Failure> {
         let threads = self.threads.map_or(0, usize::from);
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
@@ -201,15 +207,15 @@ impl Arguments {
             let chunk: Vec<u64> = (done..size.min(done + count)).collect();
             let begin = Instant::now();
             let found: Vec<_> = pool.install(|| {
-                chunk.par_iter().map(|member| all_rows(problem, *member, signals)).collect()
+                chunk.par_iter().map(|member| all_rows(problem, *member, watch)).collect()
             });
             let mut interrupted = None;
             for (member, (rows, end)) in chunk.iter().zip(found) {
                 match end {
-                    End::Signal(signal) if interrupted.is_none() => {
+                    End::Early(ending) if interrupted.is_none() => {
                         // the members from here on are computed again, though their rows are written
                         store.save(*member)?;
-                        interrupted = Some(signal);
+                        interrupted = Some(ending);
                     }
                     End::Error(error) => {
                         store.stop(format!("member {}: {}", member + 1, error.message));
@@ -220,8 +226,8 @@ impl Arguments {
                     store.spool.push(&row).map_err(spool::failed)?;
                 }
             }
-            if let Some(signal) = interrupted {
-                return Ok(End::Signal(signal));
+            if let Some(ending) = interrupted {
+                return Ok(End::Early(ending));
             }
             done += chunk.len() as u64;
             progress.reach(done as f64 / size as f64);
@@ -242,20 +248,15 @@ enum End {
     Reached,
     /// By an error.
     Error(InputError),
-    /// By a signal, of this number.
-    Signal(u8),
+    /// By a signal, or by a limit of the command.
+    Early(Ending),
 }
 
 /// Integrates one motion and stores its rows.
-fn one(
-    problem: &Problem,
-    ready: Ready,
-    store: &mut Store,
-    signals: &Signals,
-) -> Result<End, Failure> {
+fn one(problem: &Problem, ready: Ready, store: &mut Store, watch: &Watch) -> Result<End, Failure> {
     let mut integration = problem.integrate(ready);
     let progress = Progress::from(integration.progress());
-    follow(&mut integration, signals, |integration, step| {
+    follow(&mut integration, watch, |integration, step| {
         for row in &step.rows {
             store.spool.push(row).map_err(spool::failed)?;
         }
@@ -268,9 +269,9 @@ fn one(
 }
 
 /// Integrates a member of an ensemble: its rows and its end.
-fn all_rows(problem: &Problem, member: u64, signals: &Signals) -> (Vec<Vec<f64>>, End) {
-    if let Some(signal) = signals.arrived() {
-        return (vec![], End::Signal(signal));
+fn all_rows(problem: &Problem, member: u64, watch: &Watch) -> (Vec<Vec<f64>>, End) {
+    if let Some(ending) = watch.ending() {
+        return (vec![], End::Early(ending));
     }
     let mut integration = match problem.motion(member) {
         Ok(ready) => problem.integrate(ready),
@@ -278,7 +279,7 @@ fn all_rows(problem: &Problem, member: u64, signals: &Signals) -> (Vec<Vec<f64>>
     };
     let front = [vec![(member + 1) as f64], problem.variation(member)].concat();
     let mut rows = Vec::new();
-    let end = follow(&mut integration, signals, |_, step| {
+    let end = follow(&mut integration, watch, |_, step| {
         rows.extend(step.rows.iter().map(|row| [&front[..], row].concat()));
         Ok::<_, Infallible>(())
     });
@@ -286,15 +287,15 @@ fn all_rows(problem: &Problem, member: u64, signals: &Signals) -> (Vec<Vec<f64>>
     (rows, end)
 }
 
-/// Integrates a motion to its end, or up to a signal; `each` is called after every step.
+/// Integrates a motion to its end, or up to a signal or a limit; `each` is called after every step.
 fn follow<E>(
     integration: &mut Integration,
-    signals: &Signals,
+    watch: &Watch,
     mut each: impl FnMut(&Integration, Step) -> Result<(), E>,
 ) -> Result<End, E> {
     loop {
-        if let Some(signal) = signals.arrived() {
-            return Ok(End::Signal(signal));
+        if let Some(ending) = watch.ending() {
+            return Ok(End::Early(ending));
         }
         let step = match integration.step() {
             Ok(step) => step,

@@ -6,7 +6,7 @@ use affinor_tensors::Effort;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::cell::RefCell;
 use std::io::{self, Write};
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 /// Stages, one after the other, with the time that each takes.
@@ -21,6 +21,14 @@ pub struct Stages {
 const TICK: Duration = Duration::from_millis(120);
 /// The time before the spinner appears.
 const PATIENCE: Duration = Duration::from_millis(600);
+
+/// The name of the stage that began last.
+static CURRENT: Mutex<String> = Mutex::new(String::new());
+
+/// The name of the stage that began last; empty for a command without stages.
+pub fn current() -> String {
+    CURRENT.lock().unwrap_or_else(PoisonError::into_inner).clone()
+}
 
 impl Stages {
     /// The stages of a command whose formulas may have `limit` terms.
@@ -76,14 +84,19 @@ impl Stages {
     pub fn begin(&self, name: &str) {
         self.end();
         self.spinner.set_message(name.to_string());
-        *self.current.borrow_mut() = Some((name.to_string(), Instant::now()));
+        self.set(name);
     }
 
     /// Begins the last stage, the output of the results, without a spinner.
     pub fn begin_output(&self) {
         self.end();
         self.spinner.finish_and_clear();
-        *self.current.borrow_mut() = Some(("output".into(), Instant::now()));
+        self.set("output");
+    }
+
+    fn set(&self, name: &str) {
+        *self.current.borrow_mut() = Some((name.to_string(), Instant::now()));
+        *CURRENT.lock().unwrap_or_else(PoisonError::into_inner) = name.to_string();
     }
 
     fn end(&self) {

@@ -6,7 +6,8 @@ count from 0 in Python and from 1 in printed output. Quaternions are ``w, x, y, 
 
 from importlib.metadata import version as _version
 
-from affinor._engine import set_threads, threads
+from affinor._engine import clear_caches, set_threads, threads
+from affinor._limits import limits
 from affinor._sweep import RandomSample, SimulationTask, Sweep, sweep
 from affinor.algebra import Check, LieAlgebra, catalogue
 from affinor.errors import (
@@ -19,6 +20,7 @@ from affinor.errors import (
     IntegrationError,
     InternalError,
     JacobiError,
+    LimitError,
     MathematicsError,
     MetricError,
     ShapeError,
@@ -55,6 +57,7 @@ __all__ = [
     "InternalError",
     "JacobiError",
     "LieAlgebra",
+    "LimitError",
     "MathematicsError",
     "MetricError",
     "SimulationTask",
@@ -69,11 +72,13 @@ __all__ = [
     "Trajectory",
     "catalogue",
     "check",
+    "clear_caches",
     "compare",
     "contract",
     "convergence",
     "conventions",
     "groups",
+    "limits",
     "methods",
     "set_threads",
     "simulate",

@@ -14,6 +14,7 @@ __all__ = [
     "IntegrationError",
     "InternalError",
     "JacobiError",
+    "LimitError",
     "MathematicsError",
     "MetricError",
     "ShapeError",
@@ -154,6 +155,20 @@ class IntegrationError(MathematicsError):
     def time(self) -> float:
         """The time that was reached."""
         return float(self.data["time"])
+
+
+class LimitError(AffinorError):
+    """A computation that passed a limit of :func:`affinor.limits`."""
+
+    @property
+    def limit(self) -> str:
+        """``"timeout"`` or ``"memory"``."""
+        return str(self.data["limit"])
+
+    @property
+    def stage(self) -> str | None:
+        """What was computed, such as ``"curvature"``, or None."""
+        return self.data.get("stage")
 
 
 class InternalError(RuntimeError):

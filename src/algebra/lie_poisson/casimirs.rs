@@ -9,6 +9,7 @@ use crate::Error;
 use crate::algebra::invariants::common_kernel;
 use crate::algebra::structure::denominator;
 use affinor_tensors::linear::{Echelon, Row};
+use affinor_tensors::stop::stage;
 use affinor_tensors::{Field, Rational, Scalar, Symbolic, Tolerance};
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -46,6 +47,7 @@ impl LiePoisson {
     /// # Errors
     /// [`Error::Size`] beyond [`MAX_DEGREE`] or [`MAX_MONOMIALS`].
     pub fn casimirs(&self, degree: u32) -> Result<Vec<Symbolic>, Error> {
+        let _stage = stage("casimirs");
         match self.constants::<Rational>() {
             Some(constants) => self.of_degree(&constants, degree),
             None => self.of_degree(&self.constants::<Symbolic>().unwrap_or_default(), degree),
@@ -58,6 +60,7 @@ impl LiePoisson {
     /// # Errors
     /// As [`casimirs`](Self::casimirs).
     pub fn casimir_generators(&self, most: u32) -> Result<Vec<Symbolic>, Error> {
+        let _stage = stage("casimirs");
         match self.constants::<Rational>() {
             Some(constants) => self.generators(&constants, most),
             None => self.generators(&self.constants::<Symbolic>().unwrap_or_default(), most),

@@ -4,6 +4,7 @@ use super::radical::TRIALS;
 use super::{GroundField, StructureTheory, Subspace};
 use affinor_tensors::linear::modular::ResidueMatrix;
 use affinor_tensors::linear::{Matrix, Row};
+use affinor_tensors::stop::stage;
 use std::cmp::Ordering;
 
 impl<S: GroundField> StructureTheory<S> {
@@ -14,6 +15,7 @@ impl<S: GroundField> StructureTheory<S> {
     /// and more basis vectors. Of `m` commuting vectors an algebra may have some `m^2` roots, so the coefficients are that large:
     /// with small ones some root would vanish on the element. At last come sums of all basis vectors, until one serves.
     pub fn cartan_subalgebra(&self) -> Subspace<S> {
+        let _stage = stage("cartan");
         self.cartan.get_or_init(|| self.search_cartan_subalgebra()).clone()
     }
 

@@ -5,6 +5,7 @@
 use super::subspace::collected;
 use super::{GroundField, StructureTheory, Subspace};
 use affinor_tensors::linear::Row;
+use affinor_tensors::stop::stage;
 
 /// The largest dimension at which closed 2-forms are computed.
 pub const MAX_DIMENSION: usize = 60;
@@ -49,6 +50,7 @@ impl<S: GroundField> StructureTheory<S> {
     /// The closed and the exact 2-forms; `None` beyond [`MAX_DIMENSION`], and beyond dimension 12 with parameters or more than
     /// 4000 structure constants `c^i_jk`.
     pub fn two_forms(&self) -> Option<TwoForms<S>> {
+        let _stage = stage("forms");
         let n = self.dimension();
         let constants = self.algebra().structure_constants();
         let few = constants.len() <= MAX_CONSTANTS;

@@ -5,6 +5,7 @@ use super::dynkin::exponents;
 use super::reduction::ModularAlgebra;
 use super::subspace::collected;
 use super::{GroundField, StructureTheory};
+use affinor_tensors::stop::{checkpoint, stage};
 use polycore::Lead;
 use polycore::modp_echelon::Echelon;
 use std::collections::BTreeMap;
@@ -32,6 +33,7 @@ impl<S: GroundField> StructureTheory<S> {
     /// Beyond, they are computed from ranks modulo two primes. In a unimodular algebra `d` on `Lambda^k` has the rank of `d` on
     /// `Lambda^(n-1-k)` (Poincare duality).
     pub fn betti_numbers(&self) -> Option<(Vec<u64>, bool)> {
+        let _stage = stage("cohomology");
         let n = self.dimension();
         if n <= MAX_CERTIFIED {
             let mut closed: Vec<Certified> = vec![];
@@ -137,6 +139,7 @@ impl ModularAlgebra {
         };
         let mut sets: Vec<Vec<usize>> = vec![vec![]; n + 1];
         for set in (0..1usize << n).filter(invariant) {
+            checkpoint();
             sets[set.count_ones() as usize].push(set);
         }
         let rows = sets.iter().map(Vec::len).max().unwrap_or(0);
@@ -156,6 +159,7 @@ impl ModularAlgebra {
             let mut echelon = Echelon::new(Lead::Low, p.get());
             let mut pivots = vec![];
             for &set in sets.iter().filter(|set| !exact[**set]) {
+                checkpoint();
                 let terms = differential(n, |j| self.of(j), set).into_iter();
                 let row = terms.map(|(to, minus, &c)| (to, if minus { p.neg(c) } else { c }));
                 pivots.extend(echelon.insert(&row.collect::<Vec<_>>()));
@@ -171,6 +175,7 @@ impl ModularAlgebra {
         let (n, p) = (self.dimension(), self.prime());
         let mut equations: BTreeMap<usize, Vec<(usize, u64)>> = BTreeMap::new();
         for (at, &set) in sets.iter().enumerate() {
+            checkpoint();
             for (to, minus, &value) in differential(n, |j| self.of(j), set) {
                 let value = if minus { p.neg(value) } else { value };
                 equations.entry(to).or_default().push((at, value));
@@ -178,6 +183,7 @@ impl ModularAlgebra {
         }
         let mut echelon = Echelon::new(Lead::Low, p.get());
         equations.values().for_each(|row| {
+            checkpoint();
             echelon.insert(row);
         });
         let dense = |row: Vec<(usize, u64)>| {

@@ -10,6 +10,7 @@
 use super::identification::{scale as scaled, spectrum, sum, vector_images};
 use super::{StructureTheory, Subspace};
 use affinor_tensors::linear::{Matrix, Row};
+use affinor_tensors::stop::stage;
 use affinor_tensors::{Field, Rational, Ring};
 
 type Vector = Row<Rational>;
@@ -26,6 +27,7 @@ pub struct ComplexStructure {
 impl StructureTheory<Rational> {
     /// Whether there is a left-invariant complex structure; `None` for dimensions other than 2 and 4.
     pub fn complex_structure(&self) -> Option<ComplexStructure> {
+        let _stage = stage("complex structure");
         let pairs = match self.dimension() {
             2 => {
                 let [x, y] = &self.whole().basis().to_vec()[..] else { return None };

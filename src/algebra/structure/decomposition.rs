@@ -12,7 +12,9 @@ use super::ideals::{evaluate, minimal_polynomial};
 use super::radical::on_moment_curve;
 use super::{StructureTheory, Subspace};
 use crate::Error;
+use crate::algebra::irreducible_factors;
 use affinor_tensors::linear::{Matrix, Row};
+use affinor_tensors::stop::stage;
 use affinor_tensors::{Rational, Ring};
 
 /// The largest dimension at which the centroid is computed.
@@ -37,6 +39,7 @@ impl StructureTheory<Rational> {
     /// # Errors
     /// None for a Lie algebra; the errors of [`subalgebra`](Self::subalgebra).
     pub fn indecomposable_ideals(&self) -> Result<Option<Vec<Indecomposable>>, Error> {
+        let _stage = stage("decomposition");
         let n = self.dimension();
         if n > MAX_DIMENSION {
             return Ok(None);
@@ -85,7 +88,7 @@ impl StructureTheory<Rational> {
                 factors.into_iter().enumerate().filter(|(_, factor)| !factor.vanishes()).collect();
             let gamma = square(n, &centroid.vector(&terms))?;
             let minimal = minimal_polynomial(&gamma)?;
-            let factors = polyfactor::factor(&minimal);
+            let factors = irreducible_factors(&minimal);
             if factors.iter().map(|(factor, _)| factor.deg()).sum::<usize>() < eigenvalues {
                 continue;
             }

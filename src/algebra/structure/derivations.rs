@@ -7,6 +7,7 @@ use super::{GroundField, StructureTheory};
 use affinor_tensors::Rational;
 use affinor_tensors::linear::Row;
 use affinor_tensors::linear::modular::ResidueMatrix;
+use affinor_tensors::stop::stage;
 
 /// The largest dimension of an algebra, not reductive, whose derivations are counted.
 pub const MAX_DIMENSION: usize = 30;
@@ -17,6 +18,7 @@ impl<S: GroundField> StructureTheory<S> {
     ///
     /// Derivations of a semisimple algebra are inner (de Graaf 4.5); those of `s + z` are `ad s + gl(z)`.
     pub fn derivation_dimension(&self) -> Option<Certified> {
+        let _stage = stage("derivations");
         let n = self.dimension();
         if self.is_semisimple() {
             return Some(Certified::theorem(n));
@@ -35,6 +37,7 @@ impl<S: GroundField> StructureTheory<S> {
     /// The dimension of the symmetric forms with `B([x,y],z) = B(x,[y,z])`, with its proof; `None` beyond [`MAX_DIMENSION`]
     /// unless the algebra is reductive: then a form for each simple factor over the complex numbers, and all on the centre.
     pub fn invariant_form_dimension(&self) -> Option<Certified> {
+        let _stage = stage("invariant forms");
         let n = self.dimension();
         if n > MAX_DIMENSION {
             let z = self.radical().dimension();

@@ -19,12 +19,14 @@ use super::reduction::{ModularAlgebra, PseudoRandom};
 use super::{GroundField, StructureTheory};
 use crate::algebra::roots::{CartanType, Series};
 use affinor_tensors::linear::modular::{Prime, ResidueMatrix};
+use affinor_tensors::stop::{checkpoint, stage};
 use polycore::{Fp, Uni};
 
 impl<S: GroundField> StructureTheory<S> {
     /// The types of the simple factors of the Levi subalgebras over the algebraic closure, in order.
     /// `None` if no prime of a few serves.
     pub fn dynkin_type(&self) -> Option<Vec<CartanType>> {
+        let _stage = stage("type");
         self.types.get_or_init(|| self.find_types()).clone()
     }
 
@@ -207,6 +209,7 @@ impl Split {
 
     /// `X` times a polynomial in `X`.
     pub fn times_x(&self, polynomial: &[u64]) -> Vec<u64> {
+        checkpoint();
         let (p, m) = (self.prime, polynomial.len());
         let lead = polynomial[m - 1];
         let shifted = [0].iter().chain(&polynomial[..m - 1]);
@@ -234,6 +237,7 @@ impl Split {
         // t^m - sum of relation_k t^k: the elementary functions up to sign
         let mut sums = vec![p.integer(m as i64)];
         for k in 1..2 * m + 3 {
+            checkpoint();
             let mut sum = 0;
             for i in 1..=k.min(m) {
                 let factor = if i == k { p.integer(k as i64) } else { sums[k - i] };

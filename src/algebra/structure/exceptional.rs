@@ -6,6 +6,7 @@
 use super::StructureTheory;
 use super::cohomology::differential;
 use super::subspace::collected;
+use crate::algebra::irreducible_factors;
 use affinor_tensors::linear::{Matrix, Row};
 use affinor_tensors::scalar::divisors_of;
 use affinor_tensors::{Rational, Ring, Symbolic};
@@ -52,7 +53,7 @@ impl Candidates {
         if polynomial.deg() == 0 {
             return;
         }
-        for (factor, _) in polyfactor::factor(polynomial) {
+        for (factor, _) in irreducible_factors(polynomial) {
             if factor.deg() == 1 {
                 self.values.push(-Rational::from(&factor.0[0] / &factor.0[1]));
             } else if !factor.isolate().is_empty() {

@@ -11,9 +11,11 @@ use super::real_forms::{complex_form, real_forms};
 use super::reduction::{ModularAlgebra, PseudoRandom};
 use super::{StructureTheory, Subspace};
 use crate::Error;
+use crate::algebra::irreducible_factors;
 use crate::algebra::roots::CartanType;
 use affinor_tensors::linear::modular::{RationalReconstruction, ResidueMatrix, primes};
 use affinor_tensors::linear::{Matrix, Row};
+use affinor_tensors::stop::stage;
 use affinor_tensors::{Rational, Ring};
 use num_rational::BigRational;
 use polycore::Uni;
@@ -69,6 +71,7 @@ impl StructureTheory<Rational> {
     /// # Errors
     /// None for a semisimple algebra; the errors of [`subalgebra`](Self::subalgebra).
     pub fn simple_ideals(&self) -> Result<Option<SimpleIdeals>, Error> {
+        let _stage = stage("simple ideals");
         let Some(types) = self.dynkin_type() else { return Ok(None) };
         let mut ideals = SimpleIdeals { rational: vec![], real: vec![] };
         if let [one] = types[..] {
@@ -81,7 +84,7 @@ impl StructureTheory<Rational> {
         }
         let Some(centroid) = self.centroid(types.len()) else { return Ok(None) };
         let Some((gamma, minimal)) = generator(&centroid) else { return Ok(None) };
-        for (factor, _) in polyfactor::factor(&minimal) {
+        for (factor, _) in irreducible_factors(&minimal) {
             let Some(complementary) = minimal.exact(&factor) else { return Ok(None) };
             let projection = evaluate(&gamma, &complementary);
             let image = projection.transpose();

@@ -21,6 +21,7 @@ use super::subspace::collected;
 use super::{StructureTheory, Subspace};
 use crate::algebra::{LieAlgebra, catalogue};
 use affinor_tensors::linear::Row;
+use affinor_tensors::stop::stage;
 use affinor_tensors::{Field, Rational, Ring};
 pub(super) use four::spectrum;
 use witness::Images;
@@ -63,6 +64,7 @@ impl StructureTheory<Rational> {
     /// The name of the algebra, or of the parts of a direct sum: simple ideals by type and signature, Heisenberg and abelian
     /// ideals, and those of low dimension. `None` for other algebras.
     pub fn identify(&self) -> Option<Identification> {
+        let _stage = stage("identification");
         let Some(found) = self.by_invariants() else { return self.as_sum() };
         let named = found.isomorphism.is_none() && found.parameter.is_none();
         match &found.names[..] {

@@ -12,6 +12,7 @@ use super::reduction::{ModularAlgebra, PseudoRandom};
 use super::symplectic::pfaffian;
 use super::{GroundField, StructureTheory, Subspace};
 use affinor_tensors::linear::modular::ResidueMatrix;
+use affinor_tensors::stop::stage;
 use affinor_tensors::{Rational, Ring, Symbolic};
 use num_traits::Zero;
 
@@ -28,6 +29,7 @@ impl<S: GroundField> StructureTheory<S> {
     /// The index: the dimension minus the largest rank of the forms `f([x, y])`, the number of
     /// independent invariants of the coadjoint representation; with its proof.
     pub fn index(&self) -> Certified {
+        let _stage = stage("index");
         if self.is_reductive() {
             // forms and elements are the same by an invariant form, and a regular element has a Cartan subalgebra as its centralizer
             return Certified::theorem(self.cartan_subalgebra().dimension());

@@ -7,6 +7,7 @@ use super::subspace::denominator;
 use super::{GroundField, Subspace};
 use affinor_tensors::linear::Row;
 use affinor_tensors::linear::modular::{Prime, RationalReconstruction, ResidueMatrix, primes};
+use affinor_tensors::stop::checkpoint;
 use affinor_tensors::{Rational, Ring};
 use num_traits::Zero;
 use polycore::Lead;
@@ -89,6 +90,7 @@ fn kernel_modulo(prime: Prime, ambient: usize, rows: &[Row<Rational>]) -> Option
     if ambient > MANY && rows.iter().map(Vec::len).sum::<usize>() < SPARSE * rows.len() {
         let mut echelon = Echelon::new(Lead::High, prime.get());
         for row in rows {
+            checkpoint();
             let residue = |(at, value): &(usize, Rational)| Some((*at, prime.rational(value)?));
             let row: SparseRow = row.iter().map(residue).collect::<Option<_>>()?;
             echelon.insert(&row.into_iter().filter(|(_, v)| *v != 0).collect::<Vec<_>>());
@@ -119,6 +121,7 @@ fn sent_to_zero(ambient: usize, rows: &[Row<Rational>], vector: &Row<Rational>) 
         integers[*at] = value.clone() * &denominator;
     }
     rows.iter().all(|row| {
+        checkpoint();
         let terms = row.iter().filter(|(at, _)| !integers[*at].is_zero());
         let terms = terms.map(|(at, value)| value.clone() * &integers[*at]);
         terms.fold(Rational::from(0), |sum, term| sum + &term).is_zero()

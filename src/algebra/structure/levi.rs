@@ -4,6 +4,7 @@ use super::subspace::{collected, combination};
 use super::{GroundField, StructureTheory, Subspace};
 use crate::Error;
 use affinor_tensors::linear::{Matrix, Row};
+use affinor_tensors::stop::stage;
 
 impl<S: GroundField> StructureTheory<S> {
     /// A Levi subalgebra. It is not unique: any two are conjugate (Malcev).
@@ -16,6 +17,7 @@ impl<S: GroundField> StructureTheory<S> {
     /// # Errors
     /// None for a Lie algebra; the errors of [`subalgebra`](Self::subalgebra).
     pub fn levi(&self) -> Result<&Subspace<S>, Error> {
+        let _stage = stage("levi");
         if let Some(levi) = self.levi.get() {
             return Ok(levi);
         }

@@ -8,6 +8,7 @@ use super::StructureTheory;
 use crate::Error;
 use crate::algebra::lie_poisson::primitive_factor;
 use affinor_tensors::linear::{Matrix, Row};
+use affinor_tensors::stop::stage;
 use affinor_tensors::{Rational, Ring, Symbolic};
 use num_traits::Zero;
 
@@ -30,6 +31,7 @@ impl StructureTheory<Rational> {
     /// # Errors
     /// None for a Lie algebra; the errors of [`subalgebra`](Self::subalgebra).
     pub fn quadratic_casimirs(&self) -> Result<Option<Vec<Symbolic>>, Error> {
+        let _stage = stage("casimirs");
         if !self.is_reductive() {
             return Ok(None);
         }

@@ -2,6 +2,7 @@
 
 use super::{GroundField, StructureTheory, Subspace};
 use affinor_tensors::linear::{Matrix, Row};
+use affinor_tensors::stop::stage;
 
 /// How many elements with small coefficients are tried first.
 pub(super) const TRIALS: usize = 64;
@@ -18,6 +19,7 @@ impl<S: GroundField> StructureTheory<S> {
     /// The radical, the largest solvable ideal: the orthogonal complement of `[L, L]` for the Killing
     /// form (de Graaf 2.6).
     pub fn radical(&self) -> &Subspace<S> {
+        let _stage = stage("radical");
         self.radical.get_or_init(|| {
             let n = self.dimension();
             if self.is_semisimple() {
@@ -40,6 +42,7 @@ impl<S: GroundField> StructureTheory<S> {
     /// with `tr(ad_x ad_y^k) = 0` on `R` for all `k`. For any `y` that set contains the nilradical, so
     /// it is the nilradical as soon as it is a nilpotent ideal.
     pub fn nilradical(&self) -> Subspace<S> {
+        let _stage = stage("nilradical");
         let radical = self.radical();
         if radical.is_zero() || self.is_nilpotent() {
             return radical.clone();

@@ -6,9 +6,11 @@ use super::products::Ad;
 use super::reduction::ModularAlgebra;
 use super::subspace::combination;
 use super::{StructureTheory, Subspace};
+use crate::algebra::irreducible_factors;
 use crate::algebra::roots::CartanType;
 use affinor_tensors::linear::modular::PRIMES;
 use affinor_tensors::linear::{Echelon, Matrix, Row};
+use affinor_tensors::stop::stage;
 use affinor_tensors::{Field, Rational, Ring};
 use num_rational::BigRational;
 use polycore::{Fp, Uni};
@@ -44,6 +46,7 @@ impl StructureTheory<Rational> {
     /// for [`cartan_subalgebra`](Self::cartan_subalgebra). `None` if neither splits over the rationals, or if a vector has
     /// parts of more than 24 eigenvalues.
     pub fn root_spaces(&self) -> Option<RootSpaces> {
+        let _stage = stage("roots");
         let types = self.dynkin_type().filter(|_| self.is_semisimple())?;
         let rank = types.iter().map(|one| one.rank()).sum();
         let hyperbolic = self.hyperbolic_cartan_subalgebra(rank);
@@ -232,7 +235,7 @@ fn eigenvectors(
         break monic(&system.solve(&dense).ok()??);
     };
     let mut parts = vec![];
-    for (factor, multiplicity) in polyfactor::factor(&minimal) {
+    for (factor, multiplicity) in irreducible_factors(&minimal) {
         if factor.deg() != 1 || multiplicity > 1 {
             return None;
         }

@@ -1,6 +1,7 @@
 //! Subspaces of an algebra, by the reduced row echelon form of a basis.
 
 use affinor_tensors::linear::{Echelon, Matrix, Row};
+use affinor_tensors::stop::checkpoint;
 use affinor_tensors::{Field, Rational, Scalar};
 use num_rational::BigRational;
 
@@ -159,6 +160,7 @@ pub(crate) fn combination<S: Field + Scalar>(
 
 /// The sum of terms, sorted and without zeros.
 pub(crate) fn collected<K: Copy + Ord, S: Field + Scalar>(mut terms: Vec<(K, S)>) -> Vec<(K, S)> {
+    checkpoint();
     terms.sort_by_key(|(at, _)| *at);
     let sum = |run: &[(K, S)]| {
         let total = run[1..].iter().fold(run[0].1.clone(), |total, (_, value)| total + value);

@@ -16,6 +16,7 @@ use crate::algebra::lie_poisson::LiePoisson;
 use affinor_tensors::Symbolic;
 use affinor_tensors::linear::Row;
 use affinor_tensors::linear::modular::{Prime, ResidueMatrix, primes};
+use affinor_tensors::stop::stage;
 use num_traits::{One, Zero};
 
 /// The largest dimension at which a Pfaffian is expanded, that is: at which "there is none" can be proved.
@@ -48,6 +49,7 @@ pub enum Existence<S> {
 impl<S: GroundField> StructureTheory<S> {
     /// A closed 2-form that is not degenerate, with components as in [`TwoForms`].
     pub fn symplectic_form(&self, forms: &TwoForms<S>) -> Existence<S> {
+        let _stage = stage("symplectic form");
         if self.is_unimodular() && !self.is_solvable() {
             return Existence::Unimodular;
         }
@@ -101,6 +103,7 @@ impl<S: GroundField> StructureTheory<S> {
 
     /// A contact form `a`: `a (d a)^k` is not zero in dimension `2 k + 1`.
     pub fn contact_form(&self) -> Existence<S> {
+        let _stage = stage("contact form");
         let n = self.dimension();
         let bordered = |i: usize| {
             let differential = antisymmetric(n, &self.differential(&[(i, S::one())]));
@@ -142,6 +145,7 @@ impl<S: GroundField> StructureTheory<S> {
     /// # Errors
     /// As [`LiePoisson::casimir_generators`].
     pub fn casimirs(&self, most: u32) -> Result<Vec<Symbolic>, Error> {
+        let _stage = stage("casimirs");
         let algebra: LieAlgebra<Symbolic> = self.algebra().map(GroundField::symbolic)?;
         LiePoisson::right(&algebra)?.casimir_generators(most)
     }

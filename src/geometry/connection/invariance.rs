@@ -3,6 +3,7 @@
 use super::Connection;
 use crate::algebra::LieAlgebra;
 use crate::{Error, Law};
+use affinor_tensors::stop::stage;
 use affinor_tensors::{Down, Field, Scalar, Tensor, Up, contract};
 
 impl<S: Scalar> Connection<S> {
@@ -60,6 +61,7 @@ impl<S: Field + Scalar> Connection<S> {
     /// # Errors
     /// [`Error::Size`] beyond [`MAX_UNKNOWNS`](crate::algebra::invariants::MAX_UNKNOWNS) components.
     pub fn bi_invariant(algebra: &LieAlgebra<S>) -> Result<Vec<Tensor<S>>, Error> {
+        let _stage = stage("bi-invariant connections");
         let directions: Vec<_> = algebra.basis().collect();
         algebra.invariant_tensors(&[Up, Down, Down], &directions)
     }

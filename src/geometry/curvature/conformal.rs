@@ -9,6 +9,7 @@ use crate::Error;
 use crate::algebra::frame::formula;
 use crate::geometry::connection::Connection;
 use crate::geometry::metric::Metric;
+use affinor_tensors::stop::stage;
 use affinor_tensors::{Field, Scalar, Tensor, TensorError};
 
 impl<S: Field + Scalar> Connection<S> {
@@ -41,6 +42,7 @@ impl<S: Field + Scalar> Connection<S> {
     /// # Errors
     /// As [`schouten`](Self::schouten).
     pub fn weyl(&self, metric: &Metric<S>) -> Result<Tensor<S>, Error> {
+        let _stage = stage("weyl");
         let schouten = self.schouten(metric)?;
         let raised = schouten.raise(0, metric.inverse())?;
         Ok(formula(
@@ -62,6 +64,7 @@ impl<S: Field + Scalar> Connection<S> {
     /// # Errors
     /// As [`schouten`](Self::schouten).
     pub fn cotton(&self, metric: &Metric<S>) -> Result<Tensor<S>, Error> {
+        let _stage = stage("cotton");
         let nabla = self.nabla(&self.schouten(metric)?)?;
         Ok(formula("D_kjl - D_ljk -> _j[kl]", &[("D", &nabla)]))
     }

@@ -4,6 +4,7 @@ use crate::Error;
 use crate::algebra::frame::{expect_slots, formula};
 use crate::geometry::connection::Connection;
 use crate::geometry::metric::Metric;
+use affinor_tensors::stop::stage;
 use affinor_tensors::{Field, Scalar, Tensor, TensorError, Up};
 
 impl<S: Field + Scalar> Connection<S> {
@@ -73,6 +74,7 @@ impl<S: Field + Scalar> Connection<S> {
     /// # Errors
     /// [`Error::Shape`] when the dimensions differ.
     pub fn kretschmann(&self, metric: &Metric<S>) -> Result<S, Error> {
+        let _stage = stage("kretschmann");
         metric.expect_dimension(self.frame().dimension())?;
         let lowered = self.curvature().lower(0, metric.components())?;
         let raise = |tensor: Tensor<S>, slot| tensor.raise(slot, metric.inverse());

@@ -6,6 +6,7 @@ use crate::algebra::invariants::invariant_tensors;
 use crate::geometry::connection::Connection;
 use crate::geometry::metric::Metric;
 use affinor_tensors::linear::Echelon;
+use affinor_tensors::stop::stage;
 use affinor_tensors::{Down, Field, Scalar, Tensor, Up};
 
 impl<S: Field + Scalar> Metric<S> {
@@ -24,6 +25,7 @@ impl<S: Field + Scalar> Metric<S> {
     /// # Errors
     /// [`Error::Size`] beyond [`MAX_UNKNOWNS`](crate::algebra::invariants::MAX_UNKNOWNS) components.
     pub fn bi_invariant_forms(algebra: &LieAlgebra<S>) -> Result<Vec<Tensor<S>>, Error> {
+        let _stage = stage("invariant forms");
         let ads = algebra.basis().map(|x| algebra.ad(&x)).collect::<Result<Vec<_>, _>>()?;
         symmetric_invariants(algebra.dimension(), &ads)
     }
@@ -37,6 +39,7 @@ impl<S: Field + Scalar> Connection<S> {
     /// [`Error::Unsupported`] in a frame that is not invariant; [`Error::Size`] as for
     /// [`bi_invariant_forms`](Metric::bi_invariant_forms).
     pub fn parallel_forms(&self) -> Result<Vec<Tensor<S>>, Error> {
+        let _stage = stage("parallel forms");
         if !self.frame().is_invariant() {
             return Err(Error::Unsupported(
                 "constant forms are asked for in an invariant frame only".into(),

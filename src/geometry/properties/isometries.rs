@@ -7,6 +7,7 @@ use crate::algebra::LieAlgebra;
 use crate::algebra::frame::formula;
 use crate::geometry::metric::Metric;
 use affinor_tensors::linear::{Echelon, Matrix};
+use affinor_tensors::stop::stage;
 use affinor_tensors::{Down, Field, Scalar, Tensor, Up};
 
 impl<S: Field + Scalar> Metric<S> {
@@ -19,6 +20,7 @@ impl<S: Field + Scalar> Metric<S> {
     /// [`Error::Shape`] when the dimensions differ. [`Error::Linear`] over a ring that is
     /// not a field.
     pub fn killing_fields(&self, algebra: &LieAlgebra<S>) -> Result<Vec<Vec<S>>, Error> {
+        let _stage = stage("Killing fields");
         let (n, variation) = (algebra.dimension(), self.ad_invariance_defect(algebra)?);
         let mut rows = vec![Vec::new(); n * n];
         for (at, value) in variation.components() {
@@ -65,6 +67,7 @@ impl<S: Field + Scalar> Metric<S> {
         &self,
         algebra: &LieAlgebra<S>,
     ) -> Result<Property<S, Tensor<S>>, Error> {
+        let _stage = stage("naturally reductive");
         let n = algebra.dimension();
         let (g, c) = (self.components(), algebra.structure_constants());
         let variation = self.ad_invariance_defect(algebra)?;

@@ -9,10 +9,12 @@
 use super::Property;
 use crate::Error;
 use crate::algebra::LieAlgebra;
+use crate::algebra::irreducible_factors;
 use crate::algebra::structure::Killing;
 use crate::geometry::connection::Connection;
 use crate::geometry::metric::Metric;
 use affinor_tensors::linear::Matrix;
+use affinor_tensors::stop::{checkpoint, stage};
 use affinor_tensors::{Rational, Ring, Tensor};
 use nalgebra::{DMatrix, DVector};
 use num_rational::BigRational;
@@ -65,6 +67,7 @@ impl Metric<Rational> {
         &self,
         algebra: &LieAlgebra<Rational>,
     ) -> Result<Option<[Extreme; 2]>, Error> {
+        let _stage = stage("sectional curvature");
         let n = algebra.dimension();
         let Some(sign) = self.definite(n)? else { return Ok(None) };
         if !(2..=MAX_SEARCHED).contains(&n) {
@@ -124,7 +127,7 @@ impl Metric<Rational> {
         let second = (t.clone() * &t - &trace(&square)) * &half;
         let coefficients = [-ricci.determinant()?, second, -t.clone(), Rational::from(1)];
         let big = Uni::new(coefficients.iter().map(BigRational::from).collect());
-        let factors = polyfactor::factor(&big);
+        let factors = irreducible_factors(&big);
         if factors.iter().any(|(factor, _)| factor.deg() != 1) {
             return Ok(None);
         }
@@ -217,6 +220,7 @@ impl Search {
         let mut value = self.value(&x, &y);
         let mut unchanged = 0;
         for _ in 0..rounds {
+            checkpoint();
             let next = self.partner(&x, side);
             let improved = self.value(&x, &next);
             if side * (improved - value) > 1e-15 {

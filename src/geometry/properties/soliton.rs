@@ -7,6 +7,7 @@ use crate::algebra::LieAlgebra;
 use crate::algebra::frame::formula;
 use crate::geometry::connection::Connection;
 use crate::geometry::metric::Metric;
+use affinor_tensors::stop::stage;
 use affinor_tensors::{Field, Scalar, Tensor, contract};
 
 /// The decomposition `Ric = constant Id + derivation` of an algebraic Ricci soliton.
@@ -29,6 +30,7 @@ impl<S: Field + Scalar> Metric<S> {
     /// # Errors
     /// [`Error::Shape`] when the dimensions differ.
     pub fn ricci_soliton(&self, algebra: &LieAlgebra<S>) -> Result<Property<S, Soliton<S>>, Error> {
+        let _stage = stage("Ricci soliton");
         let levi_civita = Connection::levi_civita(algebra.left_frame(), self)?;
         let ricci = levi_civita.ricci().raise(0, self.inverse())?;
         let c = algebra.structure_constants();

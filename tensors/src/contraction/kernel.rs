@@ -10,6 +10,7 @@ use super::arithmetic::{Arithmetic, Term, Value};
 use super::found::Found;
 use super::rows::{Laid, Rows};
 use super::shape::{Place, Shape};
+use crate::stop::checkpoint;
 use crate::threads;
 use std::ops::Range;
 use std::sync::{Mutex, PoisonError};
@@ -165,6 +166,7 @@ impl<'w, S: Value, A: Arithmetic<S>> Walk<'w, S, A> {
 
     /// Computes all components with fixed leading indices.
     fn leaf(&mut self, key: u64, from: usize) {
+        checkpoint();
         let bounds = Bounds::new(self.shape, key);
         for &Alive { term, driver, partner } in &self.alive[from..] {
             let laid = &self.terms[term];
@@ -254,6 +256,7 @@ fn spread<S: Value>(
     let mut all: Vec<(u64, S)> = keys.into_iter().zip(values).collect();
     // insert the index `end` of the group at every place among those before it
     for end in group.start + 1..group.end {
+        checkpoint();
         all.reserve_exact(all.len() * (end - group.start));
         for at in 0..all.len() {
             let (mut key, mut value) = all[at].clone();
@@ -267,6 +270,7 @@ fn spread<S: Value>(
             }
         }
     }
+    checkpoint();
     // the keys are different
     all.sort_unstable_by_key(|(key, _)| *key);
     let mut sorted = (Vec::with_capacity(all.len()), Vec::with_capacity(all.len()));

@@ -4,6 +4,7 @@ use super::arithmetic::{Factor, Term};
 use super::positions::{Digits, Position, beginnings, sort_by_counting};
 use super::shape::{Place, Shape};
 use super::{KernelThresholds, Role};
+use crate::stop::checkpoint;
 use std::ops::Range;
 
 /// A term laid out in rows. The driver is read entry by entry; the partner is looked up by row.
@@ -46,6 +47,9 @@ impl<V: Clone> Laid<V> {
         (!empty).then_some(Laid { driver, partner, mirrored: term.mirrored })
     }
 }
+
+/// So many entries are laid out between two checkpoints.
+const MANY: usize = 1 << 12;
 
 /// How the slots of a factor become a row and a place in the accumulator.
 struct Layout<'l> {
@@ -133,18 +137,23 @@ impl<V: Clone> Rows<V> {
         let mut order: Vec<Position> = Vec::with_capacity(factor.keys.len());
         let mut digits = Digits::new(n, factor.roles, &weights);
         for (at, &key) in factor.keys.iter().enumerate() {
+            if at % MANY == 0 {
+                checkpoint();
+            }
             if let Some((group, link, place)) = digits.read(key).filter(|at| needed(at.2)) {
                 order.push(Position { group, link, place, at: at as u32 });
             }
         }
         let index = if marked {
             sort_by_counting(&mut order, links, |position| position.link);
+            checkpoint();
             sort_by_counting(&mut order, groups, |position| position.group);
             Index::Marked(Marked::new(&order, groups, links.div_ceil(64) as usize, layout.tabled))
         } else {
             order.sort_unstable_by_key(|position| (position.group, position.link, position.at));
             Index::Sorted(order.iter().map(|position| (position.group, position.link)).collect())
         };
+        checkpoint();
         let entry = |position: &Position| Entry {
             place: position.place,
             value: factor.values[position.at as usize].clone(),

@@ -4,6 +4,7 @@
 //! many primes. Polynomials are computed modulo primes of 61 bits by `polycore`; here four products of residues fit one machine word.
 
 use crate::Rational;
+use crate::stop::checkpoint;
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_rational::{BigRational, Ratio};
@@ -202,6 +203,7 @@ impl ResidueMatrix {
 
     /// The vector `A x`.
     pub fn apply(&self, x: &[u64]) -> Vec<u64> {
+        checkpoint();
         self.rows.iter().map(|row| self.prime.dot(row, x)).collect()
     }
 }
@@ -216,6 +218,7 @@ pub struct SparseResidues {
 impl SparseResidues {
     /// The vector `A x`.
     pub fn apply(&self, x: &[u64]) -> Vec<u64> {
+        checkpoint();
         let p = self.prime;
         let entry = |row: &Vec<(u32, u32)>| {
             // three products of residues below 2^31 and a residue stay below 2^64
@@ -241,6 +244,7 @@ struct Reduced {
 impl Reduced {
     /// Makes a row zero at all pivots. The rows are zero at the pivots of each other, so the factors stand in the row.
     fn clear(&self, p: Prime, row: &mut [u64]) {
+        checkpoint();
         let factors = self.pivots.iter().map(|&pivot| p.neg(row[pivot]));
         let factors: Vec<(usize, u64)> =
             factors.enumerate().filter(|(_, factor)| *factor != 0).collect();

@@ -1,5 +1,6 @@
 //! Sparse vectors, and sums of multiples of them.
 
+use crate::stop::checkpoint;
 use crate::{Sum, Summable, Tolerance};
 
 /// A sparse vector: the nonzero components `(index, value)`, indices from 0 and increasing.
@@ -21,6 +22,7 @@ pub(super) fn collect<S: Summable>(
 
 /// The same for a list: compiled once a scalar, not once an iterator.
 fn added<S: Summable>(mut entries: Row<S>, tolerance: Tolerance) -> Row<S> {
+    checkpoint();
     entries.sort_by_key(|(j, _)| *j);
     let sums = entries.chunk_by(|a, b| a.0 == b.0).map(|run| {
         let mut sum = S::Sum::term(&run[0].1);
@@ -47,6 +49,7 @@ pub(super) fn add_multiple<S: Summable>(
     factor: &S,
     row: &[(usize, S)],
 ) -> Row<S::Sum> {
+    checkpoint();
     let mut total = Vec::with_capacity(sums.len() + row.len());
     let mut rest = row.iter().peekable();
     for (column, mut sum) in sums {

@@ -3,7 +3,9 @@
 //! The limit counts terms, not seconds, so the same computation ends in the same way on every
 //! machine and with any number of threads.
 
-use std::cell::{Cell, RefCell};
+use crate::limits::Limits;
+use crate::stop::checkpoint;
+use std::cell::Cell;
 use std::fmt;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
@@ -38,7 +40,6 @@ pub struct EffortExceeded {
 const PRODUCTS: u64 = 512;
 
 thread_local! {
-    static CURRENT: RefCell<Option<Arc<Effort>>> = const { RefCell::new(None) };
     /// All that this thread counted, with and without a limit.
     static COUNTED: Cell<Counted> = const { Cell::new(Counted { terms: 0, products: 0 }) };
 }
@@ -90,7 +91,8 @@ impl Effort {
     /// # Errors
     /// [`EffortExceeded`].
     pub fn bound<T>(self: &Arc<Self>, work: impl FnOnce() -> T) -> Result<T, EffortExceeded> {
-        let result = inherit(Some(self.clone()), work);
+        let limits = Limits { effort: Some(self.clone()), ..Limits::current() };
+        let result = limits.run(work);
         self.exceeded().map_or(Ok(result), Err)
     }
 
@@ -114,35 +116,15 @@ impl fmt::Display for EffortExceeded {
 
 impl std::error::Error for EffortExceeded {}
 
-/// The limit of this thread, for its workers.
-#[cfg(feature = "parallel")]
-pub(crate) fn current() -> Option<Arc<Effort>> {
-    CURRENT.with_borrow(Clone::clone)
-}
-
-/// Runs work with this limit.
-pub(crate) fn inherit<T>(effort: Option<Arc<Effort>>, work: impl FnOnce() -> T) -> T {
-    /// Restores the limit before, also when the work unwinds.
-    struct Restore(Option<Arc<Effort>>);
-    impl Drop for Restore {
-        fn drop(&mut self) {
-            CURRENT.set(self.0.take());
-        }
-    }
-    let before = Restore(CURRENT.replace(effort));
-    let result = work();
-    drop(before);
-    result
-}
-
 /// Whether the limit allows this too.
 fn charge(by: Counted) -> bool {
+    checkpoint();
     let Counted { terms, products } = COUNTED.get();
     COUNTED.set(Counted {
         terms: terms.wrapping_add(by.terms),
         products: products.wrapping_add(by.products),
     });
-    CURRENT.with_borrow(|effort| match effort {
+    Limits::with(|limits| match &limits.effort {
         None => true,
         Some(effort) => {
             effort.terms.fetch_add(by.terms, Relaxed);

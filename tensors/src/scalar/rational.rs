@@ -9,6 +9,7 @@ mod sum;
 use super::operators::forward_operators;
 use super::{Field, Kind, Notation, Ring, Summable, Tabular, Variable};
 use crate::expression::{Expression, ExpressionError};
+use crate::stop::checkpoint;
 use dashu_int::{IBig, UBig};
 use dashu_ratio::RBig;
 use num_bigint::{BigInt, Sign};
@@ -222,7 +223,9 @@ impl Rational {
         }
     }
 
+    /// The canonical form of the result of an operation, of which sums and products with long numbers have many.
     fn demote(value: RBig) -> Self {
+        checkpoint();
         Self::small(value.numerator(), value.denominator())
             .unwrap_or_else(|| Rational(Big(Box::new(value))))
     }

@@ -15,6 +15,7 @@ use super::{
 use crate::expression::is_name;
 use crate::function::{Function, is_elementary};
 use crate::linear::Matrix;
+use crate::stop::checkpoint;
 use image::Image;
 use num_traits::{One, Zero};
 use solution::Solution;
@@ -170,6 +171,7 @@ impl Recorded {
     }
 
     fn of(operation: Operation, image: Option<Image>) -> Self {
+        checkpoint();
         match image.and_then(Image::certain) {
             Some(Image::ZERO) => Self::zero(),
             Some(Image::ONE) => Self::one(),

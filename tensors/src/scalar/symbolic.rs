@@ -50,6 +50,12 @@ pub use free::FreeFunction;
 pub use positive::PositiveFactors;
 pub use variable::Variable;
 
+/// Forgets what this thread remembers.
+pub(super) fn clear_caches() {
+    once::clear();
+    memo::clear();
+}
+
 /// A rational function of named parameters with rational coefficients, in lowest terms.
 ///
 /// The denominator has coprime integer coefficients, the first one positive. Terms are sorted by

@@ -4,6 +4,7 @@
 //! Sharp, Winternitz and Zassenhaus. Parameters that are not rational stay open, with equations that have rational coefficients.
 
 use super::Identification;
+use crate::algebra::irreducible_factors;
 use crate::algebra::structure::{StructureTheory, Subspace};
 use affinor_tensors::linear::Matrix;
 use affinor_tensors::{Field, Rational, Ring};
@@ -140,7 +141,7 @@ pub(in crate::algebra::structure) fn spectrum(matrix: &Matrix<Rational>) -> Opti
     coefficients.reverse();
     let polynomial = Uni::new(coefficients.iter().map(BigRational::from).collect());
     let mut found = Spectrum { rational: vec![], irrational: false, complex: None };
-    for (factor, multiplicity) in polyfactor::factor(&polynomial) {
+    for (factor, multiplicity) in irreducible_factors(&polynomial) {
         let real = factor.isolate().len();
         let coefficient = |at: usize| Rational::from(factor.0[at].clone());
         match (factor.deg(), real) {

@@ -4,6 +4,7 @@
 //! is a matrix, and its echelon form eliminates monomials: those of high degree, or those of low degree.
 
 use super::{Subspace, collected, scale};
+use crate::algebra::irreducible_factors;
 use affinor_tensors::{Field, Rational};
 use num_rational::BigRational;
 use polycore::Uni;
@@ -110,7 +111,7 @@ pub(super) fn value(polynomial: &Polynomial, at: &impl Fn(usize) -> Rational) ->
 /// The rational roots of a polynomial in one variable; `coefficients` from the lowest.
 fn roots(coefficients: &[Rational]) -> Vec<Rational> {
     let polynomial = Uni::new(coefficients.iter().map(BigRational::from).collect());
-    let linear = polyfactor::factor(&polynomial).into_iter().filter(|(f, _)| f.deg() == 1);
+    let linear = irreducible_factors(&polynomial).into_iter().filter(|(f, _)| f.deg() == 1);
     linear
         .filter_map(|(f, _)| {
             let [constant, lead] = [0, 1].map(|at| Rational::from(f.0[at].clone()));

@@ -7,6 +7,7 @@ use super::span::Span;
 use crate::group::matrices::TOLERANCE;
 use crate::numerics::double::{exp_less_identity, mapped, rounded};
 use crate::numerics::exponential::{balance, balanced_by, exp};
+use affinor_tensors::stop::checkpoint;
 use nalgebra::{DMatrix, DVector};
 
 /// The largest number of steps of Gauss and Newton.
@@ -30,6 +31,7 @@ pub(super) fn nearest(span: &Span, g: &DMatrix<f64>, x: &DVector<f64>) -> Option
     let mut x = x.clone();
     let mut before = f64::INFINITY;
     for _ in 0..STEPS {
+        checkpoint();
         let generator = balanced_by(&span.combination(&x), &exponents);
         // cancellation: the difference is of the size of a rounding error
         let exact = span.double_combination(&x);
@@ -69,6 +71,7 @@ fn derivative(span: &Span, x: &DMatrix<f64>, exponents: &[i32]) -> Option<DMatri
     [0, n].into_iter().for_each(|at| block.view_mut((at, at), (n, n)).copy_from(x));
     let mut derivative = DMatrix::zeros(n * n, span.dimension());
     for (at, mut column) in derivative.column_iter_mut().enumerate() {
+        checkpoint();
         let along = balanced_by(&span.matrix(at), exponents);
         block.view_mut((0, n), (n, n)).copy_from(&along);
         let moved = exp(&block).view((0, n), (n, n)).into_owned();

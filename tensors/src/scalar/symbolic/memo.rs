@@ -13,6 +13,7 @@ use std::cell::RefCell;
 use std::sync::Arc;
 use std::thread::LocalKey;
 
+/// At most 65,536 entries per thread, of values with at most 48 terms.
 type Memo<T> = Cache<Box<Entry<T>>, { 1 << 14 }>;
 
 struct Entry<T> {
@@ -26,6 +27,12 @@ struct Entry<T> {
 thread_local! {
     static SHAPES: RefCell<Memo<Arc<Shape>>> = RefCell::default();
     static TEXTS: RefCell<Memo<Arc<str>>> = RefCell::default();
+}
+
+/// Forgets the shapes and texts that this thread remembers.
+pub(super) fn clear() {
+    SHAPES.take();
+    TEXTS.take();
 }
 
 /// The shape of a fraction, which is made if it is not known.

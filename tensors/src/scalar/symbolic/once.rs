@@ -24,6 +24,8 @@ thread_local! {
     static KNOWN: RefCell<Known> = RefCell::default();
 }
 
+/// At most four times the numbers of entries written here, per thread: 131,072 sums of at most 24 products, 32,768 multiples,
+/// 65,536 quotients and 16,384 values, each with at most 48 terms.
 #[derive(Default)]
 struct Known {
     sums: Cache<Box<Sum>, { 1 << 15 }>,
@@ -119,6 +121,11 @@ impl Pattern {
         }
         true
     }
+}
+
+/// Forgets the sums that this thread remembers.
+pub(super) fn clear() {
+    KNOWN.take();
 }
 
 /// The value of `constant + products`, which is computed if it is not known.

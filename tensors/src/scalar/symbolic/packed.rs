@@ -6,6 +6,7 @@
 //! quotients are computed with a heap (M. Monagan and R. Pearce, *J. Symb. Comp.* 46 (2011) 807-822).
 
 use super::polynomial::{Residue, coordinate};
+use crate::stop::checkpoint;
 use num_traits::{One, PrimInt, Zero};
 use polycore::Field;
 use std::collections::BinaryHeap;
@@ -106,6 +107,7 @@ impl<K: Word> Gathered<K> {
     pub fn add_product(&mut self, scale: i128, a: &[(K, i128)], b: &[(K, i128)]) {
         let (few, many) = if a.len() < b.len() { (a, b) } else { (b, a) };
         for (word, value) in few {
+            checkpoint();
             self.reserve(many.len());
             let value = scale * value;
             for (other, factor) in many {
@@ -193,6 +195,7 @@ pub(super) fn exact<K: Word>(
     let mut waiting: Vec<usize> = (1..g.len()).collect();
     let mut input = f.iter().copied().peekable();
     loop {
+        checkpoint();
         let above = input.peek().map(|(word, _)| *word);
         let Some(word) = above.max(heap.peek().map(|(word, _)| *word)) else {
             return Ok(Some(quotient));

@@ -4,6 +4,7 @@
 //! the variables. Selecting or inserting variables keeps that order.
 
 use super::super::{Rational, effort};
+use crate::stop::detached;
 use num_bigint::BigInt;
 use num_rational::{BigRational, Ratio};
 use num_traits::{One, ToPrimitive};
@@ -52,6 +53,9 @@ fn scaled(f: &Polynomial, c: &Polynomial) -> Polynomial {
     }
 }
 
+/// A gcd takes longer than a few milliseconds if the product of the numbers of terms is larger.
+const LONG: usize = 1 << 14;
+
 /// `(h, f / h, g / h)` for the greatest common divisor `h`, primitive with positive leading
 /// coefficient. `g` must also have this form; `h` is 1 when `f` or `g` is constant.
 pub(super) fn cofactors(f: &Polynomial, g: &Polynomial) -> (Polynomial, Polynomial, Polynomial) {
@@ -79,7 +83,12 @@ pub(super) fn cofactors(f: &Polynomial, g: &Polynomial) -> (Polynomial, Polynomi
     if !effort::products(f.terms.len().saturating_mul(g.terms.len())) {
         return (one(), f.clone(), g.clone());
     }
-    let h = zippel_gcd::zippel(&f.map(to_big), &g.map(to_big)).map(from_big);
+    let (big_f, big_g) = (f.map(to_big), g.map(to_big));
+    let h = match f.terms.len().saturating_mul(g.terms.len()) {
+        ..LONG => zippel_gcd::zippel(&big_f, &big_g),
+        _ => detached(move || zippel_gcd::zippel(&big_f, &big_g)),
+    };
+    let h = h.map(from_big);
     if h.is_constant() {
         return (one(), f.clone(), g.clone());
     }

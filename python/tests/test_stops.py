@@ -1,0 +1,154 @@
+"""Calls that are stopped: by signals, and by limits on the time and the memory."""
+
+import os
+import signal
+import subprocess
+import sys
+import threading
+import time
+
+import numpy as np
+import pytest
+import sympy as sp
+
+import affinor as af
+
+RANDOM = np.random.default_rng(5).integers(-3, 4, size=(28, 28))
+DENSE = (RANDOM.T @ RANDOM + 28 * np.eye(28, dtype=int)).tolist()
+
+TOP = {"space": "so3", "metric": [1, 2, 3], "initial": {"velocity": [0.1, 2, 0.1]}}
+
+
+def metric(n):
+    return [[DENSE[i][j] for j in range(n)] for i in range(n)]
+
+
+def symbols(n):
+    return sp.Matrix(n, n, lambda i, j: sp.Symbol(f"g{min(i, j)}_{max(i, j)}"))
+
+
+def scrambled(name):
+    algebra = af.LieAlgebra(name)
+    return algebra.change_basis(metric(algebra.dimension))
+
+
+LONG = {
+    "curvature": lambda: af.Geometry("se3", metric=symbols(6)).curvature,
+    "properties": lambda: af.Geometry("se3", metric=symbols(6)).properties(),
+    "exact": lambda: af.Geometry("so(8)", metric=metric(28)).nabla_curvature,
+    "extremes": lambda: [af.Geometry("so(5)", metric=metric(10)).properties() for _ in range(9)],
+    "holonomy": lambda: af.Geometry("so(6)", metric=metric(15)).holonomy(),
+    "info": lambda: scrambled("so(7)+heisenberg(7)").info(),
+    "E8": lambda: af.Geometry("E8", metric=list(range(1, 249))).nabla_curvature,
+    "check": lambda: [af.Geometry("E8@zero").nabla_curvature for _ in range(9)],
+    "transport": lambda: af.Geometry("E7@zero").transport(np.full((50, 133), 0.1)),
+    "exponentials": lambda: af.Group("so(12)").exp(np.broadcast_to(np.full(66, 0.1), (200_000, 66))),
+    "contraction": lambda: [af.contract("^i_jk ^j_il -> _kl", c, c) for c in 10**6 * [af.LieAlgebra("E8").structure]],
+    "motions": lambda: af.convergence(
+        {**TOP, "output": {"end": 1e6, "every": 1e6}}, "Omega1", methods=["rkmk4"], steps=[1e-3]
+    ),
+}
+every = pytest.mark.parametrize("name", LONG)
+posix = pytest.mark.skipif(os.name != "posix", reason="signals")
+
+
+def results():
+    geometry = af.Geometry("so3", metric=symbols(3))
+    return geometry.table() + str(af.Geometry("so4", metric=metric(6)).ricci) + str(scrambled("so4").info())
+
+
+@pytest.fixture(scope="module")
+def fresh():
+    """The results of another process."""
+    code = "import test_stops; print(test_stops.results())"
+    folder = os.path.dirname(__file__)
+    return subprocess.run(
+        [sys.executable, "-c", code], cwd=folder, capture_output=True, text=True, check=True
+    ).stdout.removesuffix("\n")
+
+
+@posix
+@every
+@pytest.mark.parametrize("threads", [1, 3])
+def test_ctrl_c_interrupts(name, threads, fresh):
+    before, sent = af.threads(), []
+
+    def interrupt():
+        time.sleep(0.3)
+        sent.append(time.monotonic())
+        os.kill(os.getpid(), signal.SIGINT)
+
+    af.set_threads(threads)
+    try:
+        threading.Thread(target=interrupt).start()
+        with pytest.raises(KeyboardInterrupt):
+            LONG[name]()
+        delay = time.monotonic() - sent[0]
+        print(f"{1000 * delay:6.0f} ms, {threads} threads: {name}")
+        assert delay < 20
+        assert results() == fresh
+    finally:
+        af.set_threads(before)
+
+
+@every
+def test_a_timeout_ends_every_call(name):
+    with pytest.raises(af.LimitError, match="passes its time limit of 0.4 s") as found:
+        with af.limits(timeout=0.4):
+            LONG[name]()
+    assert found.value.limit == "timeout"
+    # blocks that are not reached change nothing
+    with af.limits(timeout=1000):
+        assert af.Geometry("so3@zero").scalar == "exact"
+
+
+def test_a_limit_names_the_stage():
+    geometry = af.Geometry("se3", metric=symbols(6))
+    with pytest.raises(af.LimitError, match="in the stage `curvature`") as found, af.limits(timeout=0.5):
+        geometry.curvature  # noqa: B018
+    assert found.value.stage == "curvature"
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="the size of the process")
+def test_a_limit_on_the_memory():
+    with open("/proc/self/status") as status:
+        size = next(int(line.split()[1]) for line in status if line.startswith("VmRSS"))
+    with pytest.raises(af.LimitError, match="memory limit of") as found:
+        with af.limits(memory=f"{size + 20_000}K"):
+            LONG["curvature"]()
+    assert found.value.limit == "memory"
+    with af.limits(memory="1024G"):
+        af.Geometry("so3@zero").table()
+
+
+def test_blocks_nest():
+    with af.limits(timeout=1000), af.limits(timeout=0):
+        with pytest.raises(af.LimitError), af.limits(timeout=1000):
+            af.Geometry("so3@zero").table()
+    af.Geometry("so3@zero").table()
+    # another thread has limits of its own
+    found = []
+    with af.limits(timeout=0):
+        thread = threading.Thread(target=lambda: found.append(af.Geometry("so3@zero").table()))
+        thread.start()
+        thread.join()
+    assert found
+
+
+@pytest.mark.parametrize("wrong", [{"timeout": -1}, {"timeout": float("nan")}, {"memory": "much"}, {"memory": -5}])
+def test_limits_are_numbers(wrong):
+    with pytest.raises(ValueError), af.limits(**wrong):
+        pass
+
+
+def test_a_limit_keeps_the_rows_of_a_motion():
+    # the first report comes after some rows, and waits for the limit
+    with pytest.raises(af.LimitError) as found, af.limits(timeout=3):
+        af.simulate({**TOP, "output": {"end": 1e6, "every": 0.1}}, progress=lambda share: time.sleep(3))
+    assert len(found.value.trajectory) > 1
+
+
+def test_caches_are_cleared():
+    before = results()
+    af.clear_caches()
+    assert results() == before

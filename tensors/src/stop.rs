@@ -1,0 +1,223 @@
+//! Computations that can be stopped from outside.
+//!
+//! A [`StopToken`] is a flag. Kernels poll it at [checkpoints](checkpoint), also on their worker threads. Once it is set, the
+//! computation unwinds to [`StopToken::run`], which returns [`Stopped`]. So formulas need no error for it. No result of
+//! a stopped computation is stored, and the next computation starts as in a new process.
+//!
+//! Unwinding calls no panic hook. Programs that are built with `panic = "abort"` must not use tokens.
+
+use crate::limits::Limits;
+use std::fmt;
+use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
+use std::sync::atomic::{AtomicU8, AtomicUsize, Ordering::Relaxed};
+use std::sync::{Arc, Mutex, PoisonError, mpsc};
+use std::thread;
+use std::time::Duration;
+
+/// The reason why a computation was stopped.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum StopReason {
+    /// A signal or a user.
+    Interrupted,
+    /// The limit on the time.
+    Timeout,
+    /// The limit on the memory.
+    Memory,
+}
+
+/// A flag that stops the computations that run under it. Clones share the flag.
+///
+/// ```
+/// use affinor_tensors::stop::{StopReason, StopToken};
+/// use affinor_tensors::Symbolic;
+/// use std::{thread, time::Duration};
+/// let token = StopToken::new();
+/// let watcher = token.clone();
+/// thread::spawn(move || {
+///     thread::sleep(Duration::from_millis(50));
+///     watcher.request(StopReason::Timeout);
+/// });
+/// // a power of a sum that would never end
+/// let sum: Symbolic = "a + b + c".parse()?;
+/// let stopped = token.run(|| (0..1_000_000).fold(sum.clone(), |power, _| power * &sum));
+/// assert_eq!(stopped.unwrap_err().reason, StopReason::Timeout);
+/// # Ok::<(), affinor_tensors::expression::ExpressionError>(())
+/// ```
+#[derive(Clone, Debug, Default)]
+pub struct StopToken(Arc<Flag>);
+
+/// Zero, or one more than the place of a reason in [`REASONS`].
+#[derive(Debug, Default)]
+struct Flag(AtomicU8);
+
+const REASONS: [StopReason; 3] = [StopReason::Interrupted, StopReason::Timeout, StopReason::Memory];
+
+/// The number of tokens of this process whose flag is set. While it is zero, a checkpoint is one load and one branch.
+static REQUESTED: AtomicUsize = AtomicUsize::new(0);
+
+impl Drop for Flag {
+    fn drop(&mut self) {
+        if *self.0.get_mut() != 0 {
+            REQUESTED.fetch_sub(1, Relaxed);
+        }
+    }
+}
+
+impl StopToken {
+    /// A flag that is not set.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// The token under which this thread computes, if any.
+    pub fn current() -> Option<Self> {
+        Limits::with(|limits| limits.stop.clone())
+    }
+
+    /// Sets the flag. The first reason counts.
+    pub fn request(&self, reason: StopReason) {
+        let code = REASONS.iter().position(|own| *own == reason).map_or(0, |at| at as u8 + 1);
+        if self.0.0.compare_exchange(0, code, Relaxed, Relaxed).is_ok() {
+            REQUESTED.fetch_add(1, Relaxed);
+        }
+    }
+
+    /// The reason for which the flag was set.
+    pub fn requested(&self) -> Option<StopReason> {
+        REASONS.get(usize::from(self.0.0.load(Relaxed)).checked_sub(1)?).copied()
+    }
+
+    /// The result of work that polls this flag, and no other one, at its checkpoints. The work may unwind: values that it
+    /// changes through references may be left as they are in the middle of the work.
+    ///
+    /// # Errors
+    /// [`Stopped`].
+    pub fn run<T>(&self, work: impl FnOnce() -> T) -> Result<T, Stopped> {
+        let limits = Limits { stop: Some(self.clone()), ..Limits::current() };
+        catch_unwind(AssertUnwindSafe(|| limits.run(work))).map_err(|payload| {
+            match payload.downcast::<Stopped>() {
+                Ok(stopped) => *stopped,
+                Err(panic) => resume_unwind(panic),
+            }
+        })
+    }
+}
+
+/// A computation that was stopped.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Stopped {
+    /// The reason.
+    pub reason: StopReason,
+    /// The stage that was computed; empty if the computation names none.
+    pub stage: &'static str,
+}
+
+impl fmt::Display for Stopped {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self.reason {
+            StopReason::Interrupted => "interrupted",
+            StopReason::Timeout => "the computation reached its time limit",
+            StopReason::Memory => "the computation reached its memory limit",
+        })?;
+        match self.stage {
+            "" => Ok(()),
+            stage => write!(f, ", in the stage `{stage}`"),
+        }
+    }
+}
+
+impl std::error::Error for Stopped {}
+
+/// Ends the computation if the token of this thread is set. Loops whose passes may take longer than a few microseconds call it.
+///
+/// ```
+/// use affinor_tensors::stop::{StopReason, StopToken, Stopped, checkpoint, stage};
+/// checkpoint();
+/// let token = StopToken::new();
+/// token.request(StopReason::Memory);
+/// let stopped = token.run(|| {
+///     let _stage = stage("curvature");
+///     checkpoint();
+/// });
+/// assert_eq!(stopped, Err(Stopped { reason: StopReason::Memory, stage: "curvature" }));
+/// ```
+#[inline]
+pub fn checkpoint() {
+    if REQUESTED.load(Relaxed) != 0 {
+        end();
+    }
+}
+
+/// Unwinds if the token of this thread is set.
+#[cold]
+fn end() {
+    let found = Limits::with(|limits| Some((limits.stop.as_ref()?.requested()?, limits.stage)));
+    if let Some((reason, stage)) = found
+        && !thread::panicking()
+    {
+        resume_unwind(Box::new(Stopped { reason, stage }));
+    }
+}
+
+/// Names the stage of the computation, for [`Stopped`], until the result is dropped.
+#[must_use = "the stage ends when the value is dropped"]
+pub fn stage(name: &'static str) -> Stage {
+    Stage { before: Limits::set_stage(name) }
+}
+
+/// A stage that has begun.
+#[derive(Debug)]
+pub struct Stage {
+    before: &'static str,
+}
+
+impl Drop for Stage {
+    fn drop(&mut self) {
+        Limits::set_stage(self.before);
+    }
+}
+
+/// The time between two looks of a thread that waits for [`detached`] work.
+const OFTEN: Duration = Duration::from_millis(10);
+
+/// The result of long work without checkpoints, such as a function of another library. Another thread computes it, if this thread has
+/// a token: when the token is set, this thread unwinds, and the other one ends its work in vain.
+///
+/// ```
+/// use affinor_tensors::stop::{StopReason, StopToken, detached};
+/// use std::{sync::mpsc, thread, time::Duration};
+/// assert_eq!(detached(|| 2 + 2), 4);
+/// let token = StopToken::new();
+/// let (done, wait) = mpsc::channel::<()>();
+/// token.request(StopReason::Timeout);
+/// // it would wait for ever
+/// assert!(token.run(|| detached(move || wait.recv())).is_err());
+/// drop(done);
+/// ```
+pub fn detached<T: Send + 'static>(work: impl FnOnce() -> T + Send + 'static) -> T {
+    if Limits::with(|limits| limits.stop.is_none()) {
+        return work();
+    }
+    checkpoint();
+    let (send, receive) = mpsc::channel();
+    let work = Arc::new(Mutex::new(Some(work)));
+    let take = |work: &Mutex<Option<_>>| work.lock().unwrap_or_else(PoisonError::into_inner).take();
+    let shared = work.clone();
+    let thread = thread::Builder::new().spawn(move || {
+        if let Some(work) = take(&shared) {
+            // a thread that unwinds has dropped the receiver
+            let _ = send.send(catch_unwind(AssertUnwindSafe(work)));
+        }
+    });
+    if thread.is_err()
+        && let Some(work) = take(&work)
+    {
+        return work();
+    }
+    loop {
+        match receive.recv_timeout(OFTEN) {
+            Ok(result) => return result.unwrap_or_else(|panic| resume_unwind(panic)),
+            Err(_) => checkpoint(),
+        }
+    }
+}
