@@ -2,10 +2,11 @@
 //!
 //! - [`exponential`] of matrices, `logarithm` with `double`-double arithmetic, `stumpff` functions of angles;
 //! - [`tableaux`] of Runge-Kutta methods, `ode` for initial value problems in R^n;
-//! - `least_squares`, and `rounding`, which rejects results without digits.
+//! - `lanes`, floats side by side; `least_squares`, and `rounding`, which rejects results without digits.
 
 pub(crate) mod double;
 pub mod exponential;
+pub(crate) mod lanes;
 pub(crate) mod least_squares;
 pub(crate) mod logarithm;
 pub(crate) mod ode;

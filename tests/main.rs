@@ -36,6 +36,7 @@ mod geometry {
 }
 
 mod group {
+    mod batch;
     mod embedded;
     mod groups;
     mod laws;
