@@ -6,6 +6,7 @@ mod common;
 mod ode;
 
 mod numerics {
+    mod blocks;
     mod tableaux;
 }
 
