@@ -11,6 +11,7 @@ mod geometry;
 mod group;
 mod motion;
 mod report;
+mod rows;
 mod run;
 mod source;
 mod structure;

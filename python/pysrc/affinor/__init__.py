@@ -25,7 +25,7 @@ from affinor.errors import (
     SymmetryError,
 )
 from affinor.geometry import Geodesic, Geometry, Property, check, compare, conventions
-from affinor.group import SE2, SE3, SE2_3, SL2, SO2, SO3, Group, RotationGroup, groups
+from affinor.group import SE2, SE3, SE2_3, SL2, SO2, SO3, Group, RigidMotionGroup, RotationGroup, Spline, groups
 from affinor.motion import Convergence, Problem, Trajectory, convergence, simulate
 from affinor.structure import Report
 from affinor.tensor import Tensor, contract
@@ -61,8 +61,10 @@ __all__ = [
     "Problem",
     "Property",
     "Report",
+    "RigidMotionGroup",
     "RotationGroup",
     "ShapeError",
+    "Spline",
     "Sweep",
     "SymmetryError",
     "Tensor",
