@@ -6,6 +6,7 @@ mod class;
 mod components;
 mod display;
 mod errors;
+mod family;
 mod geometries;
 mod geometry;
 mod group;
@@ -24,6 +25,8 @@ mod values;
 mod _engine {
     #[pymodule_export]
     use crate::algebra::{PyAlgebra, catalogue};
+    #[pymodule_export]
+    use crate::family::PyFamily;
     #[pymodule_export]
     use crate::geometry::{PyGeometry, compare, conventions};
     #[pymodule_export]

@@ -7,6 +7,7 @@ count from 0 in Python and from 1 in printed output. Quaternions are ``w, x, y, 
 from importlib.metadata import version as _version
 
 from affinor._engine import set_threads, threads
+from affinor._geometries import Geometries
 from affinor._sweep import RandomSample, SimulationTask, Sweep, sweep
 from affinor.algebra import Check, LieAlgebra, catalogue
 from affinor.errors import (
@@ -48,6 +49,7 @@ __all__ = [
     "DependentError",
     "RandomSample",
     "Geodesic",
+    "Geometries",
     "Geometry",
     "Group",
     "InputError",

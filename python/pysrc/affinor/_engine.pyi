@@ -16,7 +16,7 @@ _Names: TypeAlias = str | Sequence[str] | None
 _Shape: TypeAlias = int | tuple[int, ...]
 _Random: TypeAlias = np.random.Generator | int | None
 
-__all__ = ["Geometry", "Group", "LieAlgebra", "Problem", "Source", "Tensor", "_panic", "_restore_tensor", "catalogue"]
+__all__ = ["Family", "Geometry", "Group", "LieAlgebra", "Problem", "Source", "Tensor", "_panic", "_restore_tensor", "catalogue"]
 __all__ += ["compare", "contract", "conventions", "evaluate", "groups", "knows", "set_threads", "threads"]
 
 def _panic() -> None: ...
@@ -279,6 +279,24 @@ class Geometry:
     def geodesic_between(self, start: ArrayLike, end: ArrayLike, *, tolerance: float = 1e-10) -> _Floats: ...
     def __copy__(self) -> Self: ...
     def __deepcopy__(self, _memo: Any) -> Self: ...
+
+@final
+class Family:
+    dimension: Final[int]
+    parameters: Final[list[str]]
+    def __new__(cls, source: Source, entries: list[str]) -> Family: ...
+    def shape(self, key: str) -> list[int]: ...
+    def check(self, what: str, matrices: ArrayLike, regular: bool) -> None: ...
+    def evaluate(
+        self,
+        key: str,
+        count: int,
+        metrics: ArrayLike,
+        parameters: ArrayLike,
+        vectors: ArrayLike,
+        rates: ArrayLike | None = None,
+    ) -> _Floats: ...
+    def eigenvalues(self, metrics: ArrayLike, forms: ArrayLike) -> _Floats | None: ...
 
 @disjoint_base
 class Group:
