@@ -2,10 +2,12 @@
 //!
 //! - [`exponential`] of matrices, `logarithm` with `double`-double arithmetic, `stumpff` functions of angles;
 //! - [`tableaux`] of Runge-Kutta methods, `ode` for initial value problems in R^n;
-//! - `least_squares`, and `rounding`, which rejects results without digits.
+//! - [`blocks`], recorded programs on many rows; `lanes`, floats side by side; `least_squares`, and `rounding`, which rejects results without digits.
 
+pub mod blocks;
 pub(crate) mod double;
 pub mod exponential;
+pub(crate) mod lanes;
 pub(crate) mod least_squares;
 pub(crate) mod logarithm;
 pub(crate) mod ode;

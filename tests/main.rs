@@ -6,6 +6,7 @@ mod common;
 mod ode;
 
 mod numerics {
+    mod blocks;
     mod tableaux;
 }
 
@@ -36,6 +37,7 @@ mod geometry {
 }
 
 mod group {
+    mod batch;
     mod embedded;
     mod groups;
     mod laws;

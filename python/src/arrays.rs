@@ -2,8 +2,10 @@
 
 use crate::errors::wrong;
 use crate::values::python;
+use numpy::ndarray::{ArrayView2, ArrayViewD};
 use numpy::{
-    Element, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArray, PyUntypedArrayMethods,
+    Element, PyArray1, PyArray2, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArray,
+    PyUntypedArrayMethods,
 };
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
@@ -39,6 +41,63 @@ impl<'py> FromPyObject<'_, 'py> for Floats<'py> {
     }
 }
 
+/// An argument of rows: a few numbers, copied, or any array of floats.
+pub enum Input<'py> {
+    /// The numbers of an array in C order with one or two axes, and its shape.
+    Small(Vec<f64>, [usize; 2], usize),
+    Array(Floats<'py>),
+}
+
+/// The most numbers that are copied.
+const SMALL: usize = 16;
+
+impl<'py> FromPyObject<'_, 'py> for Input<'py> {
+    type Error = PyErr;
+
+    fn extract(value: Borrowed<'_, 'py, PyAny>) -> PyResult<Self> {
+        // borrows of arrays are counted, which takes longer than to copy a few numbers
+        if value.is_exact_instance_of::<PyUntypedArray>()
+            && let Ok(array) = value.cast::<PyArrayDyn<f64>>()
+            && (1..=2).contains(&array.ndim())
+            && array.len() <= SMALL
+            && array.is_c_contiguous()
+            && array.data().addr().is_multiple_of(size_of::<f64>())
+            && let Ok(numbers) = array.to_vec()
+        {
+            let axes = array.ndim();
+            let mut shape = [0; 2];
+            shape[..axes].copy_from_slice(array.shape());
+            return Ok(Input::Small(numbers, shape, axes));
+        }
+        Ok(Input::Array(value.extract()?))
+    }
+}
+
+impl Input<'_> {
+    /// The shape.
+    pub fn shape(&self) -> &[usize] {
+        match self {
+            Input::Small(_, shape, axes) => &shape[..*axes],
+            Input::Array(array) => array.shape(),
+        }
+    }
+
+    /// The rows of the batch shape `own`, broadcast to `batch`.
+    pub fn rows(&self, own: &[usize], batch: &[usize]) -> Rows<'_> {
+        let shape = self.shape();
+        match self {
+            Input::Small(numbers, ..) => Rows::of(shape, Some(numbers), own, batch, || {
+                ArrayViewD::from_shape(shape, numbers).ok()
+            }),
+            // a slice alone may also stand in the order of Fortran
+            Input::Array(array) => {
+                let slice = array.as_slice().ok().filter(|_| array.is_c_contiguous());
+                Rows::of(shape, slice, own, batch, || Some(array.as_array()))
+            }
+        }
+    }
+}
+
 /// Finite real numbers as an array with one of these numbers of axes.
 pub fn with_axes<'py>(
     what: &str,
@@ -56,8 +115,7 @@ fn is_regular(array: &Bound<'_, PyArrayDyn<f64>>) -> bool {
 }
 
 /// The shape of one row of an argument, in front of which stand the axes of the batch.
-pub fn batch<'a>(name: &str, array: &'a Floats<'_>, row: &[usize]) -> PyResult<&'a [usize]> {
-    let shape = array.shape();
+pub fn batch<'a>(name: &str, shape: &'a [usize], row: &[usize]) -> PyResult<&'a [usize]> {
     match shape.len().checked_sub(row.len()) {
         Some(axes) if shape[axes..] == *row => Ok(&shape[..axes]),
         _ => {
@@ -69,7 +127,7 @@ pub fn batch<'a>(name: &str, array: &'a Floats<'_>, row: &[usize]) -> PyResult<&
 }
 
 /// A shape as Python writes it.
-fn written(shape: &[usize]) -> String {
+pub fn written(shape: &[usize]) -> String {
     let list: Vec<String> = shape.iter().map(usize::to_string).collect();
     if list.len() == 1 { format!("({},)", list[0]) } else { format!("({})", list.join(", ")) }
 }
@@ -100,22 +158,41 @@ pub struct Rows<'a> {
 }
 
 impl<'a> Rows<'a> {
-    /// The rows of an array of the batch shape `own`, broadcast to `batch`.
-    pub fn new(array: &'a Floats<'_>, own: &[usize], batch: &[usize]) -> Self {
-        let width = array.shape()[own.len()..].iter().product();
+    /// The rows of an array of the batch shape `own`, broadcast to `batch`; `slice` are its numbers in C order, if it is in
+    /// that order.
+    fn of(
+        shape: &[usize],
+        slice: Option<&'a [f64]>,
+        own: &[usize],
+        batch: &[usize],
+        view: impl Fn() -> Option<ArrayViewD<'a, f64>>,
+    ) -> Self {
+        let width = shape[own.len()..].iter().product();
         let single = own.iter().product::<usize>() == 1;
         if own == batch || single {
-            // a slice alone may also stand in the order of Fortran
-            let slice = array.as_slice().ok().filter(|_| array.is_c_contiguous());
-            let copy = || Cow::Owned(array.as_array().iter().copied().collect());
-            let data = slice.map_or_else(copy, Cow::Borrowed);
+            let copy = || view().map(|view| view.iter().copied().collect()).unwrap_or_default();
+            let data = slice.map_or_else(|| Cow::Owned(copy()), Cow::Borrowed);
             return Rows { data, width, step: if single { 0 } else { width } };
         }
-        let whole: Vec<usize> = batch.iter().chain(&array.shape()[own.len()..]).copied().collect();
-        let view = array.as_array();
+        let whole: Vec<usize> = batch.iter().chain(&shape[own.len()..]).copied().collect();
         // the shapes are compatible: `common` has joined them
-        let data = view.broadcast(whole).map(|all| all.iter().copied().collect());
+        let data = view().and_then(|view| Some(view.broadcast(whole)?.iter().copied().collect()));
         Rows { data: Cow::Owned(data.unwrap_or_default()), width, step: width }
+    }
+
+    /// The numbers of one row.
+    pub fn width(&self) -> usize {
+        self.width
+    }
+
+    /// The row that stands for all of the batch.
+    pub fn single(&self) -> Option<&[f64]> {
+        (self.step == 0).then_some(&self.data)
+    }
+
+    /// The numbers of all rows.
+    pub fn list(&self) -> &[f64] {
+        &self.data
     }
 
     /// All numbers, if there is one row for every element.
@@ -131,16 +208,40 @@ impl<'a> Rows<'a> {
     }
 }
 
+/// A new array of a few numbers.
+pub fn array<'py>(
+    py: Python<'py>,
+    batch: &[usize],
+    row: &[usize],
+    numbers: &[f64],
+) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
+    let refused = |error: numpy::ndarray::ShapeError| {
+        pyo3::exceptions::PyValueError::new_err(error.to_string())
+    };
+    // arrays of a fixed number of axes are made faster
+    Ok(match (batch, row) {
+        ([], [_]) => PyArray1::from_slice(py, numbers).to_dyn().clone(),
+        ([], [rows, columns]) => {
+            let view = ArrayView2::from_shape((*rows, *columns), numbers).map_err(refused)?;
+            PyArray2::from_array(py, &view).to_dyn().clone()
+        }
+        _ => {
+            let view = ArrayViewD::from_shape([batch, row].concat(), numbers).map_err(refused)?;
+            PyArrayDyn::from_array(py, &view)
+        }
+    })
+}
+
 /// A new array of zeros.
 pub fn zeros<'py>(py: Python<'py>, batch: &[usize], row: &[usize]) -> Bound<'py, PyArrayDyn<f64>> {
     PyArrayDyn::zeros(py, [batch, row].concat(), false)
 }
 
 /// The size in bytes from which an array is made by NumPy.
-const LARGE: usize = 1 << 20;
+const LARGE: usize = 1 << 14;
 
 /// The number of axes that every NumPy takes.
-const AXES: usize = 32;
+pub const AXES: usize = 32;
 
 /// A new array, to be overwritten. NumPy makes the large ones: it asks the system for large pages, and fills nothing.
 pub fn fresh<'py, T: Element + Default>(

@@ -1,45 +1,24 @@
 //! Groups over arrays of elements.
 
-use crate::arrays::{self, Floats, Rows, common, fresh, with_axes, zeros};
+use crate::arrays::{self, Input, common, fresh, with_axes, zeros};
 use crate::class::{New, Object, Optional, immutable, in_python, properties};
+use crate::rows::{Closed, Ground, Operation, element, write_element};
 use crate::run::{run, run_here};
 use crate::source::{Arguments, PySource};
 use crate::values::python;
-use affinor::Error;
-use affinor::group::batch;
+use affinor::group::batch::rotations::JacobianKind;
 use affinor::group::{
-    AnyGroup, Coordinates, Embedded, LieGroup, MatrixNotation, Product, Se2, Se3, Se23, Sl2, So2,
-    So3, registry,
+    AnyGroup, Embedded, LieGroup, MatrixNotation, Product, Se3, Se23, So3, registry,
 };
-use affinor_documents::input::InputError;
-use affinor_tensors::Limits;
 use affinor_tensors::Tolerance;
-use affinor_tensors::stop::checkpoint;
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DVector;
 use numpy::{PyArrayDyn, PyArrayMethods};
-use pyo3::exceptions::PyTypeError;
+use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyType;
-use rayon::prelude::*;
 use std::hash::{DefaultHasher, Hash, Hasher};
-
-/// Operations on rows.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Operation {
-    Exp,
-    Log,
-    Inverse,
-    Compose,
-    Between,
-    Adjoint,
-    Coadjoint,
-    Bracket,
-    TangentLeft,
-    TangentLeftInverse,
-    Matrix,
-    Read,
-    Restore,
-}
+use std::ops::Deref;
+use std::sync::OnceLock;
 
 /// The kinds of rows.
 #[derive(Clone, Copy)]
@@ -47,10 +26,33 @@ enum Row {
     Vector,
     Element,
     Matrix,
+    /// The matrix of a linear map of the algebra.
+    Operator,
+    /// A point with this number of coordinates.
+    Point(usize),
 }
 
-/// The most rows that one thread handles without others.
-const ALONE: usize = 512;
+/// The shape of a row: one or two axes.
+struct RowShape([usize; 2], usize);
+
+impl Deref for RowShape {
+    type Target = [usize];
+    fn deref(&self) -> &[usize] {
+        &self.0[..self.1]
+    }
+}
+
+/// The action of the elements on points.
+#[derive(Clone, Copy)]
+struct Action {
+    /// The size of the matrices.
+    size: usize,
+    /// Whether the last row of all matrices is 0, .., 0, 1.
+    is_affine: bool,
+}
+
+/// The most numbers of a result that is computed on the stack.
+const FEW: usize = 64;
 
 /// A Lie group. All operations take and give arrays, with the axes of a batch in front and NumPy's broadcasting.
 ///
@@ -78,22 +80,15 @@ pub struct PyGroup {
     order: Vec<usize>,
     dimension: usize,
     shape: (usize, usize),
+    closed: Closed,
+    /// The action on points, if there is one; known when it is first asked for.
+    action: OnceLock<Option<Action>>,
 }
 
 /// The name or the source from which a group is made.
 enum MadeOf {
     Name(String),
     Source(Py<PySource>),
-}
-
-/// Runs the same expression with the group in its own type, where that is known.
-macro_rules! with_group {
-    ($any:expr, $group:ident => $body:expr; $($G:ty),*) => {
-        $(if let Some($group) = $any.downcast_ref::<$G>() { $body } else)* {
-            let $group = $any;
-            $body
-        }
-    };
 }
 
 /// The order of the coordinates of Python in those of the library.
@@ -115,160 +110,18 @@ fn order(group: &AnyGroup) -> Vec<usize> {
     }
 }
 
-/// The element with coordinates in the order of Python.
-#[inline]
-fn element<G: Embedded>(group: &G, order: &[usize], row: &[f64]) -> G::Element {
-    let mut sorted = [0.0; 16];
-    if order.len() <= sorted.len() {
-        order.iter().zip(row).for_each(|(at, value)| sorted[*at] = *value);
-        return group.from_coordinates(&G::Ambient::from_components(&sorted[..order.len()]));
-    }
-    let mut sorted = vec![0.0; order.len()];
-    order.iter().zip(row).for_each(|(at, value)| sorted[*at] = *value);
-    group.from_coordinates(&G::Ambient::from_components(&sorted))
-}
-
-#[inline]
-fn write_element<G: Embedded>(group: &G, order: &[usize], g: &G::Element, out: &mut [f64]) {
-    let numbers = group.coordinates(g);
-    let numbers = numbers.components();
-    order.iter().zip(out).for_each(|(at, value)| *value = numbers[*at]);
-}
-
-/// One operation on one row of each argument.
-#[inline]
-fn apply<G: MatrixNotation>(
-    group: &G,
-    order: &[usize],
-    operation: Operation,
-    a: &[f64],
-    b: &[f64],
-    out: &mut [f64],
-) -> Result<(), Error> {
-    let element = |row: &[f64]| element(group, order, row);
-    let vector = |row: &[f64]| G::Vector::from_components(row);
-    let found = match operation {
-        Operation::Exp => Err(group.exp(&vector(a))),
-        Operation::Inverse => Err(group.inverse(&element(a))),
-        Operation::Compose => Err(group.compose(&element(a), &element(b))),
-        Operation::Between => Err(group.between(&element(a), &element(b))),
-        Operation::Restore => {
-            let g = group.project(element(a));
-            // zero and NaN have no inverse
-            let one = group.compose(&g, &group.inverse(&g));
-            let off = group.write(&one) - group.write(&group.identity());
-            if !off.iter().all(|entry| entry.abs() < 0.5) {
-                group.read(&group.write(&g))?;
-            }
-            Err(g)
-        }
-        Operation::Read => {
-            let (rows, columns) = group.write(&group.identity()).shape();
-            Err(group.read(&DMatrix::from_row_slice(rows, columns, a))?)
-        }
-        Operation::Matrix => {
-            let matrix = group.write(&element(a));
-            let rows = matrix.ncols();
-            for (at, value) in out.iter_mut().enumerate() {
-                *value = matrix[(at / rows, at % rows)];
-            }
-            return Ok(());
-        }
-        Operation::Log => Ok(group.log(&element(a))?),
-        Operation::Adjoint => Ok(group.adjoint(&element(a), &vector(b))),
-        Operation::Coadjoint => Ok(group.coadjoint(&element(a), &vector(b))),
-        Operation::Bracket => Ok(group.bracket(&vector(a), &vector(b))),
-        Operation::TangentLeft => Ok(group.tangent_left(&vector(a), &vector(b))),
-        Operation::TangentLeftInverse => Ok(group.tangent_left_inverse(&vector(a), &vector(b))?),
-    };
-    match found {
-        Ok(x) => out.copy_from_slice(x.components()),
-        Err(g) => write_element(group, order, &g, out),
-    }
-    Ok(())
-}
-
-/// One operation on all rows.
-fn apply_all<G: MatrixNotation + Sync>(
-    group: &G,
-    order: &[usize],
-    operation: Operation,
-    [a, b]: [&Rows<'_>; 2],
-    out: &mut [f64],
-    width: usize,
-) -> Result<(), InputError> {
-    let task = |(chunk, out): (usize, &mut [f64])| {
-        for (at, out) in out.chunks_exact_mut(width).enumerate() {
-            let at = chunk * ALONE + at;
-            apply(group, order, operation, a.row(at), b.row(at), out).map_err(|error| {
-                let error = InputError::from(error);
-                let message = format!("element {at} of the batch: {}", error.message);
-                InputError { message, ..error }
-            })?;
-        }
-        Ok(())
-    };
-    if out.len() <= ALONE * width {
-        return task((0, out));
-    }
-    let limits = Limits::current();
-    let task = |chunk| {
-        limits.run(|| {
-            checkpoint();
-            task(chunk)
-        })
-    };
-    out.par_chunks_mut(ALONE * width).enumerate().try_for_each(task)
-}
-
-/// Rotations by rows in a batch; `false` if the rows have to be taken one by one.
-fn rotations(operation: Operation, [a, b]: [&Rows<'_>; 2], out: &mut [f64]) -> bool {
-    let Some(rows) = a.all() else { return false };
-    match operation {
-        Operation::Exp => {
-            let (x, g) = (rows.as_chunks::<3>().0, out.as_chunks_mut::<4>().0);
-            if g.len() <= ALONE {
-                batch::exp_rows(x, g);
-            } else {
-                let pairs = x.par_chunks(ALONE).zip(g.par_chunks_mut(ALONE));
-                pairs.for_each(|(x, g)| batch::exp_rows(x, g));
-            }
-            true
-        }
-        Operation::Log => {
-            let (g, x) = (rows.as_chunks::<4>().0, out.as_chunks_mut::<3>().0);
-            // a batch with an element that has no logarithm is refused row by row
-            if x.len() <= ALONE {
-                return batch::log_rows(g, x);
-            }
-            let pairs = g.par_chunks(ALONE).zip(x.par_chunks_mut(ALONE));
-            pairs.all(|(g, x)| batch::log_rows(g, x))
-        }
-        Operation::Compose => {
-            let Some(others) = b.all() else { return false };
-            let (g, h) = (rows.as_chunks::<4>().0, others.as_chunks::<4>().0);
-            let out = out.as_chunks_mut::<4>().0;
-            if g.len() != h.len() || g.len() != out.len() {
-                return false;
-            }
-            if g.len() <= ALONE {
-                batch::compose_rows(g, h, out);
-            } else {
-                let pairs = g.par_chunks(ALONE).zip(h.par_chunks(ALONE));
-                let all = pairs.zip(out.par_chunks_mut(ALONE));
-                all.for_each(|((g, h), out)| batch::compose_rows(g, h, out));
-            }
-            true
-        }
-        _ => false,
-    }
-}
-
 impl PyGroup {
     fn new(name: String, group: AnyGroup, made: MadeOf) -> Self {
         let (order, dimension) = (order(&group), group.dimension());
         let shape = group.write(&group.identity()).shape();
-        PyGroup { name, group, made, order, dimension, shape }
+        let closed = if group.downcast_ref::<So3>().is_some() {
+            Closed::So3
+        } else if group.downcast_ref::<Se3>().is_some() {
+            Closed::Se3
+        } else {
+            Closed::Other
+        };
+        PyGroup { name, group, made, order, dimension, shape, closed, action: OnceLock::new() }
     }
 
     /// The group of the algebra of a source.
@@ -292,13 +145,31 @@ impl PyGroup {
     }
 
     /// The shape of one row.
-    fn row(&self, kind: Row) -> Vec<usize> {
+    fn row(&self, kind: Row) -> RowShape {
         match kind {
-            Row::Vector => vec![self.dimension],
-            Row::Element => vec![self.order.len()],
-            Row::Matrix if self.shape.1 == 1 => vec![self.shape.0],
-            Row::Matrix => vec![self.shape.0, self.shape.1],
+            Row::Vector => RowShape([self.dimension, 0], 1),
+            Row::Element => RowShape([self.order.len(), 0], 1),
+            Row::Matrix if self.shape.1 == 1 => RowShape([self.shape.0, 0], 1),
+            Row::Matrix => RowShape([self.shape.0, self.shape.1], 2),
+            Row::Operator => RowShape([self.dimension; 2], 2),
+            Row::Point(size) => RowShape([size, 0], 1),
         }
+    }
+
+    /// The action on points: of square matrices, but not of a vector of one number, whose identity is 0.
+    fn action(&self) -> Option<Action> {
+        *self.action.get_or_init(|| {
+            let (rows, columns) = self.shape;
+            let one = self.group.write(&self.group.identity());
+            if rows != columns || one.iter().all(|entry| *entry == 0.0) {
+                return None;
+            }
+            let is_affine = self.group.basis().iter().all(|x| {
+                let g = self.group.write(&self.group.exp(x));
+                (0..columns).all(|k| g[(rows - 1, k)] == f64::from(k + 1 == columns))
+            });
+            Some(Action { size: rows, is_affine })
+        })
     }
 
     /// An operation on arrays, row by row.
@@ -306,37 +177,34 @@ impl PyGroup {
         &self,
         py: Python<'py>,
         operation: Operation,
-        first: (&str, Row, &Floats<'py>),
-        second: Option<(&str, Row, &Floats<'py>)>,
+        first: (&str, Row, &Input<'py>),
+        second: Option<(&str, Row, &Input<'py>)>,
         result: Row,
-    ) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
-        let own = arrays::batch(first.0, first.2, &self.row(first.1))?;
+    ) -> PyResult<Array<'py>> {
+        let own = arrays::batch(first.0, first.2.shape(), &self.row(first.1))?;
         let other = match &second {
-            Some((name, kind, array)) => arrays::batch(name, array, &self.row(*kind))?,
+            Some((name, kind, array)) => arrays::batch(name, array.shape(), &self.row(*kind))?,
             None => own,
         };
         let whole = common(own, other)?;
         let row = self.row(result);
+        let a = first.2.rows(own, &whole);
+        let b = second.as_ref().map(|(_, _, array)| array.rows(other, &whole));
+        let rows = [&a, b.as_ref().unwrap_or(&a)];
+        let (count, width) = (whole.iter().product::<usize>(), row.iter().product::<usize>());
+        let ground = Ground { group: &self.group, closed: self.closed, order: &self.order };
+        if count.saturating_mul(width) <= FEW && whole.len() + row.len() <= arrays::AXES {
+            let mut numbers = [0.0; FEW];
+            let numbers = &mut numbers[..count * width];
+            run_here(py, || ground.operate(operation, rows, numbers, width))?;
+            return arrays::array(py, &whole, &row, numbers);
+        }
         let out = fresh(py, &whole, &row)?;
-        let a = Rows::new(first.2, own, &whole);
-        let b = second.as_ref().map(|(_, _, array)| Rows::new(array, other, &whole));
-        let b = b.as_ref().unwrap_or(&a);
-        let width = row.iter().product::<usize>();
         {
             let mut target = out.readwrite();
             let target = target.as_slice_mut()?;
-            let (order, any) = (&self.order, &self.group);
-            let alone = target.len() <= ALONE * width;
-            let is_so3 = any.downcast_ref::<So3>().is_some();
-            let work = || {
-                if is_so3 && rotations(operation, [&a, b], target) {
-                    return Ok(());
-                }
-                with_group!(any, group =>
-                    apply_all(group, order, operation, [&a, b], target, width);
-                    So3, Se3, Se2, Se23, Sl2, So2)
-            };
-            if alone { run_here(py, work) } else { run(py, work) }?;
+            let work = || ground.operate(operation, rows, target, width);
+            if ground.is_alone(count, width) { run_here(py, work) } else { run(py, work) }?;
         }
         Ok(out)
     }
@@ -349,7 +217,7 @@ pub type Array<'py> = Bound<'py, PyArrayDyn<f64>>;
 macro_rules! operations {
     ($(
         $(#[doc = $doc:literal])*
-        $name:ident($a:ident: $A:ident $(, $b:ident: $B:ident)?) -> $result:ident = $operation:ident;
+        $name:ident($a:ident: $A:ident $(, $b:ident: $B:ident)?) -> $result:ident = $operation:expr;
     )*) => {
         #[pymethods]
         #[allow(clippy::wrong_self_convention, reason = "a group reads and writes its elements")]
@@ -359,14 +227,14 @@ macro_rules! operations {
                 fn $name<'py>(
                     &self,
                     py: Python<'py>,
-                    $a: Floats<'py>,
-                    $($b: Floats<'py>,)?
+                    $a: Input<'py>,
+                    $($b: Input<'py>,)?
                 ) -> PyResult<Array<'py>> {
                     let first = (stringify!($a), Row::$A, &$a);
                     #[allow(unused_mut, unused_assignments, reason = "some have one argument")]
                     let mut second = None;
                     $(second = Some((stringify!($b), Row::$B, &$b));)?
-                    self.map(py, Operation::$operation, first, second, Row::$result)
+                    self.map(py, $operation, first, second, Row::$result)
                 }
             )*
         }
@@ -375,41 +243,244 @@ macro_rules! operations {
 
 operations! {
     /// The exponential of vectors (..., dimension): elements (..., coordinates).
-    exp(x: Vector) -> Element = Exp;
+    exp(x: Vector) -> Element = Operation::Exp;
     /// The logarithm of elements, near the identity the one near 0.
-    log(g: Element) -> Vector = Log;
+    log(g: Element) -> Vector = Operation::Log;
     /// The products ``g h``.
-    compose(g: Element, h: Element) -> Element = Compose;
+    compose(g: Element, h: Element) -> Element = Operation::Compose;
     /// The inverse elements.
-    inverse(g: Element) -> Element = Inverse;
+    inverse(g: Element) -> Element = Operation::Inverse;
     /// ``g^-1 h``.
-    between(g: Element, h: Element) -> Element = Between;
+    between(g: Element, h: Element) -> Element = Operation::Between;
     /// Drifted elements projected back onto the group; elements without an inverse are an error.
-    project(g: Element) -> Element = Restore;
+    project(g: Element) -> Element = Operation::Restore;
     /// ``Ad_g x``.
-    adjoint(g: Element, x: Vector) -> Vector = Adjoint;
+    adjoint(g: Element, x: Vector) -> Vector = Operation::Adjoint;
+    /// The matrices of ``Ad_g``.
+    ///
+    /// Parameters
+    /// ----------
+    /// g : array of the shape (..., coordinates)
+    ///     Elements.
+    ///
+    /// Returns
+    /// -------
+    /// array of the shape (..., dimension, dimension)
+    ///     The upper index is the row: ``adjoint(g, x)[i] == sum(adjoint_matrix(g)[i, k] * x[k])``.
+    ///
+    /// Examples
+    /// --------
+    /// >>> SO3.adjoint_matrix([1, 0, 0, 1])
+    /// array([[ 0., -1.,  0.],
+    ///        [ 1.,  0.,  0.],
+    ///        [ 0.,  0.,  1.]])
+    adjoint_matrix(g: Element) -> Operator = Operation::AdjointMatrix;
     /// ``Ad*_g h``: spatial to body momentum.
-    coadjoint(g: Element, h: Vector) -> Vector = Coadjoint;
+    coadjoint(g: Element, h: Vector) -> Vector = Operation::Coadjoint;
     /// The bracket of vectors.
-    bracket(x: Vector, y: Vector) -> Vector = Bracket;
+    bracket(x: Vector, y: Vector) -> Vector = Operation::Bracket;
     /// ``T_left(x) v``: ``exp(x + dx) = exp(x) exp(T_left(x) dx + ...)``.
-    tangent_left(x: Vector, v: Vector) -> Vector = TangentLeft;
+    ///
+    /// The rows of ``tangent_left(x, eye)`` are the columns of ``right_jacobian(x)``: its transpose.
+    tangent_left(x: Vector, v: Vector) -> Vector = Operation::TangentLeft;
     /// ``T_left(x)^-1 v``.
-    tangent_left_inverse(x: Vector, v: Vector) -> Vector = TangentLeftInverse;
+    tangent_left_inverse(x: Vector, v: Vector) -> Vector = Operation::TangentLeftInverse;
+    /// The left Jacobian of exp: ``exp(x + dx) = exp(J dx + ...) exp(x)``.
+    ///
+    /// Left and right are the sides on which ``exp(J dx)`` stands (Sola, Deray and Atchuthan, arXiv 1812.01537).
+    ///
+    /// Parameters
+    /// ----------
+    /// x : array of the shape (..., dimension)
+    ///     Vectors of the algebra.
+    ///
+    /// Returns
+    /// -------
+    /// array of the shape (..., dimension, dimension)
+    ///     The matrices ``J``; the upper index is the row.
+    ///
+    /// Examples
+    /// --------
+    /// >>> SE2.left_jacobian([0, 3, 5])
+    /// array([[ 1. ,  0. ,  0. ],
+    ///        [ 2.5,  1. ,  0. ],
+    ///        [-1.5,  0. ,  1. ]])
+    left_jacobian(x: Vector) -> Operator = Operation::Jacobian(JacobianKind::Left);
+    /// The right Jacobian of exp: ``exp(x + dx) = exp(x) exp(J dx + ...)``.
+    ///
+    /// It maps ``v`` to ``tangent_left(x, v)``, the velocity in the left-invariant frame. Not to be mixed up:
+    /// ``tangent_left(x, eye)`` has the images of the basis vectors in its rows, and so is the transpose of this matrix.
+    ///
+    /// Parameters
+    /// ----------
+    /// x : array of the shape (..., dimension)
+    ///     Vectors of the algebra.
+    ///
+    /// Returns
+    /// -------
+    /// array of the shape (..., dimension, dimension)
+    ///     The matrices ``J``; the upper index is the row.
+    ///
+    /// Examples
+    /// --------
+    /// >>> SE2.right_jacobian([0, 3, 5])
+    /// array([[ 1. ,  0. ,  0. ],
+    ///        [-2.5,  1. ,  0. ],
+    ///        [ 1.5,  0. ,  1. ]])
+    right_jacobian(x: Vector) -> Operator = Operation::Jacobian(JacobianKind::Right);
+    /// The inverse of the left Jacobian: ``log(exp(dx) exp(x)) = x + J^-1 dx + ...``.
+    ///
+    /// Singular where an eigenvalue of ``ad_x`` is ``2 pi i k``, ``k != 0``: there it raises a MathematicsError with the element.
+    ///
+    /// Examples
+    /// --------
+    /// >>> SE2.left_jacobian_inverse([0, 3, 5])
+    /// array([[ 1. ,  0. ,  0. ],
+    ///        [-2.5,  1. ,  0. ],
+    ///        [ 1.5,  0. ,  1. ]])
+    left_jacobian_inverse(x: Vector) -> Operator = Operation::Jacobian(JacobianKind::LeftInverse);
+    /// The inverse of the right Jacobian: ``log(exp(x) exp(dx)) = x + J^-1 dx + ...``.
+    ///
+    /// Singular where ``left_jacobian_inverse`` is.
+    ///
+    /// Examples
+    /// --------
+    /// >>> SE2.right_jacobian_inverse([0, 3, 5])
+    /// array([[ 1. ,  0. ,  0. ],
+    ///        [ 2.5,  1. ,  0. ],
+    ///        [-1.5,  0. ,  1. ]])
+    right_jacobian_inverse(x: Vector) -> Operator = Operation::Jacobian(JacobianKind::RightInverse);
+    /// The rate of the coordinates along ``g exp(s v)`` at ``s = 0``, linear in ``v``.
+    ///
+    /// Examples
+    /// --------
+    /// >>> float(SO3.rate([1, 0, 0, 0], [0, 0, 2])[3])
+    /// 1.0
+    rate(g: Element, v: Vector) -> Element = Operation::Rate;
     /// Elements as matrices (..., rows, columns), or as columns (..., rows) for vector groups and products.
-    matrix(g: Element) -> Matrix = Matrix;
-    /// The elements of matrices, which are checked.
-    from_matrix(matrix: Matrix) -> Element = Read;
+    matrix(g: Element) -> Matrix = Operation::Matrix;
+}
+
+#[pymethods]
+#[allow(clippy::wrong_self_convention, reason = "a group reads and writes its elements")]
+impl PyGroup {
+    /// The elements of matrices.
+    ///
+    /// Parameters
+    /// ----------
+    /// matrix : array of the shape (..., rows, columns)
+    ///     Matrices, or columns of vector groups and products.
+    /// check : bool
+    ///     Whether matrices that are not of the group raise an error. ``False`` is faster for SO(3) and SE(3), and gives an
+    ///     unspecified element for a matrix that is not of the group; other groups always check.
+    ///
+    /// Examples
+    /// --------
+    /// >>> SO3.from_matrix([[1, 0, 0], [0, -1, 0], [0, 0, -1]])
+    /// array([0., 1., 0., 0.])
+    #[pyo3(signature = (matrix, *, check=true))]
+    fn from_matrix<'py>(
+        &self,
+        py: Python<'py>,
+        matrix: Input<'py>,
+        check: bool,
+    ) -> PyResult<Array<'py>> {
+        let operation = if check { Operation::Read } else { Operation::ReadUnchecked };
+        self.map(py, operation, ("matrix", Row::Matrix, &matrix), None, Row::Element)
+    }
+
+    /// The action of matrices of size k on points.
+    ///
+    /// Parameters
+    /// ----------
+    /// g : array of the shape (..., coordinates)
+    ///     Elements.
+    /// points : array of the shape (..., k)
+    ///     Points. Affine maps, such as rigid motions, act on points (..., k - 1) too.
+    ///
+    /// Examples
+    /// --------
+    /// >>> SE3.act([1, 0, 0, 0, 5, 6, 7], [[1, 2, 3], [0, 0, 0]])
+    /// array([[ 6.,  8., 10.],
+    ///        [ 5.,  6.,  7.]])
+    fn act<'py>(&self, py: Python<'py>, g: Input<'py>, points: Input<'py>) -> PyResult<Array<'py>> {
+        let Some(Action { size, is_affine }) = self.action() else {
+            let name = &self.name;
+            let reason = format!("the elements of {name} are no matrices that act on points");
+            return Err(PyValueError::new_err(reason));
+        };
+        let shape = points.shape();
+        let last = shape.last().copied().unwrap_or(0);
+        if last != size && !(is_affine && last + 1 == size && last > 0) {
+            let other = if is_affine { format!("(..., {}) or ", size - 1) } else { String::new() };
+            let found = arrays::written(shape);
+            let reason = format!("points should have the shape {other}(..., {size}), not {found}");
+            return Err(PyValueError::new_err(reason));
+        }
+        let point = Row::Point(last);
+        let (g, points) = (("g", Row::Element, &g), ("points", point, &points));
+        self.map(py, Operation::Act, g, Some(points), point)
+    }
 }
 
 in_python! { PyGroup, "group":
-    /// The matrices of ``Ad_g``, (..., dimension, dimension).
-    adjoint_matrix (g) [g];
-    /// The action of matrices of size k on points (..., k); affine maps, such as rigid motions, act on points
-    /// (..., k - 1) too.
-    act (g, points) [g, points];
     /// The point ``g exp(t log(g^-1 h))``: ``g`` at ``t = 0``, ``h`` at ``t = 1``; ``t`` has the shape of the batch.
     interpolate (g, h, t) [g, h, t];
+    /// The element ``m`` with ``sum w_i log(m^-1 g_i) = 0`` that the iteration from the first element finds.
+    ///
+    /// For rotations it is the Karcher mean, the point with the least weighted sum of squared distances; elements should lie within a
+    /// half turn of each other. On other groups it is the group exponential mean, which commutes with translations.
+    ///
+    /// Parameters
+    /// ----------
+    /// g : array of the shape (..., coordinates)
+    ///     Elements.
+    /// weights : array, optional
+    ///     Weights that are not negative, of the shape of the batch; for a single axis also a vector.
+    /// axis : int or tuple of ints, optional
+    ///     The axes of the batch over which the mean is taken; by default all.
+    ///
+    /// Examples
+    /// --------
+    /// >>> turns = SO3.exp([[0, 0, 0.0], [0, 0, 0.4]])
+    /// >>> SO3.log(SO3.mean(turns, weights=[3, 1])).round(12)
+    /// array([0. , 0. , 0.1])
+    mean (g, weights=None, axis=None) [g, weights, axis];
+    /// The length of ``log(g^-1 h)``, invariant under left translations; the angle between rotations.
+    ///
+    /// Parameters
+    /// ----------
+    /// g, h : array of the shape (..., coordinates)
+    ///     Elements.
+    /// weights : array of the shape (dimension,) or (dimension, dimension), optional
+    ///     A positive form on the algebra, such as squared lengths per radian for rigid motions; by default the identity.
+    ///
+    /// Examples
+    /// --------
+    /// >>> SE3.distance(SE3.identity(), [1, 0, 0, 0, 3, 4, 0])
+    /// array(5.)
+    /// >>> SE3.distance(SE3.identity(), [1, 0, 0, 0, 3, 4, 0], weights=[1, 1, 1, 4, 4, 4])
+    /// array(10.)
+    distance (g, h, weights=None) [g, h, weights];
+    /// The curve through elements at given times: piecewise geodesic, or cumulative cubic with continuous velocities.
+    ///
+    /// Parameters
+    /// ----------
+    /// times : array of the shape (count,)
+    ///     Increasing times.
+    /// g : array of the shape (count, ..., coordinates)
+    ///     Elements.
+    /// kind : str
+    ///     ``"cubic"`` or ``"geodesic"``.
+    /// velocities : array of the shape (count, ..., dimension), optional
+    ///     Body velocities at the elements, for ``"cubic"``.
+    ///
+    /// Examples
+    /// --------
+    /// >>> path = SO3.spline([0, 1, 3], SO3.exp([[0, 0, 0], [0, 0, 1], [0, 0, 3]]))
+    /// >>> SO3.log(path(2)).round(12)
+    /// array([0., 0., 2.])
+    spline (times, g, kind=None, velocities=None) [times, g, kind, velocities];
 }
 
 immutable! { PyGroup }
@@ -446,11 +517,20 @@ impl PyGroup {
         self.written(py, &self.group.identity())
     }
 
-    /// The mean of elements (count, coordinates): ``sum log(m^-1 g_i) = 0``.
-    fn mean<'py>(&self, g: &Object<'py>) -> PyResult<Array<'py>> {
-        let elements = self.elements(&with_axes("g", g, &[2])?)?;
-        let mean = run(g.py(), || Ok(self.group.mean(&elements)?))?;
-        self.written(g.py(), &mean)
+    /// The matrices ``E_k`` of the basis, (dimension, rows, columns): the derivatives of ``matrix(exp(s e_k))`` at ``s = 0``.
+    ///
+    /// Examples
+    /// --------
+    /// >>> SO2.generators()
+    /// array([[[ 0., -1.],
+    ///         [ 1.,  0.]]])
+    fn generators<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
+        let (rows, columns) = self.shape;
+        let all = self.group.generators();
+        let entries = all
+            .iter()
+            .flat_map(|m| (0..rows * columns).map(move |at| m[(at / columns, at % columns)]));
+        arrays::array(py, &[all.len()], &[rows, columns], &entries.collect::<Vec<f64>>())
     }
 
     /// Exponentials of normal vectors of this scale.
@@ -497,9 +577,9 @@ type Argument<'py> = (Object<'py>,);
 
 impl PyGroup {
     /// The elements of an array.
-    pub fn elements(&self, g: &Floats<'_>) -> PyResult<Vec<DVector<f64>>> {
-        let own = arrays::batch("g", g, &self.row(Row::Element))?;
-        let rows = Rows::new(g, own, own);
+    pub fn elements(&self, g: &Input<'_>) -> PyResult<Vec<DVector<f64>>> {
+        let own = arrays::batch("g", g.shape(), &self.row(Row::Element))?;
+        let rows = g.rows(own, own);
         let count = own.iter().product();
         Ok((0..count).map(|at| element(&self.group, &self.order, rows.row(at))).collect())
     }
@@ -524,9 +604,9 @@ impl PyGroup {
         axes: usize,
     ) -> PyResult<Vec<DVector<f64>>> {
         let (py, array) = (g.py(), with_axes(what, g, &[axes])?);
-        let matrix = self.matrix(py, array)?;
-        self.from_matrix(py, matrix.as_any().extract()?)?;
-        let restored = self.project(py, with_axes(what, g, &[axes])?)?;
+        let matrix = self.matrix(py, Input::Array(array))?;
+        self.from_matrix(py, matrix.as_any().extract()?, true)?;
+        let restored = self.project(py, Input::Array(with_axes(what, g, &[axes])?))?;
         self.elements(&restored.as_any().extract()?)
     }
 }

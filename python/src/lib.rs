@@ -7,12 +7,14 @@ mod components;
 mod contraction;
 mod display;
 mod errors;
+mod family;
 mod geometries;
 mod geometry;
 mod group;
 mod limits;
 mod motion;
 mod report;
+mod rows;
 mod run;
 mod source;
 mod structure;
@@ -27,6 +29,8 @@ mod _engine {
     use crate::algebra::{PyAlgebra, catalogue};
     #[pymodule_export]
     use crate::contraction::contract_all;
+    #[pymodule_export]
+    use crate::family::PyFamily;
     #[pymodule_export]
     use crate::geometry::{PyGeometry, compare, conventions};
     #[pymodule_export]

@@ -1,6 +1,6 @@
 //! Problems of motion, and their integration in short pieces between which Python can interrupt.
 
-use crate::arrays::{Floats, Rows, batch};
+use crate::arrays::{Input, batch};
 use crate::class::properties;
 use crate::errors::{is_a, raise, wrong};
 use crate::run::{Threads, run};
@@ -9,7 +9,7 @@ use affinor_documents::input::InputError;
 use affinor_documents::problem::{Integration, Problem};
 use affinor_documents::rows::DenseRows;
 use affinor_tensors::stop::checkpoint;
-use numpy::{PyArray1, PyArray2, PyArrayMethods, PyUntypedArrayMethods};
+use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use pyo3::exceptions::PyException;
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict, PyList};
@@ -71,7 +71,7 @@ fn force(function: Py<PyAny>) -> ForceFunction {
                 let g = PyArray1::from_vec(py, rows).reshape([g.nrows(), g.ncols()])?;
                 let omega = PyArray1::from_slice(py, omega);
                 let force = function.call1(py, (t, g, omega))?.into_bound(py);
-                let force: Floats<'_> = force.extract()?;
+                let force: Input<'_> = force.extract()?;
                 if force.shape() != [count] {
                     let found = format!("of the shape {:?}", force.shape());
                     return Err(wrong(
@@ -80,7 +80,7 @@ fn force(function: Py<PyAny>) -> ForceFunction {
                         &found,
                     ));
                 }
-                Ok(Rows::new(&force, &[], &[]).row(0).to_vec())
+                Ok(force.rows(&[], &[]).row(0).to_vec())
             };
             call().unwrap_or_else(|error| {
                 RAISED.with_borrow_mut(|raised| {
@@ -300,10 +300,10 @@ impl PyProblem {
         &self,
         py: Python<'py>,
         names: Vec<String>,
-        values: Floats<'py>,
+        values: Input<'py>,
     ) -> PyResult<Many<'py>> {
-        let own = batch("values", &values, &[names.len()])?;
-        let rows = Rows::new(&values, own, own);
+        let own = batch("values", values.shape(), &[names.len()])?;
+        let rows = values.rows(own, own);
         let count: usize = own.iter().product();
         let problem = self.0.to_the_end();
         let one = |row: &[f64]| {

@@ -15,7 +15,7 @@ use affinor_documents::Coefficient;
 use affinor_documents::input::InputError;
 use affinor_tensors::Tensor;
 use nalgebra::{DMatrix, DVector};
-use numpy::{PyArray1, PyArray2, PyArrayMethods};
+use numpy::{PyArray1, PyArray2, PyArrayMethods, PyUntypedArrayMethods};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
@@ -75,7 +75,7 @@ impl PyGeometry {
         let py = arcs.py();
         let (group, translation) = self.translation(py)?;
         let arcs = with_axes("arcs", arcs, &[1, 2])?;
-        batch("arcs", &arcs, &[group.dimension()])?;
+        batch("arcs", arcs.shape(), &[group.dimension()])?;
         let arcs = vectors(&arcs, group.dimension());
         square(py, &run(py, || Ok(translation.along_arcs(&arcs)?))?)
     }
@@ -104,7 +104,7 @@ impl PyGeometry {
         let start = start.map_or_else(|| Ok(group.identity(py)?.into_any()), PyResult::Ok)?;
         let start = group.checked("start", &start, 1)?;
         let tangent = with_axes("tangent", tangent, &[1])?;
-        batch("tangent", &tangent, &[group.dimension()])?;
+        batch("tangent", tangent.shape(), &[group.dimension()])?;
         let tangent = vectors(&tangent, group.dimension()).swap_remove(0);
         let path =
             run(py, || Ok(translation.autoparallel(&start[0], &tangent, &times, tolerance)?))?;

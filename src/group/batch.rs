@@ -1,7 +1,14 @@
-//! Many rotations at once: rows of components, in the thread of the caller.
+//! Many elements of SO(3) or SE(3) at once: rows of components, in the thread of the caller.
 //!
-//! The formulas are those of [`So3`]. Over blocks of rows the compiler emits vector instructions: with the feature `simd` those
+//! [`exp_rows`], [`log_rows`] and [`compose_rows`] compute with rotations; [`map`] applies any kernel of [`rotations`] and
+//! [`motions`] to rows. The formulas are those of [`So3`] and [`Se3`](super::Se3). Over blocks of rows the compiler emits vector instructions: with the feature `simd` those
 //! that the processor has, chosen at run time. All of them round alike, so a result depends on its argument alone.
+
+pub mod motions;
+pub mod rotations;
+mod rows;
+
+pub use rows::{Kernel, Operand, map, single};
 
 use super::groups::so3;
 use super::{LieGroup, So3};

@@ -192,6 +192,56 @@ pub trait LieGroup {
         Self::Vector::matrix(self.dimension(), |k| self.tangent_left(x, &self.basis_vector(k)))
     }
 
+    /// The inverse of the left Jacobian, the matrix of [`tangent_right_inverse`](Self::tangent_right_inverse):
+    /// `log(exp(dx) exp(x)) = x + J^-1 dx + ..`.
+    ///
+    /// ```
+    /// use affinor::group::{LieGroup, Se3};
+    /// use nalgebra::{Matrix6, Vector6};
+    /// let x = Vector6::new(0.3, -0.2, 0.5, 1.0, 2.0, 3.0);
+    /// let inverse: Matrix6<f64> = Se3.jacobian_left_inverse(&x)?;
+    /// assert!((inverse * Se3.jacobian_left(&x) - Matrix6::identity()).norm() < 1e-14);
+    /// # Ok::<(), affinor::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`tangent_left_inverse`](Self::tangent_left_inverse).
+    fn jacobian_left_inverse(
+        &self,
+        x: &Self::Vector,
+    ) -> Result<<Self::Vector as Coordinates>::Matrix, Error> {
+        self.jacobian_right_inverse(&-x.clone())
+    }
+
+    /// The inverse of the right Jacobian, the matrix of [`tangent_left_inverse`](Self::tangent_left_inverse):
+    /// `log(exp(x) exp(dx)) = x + J^-1 dx + ..`.
+    ///
+    /// # Errors
+    /// As [`tangent_left_inverse`](Self::tangent_left_inverse).
+    fn jacobian_right_inverse(
+        &self,
+        x: &Self::Vector,
+    ) -> Result<<Self::Vector as Coordinates>::Matrix, Error> {
+        let columns = (0..self.dimension())
+            .map(|k| self.tangent_left_inverse(x, &self.basis_vector(k)))
+            .collect::<Result<Vec<_>, Error>>()?;
+        Ok(Self::Vector::matrix(columns.len(), |k| columns[k].clone()))
+    }
+
+    /// The matrix of `Ad_g`; the upper index is the row. It has a fixed size if vectors have.
+    ///
+    /// ```
+    /// use affinor::group::{LieGroup, Se3};
+    /// use nalgebra::{Isometry3, Matrix6};
+    /// let g = Isometry3::translation(1.0, 2.0, 3.0);
+    /// let adjoint: Matrix6<f64> = Se3.adjoint_matrix(&g);
+    /// // a rotation about z through the origin, seen from there
+    /// assert_eq!(adjoint.column(2).as_slice(), [0.0, 0.0, 1.0, 2.0, -1.0, 0.0]);
+    /// ```
+    fn adjoint_matrix(&self, g: &Self::Element) -> <Self::Vector as Coordinates>::Matrix {
+        Self::Vector::matrix(self.dimension(), |k| self.adjoint(g, &self.basis_vector(k)))
+    }
+
     /// The basis vector of an index, from 0.
     fn basis_vector(&self, at: usize) -> Self::Vector {
         Self::Vector::from_fn(self.dimension(), |i| f64::from(i == at))

@@ -1,5 +1,7 @@
 //! The Stumpff functions, used in the closed forms of rotations and related groups.
 
+use super::lanes::Lane;
+
 /// `c_k(z) = sum (-z)^i/(k + 2i)!` for `k = 0..=5`, for any sign of `z`.
 ///
 /// `c_0(x^2) = cos x`, `c_1(x^2) = sin x/x`, `c_0(-x^2) = cosh x`, and `c_k = 1/k! - z c_{k+2}`. For a
@@ -28,7 +30,7 @@ pub(crate) struct Stumpff {
 pub(crate) const FAR: f64 = 1e40;
 
 /// Below this modulus of `z` the differences lose digits, and the series have few terms.
-const SERIES: f64 = 10.0;
+pub(crate) const SERIES: f64 = 10.0;
 
 impl Stumpff {
     /// All functions at `z`. They overflow where cosh does.
@@ -83,6 +85,44 @@ impl Stumpff {
     }
 }
 
+/// The functions `c_1 .. c_5` by their series, for `|z| <` [`SERIES`] and several arguments side by side.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Series<T> {
+    pub c1: T,
+    pub c2: T,
+    pub c3: T,
+    pub c4: T,
+    pub c5: T,
+}
+
+impl<T: Lane> Series<T> {
+    #[inline(always)]
+    pub(crate) fn at(z: T) -> Self {
+        let (c4, c5) = (polynomial(&FOURTH, z), polynomial(&FIFTH, z));
+        let (c2, c3) = (T::splat(0.5) - z * c4, T::splat(1.0 / 6.0) - z * c5);
+        Series { c1: T::splat(1.0) - z * c3, c2, c3, c4, c5 }
+    }
+
+    /// The derivatives `c_2'(z)` and `c_3'(z)`.
+    #[inline(always)]
+    pub(crate) fn slopes(&self) -> [T; 2] {
+        let half = T::splat(0.5);
+        [self.c4 - half * self.c3, T::splat(1.5) * self.c5 - half * self.c4]
+    }
+}
+
+/// The `d` of [`inverse_tangent`] and its derivative `d'(z)`, for `|z| <` [`SERIES`]:
+/// `d' = (c_1 (c_2' - c_3') - c_1' (c_2 - c_3))/(16 c_1^2)` at `z/4`, where `2 c_1' = c_3 - c_2`.
+#[inline(always)]
+pub(crate) fn inverse_series<T: Lane>(z: T) -> (T, T) {
+    let c = Series::at(T::splat(0.25) * z);
+    let difference = c.c2 - c.c3;
+    let [slope2, slope3] = c.slopes();
+    let below = T::splat(4.0) * c.c1;
+    let above = c.c1 * (slope2 - slope3) + T::splat(0.5) * (difference * difference);
+    (difference / below, above / (below * below))
+}
+
 /// `(c_0(z), c_1(z))` alone, to a rounding or two.
 #[inline]
 pub(crate) fn first_two(z: f64) -> (f64, f64) {
@@ -135,7 +175,7 @@ pub(crate) const NEAR: f64 = 2.25;
 
 /// [`first_two`] for `|z| < NEAR`, without a branch.
 #[inline(always)]
-pub(crate) fn near(z: f64) -> (f64, f64) {
+pub(crate) fn near<T: Lane>(z: T) -> (T, T) {
     (polynomial(&ZEROTH, z), polynomial(&FIRST, z))
 }
 
@@ -207,12 +247,12 @@ const INVERSE: [f64; 8] = [
 
 /// `c_0 + c_1 z + c_2 z^2 + ..`, in four chains of every fourth term that a processor runs at once.
 #[inline(always)]
-pub(crate) fn polynomial<const N: usize>(coefficients: &[f64; N], z: f64) -> f64 {
+pub(crate) fn polynomial<T: Lane, const N: usize>(coefficients: &[f64; N], z: T) -> T {
     let square = z * z;
     let fourth = square * square;
-    let mut chains = [0.0; 4];
+    let mut chains = [T::splat(0.0); 4];
     for k in (0..N).rev() {
-        chains[k % 4] = chains[k % 4] * fourth + coefficients[k];
+        chains[k % 4] = chains[k % 4] * fourth + T::splat(coefficients[k]);
     }
     (chains[0] + z * chains[1]) + square * (chains[2] + z * chains[3])
 }
@@ -328,6 +368,30 @@ mod tests {
                 let off = off(found, slope / Rational::from(2), size);
                 assert!(off <= 8.0, "c_{k}'({z:e}) is off by {off} eps");
             }
+        }
+    }
+
+    /// The series of all functions, of their slopes and of the inverse, as far as they are used.
+    #[test]
+    fn series_within_their_range() {
+        for z in (0..200).map(|k| 0.05 * f64::from(k)).chain([1e-300, 1e-9, 9.999_999]) {
+            let c = Series::at(z);
+            for (k, found) in (1..).zip([c.c1, c.c2, c.c3, c.c4, c.c5]) {
+                bounded(k, z, found, 6.0);
+            }
+            let at = Stumpff::at(z);
+            let [slope2, slope3] = c.slopes();
+            assert!((slope2 - at.slope2()).abs() <= 4e-16, "c_2'({z:e}) = {slope2:e}");
+            assert!((slope3 - at.slope3()).abs() <= 2e-16, "c_3'({z:e}) = {slope3:e}");
+            let (d, slope) = inverse_series(z);
+            let expected = inverse_tangent(z, z).expect("no pole");
+            assert!((d - expected).abs() <= 8e-16 * expected, "d({z:e}) = {d:e}");
+            // a central difference of an odd order that the step and the rounding allow
+            let h = 1e-3;
+            let at = |z: f64| inverse_series(z).0;
+            let difference =
+                (8.0 * (at(z + h) - at(z - h)) - (at(z + 2.0 * h) - at(z - 2.0 * h))) / (12.0 * h);
+            assert!((slope - difference).abs() <= 1e-11, "d'({z:e}) = {slope:e}");
         }
     }
 

@@ -7,6 +7,7 @@ count from 0 in Python and from 1 in printed output. Quaternions are ``w, x, y, 
 from importlib.metadata import version as _version
 
 from affinor._engine import clear_caches, set_threads, threads
+from affinor._geometries import Geometries
 from affinor._limits import limits
 from affinor._sweep import RandomSample, SimulationTask, Sweep, sweep
 from affinor.algebra import Check, LieAlgebra, catalogue
@@ -27,7 +28,7 @@ from affinor.errors import (
     SymmetryError,
 )
 from affinor.geometry import Geodesic, Geometry, Property, check, compare, conventions
-from affinor.group import SE2, SE3, SE2_3, SL2, SO2, SO3, Group, RotationGroup, groups
+from affinor.group import SE2, SE3, SE2_3, SL2, SO2, SO3, Group, RigidMotionGroup, RotationGroup, Spline, groups
 from affinor.motion import Convergence, Problem, Trajectory, convergence, methods, simulate
 from affinor.structure import Report
 from affinor.tensor import Tensor, contract
@@ -50,6 +51,7 @@ __all__ = [
     "DependentError",
     "RandomSample",
     "Geodesic",
+    "Geometries",
     "Geometry",
     "Group",
     "InputError",
@@ -64,8 +66,10 @@ __all__ = [
     "Problem",
     "Property",
     "Report",
+    "RigidMotionGroup",
     "RotationGroup",
     "ShapeError",
+    "Spline",
     "Sweep",
     "SymmetryError",
     "Tensor",

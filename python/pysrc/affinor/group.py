@@ -11,9 +11,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from affinor._engine import Group, groups
-from affinor._scalars import floats
+from affinor._scalars import floats, index
+from affinor._spline import Spline
+from affinor.errors import MathematicsError, ShapeError
 
-__all__ = ["SE2", "SE3", "SE2_3", "SL2", "SO2", "SO3", "Group", "RotationGroup", "groups"]
+__all__ = ["SE2", "SE3", "SE2_3", "SL2", "SO2", "SO3", "Group", "RigidMotionGroup", "RotationGroup", "Spline", "groups"]
 
 Floats = NDArray[np.float64]
 
@@ -24,39 +26,6 @@ def _elements(group: Group, g: ArrayLike) -> Floats:
     if array.ndim == 0 or array.shape[-1] != group.coordinate_count:
         raise ValueError(f"g should be an array of the shape (..., {group.coordinate_count}), not of the shape {array.shape}")
     return array
-
-
-def adjoint_matrix(group: Group, g: ArrayLike) -> Floats:
-    """The matrices of ``Ad_g``."""
-    images = group.adjoint(_elements(group, g)[..., None, :], np.eye(group.dimension))
-    return np.swapaxes(images, -1, -2)
-
-
-def act(group: Group, g: ArrayLike, points: ArrayLike) -> Floats:
-    """The action of matrices of size k on points (..., k); affine maps, such as rigid motions, act on points
-    (..., k - 1) too."""
-    matrix, points = group.matrix(g), floats(points)
-    rows, columns = group._shape
-    # a matrix of one number, or a vector of one, whose identity is 0
-    single = rows == columns == 1
-    if rows != columns or (single and not group.matrix(group.exp(np.zeros(group.dimension))).all()):
-        raise ValueError(f"the elements of {group.name} are no matrices that act on points")
-    if single:
-        matrix = matrix[..., None]
-    size = points.shape[-1] if points.ndim else 0
-    if size == rows:
-        moved: Floats = np.einsum("...ij,...j->...i", matrix, points)
-        return moved
-    if 0 < size == rows - 1 and _is_affine(group):
-        turned: Floats = np.einsum("...ij,...j->...i", matrix[..., :-1, :-1], points)
-        return turned + matrix[..., :-1, -1]
-    raise ValueError(f"points should have the shape (..., {rows}), not {points.shape}")
-
-
-def _is_affine(group: Group) -> bool:
-    """Whether all elements are matrices with the last row 0, .., 0, 1."""
-    last = group.matrix(group.exp(np.eye(group.dimension)))[:, -1]
-    return bool((last == np.eye(last.shape[-1])[-1]).all())
 
 
 def interpolate(group: Group, g: ArrayLike, h: ArrayLike, t: ArrayLike) -> Floats:
@@ -73,6 +42,101 @@ def random(group: Group, shape: Any, rng: np.random.Generator | int | None, scal
     if not all(hasattr(size, "__index__") and size >= 0 for size in sizes):
         raise ValueError(f"the shape should be a number or a tuple of numbers from 0, not {shape!r}")
     return group.exp(generator.normal(scale=scale, size=(*sizes, group.dimension)))
+
+
+def mean(group: Group, g: ArrayLike, weights: ArrayLike | None = None, axis: int | tuple[int, ...] | None = None) -> Floats:
+    """The element ``m`` with ``sum w_i log(m^-1 g_i) = 0``."""
+    elements = _elements(group, g)
+    batch = elements.shape[:-1]
+    axes = _axes(axis, len(batch))
+    share = np.ones(batch) if weights is None else _weights(floats(weights), batch, axes)
+    front = tuple(range(len(axes)))
+    elements = np.moveaxis(elements, axes, front)
+    share = np.moveaxis(share, axes, front)
+    rest = elements.shape[len(axes) : -1]
+    elements = np.ascontiguousarray(elements.reshape(-1, *rest, elements.shape[-1]))
+    share = share.reshape(-1, *rest)
+    if elements.shape[0] == 0:
+        raise ShapeError("elements of a mean should be at least one, not none")
+    with np.errstate(invalid="ignore"):
+        share = (share / share.sum(axis=0))[..., None]
+    found, spread, before = elements[0].copy(), np.zeros(rest), np.full(rest, np.inf)
+    for step in range(_MEAN_STEPS):
+        logs = group.log(group.between(found, elements))
+        if step == 0:
+            spread = np.abs(logs).max(axis=(0, -1), initial=0.0)
+        correction = (share * logs).sum(axis=0)
+        size = np.abs(correction).max(axis=-1, initial=0.0)
+        if not np.isfinite(size).all():
+            break
+        # elements that are far from 1 have large rounding errors
+        own = 1e3 * np.finfo(float).eps * np.abs(found).max(axis=-1, initial=0.0)
+        found = group.project(group.compose(found, group.exp(correction)))
+        tiny = size <= _ROUNDING * spread
+        # rounding errors of the logarithms remain, however many steps there are
+        stalled = (size <= np.maximum(own, 1e6 * _ROUNDING * spread)) & (size >= before)
+        if (tiny | stalled).all():
+            return found
+        before = size
+    raise MathematicsError(f"no mean: after {step + 1} iterations the mean logarithm still has the size {float(np.max(size)):e}")
+
+
+_MEAN_STEPS = 100
+_ROUNDING = 1e-14
+"""A step of this size, relative to the largest logarithm of the first iteration, is rounding."""
+
+
+def _axes(axis: int | tuple[int, ...] | None, count: int) -> tuple[int, ...]:
+    """The axes from 0; None stands for all."""
+    if axis is None:
+        return tuple(range(count))
+    given = [index("axis", at) for at in (axis if isinstance(axis, (tuple, list)) else (axis,))]
+    axes = tuple(at + count if at < 0 else at for at in given)
+    if not all(0 <= at < count for at in axes) or len(set(axes)) < len(axes):
+        raise ValueError(f"axis should name different axes of a batch with {count} axes, not {axis}")
+    return axes
+
+
+def _weights(weights: Floats, batch: tuple[int, ...], axes: tuple[int, ...]) -> Floats:
+    """Weights with the shape of the batch; those of one axis may be a vector."""
+    if weights.ndim == 1 and len(axes) == 1:
+        shape = [1] * len(batch)
+        shape[axes[0]] = weights.shape[0]
+        weights = weights.reshape(shape)
+    try:
+        whole = np.broadcast_to(weights, batch)
+    except ValueError:
+        raise ValueError(f"weights should have the shape {batch} of the batch, not {weights.shape}") from None
+    sums = whole.sum(axis=axes)
+    if not (np.isfinite(whole).all() and (whole >= 0).all() and (sums > 0).all()) and whole.size:
+        raise ValueError("weights should be finite and not negative, with a positive sum")
+    return whole
+
+
+def distance(group: Group, g: ArrayLike, h: ArrayLike, weights: ArrayLike | None = None) -> Floats:
+    """The length of ``log(g^-1 h)``."""
+    x = group.log(group.between(g, h))
+    if weights is None:
+        return np.asarray(np.linalg.norm(x, axis=-1))
+    form, n = floats(weights), group.dimension
+    if form.shape not in ((n,), (n, n)):
+        raise ValueError(f"weights should have the shape ({n},) or ({n}, {n}), not {form.shape}")
+    form = np.diag(form) if form.ndim == 1 else form
+    square = np.einsum("...i,ij,...j->...", x, form, x)
+    if not (square >= 0).all():
+        raise ValueError("weights should be positive: a squared distance is negative")
+    return np.asarray(np.sqrt(square))
+
+
+def spline(
+    group: Group,
+    times: ArrayLike,
+    g: ArrayLike,
+    kind: str | None = None,
+    velocities: ArrayLike | None = None,
+) -> Spline:
+    """The curve through elements at given times."""
+    return Spline(group, times, g, kind="cubic" if kind is None else kind, velocities=velocities)
 
 
 class RotationGroup(Group):
@@ -113,9 +177,49 @@ class RotationGroup(Group):
         return Rotation.from_quat(self.to_quaternion(g, scalar_first=False))
 
 
+class RigidMotionGroup(Group):
+    """The rigid motions SE(3): elements are ``w, x, y, z`` and a position, vectors rotation first."""
+
+    __slots__ = ()
+
+    def __new__(cls, name: str = "se3") -> RigidMotionGroup:
+        return super().__new__(cls, name)
+
+    def from_scipy(self, transform: Any) -> Floats:
+        """The elements of a ``scipy.spatial.transform.RigidTransform`` (SciPy 1.16 or later).
+
+        Examples
+        --------
+        >>> from scipy.spatial.transform import RigidTransform
+        >>> SE3.from_scipy(RigidTransform.from_translation([1, 2, 3]))
+        array([1., 0., 0., 0., 1., 2., 3.])
+        """
+        if not (hasattr(transform, "rotation") and hasattr(transform, "translation")):
+            raise TypeError(f"a RigidTransform of SciPy was expected, not {type(transform).__name__}")
+        rotation = np.roll(np.asarray(transform.rotation.as_quat(), dtype=np.float64), 1, axis=-1)
+        translation = np.asarray(transform.translation, dtype=np.float64)
+        return np.concatenate([rotation, translation], axis=-1)
+
+    def to_scipy(self, g: ArrayLike) -> Any:
+        """A ``scipy.spatial.transform.RigidTransform`` (SciPy 1.16 or later).
+
+        Examples
+        --------
+        >>> SE3.to_scipy([1, 0, 0, 0, 1, 2, 3]).translation
+        array([1., 2., 3.])
+        """
+        try:
+            from scipy.spatial.transform import RigidTransform, Rotation
+        except ImportError as error:
+            raise ImportError("RigidTransform needs SciPy 1.16 or later: pip install 'scipy>=1.16'") from error
+        g = _elements(self, g)
+        rotation = Rotation.from_quat(np.roll(g[..., :4], -1, axis=-1))
+        return RigidTransform.from_components(g[..., 4:], rotation)
+
+
 SO2 = Group("so2")
 SO3 = RotationGroup()
 SE2 = Group("se2")
-SE3 = Group("se3")
+SE3 = RigidMotionGroup()
 SE2_3 = Group("se_2(3)")
 SL2 = Group("sl2")

@@ -4,6 +4,7 @@ use crate::group::TranslationSplit;
 use crate::group::matrices::{MatrixNotation, TOLERANCE, checked, replace, spins};
 use crate::group::rotation;
 use crate::group::{Embedded, LieGroup};
+use crate::numerics::lanes::Lane;
 use crate::numerics::stumpff::{FAR, Stumpff, first_two, inverse_tangent, polynomial, turning};
 use crate::{Error, Law};
 use nalgebra::{DMatrix, Quaternion, UnitQuaternion, Vector3, Vector4};
@@ -217,12 +218,11 @@ pub(in crate::group) fn is_unit(norm: f64) -> bool {
 /// `|q|^2`, the latter [`is_unit`]: `4 atan(tan(angle/4))` over the sine, where
 /// `tan(angle/4) = |v|/(|q| + |w|)` is at most 1. So there is no case, neither at the identity nor at `pi`.
 #[inline(always)]
-pub(in crate::group) fn logarithm([x, y, z, w]: [f64; 4], square: f64, norm: f64) -> f64 {
-    let scale = 1.0 / (w.abs() + (0.5 + 0.5 * norm));
-    let size = 4.0 * scale * polynomial(&ARCTANGENT, square * scale * scale);
-    let rest = if y != 0.0 { y } else { z };
-    let sign = if x != 0.0 { x } else { rest };
-    size.copysign(if w != 0.0 { w } else { sign })
+pub(in crate::group) fn logarithm<T: Lane>([x, y, z, w]: [T; 4], square: T, norm: T) -> T {
+    let half = T::splat(0.5);
+    let scale = T::splat(1.0) / (w.abs() + (half + half * norm));
+    let size = T::splat(4.0) * scale * polynomial(&ARCTANGENT, square * scale * scale);
+    size.copysign(w.or(x.or(y.or(z))))
 }
 
 /// `atan(t)/t` in powers of `t^2` for `0 <= t <= 1`, to `1.3e-17` (Remez exchange in 60 digits, then rounded):

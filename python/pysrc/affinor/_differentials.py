@@ -1,0 +1,108 @@
+"""Operations of groups and their differentials as matrices, for :mod:`affinor.jax` and :mod:`affinor.torch`.
+
+A function takes arrays in float64 with the axes of a batch in front. Elements are numbers in a space around the group: a change of
+them counts as far as it is along the group. So differentials vanish across the group, where a quaternion changes its length alone.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from affinor._engine import Group
+from affinor.errors import AffinorError
+
+Floats = NDArray[np.float64]
+
+
+class Operation(NamedTuple):
+    """An operation of a group: its result, the differentials by its arguments, and the number of components of a result."""
+
+    name: str
+    result: Callable[..., Floats]
+    differentials: tuple[Callable[..., Floats], ...]
+    width: Callable[..., int]
+    """The number of components of a result, by those of the arguments."""
+
+
+def operations(group: Group) -> dict[str, Operation]:
+    """The operations of a group with differentials."""
+    n, count = group.dimension, group.coordinate_count
+    eye = np.eye(n)
+
+    def rates(g: Floats) -> Floats:
+        """The matrix of ``v -> rate(g, v)``."""
+        return np.swapaxes(group.rate(g[..., None, :], eye), -1, -2)
+
+    def velocities(g: Floats) -> Floats:
+        """The matrix of a change of coordinates to the body velocity: the left inverse of ``rates``."""
+        e = rates(g)
+        transposed = np.swapaxes(e, -1, -2)
+        return np.asarray(np.linalg.solve(transposed @ e, transposed), dtype=np.float64)
+
+    def exp(x: Floats) -> Floats:
+        return rates(group.exp(x)) @ group.right_jacobian(x)
+
+    def log(g: Floats) -> Floats:
+        return group.right_jacobian_inverse(group.log(g)) @ velocities(g)
+
+    def inverse(g: Floats) -> Floats:
+        return -rates(group.inverse(g)) @ group.adjoint_matrix(g) @ velocities(g)
+
+    def first(g: Floats, h: Floats) -> Floats:
+        back = group.adjoint_matrix(group.inverse(h))
+        return rates(group.compose(g, h)) @ back @ velocities(g)
+
+    def second(g: Floats, h: Floats) -> Floats:
+        return rates(group.compose(g, h)) @ velocities(h)
+
+    def parts(g: Floats, points: Floats) -> tuple[Floats, Floats]:
+        """The matrices of elements, and the images of points under generators."""
+        matrix, generators = group.matrix(g), group.generators()
+        size = points.shape[-1]
+        if size < matrix.shape[-1]:
+            moved = np.einsum("kij,...j->...ik", generators[:, :-1, :-1], points) + generators[:, :-1, -1].T
+            return matrix[..., :-1, :-1], moved
+        return matrix, np.einsum("kij,...j->...ik", generators, points)
+
+    def moved_by_element(g: Floats, points: Floats) -> Floats:
+        matrix, moved = parts(g, points)
+        return matrix @ moved @ velocities(g)
+
+    def moved_point(g: Floats, points: Floats) -> Floats:
+        matrix, _ = parts(g, points)
+        shape = np.broadcast_shapes(g.shape[:-1], points.shape[:-1])
+        return np.broadcast_to(matrix, (*shape, *matrix.shape[-2:]))
+
+    found = [
+        Operation("exp", group.exp, (exp,), lambda _: count),
+        Operation("log", group.log, (log,), lambda _: n),
+        Operation("inverse", group.inverse, (inverse,), lambda _: count),
+        Operation("compose", group.compose, (first, second), lambda *_: count),
+        Operation("act", group.act, (moved_by_element, moved_point), lambda _, size: size),
+    ]
+    return {operation.name: operation for operation in found}
+
+
+def rows(function: Callable[..., Floats], shape: tuple[int, ...], core: int, *arguments: Any) -> Floats:
+    """The function of arrays of any type of floats, with NaN for rows without a result, such as the logarithm of zeros.
+
+    ``shape`` is the shape of the result, of which the last ``core`` axes are those of a row.
+    """
+    given = [np.asarray(argument, dtype=np.float64) for argument in arguments]
+    try:
+        whole = function(*given)
+        return whole if whole.shape == shape else np.broadcast_to(whole, shape).copy()
+    except (AffinorError, np.linalg.LinAlgError):
+        batch = shape[: len(shape) - core]
+        wide = [np.broadcast_to(argument, (*batch, argument.shape[-1])) for argument in given]
+        found = np.full(shape, np.nan)
+        for at in np.ndindex(*batch):
+            try:
+                found[at] = function(*(argument[at] for argument in wide))
+            except (AffinorError, np.linalg.LinAlgError):
+                continue
+        return found

@@ -1,0 +1,276 @@
+"""Geometries in bulk: one Lie algebra with a connection, and an array of metrics."""
+
+from __future__ import annotations
+
+import threading
+from collections import OrderedDict
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from affinor._engine import Family
+from affinor._scalars import floats
+from affinor._source import Names, source_of
+from affinor.geometry import completed
+
+__all__ = ["Geometries"]
+
+Floats = NDArray[np.float64]
+
+_FAMILIES: OrderedDict[str, Family] = OrderedDict()
+"""The families that were used last, with their recorded programs."""
+
+_MOST_FAMILIES = 32
+_LOCK = threading.Lock()
+
+
+class Geometries:
+    """Left-invariant geometries of one Lie algebra, for an array of metrics in floats.
+
+    Every quantity of a :class:`Geometry` with ``scalar="float"`` is an array with the axes of the batch in front. The formula is
+    recorded once for the algebra and the connection, and then runs over all metrics on all cores. The last 32 algebras
+    stay recorded.
+
+    Parameters
+    ----------
+    space
+        A LieAlgebra or anything that makes one.
+    metrics : array of the shape (..., n, n)
+        Symmetric, regular matrices ``g_ij`` of any signature.
+    connection : str or number, optional
+        ``levi-civita`` (the default), ``plus``, ``zero``, ``minus``, or a number lambda.
+    parameters : dict of arrays, optional
+        Values of the parameters of the brackets, by name or symbol; arrays are broadcast with the batch of metrics.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> bodies = Geometries("so3", [np.diag([1, 1, 1]), np.diag([1, 1, 2])])
+    >>> bodies.scalar_curvature
+    array([1.5, 1. ])
+    >>> bodies.ricci.shape
+    (2, 3, 3)
+    >>> bianchi = Geometries("[x, z] = x, [y, z] = h*y", np.eye(3), parameters={"h": [1, 2]}, basis="x y z")
+    >>> bianchi.scalar_curvature
+    array([ -6., -14.])
+    """
+
+    __slots__ = ("_family", "_metrics", "_parameters", "batch_shape", "dimension")
+
+    def __init__(
+        self,
+        space: Any,
+        metrics: ArrayLike,
+        *,
+        connection: Any = "levi-civita",
+        parameters: Mapping[Any, ArrayLike] | None = None,
+        basis: Names = None,
+    ) -> None:
+        g = floats(metrics)
+        if g.ndim < 2 or g.shape[-1] != g.shape[-2] or g.shape[-1] == 0:
+            raise ValueError(f"metrics should be an array of the shape (..., n, n), not of the shape {g.shape}")
+        n = g.shape[-1]
+        family = _family_of(space, connection, n, basis)
+        given = {str(name): floats(value) for name, value in (parameters or {}).items()}
+        if unknown := sorted(set(given) - set(family.parameters)):
+            known = ", ".join(family.parameters) or "none"
+            raise ValueError(f"the algebra has no parameter {unknown[0]}; its parameters: {known}")
+        if missing := [name for name in family.parameters if name not in given]:
+            raise ValueError(f"values of the parameters are missing: {', '.join(missing)}")
+        family.check("metric", g.reshape(-1, n * n), True)
+        values = [given[name] for name in family.parameters]
+        shape = _common(g.shape[:-2], *(value.shape for value in values))
+        columns = [np.broadcast_to(value, shape) for value in values]
+        self._family = family
+        self._metrics = g
+        self._parameters = np.stack(columns, axis=-1) if columns else np.zeros((1, 0))
+        self.batch_shape: tuple[int, ...] = shape
+        """The shape of the batch, to which metrics and parameters are broadcast."""
+        self.dimension: int = n
+        """The dimension of the algebra."""
+
+    def __repr__(self) -> str:
+        return f"<Geometries of dimension {self.dimension}, batch of the shape {self.batch_shape}>"
+
+    def __reduce__(self) -> Any:
+        raise TypeError("geometries in bulk are not pickled: pickle the algebra and the metrics")
+
+    def quantity(self, key: str) -> Floats:
+        """The array (..., n, ...) of a quantity, by its name in tables.
+
+        Parameters
+        ----------
+        key : str
+            ``ricci``, ``weyl``, ``kretschmann`` or another name of a quantity; the indices are those of :class:`Geometry`.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> Geometries("so3", np.eye(3)).quantity("kretschmann")
+        array(0.75)
+        """
+        return self._evaluate(key, self.batch_shape)
+
+    @property
+    def metric(self) -> Floats:
+        """Metrics ``g_ij``, (..., n, n)."""
+        return np.broadcast_to(self._metrics, (*self.batch_shape, self.dimension, self.dimension)).copy()
+
+    @property
+    def affinities(self) -> Floats:
+        """Affinities ``Lambda^i_jk``, (..., n, n, n): ``nabla_{e_j} e_k = Lambda^i_jk e_i``, the direction first."""
+        return self.quantity("affinities")
+
+    @property
+    def torsion(self) -> Floats:
+        """Torsion ``tau^i_jk``, (..., n, n, n)."""
+        return self.quantity("torsion")
+
+    @property
+    def curvature(self) -> Floats:
+        """Curvature ``R^i_jkl``, (..., n, n, n, n): ``R(e_k, e_l) e_j = R^i_jkl e_i``."""
+        return self.quantity("curvature")
+
+    @property
+    def ricci(self) -> Floats:
+        """Ricci tensors ``Ric_jl``, (..., n, n)."""
+        return self.quantity("ricci")
+
+    @property
+    def scalar_curvature(self) -> Floats:
+        """Scalar curvatures ``S``, (...)."""
+        return self.quantity("scalar_curvature")
+
+    @property
+    def ricci_eigenvalues(self) -> NDArray[Any]:
+        """Eigenvalues (..., n) of the symmetric part of ``Ric`` with respect to the metric.
+
+        Floats in ascending order if all metrics are positive definite, else complex numbers.
+        """
+        n, ricci = self.dimension, self.ricci
+        ricci = (ricci + np.swapaxes(ricci, -1, -2)) / 2
+        count = ricci.size // (n * n)
+        metrics = self._rows(self._metrics.reshape((*self._metrics.shape[:-2], n * n)), self.batch_shape)
+        found = self._family.eigenvalues(metrics, ricci.reshape(count, n * n))
+        if found is None:
+            return np.linalg.eigvals(np.linalg.solve(self._metrics, ricci)).astype(np.complex128)
+        return found.reshape((*self.batch_shape, n))
+
+    def sectional_curvature(self, x: ArrayLike, y: ArrayLike) -> Floats:
+        """Sectional curvatures ``g(R(x,y)y, x)/(g(x,x) g(y,y) - g(x,y)^2)`` of planes.
+
+        Parameters
+        ----------
+        x, y : array of the shape (..., n)
+            Vectors that span the planes, broadcast with the batch. A degenerate plane is an error.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> Geometries("so3", np.diag([1, 1, 2])).sectional_curvature([[1, 0, 0], [0, 1, 0]], [0, 0, 1])
+        array([0.5, 0.5])
+        """
+        vectors = [floats(v) for v in (x, y)]
+        for name, v in zip("xy", vectors, strict=True):
+            if v.ndim == 0 or v.shape[-1] != self.dimension:
+                raise ValueError(f"{name} should be an array of the shape (..., {self.dimension}), not of the shape {v.shape}")
+        planes = _common(*(v.shape[:-1] for v in vectors))
+        both = np.concatenate([np.broadcast_to(v, (*planes, self.dimension)) for v in vectors], axis=-1)
+        return self._evaluate("sectional_curvature", _common(self.batch_shape, planes), vectors=both)
+
+    def derivative(self, key: str, direction: ArrayLike | None = None) -> Floats:
+        """The derivative of a quantity with respect to the metric.
+
+        Parameters
+        ----------
+        key : str
+            The name of a quantity, as for :meth:`quantity`.
+        direction : array of the shape (..., n, n), optional
+            Symmetric rates of the metric, broadcast with the batch. Without one the result is the full derivative: it has two
+            more axes ``a, b`` at the end, is symmetric in them, and ``sum D[..., a, b] h[a, b]`` is the derivative along ``h``.
+
+        Examples
+        --------
+        A step of the Ricci flow changes the scalar curvature by its derivative along ``-2 Ric``.
+
+        >>> import numpy as np
+        >>> sphere = Geometries("so3", np.eye(3))
+        >>> sphere.derivative("scalar_curvature", -2 * sphere.ricci)
+        array(1.5)
+        >>> sphere.derivative("scalar_curvature")
+        array([[-0.5,  0. ,  0. ],
+               [ 0. , -0.5,  0. ],
+               [ 0. ,  0. , -0.5]])
+        """
+        n = self.dimension
+        if direction is None:
+            pairs = [(a, b) for a in range(n) for b in range(a, n)]
+            rates = np.zeros((len(pairs), n, n))
+            for at, (a, b) in enumerate(pairs):
+                rates[at, a, b] += 0.5
+                rates[at, b, a] += 0.5
+            slots = len(self._family.shape(key))
+            axes = (1,) * len(self.batch_shape)
+            rates = rates.reshape(len(pairs), *axes, n, n)
+            found = self._evaluate(key, (len(pairs), *self.batch_shape), rates=rates)
+            full = np.empty((*found.shape[1:], n, n))
+            for at, (a, b) in enumerate(pairs):
+                full[..., a, b] = full[..., b, a] = found[at]
+            assert full.ndim == len(self.batch_shape) + slots + 2
+            return full
+        rates = floats(direction)
+        if rates.ndim < 2 or rates.shape[-2:] != (n, n):
+            raise ValueError(f"the direction should be an array of the shape (..., {n}, {n}), not of the shape {rates.shape}")
+        self._family.check("direction", rates.reshape(-1, n * n), False)
+        return self._evaluate(key, _common(self.batch_shape, rates.shape[:-2]), rates=rates)
+
+    def _evaluate(
+        self, key: str, shape: tuple[int, ...], *, vectors: Floats | None = None, rates: Floats | None = None
+    ) -> Floats:
+        """A quantity over a batch of this shape, or its derivative along rates."""
+        n, family = self.dimension, self._family
+        metrics = self._rows(self._metrics.reshape((*self._metrics.shape[:-2], n * n)), shape)
+        parameters = self._rows(self._parameters, shape)
+        planes = np.zeros((1, 2 * n)) if vectors is None else self._rows(vectors, shape)
+        moving = None if rates is None else self._rows(rates.reshape((*rates.shape[:-2], n * n)), shape)
+        count = int(np.prod(shape, dtype=np.int64))
+        found = family.evaluate(key, count, metrics, parameters, planes, moving)
+        return found.reshape((*shape, *found.shape[1:]))
+
+    @staticmethod
+    def _rows(array: Floats, shape: tuple[int, ...]) -> Floats:
+        """Rows (count, k) of the batch, or one row that stands for all."""
+        width = array.shape[-1]
+        if array.size == width:
+            return np.ascontiguousarray(array.reshape(1, width))
+        if array.shape[:-1] != shape:
+            array = np.broadcast_to(array, (*shape, width))
+        return np.ascontiguousarray(array.reshape(-1, width))
+
+
+def _common(*shapes: tuple[int, ...]) -> tuple[int, ...]:
+    try:
+        return np.broadcast_shapes(*shapes)
+    except ValueError:
+        written = " and ".join(map(str, shapes))
+        raise ValueError(f"the batches {written} cannot be broadcast together") from None
+
+
+def _family_of(space: Any, connection: Any, n: int, basis: Names) -> Family:
+    """The family of an algebra with a connection, whose metric has the entries of the upper triangle as parameters."""
+    names = [[f"metric_{min(i, j)}_{max(i, j)}" for j in range(n)] for i in range(n)]
+    metric = "[" + ", ".join(f"[{', '.join(row)}]" for row in names) + "]"
+    source = completed(source_of(space, basis=basis), connection, metric)
+    key = repr((source.arguments, source.scalar, source.tolerance))
+    with _LOCK:
+        if key in _FAMILIES:
+            _FAMILIES.move_to_end(key)
+            return _FAMILIES[key]
+    family = Family(source, [names[i][j] for i in range(n) for j in range(i, n)])
+    with _LOCK:
+        _FAMILIES[key] = family
+        while len(_FAMILIES) > _MOST_FAMILIES:
+            _FAMILIES.popitem(last=False)
+    return family

@@ -1,0 +1,137 @@
+"""Curves through elements of a group."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from affinor._engine import Group
+from affinor._scalars import floats, with_axes
+
+__all__ = ["Spline"]
+
+Floats = NDArray[np.float64]
+
+
+class Spline:
+    """A curve through given elements ``g_0 .. g_m`` at increasing times.
+
+    ``kind="geodesic"`` joins neighbours by ``g exp(s log(g^-1 h))``: the body velocity is constant between two elements and
+    jumps at them. ``kind="cubic"`` is the cumulative cubic curve (M.-J. Kim, M.-S. Kim and S. Shin, SIGGRAPH 1995)
+
+        ``g_i exp(B_1(u) a) exp(B_2(u) b) exp(B_3(u) c)``,  ``B = 1 - (1-u)^3, 3 u^2 - 2 u^3, u^3``,
+
+    with ``3 a/h`` and ``3 c/h`` the body velocities at both ends of an interval of length ``h``, and ``b`` such that the curve
+    passes through the next element. It is continuously differentiable and commutes with left translations. Velocities that
+    are not given are those of the parabola through three neighbours.
+
+    Parameters
+    ----------
+    group : Group
+        The group.
+    times : array of the shape (m + 1,)
+        Increasing times, two or more.
+    elements : array of the shape (m + 1, ..., coordinates)
+        Elements; neighbours should differ by less than half a turn.
+    kind : str
+        ``cubic`` or ``geodesic``.
+    velocities : array of the shape (m + 1, ..., dimension), optional
+        Body velocities at the elements, for ``cubic``.
+
+    Examples
+    --------
+    >>> path = SO3.spline([0, 1, 3], SO3.exp([[0, 0, 0], [0, 0, 1], [0, 0, 3]]))
+    >>> SO3.log(path(2)).round(12)
+    array([0., 0., 2.])
+    >>> path.velocity([0, 2.5]).round(12)
+    array([[0., 0., 1.],
+           [0., 0., 1.]])
+    """
+
+    __slots__ = ("_logs", "elements", "group", "kind", "times")
+
+    def __init__(
+        self, group: Group, times: ArrayLike, elements: ArrayLike, *, kind: str = "cubic", velocities: ArrayLike | None = None
+    ) -> None:
+        t, g = with_axes("times", times, [1]), floats(elements)
+        if kind not in ("cubic", "geodesic"):
+            raise ValueError(f"the kind of a spline is cubic or geodesic, not {kind!r}")
+        if len(t) < 2 or not (np.diff(t) > 0).all():
+            raise ValueError("times should be two or more increasing numbers")
+        if g.ndim < 2 or g.shape[0] != len(t) or g.shape[-1] != group.coordinate_count:
+            raise ValueError(f"elements should have the shape ({len(t)}, ..., {group.coordinate_count}), not {g.shape}")
+        self.group, self.times, self.elements, self.kind = group, t.copy(), g.copy(), kind
+        steps = np.diff(t).reshape(-1, *(1,) * (g.ndim - 1))
+        jumps = group.log(group.between(g[:-1], g[1:]))
+        if kind == "geodesic":
+            if velocities is not None:
+                raise ValueError("a geodesic spline has the velocities of its arcs: leave velocities out")
+            self._logs: tuple[Floats, ...] = (jumps,)
+            return
+        if velocities is None:
+            v = _velocities(group, jumps / steps, steps)
+        else:
+            v = floats(velocities)
+            if v.shape != (*g.shape[:-1], group.dimension):
+                raise ValueError(f"velocities should have the shape {(*g.shape[:-1], group.dimension)}, not {v.shape}")
+        first, last = v[:-1] * steps / 3, v[1:] * steps / 3
+        # exp(-a) g_i^-1 g_{i+1} exp(-c)
+        between = group.compose(group.exp(-first), group.compose(group.exp(jumps), group.exp(-last)))
+        self._logs = (first, group.log(between), last)
+
+    def __repr__(self) -> str:
+        name, count = self.group.name, len(self.times)
+        return f"<Spline on {name}, {self.kind}, through {count} elements from {self.times[0]} to {self.times[-1]}>"
+
+    def __call__(self, t: ArrayLike) -> Floats:
+        """The elements at times ``t`` of any shape: (*t.shape, ..., coordinates). Times outside of the interval are an error."""
+        at, u, _ = self._place(t)
+        curve = self.elements[at]
+        for weight, logs in zip(self._weights(u), self._logs, strict=True):
+            curve = self.group.compose(curve, self.group.exp(weight * logs[at]))
+        return curve
+
+    def velocity(self, t: ArrayLike) -> Floats:
+        """The body velocities at times ``t``: (*t.shape, ..., dimension)."""
+        at, u, h = self._place(t)
+        found: Any = 0.0
+        for weight, rate, logs in zip(self._weights(u), self._rates(u), self._logs, strict=True):
+            step = logs[at]
+            if isinstance(found, np.ndarray):
+                found = self.group.adjoint(self.group.exp(-weight * step), found)
+            found = found + rate / h * step
+        return np.asarray(found)
+
+    def _place(self, t: ArrayLike) -> tuple[NDArray[np.intp], Floats, Floats]:
+        """The index of the interval of each time, the part of the interval that has passed, and its length."""
+        moments = floats(t)
+        start, end = self.times[0], self.times[-1]
+        if not ((moments >= start) & (moments <= end)).all():
+            outside = moments[~((moments >= start) & (moments <= end))].flat[0]
+            raise ValueError(f"the time {outside} is not between {start} and {end}")
+        at = np.clip(np.searchsorted(self.times, moments, side="right") - 1, 0, len(self.times) - 2)
+        steps = np.diff(self.times)[at]
+        axes = (..., *(None,) * (self.elements.ndim - 1))
+        return at, ((moments - self.times[at]) / steps)[axes], steps[axes]
+
+    def _weights(self, u: Floats) -> tuple[Floats, ...]:
+        if self.kind == "geodesic":
+            return (u,)
+        return 1 - (1 - u) ** 3, (3 - 2 * u) * u**2, u**3
+
+    def _rates(self, u: Floats) -> tuple[Floats, ...]:
+        if self.kind == "geodesic":
+            return (np.ones_like(u),)
+        return 3 * (1 - u) ** 2, 6 * u * (1 - u), 3 * u**2
+
+
+def _velocities(group: Group, slopes: Floats, steps: Floats) -> Floats:
+    """Body velocities of the parabolas through three neighbours; at both ends those of the nearest parabola."""
+    if len(slopes) == 1:
+        return np.concatenate([slopes, slopes])
+    before, after = steps[:-1], steps[1:]
+    middle = (after * slopes[:-1] + before * slopes[1:]) / (before + after)
+    first, last = 2 * slopes[:1] - middle[:1], 2 * slopes[-1:] - middle[-1:]
+    return np.concatenate([first, middle, last])

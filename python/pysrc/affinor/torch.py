@@ -1,0 +1,184 @@
+"""Lie groups in PyTorch: the operations of :mod:`affinor` with derivatives, for ``autograd`` and ``torch.func``.
+
+Values and derivatives are computed by the engine in float64 on the CPU and rounded to the type of the arguments; tensors of other
+devices are copied there and back. Derivatives are those of the group in closed form: they are finite at the identity and at half
+a turn. A row without a result, such as the logarithm of zeros, is NaN. Derivatives of derivatives raise NotImplementedError.
+
+Examples
+--------
+>>> import torch                          # doctest: +SKIP
+>>> from affinor.torch import SO3         # doctest: +SKIP
+>>> x = torch.zeros(3, requires_grad=True)  # doctest: +SKIP
+>>> SO3.exp(x).sum().backward()           # doctest: +SKIP
+>>> x.grad                                # doctest: +SKIP
+tensor([0.5000, 0.5000, 0.5000])
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+try:
+    import torch
+except ImportError as _missing:
+    raise ImportError("affinor.torch needs PyTorch: pip install 'affinor[torch]'") from _missing
+
+import affinor as af
+from affinor._differentials import Operation, operations, rows
+
+__all__ = ["SE2", "SE3", "SE2_3", "SL2", "SO2", "SO3", "Group"]
+
+
+def _on_host(function: Any, core: tuple[int, ...], arguments: tuple[Any, ...]) -> Any:
+    """The function on arrays of NumPy, as a tensor of the type and the device of the first argument."""
+    first = arguments[0]
+    batch = torch.broadcast_shapes(*(argument.shape[:-1] for argument in arguments))
+    arrays = [argument.detach().to("cpu", torch.float64).numpy() for argument in arguments]
+    found = rows(function, (*batch, *core), len(core), *arrays)
+    return torch.from_numpy(np.require(found, requirements=["C", "W"])).to(first.device, first.dtype)
+
+
+def _in_front(in_dims: Any, arguments: tuple[Any, ...]) -> tuple[Any, ...]:
+    """Arguments of vmap with its axis in front, and equal ranks behind it."""
+    given = zip(arguments, in_dims, strict=True)
+    moved = [a[None] if axis is None else a.movedim(axis, 0) for a, axis in given]
+    rank = max(a.dim() for a in moved)
+    return tuple(a.reshape(a.shape[0], *(1,) * (rank - a.dim()), *a.shape[1:]) for a in moved)
+
+
+class _Differential(torch.autograd.Function):
+    """The matrices of a differential, which have no derivatives."""
+
+    @staticmethod
+    def forward(operation: Operation, at: int, *arguments: Any) -> Any:
+        width = operation.width(*(argument.shape[-1] for argument in arguments))
+        return _on_host(operation.differentials[at], (width, arguments[at].shape[-1]), arguments)
+
+    @staticmethod
+    def setup_context(ctx: Any, inputs: Any, output: Any) -> None:
+        ctx.name = inputs[0].name
+
+    @staticmethod
+    def backward(ctx: Any, *gradients: Any) -> Any:
+        raise NotImplementedError(f"affinor.torch has no second derivatives: {ctx.name} was differentiated twice")
+
+    @staticmethod
+    def jvp(ctx: Any, *tangents: Any) -> Any:
+        raise NotImplementedError(f"affinor.torch has no second derivatives: {ctx.name} was differentiated twice")
+
+    @staticmethod
+    def vmap(info: Any, in_dims: Any, operation: Operation, at: int, *arguments: Any) -> Any:
+        return _Differential.apply(operation, at, *_in_front(in_dims[2:], arguments)), 0
+
+
+class _Apply(torch.autograd.Function):
+    """An operation with its differentials."""
+
+    @staticmethod
+    def forward(operation: Operation, *arguments: Any) -> Any:
+        width = operation.width(*(argument.shape[-1] for argument in arguments))
+        return _on_host(operation.result, (width,), arguments)
+
+    @staticmethod
+    def setup_context(ctx: Any, inputs: Any, output: Any) -> None:
+        ctx.operation, *arguments = inputs
+        ctx.save_for_backward(*arguments)
+        ctx.save_for_forward(*arguments)
+
+    @staticmethod
+    def backward(ctx: Any, *gradients: Any) -> Any:
+        found: list[Any] = [None]
+        for at, argument in enumerate(ctx.saved_tensors):
+            if not ctx.needs_input_grad[at + 1]:
+                found.append(None)
+                continue
+            matrix = _Differential.apply(ctx.operation, at, *ctx.saved_tensors)
+            whole = torch.einsum("...ij,...i->...j", matrix, gradients[0])
+            found.append(whole.sum_to_size(argument.shape))
+        return tuple(found)
+
+    @staticmethod
+    def jvp(ctx: Any, _: Any, *tangents: Any) -> Any:
+        rate: Any = None
+        for at, tangent in enumerate(tangents):
+            if tangent is None:
+                continue
+            matrix = _Differential.apply(ctx.operation, at, *ctx.saved_tensors)
+            part = torch.einsum("...ij,...j->...i", matrix, tangent)
+            rate = part if rate is None else rate + part
+        return rate
+
+    @staticmethod
+    def vmap(info: Any, in_dims: Any, operation: Operation, *arguments: Any) -> Any:
+        return _Apply.apply(operation, *_in_front(in_dims[1:], arguments)), 0
+
+
+class Group:
+    """The operations of a group as functions of tensors.
+
+    Elements and vectors are those of :class:`affinor.Group`, with the axes of the batch in front and broadcasting.
+
+    Parameters
+    ----------
+    group : str or affinor.Group
+        A group, or its name.
+    """
+
+    def __init__(self, group: str | af.Group) -> None:
+        self._group = af.Group(group) if isinstance(group, str) else group
+        self.dimension: int = self._group.dimension
+        self.coordinate_count: int = self._group.coordinate_count
+        self._operations = operations(self._group)
+
+    def __repr__(self) -> str:
+        return f"<Group {self._group.name} in PyTorch>"
+
+    def identity(self, dtype: Any = None, device: Any = None) -> Any:
+        """The neutral element."""
+        return torch.as_tensor(self._group.identity(), dtype=dtype or torch.get_default_dtype(), device=device)
+
+    def exp(self, x: Any) -> Any:
+        """The exponential of vectors (..., dimension)."""
+        return self._apply("exp", self._rows("x", x, self.dimension))
+
+    def log(self, g: Any) -> Any:
+        """The logarithm of elements (..., coordinates)."""
+        return self._apply("log", self._rows("g", g, self.coordinate_count))
+
+    def compose(self, g: Any, h: Any) -> Any:
+        """The products ``g h``."""
+        return self._apply("compose", self._rows("g", g, self.coordinate_count), self._rows("h", h, self.coordinate_count))
+
+    def inverse(self, g: Any) -> Any:
+        """The inverse elements."""
+        return self._apply("inverse", self._rows("g", g, self.coordinate_count))
+
+    def act(self, g: Any, points: Any) -> Any:
+        """The action of matrices of size k on points (..., k); affine maps act on points (..., k - 1) too."""
+        g, points = self._rows("g", g, self.coordinate_count), torch.as_tensor(points)
+        # the engine checks the size of points
+        self._group.act(self._group.identity(), [0.0] * (points.shape[-1] if points.dim() else 0))
+        return self._apply("act", g, points)
+
+    def _apply(self, name: str, *arguments: Any) -> Any:
+        dtype = arguments[0].dtype
+        for argument in arguments[1:]:
+            dtype = torch.promote_types(dtype, argument.dtype)
+        dtype = dtype if dtype.is_floating_point else torch.get_default_dtype()
+        return _Apply.apply(self._operations[name], *(argument.to(dtype) for argument in arguments))
+
+    def _rows(self, name: str, value: Any, width: int) -> Any:
+        array = torch.as_tensor(value)
+        if array.dim() == 0 or array.shape[-1] != width:
+            raise ValueError(f"{name} should be a tensor of the shape (..., {width}), not of the shape {tuple(array.shape)}")
+        return array
+
+
+SO2 = Group(af.SO2)
+SO3 = Group(af.SO3)
+SE2 = Group(af.SE2)
+SE3 = Group(af.SE3)
+SE2_3 = Group(af.SE2_3)
+SL2 = Group(af.SL2)

@@ -1,0 +1,445 @@
+//! Straight-line programs on many rows of floats: blocks of rows side by side.
+
+use super::lanes::{LANES, Lane, Lanes};
+use affinor_tensors::Rational;
+use affinor_tensors::scalar::{Function, Output, Step, StraightLine};
+#[cfg(feature = "simd")]
+use multiversion::multiversion;
+use std::ops::{Add, Mul};
+
+/// A straight-line program in floats, for many rows of inputs.
+///
+/// The steps are those of a [`StraightLine`], in the same order. A product that one sum alone uses is computed within that
+/// sum. A row of results depends on its row of inputs alone.
+///
+/// ```
+/// use affinor::numerics::blocks::{BlockProgram, Column};
+/// use affinor::tensors::{Notation, Recorded, scalar::StraightLine};
+/// let [x, y] = ["x", "y"].map(|name| Recorded::parameter(name).unwrap());
+/// let program = StraightLine::new(&[x.clone() * &x + &y, y]);
+/// let program = BlockProgram::new(&program, &["x", "y"], &[0, 1]).unwrap();
+/// let (rows, mut out) = ([1.0, 10.0, 2.0, 20.0, 3.0, 30.0], [0.0; 6]);
+/// let columns = [0, 1].map(|offset| Column { numbers: &rows, offset, step: 2 });
+/// program.evaluate(&columns, 0, &mut out, 2);
+/// assert_eq!(out, [11.0, 10.0, 24.0, 20.0, 39.0, 30.0]);
+/// // the derivative along (1, 0)
+/// let rates = [1.0, 0.0, 1.0, 0.0, 1.0, 0.0];
+/// let rates = [0, 1].map(|offset| Column { numbers: &rates, offset, step: 2 });
+/// program.derivative(&columns, &rates, 0, &mut out, 2);
+/// assert_eq!(out, [2.0, 0.0, 4.0, 0.0, 6.0, 0.0]);
+/// ```
+#[derive(Clone, Debug)]
+pub struct BlockProgram {
+    code: Vec<Instruction>,
+    terms: Vec<Term>,
+    /// The number of values that are stored at one time.
+    slots: usize,
+    /// Results that are constants: the place and the value.
+    constants: Vec<(usize, f64)>,
+}
+
+/// The numbers of one input in an array: that of the row `k` is at `offset + k step`.
+#[derive(Clone, Copy, Debug)]
+pub struct Column<'a> {
+    /// The array.
+    pub numbers: &'a [f64],
+    /// The place of the number of the first row.
+    pub offset: usize,
+    /// The distance from one row to the next one; 0 for the same number in all rows.
+    pub step: usize,
+}
+
+#[derive(Clone, Debug)]
+enum Instruction {
+    /// Loads an input.
+    Input(usize, usize),
+    /// A constant and the terms of a range: products first, then single values.
+    Sum {
+        constant: f64,
+        products: (usize, usize),
+        end: usize,
+        to: usize,
+    },
+    Product([usize; 2], usize),
+    Reciprocal(usize, usize),
+    Function(Function, usize, usize),
+    /// The third value if the size of the first one is at least the size of the second one, else the fourth value.
+    Select(Box<[(f64, Option<usize>); 4]>, usize),
+    /// Writes a multiple of a value to a place of the results.
+    Store(f64, usize, usize),
+}
+
+/// A multiple of the product of two values, or of the first one alone.
+#[derive(Clone, Copy, Debug)]
+struct Term(f64, usize, usize);
+
+/// Values in a program, for several rows.
+trait Value: Copy + Add<Output = Self> + Mul<Output = Self> {
+    fn constant(value: f64) -> Self;
+    fn scaled(self, factor: f64) -> Self;
+    fn reciprocal(self) -> Self;
+    fn function(self, function: Function) -> Self;
+    /// `x` where the size of `self` is at least the size of `other`, else `y`.
+    fn select(self, other: Self, x: Self, y: Self) -> Self;
+    /// The numbers that are results.
+    fn result(&self) -> &[f64; LANES];
+}
+
+impl Value for Lanes {
+    #[inline(always)]
+    fn constant(value: f64) -> Self {
+        Lanes::splat(value)
+    }
+    #[inline(always)]
+    fn scaled(self, factor: f64) -> Self {
+        self.map(|value| factor * value)
+    }
+    #[inline(always)]
+    fn reciprocal(self) -> Self {
+        self.map(|value| 1.0 / value)
+    }
+    #[inline(always)]
+    fn function(self, function: Function) -> Self {
+        self.map(|value| function.value(value))
+    }
+    #[inline(always)]
+    fn select(self, other: Self, x: Self, y: Self) -> Self {
+        other.abs().if_above(self.abs(), y, x)
+    }
+    #[inline(always)]
+    fn result(&self) -> &[f64; LANES] {
+        &self.0
+    }
+}
+
+/// Values and their rates.
+#[derive(Clone, Copy)]
+struct Moving(Lanes, Lanes);
+
+impl Add for Moving {
+    type Output = Self;
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        Moving(self.0 + other.0, self.1 + other.1)
+    }
+}
+
+impl Mul for Moving {
+    type Output = Self;
+    #[inline(always)]
+    fn mul(self, other: Self) -> Self {
+        Moving(self.0 * other.0, self.0 * other.1 + self.1 * other.0)
+    }
+}
+
+impl Value for Moving {
+    #[inline(always)]
+    fn constant(value: f64) -> Self {
+        Moving(Lanes::splat(value), Lanes::splat(0.0))
+    }
+    #[inline(always)]
+    fn scaled(self, factor: f64) -> Self {
+        Moving(self.0.scaled(factor), self.1.scaled(factor))
+    }
+    #[inline(always)]
+    fn reciprocal(self) -> Self {
+        let value = self.0.reciprocal();
+        Moving(value, -(self.1 * (value * value)))
+    }
+    #[inline(always)]
+    fn function(self, function: Function) -> Self {
+        let value = self.0.function(function);
+        let slope = self.0.zip(value, |x, value| slope(function, x, value));
+        Moving(value, self.1 * slope)
+    }
+    #[inline(always)]
+    fn select(self, other: Self, x: Self, y: Self) -> Self {
+        let [a, b] = [self.0.abs(), other.0.abs()];
+        Moving(b.if_above(a, y.0, x.0), b.if_above(a, y.1, x.1))
+    }
+    #[inline(always)]
+    fn result(&self) -> &[f64; LANES] {
+        &self.1.0
+    }
+}
+
+/// The slope of a function at `x`, where it has a value.
+fn slope(function: Function, x: f64, value: f64) -> f64 {
+    match function {
+        Function::Sin => x.cos(),
+        Function::Cos => -x.sin(),
+        Function::Tan => 1.0 + value * value,
+        Function::Exp => value,
+        Function::Sinh => x.cosh(),
+        Function::Cosh => x.sinh(),
+        Function::Tanh => 1.0 - value * value,
+        Function::Log => 1.0 / x,
+        Function::Sqrt => 0.5 / value,
+    }
+}
+
+/// Slots for the values of steps, of which each is free again after its last use.
+struct Slots {
+    of: Vec<usize>,
+    last: Vec<usize>,
+    free: Vec<usize>,
+    count: usize,
+}
+
+impl Slots {
+    fn take(&mut self, step: usize) -> usize {
+        let slot = self.free.pop().unwrap_or_else(|| {
+            self.count += 1;
+            self.count - 1
+        });
+        self.of[step] = slot;
+        slot
+    }
+
+    fn release(&mut self, steps: &[usize], now: usize) {
+        for step in steps {
+            // a step that is used twice here is released once
+            if self.last[*step] == now {
+                self.last[*step] = usize::MAX;
+                self.free.push(self.of[*step]);
+            }
+        }
+    }
+}
+
+impl BlockProgram {
+    /// The program with inputs of these names, whose results are at these places of a row; `None` if an input has no name, or a
+    /// constant is beyond the range of floats.
+    ///
+    /// # Panics
+    /// If there are fewer places than outputs.
+    pub fn new(
+        program: &StraightLine,
+        inputs: &[impl AsRef<str>],
+        places: &[usize],
+    ) -> Option<Self> {
+        let (steps, uses) = (program.steps(), program.uses());
+        let float = |value: &Rational| Some(value.to_f64()).filter(|value| value.is_finite());
+        let mut stores: Vec<Vec<(f64, usize)>> = vec![vec![]; steps.len()];
+        let mut constants = vec![];
+        for (output, place) in program.outputs().iter().zip(places) {
+            let factor = float(&output.factor)?;
+            match output.step {
+                Some(step) => stores[step].push((factor, *place)),
+                None => constants.push((*place, factor)),
+            }
+        }
+        let is_inner: Vec<bool> = inner(steps, &uses, &stores);
+        // the values that an instruction reads, those of inner products included
+        let reads = |at: usize| -> Vec<usize> {
+            let operands = steps[at].operands().into_iter();
+            operands
+                .flat_map(|own| if is_inner[own] { steps[own].operands() } else { vec![own] })
+                .collect()
+        };
+        let mut slots =
+            Slots { of: vec![0; steps.len()], last: vec![0; steps.len()], free: vec![], count: 0 };
+        let shown = (0..steps.len()).filter(|at| !is_inner[*at]);
+        for at in shown.clone() {
+            slots.last[at] = at;
+            for read in reads(at) {
+                slots.last[read] = at;
+            }
+        }
+        let mut own = BlockProgram { code: vec![], terms: vec![], slots: 0, constants };
+        for at in shown {
+            let instruction = own.instruction(&steps[at], steps, &is_inner, inputs, &slots.of)?;
+            let read = reads(at);
+            slots.release(&read, at);
+            let to = slots.take(at);
+            own.code.push(instruction.into(to));
+            let stores = stores[at].iter();
+            own.code.extend(stores.map(|(factor, place)| Instruction::Store(*factor, to, *place)));
+            // a value that only results use
+            slots.release(&[at], at);
+        }
+        own.slots = slots.count;
+        Some(own)
+    }
+
+    /// The instruction of a step, which writes to a slot that is not known yet.
+    fn instruction(
+        &mut self,
+        step: &Step,
+        steps: &[Step],
+        is_inner: &[bool],
+        inputs: &[impl AsRef<str>],
+        slot: &[usize],
+    ) -> Option<Instruction> {
+        let float = |value: &Rational| Some(value.to_f64()).filter(|value| value.is_finite());
+        let to = 0;
+        Some(match step {
+            Step::Input(variable) => {
+                let name = variable.text();
+                Instruction::Input(inputs.iter().position(|own| own.as_ref() == name)?, to)
+            }
+            Step::Product(a, b) => Instruction::Product([slot[*a], slot[*b]], to),
+            Step::Reciprocal(a) => Instruction::Reciprocal(slot[*a], to),
+            Step::Function(function, a) => Instruction::Function(*function, slot[*a], to),
+            Step::Select(values) => {
+                let value =
+                    |value: &Output| Some((float(&value.factor)?, value.step.map(|at| slot[at])));
+                let [a, b, x, y] = &**values;
+                Instruction::Select(Box::new([value(a)?, value(b)?, value(x)?, value(y)?]), to)
+            }
+            Step::Sum(constant, terms) => {
+                let begin = self.terms.len();
+                for (factor, at) in terms {
+                    if let (true, Step::Product(a, b)) = (is_inner[*at], &steps[*at]) {
+                        self.terms.push(Term(float(factor)?, slot[*a], slot[*b]));
+                    }
+                }
+                let middle = self.terms.len();
+                for (factor, at) in terms.iter().filter(|(_, at)| !is_inner[*at]) {
+                    self.terms.push(Term(float(factor)?, slot[*at], 0));
+                }
+                let (products, end) = ((begin, middle), self.terms.len());
+                Instruction::Sum { constant: float(constant)?, products, end, to }
+            }
+        })
+    }
+
+    /// The results of all rows from the index `start` on, `width` for each row; places without a result keep their numbers.
+    ///
+    /// # Panics
+    /// If a column is shorter than the rows, or a place is not below `width`.
+    pub fn evaluate(&self, inputs: &[Column<'_>], start: usize, out: &mut [f64], width: usize) {
+        let load = |at: usize, rows: [usize; LANES]| inputs[at].load(rows);
+        let mut values = vec![Lanes::splat(0.0); self.slots];
+        run(self, &load, &mut values, start, out, width);
+        self.write_constants(out, width, false);
+    }
+
+    /// The derivatives of the results along given rates of the inputs, as [`evaluate`](Self::evaluate).
+    ///
+    /// # Panics
+    /// As [`evaluate`](Self::evaluate).
+    pub fn derivative(
+        &self,
+        inputs: &[Column<'_>],
+        rates: &[Column<'_>],
+        start: usize,
+        out: &mut [f64],
+        width: usize,
+    ) {
+        let load =
+            |at: usize, rows: [usize; LANES]| Moving(inputs[at].load(rows), rates[at].load(rows));
+        let mut values = vec![Moving::constant(0.0); self.slots];
+        run(self, &load, &mut values, start, out, width);
+        self.write_constants(out, width, true);
+    }
+
+    fn write_constants(&self, out: &mut [f64], width: usize, rates: bool) {
+        for row in out.chunks_exact_mut(width) {
+            for (place, value) in &self.constants {
+                row[*place] = if rates { 0.0 } else { *value };
+            }
+        }
+    }
+
+    /// The number of operations on one row, roughly.
+    pub fn size(&self) -> usize {
+        self.code.len() + self.terms.len()
+    }
+}
+
+/// Whether each step is a product that one sum alone uses.
+fn inner(steps: &[Step], uses: &[usize], stores: &[Vec<(f64, usize)>]) -> Vec<bool> {
+    let mut inner = vec![false; steps.len()];
+    for step in steps {
+        let Step::Sum(_, terms) = step else { continue };
+        for (_, at) in terms {
+            inner[*at] =
+                uses[*at] == 1 && stores[*at].is_empty() && matches!(steps[*at], Step::Product(..));
+        }
+    }
+    inner
+}
+
+impl Instruction {
+    /// The instruction with a slot for its result.
+    fn into(mut self, slot: usize) -> Self {
+        match &mut self {
+            Instruction::Input(_, to)
+            | Instruction::Sum { to, .. }
+            | Instruction::Product(_, to)
+            | Instruction::Reciprocal(_, to)
+            | Instruction::Function(_, _, to)
+            | Instruction::Select(_, to) => *to = slot,
+            Instruction::Store(..) => {}
+        }
+        self
+    }
+}
+
+impl Column<'_> {
+    #[inline(always)]
+    fn load(&self, rows: [usize; LANES]) -> Lanes {
+        let mut lanes = Lanes::splat(0.0);
+        for (value, row) in lanes.0.iter_mut().zip(rows) {
+            *value = self.numbers[self.offset + row * self.step];
+        }
+        lanes
+    }
+}
+
+/// Runs the program on all rows of `out`.
+#[cfg_attr(
+    feature = "simd",
+    multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx2", "x86_64+avx2"))
+)]
+fn run<V: Value, L: Fn(usize, [usize; LANES]) -> V>(
+    program: &BlockProgram,
+    load: &L,
+    values: &mut [V],
+    start: usize,
+    out: &mut [f64],
+    width: usize,
+) {
+    let count = out.len() / width.max(1);
+    for (block, out) in out.chunks_mut(LANES * width.max(1)).enumerate() {
+        let begin = block * LANES;
+        let here = LANES.min(count - begin);
+        // the last row fills the rest of the lanes
+        let rows = std::array::from_fn(|t| start + begin + t.min(here - 1));
+        for instruction in &program.code {
+            match instruction {
+                Instruction::Input(input, to) => values[*to] = load(*input, rows),
+                Instruction::Sum { constant, products, end, to } => {
+                    let mut sum = V::constant(*constant);
+                    for Term(factor, a, b) in &program.terms[products.0..products.1] {
+                        sum = sum + (values[*a] * values[*b]).scaled(*factor);
+                    }
+                    for Term(factor, a, _) in &program.terms[products.1..*end] {
+                        sum = sum + values[*a].scaled(*factor);
+                    }
+                    values[*to] = sum;
+                }
+                Instruction::Product([a, b], to) => values[*to] = values[*a] * values[*b],
+                Instruction::Reciprocal(a, to) => values[*to] = values[*a].reciprocal(),
+                Instruction::Function(function, a, to) => {
+                    values[*to] = values[*a].function(*function);
+                }
+                Instruction::Select(choice, to) => {
+                    let value = |(factor, at): (f64, Option<usize>)| match at {
+                        Some(at) => values[at].scaled(factor),
+                        None => V::constant(factor),
+                    };
+                    let [a, b, x, y] = choice.each_ref().map(|own| value(*own));
+                    values[*to] = a.select(b, x, y);
+                }
+                Instruction::Store(factor, at, place) => {
+                    let value = values[*at].scaled(*factor);
+                    for (t, row) in out.chunks_exact_mut(width).enumerate() {
+                        row[*place] = value.result()[t];
+                    }
+                }
+            }
+        }
+    }
+}

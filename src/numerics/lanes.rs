@@ -1,0 +1,141 @@
+//! Several floats side by side, so that loops over them become vector instructions.
+
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+/// A float, or several floats side by side: the arguments of formulas without branches.
+///
+/// Each float rounds alike alone and in a group, so a result depends on its arguments alone.
+pub trait Lane:
+    Copy
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+{
+    /// The same value in each place.
+    fn splat(value: f64) -> Self;
+    /// The function of each value.
+    fn map(self, f: impl Fn(f64) -> f64) -> Self;
+    /// The function of each pair of values.
+    fn zip(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self;
+    /// `x` where `self > other`, else `y`.
+    fn if_above(self, other: Self, x: Self, y: Self) -> Self;
+
+    /// The absolute value.
+    #[inline(always)]
+    fn abs(self) -> Self {
+        self.map(f64::abs)
+    }
+
+    /// The square root.
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        self.map(f64::sqrt)
+    }
+
+    /// The absolute value of `self` with the sign of another number.
+    #[inline(always)]
+    fn copysign(self, sign: Self) -> Self {
+        self.zip(sign, f64::copysign)
+    }
+
+    /// `self` where it is not zero, else the other value.
+    #[inline(always)]
+    fn or(self, other: Self) -> Self {
+        self.zip(other, |a, b| if a != 0.0 { a } else { b })
+    }
+
+    /// The larger one; NaN if one is NaN.
+    #[inline(always)]
+    fn larger(self, other: Self) -> Self {
+        self.zip(other, |a, b| if a > b || a.is_nan() { a } else { b })
+    }
+}
+
+impl Lane for f64 {
+    #[inline(always)]
+    fn splat(value: f64) -> Self {
+        value
+    }
+    #[inline(always)]
+    fn map(self, f: impl Fn(f64) -> f64) -> Self {
+        f(self)
+    }
+    #[inline(always)]
+    fn zip(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
+        f(self, other)
+    }
+    #[inline(always)]
+    fn if_above(self, other: Self, x: Self, y: Self) -> Self {
+        if self > other { x } else { y }
+    }
+}
+
+/// The number of floats side by side.
+pub const LANES: usize = 8;
+
+/// Floats side by side.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(align(64))]
+pub struct Lanes(pub [f64; LANES]);
+
+impl Lane for Lanes {
+    #[inline(always)]
+    fn splat(value: f64) -> Self {
+        Lanes([value; LANES])
+    }
+    #[inline(always)]
+    fn map(mut self, f: impl Fn(f64) -> f64) -> Self {
+        for value in &mut self.0 {
+            *value = f(*value);
+        }
+        self
+    }
+    #[inline(always)]
+    fn zip(mut self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
+        for t in 0..LANES {
+            self.0[t] = f(self.0[t], other.0[t]);
+        }
+        self
+    }
+    #[inline(always)]
+    fn if_above(self, other: Self, x: Self, y: Self) -> Self {
+        let mut chosen = y;
+        for t in 0..LANES {
+            chosen.0[t] = if self.0[t] > other.0[t] { x.0[t] } else { y.0[t] };
+        }
+        chosen
+    }
+}
+
+/// Operators place by place.
+macro_rules! operators {
+    ($($trait:ident $method:ident $operator:tt;)*) => {
+        $(impl $trait for Lanes {
+            type Output = Self;
+            #[inline(always)]
+            fn $method(mut self, other: Self) -> Self {
+                for t in 0..LANES {
+                    self.0[t] = self.0[t] $operator other.0[t];
+                }
+                self
+            }
+        })*
+    };
+}
+
+operators! {
+    Add add +;
+    Sub sub -;
+    Mul mul *;
+    Div div /;
+}
+
+impl Neg for Lanes {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        self.map(|value| -value)
+    }
+}
