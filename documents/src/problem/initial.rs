@@ -2,7 +2,8 @@
 
 use super::reader::{Reader, Value};
 use crate::input::{InputError, Place, forms::Number};
-use affinor::group::{AnyGroup, LieGroup, MatrixNotation, rotation};
+use affinor::Error;
+use affinor::group::{AnyGroup, LieGroup, MatrixNotation, restored, rotation};
 use affinor::mechanics::simulation::{ForceFrame, Observables, SimulationGroup};
 use nalgebra::DVector;
 use serde::Deserialize;
@@ -13,6 +14,7 @@ use serde::Deserialize;
 pub(super) struct InitialKeys {
     pub time: Option<Number>,
     pub element: Option<Vec<Vec<Number>>>,
+    pub restore: Option<bool>,
     pub coordinates: Option<Vec<Number>>,
     pub quaternion: Option<Vec<Number>>,
     pub position: Option<Vec<Number>>,
@@ -28,8 +30,8 @@ pub(super) enum InitialElement {
     Identity,
     /// Canonical coordinates `x` of `exp(x)`.
     Coordinates(Vec<Value>, Place),
-    /// The rows of its matrix.
-    Rows(Vec<Vec<Value>>, Place),
+    /// The rows of its matrix, and whether the nearest element is taken.
+    Rows(Vec<Vec<Value>>, Place, bool),
     /// A quaternion `w, x, y, z`, by default 1, and the position of the body.
     Pose(Option<Vec<Value>>, Vec<Value>, Place),
 }
@@ -39,10 +41,15 @@ impl InitialElement {
         let source = reader.source;
         let pose = keys.quaternion.as_ref().map(|_| "initial.quaternion");
         let pose = pose.or(keys.position.as_ref().map(|_| "initial.position"));
+        if keys.restore == Some(true) && keys.element.is_none() {
+            let error = source.refused("initial.restore", "there is no matrix to restore");
+            return Err(error.help("give element = [[...], ...], the rows of a matrix"));
+        }
+        let restore = keys.restore.unwrap_or(false);
         let element = match (&keys.element, &keys.coordinates, pose) {
             (None, None, None) => Self::Identity,
             (Some(rows), None, None) => {
-                Self::Rows(reader.rows(rows)?, source.key("initial.element"))
+                Self::Rows(reader.rows(rows)?, source.key("initial.element"), restore)
             }
             (None, Some(x), None) => {
                 Self::Coordinates(reader.values(x)?, source.key("initial.coordinates"))
@@ -69,7 +76,19 @@ impl InitialElement {
                 let x = Value::vector("coordinates", x, group.dimension(), values, place)?;
                 return Ok(group.exp(&x.into()));
             }
-            Self::Rows(rows, place) => (Value::matrix("element", rows, values, place)?, place),
+            Self::Rows(rows, place, restore) => {
+                let matrix = Value::matrix("element", rows, values, place)?;
+                if *restore {
+                    let nearest = restored(group, &matrix).map(|(g, _)| g);
+                    return nearest.map_err(|error| InputError::from(error).at(place));
+                }
+                let read = group.read(&matrix);
+                return read.map_err(|error| {
+                    let is_off = matches!(error, Error::Invalid { .. });
+                    let error = InputError::from(error).at(place);
+                    if is_off { error.help(ADVICE) } else { error }
+                });
+            }
             Self::Pose(quaternion, position, place) => {
                 let refused = |message: &str| InputError::usage(message).at(place);
                 let mut matrix = group.write(&group.identity());
@@ -97,7 +116,20 @@ impl InitialElement {
         };
         group.read(&matrix).map_err(|error| InputError::from(error).at(place))
     }
+
+    /// A note with the distance, if the element is the nearest one to a matrix.
+    pub fn note(&self, group: &AnyGroup, values: &[f64]) -> Option<String> {
+        let Self::Rows(rows, place, true) = self else { return None };
+        let matrix = Value::matrix("element", rows, values, place).ok()?;
+        let (_, distance) = restored(group, &matrix).ok()?;
+        Some(format!(
+            "the initial element is restored: the nearest one differs by at most {distance:.1e} in an entry"
+        ))
+    }
 }
+
+/// Advice where a matrix is not an element.
+const ADVICE: &str = "restore = true in [initial] takes the nearest element of the group";
 
 /// The initial velocity or momentum.
 #[derive(Clone, Debug)]
