@@ -221,3 +221,17 @@ def test_components_without_floats_say_why():
 def test_orders_of_slots():
     with pytest.raises(af.ShapeError, match=r"\[0, 0\] are not different slots"):
         af.Tensor([[1, 2], [3, 4]], "^_").permute(0, 0)
+
+
+def test_names_of_indices():
+    """Text and LaTeX name indices on request: by single letters without commas, by longer names with commas."""
+    ricci = af.Geometry("so3", connection="zero").ricci
+    assert ricci.to_text() == str(ricci)
+    assert "Ric_xx = Ric_yy = Ric_zz = 1/2" in ricci.to_text(labels=["x", "y", "z"])
+    assert "Ric_r,r = Ric_theta,theta" not in ricci.to_text(labels=["r", "theta", "phi"])
+    assert "Ric_rr = Ric_theta,theta = Ric_phi,phi = 1/2" in ricci.to_text(labels=["r", "theta", "phi"])
+    assert r"_{\theta,\theta}" in ricci.to_latex(labels=["r", "theta", "phi"])
+    assert ricci.to_latex(labels=None) == ricci.to_latex()
+    for method in (ricci.to_text, ricci.to_latex):
+        with pytest.raises(ValueError, match="2 labels, but the dimension is 3"):
+            method(labels=["x", "y"])
