@@ -2,6 +2,7 @@
 
 mod arguments;
 mod check;
+mod claims;
 mod code;
 mod color;
 mod columns;
@@ -61,8 +62,10 @@ enum Command {
     Table(table::Arguments),
     /// Check antisymmetry, Jacobi, metric and Bianchi identities
     Check(check::Arguments),
-    /// Compare a space with a stored table (JSON or CSV)
+    /// Compare a space with stored tables (JSON or CSV)
     Verify(verify::Arguments),
+    /// Test claims about a space, such as "torsion = 0" or "Ric_11 = (a - b)/2"
+    Claims(claims::Arguments),
     /// Print the structure of a Lie algebra: series, radicals, types, ideals
     Info(info::Arguments),
     /// Print the properties of a connection and a metric, with witnesses
@@ -120,6 +123,7 @@ fn run(command: Command, watch: &Watch) -> Result<(), Failure> {
         Command::Table(arguments) => arguments.run(),
         Command::Check(arguments) => arguments.run(),
         Command::Verify(arguments) => arguments.run(),
+        Command::Claims(arguments) => arguments.run(),
         Command::Info(arguments) => arguments.run(),
         Command::Properties(arguments) => arguments.run(),
         Command::Equations(arguments) => arguments.run(),

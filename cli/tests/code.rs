@@ -305,6 +305,23 @@ fn programs_in_every_language() {
     });
 }
 
+/// Derivatives by a declared parameter on which no component depends vanish.
+#[test]
+fn derivatives_by_a_parameter_on_which_nothing_depends() {
+    let folder = tempfile::tempdir().unwrap();
+    let definition = "basis = [\"x\", \"y\"]\nparameters = [\"m\"]\nbrackets = \"[x, y] = y\"\nmetric = \"identity\"\n";
+    std::fs::write(folder.path().join("a.toml"), definition).unwrap();
+    let space = folder.path().join("a.toml").display().to_string();
+    for language in Language::ALL {
+        let source = code(&space, ["", ""], "ricci", language, &["--derivatives", "m"]);
+        let shapes = [vec![2, 2], vec![1, 2, 2]];
+        let found = compiled::run(folder.path(), language, &source, &[], &|_| 3.0, &shapes);
+        if let Some(found) = found {
+            close(&found, &[-1.0, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0], &source);
+        }
+    }
+}
+
 #[test]
 fn refusals_of_programs() {
     let so3 = ["table", "so3", "--metric", "diag(J1,1,1)"];

@@ -139,6 +139,8 @@ fn formats_names_every_key_of_every_schema() -> Outcome {
             "affinor check --basis \"x y z\" --bracket \"[x,y]=z; [y,z]=y\"".into(),
         ),
         ("affinor.verify/1", format!("affinor verify so3@plus \"{path}\"")),
+        ("affinor.verify/1", format!("affinor verify so3@plus \"{path}\" \"{path}\"")),
+        ("affinor.claims/1", "affinor claims so3@plus --claim torsion=0 --claim flat".into()),
         (
             "affinor.equations/1",
             "affinor equations so3 --metric \"diag(a,b,c)\" --connection zero".into(),

@@ -204,3 +204,42 @@ fn geodesics_are_euler_poincare_in_floats() {
         }
     }
 }
+
+/// The parameter of a curve has another name than the coordinates and parameters, in every format with such a name.
+#[test]
+fn the_parameter_of_a_curve_has_a_name_of_its_own() {
+    let folder = tempfile::tempdir().unwrap();
+    for (coordinates, metric, time) in [
+        ("t, x", "diag(-1, t^2)", "s"),
+        ("x, y", "diag(1, x^2)", "t"),
+        ("x, y", "diag(1, x^2 + t)", "s"),
+        ("s, t", "diag(1, s^2)", "tau"),
+        ("t, s", "diag(1, t^2 + tau)", "lambda"),
+    ] {
+        let names: Vec<&str> = coordinates.split(", ").collect();
+        let parameters = "parameters = [\"t\", \"tau\"]";
+        let parameters = if names.contains(&"t") { "parameters = [\"tau\"]" } else { parameters };
+        let definition = format!(
+            "{parameters}\nmetric = \"{metric}\"\nconnection = \"levi-civita\"\n\
+             [chart]\ncoordinates = {names:?}\n"
+        );
+        std::fs::write(folder.path().join("a.toml"), definition).unwrap();
+        for kind in ["autoparallel", "transport"] {
+            let equations = |format: &str| {
+                stdout(folder.path(), &["equations", "a.toml", "--kind", kind, "--format", format])
+            };
+            let text = equations("text");
+            for name in &names {
+                assert!(text.contains(&format!("\n  d{name}/d{time} = ")), "{text}");
+            }
+            assert!(
+                text.contains(&format!("v^i/d{time} = "))
+                    || text.contains(&format!("u^i/d{time} = "))
+            );
+            let words = text.split_whitespace().collect::<Vec<_>>().join(" ");
+            assert_eq!(words.contains("the parameter of the curve"), time != "t", "{text}");
+            let json = equations("json");
+            assert!(json.contains(&format!("1/d{time}\"")), "{json}");
+        }
+    }
+}

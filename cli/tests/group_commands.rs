@@ -499,3 +499,22 @@ fn logarithms_near_half_a_turn() {
     let (code, message) = refusal(&["log", "gl(2)"], &g);
     assert!(code == 1 && message.contains("too near pi"), "{message}");
 }
+
+/// The complex classical groups act by their complex matrices, not by the adjoint representation.
+#[test]
+fn complex_groups() {
+    // exp(i pi/2 H), H = diag(1, -1): diag(i, -i) as a real matrix
+    let [zero, one] = [0.0, 1.0];
+    let turn = [
+        [zero, zero, -one, zero],
+        [zero, zero, zero, one],
+        [one, zero, zero, zero],
+        [zero, -one, zero, zero],
+    ]
+    .concat();
+    near(&numbers(&["exp", "sl(2,C)", "0,0,0,0,0,pi/2"], ""), &turn);
+    // `exp(2 pi i H/2) = -1`, which the adjoint representation does not tell from 1
+    let minus: Vec<f64> = (0..16).map(|at| if at % 5 == 0 { -1.0 } else { 0.0 }).collect();
+    near(&numbers(&["exp", "sl(2,C)", "0,0,0,0,0,pi"], ""), &minus);
+    assert_eq!(numbers(&["exp", "sp(4,C)", &["0"; 20].join(",")], "").len(), 64);
+}

@@ -8,6 +8,7 @@ mod program;
 
 mod bad_input;
 mod chart_definitions;
+mod claims;
 mod cli;
 mod code;
 mod compare;

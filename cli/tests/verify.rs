@@ -350,3 +350,201 @@ fn values_are_not_longer_than_those_of_maxima() {
         }
     }
 }
+
+/// A list of one component of each set that is equal by symmetry agrees with `--independent`, whichever components it names.
+#[test]
+fn any_component_of_a_symmetric_set_may_be_stored() {
+    let folder = TempDir::new().unwrap();
+    let write = |name: &str, text: &str| fs::write(folder.path().join(name), text).unwrap();
+    let metric = "so3@levi-civita;metric=[[2,1,0],[1,3,1],[0,1,4]]";
+    for space in [metric, "sl2@zero"] {
+        let table = ["table", space, "--show", "curvature,ricci,structure", "--format", "csv"];
+        let full = stdout(folder.path(), &table);
+        let chosen = |lower: bool| -> String {
+            let kept = |line: &&str| {
+                let fields: Vec<&str> = line.split(',').collect();
+                let (a, b) = match fields[0] {
+                    "ricci" => (fields[1], fields[2]),
+                    "structure" => (fields[2], fields[3]),
+                    "curvature" => (fields[3], fields[4]),
+                    _ => return true,
+                };
+                a == b || (a > b) == lower
+            };
+            full.lines().filter(kept).map(|line| line.to_string() + "\n").collect()
+        };
+        for lower in [true, false] {
+            write("chosen.csv", &chosen(lower));
+            let arguments = ["verify", space, "chosen.csv"];
+            let agrees = run(folder.path(), &[&arguments[..], &["--independent"]].concat(), b"");
+            assert_eq!((agrees.status, &*agrees.err), (0, ""), "{space} {lower}: {}", agrees.out);
+            let bare = run(folder.path(), &arguments, b"");
+            assert_eq!(bare.status, 1);
+            assert!(
+                bare.err.contains("independent components only: see --independent"),
+                "{}",
+                bare.err
+            );
+            // a changed value is found under the name that the table uses
+            let text = chosen(lower);
+            let last = text.trim_end().rsplit_once(',').unwrap().0;
+            write("changed.csv", &format!("{last},99\n"));
+            let changed =
+                [&["verify", space, "changed.csv", "--independent", "--format", "json"][..]]
+                    .concat();
+            let outcome = run(folder.path(), &changed, b"");
+            assert_eq!(outcome.status, 1);
+            let found: Value = serde_json::from_str(&outcome.out).unwrap();
+            let stored =
+                found["first"].as_array().unwrap().iter().filter(|row| row["stored"] == "99");
+            assert_eq!(stored.count(), 1, "{}", outcome.out);
+        }
+        // a full table lists both components of a pair; each is compared
+        write("full.csv", &full);
+        let both = run(folder.path(), &["verify", space, "full.csv", "--independent"], b"");
+        assert_eq!(both.status, 0, "{}", both.out);
+    }
+}
+
+/// Tables in another convention agree once the convention is stated, and only then.
+#[test]
+fn stated_conventions() {
+    let folder = TempDir::new().unwrap();
+    let space = "so3@lambda=1/3;metric=diag(1,2,3)";
+    let table = ["table", space, "--format", "csv", "--show", "affinities,curvature,ricci,torsion"];
+    let text = stdout(folder.path(), &table);
+    // components with `convention` applied by text alone
+    let converted = |tensor: &str, order: &[usize], negative: bool| -> String {
+        let convert = |line: &str| {
+            let mut fields: Vec<String> = line.split(',').map(String::from).collect();
+            if fields[0] == tensor {
+                let old = fields.clone();
+                order
+                    .iter()
+                    .enumerate()
+                    .for_each(|(at, from)| fields[at + 1].clone_from(&old[*from]));
+                if negative {
+                    let value = &old[old.len() - 1];
+                    let other = value.strip_prefix('-').map_or(format!("-{value}"), String::from);
+                    *fields.last_mut().unwrap() = other;
+                }
+            }
+            fields.join(",") + "\n"
+        };
+        text.lines().map(convert).collect()
+    };
+    for (tensor, order, negative, convention) in [
+        ("curvature", &[1, 2, 3, 4][..], true, "R^i_jkl = -R^i_jkl"),
+        ("curvature", &[1, 3, 4, 2], false, "R^i_klj = R^i_jkl"),
+        ("curvature", &[1, 3, 4, 2], true, "curvature^a_bcd = -curvature^a_dbc"),
+        ("affinities", &[1, 3, 2], false, "Lambda^i_jk = Lambda^i_kj"),
+        ("ricci", &[1, 2], true, "Ric_jl = -Ric_jl"),
+        ("torsion", &[1, 3, 2], true, "tau^i_jk = tau^i_jk"),
+    ] {
+        fs::write(folder.path().join("a.csv"), converted(tensor, order, negative)).unwrap();
+        let verify = ["verify", space, "a.csv", "--convention", convention];
+        let stated = run(folder.path(), &verify, b"");
+        assert_eq!(stated.status, 0, "{convention}: {}{}", stated.out, stated.err);
+        if tensor != "torsion" {
+            assert_eq!(run(folder.path(), &verify[..3], b"").status, 1, "{convention}");
+        }
+    }
+    // all indices lowered: R_1212 = g_11 R^1_212
+    let lowered = "tensor,i,j,k,l,value\ncurvature,1,2,1,2,1/4\n";
+    fs::write(folder.path().join("a.csv"), lowered).unwrap();
+    let verify = ["verify", "so3@zero;metric=identity", "a.csv", "--independent"];
+    let lower =
+        run(folder.path(), &[&verify[..], &["--convention", "R_ijkl = R_ijkl"]].concat(), b"");
+    assert!(lower.out.starts_with("2 components differ"), "{}{}", lower.out, lower.err);
+    assert!(lower.out.contains("R_1313") && lower.out.contains("R_2323"), "{}", lower.out);
+    for (convention, message) in [
+        ("R^i_jkl", "a convention is an equation"),
+        ("2*R^i_jkl = R^i_jkl", "the left side is one tensor with a letter for each index"),
+        ("R^i_1kl = R^i_1kl", "the left side is one tensor with a letter for each index"),
+        ("R^i_jkl = R^i_jkm", "the sides have different indices"),
+        ("R^i_jkl = R^i_j", "R has 4 indices, not 2"),
+    ] {
+        let refused =
+            run(folder.path(), &[&verify[..], &["--convention", convention]].concat(), b"");
+        assert_eq!(refused.status, 2, "{convention}");
+        assert!(refused.err.contains(message), "{}", refused.err);
+    }
+}
+
+/// Several tables, and the tables of a folder, are compared in one run; each has its outcome.
+#[test]
+fn many_tables() {
+    let folder = TempDir::new().unwrap();
+    let write = |name: &str, text: &str| fs::write(folder.path().join(name), text).unwrap();
+    let verify = |arguments: &[&str]| {
+        run(folder.path(), &[&["verify", "so3@zero"], arguments].concat(), b"")
+    };
+    fs::create_dir(folder.path().join("tables")).unwrap();
+    fs::create_dir(folder.path().join("empty")).unwrap();
+    for (show, file) in [("ricci", "b.json"), ("curvature", "a.csv"), ("torsion", "c.csv")] {
+        let format = file.split('.').next_back().unwrap();
+        let table = ["table", "so3@zero", "--show", show, "--format", format];
+        write(&format!("tables/{file}"), &stdout(folder.path(), &table));
+    }
+    write("tables/notes.txt", "not a table");
+    let all = verify(&["tables"]);
+    assert_eq!(all.status, 0, "{}{}", all.out, all.err);
+    assert!(all.out.starts_with("3 of 3 stored tables agree"), "{}", all.out);
+    for file in ["tables/a.csv", "tables/b.json", "tables/c.csv"] {
+        assert!(all.out.contains(file), "{}", all.out);
+    }
+    write("wrong.csv", "tensor,i,j,k,l,value\nricci,1,1,,,1/3\nricci,2,2,,,1/2\n");
+    let some = verify(&["tables", "wrong.csv", "--format", "json"]);
+    assert_eq!(some.status, 1);
+    let found: Value = serde_json::from_str(&some.out).unwrap();
+    let outcomes: Vec<_> =
+        found["tables"].as_array().unwrap().iter().map(|t| (&t["table"], &t["ok"])).collect();
+    let ok = |file: &str, ok: bool| (json!(file), json!(ok));
+    let expected = [
+        ok("tables/a.csv", true),
+        ok("tables/b.json", true),
+        ok("tables/c.csv", true),
+        ok("wrong.csv", false),
+    ];
+    assert!(
+        outcomes.iter().zip(&expected).all(|(a, b)| (a.0, a.1) == (&b.0, &b.1)),
+        "{}",
+        some.out
+    );
+    assert_eq!(found["tables"][3]["differences"], json!(2));
+    assert_eq!(found["tables"][3]["first"][0]["component"], json!("Ric_11"));
+    let empty = verify(&["empty"]);
+    assert_eq!(empty.status, 2);
+    assert!(empty.err.contains("the folder empty has no .json or .csv file"), "{}", empty.err);
+    // as many files with inline brackets
+    let inline = ["verify", "--basis", "x y", "--bracket", "[x,y]=y", "one.csv", "two.csv"];
+    write("one.csv", "tensor,i,j,k,l,value\nstructure,2,1,2,,1\nstructure,2,2,1,,-1\n");
+    write("two.csv", "tensor,i,j,k,l,value\nkilling,1,1,,,1\n");
+    let outcome = run(folder.path(), &inline, b"");
+    assert_eq!(outcome.status, 0, "{}{}", outcome.out, outcome.err);
+}
+
+#[test]
+fn all_differences_are_shown_on_request() {
+    let folder = TempDir::new().unwrap();
+    let table = ["table", "sl3@zero", "--show", "curvature", "--format", "csv"];
+    let text = stdout(folder.path(), &table);
+    let doubled = text.replace(",1/4\n", ",1/2\n");
+    fs::write(folder.path().join("a.csv"), doubled).unwrap();
+    let verify = ["verify", "sl3@zero", "a.csv", "--format", "csv"];
+    let first = run(folder.path(), &verify, b"");
+    let all = run(folder.path(), &[&verify[..], &["--all"]].concat(), b"");
+    let rows = |out: &str| out.lines().filter(|line| line.starts_with("R^")).count();
+    let count = text.lines().filter(|line| line.ends_with(",1/4")).count();
+    assert!(count > 20);
+    assert_eq!((rows(&first.out), rows(&all.out)), (20, count));
+}
+
+#[test]
+fn a_parameter_that_the_space_lacks_is_named() {
+    let folder = TempDir::new().unwrap();
+    fs::write(folder.path().join("a.csv"), "tensor,i,j,k,l,value\nricci,1,1,,,t/2\n").unwrap();
+    let outcome = run(folder.path(), &["verify", "so3@zero", "a.csv"], b"");
+    assert_eq!(outcome.status, 2);
+    assert!(outcome.err.contains("ricci: `t/2`: the space has no parameter t"), "{}", outcome.err);
+}

@@ -3,7 +3,7 @@
 //! In reading order: [`Quantity`] names the tensors, [`Table`] computes them, and one module for each format writes them;
 //! [`tensors_as_code`] writes them as a program; [`Comparison`] sets two geometries side by side, with the [`Claim`]s of the paper about them; [`EquationReport`] writes
 //! equations of motion, also as source code;
-//! [`StoredTable`] compares a table with a stored one; [`Info`] is the structure of an algebra,
+//! [`StoredTable`] compares a table with a stored one; [`Statements`] are claims about a geometry, each tested; [`Info`] is the structure of an algebra,
 //! [`Properties`] those of a geometry. Each is a [`Report`]; short lists are [`conventions`], the
 //! [`catalogue`], a [`certificate`] and any other [`listing`]. A [`Computation`] makes those of a space, over the scalar
 //! that it needs.
@@ -20,6 +20,7 @@ mod grid;
 mod head;
 mod html;
 mod identifiers;
+mod indexed;
 mod info;
 mod json;
 mod latex;
@@ -28,6 +29,7 @@ mod markdown;
 mod program;
 mod properties;
 mod quantity;
+mod statements;
 mod stored;
 mod text;
 mod typeset;
@@ -39,13 +41,14 @@ pub use components::{GROUPED, Group, groups, independent};
 pub use computation::{Computation, Selection, TableReport};
 pub use equations::EquationReport;
 pub use info::{Info, dynkin_type};
-pub use latex::components_in_latex;
+pub use latex::{components_in_latex, labelled_in_latex};
 pub use lists::{catalogue, catalogue_where, certificate, conventions, listing};
 pub use program::Program;
 pub use properties::Properties;
 pub use quantity::Quantity;
-pub use stored::{Differences, StoredTable};
-pub use text::{components_in_text, grouped_in_text};
+pub use statements::{Statements, Verdict, Verdicts};
+pub use stored::{Convention, Differences, StoredTable, Verification};
+pub use text::{components_in_text, grouped_in_text, labelled_in_text};
 
 use crate::Coefficient;
 use affinor::{Error, Geometry};
@@ -100,6 +103,8 @@ pub struct Table<S> {
     /// Whether JSON has names for the common factors of denominators, as text, Markdown, LaTeX and HTML do; otherwise each
     /// of its values stands for itself.
     pub common_factors: bool,
+    /// The names of the indices of components; without them indices are numbers from 1. CSV and JSON have numbers.
+    pub index_names: Option<Vec<String>>,
     /// The components of the metric, if there is one: its determinant is a common factor.
     pub metric: Option<Tensor<S>>,
     /// The tensors, in the order in which they are shown.
@@ -167,6 +172,7 @@ impl<S: Coefficient> Table<S> {
             tolerance: geometry.frame().structure_functions().tolerance(),
             independent: false,
             common_factors: false,
+            index_names: None,
             metric: geometry.metric().map(|metric| metric.components().clone()),
             tensors,
         })
@@ -189,6 +195,14 @@ impl<S: Coefficient> Table<S> {
             }
         }
         Ok(())
+    }
+
+    /// The names of the coordinates, in a coordinate frame, or else of the basis vectors.
+    pub fn frame_names(&self) -> &[String] {
+        match &self.chart {
+            Some(OnChart { coordinates, .. }) if self.frame == "coordinate" => coordinates,
+            _ => &self.labels,
+        }
     }
 
     /// The heading of a tensor: structure constants may be functions on a chart.

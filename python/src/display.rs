@@ -3,8 +3,9 @@
 use crate::components::each;
 use crate::tensor::{LETTERS, PyTensor, written};
 use affinor_documents::Coefficient;
-use affinor_documents::report::{components_in_latex, components_in_text};
+use affinor_documents::report::{labelled_in_latex, labelled_in_text};
 use affinor_tensors::Tensor;
+use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
 /// The most components that a notebook shows.
@@ -30,6 +31,56 @@ impl PyTensor {
         format!("{nnz} nonzero component{}", if nnz == 1 { "" } else { "s" })
     }
 
+    /// The components, at most [`LISTED`] of them.
+    fn listed(&self, labels: Option<&[String]>) -> String {
+        let nnz = self.nnz();
+        if nnz == 0 {
+            return format!("{}\n  {} = 0", self.heading(), self.general());
+        }
+        let symbol = &self.names.symbol;
+        let mut text = each!(&self.values, tensor => {
+            labelled_in_text(symbol, &first(tensor, LISTED), labels)
+        });
+        if nnz > LISTED {
+            text += &format!("  and {} more\n", nnz - LISTED);
+        } else if self.dimension().checked_pow(self.rank() as u32) != Some(nnz) {
+            text += "  all others are zero\n";
+        }
+        format!("{}\n{text}", self.heading()).trim_end_matches('\n').into()
+    }
+
+    /// The components in LaTeX.
+    fn in_latex(&self, limit: Option<usize>, labels: Option<&[String]>) -> String {
+        let (nnz, latex, slots) = (self.nnz(), &self.names.latex, self.slots());
+        if nnz == 0 {
+            let marked: Vec<(char, char)> = slots.chars().zip(self.letters().chars()).collect();
+            let runs = marked.chunk_by(|a, b| a.0 == b.0).map(|run| {
+                let letters: String = run.iter().map(|(_, letter)| *letter).collect();
+                format!("{}{{{letters}}}", run[0].0)
+            });
+            return format!("{latex}{} = 0", runs.collect::<Vec<_>>().join("{}"));
+        }
+        let limit = limit.unwrap_or(nnz);
+        let lines =
+            each!(&self.values, tensor => labelled_in_latex(latex, &first(tensor, limit), labels));
+        let mut lines: Vec<String> =
+            lines.into_iter().map(|line| line.replace(r"\\*", r"\\")).collect();
+        if nnz > limit {
+            lines.push(format!("&\\text{{and {} more components}}", nnz - limit));
+        }
+        format!("\\begin{{aligned}}\n{}\n\\end{{aligned}}", lines.join(" \\\\\n"))
+    }
+
+    fn expect_labels(&self, labels: Option<&[String]>) -> PyResult<()> {
+        let n = self.dimension();
+        match labels.map(<[String]>::len) {
+            Some(found) if found != n => {
+                Err(PyValueError::new_err(format!("{found} labels, but the dimension is {n}")))
+            }
+            _ => Ok(()),
+        }
+    }
+
     fn heading(&self) -> String {
         let title = self.names.title.clone().unwrap_or_else(|| self.general());
         if self.nnz() == 0 { title } else { format!("{title}: {}", self.count()) }
@@ -44,48 +95,27 @@ impl PyTensor {
     }
 
     fn __str__(&self) -> String {
-        let nnz = self.nnz();
-        if nnz == 0 {
-            return format!("{}\n  {} = 0", self.heading(), self.general());
-        }
-        let symbol = &self.names.symbol;
-        let mut text =
-            each!(&self.values, tensor => components_in_text(symbol, &first(tensor, LISTED)));
-        if nnz > LISTED {
-            text += &format!("  and {} more\n", nnz - LISTED);
-        } else if self.dimension().checked_pow(self.rank() as u32) != Some(nnz) {
-            text += "  all others are zero\n";
-        }
-        format!("{}\n{text}", self.heading()).trim_end_matches('\n').into()
+        self.listed(None)
     }
 
-    /// The components in LaTeX, lines of an ``aligned`` environment; at most ``limit`` of them.
-    #[pyo3(signature = (limit=None))]
-    fn to_latex(&self, limit: Option<usize>) -> String {
-        let (nnz, latex, slots) = (self.nnz(), &self.names.latex, self.slots());
-        if nnz == 0 {
-            let marked: Vec<(char, char)> = slots.chars().zip(self.letters().chars()).collect();
-            let runs = marked.chunk_by(|a, b| a.0 == b.0).map(|run| {
-                let letters: String = run.iter().map(|(_, letter)| *letter).collect();
-                format!("{}{{{letters}}}", run[0].0)
-            });
-            return format!("{latex}{} = 0", runs.collect::<Vec<_>>().join("{}"));
-        }
-        let limit = limit.unwrap_or(nnz);
-        let lines =
-            each!(&self.values, tensor => components_in_latex(latex, &first(tensor, limit)));
-        let mut lines: Vec<String> =
-            lines.into_iter().map(|line| line.replace(r"\\*", r"\\")).collect();
-        if nnz > limit {
-            lines.push(format!("&\\text{{and {} more components}}", nnz - limit));
-        }
-        format!("\\begin{{aligned}}\n{}\n\\end{{aligned}}", lines.join(" \\\\\n"))
+    /// The components as ``str`` writes them, with names of the indices, such as those of coordinates, in place of numbers.
+    #[pyo3(signature = (labels=None))]
+    fn to_text(&self, labels: Option<Vec<String>>) -> PyResult<String> {
+        self.expect_labels(labels.as_deref())?;
+        Ok(self.listed(labels.as_deref()))
+    }
+
+    /// The components in LaTeX, lines of an ``aligned`` environment; at most ``limit`` of them. ``labels`` are names of the
+    /// indices, such as those of coordinates, in place of numbers.
+    #[pyo3(signature = (limit=None, labels=None))]
+    fn to_latex(&self, limit: Option<usize>, labels: Option<Vec<String>>) -> PyResult<String> {
+        self.expect_labels(labels.as_deref())?;
+        Ok(self.in_latex(limit, labels.as_deref()))
     }
 
     pub fn _repr_latex_(&self) -> String {
-        format!("$$\n{}\n$$", self.to_latex(Some(SHOWN)))
+        format!("$$\n{}\n$$", self.in_latex(Some(SHOWN), None))
     }
-
     /// A table of the first components of a large tensor; smaller ones are LaTeX.
     fn _repr_html_(&self) -> Option<String> {
         let more = self.nnz().checked_sub(SHOWN).filter(|more| *more > 0)?;

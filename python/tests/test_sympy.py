@@ -278,3 +278,22 @@ def test_values_for_names_that_a_value_brought_in():
     assert algebra.subs({}) == algebra and geometry.subs({}) == geometry
     with pytest.raises(af.InputError, match="no parameter here"):
         geometry.subs({a: 3}).subs({c: 3})
+
+
+def test_irrational_complex_numbers_in_floats():
+    """Matrices with irrational complex entries give the brackets of the same matrices of NumPy, to rounding."""
+    third, quarter = 1 / sp.sqrt(3), sp.exp(sp.I * sp.pi / 4)
+    pauli = [[[0, 1], [1, 0]], [[0, -sp.I], [sp.I, 0]], [[1, 0], [0, -1]]]
+    for factors in ([sp.I * third] * 3, [sp.I * sp.pi, 2 * sp.I, sp.I / 3], [sp.I * sp.sqrt(2) / 2, -sp.I * sp.E, sp.I]):
+        exact = [(factor * sp.Matrix(matrix)).tolist() for factor, matrix in zip(factors, pauli, strict=True)]
+        numeric = [np.array(sp.Matrix(matrix).evalf(30), dtype=complex) for matrix in exact]
+        found = af.LieAlgebra.from_matrices(exact, scalar="float").structure.to_numpy()
+        expected = af.LieAlgebra.from_matrices(numeric, scalar="float").structure.to_numpy()
+        assert np.abs(found).max() > 0.1
+        np.testing.assert_allclose(found, expected, rtol=1e-13, atol=1e-13)
+    # a sum of both parts, and a matrix of SymPy
+    turned = [sp.Matrix([[0, quarter], [-sp.conjugate(quarter), 0]]), sp.Matrix([[0, sp.I * quarter], [sp.I * sp.conjugate(quarter), 0]])]
+    turned.append(turned[0] * turned[1] - turned[1] * turned[0])
+    numeric = [np.array(matrix.evalf(30), dtype=complex) for matrix in turned]
+    found = af.LieAlgebra.from_matrices(turned, scalar="float").structure.to_numpy()
+    np.testing.assert_allclose(found, af.LieAlgebra.from_matrices(numeric, scalar="float").structure.to_numpy(), atol=1e-13)

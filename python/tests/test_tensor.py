@@ -255,3 +255,17 @@ def test_matrices_of_sympy_are_exact():
     assert np.asarray(third).dtype == np.float64
     a = sp.Symbol("a", positive=True)
     assert sp.Matrix(af.Geometry("so3", metric=[a, 1, 1]).metric) == sp.diag(a, 1, 1)
+
+
+def test_names_of_indices():
+    """Text and LaTeX name indices on request: by single letters without commas, by longer names with commas."""
+    ricci = af.Geometry("so3", connection="zero").ricci
+    assert ricci.to_text() == str(ricci)
+    assert "Ric_xx = Ric_yy = Ric_zz = 1/2" in ricci.to_text(labels=["x", "y", "z"])
+    assert "Ric_r,r = Ric_theta,theta" not in ricci.to_text(labels=["r", "theta", "phi"])
+    assert "Ric_rr = Ric_theta,theta = Ric_phi,phi = 1/2" in ricci.to_text(labels=["r", "theta", "phi"])
+    assert r"_{\theta,\theta}" in ricci.to_latex(labels=["r", "theta", "phi"])
+    assert ricci.to_latex(labels=None) == ricci.to_latex()
+    for method in (ricci.to_text, ricci.to_latex):
+        with pytest.raises(ValueError, match="2 labels, but the dimension is 3"):
+            method(labels=["x", "y"])

@@ -7,7 +7,7 @@
 //! | algebra | an element as written ([`MatrixNotation::write`](super::MatrixNotation::write)) |
 //! |---|---|
 //! | in the list | a matrix, or a column for `R^n` |
-//! | given by matrices, as `so(4)` or `gl(2)` | the matrix; of complex matrices `A + iB` the real `[[A, -B], [B, A]]` |
+//! | given by matrices, as `so(4)`, `gl(2)` or `sl(2,C)` | the matrix; of complex matrices `A + iB` the real `[[A, -B], [B, A]]` |
 //! | nilpotent, given by brackets | a column of canonical coordinates of the first kind |
 //! | any other given by brackets | the matrix of `exp(ad_x)`, extended by derivations if there is a centre |
 //! | a sum | one column: the entries of each factor as above, row by row, factor after factor |

@@ -34,6 +34,7 @@
 
 mod accumulator;
 mod arithmetic;
+mod big_integers;
 mod found;
 mod integers;
 mod kernel;
@@ -46,6 +47,7 @@ mod shape;
 
 use crate::{Tensor, TensorError, Up, Variance};
 use arithmetic::{Factor, InRing, Term};
+use big_integers::{BigCleared, OnBigIntegers};
 use integers::{Cleared, OnIntegers};
 use notation::Expression;
 use num_rational::Ratio;
@@ -120,8 +122,15 @@ pub(crate) fn over<S: Scalar>(
         let found = kernel::run(&integers, &terms, shape, groups, paths);
         (!integers.failed()).then_some(found)
     });
+    let on_big_integers = || {
+        let cleared = BigCleared::new(&terms)?;
+        let (terms, denominator) = cleared.terms(&terms, paths)?;
+        let integers = OnBigIntegers::new(denominator);
+        let found = kernel::run(&integers, &terms, shape, groups, paths);
+        (!integers.failed()).then_some(found)
+    };
     let in_ring = || kernel::run(&InRing(tolerance), &InRing::terms(&terms), shape, groups, paths);
-    let (keys, values) = on_integers.unwrap_or_else(in_ring);
+    let (keys, values) = on_integers.or_else(on_big_integers).unwrap_or_else(in_ring);
     Ok(zero.fill(keys, values))
 }
 

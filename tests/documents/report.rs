@@ -1,6 +1,7 @@
 //! A table says the same in every format, and what it says can be read back.
 
 mod claims;
+mod statements;
 mod stored;
 
 use crate::common::property::properties;
@@ -71,6 +72,7 @@ fn single<S: Coefficient>(quantity: Quantity, tensor: Tensor<S>) -> Table<S> {
         tolerance: Tolerance::default(),
         independent: false,
         common_factors: false,
+        index_names: None,
         metric: None,
         tensors: vec![TableEntry { quantity, tensor }],
     }

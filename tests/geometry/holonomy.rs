@@ -135,6 +135,9 @@ properties! {
                 let commutator = contract("a^i_m b^m_j - b^i_m a^m_j -> ^i_j", &operands)?;
                 prop_assert!(holonomy.contains(&commutator));
             }
+            // the search that ends with all skew matrices finds the same algebra
+            let beside = connection.holonomy_beside(&space.metric).unwrap();
+            prop_assert_eq!(beside.basis().unwrap(), basis);
         }
         for matrix in space.levi_civita().holonomy().unwrap().basis().unwrap() {
             let skew = contract(

@@ -35,7 +35,9 @@ impl CodeOptions {
 
     /// The names after --derivatives; each is a parameter or a coordinate of the space.
     pub fn derivatives(&self, definition: &Definition) -> Result<Vec<String>, InputError> {
-        let known = [definition.parameters().as_slice(), definition.coordinates()].concat();
+        let mut known = [definition.parameters().as_slice(), definition.coordinates()].concat();
+        let declared = definition.known_parameters();
+        known.extend(declared.into_iter().filter(|name| !known.contains(name)).collect::<Vec<_>>());
         let mut names: Vec<String> = Vec::new();
         for name in self.derivatives.iter().map(|name| name.trim()) {
             if !known.iter().any(|own| own == name) {

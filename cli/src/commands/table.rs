@@ -20,6 +20,9 @@ pub struct Arguments {
     /// In JSON, write common factors of denominators once, under `where`, as the other formats do
     #[arg(long)]
     pub common_factors: bool,
+    /// Write the indices of components as numbers, or as names: of the coordinates, or else of the basis vectors
+    #[arg(long, value_enum, default_value_t = Labels::Numbers)]
+    pub labels: Labels,
     #[command(flatten)]
     pub code: CodeOptions,
     #[command(flatten)]
@@ -40,6 +43,12 @@ pub struct Choice {
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Labels {
+    Numbers,
+    Names,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum Frame {
     Left,
     Right,
@@ -56,7 +65,15 @@ impl Arguments {
         let stage = |name: &str| stages.begin(name);
         let computation = self.shared.computation(&space, &stage)?;
         let chosen = self.selection.of(self.selection.quantities());
-        let selection = Selection { common_factors: self.common_factors, ..chosen };
+        let named_indices = self.labels == Labels::Names;
+        let selection = Selection { common_factors: self.common_factors, named_indices, ..chosen };
+        let numbered = [Format::Csv, Format::Json].map(OutputFormat::Report);
+        if named_indices && numbered.contains(&self.shared.output.format) {
+            let error = InputError::usage("CSV and JSON number the indices of components");
+            return Err(error
+                .help("leave --labels names away, or write text, markdown, latex or html")
+                .into());
+        }
         if self.common_factors && self.shared.output.format == OutputFormat::Report(Format::Csv) {
             let error = InputError::usage("CSV has no names for common factors");
             return Err(error.help("--format json has").into());

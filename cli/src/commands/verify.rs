@@ -1,23 +1,30 @@
-//! `affinor verify`: comparison of a space with a stored table.
+//! `affinor verify`: comparison of a space with stored tables.
 
 use super::failure::Failure;
 use super::note::note;
 use super::options::{Shared, SpaceOptions};
 use super::table::{Choice, Quantities};
 use affinor_documents::input::InputError;
-use affinor_documents::report::{Quantity, StoredTable};
+use affinor_documents::report::{Convention, Quantity, StoredTable, Verification};
 use clap::Args;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 #[derive(Args)]
 pub struct Arguments {
-    /// The space (see `affinor --help`) and the stored table, JSON or CSV
-    #[arg(num_args = 1..=2, required = true, value_names = ["SPACE", "FILE"])]
+    /// The space (see `affinor --help`) and stored tables, JSON or CSV; of a folder all its .json and .csv files
+    #[arg(num_args = 1.., required = true, value_names = ["SPACE", "FILE"])]
     pub arguments: Vec<String>,
     #[command(flatten)]
     pub options: SpaceOptions,
     #[command(flatten)]
     pub selection: Choice,
+    /// The convention of a stored tensor: its component, =, and its value here, as in "R^i_jkl = -R^i_jkl" (sign) or
+    /// "Lambda^i_jk = Lambda^i_kj" (order of indices); may be repeated
+    #[arg(long, value_name = "EQUATION", allow_hyphen_values = true)]
+    pub convention: Vec<String>,
+    /// Show all components that differ, not only the first 20 of each table
+    #[arg(long)]
+    pub all: bool,
     #[command(flatten)]
     pub shared: Shared,
 }
@@ -25,28 +32,72 @@ pub struct Arguments {
 impl Arguments {
     pub fn run(&self) -> Result<(), Failure> {
         let stages = self.shared.start()?;
-        let (space, file) = match self.arguments.as_slice() {
-            [space, file] => (Some(space.as_str()), file),
-            [file] => (None, file),
-            _ => return Err(InputError::usage("verify takes a SPACE and a FILE").into()),
+        let (space, paths) = match self.arguments.as_slice() {
+            files if self.options.basis.is_some() => (None, files),
+            [space, files @ ..] if !files.is_empty() => (Some(space.as_str()), files),
+            files => (None, files),
         };
-        let mut stored = StoredTable::read(file)?;
+        let mut files = vec![];
+        for path in paths {
+            files.extend(tables(path)?);
+        }
+        let mut stored =
+            files.iter().map(|file| StoredTable::read(file)).collect::<Result<Vec<_>, _>>()?;
         if let Some(Quantities(chosen)) = &self.selection.show {
-            stored.select(chosen);
+            stored.iter_mut().for_each(|table| table.select(chosen));
         }
         let space = self.shared.open(space, &self.options)?;
-        stored.expect_basis(&space.definition.labels)?;
-        let mut quantities = stored.quantities();
-        if quantities.is_empty() {
-            quantities = Quantity::BASIC.to_vec();
+        for table in &stored {
+            table.expect_basis(&space.definition.labels)?;
         }
+        let lists = stored.iter().map(StoredTable::quantities);
+        let lists = lists.map(|list| if list.is_empty() { Quantity::BASIC.to_vec() } else { list });
+        let mut quantities: Vec<Quantity> = vec![];
+        for quantity in lists.flatten() {
+            if !quantities.contains(&quantity) {
+                quantities.push(quantity);
+            }
+        }
+        let conventions: Vec<_> =
+            self.convention.iter().map(|text| Convention::new(text)).collect();
         let stage = |name: &str| stages.begin(name);
         let computation = self.shared.computation(&space, &stage)?;
-        let (found, remarks) =
-            stages.bound(|| computation.differences(&stored, &self.selection.of(quantities)))??;
-        remarks.iter().for_each(|remark| note(remark));
-        let inputs: Vec<_> = space.file.into_iter().chain([PathBuf::from(file)]).collect();
-        self.shared.print(&stages, &inputs, &found)?;
-        if found.is_empty() { Ok(()) } else { Err(Failure::Refuted) }
+        let selection = self.selection.of(quantities);
+        let found =
+            stages.bound(|| computation.differences(&stored, &selection, &conventions))??;
+        let mut outcomes = vec![];
+        for (table, (differences, remarks)) in stored.iter().zip(found) {
+            let origin =
+                if stored.len() > 1 { format!("{}: ", table.name()) } else { String::new() };
+            remarks.iter().for_each(|remark| note(&(origin.clone() + remark)));
+            let shown = if self.all { differences.showing_all() } else { differences };
+            outcomes.push((table.name().to_string(), shown));
+        }
+        let verification = Verification::new(outcomes);
+        let inputs: Vec<_> =
+            space.file.into_iter().chain(files.iter().map(PathBuf::from)).collect();
+        self.shared.print(&stages, &inputs, &verification)?;
+        if verification.is_empty() { Ok(()) } else { Err(Failure::Refuted) }
+    }
+}
+
+/// The tables that a path names: a file itself, and of a folder its `.json` and `.csv` files in the order of their names.
+fn tables(path: &str) -> Result<Vec<String>, InputError> {
+    if !Path::new(path).is_dir() {
+        return Ok(vec![path.into()]);
+    }
+    let shown = path.escape_debug();
+    let entries = std::fs::read_dir(path)
+        .map_err(|error| InputError::usage(format!("cannot read {shown}: {error}")))?;
+    let paths = entries.filter_map(|entry| entry.ok().map(|entry| entry.path()));
+    let is_table = |path: &PathBuf| {
+        path.extension().is_some_and(|ending| ending == "json" || ending == "csv") && path.is_file()
+    };
+    let mut files: Vec<String> =
+        paths.filter(is_table).filter_map(|path| Some(path.to_str()?.to_string())).collect();
+    files.sort();
+    match files.is_empty() {
+        true => Err(InputError::usage(format!("the folder {shown} has no .json or .csv file"))),
+        false => Ok(files),
     }
 }

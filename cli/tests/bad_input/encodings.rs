@@ -65,7 +65,7 @@ fn not_there() {
         ("check /dev/null", &["/dev/null is empty"]),
         ("check /dev/zero", &["/dev/zero has more than"]),
         ("verify so3 no.json", &["cannot read no.json", "No such file"]),
-        ("verify so3 .", &["cannot read .", "Is a directory"]),
+        ("verify so3 .", &["the folder . has no .json or .csv file"]),
         ("verify so3 /dev/null", &["/dev/null", "the header is not"]),
     ]);
 }

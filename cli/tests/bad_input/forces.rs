@@ -16,6 +16,8 @@ fn forces() {
         ("forces.table = 'none.csv'", &["a.toml:5:", "cannot read"]),
         ("forces.table = '.'", &["a.toml:5:", "cannot read"]),
         ("forces.table_in = 'spatial'", &["there is no table"]),
+        ("forces.columns = { M1 = 'a' }", &["a.toml:5:", "there is no table"]),
+        ("initial.restore = true", &["there is no matrix to restore"]),
         ("forces.interpolation = 'hold'", &["a.toml:5:", "there is no table"]),
         (
             "forces.table = 'a'\nforces.interpolation = 'cubic'",

@@ -256,3 +256,68 @@ fn columns_of_a_table_in_another_order() {
     assert!(rows("M3,M1,t,M2\n3,1,0,2\n-1,0,5,1\n") == expected);
     assert!(rows("t,M2,M1,M3\n0,1,2,3\n5,0,1,-1\n") != expected);
 }
+
+/// A table with other names of columns gives the same rows as the table with the names of components; components that are not
+/// named are zero, and further columns do nothing.
+#[test]
+fn mapped_columns_of_a_table() {
+    let rows = |columns: &str, table: &str| {
+        let forces = format!("[forces]\ntable = \"log.csv\"\n{columns}");
+        let folder = folder(&TOP.replace("[forces]", &forces));
+        fs::write(folder.path().join("log.csv"), table).unwrap();
+        done(&mut simulate(folder.path())).stdout
+    };
+    let expected = rows("", "t,M1,M2,M3\n0,1,0,3\n5,0,0,-1\n");
+    let log = "time,yaw,battery,roll\n0,3,7,1\n5,-1,6,0\n";
+    assert!(rows("columns = { t = 'time', M1 = 'roll', M3 = 'yaw' }", log) == expected);
+    assert!(rows("columns = { M3 = 'yaw', M1 = 'roll' }", &log.replace("time", "t")) == expected);
+    // the last component has no column
+    let expected = rows("", "t,M1,M2,M3\n0,1,0,0\n5,0,0,0\n");
+    assert!(rows("columns = { t = 'time', M1 = 'roll' }", log) == expected);
+    for (columns, message) in [
+        (
+            "{ t = 'time', M1 = 'pitch' }",
+            "the table has no column `pitch`; its columns are time, yaw",
+        ),
+        ("{ t = 'time', M0 = 'yaw' }", "`M0` is neither t nor a component"),
+        ("{ t = 'time', roll = 'M1' }", "the table has no column `M1`"),
+        ("{ t = 'time', M4 = 'yaw' }", "the table has 4 components, the dimension is 3"),
+        ("{ M1 = 'roll' }", "no column has the time"),
+        ("{ t = 'time' }", "no column has a component"),
+    ] {
+        let forces = format!("[forces]\ntable = \"log.csv\"\ncolumns = {columns}");
+        let folder = folder(&TOP.replace("[forces]", &forces));
+        fs::write(folder.path().join("log.csv"), log).unwrap();
+        let found = refused(&mut simulate(folder.path()), 2);
+        assert!(found.contains(message), "{columns}: {found}");
+    }
+}
+
+/// A rounded initial element is refused with advice, and restored on request: the motion starts at the nearest rotation.
+#[test]
+fn a_rounded_initial_element_is_restored() {
+    let rounded = "element = [[0.866, -0.5, 0], [0.5, 0.866, 0], [0, 0, 1]]";
+    let start = |initial: &str| {
+        format!(
+            "space = \"so3\"\nmetric = \"diag(1,2,3)\"\n[initial]\n{initial}\nvelocity = [0, 0, 1]\n\
+             [output]\nend = 1\nevery = 1\ncolumns = [\"t\", \"g\"]\n"
+        )
+    };
+    let refusal = refused(&mut simulate(folder(&start(rounded)).path()), 1);
+    assert!(refusal.contains("restore = true in [initial]"), "{refusal}");
+    let restored =
+        done(&mut simulate(folder(&start(&format!("{rounded}\nrestore = true"))).path()));
+    let note = String::from_utf8_lossy(&restored.stderr).into_owned();
+    assert!(note.contains("the initial element is restored"), "{note}");
+    // the polar decomposition: a rotation by atan2(0.5, 0.866)
+    let angle = 0.5_f64.atan2(0.866);
+    let exact =
+        done(&mut simulate(folder(&start(&format!("coordinates = [0, 0, {angle}]"))).path()));
+    let numbers = |output: &[u8]| -> Vec<f64> {
+        let text = String::from_utf8_lossy(output);
+        text.lines().skip(1).flat_map(|line| line.split(',')).map(|x| x.parse().unwrap()).collect()
+    };
+    for (a, b) in numbers(&restored.stdout).iter().zip(numbers(&exact.stdout)) {
+        assert!((a - b).abs() < 1e-9, "{a} {b}");
+    }
+}

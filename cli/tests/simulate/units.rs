@@ -164,3 +164,29 @@ fn constraints_of_a_limited_domain() {
         assert!((values.last().unwrap() - expected).abs() < 1e-9, "{name}: {values:?}");
     }
 }
+
+/// Columns name quantities, which stand where they are listed, and those of constraints, which follow in any case.
+#[test]
+fn columns_of_quantities_and_of_constraints() {
+    let names = |listed: &str| -> Vec<String> {
+        let problem = format!(
+            "space = \"R^2\"\nmetric = \"identity\"\nconstraints = [\"x1^2 + x2^2 - 1\"]\n\
+             initial = {{ coordinates = [0, -1], velocity = [1, 0] }}\nintegrator.step = 0.1\n\
+             output = {{ end = 1, columns = [{listed}] }}\n\
+             quantities = {{ height = \"x2\", speed = \"Omega1^2 + Omega2^2\" }}\n"
+        );
+        columns(folder(&problem).path()).into_iter().map(|(name, _)| name).collect()
+    };
+    let behind = ["lambda1", "violation"];
+    assert_eq!(
+        names("\"t\", \"x\""),
+        [&["t", "x1", "x2", "height", "speed"][..], &behind].concat()
+    );
+    let listed = "\"speed\", \"t\", \"violation\", \"lambda\", \"x2\"";
+    assert_eq!(names(listed), [&["speed", "t", "x2", "height"][..], &behind].concat());
+    // without constraints there is no violation
+    let free = "space = \"R^2\"\nmetric = \"identity\"\ninitial.velocity = [1, 0]\n\
+                output = { end = 1, columns = [\"violation\"] }\n";
+    let message = refused(&mut simulate(folder(free).path()), 2);
+    assert!(message.contains("`violation` is no quantity of this motion"), "{message}");
+}

@@ -3,7 +3,7 @@
 use super::reader::{Reader, Written};
 use crate::input::{
     InputError, Place,
-    forms::{Number, Text},
+    forms::{Formulas, Number, Text},
     read_rows, shown,
 };
 use affinor::Error;
@@ -19,6 +19,7 @@ pub(super) struct ForceKeys {
     pub potential: Option<Text>,
     pub table: Option<Text>,
     pub table_in: Option<Text>,
+    pub columns: Option<Formulas>,
     pub interpolation: Option<Text>,
 }
 
@@ -29,6 +30,8 @@ pub(super) struct ForceFormulas {
     components: [(ForceFrame, Vec<Written>); 2],
     potential: Option<Written>,
     table: Option<(ForceFrame, ForceTable)>,
+    /// Whether the columns of the table have been named, so that components without a column are zero.
+    is_mapped: bool,
     functions: Vec<(ForceFrame, ForceFunction)>,
     place: Place,
 }
@@ -72,13 +75,16 @@ impl ForceFormulas {
                 let place = source.at(name);
                 let columns = read_rows(&reader.file(name));
                 let (names, rows) = columns.map_err(|error| error.or_at(&place))?;
-                let rows = force_rows(&names, rows).map_err(|error| error.at(&place))?;
+                let rows = match &keys.columns {
+                    None => force_rows(&names, rows).map_err(|error| error.at(&place))?,
+                    Some(columns) => mapped_rows(columns, &names, &rows, reader)?,
+                };
                 let refused = |error: Error| InputError::usage(error.to_string()).at(&place);
                 let table = ForceTable::new(rows).map_err(refused)?;
                 Some((side, if held { table.held() } else { table }))
             }
             None => {
-                let idle = ["forces.table_in", "forces.interpolation"];
+                let idle = ["forces.table_in", "forces.columns", "forces.interpolation"];
                 if let Some(key) = idle.into_iter().find(|key| source.has_key(key)) {
                     let error = source.refused(key, "there is no table");
                     return Err(error.help("give table = \"FILE.csv\""));
@@ -88,7 +94,8 @@ impl ForceFormulas {
         };
         let potential = keys.potential.as_ref().map(|text| reader.written(text));
         let (functions, place) = (vec![], source.key("forces"));
-        Ok(ForceFormulas { components, potential, table, functions, place })
+        let is_mapped = keys.columns.is_some();
+        Ok(ForceFormulas { components, potential, table, is_mapped, functions, place })
     }
 
     /// Adds a force as a function.
@@ -109,7 +116,8 @@ impl ForceFormulas {
             }
         }
         let width = self.table.as_ref().map(|(_, table)| table.width());
-        if let Some(width) = width.filter(|width| *width != dimension) {
+        let fits = |width: usize| width == dimension || self.is_mapped && width < dimension;
+        if let Some(width) = width.filter(|width| !fits(*width)) {
             return refused("the table", width, &self.place.source.key("forces.table"));
         }
         for (side, components) in &self.components {
@@ -128,7 +136,7 @@ impl ForceFormulas {
             set.map_err(|error| potential.refused(error, help))?;
         }
         if let Some((side, table)) = &self.table {
-            forces.set_table(*side, table.clone());
+            forces.set_table(*side, table.clone().padded(dimension));
         }
         for (side, function) in &self.functions {
             forces.add_function(*side, function.clone());
@@ -149,7 +157,62 @@ fn force_rows(names: &[String], rows: Vec<Vec<f64>>) -> Result<Vec<Vec<f64>>, In
     let place = |name: &String| names.iter().position(|n| n == name).ok_or_else(|| refused(name));
     let places = wanted.iter().map(place).collect::<Result<Vec<_>, _>>()?;
     let ordered = |row: &Vec<f64>| places.iter().map(|at| row[*at]).collect::<Vec<_>>();
-    let rows: Vec<Vec<f64>> = rows.iter().map(ordered).collect();
+    finite(rows.iter().map(ordered).collect())
+}
+
+/// The rows of a table whose columns have been named, `{ t = "time", M1 = "roll" }`: the time, and the components up to the
+/// last one named; those without a column are zero.
+fn mapped_rows(
+    columns: &Formulas,
+    names: &[String],
+    rows: &[Vec<f64>],
+    reader: &Reader,
+) -> Result<Vec<Vec<f64>>, InputError> {
+    const FORM: &str = "columns = { t = \"time\", M1 = \"roll\" }";
+    let refused = |text: &Text, message: String| {
+        InputError::usage(message).at(&reader.source.at(text)).help(format!("write {FORM}"))
+    };
+    let column = |name: &str| names.iter().position(|other| other == name);
+    let (mut time, mut components) = (column("t"), vec![]);
+    for (key, name) in &columns.0 {
+        let Some(at) = column(name.trim()) else {
+            let (shown, all) = (shown(name), names.join(", "));
+            let message = format!("the table has no column `{shown}`; its columns are {all}");
+            return Err(refused(name, message));
+        };
+        let number = key.strip_prefix('M').and_then(|number| number.parse::<usize>().ok());
+        match (&**key, number.and_then(|number| number.checked_sub(1))) {
+            ("t", _) => time = Some(at),
+            (_, Some(component)) if component < MAX_COMPONENTS => components.push((component, at)),
+            _ => {
+                let message = format!("`{}` is neither t nor a component M1, M2, ...", shown(key));
+                return Err(refused(key, message));
+            }
+        }
+    }
+    let place = reader.source.key("forces.columns");
+    let Some(time) = time else {
+        let message = format!("no column has the time; they are {}", names.join(", "));
+        return Err(InputError::usage(message).at(&place).help(format!("write {FORM}")));
+    };
+    let Some(width) = components.iter().map(|(component, _)| component + 1).max() else {
+        let message = "no column has a component of the force";
+        return Err(InputError::usage(message).at(&place).help(format!("write {FORM}")));
+    };
+    let ordered = |row: &Vec<f64>| {
+        let mut ordered = vec![0.0; width + 1];
+        ordered[0] = row[time];
+        components.iter().for_each(|(component, at)| ordered[component + 1] = row[*at]);
+        ordered
+    };
+    finite(rows.iter().map(ordered).collect()).map_err(|error| error.at(&place))
+}
+
+/// The largest number of components that a table may name.
+const MAX_COMPONENTS: usize = 1000;
+
+/// The rows, if all numbers are finite.
+fn finite(rows: Vec<Vec<f64>>) -> Result<Vec<Vec<f64>>, InputError> {
     match rows.iter().position(|row| row.iter().any(|value| !value.is_finite())) {
         Some(at) => Err(InputError::usage(format!("row {} of the table is not finite", at + 1))),
         None => Ok(rows),

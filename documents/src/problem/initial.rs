@@ -2,7 +2,8 @@
 
 use super::reader::{Reader, Value};
 use crate::input::{InputError, Place, forms::Number};
-use affinor::group::{AnyGroup, LieGroup, MatrixNotation, Opposite, rotation};
+use affinor::Error;
+use affinor::group::{AnyGroup, LieGroup, MatrixNotation, Opposite, restored, rotation};
 use affinor::mechanics::simulation::{ForceFrame, Observables, SimulationGroup};
 use nalgebra::DVector;
 use serde::Deserialize;
@@ -13,6 +14,7 @@ use serde::Deserialize;
 pub(super) struct InitialKeys {
     pub time: Option<Number>,
     pub element: Option<Vec<Vec<Number>>>,
+    pub restore: Option<bool>,
     pub coordinates: Option<Vec<Number>>,
     pub quaternion: Option<Vec<Number>>,
     pub position: Option<Vec<Number>>,
@@ -26,9 +28,10 @@ pub(super) struct InitialKeys {
 impl InitialKeys {
     /// The keys of an element that is given at once.
     fn element(&self) -> ElementKeys {
-        let Self { element, coordinates, quaternion, position, .. } = self;
+        let Self { element, restore, coordinates, quaternion, position, .. } = self;
         ElementKeys {
             element: element.clone(),
+            restore: *restore,
             coordinates: coordinates.clone(),
             quaternion: quaternion.clone(),
             position: position.clone(),
@@ -41,6 +44,7 @@ impl InitialKeys {
 #[serde(deny_unknown_fields)]
 pub(super) struct ElementKeys {
     pub element: Option<Vec<Vec<Number>>>,
+    pub restore: Option<bool>,
     pub coordinates: Option<Vec<Number>>,
     pub quaternion: Option<Vec<Number>>,
     pub position: Option<Vec<Number>>,
@@ -52,8 +56,8 @@ pub(super) enum InitialElement {
     Identity,
     /// Canonical coordinates `x` of `exp(x)`.
     Coordinates(Vec<Value>, Place),
-    /// The rows of its matrix.
-    Rows(Vec<Vec<Value>>, Place),
+    /// The rows of its matrix, and whether the nearest element is taken.
+    Rows(Vec<Vec<Value>>, Place, bool),
     /// A quaternion `w, x, y, z`, by default 1, and the position of the body.
     Pose(Option<Vec<Value>>, Vec<Value>, Place),
     /// One element for each factor.
@@ -80,9 +84,14 @@ impl InitialElement {
         let key = |name: &str| source.key(&format!("{path}.{name}"));
         let pose = keys.quaternion.as_ref().map(|_| "quaternion");
         let pose = pose.or(keys.position.as_ref().map(|_| "position"));
+        if keys.restore == Some(true) && keys.element.is_none() {
+            let error = source.refused(&format!("{path}.restore"), "there is no matrix to restore");
+            return Err(error.help("give element = [[...], ...], the rows of a matrix"));
+        }
+        let restore = keys.restore.unwrap_or(false);
         Ok(match (&keys.element, &keys.coordinates, pose) {
             (None, None, None) => Self::Identity,
-            (Some(rows), None, None) => Self::Rows(reader.rows(rows)?, key("element")),
+            (Some(rows), None, None) => Self::Rows(reader.rows(rows)?, key("element"), restore),
             (None, Some(x), None) => Self::Coordinates(reader.values(x)?, key("coordinates")),
             (None, None, Some(name)) => {
                 let position = keys.position.as_deref().unwrap_or(&[]);
@@ -122,7 +131,19 @@ impl InitialElement {
                 let numbers = numbers.collect::<Result<Vec<_>, InputError>>()?;
                 return Ok(DVector::from_vec(numbers.concat()));
             }
-            Self::Rows(rows, place) => (Value::matrix("element", rows, values, place)?, place),
+            Self::Rows(rows, place, restore) => {
+                let matrix = Value::matrix("element", rows, values, place)?;
+                if *restore {
+                    let nearest = restored(group, &matrix).map(|(g, _)| g);
+                    return nearest.map_err(|error| InputError::from(error).at(place));
+                }
+                let read = group.read(&matrix);
+                return read.map_err(|error| {
+                    let is_off = matches!(error, Error::Invalid { .. });
+                    let error = InputError::from(error).at(place);
+                    if is_off { error.help(ADVICE) } else { error }
+                });
+            }
             Self::Pose(quaternion, position, place) => {
                 let refused = |message: &str| InputError::usage(message).at(place);
                 let mut matrix = group.write(&group.identity());
@@ -150,7 +171,20 @@ impl InitialElement {
         };
         group.read(&matrix).map_err(|error| InputError::from(error).at(place))
     }
+
+    /// A note with the distance, if the element is the nearest one to a matrix.
+    pub fn note(&self, group: &AnyGroup, values: &[f64]) -> Option<String> {
+        let Self::Rows(rows, place, true) = self else { return None };
+        let matrix = Value::matrix("element", rows, values, place).ok()?;
+        let (_, distance) = restored(group, &matrix).ok()?;
+        Some(format!(
+            "the initial element is restored: the nearest one differs by at most {distance:.1e} in an entry"
+        ))
+    }
 }
+
+/// Advice where a matrix is not an element.
+const ADVICE: &str = "restore = true in [initial] takes the nearest element of the group";
 
 /// The initial velocity or momentum.
 #[derive(Clone, Debug)]

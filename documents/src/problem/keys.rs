@@ -9,12 +9,13 @@ use crate::space::document::Document;
 use serde::Deserialize;
 
 /// The dotted paths of the keys that only problems on a group have.
-pub(super) const OF_GROUPS: [&str; 12] = [
+pub(super) const OF_GROUPS: [&str; 13] = [
     "space",
     "definition",
     "invariance",
     "prescribed",
     "initial.element",
+    "initial.restore",
     "initial.coordinates",
     "initial.quaternion",
     "initial.position",

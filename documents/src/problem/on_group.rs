@@ -120,7 +120,9 @@ impl OnGroup {
         let definition = space.in_floats()?;
         let group = definition.group(Tolerance::default())?;
         let group = if self.right { AnyGroup::new(Opposite(group)) } else { group };
-        motion(&Start { on_group: self, group: &group, member, definition })
+        let mut ready = motion(&Start { on_group: self, group: &group, member, definition })?;
+        ready.notes.extend(self.element.note(&group, &member.values()));
+        Ok(ready)
     }
 
     /// The Casimir functions of the algebra up to the second degree, if it is small and without parameters: polynomials

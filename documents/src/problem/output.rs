@@ -25,6 +25,8 @@ pub(super) struct Output {
     pub stop: Option<String>,
     /// The event that rows are written at, instead of times.
     pub section: Option<String>,
+    /// The names of columns that follow the others in any case: those of constraints.
+    following: Vec<String>,
 }
 
 /// The columns and events of a motion, with their formulas: those of the events follow those of the columns.
@@ -56,7 +58,12 @@ impl Output {
             Err(error.at(&source.at(name)).help(help))
         };
         let (stop, section) = (event(&output.stop)?, event(&output.section)?);
-        Ok(Output { times, columns, quantities, events, stop, section })
+        let constraints = keys.constraints.as_ref().map_or(0, Vec::len);
+        let mut following: Vec<String> = (1..=constraints).map(|a| format!("lambda{a}")).collect();
+        if constraints > 0 {
+            following.extend(["lambda", "violation"].map(String::from));
+        }
+        Ok(Output { times, columns, quantities, events, stop, section, following })
     }
 
     /// The same with other columns; a named quantity gives way to a column of its name.
@@ -88,6 +95,16 @@ impl Output {
         let conserved = if names.momentum() == "h" { "H" } else { "h" };
         for stem in &self.columns {
             let expanded = names.expand(stem.text());
+            let named = self.quantities.iter().find(|(name, _)| name == stem.text());
+            if let (Some((name, written)), true) = (named, expanded.is_empty()) {
+                expect_new(&columns, &[], name, &stem.place())?;
+                add(written.text(), written)?;
+                columns.push(Column::named(name, written));
+                continue;
+            }
+            if self.following.iter().any(|name| name == stem.text()) {
+                continue;
+            }
             if expanded.is_empty() {
                 let message = format!("`{}` is no quantity of this motion", shown(stem.text()));
                 return Err(InputError::usage(message).at(&stem.place()).help(help()));
@@ -101,12 +118,13 @@ impl Output {
                 columns.push(Column { conserved, ..Column::new(name, watched) });
             }
         }
-        for (name, written) in &self.quantities {
+        let is_listed = |name: &String| {
+            self.columns.iter().any(|stem| stem.text() == name) && names.expand(name).is_empty()
+        };
+        for (name, written) in self.quantities.iter().filter(|(name, _)| !is_listed(name)) {
             expect_new(&columns, &[], name, &source.key(&format!("quantities.{name}")))?;
             add(written.text(), written)?;
-            let formula = Some(written.text().into());
-            let column = Column::new(name, true);
-            columns.push(Column { formula, conserved: false, ..column });
+            columns.push(Column::named(name, written));
         }
         for (i, casimir) in casimirs.iter().enumerate() {
             let text = casimir.to_string().replace("mu", names.momentum());
@@ -121,6 +139,14 @@ impl Output {
         }
         let events = self.events.iter().map(|(name, _)| name.clone()).collect();
         Ok(RowFormulas { columns, events, formulas: ColumnFormulas { scope, formulas } })
+    }
+}
+
+impl Column {
+    /// The column of a named quantity.
+    fn named(name: &str, written: &Written) -> Self {
+        let formula = Some(written.text().into());
+        Column { formula, conserved: false, ..Column::new(name, true) }
     }
 }
 

@@ -231,7 +231,8 @@ fn listed<S: Coefficient>(quantity: Quantity, tensor: &Tensor<S>) -> Cell {
     let text = groups.iter().map(|group| {
         text::equation(group, &none, |at| text::component(quantity, tensor, at)).join(" ")
     });
-    let formulas = groups.iter().map(|group| typeset::equation(quantity, tensor, group, &none));
+    let formulas =
+        groups.iter().map(|group| typeset::equation(quantity, tensor, group, &none, None));
     let formulas: Vec<Row> = formulas.collect();
     // paragraphs, so that each has a hanging indent of its own
     let latex: Vec<String> = formulas.iter().map(|formula| latex::paragraph(formula)).collect();

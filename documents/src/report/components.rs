@@ -1,8 +1,9 @@
 //! Components grouped by value, and independent components.
 
+use super::head::printable;
 use crate::Coefficient;
 use affinor_tensors::{CommonFactors, Kind, Scalar, Tensor, Variance};
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 use std::fmt::Write;
 
 /// Tensors with more nonzero components than this are listed one per line, not in groups.
@@ -69,10 +70,30 @@ pub(super) fn groups_with<S: Coefficient>(
 /// Slots are symmetric or antisymmetric as [`Tensor::pair_symmetry`] finds them; of each set the
 /// component with rising indices is kept: `k < l` for a curvature, `i <= j` for a metric.
 pub fn independent<S: Coefficient>(tensor: &Tensor<S>) -> Tensor<S> {
+    representatives(tensor, &BTreeSet::new())
+}
+
+/// As [`independent`], but of a set with components in `listed` these are kept.
+pub(super) fn representatives<S: Coefficient>(
+    tensor: &Tensor<S>,
+    listed: &BTreeSet<Vec<usize>>,
+) -> Tensor<S> {
     let classes = classes(tensor);
-    let rising =
-        |at: &[usize]| classes.iter().all(|class| class.iter().is_sorted_by_key(|&slot| at[slot]));
-    tensor.filter_map(|at, value| rising(at).then(|| value.clone()))
+    let rising = |at: &[usize]| {
+        let mut rising = at.to_vec();
+        for class in &classes {
+            let mut indices: Vec<usize> = class.iter().map(|&slot| at[slot]).collect();
+            indices.sort_unstable();
+            class.iter().zip(indices).for_each(|(&slot, index)| rising[slot] = index);
+        }
+        rising
+    };
+    let represented: BTreeSet<_> = listed.iter().map(|at| rising(at)).collect();
+    let is_kept = |at: &[usize]| match represented.is_empty() {
+        true => classes.iter().all(|class| class.iter().is_sorted_by_key(|&slot| at[slot])),
+        false => listed.contains(at) || rising(at) == at && !represented.contains(at),
+    };
+    tensor.filter_map(|at, value| is_kept(at).then(|| value.clone()))
 }
 
 /// A statement about the components that are not printed, if there are any.
@@ -104,23 +125,46 @@ pub(super) fn summary<S: Scalar>(tensor: &Tensor<S>, shown: &Tensor<S>) -> Optio
     })
 }
 
-/// Indices in runs of one variance: `^1`, `_212`. Beyond dimension 9 commas stand between them.
-pub(super) fn scripts(
-    dimension: usize,
+/// The indices of a component, as numbers from 1 or by names.
+pub(super) fn index_names(at: &[usize], names: Option<&[String]>) -> Vec<String> {
+    let written = |index: &usize| match names.and_then(|names| names.get(*index)) {
+        Some(name) => printable(name),
+        None => (index + 1).to_string(),
+    };
+    at.iter().map(written).collect()
+}
+
+/// Indices in runs of one variance: `^1`, `_212`.
+pub(super) fn runs(
     slots: &[Variance],
-    indices: impl Iterator<Item = String>,
-) -> Vec<(Variance, String)> {
-    let mut runs: Vec<(Variance, String)> = Vec::new();
+    indices: impl IntoIterator<Item = String>,
+) -> Vec<(Variance, Vec<String>)> {
+    let mut runs: Vec<(Variance, Vec<String>)> = Vec::new();
     for (&slot, index) in slots.iter().zip(indices) {
         match runs.last_mut() {
-            Some((variance, run)) if *variance == slot => {
-                run.push_str(if dimension > 9 { "," } else { "" });
-                run.push_str(&index);
-            }
-            _ => runs.push((slot, index)),
+            Some((variance, run)) if *variance == slot => run.push(index),
+            _ => runs.push((slot, vec![index])),
         }
     }
     runs
+}
+
+/// Whether commas separate the indices of a run: beyond dimension 9, and between names of several characters.
+pub(super) fn needs_commas(dimension: usize, run: &[String]) -> bool {
+    dimension > 9 || run.iter().any(|index| index.chars().nth(1).is_some())
+}
+
+/// The [`runs`] as text: `212`, `10,2,10`, `theta,r`, and in braces where a name contains `_`.
+pub(super) fn scripts(
+    dimension: usize,
+    slots: &[Variance],
+    indices: impl IntoIterator<Item = String>,
+) -> Vec<(Variance, String)> {
+    let joined = |(variance, run): (Variance, Vec<String>)| {
+        let text = run.join(if needs_commas(dimension, &run) { "," } else { "" });
+        (variance, if text.contains('_') { format!("{{{text}}}") } else { text })
+    };
+    runs(slots, indices).into_iter().map(joined).collect()
 }
 
 /// Appends the value in plain text; very small and very large floats have an exponent.

@@ -4,8 +4,8 @@
 //! command line, the page and Python share it.
 
 use super::{
-    ComparedSide, Differences, EquationReport, Language, Program, Programmed, Quantity, Report,
-    StoredTable, Table, tensors_as_code,
+    ComparedSide, Convention, Differences, EquationReport, Language, Program, Programmed, Quantity,
+    Report, Statements, StoredTable, Table, Verdicts, tensors_as_code,
 };
 use crate::certificate::{Check, certify};
 use crate::input::InputError;
@@ -50,6 +50,8 @@ pub struct Selection {
     pub independent: bool,
     /// Whether JSON too has names for common factors; see [`Table::common_factors`].
     pub common_factors: bool,
+    /// Whether the indices of components are the names of coordinates or basis vectors; see [`Table::index_names`].
+    pub named_indices: bool,
 }
 
 /// A table, and what it lacks.
@@ -82,7 +84,7 @@ impl<'a> Computation<'a> {
     /// A space that is refused; floats beyond their range.
     pub fn table(&self, selection: &Selection) -> Result<TableReport, InputError> {
         over_kind!(self.kind()?, S => {
-            let table = self.tensors::<S>(selection)?;
+            let table = self.tensors::<S>(&self.geometry(selection)?, selection)?;
             let shown = |q: &Quantity| table.tensors.iter().any(|entry| entry.quantity == *q);
             let absent = selection.quantities.iter().filter(|q| !shown(q)).copied().collect();
             Ok(TableReport { report: Box::new(table), absent })
@@ -176,20 +178,59 @@ impl<'a> Computation<'a> {
         })
     }
 
-    /// The differences between a stored table and the space, and remarks on what is compared.
+    /// The differences between stored tables and the space, and remarks on each comparison. Components of the stored
+    /// tables follow these conventions.
     ///
     /// # Errors
-    /// As [`table`](Self::table); a stored table that does not fit the space.
+    /// As [`table`](Self::table); a stored table that does not fit the space; a convention that is not understood.
     pub fn differences(
         &self,
-        stored: &StoredTable,
+        stored: &[StoredTable],
         selection: &Selection,
-    ) -> Result<(Differences, Vec<String>), InputError> {
+        conventions: &[Convention],
+    ) -> Result<Vec<(Differences, Vec<String>)>, InputError> {
         over_kind!(self.kind()?, S => {
-            let table = self.tensors::<S>(selection)?;
-            let remarks = stored.remarks(&table);
+            let geometry = self.geometry::<S>(selection)?;
+            let mut table = self.tensors(&geometry, selection)?;
+            let scalars = self.space.definition.known_parameters();
+            for convention in conventions {
+                convention.apply(&mut table, &geometry, &scalars, &self.space.values)?;
+            }
             (self.stage)("comparison");
-            Ok((stored.or_vanishing(&table)?.differences(&table)?, remarks))
+            let outcome = |stored: &StoredTable| {
+                let mut remarks = stored.remarks(&table);
+                let stored = stored.or_vanishing(&table)?;
+                let found = stored.differences(&table)?;
+                if !found.is_empty() && stored.lists_independent(&table) {
+                    remarks.push("stored are independent components only: see --independent".into());
+                }
+                Ok((found, remarks))
+            };
+            stored.iter().map(outcome).collect()
+        })
+    }
+
+    /// The outcomes of statements about the space.
+    ///
+    /// # Errors
+    /// A space that is refused; a statement that is not understood, or not defined for the space.
+    pub fn test(&self, statements: &Statements) -> Result<Verdicts, InputError> {
+        let (space, scalars) = (self.space, self.space.definition.known_parameters());
+        let kind = match self.kind()? {
+            // a parameter on which nothing depends, the number pi, and roots
+            Kind::Exact
+                if !scalars.is_empty()
+                    || !space.values.is_empty()
+                    || statements.may_be_irrational() =>
+            {
+                Kind::Symbolic
+            }
+            kind => kind,
+        };
+        over_kind!(kind, S => {
+            let geometry = self.geometry::<S>(&Selection::default())?;
+            (self.stage)("claims");
+            statements.test(&geometry, &scalars, &space.values)
         })
     }
 
@@ -207,12 +248,16 @@ impl<'a> Computation<'a> {
         Ok(if selection.right_frame { geometry.in_right_frame()? } else { geometry })
     }
 
-    /// The table over a scalar.
-    fn tensors<S: Coefficient>(&self, selection: &Selection) -> Result<Table<S>, InputError> {
-        let geometry = self.geometry(selection)?;
-        let mut table = Table::in_stages(&geometry, &selection.quantities, self.stage)?;
+    /// The table of a geometry.
+    fn tensors<S: Coefficient>(
+        &self,
+        geometry: &Geometry<S>,
+        selection: &Selection,
+    ) -> Result<Table<S>, InputError> {
+        let mut table = Table::in_stages(geometry, &selection.quantities, self.stage)?;
         table.independent = selection.independent;
         table.common_factors = selection.common_factors;
+        table.index_names = selection.named_indices.then(|| table.frame_names().to_vec());
         table.finite()?;
         Ok(table)
     }

@@ -101,19 +101,23 @@ impl<S: Coefficient> EquationReport<S> {
     /// The names of the variables, distinct from those of the parameters.
     fn names(&self) -> Names {
         let [state, other] = letters(self.equations.kind());
+        let coordinates = self.position.iter().flat_map(|(coordinates, _)| coordinates);
+        let taken: Vec<&String> = self.parameters.iter().chain(coordinates).collect();
         let free = |name: &str| {
             let mut name = name.to_string();
-            let taken = |name: &str| {
-                let index = |p: &String| p.strip_prefix(name).map(str::to_string);
+            let is_taken = |name: &str| {
+                let index = |p: &&String| p.strip_prefix(name).map(str::to_string);
                 let digits = |rest: String| rest.bytes().all(|b| b.is_ascii_digit());
-                self.parameters.iter().filter_map(index).any(digits)
+                taken.iter().filter_map(index).any(digits)
             };
-            while taken(&name) {
+            while is_taken(&name) {
                 name.push('_');
             }
             name
         };
-        Names { state: free(state), other: free(other) }
+        let is_free = |name: &&str| !taken.iter().any(|other| other == name);
+        let time = TIMES.into_iter().find(is_free).map_or_else(|| free(TIMES[0]), String::from);
+        Names { state: free(state), other: free(other), time }
     }
 
     fn text(&self, out: &mut dyn Write) -> io::Result<()> {
@@ -133,7 +137,7 @@ impl<S: Coefficient> EquationReport<S> {
     fn sides(&self, names: &Names) -> Vec<[String; 2]> {
         let positions = self.positions().into_iter().map(|(name, right)| {
             let right = right.iter().map(|(value, v)| (plain(value), names.variable(*v)));
-            [format!("d{name}/dt"), combination(right)]
+            [format!("d{name}/d{}", names.time), combination(right)]
         });
         let rows = self.equations.rows();
         positions.chain(rows.iter().map(|row| names.row(row))).collect()
@@ -209,7 +213,7 @@ impl<S: Coefficient> EquationReport<S> {
             "schema": "affinor.equations/1",
             "name": self.name,
             "motion": self.equations.kind().name(),
-            "statement": self.equations.kind().statement(),
+            "statement": self.statement(&names),
             "connection": { "name": self.connection[0] },
             "scalar": kind_name(S::KIND),
             "basis": self.labels,
@@ -233,7 +237,7 @@ impl<S: Coefficient> EquationReport<S> {
     }
 
     fn head(&self, names: &Names) -> Vec<(&'static str, String)> {
-        let Names { state, other, .. } = names;
+        let Names { state, other, time } = names;
         let (what, beside) = match self.equations.kind() {
             EquationKind::EulerPoincare => ("the velocity", Some("the external covector")),
             EquationKind::Autoparallel => ("the velocity", None),
@@ -246,12 +250,24 @@ impl<S: Coefficient> EquationReport<S> {
             Some((coordinates, _)) => format!("the frame over {}", coordinates.join(", ")),
         };
         let beside = beside.map_or(String::new(), |beside| format!("; {other} {beside}"));
+        let time = match time.as_str() {
+            "t" => String::new(),
+            other => format!("; {other} the parameter of the curve"),
+        };
         vec![
             ("basis", printable_list(&self.labels)),
             ("connection", self.connection[1].clone()),
-            ("statement", self.equations.kind().statement().into()),
-            ("unknowns", format!("{state} {what}{beside}; in {frame}")),
+            ("statement", self.statement(names)),
+            ("unknowns", format!("{state} {what}{beside}{time}; in {frame}")),
         ]
+    }
+
+    /// The statement of the equations, with the name of the parameter of the curve.
+    fn statement(&self, names: &Names) -> String {
+        let statement = self.equations.kind().statement();
+        ["/d", "/D"].iter().fold(statement.to_string(), |text, rate| {
+            text.replace(&format!("{rate}t"), &format!("{rate}{}", names.time))
+        })
     }
 
     /// The left and the right side of each equation, as formulas.
@@ -330,15 +346,19 @@ fn coefficients<S>(row: &equations::Row<S>) -> impl Iterator<Item = &S> {
     row.left.iter().map(|(v, _)| v).chain(row.right.iter().map(|(v, _)| v))
 }
 
-/// The names of the variables.
+/// The names of the parameter of a curve, of which the first is taken that no parameter or coordinate has.
+const TIMES: [&str; 4] = ["t", "s", "tau", "lambda"];
+
+/// The names of the variables, and of the parameter of the curve.
 struct Names {
     state: String,
     other: String,
+    time: String,
 }
 
 impl Names {
     fn rate(&self, j: usize) -> String {
-        format!("d{}{}/dt", self.state, j + 1)
+        format!("d{}{}/d{}", self.state, j + 1, self.time)
     }
 
     fn rate_node(&self, j: usize) -> Node {

@@ -2,7 +2,7 @@
 
 use super::components::{GROUPED, groups_with, summary, with_names};
 use super::head::printable;
-use super::text::component;
+use super::text::named;
 use super::typeset::{brackets, convention_formulas, equation, general};
 use super::{Quantity, Table, TableEntry};
 use crate::Coefficient;
@@ -61,7 +61,7 @@ fn tensor<S: Coefficient>(
     factors: &CommonFactors,
     out: &mut dyn Write,
 ) -> io::Result<()> {
-    let shown = table.shown(entry);
+    let (shown, names) = (table.shown(entry), table.index_names.as_deref());
     writeln!(out, "<section>\n<h2>{}</h2>", escaped(table.title(entry.quantity)))?;
     if shown.is_empty() {
         let zero = chain([general(entry.quantity, &shown), value("0")]);
@@ -71,7 +71,7 @@ fn tensor<S: Coefficient>(
         // a formula for each of a million components would be too much for a browser
         writeln!(out, "<pre tabindex=\"0\">")?;
         for (at, value) in shown.components() {
-            let name = component(entry.quantity, &shown, &at);
+            let name = named(entry.quantity.symbol(), &shown, &at, names);
             let line = format!("{name} = {}", with_names(value, factors));
             writeln!(out, "{}", escaped(&line))?;
         }
@@ -83,8 +83,9 @@ fn tensor<S: Coefficient>(
             formulas.extend(brackets(&entry.tensor, &labels));
         }
         let groups = groups_with(&shown, factors);
-        formulas
-            .extend(groups.iter().map(|group| equation(entry.quantity, &shown, group, factors)));
+        formulas.extend(
+            groups.iter().map(|group| equation(entry.quantity, &shown, group, factors, names)),
+        );
         writeln!(out, "{}", list(&formulas, WIDE))?;
     }
     if let Some(summary) = summary(&entry.tensor, &shown) {

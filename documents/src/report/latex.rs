@@ -51,7 +51,7 @@ fn tensor<S: Coefficient>(
     out: &mut dyn Write,
 ) -> io::Result<()> {
     let (quantity, shown) = (entry.quantity, table.shown(entry));
-    let symbol = formula(quantity.symbol());
+    let (symbol, names) = (formula(quantity.symbol()), table.index_names.as_deref());
     writeln!(out, "\\subsection*{{{}}}", table.title(quantity))?;
     if shown.is_empty() {
         let general = tex::formula(&general(quantity, &shown));
@@ -65,7 +65,7 @@ fn tensor<S: Coefficient>(
             }
         }
         let groups = groups_with(&shown, factors);
-        let equation = |group: &Group<S>| Equation(sides(&symbol, &shown, group, factors));
+        let equation = |group: &Group<S>| Equation(sides(&symbol, &shown, group, factors, names));
         let equations: Vec<Equation> = groups.iter().map(equation).collect();
         for run in equations.chunk_by(|a, b| a.is_long() == b.is_long()) {
             if run[0].is_long() {
@@ -80,7 +80,7 @@ fn tensor<S: Coefficient>(
         // TeX reads a whole align* into memory before it sets it; paragraphs have no such limit
         for (at, value) in shown.components() {
             let group = Group { value: value.clone(), members: vec![(at.to_vec(), false)] };
-            writeln!(out, "{}", Equation(sides(&symbol, &shown, &group, factors)).inline())?;
+            writeln!(out, "{}", Equation(sides(&symbol, &shown, &group, factors, names)).inline())?;
         }
     }
     summary(&entry.tensor, &shown).map_or(Ok(()), |summary| writeln!(out, "{summary}\\par"))
@@ -149,11 +149,20 @@ pub(super) fn conventions() -> String {
 
 /// The groups of components of a tensor with a symbol of its own, in LaTeX, as lines of an `align*`.
 pub fn components_in_latex<S: Coefficient>(symbol: &str, tensor: &Tensor<S>) -> Vec<String> {
+    labelled_in_latex(symbol, tensor, None)
+}
+
+/// As [`components_in_latex`], with names of the indices in place of numbers.
+pub fn labelled_in_latex<S: Coefficient>(
+    symbol: &str,
+    tensor: &Tensor<S>,
+    names: Option<&[String]>,
+) -> Vec<String> {
     // the symbol is LaTeX already
     const SYMBOL: char = '\u{FFFC}';
     let none = CommonFactors::default();
     let aligned = |group: &Group<S>| {
-        let sides = sides(&[Node::Letter(SYMBOL)], tensor, group, &none);
+        let sides = sides(&[Node::Letter(SYMBOL)], tensor, group, &none, names);
         Equation(sides).aligned().replace(SYMBOL, symbol)
     };
     groups(tensor).iter().map(aligned).collect()

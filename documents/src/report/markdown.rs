@@ -2,7 +2,7 @@
 
 use super::components::{GROUPED, groups_with, plain, summary, with_names};
 use super::head::{conventions, printable};
-use super::text::{brackets, component, general};
+use super::text::{brackets, general, named};
 use super::{Quantity, Table, TableEntry};
 use crate::Coefficient;
 use affinor_tensors::CommonFactors;
@@ -28,7 +28,8 @@ fn tensor<S: Coefficient>(
     out: &mut dyn Write,
 ) -> io::Result<()> {
     let shown = table.shown(entry);
-    let name = |at: &[usize]| component(entry.quantity, &shown, at);
+    let names = table.index_names.as_deref();
+    let name = |at: &[usize]| named(entry.quantity.symbol(), &shown, at, names);
     writeln!(out, "\n## {}\n", table.title(entry.quantity))?;
     if shown.is_empty() {
         return writeln!(out, "`{} = 0`", general(entry.quantity, &shown));

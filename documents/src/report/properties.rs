@@ -130,7 +130,10 @@ impl Properties {
             let family =
                 Family { labels, letter, limit: CONNECTIONS, write: covariant_derivatives };
             list.family("bi-invariant connections", &family, || Connection::bi_invariant(algebra))?;
-            let holonomy = connection.holonomy()?;
+            let holonomy = match geometry.metric() {
+                Some(metric) => connection.holonomy_beside(metric)?,
+                None => connection.holonomy()?,
+            };
             let name = name_of(geometry.frame().dimension(), holonomy.basis()?)?;
             list.fact("holonomy algebra", &format!("dimension {}{name}", holonomy.dimension()));
         }

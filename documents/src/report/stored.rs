@@ -1,22 +1,26 @@
 //! Stored tables, and their comparison with computed tables.
 
-use super::components::{plain, with_names};
+mod convention;
+mod differences;
+
+pub use convention::Convention;
+pub use differences::{Differences, Verification};
+
+use super::components::{plain, representatives, with_names};
 use super::factors::NamedFactors;
-use super::grid::{Grid, head_of_grid};
-use super::head::conventions_in_json;
 use super::json::variances;
-use super::{Format, Quantity, Report, Table, TableEntry, text};
+use super::{Quantity, Table, TableEntry};
 use crate::Coefficient;
 use crate::input::{
     InputError, Place, Source,
     file::{bytes, decode},
 };
 use affinor_tensors::expression::{Expression, Scalars, is_name};
-use affinor_tensors::{Kind, Rational, Sum, Tensor, Variance};
-use serde_json::{Value, json};
+use affinor_tensors::{Kind, Rational, Tensor, Variance};
+use differences::compare;
+use serde_json::Value;
 use std::borrow::Cow;
-use std::collections::BTreeMap;
-use std::io::{self, Write};
+use std::collections::{BTreeMap, BTreeSet};
 
 /// A table read from JSON (`affinor.table/1`) or CSV. Values are kept as text until the scalar type
 /// is known.
@@ -52,65 +56,8 @@ type Component = (Vec<usize>, String);
 
 /// The largest size of a stored table, in bytes.
 const MAX_BYTES: u64 = 1 << 32;
-/// The largest number of differing components that are shown; all are counted.
-const SHOWN: usize = 20;
-
 /// How to choose the tensors of a table without rows.
 const NAMED: &str = "--show names the tensors";
-
-/// The components whose stored values differ from the computed ones.
-#[derive(Clone, Debug)]
-pub struct Differences {
-    /// The tensors compared.
-    compared: Vec<Quantity>,
-    /// The component, `R^1_212`, its stored and its computed value.
-    found: Vec<[String; 3]>,
-    /// The rule by which a float counts as zero.
-    zero: Option<String>,
-}
-
-impl Differences {
-    /// Whether there are none.
-    pub fn is_empty(&self) -> bool {
-        self.found.is_empty()
-    }
-
-    /// The component, `R^1_212`, its stored and its computed value; 0 where there is none.
-    pub fn iter(&self) -> impl Iterator<Item = &[String; 3]> {
-        self.found.iter()
-    }
-}
-
-impl Report for Differences {
-    /// Writes the first differences. JSON has the schema `affinor.verify/1`.
-    fn write(&self, format: Format, out: &mut dyn Write) -> io::Result<()> {
-        let keys: Vec<&str> = self.compared.iter().map(|quantity| quantity.key()).collect();
-        let compared = keys.join(", ");
-        if self.is_empty() && format == Format::Text {
-            return writeln!(out, "the stored table agrees: {compared}");
-        }
-        let title = match self.found.len() {
-            0 => format!("The stored table agrees: {compared}"),
-            1 => "1 component differs".into(),
-            n if n > SHOWN => format!("{n} components differ; the first {SHOWN}"),
-            n => format!("{n} components differ"),
-        };
-        let shown = || self.found.iter().take(SHOWN);
-        let entry = |[component, stored, computed]: &[String; 3]| json!({ "component": component, "stored": stored, "computed": computed });
-        let json = json!({
-            "schema": "affinor.verify/1",
-            "ok": self.is_empty(),
-            "conventions": conventions_in_json(self.zero.as_deref()),
-            "compared": keys,
-            "differences": self.found.len(),
-            "first": shown().map(entry).collect::<Vec<_>>(),
-        });
-        let rows = shown().map(|row| row.each_ref().map(|cell| cell.as_str().into()).to_vec());
-        Grid::new(title, &["component", "stored", "computed"], rows.collect(), json)
-            .with_head(head_of_grid(self.zero.as_deref()))
-            .write(format, out)
-    }
-}
 
 impl StoredTable {
     /// Reads a stored table from a file, as [`parse`](Self::parse).
@@ -188,8 +135,8 @@ impl StoredTable {
         Err(InputError::mathematics(message).at(&self.place))
     }
 
-    /// The table itself; if it lists no component, which is so in CSV where all tensors vanish, the tensors of the computed
-    /// table that vanish.
+    /// The table itself; if it lists no component, which is so in CSV where all tensors vanish, the basic tensors of the
+    /// computed table that vanish.
     ///
     /// # Errors
     /// No component, and no tensor that vanishes.
@@ -200,7 +147,8 @@ impl StoredTable {
         if !self.tensors.is_empty() {
             return Ok(Cow::Borrowed(self));
         }
-        let vanishing = table.tensors.iter().filter(|entry| entry.tensor.is_empty());
+        let basic = |entry: &&TableEntry<S>| Quantity::BASIC.contains(&entry.quantity);
+        let vanishing = table.tensors.iter().filter(basic).filter(|entry| entry.tensor.is_empty());
         let tensors: Vec<_> = vanishing.map(|entry| (entry.quantity, vec![])).collect();
         if tensors.is_empty() {
             let message = "no component is stored, and no tensor of this space vanishes";
@@ -252,8 +200,22 @@ impl StoredTable {
         self.tensors = tensors;
     }
 
+    /// Whether the table differs from a computed one, and agrees with its independent components.
+    pub(super) fn lists_independent<S: Coefficient>(&self, table: &Table<S>) -> bool {
+        let independent = Table { independent: true, ..table.clone() };
+        !table.independent
+            && !self.independent
+            && self.differences(&independent).is_ok_and(|found| found.is_empty())
+    }
+
+    /// The name of the file.
+    pub fn name(&self) -> &str {
+        &self.place.source.name
+    }
+
     /// The components that differ from a computed table, in the order of the stored one. Exact values must be equal, floats
-    /// equal within the tolerance of the table.
+    /// equal within the tolerance of the table. If the computed table lists independent components only, the stored one may
+    /// list any component of each set that is equal by symmetry.
     ///
     /// # Errors
     /// A stored value that cannot be read, a tensor that only one of the tables has, or none to compare.
@@ -284,12 +246,11 @@ impl StoredTable {
                 }
             };
             compared.push(*quantity);
-            let shown = if table.independent { &super::independent(tensor) } else { tensor };
-            self.expect_slots(*quantity, shown.slots())?;
+            self.expect_slots(*quantity, tensor.slots())?;
             let mut values = Vec::new();
             for (indices, value) in components {
                 let numbers: Vec<usize> = indices.iter().map(|index| index + 1).collect();
-                let (rank, n) = (shown.rank(), shown.dimension());
+                let (rank, n) = (tensor.rank(), tensor.dimension());
                 if indices.len() != rank || numbers.iter().any(|number| *number > n) {
                     let expected = format!("{rank} indices from 1 to {n}");
                     return Err(refused(format!(
@@ -297,7 +258,7 @@ impl StoredTable {
                     )));
                 }
                 // the text of a long value reads back, though its evaluation would exceed a limit
-                let computed = shown.get(indices);
+                let computed = tensor.get(indices);
                 let written = match &named {
                     Some(named) => with_names(&computed, &named.factors),
                     None => plain(&computed),
@@ -312,6 +273,12 @@ impl StoredTable {
                 let indices: Vec<usize> = twice[0].0.iter().map(|index| index + 1).collect();
                 return Err(refused(format!("{key}: the component {indices:?} is stored twice")));
             }
+            // of each set that is equal by symmetry any component may be stored
+            let listed: BTreeSet<_> = values.iter().map(|(at, _)| at.clone()).collect();
+            let shown = match table.independent {
+                true => &representatives(tensor, &listed),
+                false => tensor,
+            };
             let stored = Tensor::from_components(shown.dimension(), shown.slots(), values)
                 .map_err(|error| refused(format!("{key}: {error}")))?
                 .with_tolerance(table.tolerance);
@@ -321,7 +288,7 @@ impl StoredTable {
             let message = "no tensor that is shown applies to this space";
             return Err(InputError::mathematics(message).at(&self.place));
         }
-        Ok(Differences { compared, found, zero: table.zero_line() })
+        Ok(Differences::new(compared, found, table.zero_line()))
     }
 
     /// The values of the names in stored components.
@@ -460,41 +427,8 @@ fn read<S: Coefficient>(value: &str, names: &[(String, S)]) -> Result<S, String>
     }
     let parameter = |name: &str| {
         let named = names.iter().find(|(other, _)| other == name).map(|(_, value)| value.clone());
-        named.or_else(|| S::parameter(name)).ok_or(format!("`{name}` is no number"))
+        named.or_else(|| S::parameter(name)).ok_or(format!("the space has no parameter {name}"))
     };
     let expression = Expression::parse(value).map_err(|error| error.to_string())?;
     expression.evaluate(&Scalars(parameter, S::call)).map_err(|error| error.to_string())
-}
-
-fn compare<S: Coefficient>(
-    quantity: Quantity,
-    stored: &Tensor<S>,
-    computed: &Tensor<S>,
-) -> Vec<[String; 3]> {
-    let differs = |a: &S, b: &S| {
-        let mut difference = S::Sum::term(a);
-        difference.add_term(&-b.clone());
-        difference.finish(stored.tolerance()).is_some()
-    };
-    let mut differences = Vec::new();
-    let (mut mine, mut theirs) = (stored.components().peekable(), computed.components().peekable());
-    loop {
-        let (at, a, b) = match (mine.peek(), theirs.peek()) {
-            (None, None) => return differences,
-            (Some((at, _)), None) => (*at, mine.next().map(|(_, v)| v), None),
-            (None, Some((at, _))) => (*at, None, theirs.next().map(|(_, v)| v)),
-            (Some((at, _)), Some((other, _))) => {
-                let (at, other) = (*at, *other);
-                let a = if at[..] <= other[..] { mine.next().map(|(_, v)| v) } else { None };
-                let b = if other[..] <= at[..] { theirs.next().map(|(_, v)| v) } else { None };
-                (if a.is_some() { at } else { other }, a, b)
-            }
-        };
-        let zero = S::zero();
-        let (a, b) = (a.unwrap_or(&zero), b.unwrap_or(&zero));
-        if differs(a, &b.read_back()) {
-            let component = text::component(quantity, computed, &at);
-            differences.push([component, plain(a), plain(b)]);
-        }
-    }
 }

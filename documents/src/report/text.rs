@@ -1,6 +1,8 @@
 //! Plain text: groups of components as the paper prints them, in at most 80 columns.
 
-use super::components::{GROUPED, Group, count, groups_with, others, plain, scripts, with_names};
+use super::components::{
+    GROUPED, Group, count, groups_with, index_names, others, plain, scripts, with_names,
+};
 use super::head::{conventions, printable};
 use super::{Quantity, Table, TableEntry};
 use crate::Coefficient;
@@ -45,8 +47,17 @@ pub(super) fn component<S: Coefficient>(
     tensor: &Tensor<S>,
     indices: &[usize],
 ) -> String {
-    let numbers = indices.iter().map(|index| (index + 1).to_string());
-    join(quantity.symbol(), scripts(tensor.dimension(), tensor.slots(), numbers))
+    named(quantity.symbol(), tensor, indices, None)
+}
+
+/// A component with a symbol of its own and, if there are some, names of indices: `Lambda^t_tr`.
+pub(super) fn named<S: Coefficient>(
+    symbol: &str,
+    tensor: &Tensor<S>,
+    indices: &[usize],
+    names: Option<&[String]>,
+) -> String {
+    join(symbol, scripts(tensor.dimension(), tensor.slots(), index_names(indices, names)))
 }
 
 /// The components of a tensor with a symbol of its own, as in a table: `T^1_2 = T^2_1 = 1/2`, in lines of at most 80 columns.
@@ -59,9 +70,26 @@ pub(super) fn component<S: Coefficient>(
 /// assert_eq!(components_in_latex("g", &form), ["g_{11} &= 1", "g_{22} &= 2"]);
 /// ```
 pub fn components_in_text<S: Coefficient>(symbol: &str, tensor: &Tensor<S>) -> String {
+    labelled_in_text(symbol, tensor, None)
+}
+
+/// As [`components_in_text`], with names of the indices in place of numbers.
+///
+/// ```
+/// use affinor_documents::report::labelled_in_text;
+/// use affinor::tensors::{Down, Rational, Tensor};
+/// let form = Tensor::diagonal([1, 2].map(Rational::from), [Down, Down]);
+/// let names = ["r", "theta"].map(String::from);
+/// assert_eq!(labelled_in_text("g", &form, Some(&names)), "  g_rr = 1\n  g_theta,theta = 2\n");
+/// ```
+pub fn labelled_in_text<S: Coefficient>(
+    symbol: &str,
+    tensor: &Tensor<S>,
+    names: Option<&[String]>,
+) -> String {
     let mut text = Vec::new();
     // a vector takes every byte
-    let _ = components(symbol, tensor, &CommonFactors::default(), &mut text);
+    let _ = components(symbol, tensor, &CommonFactors::default(), names, &mut text);
     String::from_utf8_lossy(&text).into_owned()
 }
 
@@ -70,12 +98,10 @@ fn components<S: Coefficient>(
     symbol: &str,
     tensor: &Tensor<S>,
     factors: &CommonFactors,
+    names: Option<&[String]>,
     out: &mut dyn Write,
 ) -> io::Result<()> {
-    let name = |at: &[usize]| {
-        let numbers = at.iter().map(|index| (index + 1).to_string());
-        join(symbol, scripts(tensor.dimension(), tensor.slots(), numbers))
-    };
+    let name = |at: &[usize]| named(symbol, tensor, at, names);
     if tensor.len() > GROUPED {
         return tensor.components().try_for_each(|(at, value)| {
             fill(out, "  ", &[name(&at), format!("= {}", with_names(value, factors))])
@@ -117,7 +143,7 @@ fn tensor<S: Coefficient>(
             fill(out, "  ", &[format!("{left} ="), right])?;
         }
     }
-    components(quantity.symbol(), &shown, factors, out)?;
+    components(quantity.symbol(), &shown, factors, table.index_names.as_deref(), out)?;
     others(&entry.tensor, &shown).map_or(Ok(()), |others| writeln!(out, "  {others}"))
 }
 
@@ -137,10 +163,7 @@ pub(super) fn brackets<S: Coefficient>(
 
 /// The components of a tensor with a symbol of its own, a line for those that are equal up to sign: `tau^1_23 = -tau^1_32 = 1`.
 pub fn grouped_in_text<S: Coefficient>(symbol: &str, tensor: &Tensor<S>) -> Vec<String> {
-    let name = |at: &[usize]| {
-        let numbers = at.iter().map(|index| (index + 1).to_string());
-        join(symbol, scripts(tensor.dimension(), tensor.slots(), numbers))
-    };
+    let name = |at: &[usize]| named(symbol, tensor, at, None);
     let none = CommonFactors::default();
     let groups = groups_with(tensor, &none);
     groups.iter().map(|group| equation(group, &none, name).join(" ")).collect()
@@ -159,7 +182,7 @@ pub(super) fn equation<S: Coefficient>(
 }
 
 /// The symbol with its indices, `^` before upper and `_` before lower ones.
-fn join(symbol: &str, scripts: Vec<(Variance, String)>) -> String {
+pub(super) fn join(symbol: &str, scripts: Vec<(Variance, String)>) -> String {
     scripts.into_iter().fold(symbol.into(), |text, (variance, indices)| {
         text + if variance == Up { "^" } else { "_" } + &indices
     })

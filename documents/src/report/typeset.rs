@@ -1,7 +1,7 @@
 //! Reports as formulas: components, brackets and equations of tables.
 
 use super::Quantity;
-use super::components::{Group, plain, scripts, with_names};
+use super::components::{Group, index_names, needs_commas, plain, runs, with_names};
 use super::head::conventions;
 use crate::Coefficient;
 use crate::formula::lines::chain;
@@ -17,19 +17,24 @@ pub(super) fn convention_formulas() -> Vec<Row> {
 /// `R^i_jkl`.
 pub(super) fn general<S: Coefficient>(quantity: Quantity, tensor: &Tensor<S>) -> Row {
     let letters = quantity.letters();
-    with_scripts(&formula(quantity.symbol()), 0, tensor, letters.chars().map(String::from))
+    with_scripts(
+        &formula(quantity.symbol()),
+        0,
+        tensor,
+        letters.chars().map(String::from).collect(),
+    )
 }
 
-/// The sides of `R^1_212 = -R^1_221 = ... = 1/4`.
+/// The sides of `R^1_212 = -R^1_221 = ... = 1/4`, perhaps with names of indices.
 pub(super) fn sides<S: Coefficient>(
     symbol: &[Node],
     tensor: &Tensor<S>,
     group: &Group<S>,
     factors: &CommonFactors,
+    names: Option<&[String]>,
 ) -> Vec<Row> {
     let members = group.members.iter().map(|(at, negative)| {
-        let numbers = at.iter().map(|index| (index + 1).to_string());
-        let mut side = with_scripts(symbol, tensor.dimension(), tensor, numbers);
+        let mut side = with_scripts(symbol, tensor.dimension(), tensor, index_names(at, names));
         if *negative {
             side.insert(0, Node::Sign("−"));
         }
@@ -44,8 +49,9 @@ pub(super) fn equation<S: Coefficient>(
     tensor: &Tensor<S>,
     group: &Group<S>,
     factors: &CommonFactors,
+    names: Option<&[String]>,
 ) -> Row {
-    chain(sides(&formula(quantity.symbol()), tensor, group, factors))
+    chain(sides(&formula(quantity.symbol()), tensor, group, factors, names))
 }
 
 /// The brackets of the basis vectors, `[e1, e2] = e3`.
@@ -62,24 +68,31 @@ pub(super) fn brackets<S: Coefficient>(structure: &Tensor<S>, labels: &[String])
     brackets.into_iter().map(|(at, terms)| chain([pair(at), sum(terms)])).collect()
 }
 
-/// The symbol with its indices; beyond dimension 9 commas stand between them.
+/// The symbol with its indices; beyond dimension 9, and between longer names, commas stand between them.
 fn with_scripts<S: Coefficient>(
     symbol: &[Node],
     dimension: usize,
     tensor: &Tensor<S>,
-    indices: impl Iterator<Item = String>,
+    indices: Vec<String>,
 ) -> Row {
-    let run = |(variance, run): (_, String)| {
-        let numbers = run.split(',').map(|index| match index.len() {
-            1 if index.bytes().all(|b| b.is_ascii_alphabetic()) => formula(index),
-            1 => vec![Node::Number(index.into())],
-            _ if dimension > 9 => vec![Node::Number(index.into())],
-            _ => vec![Node::Indices(index.into())],
-        });
-        (variance == Up, numbers.collect::<Vec<_>>().join(&Node::Sign(",")))
+    let is_number = |index: &str| index.bytes().all(|b| b.is_ascii_digit());
+    let single = |index: &String| match index.as_str() {
+        number if is_number(number) => vec![Node::Number(number.into())],
+        name if name.len() == 1 => formula(name),
+        name => vec![label(name)],
     };
-    let scripts: Vec<_> =
-        scripts(dimension, tensor.slots(), indices).into_iter().map(run).collect();
+    let run = |(variance, run): (_, Vec<String>)| {
+        let nodes = match run.len() {
+            1 => single(&run[0]),
+            _ if needs_commas(dimension, &run) => {
+                run.iter().map(single).collect::<Vec<_>>().join(&Node::Sign(","))
+            }
+            _ if run.iter().all(|index| index.is_ascii()) => vec![Node::Indices(run.concat())],
+            _ => run.iter().flat_map(single).collect(),
+        };
+        (variance == Up, nodes)
+    };
+    let scripts: Vec<_> = runs(tensor.slots(), indices).into_iter().map(run).collect();
     match symbol.split_last() {
         Some((last, rest)) if !scripts.is_empty() => {
             [rest, &[Node::Scripts(Box::new(last.clone()), scripts)]].concat()

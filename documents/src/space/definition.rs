@@ -138,6 +138,15 @@ impl Definition {
         names
     }
 
+    /// The parameters, those that were declared and on which no value depends, and the coordinates.
+    pub fn known_parameters(&self) -> Vec<String> {
+        let mut names = self.parameters();
+        names.extend(self.declared.iter().chain(self.coordinates()).cloned());
+        names.sort();
+        names.dedup();
+        names
+    }
+
     /// Whether all values are rational numbers, and nothing is a function on a chart.
     pub fn is_rational(&self) -> bool {
         let mut rational = !self.is_on_chart();

@@ -56,6 +56,8 @@ pub struct Space {
     pub introduced: Vec<String>,
     /// The file it was read from.
     pub file: Option<PathBuf>,
+    /// The values of the parameters that have been set.
+    pub values: BTreeMap<String, Symbolic>,
 }
 
 impl Space {
@@ -117,7 +119,7 @@ impl Space {
 
     /// The space of a definition.
     pub(crate) fn of(definition: Definition) -> Self {
-        Space { definition, introduced: vec![], file: None }
+        Space { definition, introduced: vec![], file: None, values: BTreeMap::new() }
     }
 
     /// The space with the metric and the connection of a file, unless these are left out.
@@ -175,6 +177,7 @@ impl Space {
         let set = self.definition.set(&values);
         set.map_err(|error| error.or_at(&source.whole(&source.text)))?;
         self.introduce(&before);
+        self.values.extend(values);
         Ok(())
     }
 

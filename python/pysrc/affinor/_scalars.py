@@ -166,6 +166,8 @@ def _of_sympy(expression: Any, symbols: Symbols, floats: bool, imaginary: bool) 
         return repr(float(expression))
 
     def write(node: Any) -> str:
+        if floats and imaginary and node.is_number and (number := _inexact_complex(node)) is not None:
+            return number
         if node.is_Symbol:
             if imaginary and node.name == "i":
                 raise ValueError("i is the imaginary unit in matrices: give the symbol i another name, or write sympy.I")
@@ -212,6 +214,15 @@ def _of_sympy(expression: Any, symbols: Symbols, floats: bool, imaginary: bool) 
         raise TypeError(f"{node} has no counterpart among rational functions and elementary functions")
 
     return write(expression)
+
+
+def _inexact_complex(number: Any) -> str | None:
+    """A number of SymPy whose real or imaginary part is irrational, in floats; ``None`` for other numbers."""
+    parts = number.as_real_imag()
+    if all(part.is_rational for part in parts):
+        return None
+    real, imaginary = (float(part) for part in parts)
+    return f"(({real!r}) + ({imaginary!r})*i)"
 
 
 def _undefined(function: Any) -> str:

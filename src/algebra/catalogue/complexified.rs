@@ -1,7 +1,9 @@
 //! Complex matrix algebras regarded as real ones of twice the dimension.
 
 use super::{Entry, Family, Reader, linear, orthogonal, symplectic};
-use affinor_tensors::Symbolic;
+use crate::MatrixBasis;
+use crate::algebra::Complex;
+use affinor_tensors::{Rational, Symbolic, Tolerance};
 
 /// sl(n,C).
 pub(super) const LINEAR: Family = Family {
@@ -43,11 +45,25 @@ pub(super) const SYMPLECTIC: Family = Family {
     },
 };
 
-/// The basis `x` and `i x`: `[x, iy] = i[x,y]`, `[ix, iy] = -[x,y]`.
+/// The basis `x` and `i x`: `[x, iy] = i[x,y]`, `[ix, iy] = -[x,y]`. Its matrices are those of the real algebra, and `i` times
+/// them.
 fn complexified(name: String, real: Entry) -> Entry {
     let n = real.dimension();
     let imaginary = real.labels.iter().map(|label| format!("i{label}"));
-    let labels = real.labels.iter().cloned().chain(imaginary).collect();
+    let labels: Vec<String> = real.labels.iter().cloned().chain(imaginary).collect();
+    let matrices = real.matrices.as_ref().and_then(|basis| {
+        let size = basis.matrices().first()?.rows();
+        let entries = |i: bool| {
+            let entry = move |value: &Rational| match i {
+                true => Complex { re: Rational::from(0), im: value.clone() },
+                false => Complex::real(value.clone()),
+            };
+            let matrices = basis.matrices().iter();
+            matrices.map(move |m| m.entries().map(|(j, k, v)| (j, k, entry(v))).collect())
+        };
+        let matrices = entries(false).chain(entries(true)).collect();
+        MatrixBasis::new(&labels, size, matrices, Tolerance::default()).ok()
+    });
     let constants = real.constants.iter().flat_map(|(j, k, i, value): &(_, _, _, Symbolic)| {
         let (j, k, i) = (*j, *k, *i);
         [
@@ -58,5 +74,5 @@ fn complexified(name: String, real: Entry) -> Entry {
             (j + n, k + n, i, -value.clone()),
         ]
     });
-    Entry::new(name, labels, constants)
+    Entry { matrices, ..Entry::new(name, labels, constants) }
 }

@@ -56,6 +56,14 @@ impl ForceTable {
         ForceTable { is_held: true, ..self }
     }
 
+    /// The same table with zeros behind the values, up to `width` of them.
+    #[must_use]
+    pub fn padded(mut self, width: usize) -> Self {
+        let short = self.values.iter_mut().filter(|row| row.len() < width);
+        short.for_each(|row| row.resize(width, 0.0));
+        self
+    }
+
     /// The number of values at a time.
     pub fn width(&self) -> usize {
         self.values[0].len()

@@ -13,25 +13,34 @@ pub(super) struct Cleared {
     numbers: Vec<Vec<usize>>,
 }
 
+/// The lists of the tensors of products, each made once, and the number of the list of each factor.
+pub(super) fn lists<'t, S: Scalar, L>(
+    products: &'t [Product<S>],
+    list: impl Fn(&Tensor<S>) -> Option<L>,
+) -> Option<(Vec<L>, Vec<Vec<usize>>)> {
+    let (mut tensors, mut lists): (Vec<&'t Tensor<S>>, Vec<_>) = (vec![], vec![]);
+    let mut number = |tensor: &'t Tensor<S>| {
+        let known = tensors.iter().position(|&other| std::ptr::eq(other, tensor));
+        known.map_or_else(
+            || {
+                lists.push(list(tensor)?);
+                tensors.push(tensor);
+                Some(tensors.len() - 1)
+            },
+            Some,
+        )
+    };
+    let numbers = products
+        .iter()
+        .map(|product| product.factors.iter().map(|(_, tensor)| number(tensor)).collect())
+        .collect::<Option<_>>()?;
+    Some((lists, numbers))
+}
+
 impl Cleared {
     /// `None` if the scalar has no denominators, or one exceeds 64 bits.
-    pub fn new<'t, S: Scalar>(products: &'t [Product<S>]) -> Option<Self> {
-        let (mut tensors, mut lists): (Vec<&'t Tensor<S>>, Vec<_>) = (vec![], vec![]);
-        let mut number = |tensor: &'t Tensor<S>| {
-            let known = tensors.iter().position(|&other| std::ptr::eq(other, tensor));
-            known.map_or_else(
-                || {
-                    lists.push(S::clear_denominators(tensor.values().iter())?);
-                    tensors.push(tensor);
-                    Some(tensors.len() - 1)
-                },
-                Some,
-            )
-        };
-        let numbers = products
-            .iter()
-            .map(|product| product.factors.iter().map(|(_, tensor)| number(tensor)).collect())
-            .collect::<Option<_>>()?;
+    pub fn new<S: Scalar>(products: &[Product<S>]) -> Option<Self> {
+        let (lists, numbers) = lists(products, |t| S::clear_denominators(t.values().iter()))?;
         Some(Cleared { lists, numbers })
     }
 

@@ -23,6 +23,9 @@ pub struct KernelThresholds {
     /// `i64::MAX`, the default; larger values count as `i64::MAX`. With 0, all sums are computed in the
     /// ring.
     pub largest_integer: u64,
+    /// Sums beyond machine integers are computed in integers of any size over one denominator, if it has more bits than this. With
+    /// `usize::MAX`, all these sums are computed in the ring.
+    pub denominator_bits: usize,
     /// Quotients with a numerator of at most this magnitude are computed once and stored.
     pub kept_quotients: u32,
 }
@@ -36,6 +39,7 @@ impl Default for KernelThresholds {
             round: 1 << 16,
             places: MAX_PLACES,
             largest_integer: i64::MAX as u64,
+            denominator_bits: 62,
             kept_quotients: 64,
         }
     }

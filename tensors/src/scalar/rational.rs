@@ -10,6 +10,7 @@ use super::operators::forward_operators;
 use super::{Field, Kind, Notation, Ring, Summable, Tabular, Variable};
 use crate::expression::{Expression, ExpressionError};
 use crate::stop::checkpoint;
+use dashu_base::BitTest;
 use dashu_int::{IBig, UBig};
 use dashu_ratio::RBig;
 use num_bigint::{BigInt, Sign};
@@ -434,7 +435,36 @@ impl Summable for Rational {
         let integers = values.map(scale).collect::<Option<_>>()?;
         Some((integers, denominator))
     }
+    fn clear_to_big<'a>(
+        values: impl Iterator<Item = &'a Self> + Clone,
+    ) -> Option<(Vec<IBig>, UBig)> {
+        let (mut denominator, mut longest) = (UBig::ONE, 0);
+        for value in values.clone() {
+            let own = value.to_big();
+            let own = own.denominator();
+            longest = longest.max(own.bit_len());
+            if !(&denominator % own).is_zero() {
+                let common = dashu_base::Gcd::gcd(&denominator, own);
+                denominator *= own / common;
+            }
+            if denominator.bit_len() > 2 * longest + UNRELATED {
+                return None;
+            }
+        }
+        let scale = |value: &Self| {
+            let value = value.to_big();
+            value.numerator() * IBig::from(&denominator / value.denominator())
+        };
+        let integers = values.map(scale).collect();
+        Some((integers, denominator))
+    }
+    fn from_big_quotient(numerator: &IBig, denominator: &UBig) -> Option<Self> {
+        Some(Self::demote(RBig::from_parts(numerator.clone(), denominator.clone())))
+    }
 }
+
+/// A common denominator with more bits than this, beyond twice those of the longest denominator, is of unrelated denominators.
+const UNRELATED: usize = 64;
 
 impl Field for Rational {
     fn recip(&self) -> Option<Self> {

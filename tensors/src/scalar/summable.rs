@@ -2,6 +2,7 @@
 
 use super::Ring;
 use crate::linear::Matrix;
+use dashu_int::{IBig, UBig};
 
 /// A ring whose sums of products decide whether they are zero.
 ///
@@ -41,6 +42,26 @@ pub trait Summable: Ring {
         values: impl Iterator<Item = &'a Self> + Clone,
     ) -> Option<(Vec<i64>, i64)> {
         let _ = values;
+        None
+    }
+
+    /// The values as integers of any size over one positive common denominator, if they have this form and the denominator is
+    /// not much longer than those of the values.
+    ///
+    /// This serves speed where machine integers overflow: a component of a contraction is reduced to lowest terms once, and
+    /// not in each product.
+    #[doc(hidden)]
+    fn clear_to_big<'a>(
+        values: impl Iterator<Item = &'a Self> + Clone,
+    ) -> Option<(Vec<IBig>, UBig)> {
+        let _ = values;
+        None
+    }
+
+    /// The value of a quotient of integers of any size; `None` for scalars without [`clear_to_big`](Self::clear_to_big).
+    #[doc(hidden)]
+    fn from_big_quotient(numerator: &IBig, denominator: &UBig) -> Option<Self> {
+        let _ = (numerator, denominator);
         None
     }
 

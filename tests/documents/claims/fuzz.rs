@@ -3,12 +3,13 @@
 //! Inputs are short, but their values need not be: the limits of the parser keep each case short, or the tests would not
 //! end. `AFFINOR_FRESH=100 cargo test --release --test documents fuzz` takes a long run.
 //!
-//! Guards `Definition::parse`, `Expression::parse`, `Space` and `StoredTable`.
+//! Guards `Definition::parse`, `Expression::parse`, `Space`, `Statements` and `StoredTable`.
 
 mod definitions;
 mod expressions;
 mod mutation;
 mod spaces;
+mod statements;
 mod stored;
 
 use affinor_documents::input::InputError;

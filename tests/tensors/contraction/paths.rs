@@ -34,12 +34,15 @@ fn tables(dimension: usize) -> Vec<(u64, u64)> {
 
 /// Every combination of paths, with the pool it runs in.
 fn paths(dimension: usize) -> impl Iterator<Item = (KernelThresholds, &'static ThreadPool)> {
-    let arithmetics = [(0, 0), (u64::MAX, 0), (u64::MAX, 2), (u64::MAX, 64)];
+    // in the ring, in integers of any size, and in machine integers
+    let never = usize::MAX;
+    let arithmetics =
+        [(0, 0, never), (0, 0, 0), (u64::MAX, 0, never), (u64::MAX, 2, 0), (u64::MAX, 64, 62)];
     tables(dimension).into_iter().flat_map(move |(direct_rows, marked_words)| {
         let threads = POOLS.iter().zip([usize::MAX, 0]);
         threads.flat_map(move |(pool, parallel_from)| {
-            arithmetics.into_iter().zip([0, 1, 7, 1 << 20]).map(move |(arithmetic, round)| {
-                let (largest_integer, kept_quotients) = arithmetic;
+            arithmetics.into_iter().zip([0, 3, 1, 7, 1 << 20]).map(move |(arithmetic, round)| {
+                let (largest_integer, kept_quotients, denominator_bits) = arithmetic;
                 let paths = KernelThresholds {
                     direct_rows,
                     marked_words,
@@ -47,6 +50,7 @@ fn paths(dimension: usize) -> impl Iterator<Item = (KernelThresholds, &'static T
                     round,
                     largest_integer,
                     kept_quotients,
+                    denominator_bits,
                     ..KernelThresholds::default()
                 };
                 (paths, pool)

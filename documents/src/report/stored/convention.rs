@@ -1,0 +1,100 @@
+//! Conventions of stored tables: how their components follow from those of a computed table.
+
+use super::super::indexed::{Index, Names, Tensors};
+use super::super::statements::scalar;
+use super::super::{Quantity, Table};
+use crate::Coefficient;
+use crate::input::{InputError, Source};
+use affinor::Geometry;
+use affinor_tensors::contraction::indices;
+use affinor_tensors::expression::ExpressionError;
+use affinor_tensors::{Symbolic, Tensor, contract};
+use std::collections::BTreeMap;
+
+/// The convention of a stored tensor: its component on the left, and on the right an expression in the tensors of
+/// this program.
+///
+/// | convention | the stored table has |
+/// |---|---|
+/// | `R^i_jkl = -R^i_jkl` | the other sign |
+/// | `Lambda^i_jk = Lambda^i_kj` | the direction as the last index |
+/// | `R_ijkl = R_ijkl` | all indices lowered by the metric |
+#[derive(Clone, Debug)]
+pub struct Convention {
+    source: Source,
+}
+
+/// The form, for messages.
+const FORM: &str =
+    "write the stored component, =, and its value here, as in \"R^i_jkl = -R^i_jkl\"";
+
+impl Convention {
+    /// A convention by its text.
+    pub fn new(text: &str) -> Self {
+        Convention { source: Source::new("--convention", text) }
+    }
+
+    /// Puts the tensor of a table into this convention. These names are scalars; parameters that have been set have
+    /// `values`.
+    ///
+    /// # Errors
+    /// A text without a component and its value; an expression that has no value, or other indices.
+    pub(in crate::report) fn apply<S: Coefficient>(
+        &self,
+        table: &mut Table<S>,
+        geometry: &Geometry<S>,
+        scalars: &[String],
+        values: &BTreeMap<String, Symbolic>,
+    ) -> Result<(), InputError> {
+        let names = Names::new(geometry, scalars.iter().cloned());
+        let scalar = |name: &str| scalar::<S>(name, &names, values);
+        let tensors = Tensors::new(geometry, &scalar);
+        let (quantity, tensor) = self.stored(&names, &tensors)?;
+        let entries = table.tensors.iter_mut().filter(|entry| entry.quantity == quantity);
+        entries.for_each(|entry| entry.tensor = tensor.clone());
+        Ok(())
+    }
+
+    fn stored<S: Coefficient>(
+        &self,
+        names: &Names,
+        tensors: &Tensors<S>,
+    ) -> Result<(Quantity, Tensor<S>), InputError> {
+        let refused = |part: &str, reason: String| {
+            InputError::usage(reason).at(&self.source.whole(part)).help(FORM)
+        };
+        let text = self.source.content();
+        let Some((left, right)) = text.split_once('=').map(|(a, b)| (a.trim(), b.trim())) else {
+            return Err(refused(text, "a convention is an equation".into()));
+        };
+        let within = |part: &str, ExpressionError { span, reason }: ExpressionError| {
+            InputError::usage(reason).at(&self.source.find(part, span)).help(FORM)
+        };
+        let parsed = names.parse(left).map_err(|error| within(left, error))?;
+        let written = match parsed.occurrences.as_slice() {
+            [only] if only.span == (0..left.len()) => only.indices.as_ref().map(|at| (only, at)),
+            _ => None,
+        };
+        let letter = |&(index, variance): &(Index, _)| match index {
+            Index::Letter(letter) => Some((letter, variance)),
+            Index::Number(_) => None,
+        };
+        let result: Option<(Quantity, Vec<_>)> = written.and_then(|(occurrence, indices)| {
+            Some((occurrence.quantity, indices.iter().map(letter).collect::<Option<_>>()?))
+        });
+        let Some((quantity, letters)) = result else {
+            return Err(refused(
+                left,
+                "the left side is one tensor with a letter for each index".into(),
+            ));
+        };
+        let value = names.parse(right).and_then(|parsed| tensors.value(&parsed));
+        let value = value.map_err(|error| within(right, error))?;
+        let own = value.letters.iter().copied().zip(value.tensor.slots().iter().copied());
+        let reordered = format!("a{} -> {}", indices(own), indices(letters));
+        let tensor = contract(&reordered, &[("a", &value.tensor)]);
+        let tensor =
+            tensor.map_err(|_| refused(text, "the sides have different indices".into()))?;
+        Ok((quantity, tensor))
+    }
+}
