@@ -11,6 +11,7 @@ mod geometries;
 mod geometry;
 mod group;
 mod motion;
+mod operations;
 mod report;
 mod rows;
 mod run;
