@@ -187,19 +187,26 @@ impl PyGroup {
         };
         let whole = common(own, other)?;
         let row = self.row(result);
-        let a = first.2.rows(own, &whole);
-        let b = second.as_ref().map(|(_, _, array)| array.rows(other, &whole));
-        let rows = [&a, b.as_ref().unwrap_or(&a)];
-        let (count, width) = (whole.iter().product::<usize>(), row.iter().product::<usize>());
+        let rows = || {
+            let b = second.as_ref().map(|(_, _, array)| array.rows(other, &whole));
+            (first.2.rows(own, &whole), b)
+        };
+        let size = |shape: &[usize]| shape.iter().fold(1, |size: usize, n| size.saturating_mul(*n));
+        let (count, width) = (size(&whole), size(&row));
         let ground = Ground { group: &self.group, closed: self.closed, order: &self.order };
         if count.saturating_mul(width) <= FEW && whole.len() + row.len() <= arrays::AXES {
+            let (a, b) = rows();
+            let rows = [&a, b.as_ref().unwrap_or(&a)];
             let mut numbers = [0.0; FEW];
             let numbers = &mut numbers[..count * width];
             run_here(py, || ground.operate(operation, rows, numbers, width))?;
             return arrays::array(py, &whole, &row, numbers);
         }
+        // too large a result is an error before an argument is copied
         let out = fresh(py, &whole, &row)?;
         {
+            let (a, b) = rows();
+            let rows = [&a, b.as_ref().unwrap_or(&a)];
             let mut target = out.readwrite();
             let target = target.as_slice_mut()?;
             let work = || ground.operate(operation, rows, target, width);
