@@ -13,6 +13,7 @@ mod geometry;
 mod group;
 mod limits;
 mod motion;
+mod operations;
 mod report;
 mod rows;
 mod run;

@@ -12,7 +12,7 @@ import pytest
 import sympy as sp
 
 import affinor as af
-from affinor import SO3
+from affinor import SE3, SO3
 
 a = sp.Symbol("a", positive=True)
 
@@ -25,15 +25,25 @@ def batch(seed):
     return SO3.exp(np.random.default_rng(seed).normal(size=(5000, 3)))
 
 
+def bulk(seed):
+    """Results of kernels and of a recorded program, on several threads."""
+    rng = np.random.default_rng(seed)
+    x = 0.5 * rng.normal(size=(30_000, 6))
+    metrics = np.eye(3) + 0.1 * np.ones((9000, 3, 3)) * rng.uniform(size=(9000, 1, 1))
+    found = [SE3.left_jacobian(x), SE3.adjoint_matrix(SE3.exp(x)), af.Geometries("so3", metrics).ricci]
+    return np.concatenate([part.ravel() for part in found])
+
+
 @pytest.mark.parametrize("method", ["spawn", "fork"])
 def test_other_processes(method):
     if method not in multiprocessing.get_all_start_methods():
         pytest.skip(f"no {method} here")
-    batch(0)  # the pool of this process has threads now
+    bulk(0)  # the pool of this process has threads now
     context = multiprocessing.get_context(method)
     with concurrent.futures.ProcessPoolExecutor(2, mp_context=context) as pool:
         found = list(pool.map(ricci_of, [af.LieAlgebra("so3"), af.LieAlgebra("sl2")], timeout=60))
         np.testing.assert_array_equal(pool.submit(batch, 3).result(timeout=60), batch(3))
+        np.testing.assert_array_equal(pool.submit(bulk, 3).result(timeout=60), bulk(3))
         failed = pool.submit(af.LieAlgebra, {"basis": ["x", "y", "z"], "brackets": "[x,y]=z; [y,z]=y"})
         with pytest.raises(af.JacobiError) as error:
             failed.result(timeout=60)
@@ -43,11 +53,13 @@ def test_other_processes(method):
 
 
 def test_threads():
-    expected, tensor = batch(1), ricci_of("so3")
+    expected, tensor, wide = batch(1), ricci_of("so3"), bulk(1)
 
-    def work(_):
+    def work(at):
         np.testing.assert_array_equal(batch(1), expected)
         assert ricci_of("so3") == tensor
+        if at % 10 == 0:
+            np.testing.assert_array_equal(bulk(1), wide)
         return True
 
     with concurrent.futures.ThreadPoolExecutor(8) as pool:
@@ -73,17 +85,23 @@ def resident():
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="reads /proc")
 def test_memory_is_flat():
     x, algebra = np.ones(3), af.LieAlgebra("so3")
+    pose, bodies = SE3.random(rng=1), af.Geometries("so3", np.eye(3) * np.arange(1.0, 50)[:, None, None])
     structure = algebra.structure
 
     def calls(count):
         for at in range(count):
             SO3.compose(SO3.exp(x), SO3.identity())
+            SE3.left_jacobian(SE3.log(pose))
+            SE3.from_matrix(SE3.matrix(pose), check=False)
             if at % 10 == 0:
                 structure + structure
                 structure.to_coo()
             if at % 100 == 0:
                 with pytest.raises(ValueError):
                     SO3.exp([1, 2])
+                with pytest.raises(af.MetricError):
+                    af.Geometries("so3", np.zeros((3, 3)))
+                assert np.isfinite(bodies.derivative("ricci", bodies.metric)).all()
                 hash(af.LieAlgebra("heisenberg(3)"))
         gc.collect()
 

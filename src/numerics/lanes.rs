@@ -117,7 +117,7 @@ macro_rules! operators {
             #[inline(always)]
             fn $method(mut self, other: Self) -> Self {
                 for t in 0..LANES {
-                    self.0[t] = self.0[t] $operator other.0[t];
+                    self.0[t] $operator other.0[t];
                 }
                 self
             }
@@ -126,10 +126,10 @@ macro_rules! operators {
 }
 
 operators! {
-    Add add +;
-    Sub sub -;
-    Mul mul *;
-    Div div /;
+    Add add +=;
+    Sub sub -=;
+    Mul mul *=;
+    Div div /=;
 }
 
 impl Neg for Lanes {

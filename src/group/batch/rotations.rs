@@ -229,6 +229,8 @@ impl Formula<4, 0, 4> for InverseRotation {
 
 impl Formula<9, 0, 4> for RotationOfMatrix {
     const LIMIT: f64 = ORTHOGONAL;
+    // choices of the largest component are hard to predict
+    const SIDE_BY_SIDE: bool = true;
 
     #[inline(always)]
     fn formula<T: Lane>(&self, r: [T; 9], _: [T; 0]) -> ([T; 4], T) {
