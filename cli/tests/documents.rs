@@ -12,8 +12,11 @@ use std::path::PathBuf;
 type Outcome = Result<(), Box<dyn std::error::Error>>;
 
 /// The documents that quote outputs of the program.
-const DOCUMENTS: [&str; 8] = [
+const DOCUMENTS: [&str; 11] = [
     "README.md",
+    "docs/commands.md",
+    "docs/two_geometries.md",
+    "docs/charts.md",
     "docs/formats.md",
     "docs/motion.md",
     "docs/wheels.md",
@@ -87,8 +90,15 @@ fn links(document: &str) -> impl Iterator<Item = &str> {
 
 #[test]
 fn links_lead_somewhere() -> Outcome {
-    let all =
-        ["ARCHITECTURE.md", "CONTRIBUTING.md", "CHANGELOG.md", "docs/speed.md", "docs/paper.md"];
+    let all = [
+        "ARCHITECTURE.md",
+        "CONTRIBUTING.md",
+        "CHANGELOG.md",
+        "docs/library.md",
+        "docs/limits.md",
+        "docs/speed.md",
+        "docs/paper.md",
+    ];
     let all = all.into_iter().chain(DOCUMENTS);
     for name in all {
         let path = root().join(name);
@@ -172,9 +182,12 @@ fn formats_names_every_key_of_every_schema() -> Outcome {
 }
 
 #[test]
-fn the_readme_states_the_limits() -> Outcome {
-    let readme = std::fs::read_to_string(root().join("README.md"))?;
-    let readme = readme.split_whitespace().collect::<Vec<_>>().join(" ");
+fn the_documents_state_the_limits() -> Outcome {
+    let texts =
+        ["README.md", "docs/limits.md"].map(|name| std::fs::read_to_string(root().join(name)));
+    let [readme, limits] = texts;
+    let all = readme? + &limits?;
+    let stated_texts = all.split_whitespace().collect::<Vec<_>>().join(" ");
     let stated = [
         format!("at most {} dimensions", affinor::algebra::catalogue::MAX_DIMENSION),
         format!("at most {} indices", affinor_tensors::Indices::MAX),
@@ -185,7 +198,7 @@ fn the_readme_states_the_limits() -> Outcome {
         format!("Rust {}", env!("CARGO_PKG_RUST_VERSION")),
     ];
     for limit in stated {
-        assert!(readme.contains(&limit), "{limit}");
+        assert!(stated_texts.contains(&limit), "{limit}");
     }
     Ok(())
 }
