@@ -78,15 +78,25 @@ impl<S: Field + Scalar> Connection<S> {
         let mut span = Echelon::new().with_tolerance(tolerance);
         // R(e_k, e_l) is the matrix of slots 0 and 1, apart by slots 2 and 3
         let mut open = matrices(self.curvature(), [0, 1], &[2, 3])?;
-        while let Some(matrix) = open.pop().filter(|_| span.rank() < largest) {
-            if !span.insert(matrix.to_row())? {
-                continue;
+        // level by level: matrices of a later level have longer entries
+        while !open.is_empty() {
+            let mut found = vec![];
+            for matrix in open {
+                if span.rank() >= largest {
+                    return Ok(Holonomy { dimension: n, span });
+                }
+                if span.insert(matrix.to_row())? {
+                    found.push(matrix);
+                }
             }
-            let moved = formula(
-                "L^i_mp A^p_j - A^i_p L^p_mj -> ^i_mj",
-                &[("L", self.affinities()), ("A", &matrix)],
-            );
-            open.extend(matrices(&moved, [0, 2], &[1])?);
+            open = vec![];
+            for matrix in found.iter().filter(|_| span.rank() < largest) {
+                let moved = formula(
+                    "L^i_mp A^p_j - A^i_p L^p_mj -> ^i_mj",
+                    &[("L", self.affinities()), ("A", matrix)],
+                );
+                open.extend(matrices(&moved, [0, 2], &[1])?);
+            }
         }
         Ok(Holonomy { dimension: n, span })
     }

@@ -417,6 +417,7 @@ impl LieGroup for MatrixGroup {
             Err(error) => {
                 return self
                     .log_near_half_turn(g)
+                    .or_else(|| self.log_of_rotation(g))
                     .ok_or_else(|| half_turn::near_pi(g).unwrap_or(error));
             }
         };

@@ -2,8 +2,12 @@
 //! closed forms; and the element of the algebra nearest to a matrix.
 
 use crate::common::algebras::catalogued;
-use affinor::group::{AnyGroup, LieGroup, MatrixGroup, MatrixNotation};
+use affinor::algebra::catalogue;
+use affinor::group::{AnyGroup, LieGroup, MatrixGroup, MatrixNotation, registry};
+use affinor_tensors::Rational;
+use affinor_tensors::linear::Matrix;
 use nalgebra::{DMatrix, DVector};
+use std::f64::consts::PI;
 
 const EPS: f64 = f64::EPSILON;
 
@@ -205,4 +209,111 @@ fn nearest_in_sparse_and_dense_bases() {
         vec![&turns[0] + &turns[1], &turns[1] * 2.0 - &turns[2], &turns[0] + &turns[2] * 3.0]
     };
     nearest(&MatrixGroup::new(&dense).unwrap(), "so(3), dense");
+}
+
+/// The matrices of a group of the catalogue.
+fn of_catalogue(name: &str) -> MatrixGroup {
+    let entry = catalogue::find(name).unwrap();
+    let dense =
+        |m: &Matrix<Rational>| DMatrix::from_fn(m.rows(), m.columns(), |i, j| m.get(i, j).to_f64());
+    let matrices: Vec<_> = entry.matrices.unwrap().matrices().iter().map(dense).collect();
+    MatrixGroup::new(&matrices).unwrap()
+}
+
+/// Numbers between -1 and 1, the same in every run.
+fn generic(n: usize, seed: usize) -> DVector<f64> {
+    DVector::from_fn(n, |i, _| (12.9898 * (i + 7 * seed + 1) as f64).sin())
+}
+
+/// The complex classical groups consist of their complex matrices `A + iB`, written as `[[A, -B], [B, A]]`: the exponential is
+/// that of complex matrices, and preserves the determinant or the form.
+#[test]
+fn complex_classical_groups_act_by_their_matrices() {
+    type Complex = nalgebra::Complex<f64>;
+    for (name, n) in
+        [("sl(2,C)", 2), ("sl(3,C)", 3), ("so(3,C)", 3), ("so(4,C)", 4), ("sp(4,C)", 4)]
+    {
+        let group = registry::find(name).unwrap();
+        let real = of_catalogue(&name.replace(",C", ""));
+        let dimension = real.dimension();
+        assert_eq!(group.dimension(), 2 * dimension, "{name}");
+        for seed in 0..5 {
+            let x = generic(2 * dimension, seed) * 0.4;
+            let g = group.write(&group.exp(&x));
+            assert_eq!(g.shape(), (2 * n, 2 * n), "{name}");
+            let complex = DMatrix::from_fn(n, n, |i, j| Complex::new(g[(i, j)], g[(n + i, j)]));
+            let [re, im] =
+                [0, dimension].map(|at| real.generator(&x.rows(at, dimension).into_owned()));
+            let generator = DMatrix::from_fn(n, n, |i, j| Complex::new(re[(i, j)], im[(i, j)]));
+            let (mut sum, mut term) = (DMatrix::identity(n, n), DMatrix::identity(n, n));
+            for k in 1..60 {
+                term = &term * &generator / Complex::new(f64::from(k), 0.0);
+                sum += &term;
+            }
+            assert!((&complex - &sum).norm() < 1e-13 * sum.norm(), "{name}");
+            for (i, j) in (0..n).flat_map(|i| (0..n).map(move |j| (i, j))) {
+                let [a, b] = [g[(i, j)] - g[(n + i, n + j)], g[(n + i, j)] + g[(i, n + j)]];
+                assert!(a.abs().max(b.abs()) < 1e-13, "{name}");
+            }
+            assert!((complex.determinant() - Complex::new(1.0, 0.0)).norm() < 1e-12, "{name}");
+            let form = DMatrix::from_fn(n, n, |i, j| match &name[..2] {
+                "so" if i == j => 1.0,
+                "sp" if i + n / 2 == j => 1.0,
+                "sp" if j + n / 2 == i => -1.0,
+                _ => 0.0,
+            });
+            let form = form.map(|value| Complex::new(value, 0.0));
+            let defect = complex.transpose() * &form * &complex - form;
+            assert!(defect.norm() < 1e-12, "{name}");
+            let back = group.log(&group.exp(&x)).unwrap();
+            assert!((back - &x).norm() < 1e-11, "{name}");
+        }
+    }
+}
+
+/// Rotations by the largest angles below a half turn have logarithms where their entries decide the direction: in SU(2) in all
+/// directions, in SO(4) in coordinate planes. Elsewhere the error names the distance from pi.
+#[test]
+fn the_largest_angles_below_a_half_turn() {
+    let below = |ulps: f64| PI - ulps * 2.0 * f64::EPSILON;
+    let su2 = of_catalogue("su(2)");
+    for (seed, ulps) in [0.0, 1.0, 2.0, 9.0, 1e3, 1e6].into_iter().enumerate() {
+        let (n, angle) = (generic(3, seed).normalize(), below(ulps));
+        // N^2 = -1 of a unit vector
+        let turn = su2.generator(&n) * 2.0;
+        let g = DMatrix::identity(4, 4) * angle.cos() + turn * angle.sin();
+        let x = su2.log(&g).unwrap();
+        assert!((x - n * (2.0 * angle)).norm() < 1e-14, "{ulps}");
+    }
+    let so4 = of_catalogue("so(4)");
+    let planes = [(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)];
+    for (at, (i, j)) in planes.into_iter().enumerate() {
+        let (k, l) = planes[5 - at];
+        for (first, second) in [(0.0, 1e15), (1.0, 3.0), (2.0, 5e14), (0.0, 0.0)] {
+            for sign in [1.0, -1.0] {
+                let mut g = DMatrix::zeros(4, 4);
+                let mut expected = DMatrix::zeros(4, 4);
+                for ((i, j), angle) in [((i, j), below(first)), ((k, l), sign * below(second))] {
+                    g[(i, i)] = angle.cos();
+                    g[(j, j)] = angle.cos();
+                    g[(i, j)] = -angle.sin();
+                    g[(j, i)] = angle.sin();
+                    expected[(i, j)] = -angle;
+                    expected[(j, i)] = angle;
+                }
+                let x = so4.log(&g).unwrap();
+                assert!((so4.generator(&x) - expected).norm() < 1e-14, "{i}{j} {first} {second}");
+            }
+        }
+    }
+    // in other planes the rounding of entries decides
+    let basis = so4.exp(&generic(6, 1));
+    let mut g = DMatrix::identity(4, 4);
+    (g[(0, 0)], g[(1, 1)]) = (-1.0, -1.0);
+    (g[(0, 1)], g[(1, 0)]) = (-below(0.0).sin(), below(0.0).sin());
+    assert!(so4.log(&(&basis * g * basis.transpose())).is_err());
+    // a half turn has no direction
+    let mut g = DMatrix::identity(4, 4);
+    (g[(0, 0)], g[(1, 1)]) = (-1.0, -1.0);
+    assert!(so4.log(&g).is_err());
 }

@@ -1,11 +1,11 @@
 //! Logarithms of matrices with an angle near `pi`, where their square roots do not converge.
 
-use super::{CLOSE, MatrixGroup, fit};
+use super::{CLOSE, MatrixGroup, fit, is_identity};
 use crate::Error;
 use crate::group::LieGroup;
 use crate::numerics::exponential::exp;
 use crate::numerics::logarithm::logarithm;
-use nalgebra::linalg::Schur;
+use nalgebra::linalg::{SVD, Schur, SymmetricEigen};
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::PI;
 
@@ -21,7 +21,13 @@ const BRANCH: f64 = 1e-14;
 /// The distance of an angle from `pi` at which a logarithm that is not found is ill-conditioned.
 const NEAR_PI: f64 = 1e-6;
 
-/// The largest number of iterations of a Schur decomposition.
+/// The distance of angles from `pi` up to which they are computed from their sines.
+const ROUGHLY_PI: f64 = 1e-3;
+
+/// The ratio of the sine of an angle to the rounding of entries from which on it has a direction.
+const DECIDED: f64 = 8.0;
+
+/// The largest number of iterations of a decomposition.
 const ITERATIONS: usize = 1000;
 
 impl MatrixGroup {
@@ -42,6 +48,40 @@ impl MatrixGroup {
             // beyond pi it is the logarithm of another branch
             (angles.max() < PI - BRANCH).then_some(x)
         })
+    }
+}
+
+impl MatrixGroup {
+    /// The logarithm of an orthogonal element `g = S + K` with angles so near `pi` that only the skew part `K` has their
+    /// distance from it. On the eigenspace of `S` near `-1`, `K = U sin(theta) W^T` is a singular value decomposition, and the
+    /// logarithm is `U theta W^T`. `None` if the rounding of entries decides about a direction, or the angle is `pi`.
+    pub(super) fn log_of_rotation(&self, g: &DMatrix<f64>) -> Option<DVector<f64>> {
+        self.form.as_ref().filter(|form| is_identity(form))?;
+        let [symmetric, skew] = [(g + g.transpose()) * 0.5, (g - g.transpose()) * 0.5];
+        let eigen = SymmetricEigen::try_new(symmetric, f64::EPSILON, ITERATIONS)?;
+        let is_near = |at: &usize| eigen.eigenvalues[*at] < -1.0 + 0.5 * ROUGHLY_PI.powi(2);
+        let (near, far): (Vec<_>, Vec<_>) = (0..self.size()).partition(is_near);
+        let [near, far] = [near, far].map(|chosen| eigen.eigenvectors.select_columns(&chosen));
+        let rounding = g.abs() + g.transpose().abs();
+        let rounding = DMatrix::from_fn(g.nrows(), g.ncols(), |i, j| match i == j {
+            true => 0.0,
+            false => f64::EPSILON * rounding[(i, j)],
+        });
+        let rounding = (near.transpose().abs() * rounding * near.abs()).norm();
+        let parts = SVD::try_new(near.tr_mul(&skew) * &near, true, true, f64::EPSILON, ITERATIONS)?;
+        let (u, mut w) = (parts.u?, parts.v_t?);
+        for (mut row, sine) in w.row_iter_mut().zip(&parts.singular_values) {
+            if *sine <= DECIDED * rounding {
+                return None;
+            }
+            row *= PI - sine.asin();
+        }
+        let turned = &near * (u * w) * near.transpose();
+        let rest = match far.ncols() {
+            0 => DMatrix::zeros(g.nrows(), g.ncols()),
+            _ => &far * logarithm(&(far.tr_mul(g) * &far)).ok()? * far.transpose(),
+        };
+        self.in_algebra(turned + rest).ok()
     }
 }
 
