@@ -7,26 +7,22 @@ use crate::tensor::{LETTERS, Names, PyTensor, written};
 use crate::values::{self, error, python};
 use affinor_documents::over_kind;
 use affinor_tensors::contract;
-use pyo3::exceptions::PyIndexError;
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyEllipsis, PySlice, PyTuple};
-
-/// Indices in which `...` stands for as many full slices as there are indices left.
-pub fn filled<'py>(at: &Bound<'py, PyTuple>, rank: usize) -> PyResult<Bound<'py, PyTuple>> {
-    let py = at.py();
-    let dots = PyEllipsis::get(py);
-    let Some(place) = at.iter().position(|item| item.is(&*dots)) else { return Ok(at.clone()) };
-    if at.iter().skip(place + 1).any(|item| item.is(&*dots)) {
-        return Err(PyIndexError::new_err("an index has '...' once at most"));
-    }
-    let full = PySlice::full(py).into_any();
-    let before = at.iter().take(place);
-    let between = std::iter::repeat_n(full, (rank + 1).saturating_sub(at.len()));
-    PyTuple::new(py, before.chain(between).chain(at.iter().skip(place + 1)).collect::<Vec<_>>())
-}
+use pyo3::types::{PyDict, PyTuple};
 
 #[pymethods]
 impl PyTensor {
+    /// The :func:`contract` of this tensor, as the first factor, with others.
+    #[pyo3(signature = (expression, *others))]
+    fn contract<'py>(
+        slf: &Bound<'py, Self>,
+        expression: Object<'py>,
+        others: Bound<'py, PyTuple>,
+    ) -> PyResult<Self> {
+        let factors = PyTuple::new(slf.py(), [slf])?.as_sequence().concat(others.as_sequence())?;
+        contract_all(expression, factors.to_tuple()?, None)
+    }
+
     /// The sum over the last index of one tensor and the first of the other, one of them upper and one lower.
     fn __matmul__(&self, py: Python<'_>, other: &PyTensor) -> PyResult<Self> {
         let (a, b) = (self.slots(), other.slots());

@@ -5,7 +5,6 @@ use crate::class::{New, Object, Optional, immutable, in_python, properties};
 use crate::components::{
     Held, Values, build, each, marks, of, parameters, text, widest, write_floats,
 };
-use crate::contraction::{contract_all, filled};
 use crate::errors::refused;
 use crate::run::run;
 use crate::values::{self, error, index, python, text_of};
@@ -15,7 +14,7 @@ use affinor_tensors::{Kind, Notation, Rational, Symbolic, Tensor, TrackedFloat, 
 use numpy::{PyArrayDescr, PyArrayDyn, PyArrayLikeDyn, PyArrayMethods, PyUntypedArray};
 use pyo3::exceptions::{PyIndexError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
-use pyo3::types::{PyBytes, PyDict, PyInt, PyIterator, PyList, PySlice, PyTuple};
+use pyo3::types::{PyBytes, PyDict, PyEllipsis, PyInt, PyIterator, PyList, PySlice, PyTuple};
 use std::hash::{DefaultHasher, Hash, Hasher};
 
 /// The names of a tensor in displays; a dict in Python.
@@ -174,6 +173,20 @@ impl PyTensor {
         let symbols = self.symbols.bind(factor.py()).copy()?;
         Ok((text_of(factor, &symbols, self.scalar() == "float")?, symbols))
     }
+}
+
+/// Indices in which `...` stands for as many full slices as there are indices left.
+fn filled<'py>(at: &Bound<'py, PyTuple>, rank: usize) -> PyResult<Bound<'py, PyTuple>> {
+    let py = at.py();
+    let dots = PyEllipsis::get(py);
+    let Some(place) = at.iter().position(|item| item.is(&*dots)) else { return Ok(at.clone()) };
+    if at.iter().skip(place + 1).any(|item| item.is(&*dots)) {
+        return Err(PyIndexError::new_err("an index has '...' once at most"));
+    }
+    let full = PySlice::full(py).into_any();
+    let before = at.iter().take(place);
+    let between = std::iter::repeat_n(full, (rank + 1).saturating_sub(at.len()));
+    PyTuple::new(py, before.chain(between).chain(at.iter().skip(place + 1)).collect::<Vec<_>>())
 }
 
 /// The sum or difference of two tensors, whose indices have these letters.
@@ -459,17 +472,6 @@ impl PyTensor {
     fn __truediv__(&self, divisor: &Bound<'_, PyAny>) -> PyResult<Self> {
         let (text, symbols) = self.factor(divisor)?;
         self.scale(divisor.py(), &format!("1/({text})"), &symbols)
-    }
-
-    /// The :func:`contract` of this tensor, as the first factor, with others.
-    #[pyo3(signature = (expression, *others))]
-    fn contract<'py>(
-        slf: &Bound<'py, Self>,
-        expression: Object<'py>,
-        others: Bound<'py, PyTuple>,
-    ) -> PyResult<Self> {
-        let factors = PyTuple::new(slf.py(), [slf])?.as_sequence().concat(others.as_sequence())?;
-        contract_all(expression, factors.to_tuple()?, None)
     }
 
     /// The slots in another order: slot ``a`` of the result is slot ``order[a]`` of this tensor.

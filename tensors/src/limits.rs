@@ -1,7 +1,12 @@
 //! The limits of a computation, which its threads share.
 
-use crate::scalar::Effort;
-use crate::stop::StopToken;
+mod effort;
+mod token;
+
+pub use effort::{Effort, EffortExceeded};
+pub(crate) use token::is_any_requested;
+pub use token::{StopReason, StopToken};
+
 use std::cell::RefCell;
 use std::sync::Arc;
 

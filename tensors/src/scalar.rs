@@ -31,9 +31,9 @@ use std::fmt::{Debug, Display};
 use std::ops::{Add, Mul, Neg, Sub};
 
 pub use crate::function::Function;
+pub use crate::limits::{Effort, EffortExceeded};
 pub use caches::clear_caches;
 pub use divisors::divisors_of;
-pub use effort::{Effort, EffortExceeded};
 pub use jet::Jet;
 pub use notation::{Kind, Notation};
 pub use rational::Rational;

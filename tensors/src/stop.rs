@@ -6,85 +6,19 @@
 //!
 //! Unwinding calls no panic hook. Programs that are built with `panic = "abort"` must not use tokens.
 
-use crate::limits::Limits;
+pub use crate::limits::{StopReason, StopToken};
+
+use crate::limits::{Limits, is_any_requested};
 use std::fmt;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
-use std::sync::atomic::{AtomicU8, AtomicUsize, Ordering::Relaxed};
 use std::sync::{Arc, Mutex, PoisonError, mpsc};
 use std::thread;
 use std::time::Duration;
 
-/// The reason why a computation was stopped.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum StopReason {
-    /// A signal or a user.
-    Interrupted,
-    /// The limit on the time.
-    Timeout,
-    /// The limit on the memory.
-    Memory,
-}
-
-/// A flag that stops the computations that run under it. Clones share the flag.
-///
-/// ```
-/// use affinor_tensors::stop::{StopReason, StopToken};
-/// use affinor_tensors::Symbolic;
-/// use std::{thread, time::Duration};
-/// let token = StopToken::new();
-/// let watcher = token.clone();
-/// thread::spawn(move || {
-///     thread::sleep(Duration::from_millis(50));
-///     watcher.request(StopReason::Timeout);
-/// });
-/// // a power of a sum that would never end
-/// let sum: Symbolic = "a + b + c".parse()?;
-/// let stopped = token.run(|| (0..1_000_000).fold(sum.clone(), |power, _| power * &sum));
-/// assert_eq!(stopped.unwrap_err().reason, StopReason::Timeout);
-/// # Ok::<(), affinor_tensors::expression::ExpressionError>(())
-/// ```
-#[derive(Clone, Debug, Default)]
-pub struct StopToken(Arc<Flag>);
-
-/// Zero, or one more than the place of a reason in [`REASONS`].
-#[derive(Debug, Default)]
-struct Flag(AtomicU8);
-
-const REASONS: [StopReason; 3] = [StopReason::Interrupted, StopReason::Timeout, StopReason::Memory];
-
-/// The number of tokens of this process whose flag is set. While it is zero, a checkpoint is one load and one branch.
-static REQUESTED: AtomicUsize = AtomicUsize::new(0);
-
-impl Drop for Flag {
-    fn drop(&mut self) {
-        if *self.0.get_mut() != 0 {
-            REQUESTED.fetch_sub(1, Relaxed);
-        }
-    }
-}
-
 impl StopToken {
-    /// A flag that is not set.
-    pub fn new() -> Self {
-        Self::default()
-    }
-
     /// The token under which this thread computes, if any.
     pub fn current() -> Option<Self> {
         Limits::with(|limits| limits.stop.clone())
-    }
-
-    /// Sets the flag. The first reason counts.
-    pub fn request(&self, reason: StopReason) {
-        let code = REASONS.iter().position(|own| *own == reason).map_or(0, |at| at as u8 + 1);
-        if self.0.0.compare_exchange(0, code, Relaxed, Relaxed).is_ok() {
-            REQUESTED.fetch_add(1, Relaxed);
-        }
-    }
-
-    /// The reason for which the flag was set.
-    pub fn requested(&self) -> Option<StopReason> {
-        REASONS.get(usize::from(self.0.0.load(Relaxed)).checked_sub(1)?).copied()
     }
 
     /// The result of work that polls this flag, and no other one, at its checkpoints. The work may unwind: values that it
@@ -143,7 +77,7 @@ impl std::error::Error for Stopped {}
 /// ```
 #[inline]
 pub fn checkpoint() {
-    if REQUESTED.load(Relaxed) != 0 {
+    if is_any_requested() {
         end();
     }
 }

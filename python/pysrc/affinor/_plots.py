@@ -8,6 +8,7 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from affinor._columns import components
 from affinor._optional import optional
 
 
@@ -37,8 +38,6 @@ class _Curve:
         return name in self.columns
 
     def __getitem__(self, name: str) -> NDArray[np.float64]:
-        from affinor.motion import components
-
         found = [self.columns.index(column) for column in components(self.columns, name)]
         return self.rows[:, found[0]] if name in self.columns else self.rows[:, found]
 

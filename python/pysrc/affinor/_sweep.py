@@ -20,9 +20,10 @@ from typing import Any
 import numpy as np
 
 from affinor import _engine
+from affinor._columns import components
 from affinor._optional import optional
 from affinor._scalars import index
-from affinor.motion import Problem, components, interrupts
+from affinor.motion import Problem, interrupts
 
 __all__ = ["RandomSample", "SimulationTask", "Sweep", "sweep"]
 

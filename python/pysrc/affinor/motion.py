@@ -19,6 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from affinor import _engine
+from affinor._columns import components
 from affinor._engine import methods
 from affinor._optional import optional
 from affinor._scalars import Symbols, document, floats, index, is_matrix, text_of
@@ -246,16 +247,6 @@ def _settings(values: Mapping[str, Any] | str | None, symbols: Symbols) -> str |
     if not isinstance(values, Mapping):
         raise TypeError(f"set is a dict of parameters or a text, not {type(values).__name__}")
     return ",".join(f"{name}={text_of(value, symbols, floats=True)}" for name, value in values.items())
-
-
-def components(columns: Sequence[str], name: str) -> list[str]:
-    """The column of a name, or the columns of a stem in the order of their components."""
-    if name in columns:
-        return [name]
-    stem = [column for column in columns if column.rstrip("0123456789_") == name]
-    if not stem:
-        raise KeyError(f"no column {name!r}; the columns are {', '.join(columns)}")
-    return sorted(stem, key=lambda column: [int(number) for number in column[len(name) :].split("_") if number])
 
 
 class Trajectory:

@@ -1,0 +1,72 @@
+//! A limit on the size of symbolic computations.
+//!
+//! The limit counts terms, not seconds, so the same computation ends in the same way on every
+//! machine and with any number of threads.
+
+use std::fmt;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
+
+/// The terms that the sums of symbolic values have formed, and how many they may form.
+///
+/// ```
+/// use affinor_tensors::{Effort, Symbolic};
+/// let power = |effort: &std::sync::Arc<Effort>| {
+///     let base: Symbolic = "a + b + c".parse().unwrap();
+///     effort.bound(|| (0..20).fold(base.clone(), |power, _| power * &base))
+/// };
+/// assert!(power(&Effort::new(10_000)).is_ok());
+/// let refused = power(&Effort::new(100)).unwrap_err();
+/// assert!(refused.to_string().starts_with("the formulas pass the limit of 100 terms"));
+/// ```
+#[derive(Debug)]
+pub struct Effort {
+    limit: u64,
+    pub(crate) terms: AtomicU64,
+    pub(crate) products: AtomicU64,
+}
+
+/// A computation that passed its limit, and was ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct EffortExceeded {
+    /// The number of terms allowed.
+    pub limit: u64,
+}
+
+/// The products of terms that are allowed for each term.
+const PRODUCTS: u64 = 512;
+
+impl Effort {
+    /// The limit that programs set: about 3 GB of formulas.
+    pub const DEFAULT: u64 = 20_000_000;
+
+    /// A limit on the number of terms of all values together, intermediate ones included, and on the
+    /// products of terms, 512 for each term.
+    pub fn new(limit: u64) -> Arc<Self> {
+        Arc::new(Effort { limit, terms: AtomicU64::new(0), products: AtomicU64::new(0) })
+    }
+
+    /// The terms formed so far.
+    pub fn terms(&self) -> u64 {
+        self.terms.load(Relaxed)
+    }
+
+    /// The refusal, once the limit is passed. Values that are formed afterwards are no results.
+    pub fn exceeded(&self) -> Option<EffortExceeded> {
+        let products = self.products.load(Relaxed) > self.limit.saturating_mul(PRODUCTS);
+        (products || self.terms() > self.limit).then_some(EffortExceeded { limit: self.limit })
+    }
+}
+
+impl fmt::Display for EffortExceeded {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let products = self.limit.saturating_mul(PRODUCTS);
+        write!(
+            f,
+            "the formulas pass the limit of {} terms, or of {products} products of terms on the way",
+            self.limit
+        )
+    }
+}
+
+impl std::error::Error for EffortExceeded {}
