@@ -94,7 +94,7 @@ class Spline:
         return curve
 
     def velocity(self, t: ArrayLike) -> Floats:
-        """The body velocities at times ``t``: (*t.shape, ..., dimension)."""
+        """The body velocities at times ``t``: shape ``(*t.shape, ..., dimension)``."""
         at, u, h = self._place(t)
         found: Any = 0.0
         for weight, rate, logs in zip(self._weights(u), self._rates(u), self._logs, strict=True):
