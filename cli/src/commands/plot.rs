@@ -330,16 +330,15 @@ impl Image {
         let Some(file) = &self.file else { return Ok(svg()) };
         let ending = file.extension().map(|ending| ending.to_string_lossy().to_lowercase());
         #[cfg(feature = "png")]
-        let raster = |encode: fn(&Picture, u32) -> Result<Vec<u8>, Box<dyn std::error::Error>>| {
-            let bytes = encode(picture, self.width);
+        let raster = |bytes: Result<Vec<u8>, Box<dyn std::error::Error>>| {
             bytes.map_err(|reason| InputError::usage(reason.to_string()).into())
         };
         match ending.as_deref() {
             Some("svg") => Ok(svg()),
             #[cfg(feature = "png")]
-            Some("png") => raster(raster::png),
+            Some("png") => raster(raster::png(picture, self.width)),
             #[cfg(feature = "png")]
-            Some("gif") => raster(raster::gif),
+            Some("gif") => raster(raster::gif(picture, self.width)),
             #[cfg(not(feature = "png"))]
             Some("png" | "gif") => {
                 let message = "this program was built without the feature `png`";

@@ -28,16 +28,19 @@ pub(super) fn bodies(
 
 /// Parts in as many layers, from back to front. In each frame a part is shown in the layer of its distance from the eye.
 fn layered<P: Fn(&Vector3<f64>) -> Point>(parts: &[Part<P>]) -> Vec<Shape> {
-    let frames = parts.first().map_or(0, |part| part.depths.len());
-    // the layer of each part in each frame
-    let mut layers = vec![vec![0; frames]; parts.len()];
-    for frame in 0..frames {
-        let mut order: Vec<usize> = (0..parts.len()).collect();
-        order.sort_by(|a, b| parts[*a].depths[frame].total_cmp(&parts[*b].depths[frame]));
-        for (layer, part) in order.into_iter().enumerate() {
-            layers[part][frame] = layer;
-        }
-    }
+    // the layer of a part in a frame is the number of parts behind it
+    let is_behind = |other: usize, part: usize, frame: usize| {
+        let depth = |part: usize| parts[part].depths[frame];
+        depth(other).total_cmp(&depth(part)).then(other.cmp(&part)).is_lt()
+    };
+    let layer = |part: usize, frame: usize| {
+        (0..parts.len()).filter(|other| is_behind(*other, part, frame)).count()
+    };
+    let layers: Vec<Vec<usize>> = parts
+        .iter()
+        .enumerate()
+        .map(|(at, part)| (0..part.depths.len()).map(|frame| layer(at, frame)).collect())
+        .collect();
     let in_layer = |layer: usize| {
         parts.iter().zip(&layers).flat_map(move |(part, layers)| {
             let here: Vec<bool> = layers.iter().map(|own| *own == layer).collect();
