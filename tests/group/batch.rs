@@ -17,7 +17,7 @@ use std::f64::consts::{PI, TAU};
 /// Rotation vectors of all angles, with another vector for each.
 fn twists() -> Vec<[f64; 6]> {
     let angles = [0.0, 1e-300, 1e-170, 1e-9, 1e-4, 0.1, 0.7, 1.5, 2.9, 2.999, 3.0, 3.001, 3.1, PI];
-    let more = [PI - 1e-9, 3.1622, 3.1623, 3.3, 4.0, 6.0, 6.28, 7.0, 30.0, 1e5];
+    let more = [PI - 1e-9, 3.1622, 3.1623, 3.3, 4.0, 6.0, 6.25, 7.0, 30.0, 1e5];
     let axes = [[0.28, -0.96, 0.0], [2.0 / 3.0, 1.0 / 3.0, -2.0 / 3.0], [0.0, 0.0, 1.0]];
     let mut list = vec![];
     for (k, angle) in angles.into_iter().chain(more).enumerate() {

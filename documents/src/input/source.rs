@@ -144,6 +144,7 @@ fn collect(table: &DeTable, path: &str, keys: &mut BTreeMap<String, Range<usize>
                 for (at, item) in items.iter().enumerate() {
                     if let DeValue::Table(table) = item.get_ref() {
                         collect(table, &format!("{path}.{at}."), keys);
+                        keys.insert(format!("{path}.{at}"), item.span());
                     }
                 }
             }

@@ -167,6 +167,8 @@ impl Bodies {
                     );
                 }
                 let axis = three("`axis`", axis, values)?;
+                // of any length, without overflow
+                let axis = axis / axis.amax();
                 let Some(axis) =
                     axis.try_normalize(0.0).filter(|a| a.iter().all(|x| x.is_finite()))
                 else {

@@ -115,8 +115,7 @@ impl InitialElement {
                 return Ok(group.exp(&x.into()));
             }
             Self::Parts(parts, place) => {
-                let whole = group.downcast_ref::<Opposite<AnyGroup>>();
-                let factors = whole.map_or(group, |opposite| &opposite.0).factors();
+                let factors = factors(group);
                 if parts.len() != factors.len() {
                     let (found, needed) = (parts.len(), factors.len());
                     let message =
@@ -174,13 +173,32 @@ impl InitialElement {
 
     /// A note with the distance, if the element is the nearest one to a matrix.
     pub fn note(&self, group: &AnyGroup, values: &[f64]) -> Option<String> {
-        let Self::Rows(rows, place, true) = self else { return None };
-        let matrix = Value::matrix("element", rows, values, place).ok()?;
-        let (_, distance) = restored(group, &matrix).ok()?;
+        let distance = self.distance(group, values)?;
         Some(format!(
             "the initial element is restored: the nearest one differs by at most {distance:.1e} in an entry"
         ))
     }
+
+    /// The largest change of an entry by which matrices become elements; `None` if none is restored.
+    fn distance(&self, group: &AnyGroup, values: &[f64]) -> Option<f64> {
+        match self {
+            Self::Rows(rows, place, true) => {
+                let matrix = Value::matrix("element", rows, values, place).ok()?;
+                restored(group, &matrix).ok().map(|(_, distance)| distance)
+            }
+            Self::Parts(parts, _) => {
+                let each = parts.iter().zip(factors(group));
+                each.filter_map(|(part, factor)| part.distance(factor, values)).reduce(f64::max)
+            }
+            _ => None,
+        }
+    }
+}
+
+/// The factors of a group, or of the group of which it is the opposite: their elements are the same.
+fn factors(group: &AnyGroup) -> Vec<&AnyGroup> {
+    let opposite = group.downcast_ref::<Opposite<AnyGroup>>();
+    opposite.map_or(group, |opposite| &opposite.0).factors()
 }
 
 /// Advice where a matrix is not an element.

@@ -193,8 +193,13 @@ impl<'a> Computation<'a> {
             let geometry = self.geometry::<S>(selection)?;
             let mut table = self.tensors(&geometry, selection)?;
             let scalars = self.space.definition.known_parameters();
+            let mut stated = vec![];
             for convention in conventions {
-                convention.apply(&mut table, &geometry, &scalars, &self.space.values)?;
+                let quantity = convention.apply(&mut table, &geometry, &scalars, &self.space.values)?;
+                if stated.contains(&quantity) {
+                    return Err(convention.refused(format!("two conventions state the {}", quantity.title().to_lowercase())));
+                }
+                stated.push(quantity);
             }
             (self.stage)("comparison");
             let outcome = |stored: &StoredTable| {

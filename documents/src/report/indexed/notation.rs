@@ -150,12 +150,10 @@ impl Names {
             }
             let mut rest = piece;
             while let Some(first) = rest.chars().next() {
-                let digits = rest.find(|c: char| !c.is_ascii_digit()).unwrap_or(rest.len());
                 // beyond dimension 9 an index may have several digits
-                let length = match (digits, self.dimension > 9) {
-                    (0, _) => first.len_utf8(),
-                    (_, true) => digits,
-                    (_, false) => 1,
+                let length = match first.is_ascii_digit() && self.dimension > 9 {
+                    true => rest.find(|c: char| !c.is_ascii_digit()).unwrap_or(rest.len()),
+                    false => first.len_utf8(),
                 };
                 let (index, behind) = rest.split_at(length);
                 indices.push(self.one(index, first)?);

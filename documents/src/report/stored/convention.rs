@@ -34,7 +34,7 @@ impl Convention {
         Convention { source: Source::new("--convention", text) }
     }
 
-    /// Puts the tensor of a table into this convention. These names are scalars; parameters that have been set have
+    /// Puts the tensor of a table into this convention, if the table has it, and returns which one it is. These names are scalars; parameters that have been set have
     /// `values`.
     ///
     /// # Errors
@@ -45,14 +45,21 @@ impl Convention {
         geometry: &Geometry<S>,
         scalars: &[String],
         values: &BTreeMap<String, Symbolic>,
-    ) -> Result<(), InputError> {
+    ) -> Result<Quantity, InputError> {
         let names = Names::new(geometry, scalars.iter().cloned());
         let scalar = |name: &str| scalar::<S>(name, &names, values);
         let tensors = Tensors::new(geometry, &scalar);
         let (quantity, tensor) = self.stored(&names, &tensors)?;
-        let entries = table.tensors.iter_mut().filter(|entry| entry.quantity == quantity);
-        entries.for_each(|entry| entry.tensor = tensor.clone());
-        Ok(())
+        let entry = table.tensors.iter_mut().find(|entry| entry.quantity == quantity);
+        if let Some(entry) = entry {
+            entry.tensor = tensor;
+        }
+        Ok(quantity)
+    }
+
+    /// The refusal of this convention.
+    pub(in crate::report) fn refused(&self, reason: String) -> InputError {
+        InputError::usage(reason).at(&self.source.whole(&self.source.text))
     }
 
     fn stored<S: Coefficient>(
