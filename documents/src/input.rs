@@ -22,5 +22,6 @@ pub use files::Files;
 pub(crate) use keys::parse_keys;
 pub use mesh::{mesh, read_mesh};
 pub use numbers::numbers;
+pub(crate) use rows::read_columns;
 pub use rows::read_rows;
 pub use source::{Place, Source};

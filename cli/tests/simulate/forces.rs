@@ -321,3 +321,21 @@ fn a_rounded_initial_element_is_restored() {
         assert!((a - b).abs() < 1e-9, "{a} {b}");
     }
 }
+
+/// Logs have quoted names and columns of words; only the columns that are named have to be numbers.
+#[test]
+fn columns_that_are_not_named_may_have_words() {
+    let problem = "space = \"so3\"\nmetric = \"identity\"\ninitial.velocity = [0, 0, 0]\n\
+                   forces = { table = \"log.csv\", columns = { t = \"time\", M1 = \"roll\" } }\n\
+                   [output]\nend = 2\nevery = 1\ncolumns = [\"Omega1\"]\n";
+    let folder = folder(problem);
+    fs::write(
+        folder.path().join("log.csv"),
+        "\"time\",\"roll\",status\n0,1,armed\n1,2,up\n2,0,down\n",
+    )
+    .unwrap();
+    let found = times(folder.path());
+    for (found, exact) in found.iter().zip([0.0, 1.5, 2.5]) {
+        assert!((found - exact).abs() < 1e-12, "{found}");
+    }
+}

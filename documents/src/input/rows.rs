@@ -10,6 +10,14 @@ use super::{InputError, Source, shown};
 /// With the place: a file that cannot be read, a head of numbers, two columns of one name, a missing value, and a value that is not
 /// a number.
 pub fn read_rows(path: &str) -> Result<(Vec<String>, Vec<Vec<f64>>), InputError> {
+    read_columns(path, |_| true)
+}
+
+/// The same, where columns that are not used may have values of any kind; their numbers are NaN.
+pub(crate) fn read_columns(
+    path: &str,
+    is_used: impl Fn(&str) -> bool,
+) -> Result<(Vec<String>, Vec<Vec<f64>>), InputError> {
     let file = read(path)?;
     let mut lines = file.text.lines();
     let first = lines.next().unwrap_or("");
@@ -18,7 +26,9 @@ pub fn read_rows(path: &str) -> Result<(Vec<String>, Vec<Vec<f64>>), InputError>
         let help = "put a line of names before it, as `t,a,b,c`";
         return Err(InputError::usage(message).at(&file.whole(first)).help(help));
     }
-    let names: Vec<String> = first.split(',').map(|name| name.trim().to_string()).collect();
+    let names: Vec<String> =
+        first.split(',').map(|name| name.trim().trim_matches('"').to_string()).collect();
+    let used: Vec<bool> = names.iter().map(|name| is_used(name)).collect();
     if let Some((_, name)) = names.iter().enumerate().find(|(at, name)| names[..*at].contains(name))
     {
         let message = format!("two columns have the name `{}`", shown(name));
@@ -26,7 +36,11 @@ pub fn read_rows(path: &str) -> Result<(Vec<String>, Vec<Vec<f64>>), InputError>
     }
     let mut rows = Vec::new();
     for line in lines.filter(|line| !line.trim().is_empty()) {
-        let row = line.split(',').map(|word| value(word.trim(), line, &file));
+        let words = line.split(',').enumerate();
+        let row = words.map(|(at, word)| match used.get(at) {
+            Some(false) => Ok(f64::NAN),
+            _ => value(word.trim(), line, &file),
+        });
         let row = row.collect::<Result<Vec<_>, _>>()?;
         if row.len() != names.len() {
             let (found, expected) = (row.len(), names.len());

@@ -4,7 +4,7 @@ use super::reader::{Reader, Written};
 use crate::input::{
     InputError, Place,
     forms::{Formulas, Number, Text},
-    read_rows, shown,
+    read_columns, shown,
 };
 use affinor::Error;
 use affinor::mechanics::simulation::{ForceFrame, ForceFunction, ForceTable, Forces};
@@ -73,7 +73,13 @@ impl ForceFormulas {
         let table = match &keys.table {
             Some(name) => {
                 let place = source.at(name);
-                let columns = read_rows(&reader.file(name));
+                let is_used = |column: &str| match &keys.columns {
+                    None => true,
+                    Some(columns) => {
+                        column == "t" || columns.0.iter().any(|(_, name)| name.trim() == column)
+                    }
+                };
+                let columns = read_columns(&reader.file(name), is_used);
                 let (names, rows) = columns.map_err(|error| error.or_at(&place))?;
                 let rows = match &keys.columns {
                     None => force_rows(&names, rows).map_err(|error| error.at(&place))?,
