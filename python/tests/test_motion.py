@@ -124,12 +124,17 @@ def test_plots():
         assert top.plot(kind) is not None
     with pytest.raises(ValueError, match="the plots are"):
         top.plot("pie")
+    for kind in ("conserved", "attitude"):
+        with pytest.raises(TypeError, match="ax should be axes of matplotlib, not int"):
+            top.plot(kind, ax=3)
     body = af.simulate(space="se3", metric="identity", initial={"velocity": [1, 2, 3, 4, 5, 6]}, output={"end": 0.1})
     with pytest.raises(ValueError, match="this one has 6"):
         body.plot("momentum")
     errors = af.convergence(TOP, "Omega1", ["simo-wong", "rkmk4"], [0.1, 0.05])
     assert 3 < errors["simo-wong"][0] / errors["simo-wong"][1] < 5
     assert errors["rkmk4"][0] / errors["rkmk4"][1] > 10
+    with pytest.raises(TypeError, match="ax should be axes of matplotlib, not Figure"):
+        errors.plot(plt.figure())
     kick, _ = errors.plot().lines
     np.testing.assert_array_equal(kick.get_xydata(), np.column_stack([[0.1, 0.05], errors["simo-wong"]]))
 
@@ -194,6 +199,10 @@ def test_progress():
     af.simulate(TOP, progress=shares.append)
     assert shares[-1] == 1 and shares == sorted(shares)
     af.simulate(TOP, progress=True)
+
+    for wrong in ("yes", 1):
+        with pytest.raises(TypeError, match="progress should be a truth value or a function, not"):
+            af.simulate(TOP, progress=wrong)
 
     def stop(share):
         raise LookupError("enough")

@@ -434,6 +434,8 @@ def simulate(
     on_interrupt = on_interrupt or interrupts.get()
     if on_error not in ("raise", "keep") or on_interrupt not in ("return", "raise"):
         raise ValueError("on_error is raise or keep, on_interrupt is return or raise")
+    if not isinstance(progress, (bool, np.bool_, type(None))) and not callable(progress):
+        raise TypeError(f"progress should be a truth value or a function, not {progress!r}")
     if not isinstance(problem, Problem):
         problem = Problem(problem, **keys)
     elif keys:
@@ -444,7 +446,7 @@ def simulate(
         raise ValueError(f"the problem has {ensemble}, and no member {member}")
     bar = None
     tell: Callable[[float], object] | None = progress if callable(progress) else None
-    if progress is True:
+    if tell is None and progress:
         bar = optional("tqdm.auto", "progress").tqdm(total=1.0, bar_format="{percentage:3.0f}%|{bar}| {elapsed}<{remaining}")
 
         def tell(share: float) -> None:
