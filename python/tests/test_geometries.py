@@ -178,6 +178,24 @@ def test_a_second_metric_is_rejected(space, connection):
         af.Geometries(space, np.eye(3), connection=connection)
 
 
+def test_metrics_of_names_and_algebras_are_replaced(tmp_path):
+    g = metrics(3, 2)
+    flat = af.Geometries("so3", g).ricci
+    for space in (af.Geometry("so3;metric=identity").algebra, af.LieAlgebra("so3;metric=identity")):
+        np.testing.assert_array_equal(af.Geometries(space, g).ricci, flat)
+    with pytest.raises(ValueError, match="given twice"):
+        af.Geometries("so3;metric=identity", g)
+    # the connection of M(3) is plus
+    plus = af.Geometries("M(3)", g, connection="plus").torsion
+    np.testing.assert_array_equal(af.Geometries("M(3)", g).torsion, plus)
+    close(plus[1], af.Geometry("M(3)", metric=g[1].tolist(), scalar="float").torsion.to_numpy(float))
+    path = tmp_path / "so3.toml"
+    path.write_text('basis = ["x", "y", "z"]\nbrackets = ["[x, y] = z"]\nmetric = "identity"\n')
+    for space in (path, str(path), f"{path}@plus"):
+        with pytest.raises(ValueError, match="given twice"):
+            af.Geometries(space, np.eye(3))
+
+
 def test_connections_by_tensors_are_rejected():
     constants = af.LieAlgebra("so3").structure
     for keys, words in (({"affinities": constants}, "by tensors"), ({"connection": "plus", "frame": "right"}, "right-invariant")):

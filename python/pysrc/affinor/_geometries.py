@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import threading
 from collections import OrderedDict
 from collections.abc import Mapping
@@ -10,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from affinor._engine import Family, Geometry, Source
+from affinor._engine import Family, Geometry, LieAlgebra, Source
 from affinor._scalars import floats, merged
 from affinor._source import Names, source_of
 from affinor.errors import InputError, MathematicsError
@@ -77,7 +78,7 @@ class Geometries:
         if parameters is not None and not isinstance(parameters, Mapping):
             raise TypeError(f"parameters should be a dict of arrays by name, not {type(parameters).__name__}")
         source, connection = _with_connection(space, connection, basis)
-        family = _family_of(source, connection, g.shape)
+        family = _family_of(source, connection, g.shape, _may_have_metric(space))
         given = {str(name): floats(value) for name, value in (parameters or {}).items()}
         if unknown := sorted(set(given) - set(family.parameters)):
             known = ", ".join(family.parameters) or "none"
@@ -302,21 +303,31 @@ def _with_connection(space: Any, connection: Any, basis: Names) -> tuple[Source,
 _TWICE = "the metric is given twice: by the space and by the argument metrics"
 
 
-def _family_of(space: Source, connection: Any, shape: tuple[int, ...]) -> Family:
+def _may_have_metric(space: Any) -> bool:
+    """Whether a metric of the space is ignored: that of an algebra, or the metric that belongs to a name such as ``M(3)``."""
+    if isinstance(space, str):
+        return ";" not in space and not os.path.isfile(space.partition("@")[0])
+    return isinstance(space, LieAlgebra)
+
+
+def _family_of(space: Source, connection: Any, shape: tuple[int, ...], may_have_metric: bool) -> Family:
     """The family of an algebra with a connection, whose metric has the entries of the upper triangle as parameters.
 
-    ``shape`` is the shape of the metrics.
+    ``shape`` is the shape of the metrics. With ``may_have_metric`` they replace a metric of the space.
     """
     n = shape[-1]
     names = [[f"metric_{min(i, j)}_{max(i, j)}" for j in range(n)] for i in range(n)]
     metric = "[" + ", ".join(f"[{', '.join(row)}]" for row in names) + "]"
     source = completed(space, connection, metric)
-    key = repr((source.arguments, source.scalar, source.tolerance))
+    key = repr((source.arguments, source.scalar, source.tolerance, may_have_metric))
     with _LOCK:
         if key in _FAMILIES:
             _FAMILIES.move_to_end(key)
             return _FAMILIES[key]
-    dimension = _dimension_without_metric(space)
+    geometry = _geometry_of(space)
+    if not may_have_metric and geometry.quantity("metric") is not None:
+        raise ValueError(f"{_TWICE}; remove it from the space")
+    dimension = geometry.dimension
     if dimension != n:
         raise ValueError(f"metrics should be an array of the shape (..., {dimension}, {dimension}), not of the shape {shape}")
     family = Family(source, [names[i][j] for i in range(n) for j in range(i, n)])
@@ -327,13 +338,10 @@ def _family_of(space: Source, connection: Any, shape: tuple[int, ...]) -> Family
     return family
 
 
-def _dimension_without_metric(space: Source) -> int:
-    """The dimension of a space, which must not have a metric."""
+def _geometry_of(space: Source) -> Geometry:
+    """The geometry of a space without another metric."""
     try:
-        found = Geometry(space)
+        return Geometry(space)
     except (InputError, MathematicsError):
         # levi-civita needs a metric, which this space may lack
-        found = Geometry(space, "zero")
-    if found.quantity("metric") is not None:
-        raise ValueError(f"{_TWICE}; remove it from the space")
-    return found.dimension
+        return Geometry(space, "zero")

@@ -281,7 +281,7 @@ class _Grid:
         if isinstance(self.grid, RandomSample):
             return self.grid.rows(start, stop)
         if not isinstance(self.grid, Mapping):
-            return {name: values[start:stop] for name, values in self.values.items()}
+            return {name: list(values[start:stop]) for name, values in self.values.items()}
         found: Columns = {}
         step = 1
         for name, values in reversed(self.values.items()):
