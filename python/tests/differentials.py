@@ -269,6 +269,14 @@ def refusals(own):
             assert "shape" in str(error)
         else:
             raise AssertionError("a wrong shape was taken")
+    identity, imaginary = own.array([1.0, 0, 0, 0]), own.array([0.0, 0, 0]) + 1j
+    for call in (lambda: group.exp(imaginary), lambda: group.act(identity, imaginary)):
+        try:
+            call()
+        except TypeError as error:
+            assert "real numbers, not of dtype" in str(error)
+        else:
+            raise AssertionError("complex numbers were taken")
     try:
         own.forward(lambda x: own.forward_raw(group.exp, x), own.array([0.1, 0.2, 0.3]))
     except NotImplementedError as error:

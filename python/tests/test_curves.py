@@ -54,6 +54,56 @@ def test_distances():
     assert SO3.distance(g, g).max() < 1e-15
 
 
+@pytest.mark.parametrize(
+    "weights, words",
+    [
+        ([1, np.nan, 1], "finite, not nan"),
+        ([1, np.inf, 1], "finite, not inf"),
+        ([1, -1, 1], "positive"),
+        ([[1, 0.1, 0], [0.1, 0, 0], [0, 0, 1]], "positive"),
+        (np.eye(3) + np.eye(3, k=1), "symmetric"),
+        (np.ones((3, 3)) - 2 * np.eye(3), "positive"),
+        ([[1, 2, 0], [2, 1, 0], [0, 0, 1]], "positive"),
+    ],
+)
+def test_weights_of_distances_are_a_metric(weights, words):
+    with pytest.raises(ValueError, match=f"weights should be .*{words}"):
+        SO3.distance(SO3.identity(), SO3.exp([1, 0, 0]), weights)
+
+
+def test_weights_of_any_size():
+    scales = np.array([1e-150, 1, 1e8])
+    form = np.outer(scales, scales) * (np.eye(3) + 0.1)
+    np.testing.assert_allclose(SO3.distance(SO3.identity(), SO3.exp([0, 1, 0]), form), np.sqrt(1.1))
+    # a form may ignore directions
+    assert SE3.distance(SE3.identity(), [1, 0, 0, 0, 3, 4, 0], [1, 1, 1, 0, 0, 0]) == 0
+    assert SO3.distance(SO3.identity(), SO3.exp([1, 1, 1]), np.ones((3, 3))) == pytest.approx(3)
+    g = SO3.exp([[1, 0, 0], [0, 1, 0]])
+    with pytest.raises(ValueError, match="the weights have no finite sum"):
+        SO3.mean(g, [1e308, 1e308])
+    np.testing.assert_allclose(SO3.mean(g, [1e307, 1e307]), SO3.mean(g), atol=1e-15)
+
+
+def test_splines_of_wrong_numbers():
+    g = SO3.exp([[0, 0, 0], [0, 0, 1]])
+    with pytest.raises(ValueError, match="velocities should be finite, not nan"):
+        SO3.spline([0, 1], g, velocities=np.full((2, 3), np.nan))
+    for name, factor in (("so3", 2), ("so3", 1 + 1e-5), ("se3", 2), ("sl2", 1.1)):
+        group = af.Group(name)
+        g = group.exp(np.linspace(0, 0.3, 3 * group.dimension).reshape(3, -1))
+        group.spline([0, 1, 2], -g if name == "so3" else g)
+        g[1] *= factor
+        with pytest.raises(ValueError, match="element 1 of the batch is not in the group .*project it first"):
+            group.spline([0, 1, 2], g)
+    # rounding errors of large elements
+    g = af.Group("so(3,1)").exp([[0, 0, 0, 0, 0, 0], [0, 0, 0, 1, 2, 6], [0, 0, 0, 2, 4, 12]])
+    af.Group("so(3,1)").spline([0, 1, 2], g)
+    far = SE3.exp([[0, 0, 0, 1e7, 0, 0], [1, 0, 0, 1e7, 1, 1]])
+    SE3.spline([0, 1], far)
+    with pytest.raises(ValueError, match="not in the group"):
+        SE3.spline([0, 1], far * [[1], [1.01]])
+
+
 @pytest.mark.parametrize("name", NAMES)
 @pytest.mark.parametrize("kind", ["cubic", "geodesic"])
 def test_splines(name, kind):

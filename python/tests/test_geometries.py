@@ -147,8 +147,76 @@ def test_wrong_metrics_are_named():
     assert np.isfinite(af.Geometries("so3", good * scales[:, None] * scales).scalar_curvature).all()
 
 
+def test_the_space_gives_the_connection():
+    """A connection in a text, a dict or a Geometry is the default; the argument replaces it."""
+    g = metrics(3, 4)
+    plus = af.Geometries("so3", g, connection="plus").torsion
+    assert np.abs(plus).max() > 0.5
+    definition = {"dimension": 3, "structure_constants": [[1, 2, 3, "1"], [2, 3, 1, "1"], [3, 1, 2, "1"]], "connection": "plus"}
+    for space in ("so3@plus", definition, af.LieAlgebra("so3@plus"), af.Geometry("so3@plus"), af.Geometry("so3", "plus")):
+        np.testing.assert_array_equal(af.Geometries(space, g).torsion, plus)
+        assert np.abs(af.Geometries(space, g, connection="levi-civita").torsion).max() < 1e-12
+    assert np.abs(af.Geometries("so3@levi-civita", g).torsion).max() < 1e-12
+    # a Geometry without a metric has the connection zero by default
+    zero = af.Geometries("so3", g, connection="zero").affinities
+    np.testing.assert_array_equal(af.Geometries(af.Geometry("so3"), g).affinities, zero)
+    np.testing.assert_array_equal(af.Geometries("so3@plus", g, connection="zero").affinities, zero)
+    third = af.Geometries("so3@lambda=3/10", g).ricci
+    for factor in (0.3, np.float64(0.3), sp.Rational(3, 10), "3/10", "0.3", af.Geometry("so3", "3/10")):
+        space, connection = (factor, None) if isinstance(factor, af.Geometry) else ("so3", factor)
+        np.testing.assert_allclose(af.Geometries(space, g, connection=connection).ricci, third, rtol=1e-15)
+    assert af.Geometry("so3", "1/3").lambda_ == sp.Rational(1, 3)
+
+
+@pytest.mark.parametrize("space", [
+    "so3;metric=diag(1,2,3)", "so3@zero;metric=identity", "so3@levi-civita;metric=identity",
+    {"basis": ["x", "y", "z"], "brackets": ["[x, y] = z"], "metric": "identity"}, af.Geometry("so3", metric="identity"),
+])  # fmt: skip
+@pytest.mark.parametrize("connection", [None, "plus"])
+def test_a_second_metric_is_rejected(space, connection):
+    with pytest.raises(ValueError, match="the metric is given twice"):
+        af.Geometries(space, np.eye(3), connection=connection)
+
+
+def test_metrics_of_names_and_algebras_are_replaced(tmp_path):
+    g = metrics(3, 2)
+    flat = af.Geometries("so3", g).ricci
+    for space in (af.Geometry("so3;metric=identity").algebra, af.LieAlgebra("so3;metric=identity")):
+        np.testing.assert_array_equal(af.Geometries(space, g).ricci, flat)
+    with pytest.raises(ValueError, match="given twice"):
+        af.Geometries("so3;metric=identity", g)
+    # the connection of M(3) is plus
+    plus = af.Geometries("M(3)", g, connection="plus").torsion
+    np.testing.assert_array_equal(af.Geometries("M(3)", g).torsion, plus)
+    close(plus[1], af.Geometry("M(3)", metric=g[1].tolist(), scalar="float").torsion.to_numpy(float))
+    path = tmp_path / "so3.toml"
+    path.write_text('basis = ["x", "y", "z"]\nbrackets = ["[x, y] = z"]\nmetric = "identity"\n')
+    for space in (path, str(path), f"{path}@plus"):
+        with pytest.raises(ValueError, match="given twice"):
+            af.Geometries(space, np.eye(3))
+
+
+def test_connections_by_tensors_are_rejected():
+    constants = af.LieAlgebra("so3").structure
+    for keys, words in (({"affinities": constants}, "by tensors"), ({"connection": "plus", "frame": "right"}, "right-invariant")):
+        with pytest.raises(ValueError, match=f"{words}.*: pass its algebra"):
+            af.Geometries(af.Geometry("so3", **keys), np.eye(3))
+    with pytest.raises(TypeError, match="not a Geometry: pass its algebra"):
+        af.LieAlgebra(af.Geometry("so3"))
+
+
+def test_metrics_are_copied():
+    g = np.eye(3)
+    bodies = af.Geometries("so3", g)
+    g *= np.nan
+    assert bodies.scalar_curvature == 1.5 and np.array_equal(bodies.metric, np.eye(3))
+
+
 WRONG = [
-    (lambda: af.Geometries("so3", np.eye(4)), ValueError, "dimension"),
+    (lambda: af.Geometries("so3", np.eye(4)), ValueError, r"\(..., 3, 3\), not of the shape \(4, 4\)"),
+    (lambda: af.Geometries(None, np.eye(3)), TypeError, "not NoneType"),
+    (lambda: af.Geometries(3, np.eye(3)), TypeError, "not int"),
+    (lambda: af.Geometries("so3", np.eye(3), parameters=[1]), TypeError, "parameters should be a dict .* not list"),
     (lambda: af.Geometries("so3", np.ones(3)), ValueError, r"\(..., n, n\), not of the shape \(3,\)"),
     (lambda: af.Geometries("so3", np.ones((2, 3, 4))), ValueError, r"\(2, 3, 4\)"),
     (lambda: af.Geometries("so3", np.eye(3) * 1j), TypeError, "complex"),
@@ -163,6 +231,10 @@ WRONG = [
     (lambda: af.Geometries("so3", np.eye(3)).quantity("riemann"), ValueError, "curvature"),
     (lambda: af.Geometries("so3", np.eye(3)).quantity("weyl2"), ValueError, "weyl"),
     (lambda: af.Geometries("so3", np.eye(3), connection="plus").quantity("weyl"), af.MathematicsError, "not defined"),
+    (lambda: af.Geometries("so3", np.eye(3)).quantity("sectional_curvature"), ValueError, r"not one of structure, .*sectional_curvature\(x, y\)"),
+    (lambda: af.Geometries("so3", np.eye(3)).derivative("sectional_curvature"), ValueError, "not one of structure"),
+    (lambda: af.Geometries("so3", np.eye(3)).sectional_curvature([np.nan, 0, 0], [0, 1, 0]), ValueError, "x should be finite, not nan"),
+    (lambda: af.Geometries("so3", np.eye(3), connection=np.nan), ValueError, "nan"),
     (lambda: af.Geometries("so3", np.eye(3)).derivative("ricci", np.eye(2)), ValueError, r"\(..., 3, 3\)"),
     (lambda: af.Geometries("so3", np.eye(3)).derivative("ricci", np.triu(np.ones((3, 3)))), af.MetricError, "direction 0 .* not symmetric"),
     (lambda: af.Geometries("so3", np.eye(3)).sectional_curvature([1, 0], [0, 1]), ValueError, r"\(..., 3\)"),

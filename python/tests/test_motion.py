@@ -124,12 +124,17 @@ def test_plots():
         assert top.plot(kind) is not None
     with pytest.raises(ValueError, match="the plots are"):
         top.plot("pie")
+    for kind in ("conserved", "attitude"):
+        with pytest.raises(TypeError, match="ax should be axes of matplotlib, not int"):
+            top.plot(kind, ax=3)
     body = af.simulate(space="se3", metric="identity", initial={"velocity": [1, 2, 3, 4, 5, 6]}, output={"end": 0.1})
     with pytest.raises(ValueError, match="this one has 6"):
         body.plot("momentum")
     errors = af.convergence(TOP, "Omega1", ["simo-wong", "rkmk4"], [0.1, 0.05])
     assert 3 < errors["simo-wong"][0] / errors["simo-wong"][1] < 5
     assert errors["rkmk4"][0] / errors["rkmk4"][1] > 10
+    with pytest.raises(TypeError, match="ax should be axes of matplotlib, not Figure"):
+        errors.plot(plt.figure())
     kick, _ = errors.plot().lines
     np.testing.assert_array_equal(kick.get_xydata(), np.column_stack([[0.1, 0.05], errors["simo-wong"]]))
 
@@ -195,6 +200,10 @@ def test_progress():
     assert shares[-1] == 1 and shares == sorted(shares)
     af.simulate(TOP, progress=True)
 
+    for wrong in ("yes", 1):
+        with pytest.raises(TypeError, match="progress should be a truth value or a function, not"):
+            af.simulate(TOP, progress=wrong)
+
     def stop(share):
         raise LookupError("enough")
 
@@ -247,6 +256,38 @@ def test_a_trajectory_at_other_times():
     assert np.array_equal(restored.rows, motion.rows)
     with pytest.raises(ValueError, match="unpickled"):
         restored(1.0)
+
+
+def test_times_of_a_trajectory_are_checked():
+    motion = af.simulate(**TURN)
+    for t in (np.nan, [0, np.nan], np.inf):
+        with pytest.raises(ValueError, match="t should have finite times, not (nan|inf)"):
+            motion(t)
+    with pytest.raises(ValueError, match=r"one axis, not of the shape \(2, 2\)"):
+        motion([[0, 1], [1, 2]])
+    with pytest.raises(ValueError, match="t has times on both sides of the initial time 0:"):
+        motion([-1, 0, 1])
+    assert motion([0, -1]).t.tolist() == [0, -1] and len(motion([])) == 0
+    # the initial time is that of the problem, and need not be in the rows
+    assert motion([3.0, 2.0])([1.0, 2.0]).t.tolist() == [1, 2]
+    late = af.simulate(**{**TURN, "initial": {"time": 1, **TURN["initial"]}})
+    np.testing.assert_allclose(late([1.5, 3])["H"], motion([0.5, 2])["H"], atol=1e-8)
+    with pytest.raises(ValueError, match="the initial time 1:"):
+        late([0.5, 1.5])
+    short = af.simulate(**{**TURN, "output": {"end": 4, "every": 2, "columns": ["Omega1"]}})
+    with pytest.raises(ValueError, match="add t to output.columns"):
+        short(1)
+
+
+def test_runs_that_end_early_have_no_later_times():
+    keys = {**TURN, "events": {"half": "t - 1/2"}}
+    stopped = af.simulate(**{**keys, "output": {"end": 4, "every": 0.2, "stop": "half"}})
+    assert stopped([0.3, 0.1, 0.5]).t.tolist() == [0.3, 0.1, 0.5]
+    with pytest.raises(ValueError, match=r"the run ends at t = 0\.5, and t has the time 0\.7"):
+        stopped([0.1, 0.9, 0.7])
+    section = af.simulate(**{**keys, "output": {"end": 4, "section": "half"}})
+    with pytest.raises(ValueError, match="without section"):
+        section(0.1)
 
 
 def test_curves_are_smooth_whatever_the_rows():

@@ -1,5 +1,6 @@
 """Calls that are stopped: by signals, and by limits on the time and the memory."""
 
+import contextvars
 import os
 import signal
 import subprocess
@@ -12,6 +13,7 @@ import pytest
 import sympy as sp
 
 import affinor as af
+from affinor import _limits
 
 RANDOM = np.random.default_rng(5).integers(-3, 4, size=(28, 28))
 DENSE = (RANDOM.T @ RANDOM + 28 * np.eye(28, dtype=int)).tolist()
@@ -139,6 +141,91 @@ def test_blocks_nest():
 def test_limits_are_numbers(wrong):
     with pytest.raises(ValueError), af.limits(**wrong):
         pass
+
+
+@pytest.mark.parametrize(
+    "wrong, error, words",
+    [
+        ({"timeout": "5"}, TypeError, "timeout should be a number of seconds, not str"),
+        ({"timeout": True}, TypeError, "timeout should be .* not bool"),
+        ({"memory": b"2G"}, TypeError, "memory should be .* not bytes"),
+        ({"memory": "8X"}, ValueError, "memory should be a size such as 800M or 2G, not 8X"),
+    ],
+)
+def test_a_wrong_limit_is_named(wrong, error, words):
+    with pytest.raises(error, match=words):
+        af.limits(**wrong)
+
+
+def is_limited():
+    try:
+        af.Geometry("so3@zero").table()
+    except af.LimitError:
+        return True
+    return False
+
+
+def block(**keys):
+    with af.limits(**keys):
+        yield
+
+
+@pytest.mark.parametrize("first, second", [(0, 1000), (1000, 0)])
+def test_blocks_end_in_any_order(first, second):
+    one, other = block(timeout=first), block(timeout=second)
+    next(one)
+    next(other)
+    assert is_limited()
+    one.close()
+    assert is_limited() == (second == 0)
+    with af.limits(timeout=1000):
+        assert is_limited() == (second == 0)
+    other.close()
+    assert not is_limited() and _limits.current.get() is None
+
+
+def test_a_time_limit_keeps_its_deadline_when_an_outer_block_ends():
+    one, other = block(timeout=1000, memory="1024G"), block(timeout=0.3)
+    next(one)
+    next(other)
+    time.sleep(0.2)
+    one.close()
+    assert not is_limited()
+    time.sleep(0.2)
+    assert is_limited()
+    other.close()
+    assert not is_limited()
+
+
+def test_a_block_ends_in_another_context():
+    stopped = block(timeout=0)
+    thread = threading.Thread(target=next, args=(stopped,))
+    thread.start()
+    thread.join()
+    stopped.close()
+    assert not is_limited()
+    # a copy of a context has no limits of blocks that have ended
+    with af.limits(timeout=0):
+        copied = contextvars.copy_context()
+        assert copied.run(is_limited)
+    assert not copied.run(is_limited)
+
+
+def test_limits_are_used_again():
+    stop = af.limits(timeout=0)
+    for _ in range(2):
+        with stop:
+            with stop:
+                assert is_limited()
+            assert is_limited()
+        assert not is_limited()
+    assert stop(is_limited)() and not is_limited()
+    with stop:
+        thread = threading.Thread(target=stop(is_limited))
+        thread.start()
+        thread.join()
+        assert is_limited()
+    assert not is_limited()
 
 
 def test_a_limit_keeps_the_rows_of_a_motion():

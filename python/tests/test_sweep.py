@@ -10,14 +10,16 @@ import textwrap
 import threading
 import time
 import warnings
+from decimal import Decimal
 from fractions import Fraction
 from pathlib import Path
 
 import numpy as np
 import pytest
+import sympy as sp
 
 import affinor as af
-from affinor._sweep import _partition
+from affinor._sweep import _Grid, _partition
 
 pytest.importorskip("pyarrow")
 pytestmark = pytest.mark.xdist_group("sweep")
@@ -318,6 +320,39 @@ def test_a_column_has_one_kind(values, expected):
     found, failed = columns(lambda row: {"x": values[row["a"]]}, {"a": [0, 1, 2]})
     assert failed == [isinstance(value, str) and value == "error" for value in expected]
     assert found == [None if bad else value for bad, value in zip(failed, expected, strict=True)]
+
+
+@pytest.mark.parametrize("value, kind", [(object(), "object"), (1j, "complex"), ({"a": 1}, "dict"), (b"a", "bytes"), ([1j], "complex"), (np.complex64(1), "complex"), (np.eye(2) * 1j, "complex")])
+def test_objects_are_no_results(value, kind):
+    table = af.sweep(lambda row: {"x": value if row["a"] == 1 else 2}, {"a": [0, 1, 2]}).to_pandas()
+    assert table["error"].isna().tolist() == [True, False, True]
+    assert table["error"][1] == f"TypeError: the result 'x' should be a number, a text, a truth value, a list or an array, not {kind}"
+
+
+def test_exact_results_are_texts_and_arrays_are_lists():
+    x = sp.Symbol("x")
+    results = {"a": Decimal("0.1"), "b": x**2 / 2, "c": sp.Matrix([[x, 1]]), "d": af.Geometry("so3@zero").ricci, "e": np.array(0.5)}
+    row = af.sweep(lambda row: results, {"n": [1]}).to_arrow().to_pylist()[0]
+    assert row["error"] is None and row["a"] == "0.1" and row["b"] == "x**2/2" and row["c"] == [["x", "1"]]
+    assert row["d"][0] == [0.5, 0, 0] and row["e"] == 0.5
+
+
+def test_ranges_are_read_row_by_row(tmp_path):
+    grid = {"x": range(10**6), "y": range(0, 2**21, 2)}
+    source = _Grid(grid)
+    assert len(source) == 2**20 * 10**6 and source.rows(2**20 + 3, 2**20 + 5) == {"x": [1, 1], "y": [6, 8]}
+    long = _Grid({"z": range(10**9), "a": [1, 2]})
+    assert len(long) == 2 * 10**9 and long.rows(10**9, 10**9 + 1) == {"z": [5 * 10**8], "a": [1]}
+    assert long.kinds == {"z": "integer", "a": "integer"} and long.digest() != _Grid({"z": range(1, 10**9 + 1), "a": [1, 2]}).digest()
+    assert _Grid({"x": range(9)}).digest() == _Grid({"x": list(range(9))}).digest()
+    with pytest.raises(TypeError, match="64 bits"):
+        _Grid({"x": range(2**63, 2**63 + 2**21)})
+    # the first error ends such a sweep, whose other chunks are not listed
+    with pytest.raises(ValueError, match="name of another column"):
+        af.sweep(lambda row: {"a": 1}, {"z": range(10**9), "a": [1, 2]}, chunk=1, out=tmp_path)
+    for huge in ({"x": range(10**9), "z": range(10**9)}, {"x": range(10**30)}, af.RandomSample(2**41, a="uniform(0, 1)")):
+        with pytest.raises(ValueError, match=r"the grid has \d+ rows, but a sweep has at most 2\^40"):
+            af.sweep(lambda row: {}, huge)
 
 
 def test_partitions_of_other_kinds_end_a_sweep(tmp_path):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import threading
 from collections import OrderedDict
 from collections.abc import Mapping
@@ -10,10 +11,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from affinor._engine import Family
-from affinor._scalars import floats
+from affinor._engine import Family, Geometry, LieAlgebra, Source
+from affinor._scalars import floats, merged
 from affinor._source import Names, source_of
-from affinor.geometry import completed
+from affinor.errors import InputError, MathematicsError
+from affinor.geometry import completed, connection_text
 
 __all__ = ["Geometries"]
 
@@ -36,11 +38,12 @@ class Geometries:
     Parameters
     ----------
     space
-        A LieAlgebra or anything that makes one.
+        A LieAlgebra or anything that makes one, with or without a connection, such as ``so3@plus``; or a Geometry without a metric.
     metrics : array of the shape (..., n, n)
         Symmetric, regular matrices ``g_ij`` of any signature.
     connection : str or number, optional
-        ``levi-civita`` (the default), ``plus``, ``zero``, ``minus``, or a number lambda.
+        ``levi-civita``, ``plus``, ``zero``, ``minus``, or a number lambda. Default: the connection of the space, or ``levi-civita``
+        if the space has none.
     parameters : dict of arrays, optional
         Values of the parameters of the brackets, by name or symbol; arrays are broadcast with the batch of metrics.
 
@@ -64,7 +67,7 @@ class Geometries:
         space: Any,
         metrics: ArrayLike,
         *,
-        connection: Any = "levi-civita",
+        connection: Any = None,
         parameters: Mapping[Any, ArrayLike] | None = None,
         basis: Names = None,
     ) -> None:
@@ -72,7 +75,10 @@ class Geometries:
         if g.ndim < 2 or g.shape[-1] != g.shape[-2] or g.shape[-1] == 0:
             raise ValueError(f"metrics should be an array of the shape (..., n, n), not of the shape {g.shape}")
         n = g.shape[-1]
-        family = _family_of(space, connection, n, basis)
+        if parameters is not None and not isinstance(parameters, Mapping):
+            raise TypeError(f"parameters should be a dict of arrays by name, not {type(parameters).__name__}")
+        source, connection = _with_connection(space, connection, basis)
+        family = _family_of(source, connection, g.shape, _may_have_metric(space))
         given = {str(name): floats(value) for name, value in (parameters or {}).items()}
         if unknown := sorted(set(given) - set(family.parameters)):
             known = ", ".join(family.parameters) or "none"
@@ -84,7 +90,8 @@ class Geometries:
         shape = _common(g.shape[:-2], *(value.shape for value in values))
         columns = [np.broadcast_to(value, shape) for value in values]
         self._family = family
-        self._metrics = g
+        # the array of the caller may change
+        self._metrics = g.copy()
         self._parameters = np.stack(columns, axis=-1) if columns else np.zeros((1, 0))
         self.batch_shape: tuple[int, ...] = shape
         """The shape of the batch, to which metrics and parameters are broadcast."""
@@ -111,6 +118,7 @@ class Geometries:
         >>> Geometries("so3", np.eye(3)).quantity("kretschmann")
         array(0.75)
         """
+        self._check_key(key)
         return self._evaluate(key, self.batch_shape)
 
     @property
@@ -176,6 +184,8 @@ class Geometries:
         for name, v in zip("xy", vectors, strict=True):
             if v.ndim == 0 or v.shape[-1] != self.dimension:
                 raise ValueError(f"{name} should be an array of the shape (..., {self.dimension}), not of the shape {v.shape}")
+            if not np.isfinite(v).all():
+                raise ValueError(f"{name} should be finite, not {v[~np.isfinite(v)][0]}")
         planes = _common(*(v.shape[:-1] for v in vectors))
         both = np.concatenate([np.broadcast_to(v, (*planes, self.dimension)) for v in vectors], axis=-1)
         return self._evaluate("sectional_curvature", _common(self.batch_shape, planes), vectors=both)
@@ -204,6 +214,7 @@ class Geometries:
                [ 0. , -0.5,  0. ],
                [ 0. ,  0. , -0.5]])
         """
+        self._check_key(key)
         n = self.dimension
         if direction is None:
             pairs = [(a, b) for a in range(n) for b in range(a, n)]
@@ -225,6 +236,15 @@ class Geometries:
             raise ValueError(f"the direction should be an array of the shape (..., {n}, {n}), not of the shape {rates.shape}")
         self._family.check("direction", rates.reshape(-1, n * n), False)
         return self._evaluate(key, _common(self.batch_shape, rates.shape[:-2]), rates=rates)
+
+    def _check_key(self, key: str) -> None:
+        """Rejects the sectional curvature, which the engine evaluates for two vectors only."""
+        if key == "sectional_curvature":
+            try:
+                self._family.shape("")
+            except ValueError as error:
+                listed = str(error).removeprefix('""')
+                raise ValueError(f'"{key}"{listed}; the method sectional_curvature(x, y) takes the vectors of a plane') from None
 
     def _evaluate(
         self, key: str, shape: tuple[int, ...], *, vectors: Floats | None = None, rates: Floats | None = None
@@ -258,19 +278,70 @@ def _common(*shapes: tuple[int, ...]) -> tuple[int, ...]:
         raise ValueError(f"the batches {written} cannot be broadcast together") from None
 
 
-def _family_of(space: Any, connection: Any, n: int, basis: Names) -> Family:
-    """The family of an algebra with a connection, whose metric has the entries of the upper triangle as parameters."""
+def _with_connection(space: Any, connection: Any, basis: Names) -> tuple[Source, Any]:
+    """The source of a space, and its connection; ``None`` stands for the connection in the source."""
+    if isinstance(space, Geometry):
+        if basis is not None:
+            raise TypeError("this Geometry has a basis: leave basis out")
+        tensors, frame = space._extra
+        if tensors or frame != "left":
+            reason = "is given by tensors" if tensors else f"is in the {frame}-invariant frame"
+            raise ValueError(f"the connection of the Geometry {reason}: pass its algebra and a connection")
+        if space.quantity("metric") is not None:
+            raise ValueError(f"{_TWICE}; pass its algebra, or a Geometry without a metric")
+        # a geometry without a metric and without a given connection has the connection zero
+        if connection is None and space.connection in ("plus", "zero", "minus"):
+            connection = space.connection
+        source = space._source
+    else:
+        source = source_of(space, basis=basis)
+    if connection is not None and not isinstance(connection, str):
+        connection = connection_text(connection, merged(source.symbols), floats=True)
+    return source, connection
+
+
+_TWICE = "the metric is given twice: by the space and by the argument metrics"
+
+
+def _may_have_metric(space: Any) -> bool:
+    """Whether a metric of the space is ignored: that of an algebra, or the metric that belongs to a name such as ``M(3)``."""
+    if isinstance(space, str):
+        return ";" not in space and not os.path.isfile(space.partition("@")[0])
+    return isinstance(space, LieAlgebra)
+
+
+def _family_of(space: Source, connection: Any, shape: tuple[int, ...], may_have_metric: bool) -> Family:
+    """The family of an algebra with a connection, whose metric has the entries of the upper triangle as parameters.
+
+    ``shape`` is the shape of the metrics. With ``may_have_metric`` they replace a metric of the space.
+    """
+    n = shape[-1]
     names = [[f"metric_{min(i, j)}_{max(i, j)}" for j in range(n)] for i in range(n)]
     metric = "[" + ", ".join(f"[{', '.join(row)}]" for row in names) + "]"
-    source = completed(source_of(space, basis=basis), connection, metric)
-    key = repr((source.arguments, source.scalar, source.tolerance))
+    source = completed(space, connection, metric)
+    key = repr((source.arguments, source.scalar, source.tolerance, may_have_metric))
     with _LOCK:
         if key in _FAMILIES:
             _FAMILIES.move_to_end(key)
             return _FAMILIES[key]
+    geometry = _geometry_of(space)
+    if not may_have_metric and geometry.quantity("metric") is not None:
+        raise ValueError(f"{_TWICE}; remove it from the space")
+    dimension = geometry.dimension
+    if dimension != n:
+        raise ValueError(f"metrics should be an array of the shape (..., {dimension}, {dimension}), not of the shape {shape}")
     family = Family(source, [names[i][j] for i in range(n) for j in range(i, n)])
     with _LOCK:
         _FAMILIES[key] = family
         while len(_FAMILIES) > _MOST_FAMILIES:
             _FAMILIES.popitem(last=False)
     return family
+
+
+def _geometry_of(space: Source) -> Geometry:
+    """The geometry of a space without another metric."""
+    try:
+        return Geometry(space)
+    except (InputError, MathematicsError):
+        # levi-civita needs a metric, which this space may lack
+        return Geometry(space, "zero")

@@ -2,33 +2,116 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from contextlib import contextmanager
+import numbers
+import time
+from contextlib import ContextDecorator
 from contextvars import ContextVar
+from typing import Any
 
-from affinor import _engine
+from affinor._engine import Budget
 
 __all__ = ["current", "limits"]
 
-current: ContextVar[_engine.Budget | None] = ContextVar("affinor limits", default=None)
-"""The limits of the innermost block."""
+
+class _Block:
+    """A block of code with limits. Blocks may end in any order, and in another context than they began."""
+
+    __slots__ = ("deadline", "memory", "open", "owner")
+
+    def __init__(self, owner: Limits) -> None:
+        self.owner, self.memory, self.open = owner, owner.memory, True
+        self.deadline = None if owner.timeout is None else time.monotonic() + owner.timeout
+
+    def rest(self) -> float | None:
+        """The seconds until the time limit of the block."""
+        return None if self.deadline is None else max(0.0, self.deadline - time.monotonic())
 
 
-@contextmanager
-def limits(timeout: float | None = None, memory: int | str | None = None) -> Iterator[None]:
+_Stack = tuple[tuple[_Block, Budget], ...]
+"""The blocks of a context, the innermost one last. Each budget has the limits of its block and of all blocks before."""
+
+
+class _Current:
+    """The limits of the innermost block, which the engine reads."""
+
+    def __init__(self) -> None:
+        self._stack: ContextVar[_Stack] = ContextVar("affinor limits", default=())
+
+    def get(self) -> Budget | None:
+        """The limits of all open blocks of this context."""
+        stack = self.blocks()
+        return stack[-1][1] if stack else None
+
+    def blocks(self) -> _Stack:
+        """The open blocks of this context."""
+        stack = self._stack.get()
+        closed = next((at for at, (block, _) in enumerate(stack) if not block.open), None)
+        if closed is not None:
+            rest = stack[closed:]
+            stack = stack[:closed]
+            # budgets after a closed block contain its limits
+            for block, _ in rest:
+                if block.open:
+                    stack += ((block, Budget(block.rest(), block.memory, stack[-1][1] if stack else None)),)
+            self._stack.set(stack)
+        return stack
+
+    def push(self, block: _Block) -> None:
+        """Begins a block."""
+        stack = self.blocks()
+        own = Budget(block.owner.timeout, block.memory, stack[-1][1] if stack else None)
+        self._stack.set((*stack, (block, own)))
+
+
+current = _Current()
+
+
+class Limits(ContextDecorator):
+    """Limits of blocks, each of which has the whole time. One object may be used for several blocks, nested or in threads."""
+
+    def __init__(self, timeout: float | None, memory: int | str | None) -> None:
+        if timeout is not None:
+            if isinstance(timeout, bool) or not isinstance(timeout, numbers.Real):
+                raise TypeError(f"timeout should be a number of seconds, not {type(timeout).__name__}")
+            timeout = float(timeout)
+        if memory is not None:
+            if isinstance(memory, bool) or not isinstance(memory, (str, numbers.Real)):
+                raise TypeError(f"memory should be a number of bytes or a text such as '2G', not {type(memory).__name__}")
+            try:
+                Budget(None, memory, None)
+            except ValueError:
+                raise ValueError(f"memory should be a size such as 800M or 2G, not {memory}") from None
+        Budget(timeout, None, None)
+        self.timeout, self.memory = timeout, memory
+        self._blocks: list[_Block] = []
+
+    def __enter__(self) -> None:
+        block = _Block(self)
+        current.push(block)
+        self._blocks.append(block)
+
+    def __exit__(self, *_: Any) -> None:
+        own = [block for block, _ in current.blocks() if block.owner is self]
+        # a generator may end in another context than it began
+        block = own[-1] if own else self._blocks[-1]
+        block.open = False
+        self._blocks.remove(block)
+        current.blocks()
+
+
+def limits(timeout: float | None = None, memory: int | str | None = None) -> Limits:
     """Limits for all computations of affinor in a block. A computation that passes one ends with LimitError.
 
     ``timeout`` is the number of seconds of the whole block. ``memory`` is the resident size of the whole process, in bytes or as
-    a text such as ``"2G"``; only Linux tells it. Blocks nest, and all their limits hold. A limit ends computations of
+    a text such as ``"2G"``; only Linux reports it. Blocks nest, and all their limits hold. A limit ends computations of
     affinor only, also in the calls that follow in the block; code of Python goes on.
+
+    The limits hold for the thread of the block. Other threads have limits of their own, and so have tasks of sweeps that run in
+    a pool of threads: write the block in the task.
 
     >>> import affinor as af
     >>> with af.limits(timeout=60, memory="8G"):
     ...     print(af.Geometry("so3@zero").ricci[0, 0])
     1/2
     """
-    token = current.set(_engine.Budget(timeout, memory, current.get()))
-    try:
-        yield
-    finally:
-        current.reset(token)
+    return Limits(timeout, memory)

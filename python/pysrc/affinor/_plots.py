@@ -51,6 +51,7 @@ def plot(trajectory: Columns, kind: str, columns: Sequence[str] | None, ax: Any)
         raise ValueError(f"the plots are {', '.join(KINDS)}, not {kind!r}")
     plt = optional("matplotlib.pyplot", "plot")
 
+    _check_axes(ax)
     space = kind in ("attitude", "momentum")
     if space and ax is not None and not hasattr(ax, "set_zlabel"):
         raise ValueError(f"{kind} is drawn in space: give axes of the projection '3d', or none")
@@ -99,6 +100,7 @@ def plot_convergence(errors: Mapping[str, Any], steps: Sequence[float], ax: Any 
     """The errors of methods over the step size, on logarithmic axes."""
     plt = optional("matplotlib.pyplot", "plot")
 
+    _check_axes(ax)
     ax = plt.figure().add_subplot() if ax is None else ax
     for method, error in errors.items():
         ax.loglog(steps, error, "o-", label=method)
@@ -106,6 +108,12 @@ def plot_convergence(errors: Mapping[str, Any], steps: Sequence[float], ax: Any 
     ax.set_ylabel("error at the end")
     ax.legend()
     return ax
+
+
+def _check_axes(ax: Any) -> None:
+    """Rejects other objects than axes of matplotlib."""
+    if ax is not None and not hasattr(ax, "get_legend_handles_labels"):
+        raise TypeError(f"ax should be axes of matplotlib, not {type(ax).__name__}")
 
 
 def _axes(trajectory: _Curve) -> Any:

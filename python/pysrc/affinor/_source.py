@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import numbers
 import os
 import re
 from collections.abc import Iterable, Mapping, Sequence
@@ -10,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from affinor._engine import LieAlgebra, Source, Tensor
+from affinor._engine import Geometry, LieAlgebra, Source, Tensor
 from affinor._scalars import (
     Scalar,
     Symbols,
@@ -67,6 +68,10 @@ def source_of(
             keys["parameters"] = declared + extra
         name = str(keys.get("name", "definition"))
         return Source({"space": None, "definition": (name, json.dumps(keys))}, symbols, scalar, tolerance)
+    if isinstance(space, Geometry):
+        raise TypeError("a LieAlgebra or its definition was expected, not a Geometry: pass its algebra")
+    if space is None or isinstance(space, numbers.Number):
+        raise TypeError(f"a space is a name, a path, brackets, a dict, structure constants or a LieAlgebra, not {type(space).__name__}")
     return from_structure(space, basis=basis, scalar=scalar, tolerance=tolerance)
 
 

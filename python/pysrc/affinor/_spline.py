@@ -63,6 +63,7 @@ class Spline:
         if g.ndim < 2 or g.shape[0] != len(t) or g.shape[-1] != group.coordinate_count:
             raise ValueError(f"elements should have the shape ({len(t)}, ..., {group.coordinate_count}), not {g.shape}")
         self.group, self.times, self.elements, self.kind = group, t.copy(), g.copy(), kind
+        _check_elements(group, g)
         steps = np.diff(t).reshape(-1, *(1,) * (g.ndim - 1))
         jumps = group.log(group.between(g[:-1], g[1:]))
         if kind == "geodesic":
@@ -76,6 +77,8 @@ class Spline:
             v = floats(velocities)
             if v.shape != (*g.shape[:-1], group.dimension):
                 raise ValueError(f"velocities should have the shape {(*g.shape[:-1], group.dimension)}, not {v.shape}")
+            if not np.isfinite(v).all():
+                raise ValueError(f"velocities should be finite, not {v[~np.isfinite(v)][0]}")
         first, last = v[:-1] * steps / 3, v[1:] * steps / 3
         # exp(-a) g_i^-1 g_{i+1} exp(-c)
         between = group.compose(group.exp(-first), group.compose(group.exp(jumps), group.exp(-last)))
@@ -125,6 +128,20 @@ class Spline:
         if self.kind == "geodesic":
             return (np.ones_like(u),)
         return 3 * (1 - u) ** 2, 6 * u * (1 - u), 3 * u**2
+
+
+def _check_elements(group: Group, elements: Floats) -> None:
+    """Rejects elements that differ from their projections by more than rounding errors, such as quaternions of another length."""
+    drift = np.abs(group.project(elements) - elements)
+    # positions are not projected, so that they do not count
+    size = np.where(drift > 0, np.abs(elements), 0.0).max(axis=-1, initial=1.0)
+    # the determinant of a large matrix has large rounding errors
+    rounding = 8 * np.finfo(float).eps * size ** max(2, *group._shape[1:])
+    wrong = np.flatnonzero(drift.max(axis=-1, initial=0.0) > 1e-6 * size + rounding)
+    if wrong.size:
+        at = wrong[0]
+        reason = f"it differs from its projection by {drift.max(axis=-1).flat[at]:g}"
+        raise ValueError(f"element {at} of the batch is not in the group {group.name}: {reason}; project it first")
 
 
 def _velocities(group: Group, slopes: Floats, steps: Floats) -> Floats:

@@ -6,6 +6,8 @@ import contextlib
 import hashlib
 import itertools
 import json
+import math
+import numbers
 import os
 import re
 import tempfile
@@ -13,6 +15,7 @@ import time
 import weakref
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
+from decimal import Decimal
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
@@ -22,7 +25,7 @@ import numpy as np
 from affinor import _engine
 from affinor._columns import components
 from affinor._optional import optional
-from affinor._scalars import index
+from affinor._scalars import index, is_matrix, is_sympy
 from affinor.motion import Problem, interrupts
 
 __all__ = ["RandomSample", "SimulationTask", "Sweep", "sweep"]
@@ -32,6 +35,9 @@ Kind = Any
 """The kind of the values of a column: its name, None for no values, or ``["list", kind]``."""
 _BLOCK = 4096
 """The number of draws of one random stream."""
+_MOST_ROWS = 2**40
+_LONG = 2**20
+"""Longer ranges of a grid are not made lists."""
 _MANIFEST = "_affinor.json"
 """The name begins with a mark that readers of data sets skip."""
 
@@ -159,8 +165,8 @@ def sweep(
 
     The rows are the same on every engine: the number of the row, its parameters, its results, and ``error``, the reason why
     a task failed. A column has one kind: truth values, integers, floats, texts or lists. Integers up to 2^53 may stand among
-    floats. A result of another kind than the rows before it in its chunk is an error of its row; a chunk of another kind ends
-    the sweep.
+    floats; fractions and expressions become texts. Another object as a result is an error of its row, and so is a result of
+    another kind than the rows before it in its chunk. A chunk of another kind ends the sweep. A sweep has at most 2^40 rows.
 
     ``out`` is the folder. A sweep that was killed goes on where it was when it is called again. A folder of another grid,
     ``chunk`` or ``version`` is refused. ``version`` names the task: give another one when its code or what it reads changes.
@@ -197,16 +203,19 @@ def _run(task: Any, source: _Grid, folder: Path, chunk: int, on: Any, progress: 
     head = {"grid": source.digest(), "rows": len(source), "chunk": chunk, "version": version, "affinor": __version__}
     done = _begin(folder, head)
     starts = range(0, len(source), chunk)
-    missing = [start for start in starts if _name(start // chunk) not in done]
+    before = set(done)
+    computed = 0
 
     def parts() -> Iterator[tuple[Any, ...]]:
-        for start in missing:
+        for start in starts:
+            if _name(start // chunk) in before:
+                continue
             stop = min(start + chunk, len(source))
             yield task, start, source.rows(start, stop), source.kinds, str(folder), _name(start // chunk)
 
     bar: Any = None
     if progress:
-        bar = optional("tqdm.auto", "progress").tqdm(total=len(source), initial=len(source) - sum(min(chunk, len(source) - s) for s in missing))
+        bar = optional("tqdm.auto", "progress").tqdm(total=len(source), initial=sum(part["rows"] for part in done.values()))
     kinds: dict[str, Kind] = {}
     for name in sorted(done):
         _unify(kinds, folder / name)
@@ -215,6 +224,7 @@ def _run(task: Any, source: _Grid, folder: Path, chunk: int, on: Any, progress: 
         for name, rows in engine(parts()):
             _unify(kinds, folder / name)
             done[name] = {"rows": rows}
+            computed += 1
             if bar is not None:
                 bar.update(rows)
     finally:
@@ -222,7 +232,7 @@ def _run(task: Any, source: _Grid, folder: Path, chunk: int, on: Any, progress: 
         if bar is not None:
             bar.close()
     _write_json(folder / _MANIFEST, {**head, "partitions": dict(sorted(done.items()))})
-    return Sweep(folder, len(missing))
+    return Sweep(folder, computed)
 
 
 # -- grids ---------------------------------------------------------------------------------------------------------------
@@ -236,14 +246,19 @@ class _Grid:
         self.kinds: dict[str, Kind] = {}
         if isinstance(grid, RandomSample):
             self.kinds = {name: _kind_of(name, [0.0] if isinstance(law, str) else law) for name, law in grid.laws.items()}
-            self.length = len(grid)
+            self.length = _row_count([grid.samples])
             return
         if isinstance(grid, Mapping):
             for name, values in grid.items():
                 if isinstance(values, (str, bytes)) or not isinstance(values, Iterable):
                     raise TypeError(f"the values of {name} are a list, not {type(values).__name__}")
-            self.values = {str(name): list(values) for name, values in grid.items()}
-            self.length = int(np.prod([len(values) for values in self.values.values()], dtype=np.int64))
+            # before ranges become lists
+            _row_count(_length(values) for values in grid.values() if isinstance(values, Sequence))
+            self.values: dict[str, Sequence[Any]] = {
+                str(name): values if isinstance(values, range) and len(values) > _LONG else list(values)
+                for name, values in grid.items()
+            }
+            self.length = _row_count(map(len, self.values.values()))
         elif hasattr(grid, "columns") and hasattr(grid, "to_dict"):
             self.values = {str(name): grid[name].tolist() for name in grid.columns}
             self.length = len(grid)
@@ -258,7 +273,7 @@ class _Grid:
         """A hash of the values."""
         draw = isinstance(self.grid, RandomSample)
         values = self.grid.laws if draw else self.values
-        plain = [(name, law if isinstance(law, str) else [_plain(value) for value in law]) for name, law in values.items()]
+        plain = [(name, law if isinstance(law, str) or (isinstance(law, range) and len(law) > _LONG) else [_plain(value) for value in law]) for name, law in values.items()]
         written = repr((type(self.grid).__name__, self.grid.seed if draw else None, plain))
         return hashlib.sha256(written.encode()).hexdigest()
 
@@ -266,13 +281,29 @@ class _Grid:
         if isinstance(self.grid, RandomSample):
             return self.grid.rows(start, stop)
         if not isinstance(self.grid, Mapping):
-            return {name: values[start:stop] for name, values in self.values.items()}
+            return {name: list(values[start:stop]) for name, values in self.values.items()}
         found: Columns = {}
         step = 1
         for name, values in reversed(self.values.items()):
             found[name] = [values[row // step % len(values)] for row in range(start, stop)]
             step *= len(values)
         return dict(reversed(found.items()))
+
+
+def _length(values: Sequence[Any]) -> int:
+    """The number of values; ranges may be longer than ``len`` counts."""
+    try:
+        return len(values)
+    except OverflowError:
+        return 2**63
+
+
+def _row_count(lengths: Iterable[int]) -> int:
+    """The number of rows of a grid of lists of these lengths."""
+    count = math.prod(lengths)
+    if count > _MOST_ROWS:
+        raise ValueError(f"the grid has {count} rows, but a sweep has at most 2^40: split the grid")
+    return count
 
 
 # -- partitions ------------------------------------------------------------------------------------------------------------
@@ -328,7 +359,7 @@ def _each(
             found = task({name: values[at] for name, values in rows.items()})
             if not isinstance(found, Mapping):
                 raise TypeError(f"a task returns a dict of results, not {type(found).__name__}")
-            return {str(key): _plain(value) for key, value in found.items()}, None
+            return {str(key): _result(str(key), value) for key, value in found.items()}, None
         except (Exception, SystemExit) as error:
             return {}, _reason(error)
         finally:
@@ -370,6 +401,21 @@ def _plain(value: Any) -> Any:
     return str(value)
 
 
+def _result(name: str, value: Any) -> Any:
+    """A result of a task as Parquet has it: a number, a text, a truth value, or lists of them."""
+    if isinstance(value, np.generic):
+        value = value.item()
+    elif hasattr(value, "__array__") or is_matrix(value):
+        value = np.asarray(value).tolist()
+    if isinstance(value, (list, tuple)):
+        return [_result(name, item) for item in value]
+    known = value is None or isinstance(value, (str, bool, numbers.Real, Decimal)) or is_sympy(value)
+    if not known:
+        kinds = "a number, a text, a truth value, a list or an array"
+        raise TypeError(f"the result {name!r} should be {kinds}, not {type(value).__name__}")
+    return _plain(value)
+
+
 def _kind(value: Any) -> Kind:
     """The kind of a value that Parquet has."""
     if value is None:
@@ -402,6 +448,9 @@ def _common(name: str, a: Kind, b: Kind) -> Kind:
 
 def _kind_of(name: str, values: Iterable[Any]) -> Kind:
     """The kind of a column of a grid; integers beside fractions are texts."""
+    if isinstance(values, range) and len(values) > _LONG:
+        # the ends are the largest numbers
+        values = [values[0], values[-1]]
     exact = any(isinstance(value, Fraction) for value in values)
     found: Kind = None
     for value in values:

@@ -6,6 +6,7 @@ The functions read the arguments of :class:`Geometry`.
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, NamedTuple
 
@@ -40,10 +41,13 @@ def metric_text(metric: Any, symbols: Symbols, *, floats: bool) -> str:
 
 
 def connection_text(connection: Any, symbols: Symbols, *, floats: bool) -> str:
-    """A connection as the command line takes it: a name, or the factor lambda."""
+    """A connection as the command line takes it: a name, or the factor lambda as a number or its text."""
     if isinstance(connection, str):
-        return connection
+        return f"lambda = {connection.strip()}" if _NUMBER.fullmatch(connection) else connection
     return f"lambda = {text_of(connection, symbols, floats=floats)}"
+
+
+_NUMBER = re.compile(r"\s*[+-]?\d+(\.\d+)?([eE][+-]?\d+)?(\s*/\s*\d+)?\s*")
 
 
 def completed(source: Source, connection: Any, metric: Any) -> Source:

@@ -107,9 +107,12 @@ def _weights(weights: Floats, batch: tuple[int, ...], axes: tuple[int, ...]) -> 
         whole = np.broadcast_to(weights, batch)
     except ValueError:
         raise ValueError(f"weights should have the shape {batch} of the batch, not {weights.shape}") from None
-    sums = whole.sum(axis=axes)
+    with np.errstate(over="ignore", invalid="ignore"):
+        sums = whole.sum(axis=axes)
     if not (np.isfinite(whole).all() and (whole >= 0).all() and (sums > 0).all()) and whole.size:
         raise ValueError("weights should be finite and not negative, with a positive sum")
+    if not np.isfinite(sums).all():
+        raise ValueError("the weights have no finite sum: divide them by the largest weight")
     return whole
 
 
@@ -122,10 +125,24 @@ def distance(group: Group, g: ArrayLike, h: ArrayLike, weights: ArrayLike | None
     if form.shape not in ((n,), (n, n)):
         raise ValueError(f"weights should have the shape ({n},) or ({n}, {n}), not {form.shape}")
     form = np.diag(form) if form.ndim == 1 else form
+    if not np.isfinite(form).all():
+        raise ValueError(f"weights should be finite, not {form[~np.isfinite(form)][0]}")
+    if (np.abs(form - form.T) > 1e-12 * (np.abs(form) + np.abs(form.T))).any():
+        raise ValueError("weights should be a symmetric matrix")
+    if not _is_positive(form):
+        raise ValueError("weights should be positive: the form of the weights has a negative eigenvalue")
     square = np.einsum("...i,ij,...j->...", x, form, x)
-    if not (square >= 0).all():
-        raise ValueError("weights should be positive: a squared distance is negative")
-    return np.asarray(np.sqrt(square))
+    # cancellation may make the square of a short vector negative
+    return np.asarray(np.sqrt(np.maximum(square, 0)))
+
+
+def _is_positive(form: Floats) -> bool:
+    """Whether a symmetric matrix has no negative eigenvalue, to rounding. Units of the basis do not matter."""
+    diagonal = np.diag(form)
+    if (diagonal < 0).any() or form[diagonal == 0].any():
+        return False
+    scales = np.sqrt(np.where(diagonal == 0, 1.0, diagonal))
+    return bool(np.linalg.eigvalsh(form / scales / scales[:, None]).min() >= -1e-14 * len(form))
 
 
 def spline(

@@ -80,6 +80,14 @@ def _differentiable(operation: Operation) -> Callable[..., Any]:
     return apply
 
 
+def _real(name: str, value: Any) -> Any:
+    """An array of real numbers."""
+    array = jnp.asarray(value)
+    if jnp.issubdtype(array.dtype, jnp.complexfloating):
+        raise TypeError(f"{name} should be an array of real numbers, not of dtype {array.dtype}")
+    return array
+
+
 class Group:
     """The operations of a group as functions of JAX.
 
@@ -122,7 +130,7 @@ class Group:
 
     def act(self, g: Any, points: Any) -> Any:
         """The action of matrices of size k on points (..., k); affine maps act on points (..., k - 1) too."""
-        g, points = self._rows("g", g, self.coordinate_count), jnp.asarray(points)
+        g, points = self._rows("g", g, self.coordinate_count), _real("points", points)
         # the shapes are checked by the engine, before anything is compiled
         self._group.act(self._group.identity(), [0.0] * (points.shape[-1] if points.ndim else 0))
         return self._apply("act", g, points)
@@ -133,7 +141,7 @@ class Group:
         return self._operations[name](*(argument.astype(dtype) for argument in arguments))
 
     def _rows(self, name: str, value: Any, width: int) -> Any:
-        array = jnp.asarray(value)
+        array = _real(name, value)
         if array.ndim == 0 or array.shape[-1] != width:
             raise ValueError(f"{name} should be an array of the shape (..., {width}), not of the shape {array.shape}")
         return array

@@ -315,7 +315,7 @@ class Trajectory:
         Parameters
         ----------
         t : float or array
-            Times in any order.
+            Finite times in any order: a number or one axis of numbers.
 
         Returns
         -------
@@ -325,7 +325,8 @@ class Trajectory:
         Raises
         ------
         ValueError
-            The trajectory was unpickled, so that its problem is not known; or times lie on both sides of the initial time.
+            The trajectory was unpickled, so that its problem is not known; times lie on both sides of the initial time or after
+            the end by ``output.stop``; or the rows are those of ``output.section``.
 
         Examples
         --------
@@ -335,17 +336,25 @@ class Trajectory:
         """
         if self._motion is None:
             raise ValueError("the problem of a trajectory that was unpickled is not known: simulate it with these times")
-        times = np.atleast_1d(floats(t)).ravel()
-        wanted = np.unique(times)
-        if len(wanted) and self.t[0] > wanted[0]:
-            wanted = wanted[::-1]
+        times = np.atleast_1d(floats(t))
+        if times.ndim > 1:
+            raise ValueError(f"t should be a number or an array with one axis, not of the shape {times.shape}")
+        if not np.isfinite(times).all():
+            raise ValueError(f"t should have finite times, not {times[~np.isfinite(times)][0]}")
         problem, member = self._motion
-        found = problem._at_times(wanted.tolist())._run(member)
-        for failed in (found["interrupt"], found["failed"]):
-            if failed is not None:
-                raise failed
-        at = list(found["columns"]).index("t")
+        rows, at = _rows_at(problem, member, [])
+        if not len(rows["rows"]):
+            raise ValueError("the rows of this run are those of output.section: simulate the problem without section for other times")
+        start = float(rows["rows"][0, at])
+        wanted = np.unique(times)
+        if len(wanted) and wanted[0] < start:
+            if wanted[-1] > start:
+                raise ValueError(f"t has times on both sides of the initial time {start:g}: call the trajectory once for each side")
+            wanted = wanted[::-1]
+        found, at = _rows_at(problem, member, wanted.tolist())
         place = {time: row for row, time in enumerate(found["rows"][:, at].tolist())}
+        if beyond := [time for time in wanted.tolist() if time not in place]:
+            raise ValueError(f"the run ends at t = {found['rows'][-1, at]:g}, and t has the time {beyond[0]:g}")
         found["rows"] = found["rows"][[place[time] for time in times.tolist()]]
         return Trajectory(found, self._motion)
 
@@ -392,6 +401,18 @@ class Trajectory:
         return str(frame._repr_html_())
 
 
+def _rows_at(problem: _engine.Problem, member: int, times: list[float]) -> tuple[dict[str, Any], int]:
+    """A run with rows at the initial time and at these times, and the index of its column of times."""
+    found = problem._at_times(times)._run(member)
+    for failed in (found["interrupt"], found["failed"]):
+        if failed is not None:
+            raise failed
+    columns = list(found["columns"])
+    if "t" not in columns:
+        raise ValueError("the columns of the trajectory have no t: add t to output.columns")
+    return found, columns.index("t")
+
+
 @spelled_out
 def simulate(
     problem: Problem | str | os.PathLike[str] | Mapping[str, Any] | None = None,
@@ -413,6 +434,8 @@ def simulate(
     on_interrupt = on_interrupt or interrupts.get()
     if on_error not in ("raise", "keep") or on_interrupt not in ("return", "raise"):
         raise ValueError("on_error is raise or keep, on_interrupt is return or raise")
+    if not isinstance(progress, (bool, np.bool_, type(None))) and not callable(progress):
+        raise TypeError(f"progress should be a truth value or a function, not {progress!r}")
     if not isinstance(problem, Problem):
         problem = Problem(problem, **keys)
     elif keys:
@@ -423,7 +446,7 @@ def simulate(
         raise ValueError(f"the problem has {ensemble}, and no member {member}")
     bar = None
     tell: Callable[[float], object] | None = progress if callable(progress) else None
-    if progress is True:
+    if tell is None and progress:
         bar = optional("tqdm.auto", "progress").tqdm(total=1.0, bar_format="{percentage:3.0f}%|{bar}| {elapsed}<{remaining}")
 
         def tell(share: float) -> None:

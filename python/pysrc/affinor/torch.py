@@ -115,6 +115,14 @@ class _Apply(torch.autograd.Function):
         return _Apply.apply(operation, *_in_front(in_dims[1:], arguments)), 0
 
 
+def _real(name: str, value: Any) -> Any:
+    """A tensor of real numbers."""
+    tensor = torch.as_tensor(value)
+    if tensor.is_complex():
+        raise TypeError(f"{name} should be a tensor of real numbers, not of dtype {tensor.dtype}")
+    return tensor
+
+
 class Group:
     """The operations of a group as functions of tensors.
 
@@ -157,7 +165,7 @@ class Group:
 
     def act(self, g: Any, points: Any) -> Any:
         """The action of matrices of size k on points (..., k); affine maps act on points (..., k - 1) too."""
-        g, points = self._rows("g", g, self.coordinate_count), torch.as_tensor(points)
+        g, points = self._rows("g", g, self.coordinate_count), _real("points", points)
         # the engine checks the size of points
         self._group.act(self._group.identity(), [0.0] * (points.shape[-1] if points.dim() else 0))
         return self._apply("act", g, points)
@@ -170,7 +178,7 @@ class Group:
         return _Apply.apply(self._operations[name], *(argument.to(dtype) for argument in arguments))
 
     def _rows(self, name: str, value: Any, width: int) -> Any:
-        array = torch.as_tensor(value)
+        array = _real(name, value)
         if array.dim() == 0 or array.shape[-1] != width:
             raise ValueError(f"{name} should be a tensor of the shape (..., {width}), not of the shape {tuple(array.shape)}")
         return array
