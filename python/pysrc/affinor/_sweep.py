@@ -273,7 +273,12 @@ class _Grid:
         """A hash of the values."""
         draw = isinstance(self.grid, RandomSample)
         values = self.grid.laws if draw else self.values
-        plain = [(name, law if isinstance(law, str) or (isinstance(law, range) and len(law) > _LONG) else [_plain(value) for value in law]) for name, law in values.items()]
+
+        def whole(law: Any) -> bool:
+            """Whether the text of a law is hashed, and not its values."""
+            return isinstance(law, str) or (isinstance(law, range) and len(law) > _LONG)
+
+        plain = [(name, law if whole(law) else [_plain(value) for value in law]) for name, law in values.items()]
         written = repr((type(self.grid).__name__, self.grid.seed if draw else None, plain))
         return hashlib.sha256(written.encode()).hexdigest()
 
