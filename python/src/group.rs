@@ -262,11 +262,19 @@ impl PyGroup {
     ///         [ 1.,  0.]]])
     fn generators<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
         let (rows, columns) = self.shape;
-        let all = self.group.generators();
-        let entries = all
-            .iter()
-            .flat_map(|m| (0..rows * columns).map(move |at| m[(at / columns, at % columns)]));
-        arrays::array(py, &[all.len()], &[rows, columns], &entries.collect::<Vec<f64>>())
+        // the matrix of a product is one column with the entries of its factors
+        let (mut entries, mut count, mut first) = (vec![], 0, 0);
+        for factor in self.group.factors() {
+            let generators = factor.generators();
+            let size = factor.write(&factor.identity()).len();
+            for generator in &generators {
+                let mut own = vec![0.0; rows * columns];
+                own[first..first + size].copy_from_slice(generator.transpose().as_slice());
+                entries.extend(own);
+            }
+            (count, first) = (count + generators.len(), first + size);
+        }
+        arrays::array(py, &[count], &[rows, columns], &entries)
     }
 
     /// Exponentials of normal vectors of this scale.

@@ -308,3 +308,13 @@ def test_times_of_a_geodesic_are_its_own():
     geodesic = af.Geometry("so3", metric=[1, 2, 3]).geodesic([1, 2, 3], times)
     times[:] = 99
     assert geodesic.times.tolist() == [0.5, 1]
+
+
+def test_generators_are_derivatives_of_matrices():
+    for name in ["so3", "se3", "R^3", "se2", "sl2", "heisenberg(3)", "so3+R^3", "se2+so3+R^1", "su(2)+so2"]:
+        group = af.Group(name)
+        generators = group.generators()
+        assert generators.shape[0] == group.dimension
+        steps = 1e-6 * np.eye(group.dimension)
+        slopes = (group.matrix(group.exp(steps)) - group.matrix(group.exp(-steps))) / 2e-6
+        assert np.allclose(generators, slopes, atol=1e-9), name

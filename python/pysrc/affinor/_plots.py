@@ -42,6 +42,11 @@ class _Curve:
         return self.rows[:, found[0]] if name in self.columns else self.rows[:, found]
 
 
+def _smooth(trajectory: Columns) -> _Curve:
+    """Rows that do not depend on the times of output."""
+    return _Curve(*trajectory.curve())
+
+
 KINDS = ("conserved", "series", "attitude", "momentum")
 
 
@@ -55,12 +60,11 @@ def plot(trajectory: Columns, kind: str, columns: Sequence[str] | None, ax: Any)
     space = kind in ("attitude", "momentum")
     if space and ax is not None and not hasattr(ax, "set_zlabel"):
         raise ValueError(f"{kind} is drawn in space: give axes of the projection '3d', or none")
-    # curves do not depend on the times of the rows
-    smooth = _Curve(*trajectory.curve()) if kind != "conserved" else None
     if ax is None:
         ax = plt.figure().add_subplot(projection="3d" if space else None)
     if kind == "series":
         shown = list(columns) if columns is not None else [name for name in trajectory.columns if name != "t"][:6]
+        smooth = _smooth(trajectory)
         for name in shown:
             trajectory[name]  # the message for a column that is not there
             ax.plot(smooth["t"], smooth[name], label=name)
@@ -74,14 +78,14 @@ def plot(trajectory: Columns, kind: str, columns: Sequence[str] | None, ax: Any)
             ax.semilogy(trajectory.t, np.maximum(change, 1e-18), label=name)
         ax.set_ylabel("change of conserved quantities")
     elif kind == "attitude":
-        axes = _axes(smooth)
+        axes = _axes(_smooth(trajectory))
         for axis in range(3):
             path = axes[:, :, axis].T
             ax.plot(*path, label=f"body axis {axis + 1}")
             ax.scatter(*path[:, -1:])
         _sphere(ax, 1.0)
     else:
-        path = smooth["H"].T
+        path = _smooth(trajectory)["H"].T
         if len(path) != 3:
             raise ValueError(f"a momentum of 3 components is drawn, and this one has {len(path)}")
         ax.plot(*path, label="H")

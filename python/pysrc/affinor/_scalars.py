@@ -166,8 +166,8 @@ def _of_sympy(expression: Any, symbols: Symbols, floats: bool, imaginary: bool) 
         return repr(float(expression))
 
     def write(node: Any) -> str:
-        if floats and imaginary and node.is_number and (number := _inexact_complex(node)) is not None:
-            return number
+        if floats and imaginary and node.is_number and (inexact := _inexact_complex(node)) is not None:
+            return inexact
         if node.is_Symbol:
             if imaginary and node.name == "i":
                 raise ValueError("i is the imaginary unit in matrices: give the symbol i another name, or write sympy.I")
