@@ -317,4 +317,4 @@ def test_generators_are_derivatives_of_matrices():
         assert generators.shape[0] == group.dimension
         steps = 1e-6 * np.eye(group.dimension)
         slopes = (group.matrix(group.exp(steps)) - group.matrix(group.exp(-steps))) / 2e-6
-        assert np.allclose(generators, slopes, atol=1e-9), name
+        assert np.allclose(generators, slopes.reshape(generators.shape), atol=1e-9), name
