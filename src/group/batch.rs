@@ -11,6 +11,7 @@ mod rows;
 pub use rows::{Kernel, Operand, map, single};
 
 use super::groups::so3;
+use super::rotation::formulas::product;
 use super::{LieGroup, So3};
 use crate::numerics::stumpff::{NEAR, near};
 #[cfg(feature = "simd")]
@@ -46,17 +47,6 @@ fn log_near([w, i, j, k]: [f64; 4]) -> (f64, f64) {
 fn log_alone([w, i, j, k]: [f64; 4]) -> [f64; 3] {
     let g = UnitQuaternion::new_unchecked(Quaternion::new(w, i, j, k));
     So3.log(&g).unwrap_or(Vector3::repeat(f64::NAN)).into()
-}
-
-/// The product of two quaternions.
-#[inline(always)]
-fn product([a, b, c, d]: [f64; 4], [e, f, g, h]: [f64; 4]) -> [f64; 4] {
-    [
-        a * e - b * f - c * g - d * h,
-        a * f + b * e + c * h - d * g,
-        a * g - b * h + c * e + d * f,
-        a * h + b * g - c * f + d * e,
-    ]
 }
 
 /// Products `g h` of all pairs of rows `w, x, y, z`.

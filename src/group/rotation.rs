@@ -15,6 +15,7 @@
 
 mod conversions;
 pub mod euler;
+pub(crate) mod formulas;
 
 pub use conversions::{
     from_matrix, from_modified_rodrigues, from_rodrigues, from_wxyz, matrix, modified_rodrigues,

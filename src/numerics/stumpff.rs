@@ -51,8 +51,8 @@ impl Stumpff {
         } else {
             (polynomial(&FOURTH, z), polynomial(&FIFTH, z))
         };
-        let (c2, c3) = (0.5 - z * c4, 1.0 / 6.0 - z * c5);
-        Stumpff { z, c0: 1.0 - z * c2, c1: 1.0 - z * c3, c2, c3, c4, c5 }
+        let Series { c1, c2, c3, .. } = Series::of_last(z, c4, c5);
+        Stumpff { z, c0: 1.0 - z * c2, c1, c2, c3, c4, c5 }
     }
 
     /// In closed form, by the cosine and sine of the half angle.
@@ -98,7 +98,12 @@ pub(crate) struct Series<T> {
 impl<T: Lane> Series<T> {
     #[inline(always)]
     pub(crate) fn at(z: T) -> Self {
-        let (c4, c5) = (polynomial(&FOURTH, z), polynomial(&FIFTH, z));
+        Self::of_last(z, polynomial(&FOURTH, z), polynomial(&FIFTH, z))
+    }
+
+    /// All functions from `c_4` and `c_5`.
+    #[inline(always)]
+    fn of_last(z: T, c4: T, c5: T) -> Self {
         let (c2, c3) = (T::splat(0.5) - z * c4, T::splat(1.0 / 6.0) - z * c5);
         Series { c1: T::splat(1.0) - z * c3, c2, c3, c4, c5 }
     }

@@ -34,6 +34,13 @@ fn quaternion(g: &UnitQuaternion<f64>) -> [f64; 4] {
     [g.w, g.i, g.j, g.k]
 }
 
+/// Of the two quaternions of a rotation the one whose largest component is positive, which is read off a matrix.
+fn read_off(g: &UnitQuaternion<f64>) -> [f64; 4] {
+    let q = quaternion(g);
+    let largest = q.into_iter().max_by(|a, b| a.abs().total_cmp(&b.abs())).unwrap();
+    q.map(|component| component * largest.signum())
+}
+
 fn rotation_of([w, x, y, z]: [f64; 4]) -> UnitQuaternion<f64> {
     UnitQuaternion::new_unchecked(Quaternion::new(w, x, y, z))
 }
@@ -86,17 +93,14 @@ fn rotations_in_bulk() {
     let elements: Vec<_> = x.iter().map(|x| So3.exp(&Vector3::from(*x))).collect();
     let g: Vec<[f64; 4]> = elements.iter().map(quaternion).collect();
     let rows = |m: &Matrix3<f64>| from_fn(|at| m[(at / 3, at % 3)]);
-    let matrix = |at: usize| rows(&rotation::matrix(&elements[at]));
+    let matrix = |at: usize| rows(elements[at].to_rotation_matrix().matrix());
     check("matrix", RotationMatrix, &g, &none, matrix, 1e-15);
     let moved = |at: usize| (elements[at] * Vector3::from(points[at])).into();
     check("point", RotatedPoint, &g, &points, moved, 1e-14);
     check("inverse", InverseRotation, &g, &none, |at| quaternion(&elements[at].inverse()), 0.0);
     let matrices: Vec<[f64; 9]> = (0..g.len()).map(matrix).collect();
     for checked in [true, false] {
-        let back = |at: usize| {
-            let found = rotation::from_matrix(&Matrix3::from_row_slice(&matrices[at]), 1e-6);
-            quaternion(&found.unwrap())
-        };
+        let back = |at: usize| read_off(&elements[at]);
         check("of matrix", RotationOfMatrix(checked), &matrices, &none, back, 2e-15);
     }
     for kind in [JacobianKind::Left, JacobianKind::Right] {
@@ -124,7 +128,7 @@ fn rigid_motions_in_bulk() {
     check("product", MotionProduct, &g, &others, product, 1e-14);
     check("inverse", InverseMotion, &g, &none, |at| pose(&elements[at].inverse()), 1e-14);
     let matrix = |at: usize| {
-        let m = Se3.matrix(&elements[at]);
+        let m = elements[at].to_homogeneous();
         from_fn(|k| m[(k / 4, k % 4)])
     };
     check("matrix", MotionMatrix, &g, &none, matrix, 1e-15);
@@ -135,10 +139,8 @@ fn rigid_motions_in_bulk() {
     check("adjoint", MotionAdjoint, &g, &none, adjoint, 1e-14);
     let matrices: Vec<[f64; 16]> = (0..g.len()).map(matrix).collect();
     for checked in [true, false] {
-        // of the two quaternions the one that is read off a matrix
         let back = |at: usize| {
-            let r = rotation::matrix(&elements[at].rotation);
-            let q = quaternion(&rotation::from_matrix(&r, 1e-6).unwrap());
+            let q = read_off(&elements[at].rotation);
             from_fn(|i| if i < 4 { q[i] } else { g[at][i] })
         };
         check("of matrix", MotionOfMatrix(checked), &matrices, &none, back, 2e-15);

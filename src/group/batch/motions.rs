@@ -2,10 +2,11 @@
 
 use super::rotations::{
     Jacobian, ORTHOGONAL, assembled, combination, cross, defect, dot, element, jacobian,
-    jacobian_inverse, log, matrix, quaternion, scaled, times,
+    jacobian_inverse, log, quaternion, scaled, times,
 };
 use super::rows::Formula;
 use crate::Error;
+use crate::group::rotation::formulas::{matrix, product};
 use crate::group::{LieGroup, MatrixNotation, Se3};
 use crate::numerics::lanes::Lane;
 use crate::numerics::stumpff::{self, NEAR, SERIES, Series};
@@ -56,16 +57,6 @@ fn rotated<T: Lane>([w, x, y, z]: [T; 4], v: [T; 3]) -> [T; 3] {
     let once: [T; 3] = once.map(|c| c + c);
     let again = cross(q, once);
     from_fn(|i| v[i] + once[i] * w + again[i])
-}
-
-#[inline(always)]
-fn product<T: Lane>([a, b, c, d]: [T; 4], [e, f, g, h]: [T; 4]) -> [T; 4] {
-    [
-        a * e - b * f - c * g - d * h,
-        a * f + b * e + c * h - d * g,
-        a * g - b * h + c * e + d * f,
-        a * h + b * g - c * f + d * e,
-    ]
 }
 
 fn pose(row: [f64; 7]) -> Isometry3<f64> {

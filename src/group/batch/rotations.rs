@@ -3,6 +3,7 @@
 use super::rows::Formula;
 use crate::Error;
 use crate::group::groups::so3::logarithm;
+use crate::group::rotation::formulas::{matrix, shepperd};
 use crate::group::{LieGroup, MatrixNotation, So3};
 use crate::numerics::lanes::Lane;
 use crate::numerics::stumpff::{self, SERIES};
@@ -65,28 +66,6 @@ impl JacobianKind {
             JacobianKind::RightInverse => group.jacobian_right_inverse(x),
         }
     }
-}
-
-/// The rotation matrix `1 + s (w spin(v) + spin(v)^2)` with `s = 2/|q|^2`: homogeneous of degree 0 in the quaternion.
-#[inline(always)]
-pub(super) fn matrix<T: Lane>([w, x, y, z]: [T; 4]) -> [T; 9] {
-    let one = T::splat(1.0);
-    let s = T::splat(2.0) / ((w * w + x * x) + (y * y + z * z));
-    let [sx, sy, sz] = [s * x, s * y, s * z];
-    let [xx, xy, xz] = [sx * x, sx * y, sx * z];
-    let [yy, yz, zz] = [sy * y, sy * z, sz * z];
-    let [wx, wy, wz] = [sx * w, sy * w, sz * w];
-    [
-        one - (yy + zz),
-        xy - wz,
-        xz + wy,
-        xy + wz,
-        one - (xx + zz),
-        yz - wx,
-        xz - wy,
-        yz + wx,
-        one - (xx + yy),
-    ]
 }
 
 /// The matrix times a vector.
@@ -164,25 +143,10 @@ pub(super) fn jacobian_inverse<T: Lane>(w: [T; 3], sign: f64, z: T, d: T) -> [T;
     assembled(T::splat(1.0) - d * z, scaled(T::splat(-0.5 * sign), w), d, w, None)
 }
 
-/// Four times one component of the quaternion of a rotation matrix, times the quaternion; around its largest component, as
-/// [`rotation::from_matrix`](crate::group::rotation::from_matrix).
+/// The unit quaternion of a rotation matrix.
 #[inline(always)]
 pub(super) fn quaternion<T: Lane>(r: &[T; 9]) -> [T; 4] {
-    let [a, b, c] = [r[0], r[4], r[8]];
-    let one = T::splat(1.0);
-    let trace = a + b + c;
-    let [w, x, y] = [r[7] - r[5], r[2] - r[6], r[3] - r[1]];
-    let [xy, xz, yz] = [r[1] + r[3], r[2] + r[6], r[5] + r[7]];
-    let choose = |first: T, second: T, a: [T; 4], b: [T; 4]| -> [T; 4] {
-        std::array::from_fn(|i| first.if_above(second, a[i], b[i]))
-    };
-    let of_b = [x, xy, one + b - c - a, yz];
-    let of_c = [y, xz, yz, one + c - a - b];
-    let of_a = [w, one + a - b - c, xy, xz];
-    let of_w = [one + trace, w, x, y];
-    let lower = choose(c, b, of_c, of_b);
-    let rest = choose(b.larger(c), a, lower, of_a);
-    let q = choose(a.larger(b.larger(c)), trace, rest, of_w);
+    let q = shepperd(r);
     let norm = (q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]).sqrt();
     let unit = T::splat(1.0) / norm;
     q.map(|component| component * unit)
