@@ -182,13 +182,19 @@ pub trait LieGroup {
     /// let left: Matrix3<f64> = So3.jacobian_left(&x);
     /// assert!((left - So3.jacobian_right(&x).transpose()).norm() < 1e-15);
     /// ```
-    fn jacobian_left(&self, x: &Self::Vector) -> <Self::Vector as Coordinates>::Matrix {
+    fn jacobian_left(&self, x: &Self::Vector) -> <Self::Vector as Coordinates>::Matrix
+    where
+        Self: Sized,
+    {
         Self::Vector::matrix(self.dimension(), |k| self.tangent_right(x, &self.basis_vector(k)))
     }
 
     /// The right Jacobian of exp at `x`, the matrix of [`tangent_left`](Self::tangent_left):
     /// `exp(x + dx) = exp(x) exp(J dx + ..)`.
-    fn jacobian_right(&self, x: &Self::Vector) -> <Self::Vector as Coordinates>::Matrix {
+    fn jacobian_right(&self, x: &Self::Vector) -> <Self::Vector as Coordinates>::Matrix
+    where
+        Self: Sized,
+    {
         Self::Vector::matrix(self.dimension(), |k| self.tangent_left(x, &self.basis_vector(k)))
     }
 
@@ -209,7 +215,10 @@ pub trait LieGroup {
     fn jacobian_left_inverse(
         &self,
         x: &Self::Vector,
-    ) -> Result<<Self::Vector as Coordinates>::Matrix, Error> {
+    ) -> Result<<Self::Vector as Coordinates>::Matrix, Error>
+    where
+        Self: Sized,
+    {
         self.jacobian_right_inverse(&-x.clone())
     }
 
@@ -221,7 +230,10 @@ pub trait LieGroup {
     fn jacobian_right_inverse(
         &self,
         x: &Self::Vector,
-    ) -> Result<<Self::Vector as Coordinates>::Matrix, Error> {
+    ) -> Result<<Self::Vector as Coordinates>::Matrix, Error>
+    where
+        Self: Sized,
+    {
         let columns = (0..self.dimension())
             .map(|k| self.tangent_left_inverse(x, &self.basis_vector(k)))
             .collect::<Result<Vec<_>, Error>>()?;
@@ -238,7 +250,10 @@ pub trait LieGroup {
     /// // a rotation about z through the origin, seen from there
     /// assert_eq!(adjoint.column(2).as_slice(), [0.0, 0.0, 1.0, 2.0, -1.0, 0.0]);
     /// ```
-    fn adjoint_matrix(&self, g: &Self::Element) -> <Self::Vector as Coordinates>::Matrix {
+    fn adjoint_matrix(&self, g: &Self::Element) -> <Self::Vector as Coordinates>::Matrix
+    where
+        Self: Sized,
+    {
         Self::Vector::matrix(self.dimension(), |k| self.adjoint(g, &self.basis_vector(k)))
     }
 

@@ -46,7 +46,7 @@ pub(super) fn motion(text: &str, methods: &str) -> Result<Box<dyn Report>, Refus
             }
         }
     }
-    let attitudes = own.rows.attitudes("").ok();
+    let attitudes = own.rows.attitudes(None).ok();
     let places =
         own.rows.vectors(["x", "y", "z"]).or_else(|_| own.rows.vectors(["g14", "g24", "g34"]));
     let edges = inertia.as_ref().map(|inertia| {

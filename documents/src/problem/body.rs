@@ -58,7 +58,7 @@ const SHAPES: [(&str, &[&str]); 6] = [
     ("points", &["points"]),
 ];
 
-/// What moves: a body, or one for each factor of a group.
+/// The body that moves, or one body for each factor of a group.
 #[derive(Clone, Debug)]
 pub(super) enum Bodies {
     One(Body),
@@ -380,9 +380,7 @@ impl Body {
         names.extend((0..3).map(|i| (format!("centre{}", i + 1), centre[i])));
         let motion = Isometry3::new(-point, Vector3::zeros());
         let mut solids = vec![];
-        // the page draws boxes only, and the size of its program counts more
-        let drawn = if cfg!(target_family = "wasm") { &[][..] } else { &parts[..] };
-        for part in drawn.iter().filter(|part| !part.hole) {
+        for part in parts.iter().filter(|part| !part.hole) {
             solids.extend(part.solids(values)?.iter().map(|solid| solid.moved(&motion)));
         }
         Ok(Moved { metric: matrix, names, solids: vec![solids] })

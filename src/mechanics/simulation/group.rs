@@ -86,10 +86,10 @@ pub(super) fn visit<V: GroupVisitor>(group: &AnyGroup, visitor: V) -> V::Output 
         if let Some(group) = group.downcast_ref::<Sl2>() {
             return visitor.visit(group);
         }
-    }
-    // the equations of a right-invariant system
-    if let Some(group) = group.downcast_ref::<Opposite<AnyGroup>>() {
-        return visitor.visit(group);
+        // the equations of a right-invariant system
+        if let Some(group) = group.downcast_ref::<Opposite<AnyGroup>>() {
+            return visitor.visit(group);
+        }
     }
     visitor.visit(group)
 }
