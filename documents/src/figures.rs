@@ -67,7 +67,7 @@ pub struct Panel {
     pub bodies: Vec<Body>,
 }
 
-/// What is drawn of a body, in its own frame.
+/// The picture of a body in its own frame.
 #[derive(Clone, Debug)]
 pub enum Look {
     /// A box with its axes of inertia, along the coordinates.
@@ -93,7 +93,7 @@ pub enum Look {
 /// A body in motion.
 #[derive(Clone, Debug)]
 pub struct Body {
-    /// What is drawn.
+    /// The picture of the body.
     pub look: Look,
     /// The axes of its frame, as columns, and the origin, at equal intervals of time.
     pub poses: Vec<(Matrix3<f64>, Vector3<f64>)>,

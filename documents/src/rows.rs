@@ -9,7 +9,7 @@ mod run;
 
 pub(crate) use csv::failed;
 pub use dense::DenseRows;
-pub use run::RunRows;
+pub use run::{RunRows, column_of};
 
 use std::io::{self, Write};
 

@@ -28,8 +28,8 @@ const COLORS: [Role; 6] =
 /// A body that moves in a trajectory.
 #[derive(Clone, Debug)]
 pub struct Moving {
-    /// The end of the names of its columns: empty, or the number of its factor, as in `_2`.
-    pub factor: String,
+    /// The number of its factor in a product.
+    pub factor: Option<usize>,
     /// Its inertia.
     pub inertia: Inertia,
     /// Its parts; without them it is drawn as a homogeneous box with the same axes and ratios of inertia.
@@ -56,8 +56,8 @@ pub fn animation(run: &RunRows, bodies: &[Moving], seconds: f64) -> Result<Figur
     };
     let mut tracks = vec![];
     for moving in bodies {
-        let attitudes = run.attitudes(&moving.factor)?;
-        tracks.push(Track { moving, attitudes, places: run.positions(&moving.factor).ok() });
+        let attitudes = run.attitudes(moving.factor)?;
+        tracks.push(Track { moving, attitudes, places: run.positions(moving.factor).ok() });
     }
     let whole = tracks.iter().map(Track::turn).fold(0.0, f64::max);
     let corners = |solid: &Solid| solid.faces.iter().map(Vec::len).sum::<usize>();
@@ -76,8 +76,7 @@ pub fn animation(run: &RunRows, bodies: &[Moving], seconds: f64) -> Result<Figur
         panels.push(space(&placed, &film));
     }
     for track in &turning {
-        let number = track.moving.factor.trim_start_matches('_');
-        let title = if alone { String::new() } else { format!("body {number}") };
+        let title = if alone { String::new() } else { track.name() };
         panels.push(sphere(track, title, &film));
     }
     let bodies = if alone { "the body" } else { "the bodies" };
@@ -114,6 +113,11 @@ impl Film<'_> {
 }
 
 impl Track<'_> {
+    /// The caption of the body.
+    fn name(&self) -> String {
+        self.moving.factor.map_or("the body".into(), |number| format!("body {number}"))
+    }
+
     /// The angle through which the body turns.
     fn turn(&self) -> f64 {
         self.attitudes.windows(2).map(|pair| angle(&pair[0], &pair[1])).sum()
@@ -187,8 +191,7 @@ fn space(tracks: &[Track], film: &Film) -> Panel {
         panel.mark("O", "", -center);
     }
     for (at, track) in tracks.iter().enumerate() {
-        let number = track.moving.factor.trim_start_matches('_');
-        let name = if number.is_empty() { "the body".into() } else { format!("body {number}") };
+        let name = track.name();
         let path = track.places.iter().flatten().map(|place| place - center).collect();
         let role = if tracks.len() > 1 { COLORS[at % COLORS.len()] } else { Role::Motion };
         panel.path(role, &format!("path of {name}"), path);

@@ -10,16 +10,15 @@ use std::f64::consts::TAU;
 /// The number of intervals on an ellipse.
 const SAMPLES: u32 = 96;
 
-/// The body axes on the unit sphere in space: the columns `R E_i` of the attitude. A product has a panel for each of the factors
-/// that end the names of its columns.
+/// The body axes on the unit sphere in space: the columns `R E_i` of the attitude. A product has a panel for each of the
+/// factors with these numbers.
 ///
 /// # Errors
 /// [`Error::Name`] for a trajectory without an attitude; [`Error::Invalid`] for elements that are not rotations.
-pub fn attitude(run: &RunRows, factors: &[String]) -> Result<Figure, Error> {
-    let panel = |factor: &String| {
-        let attitudes = run.attitudes(factor)?;
-        let number = factor.trim_start_matches('_');
-        let title = if number.is_empty() { String::new() } else { format!("body {number}") };
+pub fn attitude(run: &RunRows, factors: &[Option<usize>]) -> Result<Figure, Error> {
+    let panel = |factor: &Option<usize>| {
+        let attitudes = run.attitudes(*factor)?;
+        let title = factor.map_or(String::new(), |number| format!("body {number}"));
         let mut panel = Panel::new(title, 1.0, ["X", "Y", "Z"]);
         for i in 0..3 {
             let points: Vec<_> = attitudes.iter().map(|r| r.column(i).into_owned()).collect();

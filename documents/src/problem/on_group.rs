@@ -4,7 +4,7 @@ use super::initial::InitialElement;
 use super::integrator::Member;
 use super::keys::Keys;
 use super::reader::Reader;
-use super::ready::Ready;
+use super::ready::{Factor, Ready};
 use crate::input::{InputError, Place, forms::MetricText, shown};
 use crate::space::{Definition, Request, Space};
 use affinor::group::{AnyGroup, Opposite};
@@ -121,6 +121,7 @@ impl OnGroup {
         let group = definition.group(Tolerance::default())?;
         let group = if self.right { AnyGroup::new(Opposite(group)) } else { group };
         let mut ready = motion(&Start { on_group: self, group: &group, member, definition })?;
+        ready.factors = Factor::all(&group);
         ready.notes.extend(self.element.note(&group, &member.values()));
         Ok(ready)
     }

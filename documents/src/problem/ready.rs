@@ -1,6 +1,7 @@
 //! A motion that is ready to start, and the columns of its rows.
 
 use super::solid::Solid;
+use affinor::group::{AnyGroup, LieGroup, MatrixNotation, Opposite};
 use affinor::mechanics::simulation::{Method, Motion, Started};
 use nalgebra::DMatrix;
 
@@ -20,17 +21,43 @@ pub struct Ready {
     pub inertia: Option<DMatrix<f64>>,
     /// The factors of its group; none for a flow of matrices.
     pub factors: Vec<Factor>,
+    /// For each factor the parts of its body without holes; none if the bodies are given by moments, or by a metric.
+    pub solids: Vec<Vec<Solid>>,
     /// Warnings about the problem.
     pub notes: Vec<String>,
 }
 
 /// A factor of the group of a motion.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Factor {
-    /// Its dimension.
-    pub dimension: usize,
-    /// The parts of the body that it moves, to be drawn; none for a body by its moments, and of holes.
-    pub solids: Vec<Solid>,
+    /// Its number from 1; none if the group has no other factor.
+    pub number: Option<usize>,
+    /// The index of its first component in vectors.
+    pub first: usize,
+    /// Whether it rotates a body: its elements have a quaternion.
+    pub rotates: bool,
+}
+
+impl Factor {
+    /// The factors of a group; those of a group and its opposite are the same.
+    pub(super) fn all(group: &AnyGroup) -> Vec<Self> {
+        let factors = factors(group);
+        let is_product = factors.len() > 1;
+        let mut first = 0;
+        let factor = |(at, factor): (usize, &AnyGroup)| {
+            let number = is_product.then_some(at + 1);
+            let found = Factor { number, first, rotates: factor.names().first() == Some(&"qw") };
+            first += factor.dimension();
+            found
+        };
+        factors.into_iter().enumerate().map(factor).collect()
+    }
+}
+
+/// The factors of a group, or of the group of which it is the opposite: their elements are the same.
+pub(super) fn factors(group: &AnyGroup) -> Vec<&AnyGroup> {
+    let opposite = group.downcast_ref::<Opposite<AnyGroup>>();
+    opposite.map_or(group, |opposite| &opposite.0).factors()
 }
 
 impl Ready {
@@ -50,6 +77,7 @@ impl Ready {
             events,
             inertia: None,
             factors: vec![],
+            solids: vec![],
             notes: vec![],
         }
     }
@@ -68,7 +96,7 @@ pub struct Column {
     pub conserved: bool,
 }
 
-/// What a motion conserves.
+/// The quantities that a motion conserves.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Kept {
     /// The energy.

@@ -38,13 +38,12 @@ impl RunRows {
         Ok((0..x.len()).map(|k| Vector3::new(x[k], y[k], z[k])).collect())
     }
 
-    /// The rotation matrices of a factor of a product, by their entries or by quaternions; `factor` is the end of the names of
-    /// its columns, as in `qw_2`, and empty for a group that is no product.
+    /// The rotation matrices by their entries or by quaternions; those of a factor of a product by its number.
     ///
     /// # Errors
     /// [`Error::Name`]; [`Error::Invalid`] for entries that are not those of a rotation.
-    pub fn attitudes(&self, factor: &str) -> Result<Vec<Matrix3<f64>>, Error> {
-        let quaternions = self.column(&format!("qw{factor}"));
+    pub fn attitudes(&self, factor: Option<usize>) -> Result<Vec<Matrix3<f64>>, Error> {
+        let quaternions = self.column(&column_of("qw", factor));
         if let (Ok(w), Ok(v)) = (quaternions, self.of_factor(["qx", "qy", "qz"], factor)) {
             let turn = |(w, v): (f64, Vector3<f64>)| {
                 let q = nalgebra::Quaternion::from_parts(w, v);
@@ -67,17 +66,26 @@ impl RunRows {
         (0..a.len()).map(matrix).collect()
     }
 
-    /// The positions of a factor, by the last column of its matrix or by their coordinates.
+    /// The positions by the last column of the matrix or by their coordinates; those of a factor of a product by its number.
     ///
     /// # Errors
     /// [`Error::Name`].
-    pub fn positions(&self, factor: &str) -> Result<Vec<Vector3<f64>>, Error> {
+    pub fn positions(&self, factor: Option<usize>) -> Result<Vec<Vector3<f64>>, Error> {
         let entries = self.of_factor(["g14", "g24", "g34"], factor);
         entries.or_else(|_| self.of_factor(["x", "y", "z"], factor))
     }
 
-    fn of_factor(&self, names: [&str; 3], factor: &str) -> Result<Vec<Vector3<f64>>, Error> {
-        let names = names.map(|name| format!("{name}{factor}"));
+    fn of_factor(
+        &self,
+        names: [&str; 3],
+        factor: Option<usize>,
+    ) -> Result<Vec<Vector3<f64>>, Error> {
+        let names = names.map(|name| column_of(name, factor));
         self.vectors([&names[0], &names[1], &names[2]])
     }
+}
+
+/// The name of a column of an element; of a factor of a product with its number, as in `qw_2`.
+pub fn column_of(name: &str, factor: Option<usize>) -> String {
+    factor.map_or(name.into(), |number| format!("{name}_{number}"))
 }

@@ -10,8 +10,8 @@ use affinor_documents::figures::diagram::Diagram;
 use affinor_documents::figures::series;
 use affinor_documents::figures::{Figure, Moving};
 use affinor_documents::input::{InputError, read_rows};
-use affinor_documents::problem::{Problem, Ready};
-use affinor_documents::rows::{DenseRows, RunRows};
+use affinor_documents::problem::{Factor, Problem, Ready};
+use affinor_documents::rows::{DenseRows, RunRows, column_of};
 use affinor_tensors::Effort;
 use clap::Args;
 use nalgebra::Matrix3;
@@ -206,12 +206,12 @@ impl Trajectory {
 
     /// The body axes in space, of each factor that rotates.
     pub fn attitude(&self) -> Result<Figure, Failure> {
-        let factors = rotating(&self.problem()?)?;
+        let factors: Vec<_> =
+            rotating(&self.problem()?)?.iter().map(|(_, one)| one.number).collect();
         let columns = names(&factors, &ENTRIES);
         let columns: Vec<&str> = columns.iter().map(String::as_str).collect();
         let problem = self.with_columns(&columns, NO_ATTITUDE)?;
         let (rows, _) = self.rows(&problem, &columns)?;
-        let factors: Vec<String> = factors.into_iter().map(|(_, end)| end).collect();
         figures::run::attitude(&rows, &factors).map_err(|error| no_attitude(error).into())
     }
 
@@ -235,11 +235,11 @@ impl Trajectory {
     /// The bodies in motion, in a film of some seconds.
     pub fn animation(&self, seconds: f64) -> Result<Figure, Failure> {
         let factors = rotating(&self.problem()?)?;
-        let turned = names(&factors, &ENTRIES);
+        let numbers: Vec<_> = factors.iter().map(|(_, factor)| factor.number).collect();
+        let turned = names(&numbers, &ENTRIES);
         let mut columns: Vec<&str> = turned.iter().map(String::as_str).collect();
         let mut problem = self.with_columns(&columns, NO_ATTITUDE)?;
-        let places: Vec<_> =
-            factors.iter().map(|one| names(std::slice::from_ref(one), &POSITION)).collect();
+        let places: Vec<_> = numbers.iter().map(|number| names(&[*number], &POSITION)).collect();
         for places in &places {
             let with: Vec<&str> =
                 columns.iter().copied().chain(places.iter().map(String::as_str)).collect();
@@ -249,38 +249,40 @@ impl Trajectory {
             }
         }
         let (rows, ready) = self.rows(&problem, &columns)?;
-        let moving = |(at, end): &(usize, String)| {
-            let first: usize = ready.factors.iter().take(*at).map(|factor| factor.dimension).sum();
+        let moving = |(at, factor): &(usize, Factor)| {
             // a motion with a given velocity has no metric
             let inertia = match &ready.inertia {
-                Some(inertia) => inertia.fixed_view::<3, 3>(first, first).into_owned(),
+                Some(inertia) => {
+                    inertia.fixed_view::<3, 3>(factor.first, factor.first).into_owned()
+                }
                 None => Matrix3::identity(),
             };
-            let solids = ready.factors.get(*at).map_or(vec![], |factor| factor.solids.clone());
-            Ok(Moving { factor: end.clone(), inertia: Inertia::new(&inertia)?, solids })
+            let solids = ready.solids.get(*at).cloned().unwrap_or_default();
+            Ok(Moving { factor: factor.number, inertia: Inertia::new(&inertia)?, solids })
         };
         let bodies = factors.iter().map(moving).collect::<Result<Vec<_>, Error>>()?;
         figures::animation(&rows, &bodies, seconds).map_err(|error| no_attitude(error).into())
     }
 }
 
-/// The factors of the group that are rotations, by their index from 0, with the ends of the names of their columns.
-fn rotating(problem: &Problem) -> Result<Vec<(usize, String)>, Failure> {
-    let columns = match problem.with_columns(&["element"]).motion(0) {
-        Ok(ready) => ready.columns,
-        // the error of the problem itself
-        Err(_) => problem.motion(0)?.columns,
-    };
-    let ends = columns.iter().filter_map(|column| column.name.strip_prefix("qw"));
-    let number = |end: &str| end.trim_start_matches('_').parse::<usize>().map_or(0, |k| k - 1);
-    let found: Vec<_> = ends.map(|end| (number(end), end.to_string())).collect();
-    Ok(if found.is_empty() { vec![(0, String::new())] } else { found })
+/// The factors of the group that rotate bodies, with their indices. A group without other factors may be any one: its elements
+/// are refused where they are not rotations.
+fn rotating(problem: &Problem) -> Result<Vec<(usize, Factor)>, Failure> {
+    let factors = problem.motion(0)?.factors;
+    let is_single = factors.len() == 1;
+    let rotates = |(_, factor): &(usize, Factor)| factor.rotates || is_single;
+    let found: Vec<_> = factors.into_iter().enumerate().filter(rotates).collect();
+    if found.is_empty() {
+        return Err(InputError::mathematics(NO_ATTITUDE).into());
+    }
+    Ok(found)
 }
 
-/// The names of columns of each of the factors.
-fn names(factors: &[(usize, String)], columns: &[&str]) -> Vec<String> {
-    let of = |(_, end): &(usize, String)| {
-        columns.iter().map(|column| format!("{column}{end}")).collect::<Vec<_>>()
+/// The names of columns of each of the factors with these numbers.
+fn names(factors: &[Option<usize>], columns: &[&str]) -> Vec<String> {
+    let of = |factor: &Option<usize>| {
+        let factor = *factor;
+        columns.iter().map(move |column| column_of(column, factor))
     };
     factors.iter().flat_map(of).collect()
 }
