@@ -106,3 +106,84 @@ def rows(function: Callable[..., Floats], shape: tuple[int, ...], core: int, *ar
             except (AffinorError, np.linalg.LinAlgError):
                 continue
         return found
+
+
+class DifferentiableGroup:
+    """The operations of a group as functions of arrays of another library.
+
+    Elements and vectors are those of :class:`affinor.Group`, with the axes of the batch in front and broadcasting.
+
+    Parameters
+    ----------
+    group : str or affinor.Group
+        A group, or its name.
+    """
+
+    library: str
+    """The name of the library."""
+
+    def __init__(self, group: str | Group) -> None:
+        self._group = Group(group) if isinstance(group, str) else group
+        self.dimension: int = self._group.dimension
+        self.coordinate_count: int = self._group.coordinate_count
+        self._operations = {name: self._differentiable(found) for name, found in operations(self._group).items()}
+
+    def __repr__(self) -> str:
+        return f"<Group {self._group.name} in {self.library}>"
+
+    def exp(self, x: Any) -> Any:
+        """The exponential of vectors (..., dimension)."""
+        return self._apply("exp", self._rows("x", x, self.dimension))
+
+    def log(self, g: Any) -> Any:
+        """The logarithm of elements (..., coordinates)."""
+        return self._apply("log", self._rows("g", g, self.coordinate_count))
+
+    def compose(self, g: Any, h: Any) -> Any:
+        """The products ``g h``."""
+        return self._apply("compose", self._rows("g", g, self.coordinate_count), self._rows("h", h, self.coordinate_count))
+
+    def inverse(self, g: Any) -> Any:
+        """The inverse elements."""
+        return self._apply("inverse", self._rows("g", g, self.coordinate_count))
+
+    def act(self, g: Any, points: Any) -> Any:
+        """The action of matrices of size k on points (..., k); affine maps act on points (..., k - 1) too."""
+        g, points = self._rows("g", g, self.coordinate_count), self._real("points", points)
+        # the engine checks the size of points
+        self._group.act(self._group.identity(), [0.0] * (points.shape[-1] if points.ndim else 0))
+        return self._apply("act", g, points)
+
+    def _rows(self, name: str, value: Any, width: int) -> Any:
+        array = self._real(name, value)
+        if array.ndim == 0 or array.shape[-1] != width:
+            raise ValueError(f"{name} should have the shape (..., {width}), not {tuple(array.shape)}")
+        return array
+
+    def _apply(self, name: str, *arguments: Any) -> Any:
+        dtype = self._dtype(*arguments)
+        return self._operations[name](*(self._converted(argument, dtype) for argument in arguments))
+
+    @staticmethod
+    def _differentiable(operation: Operation) -> Callable[..., Any]:
+        """The operation with its differentials as a function of the library."""
+        raise NotImplementedError
+
+    @staticmethod
+    def _real(name: str, value: Any) -> Any:
+        """An array of real numbers."""
+        raise NotImplementedError
+
+    @staticmethod
+    def _dtype(*arguments: Any) -> Any:
+        """The type of floats for a result of these arguments."""
+        raise NotImplementedError
+
+    @staticmethod
+    def _converted(array: Any, dtype: Any) -> Any:
+        raise NotImplementedError
+
+
+def second_derivative(library: str, name: str) -> NotImplementedError:
+    """The error of an operation that is differentiated twice."""
+    return NotImplementedError(f"affinor.{library} has no second derivatives: {name} was differentiated twice")

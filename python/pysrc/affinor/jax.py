@@ -29,15 +29,14 @@ except ImportError as _missing:
     raise ImportError("affinor.jax needs JAX: pip install 'affinor[jax]'") from _missing
 
 import affinor as af
-from affinor._differentials import Operation, operations, rows
+from affinor._differentials import DifferentiableGroup, Operation, rows, second_derivative
 
 __all__ = ["SE2", "SE3", "SE2_3", "SL2", "SO2", "SO3", "Group"]
 
 
 def _called(function: Callable[..., Any], core: tuple[int, ...], arguments: tuple[Any, ...]) -> Any:
     """The function on the host, as an operation of JAX whose rows have the shape ``core``."""
-    dtype = jnp.result_type(*arguments)
-    dtype = dtype if jnp.issubdtype(dtype, jnp.floating) else jnp.result_type(float)
+    dtype = _floats(*arguments)
     # equal ranks, so that the axes which vmap adds in front belong together
     rank = max(jnp.ndim(argument) for argument in arguments)
     arguments = tuple(jnp.reshape(a, (1,) * (rank - jnp.ndim(a)) + jnp.shape(a)) for a in arguments)
@@ -66,7 +65,7 @@ def _differentiable(operation: Operation) -> Callable[..., Any]:
 
     @differential.defjvp
     def _second(at: int, primals: Any, tangents: Any) -> Any:
-        raise NotImplementedError(f"affinor.jax has no second derivatives: {operation.name} was differentiated twice")
+        raise second_derivative("jax", operation.name)
 
     def rule(primals: tuple[Any, ...], tangents: tuple[Any, ...]) -> tuple[Any, Any]:
         value = apply(*primals)
@@ -80,71 +79,32 @@ def _differentiable(operation: Operation) -> Callable[..., Any]:
     return apply
 
 
-def _real(name: str, value: Any) -> Any:
-    """An array of real numbers."""
-    array = jnp.asarray(value)
-    if jnp.issubdtype(array.dtype, jnp.complexfloating):
-        raise TypeError(f"{name} should be an array of real numbers, not of dtype {array.dtype}")
-    return array
+def _floats(*arguments: Any) -> Any:
+    """The type of floats for a result of these arguments."""
+    dtype = jnp.result_type(*arguments)
+    return dtype if jnp.issubdtype(dtype, jnp.floating) else jnp.result_type(float)
 
 
-class Group:
-    """The operations of a group as functions of JAX.
-
-    Elements and vectors are those of :class:`affinor.Group`, with the axes of the batch in front and broadcasting.
-
-    Parameters
-    ----------
-    group : str or affinor.Group
-        A group, or its name.
-    """
-
-    def __init__(self, group: str | af.Group) -> None:
-        self._group = af.Group(group) if isinstance(group, str) else group
-        self.dimension: int = self._group.dimension
-        self.coordinate_count: int = self._group.coordinate_count
-        self._operations = {name: _differentiable(found) for name, found in operations(self._group).items()}
-
-    def __repr__(self) -> str:
-        return f"<Group {self._group.name} in JAX>"
+class Group(DifferentiableGroup):
+    __doc__ = DifferentiableGroup.__doc__
+    library = "JAX"
+    _differentiable = staticmethod(_differentiable)
+    _dtype = staticmethod(_floats)
 
     def identity(self, dtype: Any = None) -> Any:
         """The neutral element."""
         return jnp.asarray(self._group.identity(), dtype=dtype or jnp.result_type(float))
 
-    def exp(self, x: Any) -> Any:
-        """The exponential of vectors (..., dimension)."""
-        return self._apply("exp", self._rows("x", x, self.dimension))
-
-    def log(self, g: Any) -> Any:
-        """The logarithm of elements (..., coordinates)."""
-        return self._apply("log", self._rows("g", g, self.coordinate_count))
-
-    def compose(self, g: Any, h: Any) -> Any:
-        """The products ``g h``."""
-        return self._apply("compose", self._rows("g", g, self.coordinate_count), self._rows("h", h, self.coordinate_count))
-
-    def inverse(self, g: Any) -> Any:
-        """The inverse elements."""
-        return self._apply("inverse", self._rows("g", g, self.coordinate_count))
-
-    def act(self, g: Any, points: Any) -> Any:
-        """The action of matrices of size k on points (..., k); affine maps act on points (..., k - 1) too."""
-        g, points = self._rows("g", g, self.coordinate_count), _real("points", points)
-        # the shapes are checked by the engine, before anything is compiled
-        self._group.act(self._group.identity(), [0.0] * (points.shape[-1] if points.ndim else 0))
-        return self._apply("act", g, points)
-
-    def _apply(self, name: str, *arguments: Any) -> Any:
-        dtype = jnp.result_type(*arguments)
-        dtype = dtype if jnp.issubdtype(dtype, jnp.floating) else jnp.result_type(float)
-        return self._operations[name](*(argument.astype(dtype) for argument in arguments))
-
-    def _rows(self, name: str, value: Any, width: int) -> Any:
-        array = _real(name, value)
-        if array.ndim == 0 or array.shape[-1] != width:
-            raise ValueError(f"{name} should be an array of the shape (..., {width}), not of the shape {array.shape}")
+    @staticmethod
+    def _real(name: str, value: Any) -> Any:
+        array = jnp.asarray(value)
+        if jnp.issubdtype(array.dtype, jnp.complexfloating):
+            raise TypeError(f"{name} should be an array of real numbers, not of dtype {array.dtype}")
         return array
+
+    @staticmethod
+    def _converted(array: Any, dtype: Any) -> Any:
+        return array.astype(dtype)
 
 
 SO2 = Group(af.SO2)

@@ -16,6 +16,7 @@ tensor([0.5000, 0.5000, 0.5000])
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -26,7 +27,7 @@ except ImportError as _missing:
     raise ImportError("affinor.torch needs PyTorch: pip install 'affinor[torch]'") from _missing
 
 import affinor as af
-from affinor._differentials import Operation, operations, rows
+from affinor._differentials import DifferentiableGroup, Operation, rows, second_derivative
 
 __all__ = ["SE2", "SE3", "SE2_3", "SL2", "SO2", "SO3", "Group"]
 
@@ -62,11 +63,11 @@ class _Differential(torch.autograd.Function):
 
     @staticmethod
     def backward(ctx: Any, *gradients: Any) -> Any:
-        raise NotImplementedError(f"affinor.torch has no second derivatives: {ctx.name} was differentiated twice")
+        raise second_derivative("torch", ctx.name)
 
     @staticmethod
     def jvp(ctx: Any, *tangents: Any) -> Any:
-        raise NotImplementedError(f"affinor.torch has no second derivatives: {ctx.name} was differentiated twice")
+        raise second_derivative("torch", ctx.name)
 
     @staticmethod
     def vmap(info: Any, in_dims: Any, operation: Operation, at: int, *arguments: Any) -> Any:
@@ -115,73 +116,35 @@ class _Apply(torch.autograd.Function):
         return _Apply.apply(operation, *_in_front(in_dims[1:], arguments)), 0
 
 
-def _real(name: str, value: Any) -> Any:
-    """A tensor of real numbers."""
-    tensor = torch.as_tensor(value)
-    if tensor.is_complex():
-        raise TypeError(f"{name} should be a tensor of real numbers, not of dtype {tensor.dtype}")
-    return tensor
-
-
-class Group:
-    """The operations of a group as functions of tensors.
-
-    Elements and vectors are those of :class:`affinor.Group`, with the axes of the batch in front and broadcasting.
-
-    Parameters
-    ----------
-    group : str or affinor.Group
-        A group, or its name.
-    """
-
-    def __init__(self, group: str | af.Group) -> None:
-        self._group = af.Group(group) if isinstance(group, str) else group
-        self.dimension: int = self._group.dimension
-        self.coordinate_count: int = self._group.coordinate_count
-        self._operations = operations(self._group)
-
-    def __repr__(self) -> str:
-        return f"<Group {self._group.name} in PyTorch>"
+class Group(DifferentiableGroup):
+    __doc__ = DifferentiableGroup.__doc__
+    library = "PyTorch"
 
     def identity(self, dtype: Any = None, device: Any = None) -> Any:
         """The neutral element."""
         return torch.as_tensor(self._group.identity(), dtype=dtype or torch.get_default_dtype(), device=device)
 
-    def exp(self, x: Any) -> Any:
-        """The exponential of vectors (..., dimension)."""
-        return self._apply("exp", self._rows("x", x, self.dimension))
+    @staticmethod
+    def _differentiable(operation: Operation) -> Any:
+        return partial(_Apply.apply, operation)
 
-    def log(self, g: Any) -> Any:
-        """The logarithm of elements (..., coordinates)."""
-        return self._apply("log", self._rows("g", g, self.coordinate_count))
+    @staticmethod
+    def _real(name: str, value: Any) -> Any:
+        tensor = torch.as_tensor(value)
+        if tensor.is_complex():
+            raise TypeError(f"{name} should be a tensor of real numbers, not of dtype {tensor.dtype}")
+        return tensor
 
-    def compose(self, g: Any, h: Any) -> Any:
-        """The products ``g h``."""
-        return self._apply("compose", self._rows("g", g, self.coordinate_count), self._rows("h", h, self.coordinate_count))
-
-    def inverse(self, g: Any) -> Any:
-        """The inverse elements."""
-        return self._apply("inverse", self._rows("g", g, self.coordinate_count))
-
-    def act(self, g: Any, points: Any) -> Any:
-        """The action of matrices of size k on points (..., k); affine maps act on points (..., k - 1) too."""
-        g, points = self._rows("g", g, self.coordinate_count), _real("points", points)
-        # the engine checks the size of points
-        self._group.act(self._group.identity(), [0.0] * (points.shape[-1] if points.dim() else 0))
-        return self._apply("act", g, points)
-
-    def _apply(self, name: str, *arguments: Any) -> Any:
+    @staticmethod
+    def _dtype(*arguments: Any) -> Any:
         dtype = arguments[0].dtype
         for argument in arguments[1:]:
             dtype = torch.promote_types(dtype, argument.dtype)
-        dtype = dtype if dtype.is_floating_point else torch.get_default_dtype()
-        return _Apply.apply(self._operations[name], *(argument.to(dtype) for argument in arguments))
+        return dtype if dtype.is_floating_point else torch.get_default_dtype()
 
-    def _rows(self, name: str, value: Any, width: int) -> Any:
-        array = _real(name, value)
-        if array.dim() == 0 or array.shape[-1] != width:
-            raise ValueError(f"{name} should be a tensor of the shape (..., {width}), not of the shape {tuple(array.shape)}")
-        return array
+    @staticmethod
+    def _converted(array: Any, dtype: Any) -> Any:
+        return array.to(dtype)
 
 
 SO2 = Group(af.SO2)
