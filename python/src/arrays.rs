@@ -89,7 +89,7 @@ impl Input<'_> {
             Input::Small(numbers, ..) => Rows::of(shape, Some(numbers), own, batch, || {
                 ArrayViewD::from_shape(shape, numbers).ok()
             }),
-            // a slice alone may also stand in the order of Fortran
+            // one slice may also be in the order of Fortran
             Input::Array(array) => {
                 let slice = array.as_slice().ok().filter(|_| array.is_c_contiguous());
                 Rows::of(shape, slice, own, batch, || Some(array.as_array()))

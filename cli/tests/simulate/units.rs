@@ -165,7 +165,7 @@ fn constraints_of_a_limited_domain() {
     }
 }
 
-/// Columns name quantities, which stand where they are listed, and those of constraints, which follow in any case.
+/// Named quantities are columns in the listed order. The columns of constraints follow all others.
 #[test]
 fn columns_of_quantities_and_of_constraints() {
     let names = |listed: &str| -> Vec<String> {
@@ -184,7 +184,7 @@ fn columns_of_quantities_and_of_constraints() {
     );
     let listed = "\"speed\", \"t\", \"violation\", \"lambda\", \"x2\"";
     assert_eq!(names(listed), [&["speed", "t", "x2", "height"][..], &behind].concat());
-    // without constraints there is no violation
+    // a motion without constraints has no column `violation`
     let free = "space = \"R^2\"\nmetric = \"identity\"\ninitial.velocity = [1, 0]\n\
                 output = { end = 1, columns = [\"violation\"] }\n";
     let message = refused(&mut simulate(folder(free).path()), 2);

@@ -74,8 +74,8 @@ impl Constrained {
         };
         let started = Started { motion: spec.start(group)?, method };
         let ready = Ready::new(started, &member.times, columns, rows.events);
-        let factors = energy.factors(start.group);
-        Ok(Ready { inertia: Some(inertia), factors, notes, ..ready })
+        let solids = energy.solids.clone();
+        Ok(Ready { inertia: Some(inertia), solids, notes, ..ready })
     }
 }
 

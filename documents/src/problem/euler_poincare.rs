@@ -7,7 +7,7 @@ use super::keys::Keys;
 use super::on_group::{OnGroup, Start};
 use super::output::RowFormulas;
 use super::reader::Reader;
-use super::ready::{Factor, Kept, Ready};
+use super::ready::{Kept, Ready};
 use super::solid::Solid;
 use crate::input::InputError;
 use affinor::group::{AnyGroup, LieGroup, So3};
@@ -43,17 +43,8 @@ pub(super) struct KineticEnergy {
     pub connection: Connection<f64>,
     /// The names that a body adds, with their values.
     of_body: Vec<(String, f64)>,
-    /// The parts of each body, to be drawn.
-    solids: Vec<Vec<Solid>>,
-}
-
-impl KineticEnergy {
-    /// The factors of the group, with the parts that they move.
-    pub fn factors(&self, group: &AnyGroup) -> Vec<Factor> {
-        let solids = self.solids.iter().cloned().chain(std::iter::repeat(vec![]));
-        let each = group.factors().into_iter().zip(solids);
-        each.map(|(factor, solids)| Factor { dimension: factor.dimension(), solids }).collect()
-    }
+    /// The parts of each body.
+    pub solids: Vec<Vec<Solid>>,
 }
 
 /// The equations of one motion, and its initial condition.
@@ -114,8 +105,8 @@ impl EulerPoincare {
         };
         let started = spec.start(start.group)?;
         let ready = Ready::new(started, &member.times, rows.columns, rows.events);
-        let factors = energy.factors(start.group);
-        Ok(Ready { inertia: Some(inertia), factors, notes, ..ready })
+        let solids = energy.solids.clone();
+        Ok(Ready { inertia: Some(inertia), solids, notes, ..ready })
     }
 
     fn energy(&self, start: &Start) -> Result<KineticEnergy, InputError> {

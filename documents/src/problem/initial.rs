@@ -1,9 +1,10 @@
 //! Initial conditions on a group: an element, and a velocity or a momentum.
 
 use super::reader::{Reader, Value};
+use super::ready::factors;
 use crate::input::{InputError, Place, forms::Number};
 use affinor::Error;
-use affinor::group::{AnyGroup, LieGroup, MatrixNotation, Opposite, restored, rotation};
+use affinor::group::{AnyGroup, LieGroup, MatrixNotation, restored, rotation};
 use affinor::mechanics::simulation::{ForceFrame, Observables, SimulationGroup};
 use nalgebra::DVector;
 use serde::Deserialize;
@@ -193,12 +194,6 @@ impl InitialElement {
             _ => None,
         }
     }
-}
-
-/// The factors of a group, or of the group of which it is the opposite: their elements are the same.
-fn factors(group: &AnyGroup) -> Vec<&AnyGroup> {
-    let opposite = group.downcast_ref::<Opposite<AnyGroup>>();
-    opposite.map_or(group, |opposite| &opposite.0).factors()
 }
 
 /// Advice where a matrix is not an element.

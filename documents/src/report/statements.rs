@@ -79,7 +79,7 @@ enum Relation {
     GreaterOrEqual,
 }
 
-/// The longer of two signs that begin alike stands first.
+/// The signs of relations; `==` before `=`, so that the longer one is found.
 const RELATIONS: [(&str, Relation); 7] = [
     ("==", Relation::Equal),
     ("!=", Relation::Unequal),
@@ -208,7 +208,7 @@ struct Test<'a, S> {
 }
 
 impl<S: Coefficient> Test<'_, S> {
-    /// What contradicts the statement, if something does.
+    /// The witness of a statement that fails.
     fn statement(&self, text: &str) -> Result<Option<Contradiction>, InputError> {
         let (sides, relations) = split(text);
         if relations.is_empty() {

@@ -68,7 +68,7 @@ pub(super) fn brackets<S: Coefficient>(structure: &Tensor<S>, labels: &[String])
     brackets.into_iter().map(|(at, terms)| chain([pair(at), sum(terms)])).collect()
 }
 
-/// The symbol with its indices; beyond dimension 9, and between longer names, commas stand between them.
+/// The symbol with its indices. Commas separate indices of dimensions above 9, and names of several letters.
 fn with_scripts<S: Coefficient>(
     symbol: &[Node],
     dimension: usize,

@@ -37,7 +37,7 @@ pub(in crate::report) struct Occurrence {
     pub name: String,
     /// The indices with their variances; `None` for the tensor as a whole.
     pub indices: Option<Vec<(Index, Variance)>>,
-    /// The name that stands for the tensor in the parsed expression.
+    /// The name of the tensor in the parsed expression.
     pub placeholder: String,
 }
 
