@@ -34,11 +34,12 @@ fn quaternion(g: &UnitQuaternion<f64>) -> [f64; 4] {
     [g.w, g.i, g.j, g.k]
 }
 
-/// Of the two quaternions of a rotation the one whose largest component is positive, which is read off a matrix.
-fn read_off(g: &UnitQuaternion<f64>) -> [f64; 4] {
-    let q = quaternion(g);
-    let largest = q.into_iter().max_by(|a, b| a.abs().total_cmp(&b.abs())).unwrap();
-    q.map(|component| component * largest.signum())
+/// The quaternion with the sign of the one read off a matrix, whose largest component is positive.
+fn signed_as(read: [f64; 4], quaternion: [f64; 4]) -> [f64; 4] {
+    let [least, most] = [f64::min, f64::max].map(|end| read.into_iter().fold(0.0, end));
+    assert!(most >= -least - 1e-15, "{read:?}");
+    let dot: f64 = read.iter().zip(quaternion).map(|(a, b)| a * b).sum();
+    quaternion.map(|component| component * dot.signum())
 }
 
 fn rotation_of([w, x, y, z]: [f64; 4]) -> UnitQuaternion<f64> {
@@ -100,8 +101,12 @@ fn rotations_in_bulk() {
     check("inverse", InverseRotation, &g, &none, |at| quaternion(&elements[at].inverse()), 0.0);
     let matrices: Vec<[f64; 9]> = (0..g.len()).map(matrix).collect();
     for checked in [true, false] {
-        let back = |at: usize| read_off(&elements[at]);
-        check("of matrix", RotationOfMatrix(checked), &matrices, &none, back, 2e-15);
+        let kernel = RotationOfMatrix(checked);
+        let back = |at: usize| {
+            let read = single(&kernel, matrices[at], []).unwrap();
+            signed_as(read, quaternion(&elements[at]))
+        };
+        check("of matrix", kernel, &matrices, &none, back, 2e-15);
     }
     for kind in [JacobianKind::Left, JacobianKind::Right] {
         let expected = |at: usize| rows(&kind.of(&So3, &Vector3::from(x[at])).unwrap());
@@ -139,11 +144,13 @@ fn rigid_motions_in_bulk() {
     check("adjoint", MotionAdjoint, &g, &none, adjoint, 1e-14);
     let matrices: Vec<[f64; 16]> = (0..g.len()).map(matrix).collect();
     for checked in [true, false] {
+        let kernel = MotionOfMatrix(checked);
         let back = |at: usize| {
-            let q = read_off(&elements[at].rotation);
+            let read = single(&kernel, matrices[at], []).unwrap();
+            let q = signed_as(from_fn(|i| read[i]), quaternion(&elements[at].rotation));
             from_fn(|i| if i < 4 { q[i] } else { g[at][i] })
         };
-        check("of matrix", MotionOfMatrix(checked), &matrices, &none, back, 2e-15);
+        check("of matrix", kernel, &matrices, &none, back, 2e-15);
     }
     for kind in [JacobianKind::Left, JacobianKind::Right] {
         let expected = |at: usize| rows(&kind.of(&Se3, &Vector6::from(x[at])).unwrap());
