@@ -67,8 +67,10 @@ cd "$work"
 run() {
     step env -u CARGO_HOME -u RUSTUP_HOME PATH="$environment/bin:/usr/bin:/bin" AFFINOR_COMMAND="$command" "$@"
 }
-run python -m affinor >"$work/comparison.txt"
+# the command of the wheel is the program
+run affinor compare >"$work/comparison.txt"
 cmp "$work/comparison.txt" <("$command" compare)
+cmp "$work/comparison.txt" <(run python -m affinor compare)
 # types beside the tests: both wait much of their time
 {
     run python -m mypy --config-file "$here/python/pyproject.toml"

@@ -33,7 +33,7 @@ mod watch;
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use failure::Failure;
 use on_group::Operation;
-use std::process::ExitCode;
+use std::ffi::OsString;
 use watch::{LimitOptions, Watch};
 
 /// Differential geometry of Lie groups, from a table of brackets.
@@ -98,10 +98,19 @@ enum Command {
     Completions(completions::Arguments),
 }
 
-/// Parses the arguments, runs the command and reports its failure.
-pub fn main() -> ExitCode {
-    let matches = arguments::parse::<Cli>();
-    let cli = Cli::from_arg_matches(&matches).unwrap_or_else(|error| error.exit());
+/// The commands with their options.
+pub fn command() -> clap::Command {
+    Cli::command()
+}
+
+/// Parses the arguments, runs the command and reports its failure. Returns the exit status.
+pub fn main(arguments: &[OsString]) -> u8 {
+    let parsed = arguments::parse::<Cli>(arguments)
+        .and_then(|matches| Ok((Cli::from_arg_matches(&matches)?, matches)));
+    let (cli, matches) = match parsed {
+        Ok(parsed) => parsed,
+        Err(error) => return arguments::report(&error),
+    };
     let color = color::chosen(&matches);
     let watch = Watch::begin(&cli.limits, color);
     let outcome = watch.and_then(|watch| {
@@ -111,8 +120,8 @@ pub fn main() -> ExitCode {
         outcome
     });
     match outcome {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(failure) => failure.report(color).into(),
+        Ok(()) => 0,
+        Err(failure) => failure.report(color),
     }
 }
 

@@ -1,6 +1,4 @@
-//! The command line of affinor.
-
-mod commands;
+//! The program affinor.
 
 /// Tables of millions of symbolic values take a fifth less time than with the allocator of the C library.
 #[cfg(feature = "mimalloc")]
@@ -8,5 +6,5 @@ mod commands;
 static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
 
 fn main() -> std::process::ExitCode {
-    commands::main()
+    affinor_cli::run(std::env::args_os()).into()
 }

@@ -2,7 +2,7 @@
 #![allow(dead_code, reason = "each test takes what it needs")]
 
 pub use crate::common::root;
-use std::ffi::OsStr;
+use std::ffi::{OsStr, OsString};
 use std::io::{Read, Write};
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
@@ -21,9 +21,14 @@ pub fn definition(file: &str) -> String {
     format!("{}/examples/definitions/{file}", root().display())
 }
 
+/// The program under test: the one that cargo built, or another one, such as that of the Python package, by `AFFINOR_PROGRAM`.
+pub fn path() -> OsString {
+    std::env::var_os("AFFINOR_PROGRAM").unwrap_or_else(|| env!("CARGO_BIN_EXE_affinor").into())
+}
+
 /// The program, to be run in `folder`.
 pub fn program(folder: &Path) -> Command {
-    let mut program = Command::new(env!("CARGO_BIN_EXE_affinor"));
+    let mut program = Command::new(path());
     program.current_dir(folder).env_remove("NO_COLOR").env_remove("CLICOLOR_FORCE");
     program
 }

@@ -13,6 +13,7 @@ mod sums;
 mod units;
 mod written;
 
+use crate::program;
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
@@ -47,7 +48,7 @@ fn folder(problem: &str) -> TempDir {
 }
 
 fn simulate(folder: &Path) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_affinor"));
+    let mut command = Command::new(program::path());
     command.current_dir(folder).args(["simulate", "top.toml"]);
     command
 }

@@ -3,6 +3,7 @@
 mod algebra;
 mod arrays;
 mod class;
+mod command;
 mod components;
 mod contraction;
 mod display;
@@ -28,6 +29,8 @@ mod values;
 mod _engine {
     #[pymodule_export]
     use crate::algebra::{PyAlgebra, catalogue};
+    #[pymodule_export]
+    use crate::command::run_command;
     #[pymodule_export]
     use crate::contraction::contract_all;
     #[pymodule_export]

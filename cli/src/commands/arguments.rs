@@ -1,28 +1,38 @@
 //! The arguments of the program, before clap parses them.
 
-use clap::{ArgMatches, CommandFactory};
+use clap::{ArgMatches, CommandFactory, Error};
 use std::ffi::OsString;
 
-/// Parses the arguments of the program, or ends it with their error or with the help asked for.
-pub fn parse<P: CommandFactory>() -> ArgMatches {
+/// Parses the arguments of the program; the first is its name.
+///
+/// # Errors
+/// The error to print, or the help that the arguments ask for.
+pub fn parse<P: CommandFactory>(arguments: &[OsString]) -> Result<ArgMatches, Error> {
     let parsed = |escaped: fn(&str) -> Option<OsString>| {
-        let arguments = std::env::args_os().map(|argument| match argument.to_str() {
+        let arguments = arguments.iter().map(|argument| match argument.to_str() {
             Some(text) => escaped(text).unwrap_or_else(|| shielded(argument)),
-            None => argument,
+            None => argument.clone(),
         });
         P::command().try_get_matches_from(arguments)
     };
-    parsed(|_| None).unwrap_or_else(|error| {
+    parsed(|_| None).map_err(|error| {
         // clap repeats arguments in its messages: none may control the terminal
         let escaped = parsed(|text| {
             text.contains(char::is_control).then(|| text.escape_debug().to_string().into())
         });
-        escaped.err().unwrap_or(error).exit()
+        escaped.err().unwrap_or(error)
     })
 }
 
+/// Prints an error of the arguments, or the help asked for. Returns the exit status.
+pub fn report(error: &Error) -> u8 {
+    // if the stream is closed, nobody reads it
+    let _ = error.print();
+    u8::try_from(error.exit_code()).unwrap_or(2)
+}
+
 /// A row of numbers that begins with a minus gets a space in front, so that clap does not take it for an option.
-fn shielded(argument: OsString) -> OsString {
+fn shielded(argument: &OsString) -> OsString {
     let number = |text: &&str| {
         let constant = text.starts_with("pi") || text.starts_with("tau");
         let digit = text.starts_with(|c: char| c.is_ascii_digit() || c == '.');
@@ -31,6 +41,6 @@ fn shielded(argument: OsString) -> OsString {
     };
     match argument.to_str().and_then(|text| text.strip_prefix('-')).filter(number) {
         Some(row) => format!(" -{row}").into(),
-        None => argument,
+        None => argument.clone(),
     }
 }

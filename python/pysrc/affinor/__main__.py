@@ -1,22 +1,18 @@
-"""``python -m affinor``: the comparison of the paper's two geometries of rotation, or of two spaces."""
+"""The program ``affinor``, also as ``python -m affinor``."""
 
+import signal
 import sys
 
-from affinor import AffinorError, compare
+from affinor._engine import run_command
 
 
-def main(arguments: list[str]) -> int:
-    """Prints the comparison; the exit status is that of the command line."""
-    if len(arguments) not in (0, 2):
-        print("usage: python -m affinor [SPACE SPACE]", file=sys.stderr)
-        return 2
-    try:
-        print(compare(*arguments), end="")
-    except AffinorError as error:
-        print(f"error: {error}", file=sys.stderr)
-        return 2
-    return 0
+def main() -> int:
+    """Runs the command line with the arguments of this process and returns its exit status."""
+    # the command handles signals itself; Python would raise KeyboardInterrupt afterwards
+    if signal.getsignal(signal.SIGINT) is signal.default_int_handler:
+        signal.signal(signal.SIGINT, signal.SIG_DFL)
+    return run_command(["affinor", *sys.argv[1:]])
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(main())

@@ -1,0 +1,18 @@
+//! The command line of affinor as a function, which the program and the Python package call.
+
+mod commands;
+
+use std::ffi::OsString;
+
+/// The commands with their options, for manual pages and completions.
+pub fn command() -> clap::Command {
+    commands::command()
+}
+
+/// Runs the command line once in a process and returns the exit status. The first argument is the name of the program.
+///
+/// It listens to signals, and a command that passes a limit or gets a signal ends the process.
+pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
+    let arguments: Vec<OsString> = arguments.into_iter().collect();
+    commands::main(&arguments)
+}
