@@ -284,7 +284,7 @@ impl<S: Notation + Scalar> Geometry<S> {
     }
 }
 
-/// `so(3), connection plus (left invariant canonical, (29)), metric diag(1, 2, 3)`.
+/// `so(3), connection plus (left invariant canonical), metric diag(1, 2, 3)`.
 impl<S: Notation + Scalar> fmt::Display for Geometry<S> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}, connection {}", self.name, self.kind.describe())?;

@@ -38,7 +38,7 @@ fn functions_are_written_in_every_format() {
     let half_plane = definition("hyperbolic_plane.toml");
     let text = run(temporary.path(), &["table", &half_plane, "--show", "structure"], b"").out;
     assert!(text.contains("fields       e1 = y*d_x, e2 = y*d_y"), "{text}");
-    assert!(text.contains("Structure functions (A6): 2 nonzero components"), "{text}");
+    assert!(text.contains("Structure functions: 2 nonzero components"), "{text}");
 }
 
 #[test]

@@ -208,7 +208,7 @@ impl<S: Coefficient> Table<S> {
     /// The heading of a tensor: structure constants may be functions on a chart.
     fn title(&self, quantity: Quantity) -> &'static str {
         match quantity {
-            Quantity::Structure if self.chart.is_some() => "Structure functions (A6)",
+            Quantity::Structure if self.chart.is_some() => "Structure functions",
             _ => quantity.title(),
         }
     }
@@ -257,7 +257,7 @@ pub enum Format {
     Latex,
     /// One row for every component.
     Csv,
-    /// One object, schema `affinor.table/1` (`docs/table.schema.json`).
+    /// One object, schema `affinor.table/1` (`docs/schemas/table.schema.json`).
     Json,
     /// One page without scripts, with formulas in MathML.
     Html,

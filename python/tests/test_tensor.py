@@ -22,7 +22,7 @@ def test_printed_as_on_the_command_line():
     table = af.Geometry("SO3").table("curvature")
     assert str(curvature) in table
     assert repr(curvature) == "<Tensor R^i_jkl, dimension 3, 12 nonzero components, exact>"
-    assert str(af.Geometry("M3").curvature) == "Curvature (B14)\n  R^i_jkl = 0"
+    assert str(af.Geometry("M3").curvature) == "Curvature\n  R^i_jkl = 0"
     assert str(ricci) in af.Geometry("so3", metric="diag(a,b,c)").table("ricci")
 
 

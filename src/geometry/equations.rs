@@ -46,11 +46,11 @@ impl EquationKind {
     pub fn statement(self) -> &'static str {
         match self {
             EquationKind::EulerPoincare => {
-                "DH/Dt = M (104): g_ij dOmega^j/dt = Lambda^j_ki Omega^k H_j + M_i, \
+                "DH/Dt = M: g_ij dOmega^j/dt = Lambda^j_ki Omega^k H_j + M_i, \
                  H_j = g_jm Omega^m"
             }
-            EquationKind::Autoparallel => "nabla_v v = 0 (B7): dv^i/dt = -Lambda^i_jk v^j v^k",
-            EquationKind::Transport => "nabla_w u = 0 (B5): du^i/dt = -Lambda^i_jk w^j u^k",
+            EquationKind::Autoparallel => "nabla_v v = 0: dv^i/dt = -Lambda^i_jk v^j v^k",
+            EquationKind::Transport => "nabla_w u = 0: du^i/dt = -Lambda^i_jk w^j u^k",
         }
     }
 }

@@ -113,7 +113,7 @@ fn geometries_as_text_and_by_value() {
         Geometry::new("body", so3(), kind, Some(metric)).unwrap()
     };
     let plus = geometry(ConnectionKind::Canonical(CanonicalConnection::Plus));
-    let text = "body, connection plus (left invariant canonical, (29)), metric diag(1, 2, 3)";
+    let text = "body, connection plus (left invariant canonical), metric diag(1, 2, 3)";
     assert_eq!(plus.to_string(), text);
     assert_eq!(plus, plus.clone());
     assert_ne!(plus, geometry(ConnectionKind::LeviCivita));

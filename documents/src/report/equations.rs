@@ -401,12 +401,11 @@ impl Names {
     }
 }
 
-/// `DH/Dt = M (104): g_ij dOmega^j/dt = ...` in HTML.
+/// `DH/Dt = M: g_ij dOmega^j/dt = ...` in HTML.
 fn statement(text: &str) -> String {
-    let parts = text.split_once(" (").and_then(|(law, rest)| Some((law, rest.split_once("): ")?)));
-    let Some((law, (number, components))) = parts else { return escaped(text) };
+    let Some((law, components)) = text.split_once(": ") else { return escaped(text) };
     let [law, components] = [law, components].map(|text| mathml::inline(&formula::formula(text)));
-    format!("{law} ({number}): {components}")
+    format!("{law}: {components}")
 }
 
 /// A letter with an index, from 0.

@@ -55,9 +55,9 @@ quantities! {
     /// Affinities `Lambda^i_jk`.
     Affinities, "affinities", "Affinities", "Lambda", "\\Lambda", "^i_jk", is::AFFINITIES;
     /// Torsion `tau^i_jk` (B10).
-    Torsion, "torsion", "Torsion (B10)", "tau", "\\tau", "^i_jk", is::TORSION;
+    Torsion, "torsion", "Torsion", "tau", "\\tau", "^i_jk", is::TORSION;
     /// Curvature `R^i_jkl` (B14).
-    Curvature, "curvature", "Curvature (B14)", "R", "R", "^i_jkl", is::CURVATURE;
+    Curvature, "curvature", "Curvature", "R", "R", "^i_jkl", is::CURVATURE;
     /// Ricci tensor `Ric_jl`.
     Ricci, "ricci", "Ricci tensor", "Ric", "\\mathrm{Ric}", "_jl", is::RICCI;
     /// Scalar curvature `S`.

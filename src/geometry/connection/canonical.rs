@@ -66,12 +66,12 @@ impl CanonicalConnection {
         }
     }
 
-    /// The paper's words and equation.
+    /// The paper's words for equations (29), (31) and (30).
     pub fn paper(self) -> &'static str {
         match self {
-            CanonicalConnection::Plus => "left invariant canonical, (29)",
-            CanonicalConnection::Zero => "symmetric, (31)",
-            CanonicalConnection::Minus => "right invariant canonical, (30)",
+            CanonicalConnection::Plus => "left invariant canonical",
+            CanonicalConnection::Zero => "symmetric",
+            CanonicalConnection::Minus => "right invariant canonical",
         }
     }
 }
