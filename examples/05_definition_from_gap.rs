@@ -12,7 +12,7 @@ use std::error::Error;
 use std::fmt::Write;
 
 /// GAP's table of E8: 248 basis vectors, one line for each constant with `i < j`.
-pub const E8: &str = include_str!("../tests/data/E8.txt");
+pub const E8: &str = include_str!("data/E8.txt");
 
 /// Converts the table of E8.
 pub fn main() -> Result<(), Box<dyn Error>> {

@@ -232,3 +232,40 @@ fn every_dependency_is_justified() {
         }
     }
 }
+
+fn manifest(folder: &str) -> toml::Table {
+    let path = root().join(folder).join("Cargo.toml");
+    fs::read_to_string(path).expect("a manifest").parse().expect("a manifest is TOML")
+}
+
+/// Every published package has what its registry shows.
+#[test]
+fn packages_are_complete() {
+    for folder in ["", "tensors", "documents", "paper", "cli"] {
+        let package = manifest(folder)["package"].clone();
+        for key in ["description", "keywords", "categories", "license", "repository", "include"] {
+            assert!(package.get(key).is_some(), "{folder}/Cargo.toml: no `{key}`");
+        }
+        for file in ["README.md", "LICENSE-MIT", "LICENSE-APACHE"] {
+            let text =
+                |folder: &str| fs::read_to_string(root().join(folder).join(file)).expect("a file");
+            assert!(
+                file == "README.md" || text(folder) == text(""),
+                "{folder}/{file} is another licence"
+            );
+        }
+    }
+}
+
+/// Files that must write out the address and the version have those of Cargo.toml.
+#[test]
+fn addresses_and_versions_agree() {
+    let package = manifest("")["workspace"]["package"].clone();
+    let value = |key: &str| package[key].as_str().expect("a text").to_string();
+    let (repository, version) = (value("repository"), value("version"));
+    for file in ["CITATION.cff", "codemeta.json", "release/homebrew.rb", "release/conda.yaml"] {
+        let text = fs::read_to_string(root().join(file)).expect("a file");
+        assert!(text.contains(&repository), "{file}: the address");
+        assert!(text.contains(&version), "{file}: the version");
+    }
+}

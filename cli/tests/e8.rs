@@ -1,11 +1,12 @@
 //! E8 from end to end, from a definition file made from GAP's table.
 
+use crate::program;
 use std::fs;
 use std::process::Command;
 
 /// GAP's table as a definition file.
 fn definition() -> String {
-    let table = include_str!("../../tests/data/E8.txt");
+    let table = include_str!("../../examples/data/E8.txt");
     let rows = table.lines().filter(|line| !line.starts_with('#')).map(|line| {
         let [i, j, k, v] = line.split_whitespace().collect::<Vec<_>>()[..] else {
             panic!("four numbers in {line}")
@@ -22,7 +23,7 @@ fn curvature_of_the_file_as_csv() {
     let folder = tempfile::tempdir().expect("a folder");
     let file = |name: &str| folder.path().join(name);
     fs::write(file("E8.toml"), definition()).expect("a file");
-    let status = Command::new(env!("CARGO_BIN_EXE_affinor"))
+    let status = Command::new(program::path())
         .arg("table")
         .arg(file("E8.toml"))
         .args(["--connection", "zero", "--show", "curvature", "--format", "csv", "-o"])

@@ -244,7 +244,7 @@ fn parts(text: &str) -> impl Iterator<Item = Part<'_>> {
 }
 
 const TITLE: &str = "Finite rotations on a Lie group";
-const ABOUT: &str = "This document goes through I. Paraskevopoulos and S. Natsiavas, \
+const ABOUT: &str = "This document goes through E. Paraskevopoulos and S. Natsiavas, \
     Int. J. Solids and Structures 50 (2013) 57-72, equation by equation. Each entry states the equation in our notation, \
     computes it, and says where it holds and where the paper must be read with a correction. \
     Exact values are computed over the rationals or with symbols. Statements about motions and group elements are computed in floats, \

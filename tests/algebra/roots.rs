@@ -451,7 +451,7 @@ fn gap(text: &str) -> (Vec<Vec<i64>>, Vec<Vec<i64>>, Constants) {
 #[test]
 fn agreement_with_gap() {
     let files = [
-        (Series::E, 8, 8347, include_str!("../data/E8.txt")),
+        (Series::E, 8, 8347, include_str!("../../examples/data/E8.txt")),
         (Series::G, 2, 60, include_str!("../data/G2.txt")),
     ];
     for (series, rank, lines, text) in files {

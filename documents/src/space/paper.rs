@@ -1,6 +1,6 @@
 //! The two geometries of the paper on the rotation group: M(3) and "SO(3)".
 //!
-//! I. Paraskevopoulos and S. Natsiavas, *Int. J. Solids and Structures* 50 (2013) 57-72.
+//! E. Paraskevopoulos and S. Natsiavas, *Int. J. Solids and Structures* 50 (2013) 57-72.
 
 use affinor::algebra::catalogue::{self, Entry};
 use affinor::{CanonicalConnection, ConnectionKind, Error, Geometry, LieAlgebra, Metric};
