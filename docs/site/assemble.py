@@ -9,10 +9,11 @@ import re
 import shutil
 import subprocess
 import sys
+import tomllib
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-REPOSITORY = "https://example.org/affinor/blob/main/"
+REPOSITORY = tomllib.loads((ROOT / "Cargo.toml").read_text())["workspace"]["package"]["repository"] + "/blob/main/"
 """Where files are that have no page."""
 
 PICTURES = [
@@ -84,7 +85,7 @@ def main(program: str, folder: Path) -> None:
 
 def outward(text: str) -> str:
     """A page whose links to files outside of the site lead to the repository."""
-    text = text.replace("](table.schema.json)", "](../docs/table.schema.json)")
+    text = text.replace("](schemas/", "](../docs/schemas/")
     text = re.sub(r"\]\(\.\./([^)]*)\)", lambda match: f"]({REPOSITORY}{match[1]})", text)
     return re.sub(r"\]\((docs/)", "](", text)
 

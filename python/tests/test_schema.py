@@ -1,4 +1,4 @@
-"""Tables as JSON obey ``docs/table.schema.json``, and the schema refuses what is wrong."""
+"""Every report as JSON obeys its schema in ``docs/schemas``, and the schema of tables refuses what is wrong."""
 
 import copy
 import json
@@ -10,7 +10,11 @@ from test_command_line import ROOT, needs_command, run, spaces
 
 import affinor as af
 
-SCHEMA = json.loads((ROOT / "docs" / "table.schema.json").read_text(encoding="utf-8"))
+SCHEMAS = {
+    path.name.removesuffix(".schema.json"): json.loads(path.read_text(encoding="utf-8"))
+    for path in (ROOT / "docs" / "schemas").glob("*.json")
+}
+SCHEMA = SCHEMAS["table"]
 VALIDATOR = jsonschema.Draft202012Validator(SCHEMA)
 SPACES = [
     ("so3", "--metric", "diag(a,b,c)"),
@@ -27,8 +31,10 @@ def written(*arguments):
     return json.loads(run("table", *arguments, "--show", "all", "--format", "json").stdout)
 
 
-def test_the_schema_is_one():
-    jsonschema.Draft202012Validator.check_schema(SCHEMA)
+@pytest.mark.parametrize("name", sorted(SCHEMAS))
+def test_the_schemas_are_schemas(name):
+    jsonschema.Draft202012Validator.check_schema(SCHEMAS[name])
+    assert SCHEMAS[name]["title"] == f"affinor.{name}/1"
 
 
 def test_every_quantity_is_a_property():
@@ -55,6 +61,49 @@ def test_definitions(path):
 @pytest.mark.parametrize("options", OPTIONS, ids=" ".join)
 def test_options(space, options):
     VALIDATOR.validate(written(*space, *options))
+
+
+OF_SPACES = [
+    ("check",),
+    ("info",),
+    ("properties",),
+    ("properties", "--metric", "identity"),
+    ("equations", "--metric", "identity"),
+    ("equations", "--kind", "autoparallel"),
+    ("equations", "--kind", "transport"),
+]
+STRUCTURES = ["so3", "so(3,1)", "sl(3)", "heisenberg(5)", "bianchi(VI)", "so3+R^3", "sl(2,C)", "u(2)", "[x,y]=z"]
+OTHERS = [
+    ("check", "[x,y]=z; [y,z]=y"),
+    ("compare",),
+    ("compare", "so3", "se3"),
+    ("list",),
+    ("list", "--where", "nilpotent"),
+    ("conventions",),
+    ("claims", "so3", "examples/claims/so3.txt", "--metric", "diag(a,b,c)"),
+    ("simulate", "examples/motions/heavy_top.toml"),
+    ("equations", "examples/definitions/sphere.toml", "--kind", "autoparallel"),
+]
+
+
+@needs_command
+@pytest.mark.parametrize(
+    "arguments", [(first, space, *rest) for space in STRUCTURES for first, *rest in OF_SPACES] + OTHERS, ids=" ".join
+)
+def test_reports(arguments):
+    of_files = [ROOT / word if word.startswith("examples/") else word for word in arguments]
+    report = json.loads(run(*of_files, "--format", "json", ok=False).stdout)
+    name = report["schema"].removeprefix("affinor.").removesuffix("/1")
+    jsonschema.Draft202012Validator(SCHEMAS[name]).validate(report)
+
+
+@needs_command
+def test_verifications(tmp_path):
+    stored = tmp_path / "table.json"
+    stored.write_text(json.dumps(written("so3@zero")))
+    for arguments in [("so3@zero", stored), ("so3@plus", stored), ("so3@zero", stored, stored)]:
+        report = json.loads(run("verify", *arguments, "--format", "json", ok=False).stdout)
+        jsonschema.Draft202012Validator(SCHEMAS["verify"]).validate(report)
 
 
 def replaced(value, path, new):
