@@ -1,10 +1,11 @@
 //! Contractions of tensors, and the indices of their parts.
 
 use crate::class::Object;
-use crate::components::{Held, Values, of, widest};
+use crate::components::{Held, Values, each, of, widest};
+use crate::errors::refused;
 use crate::run::run;
 use crate::tensor::{LETTERS, Names, PyTensor, written};
-use crate::values::{self, error, python};
+use crate::values::{self, error, index, python};
 use affinor_documents::over_kind;
 use affinor_tensors::contract;
 use pyo3::prelude::*;
@@ -55,6 +56,43 @@ impl PyTensor {
         })?;
         let symbols = values::merged(py, [&self.symbols, &other.symbols])?;
         Self::new(py, values, &symbols, Names::of("T"))
+    }
+
+    /// The slots in another order: slot ``a`` of the result is slot ``order[a]`` of this tensor.
+    #[pyo3(signature = (*order))]
+    fn permute(&self, order: &Bound<'_, PyTuple>) -> PyResult<Self> {
+        let (py, order) = (order.py(), self.positions(order)?);
+        let permuted = each!(&self.values, tensor => tensor.permute(&order).map(Held::wrap));
+        self.with(py, permuted.map_err(|error| refused(py, error))?)
+    }
+
+    /// The sum over an upper and a lower slot, by their positions from 0.
+    fn trace<'py>(&self, a: Object<'py>, b: Object<'py>) -> PyResult<Self> {
+        let py = a.py();
+        let slots = self.positions(&PyTuple::new(py, [a, b])?)?;
+        let trace = each!(&self.values, tensor => tensor.trace(slots[0], slots[1]).map(Held::wrap));
+        self.with(py, trace.map_err(|error| refused(py, error))?)
+    }
+}
+
+impl PyTensor {
+    /// The same parameters and a new symbol.
+    fn with(&self, py: Python<'_>, values: Values) -> PyResult<Self> {
+        Self::new(py, values, self.symbols.bind(py), Names::of("T"))
+    }
+
+    /// Positions of slots, which are checked.
+    fn positions(&self, slots: &Bound<'_, PyTuple>) -> PyResult<Vec<usize>> {
+        let position = |slot: Bound<'_, PyAny>| {
+            let slot = index("a slot", &slot)?;
+            let rank = self.rank();
+            usize::try_from(slot).ok().filter(|slot| *slot < rank).ok_or_else(|| {
+                let reason =
+                    format!("a tensor of rank {rank} has no slot {slot}; they count from 0");
+                error(slots.py(), "ShapeError", (reason,))
+            })
+        };
+        slots.iter().map(position).collect()
     }
 }
 

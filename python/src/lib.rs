@@ -1,10 +1,12 @@
 //! The module `affinor._engine`: algebras, tensors, geometries, groups and motions for the Python package `affinor`.
 
 mod algebra;
+mod arithmetic;
 mod arrays;
 mod class;
 mod command;
 mod components;
+mod constructions;
 mod contraction;
 mod display;
 mod errors;
@@ -20,6 +22,7 @@ mod rows;
 mod run;
 mod source;
 mod structure;
+mod tables;
 mod tensor;
 mod transport;
 mod values;
@@ -36,7 +39,7 @@ mod _engine {
     #[pymodule_export]
     use crate::family::PyFamily;
     #[pymodule_export]
-    use crate::geometry::{PyGeometry, compare, conventions};
+    use crate::geometry::PyGeometry;
     #[pymodule_export]
     use crate::group::{PyGroup, groups};
     #[pymodule_export]
@@ -47,6 +50,8 @@ mod _engine {
     use crate::run::{_panic, clear_caches, set_threads, threads};
     #[pymodule_export]
     use crate::source::PySource;
+    #[pymodule_export]
+    use crate::tables::{compare, conventions};
     #[pymodule_export]
     use crate::tensor::{_restore_tensor, PyTensor};
     #[pymodule_export]

@@ -7,11 +7,11 @@ use crate::components::{
 };
 use crate::errors::refused;
 use crate::run::run;
-use crate::values::{self, error, index, python, text_of};
+use crate::values::{self, python};
 use affinor_documents::input::InputError;
 use affinor_documents::over_kind;
-use affinor_tensors::{Kind, Notation, Rational, Symbolic, Tensor, TrackedFloat, contract};
-use numpy::{PyArrayDescr, PyArrayDyn, PyArrayLikeDyn, PyArrayMethods, PyUntypedArray};
+use affinor_tensors::{Kind, Notation, Rational, Symbolic, TrackedFloat};
+use numpy::{PyArrayDescr, PyArrayDyn, PyArrayLikeDyn, PyArrayMethods};
 use pyo3::exceptions::{PyIndexError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict, PyEllipsis, PyInt, PyIterator, PyList, PySlice, PyTuple};
@@ -96,11 +96,6 @@ impl PyTensor {
         Self::new(py, values, &symbols, names)
     }
 
-    /// The same parameters and a new symbol.
-    fn with(&self, py: Python<'_>, values: Values) -> PyResult<Self> {
-        Self::new(py, values, self.symbols.bind(py), Names::of("T"))
-    }
-
     /// The component at indices from 0.
     pub fn value<'py>(&self, py: Python<'py>, at: &[usize]) -> New<'py> {
         let failed = |error| refused(py, InputError::from(error));
@@ -116,63 +111,6 @@ impl PyTensor {
             }
         }
     }
-
-    /// Positions of slots, which are checked.
-    fn positions(&self, slots: &Bound<'_, PyTuple>) -> PyResult<Vec<usize>> {
-        let position = |slot: Bound<'_, PyAny>| {
-            let slot = index("a slot", &slot)?;
-            let rank = self.rank();
-            usize::try_from(slot).ok().filter(|slot| *slot < rank).ok_or_else(|| {
-                let reason =
-                    format!("a tensor of rank {rank} has no slot {slot}; they count from 0");
-                error(slots.py(), "ShapeError", (reason,))
-            })
-        };
-        slots.iter().map(position).collect()
-    }
-
-    fn sum(&self, py: Python<'_>, other: &PyTensor, sign: &str) -> PyResult<Self> {
-        let (slots, dimension) = (self.slots(), self.dimension());
-        if slots != other.slots() || dimension != other.dimension() {
-            return Err(PyValueError::new_err(format!(
-                "a sum needs equal shapes: '{slots}' of dimension {dimension}, and '{}' of dimension {}",
-                other.slots(),
-                other.dimension()
-            )));
-        }
-        let letters = written(LETTERS, &slots, false);
-        let both = [&self.values, &other.values];
-        let values = run(py, || {
-            over_kind!(widest(both), S => {
-                sum(&*of::<S>(both[0])?, &*of::<S>(both[1])?, sign, &letters)
-            })
-        })?;
-        let symbols = values::merged(py, [&self.symbols, &other.symbols])?;
-        Self::new(py, values, &symbols, Names::of("T"))
-    }
-
-    /// The components multiplied by a number or an expression.
-    fn scale(&self, py: Python<'_>, factor: &str, symbols: &Bound<'_, PyDict>) -> PyResult<Self> {
-        fn scaled<S: Held>(tensor: &Tensor<S>, factor: &str) -> PyResult<Values> {
-            Ok(S::wrap(tensor.scale(&values::read(factor)?)))
-        }
-        let symbolic: Symbolic = values::read(factor)?;
-        let values = match &self.values {
-            Values::Exact(tensor) if symbolic.as_constant().is_some() => scaled(tensor, factor)?,
-            Values::Float(tensor) => scaled(tensor, factor)?,
-            other => {
-                let tensor = of::<Symbolic>(other).map_err(|error| refused(py, error))?;
-                Symbolic::wrap(tensor.scale(&symbolic))
-            }
-        };
-        Self::new(py, values, symbols, Names::of("T"))
-    }
-
-    /// The text of a factor, and the symbols of the product.
-    fn factor<'py>(&self, factor: &Object<'py>) -> PyResult<(String, Bound<'py, PyDict>)> {
-        let symbols = self.symbols.bind(factor.py()).copy()?;
-        Ok((text_of(factor, &symbols, self.scalar() == "float")?, symbols))
-    }
 }
 
 /// Indices in which `...` stands for as many full slices as there are indices left.
@@ -187,22 +125,6 @@ fn filled<'py>(at: &Bound<'py, PyTuple>, rank: usize) -> PyResult<Bound<'py, PyT
     let before = at.iter().take(place);
     let between = std::iter::repeat_n(full, (rank + 1).saturating_sub(at.len()));
     PyTuple::new(py, before.chain(between).chain(at.iter().skip(place + 1)).collect::<Vec<_>>())
-}
-
-/// The sum or difference of two tensors, whose indices have these letters.
-fn sum<S: Held>(
-    a: &Tensor<S>,
-    b: &Tensor<S>,
-    sign: &str,
-    letters: &str,
-) -> Result<Values, InputError> {
-    if !letters.is_empty() {
-        let expression = format!("a{letters} {sign} b{letters} -> {letters}");
-        return Ok(S::wrap(contract(&expression, &[("a", a), ("b", b)])?));
-    }
-    let signed = |value: &S| if sign == "-" { -value.clone() } else { value.clone() };
-    let terms = a.nonzero().cloned().chain(b.nonzero().map(signed));
-    Ok(S::wrap(Tensor::from_components(a.dimension(), &[], terms.map(|value| (vec![], value)))?))
 }
 
 /// The letters of indices without other names.
@@ -437,57 +359,6 @@ impl PyTensor {
         let indices = indices.as_array();
         let values = build(py, self.dimension(), &self.slots(), indices, texts, "exact")?;
         Self::new(py, values, symbols, self.names.clone())
-    }
-
-    fn __add__(&self, py: Python<'_>, other: &PyTensor) -> PyResult<Self> {
-        self.sum(py, other, "+")
-    }
-
-    fn __sub__(&self, py: Python<'_>, other: &PyTensor) -> PyResult<Self> {
-        self.sum(py, other, "-")
-    }
-
-    fn __neg__(&self, py: Python<'_>) -> PyResult<Self> {
-        self.scale(py, "-1", self.symbols.bind(py))
-    }
-
-    fn __mul__(&self, factor: &Bound<'_, PyAny>) -> PyResult<Self> {
-        if factor.is_instance_of::<PyTensor>()
-            || factor.is_instance_of::<PyUntypedArray>()
-            || factor.is_instance_of::<PyList>()
-            || factor.is_instance_of::<PyTuple>()
-        {
-            let reason =
-                "a tensor is multiplied by a number; products of tensors are written with contract";
-            return Err(PyTypeError::new_err(reason));
-        }
-        let (text, symbols) = self.factor(factor)?;
-        self.scale(factor.py(), &text, &symbols)
-    }
-
-    fn __rmul__(&self, factor: &Bound<'_, PyAny>) -> PyResult<Self> {
-        self.__mul__(factor)
-    }
-
-    fn __truediv__(&self, divisor: &Bound<'_, PyAny>) -> PyResult<Self> {
-        let (text, symbols) = self.factor(divisor)?;
-        self.scale(divisor.py(), &format!("1/({text})"), &symbols)
-    }
-
-    /// The slots in another order: slot ``a`` of the result is slot ``order[a]`` of this tensor.
-    #[pyo3(signature = (*order))]
-    fn permute(&self, order: &Bound<'_, PyTuple>) -> PyResult<Self> {
-        let (py, order) = (order.py(), self.positions(order)?);
-        let permuted = each!(&self.values, tensor => tensor.permute(&order).map(Held::wrap));
-        self.with(py, permuted.map_err(|error| refused(py, error))?)
-    }
-
-    /// The sum over an upper and a lower slot, by their positions from 0.
-    fn trace<'py>(&self, a: Object<'py>, b: Object<'py>) -> PyResult<Self> {
-        let py = a.py();
-        let slots = self.positions(&PyTuple::new(py, [a, b])?)?;
-        let trace = each!(&self.values, tensor => tensor.trace(slots[0], slots[1]).map(Held::wrap));
-        self.with(py, trace.map_err(|error| refused(py, error))?)
     }
 
     /// The same tensor over floats.
