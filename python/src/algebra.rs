@@ -20,22 +20,29 @@ use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
 use pyo3::types::{PyDict, PyTuple, PyType};
 
-/// A Lie algebra with a basis; the Jacobi identity is checked.
+/// Lie algebra with a basis.
 ///
-/// Structure constants are ``c[i, j, k]``, with ``[e_j, e_k] = c^i_jk e_i``.
+/// Structure constants are ``c[i, j, k]``, with ``[e_j, e_k] = c^i_jk e_i``. The constructor checks the Jacobi identity.
 ///
 /// Parameters
 /// ----------
 /// space : str, path, dict or array
-///     A name of the catalogue, a sum of names (``"so3+R^3"``), or the path of a definition file; brackets, in one text or
-///     in a list; the keys of a definition file; structure constants (:meth:`from_structure`). A file is read once:
-///     geometries and groups of this algebra do not read it again.
-/// basis : str or list, optional
-///     The names of the basis vectors, which brackets need.
+///     Name of the catalogue, sum of names (``"so3+R^3"``), or path of a definition file; brackets, in one text or in a
+///     list; a dict with the keys of a definition file; structure constants as for :meth:`from_structure`. A file is read
+///     once: geometries and groups of this algebra do not read it again.
+/// basis : str or list of str, optional
+///     Names of the basis vectors; required for brackets.
 /// scalar : str
-///     ``"exact"`` (with parameters ``symbolic``) or ``"float"``.
+///     ``"exact"`` (``symbolic`` with parameters) or ``"float"``.
 /// tolerance : float, optional
-///     For floats: the bound below which a sum counts as zero, relative to its terms.
+///     For floats: bound below which a sum counts as zero, relative to its terms.
+///
+/// Raises
+/// ------
+/// InputError
+///     The name, the file or the brackets cannot be read.
+/// JacobiError
+///     The brackets violate the Jacobi identity; ``triple`` and ``residual`` are the witness.
 ///
 /// Examples
 /// --------
@@ -56,29 +63,86 @@ pub struct PyAlgebra {
 immutable! { PyAlgebra }
 
 properties! { PyAlgebra, own:
-    /// The name.
+    /// Name of the algebra.
     name: &str = &own.space.definition.name;
-    /// The names of the basis vectors.
+    /// Names of the basis vectors.
     basis: Vec<String> = own.values.labels();
-    /// The dimension.
+    /// Dimension of the algebra.
     dimension: usize = own.values.labels().len();
-    /// ``exact``, ``symbolic`` or ``float``.
+    /// Scalar of the structure constants: ``exact``, ``symbolic`` or ``float``.
     scalar: &'static str = own.values.scalar();
-    /// The names of the parameters, sorted.
+    /// Names of the parameters, sorted.
     parameters: Vec<String> = own.space.definition.parameters();
 }
 
 constructors! { PyAlgebra:
-    /// The algebra with the structure constants ``c[i, j, k]``, ``[e_j, e_k] = c^i_jk e_i``, indices from 0.
+    /// Lie algebra of structure constants ``c[i, j, k]``, with ``[e_j, e_k] = c^i_jk e_i`` and indices from 0.
     ///
-    /// They are an array of the shape (n, n, n); a pair of indices (3, count) and values; a sparse array of SciPy of the
-    /// shape (n, n, n), or (n, n*n) with the column ``j*n + k``; a list of tuples ``(i, j, k, value)``; a dict; a Tensor.
-    /// Each pair may be given in one order or in both.
+    /// Parameters
+    /// ----------
+    /// constants : array, sparse array, tuple, list, dict or Tensor
+    ///     An array of the shape (n, n, n); a pair of indices (3, count) and values; a sparse array of SciPy of the shape
+    ///     (n, n, n), or (n, n*n) with the column ``j*n + k``; a list of tuples ``(i, j, k, value)``; a dict ``{(i, j, k):
+    ///     value}``; a Tensor. Each pair of vectors may be given in one order or in both.
+    /// basis : str or list of str, optional
+    ///     Names of the basis vectors; by default ``e1``, ``e2``, ...
+    /// name : str, optional
+    ///     Name of the algebra.
+    /// dimension : int, optional
+    ///     Dimension; by default that of the array or of the basis, else the largest index plus one.
+    /// scalar : str
+    ///     ``"exact"`` or ``"float"``.
+    /// tolerance : float, optional
+    ///     For floats: bound below which a sum counts as zero, relative to its terms.
+    ///
+    /// Returns
+    /// -------
+    /// LieAlgebra
+    ///
+    /// Raises
+    /// ------
+    /// AntisymmetryError
+    ///     Both orders of a pair are given and do not agree.
+    /// JacobiError
+    ///     The brackets violate the Jacobi identity.
+    ///
+    /// Examples
+    /// --------
+    /// >>> print(LieAlgebra.from_structure([(2, 0, 1, 1)], basis="x y z"))
+    /// [x, y] = z
     from_structure("($cls, constants, *, basis=None, name=None, dimension=None, scalar='exact', tolerance=None)")
         = "_source"."from_structure";
-    /// The algebra of a basis of matrices under the commutator, over the reals.
+    /// Lie algebra that matrices span under the commutator, over the reals.
     ///
-    /// Matrices are arrays of NumPy, matrices of SymPy or nested lists; entries may be complex.
+    /// Parameters
+    /// ----------
+    /// matrices : list of arrays
+    ///     Basis of square matrices: arrays of NumPy, matrices of SymPy or nested lists. Entries may be complex.
+    /// basis : str or list of str, optional
+    ///     Names of the basis vectors; by default ``e1``, ``e2``, ...
+    /// name : str, optional
+    ///     Name of the algebra.
+    /// scalar : str
+    ///     ``"exact"`` or ``"float"``.
+    /// tolerance : float, optional
+    ///     For floats: bound below which a sum counts as zero, relative to its terms.
+    ///
+    /// Returns
+    /// -------
+    /// LieAlgebra
+    ///
+    /// Raises
+    /// ------
+    /// DependentError
+    ///     The matrices are linearly dependent over the reals.
+    /// ClosureError
+    ///     A commutator is not in the span of the matrices.
+    ///
+    /// Examples
+    /// --------
+    /// >>> x, y = [[1, 0], [0, 0]], [[0, 1], [0, 0]]
+    /// >>> print(LieAlgebra.from_matrices([x, y], basis="x y"))
+    /// [x, y] = y
     from_matrices("($cls, matrices, *, basis=None, name=None, scalar='exact', tolerance=None)")
         = "_source"."from_matrices";
 }
@@ -104,7 +168,7 @@ impl PyAlgebra {
         Ok(PyAlgebra { source: source.unbind(), space, values, found: PyOnceLock::new() })
     }
 
-    /// The symbols of SymPy that were given, by name.
+    /// Symbols of SymPy in the definition, by name.
     #[getter]
     fn symbols<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         self.source.get().symbols.bind(py).copy()
@@ -115,29 +179,84 @@ impl PyAlgebra {
         self.source.clone_ref(py)
     }
 
-    /// The structure constants ``c^i_jk``.
+    /// Structure constants ``c^i_jk``: ``[e_j, e_k] = c^i_jk e_i``.
+    ///
+    /// Examples
+    /// --------
+    /// >>> LieAlgebra("so3").structure[2, 0, 1]
+    /// Fraction(1, 1)
     #[getter]
     pub fn structure(&self, py: Python<'_>) -> PyResult<PyTensor> {
         self.quantity(py, Quantity::Structure)
     }
 
-    /// The Killing form ``K_ij = tr(ad_i ad_j)``.
+    /// Killing form ``K_ij = tr(ad_i ad_j) = c^k_il c^l_jk``.
+    ///
+    /// Examples
+    /// --------
+    /// >>> LieAlgebra("so3").killing_form[0, 0]
+    /// Fraction(-2, 1)
     #[getter]
     fn killing_form(&self, py: Python<'_>) -> PyResult<PyTensor> {
         self.quantity(py, Quantity::Killing)
     }
 
-    /// The matrix of ``[x, .]``: ``(ad_x)^i_k = c^i_jk x^j``.
+    /// Matrix of ``y -> [x, y]``: ``(ad_x)^i_k = c^i_jk x^j``.
+    ///
+    /// Parameters
+    /// ----------
+    /// x : list, Tensor or str
+    ///     Vector: its components, or a text such as ``"e1 + 2*e2"``.
+    ///
+    /// Returns
+    /// -------
+    /// Tensor
+    ///     Slots ``^_``; the upper index is the row.
+    ///
+    /// Examples
+    /// --------
+    /// >>> LieAlgebra("so3").ad([0, 0, 1])[1, 0]
+    /// Fraction(1, 1)
     fn ad<'py>(slf: &Bound<'py, Self>, x: Object<'py>) -> PyResult<PyTensor> {
         Self::contract(slf, "^i_jk ^j -> ^i_k", &[x])
     }
 
-    /// The bracket of two vectors by their components.
+    /// Bracket of two vectors: ``[x, y]^i = c^i_jk x^j y^k``.
+    ///
+    /// Parameters
+    /// ----------
+    /// x, y : list, Tensor or str
+    ///     Vectors: their components, or texts such as ``"e1 + 2*e2"``.
+    ///
+    /// Returns
+    /// -------
+    /// Tensor
+    ///     Vector with the slot ``^``.
+    ///
+    /// Examples
+    /// --------
+    /// >>> LieAlgebra("so3").bracket([1, 0, 0], [0, 2, 0])[2]
+    /// Fraction(2, 1)
     fn bracket<'py>(slf: &Bound<'py, Self>, x: Object<'py>, y: Object<'py>) -> PyResult<PyTensor> {
         Self::contract(slf, "^i_jk ^j ^k -> ^i", &[x, y])
     }
 
-    /// The direct sum, in the basis of this algebra followed by that of the other.
+    /// Direct sum; also written ``self + other``.
+    ///
+    /// Parameters
+    /// ----------
+    /// other : LieAlgebra
+    ///     Second summand; both are exact, or both are floats.
+    ///
+    /// Returns
+    /// -------
+    /// LieAlgebra
+    ///     The basis of this algebra, followed by the basis of the other.
+    ///
+    /// Examples
+    /// --------
+    /// >>> LieAlgebra("so3").direct_sum(LieAlgebra("R^2")).dimension
+    /// 5
     fn direct_sum<'py>(slf: &Bound<'py, Self>, other: &Object<'py>) -> New<'py> {
         let Ok(other) = other.cast::<PyAlgebra>() else {
             let found = other.get_type().name()?;
@@ -174,7 +293,30 @@ impl PyAlgebra {
         Self::direct_sum(slf, other)
     }
 
-    /// The same algebra in the basis ``e'_a = A^i_a e_i``: column ``a`` of the matrix has the components of ``e'_a``.
+    /// Same algebra in the basis ``e'_a = A^i_a e_i``.
+    ///
+    /// Parameters
+    /// ----------
+    /// matrix : array or Tensor
+    ///     Regular matrix ``A`` of the shape (n, n): column ``a`` has the components of ``e'_a``.
+    /// basis : str or list of str, optional
+    ///     Names of the new basis vectors.
+    ///
+    /// Returns
+    /// -------
+    /// LieAlgebra
+    ///
+    /// Raises
+    /// ------
+    /// MathematicsError
+    ///     The matrix is singular.
+    ///
+    /// Examples
+    /// --------
+    /// >>> print(LieAlgebra("so3").change_basis([[2, 0, 0], [0, 2, 0], [0, 0, 1]], basis="x y z"))
+    /// [x, y] = 4*z
+    /// [x, z] = -y
+    /// [y, z] = x
     #[pyo3(signature = (matrix, *, basis=None))]
     fn change_basis<'py>(
         slf: &Bound<'py, Self>,
@@ -203,7 +345,21 @@ impl PyAlgebra {
         Self::structured(slf, values, &symbols, own.name(), basis)
     }
 
-    /// The algebra with parameters replaced, by name or by symbol.
+    /// Algebra with parameters replaced.
+    ///
+    /// Parameters
+    /// ----------
+    /// values : dict
+    ///     Numbers or expressions by the name or the symbol of a parameter.
+    ///
+    /// Returns
+    /// -------
+    /// LieAlgebra
+    ///
+    /// Examples
+    /// --------
+    /// >>> print(LieAlgebra("[x,y]=h*y", basis="x y").subs({"h": 2}))
+    /// [x, y] = 2*y
     fn subs<'py>(slf: &Bound<'py, Self>, values: &Object<'py>) -> New<'py> {
         if !values.is_truthy()? {
             return Ok(slf.clone().into_any());
@@ -212,12 +368,30 @@ impl PyAlgebra {
         slf.get_type().call1((source,))
     }
 
-    /// A group with this algebra, in its basis.
+    /// Lie group of this algebra, with vectors in its basis.
+    ///
+    /// Returns
+    /// -------
+    /// Group
+    ///
+    /// Examples
+    /// --------
+    /// >>> LieAlgebra("[x,y]=z, [y,z]=x, [z,x]=y", basis="x y z").group().dimension
+    /// 3
     fn group(&self, py: Python<'_>) -> PyResult<PyGroup> {
         PyGroup::of_source(py, self.source.clone_ref(py))
     }
 
-    /// The checks of the certificate.
+    /// Certificate of the definition: antisymmetry, the Jacobi identity and further identities.
+    ///
+    /// Returns
+    /// -------
+    /// list of Check
+    ///
+    /// Examples
+    /// --------
+    /// >>> all(LieAlgebra("so3").check())
+    /// True
     fn check<'py>(&self, py: Python<'py>) -> PyResult<Vec<Object<'py>>> {
         self.source.get().checks(py)
     }
@@ -289,7 +463,22 @@ impl PyAlgebra {
     }
 }
 
-/// The families of named algebras that contain a text: pattern, description, example.
+/// Families of named algebras.
+///
+/// Parameters
+/// ----------
+/// pattern : str
+///     Text that the name, the description or the example contains; by default all families are listed.
+///
+/// Returns
+/// -------
+/// list of (str, str, str)
+///     Pattern, description and example of each family.
+///
+/// Examples
+/// --------
+/// >>> [row[0] for row in catalogue("Heisenberg")]
+/// ['heisenberg(2m+1)']
 #[pyfunction]
 #[pyo3(signature = (pattern=""))]
 pub fn catalogue(pattern: &str) -> Vec<(&'static str, &'static str, &'static str)> {

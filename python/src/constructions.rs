@@ -72,9 +72,25 @@ fn has_parameters(tensors: &[Values]) -> bool {
 }
 
 constructions! {
-    /// The subalgebra with these vectors as its basis.
+    /// Subalgebra with given vectors as its basis.
     ///
-    /// A vector is its components, or a text such as ``"e1 + 2*e2"``. A span that is not closed raises ConstructionError.
+    /// Parameters
+    /// ----------
+    /// vectors : list
+    ///     Linearly independent vectors: components, or texts such as ``"e1 + 2*e2"``.
+    /// basis : str or list of str, optional
+    ///     Names of the vectors.
+    ///
+    /// Returns
+    /// -------
+    /// LieAlgebra
+    ///
+    /// Raises
+    /// ------
+    /// ConstructionError
+    ///     The span is not closed under the bracket.
+    /// InputError
+    ///     The vectors are linearly dependent.
     ///
     /// Examples
     /// --------
@@ -82,23 +98,100 @@ constructions! {
     /// 3
     #[pyo3(signature = (vectors, *, basis=None))]
     fn subalgebra(vectors) = |structure: S, _data: Nothing, given| spanned::<S>(structure, &given);
-    /// The subalgebra that vectors generate.
+    /// Smallest subalgebra that contains given vectors.
+    ///
+    /// Parameters
+    /// ----------
+    /// vectors : list
+    ///     Vectors: components, or texts such as ``"e1 + 2*e2"``.
+    /// basis : str or list of str, optional
+    ///     Names of the new basis vectors.
+    ///
+    /// Returns
+    /// -------
+    /// LieAlgebra
+    ///
+    /// Examples
+    /// --------
+    /// >>> LieAlgebra("sl(3)").generated(["E12", "E21"]).dimension
+    /// 3
     #[pyo3(signature = (vectors, *, basis=None))]
     fn generated(vectors) = |structure: S, _data: Nothing, given| {
         inside(structure, &structure.generated(rows::<S>(&given)?))
     };
-    /// The subalgebra of all vectors that commute with these.
+    /// Subalgebra of all vectors that commute with given vectors.
+    ///
+    /// Parameters
+    /// ----------
+    /// vectors : list
+    ///     Vectors: components, or texts such as ``"e1 + 2*e2"``.
+    /// basis : str or list of str, optional
+    ///     Names of the new basis vectors.
+    ///
+    /// Returns
+    /// -------
+    /// LieAlgebra
+    ///
+    /// Raises
+    /// ------
+    /// InputError
+    ///     The subalgebra is zero.
+    ///
+    /// Examples
+    /// --------
+    /// >>> LieAlgebra("sl(3)").centralizer(["H1"]).dimension
+    /// 2
     #[pyo3(signature = (vectors, *, basis=None))]
     fn centralizer(vectors) = |structure: S, _data: Nothing, given| {
         let vectors = Subspace::span(structure.dimension(), rows::<S>(&given)?);
         inside(structure, &structure.centralizer(&vectors))
     };
-    /// The subalgebra ``[L, L]``.
+    /// Derived subalgebra ``[L, L]``.
+    ///
+    /// Parameters
+    /// ----------
+    /// basis : str or list of str, optional
+    ///     Names of the new basis vectors.
+    ///
+    /// Returns
+    /// -------
+    /// LieAlgebra
+    ///
+    /// Raises
+    /// ------
+    /// InputError
+    ///     The algebra is abelian.
+    ///
+    /// Examples
+    /// --------
+    /// >>> LieAlgebra("se(2)").derived_subalgebra().dimension
+    /// 2
     #[pyo3(signature = (*, basis=None))]
     fn derived_subalgebra() = |structure: S, _data: Nothing, _given| {
         inside::<S>(structure, structure.derived())
     };
-    /// The quotient by the ideal that vectors span; a span that is not an ideal raises ConstructionError.
+    /// Quotient by the ideal that given vectors span.
+    ///
+    /// Parameters
+    /// ----------
+    /// vectors : list
+    ///     Vectors that span the ideal: components, or texts such as ``"e1 + 2*e2"``.
+    /// basis : str or list of str, optional
+    ///     Names of the new basis vectors.
+    ///
+    /// Returns
+    /// -------
+    /// LieAlgebra
+    ///
+    /// Raises
+    /// ------
+    /// ConstructionError
+    ///     The span is not an ideal.
+    ///
+    /// Examples
+    /// --------
+    /// >>> LieAlgebra("heisenberg(3)").quotient([[0, 0, 1]]).is_abelian
+    /// True
     #[pyo3(signature = (vectors, *, basis=None))]
     fn quotient(vectors) = |structure: S, _data: Nothing, given| {
         let ideal = Subspace::span(structure.dimension(), rows::<S>(&given)?);
@@ -107,10 +200,32 @@ constructions! {
         }
         Ok(made(&structure.quotient(&ideal)?))
     };
-    /// The extension by a centre with the names ``centre``: ``[x, y]`` gets the further component ``omega(x, y)``.
+    /// Central extension: the bracket ``[x, y]`` gets the further component ``omega(x, y)`` in the centre.
     ///
-    /// ``cocycle`` is a text such as ``"[e1, e2] = z"``; or ``omega[j, k]`` for one central vector, ``omega[a, j, k]`` for
-    /// several, as an array or a dict. A form that is not a cocycle raises ConstructionError.
+    /// Parameters
+    /// ----------
+    /// cocycle : str, array or dict
+    ///     A text such as ``"[e1, e2] = z"``; or ``omega[j, k]`` for one central vector, ``omega[a, j, k]`` for several, as an
+    ///     array or a dict.
+    /// centre : str or list of str
+    ///     Names of the central vectors.
+    /// basis : str or list of str, optional
+    ///     Names of all vectors of the extension.
+    ///
+    /// Returns
+    /// -------
+    /// LieAlgebra
+    ///     The basis of this algebra, followed by the centre.
+    ///
+    /// Raises
+    /// ------
+    /// ConstructionError
+    ///     The form is not a cocycle.
+    ///
+    /// Examples
+    /// --------
+    /// >>> print(LieAlgebra("R^2").central_extension({(0, 1): 1}))
+    /// [e1, e2] = z
     #[pyo3(
         signature = (cocycle, centre=None, *, basis=None),
         text_signature = "($self, cocycle, centre='z', *, basis=None)"
@@ -123,20 +238,73 @@ constructions! {
     fn _semidirect(on, by) = |structure: S, labels: Vec<String>, given| {
         semidirect::<S>(structure, &labels, &given)
     };
-    /// The semidirect sum with the dual space, by the coadjoint action.
+    /// Cotangent algebra: the semidirect sum with the dual space, by the coadjoint action.
+    ///
+    /// Parameters
+    /// ----------
+    /// basis : str or list of str, optional
+    ///     Names of all vectors of the sum.
+    ///
+    /// Returns
+    /// -------
+    /// LieAlgebra
+    ///     The basis of this algebra, followed by the dual basis.
+    ///
+    /// Examples
+    /// --------
+    /// >>> LieAlgebra("so3").cotangent_algebra().dimension
+    /// 6
     #[pyo3(signature = (*, basis=None))]
     fn cotangent_algebra() = |structure: S, _data: Nothing, _given| {
         Ok(made::<S>(&structure.with_dual()?))
     };
-    /// The tensor product with a commutative algebra: ``[x u_a, y u_b] = [x, y] (u_a u_b)``.
+    /// Tensor product with a commutative associative algebra: ``[x u_a, y u_b] = [x, y] (u_a u_b)``.
     ///
-    /// ``units`` are the names of its basis. ``products[d, a, b]`` is the component of ``u_a u_b`` along ``u_d``, as an array
-    /// or a dict. Products that do not commute or are not associative raise ConstructionError.
+    /// Parameters
+    /// ----------
+    /// units : str or list of str
+    ///     Names of the basis ``u_a`` of the commutative algebra.
+    /// products : array or dict
+    ///     Component ``products[d, a, b]`` of ``u_a u_b`` along ``u_d``.
+    /// basis : str or list of str, optional
+    ///     Names of the new basis vectors.
+    ///
+    /// Returns
+    /// -------
+    /// LieAlgebra
+    ///
+    /// Raises
+    /// ------
+    /// ConstructionError
+    ///     The products are not commutative or not associative.
+    ///
+    /// Examples
+    /// --------
+    /// >>> so3 = LieAlgebra("so3")
+    /// >>> so3.tensor_product("p q", {(0, 0, 0): 1, (1, 1, 1): 1}).dynkin_type
+    /// 'A1 + A1'
     #[pyo3(signature = (units, products, *, basis=None))]
     fn tensor_product(units, products) = |structure: S, units: Vec<String>, given| {
         Ok(made(&structure.tensor_product(&units, &*of::<S>(&given[0])?)?))
     };
-    /// Polynomials in ``t`` with values in this algebra and ``t^order = 0``.
+    /// Truncated current algebra: polynomials in ``t`` with values in this algebra and ``t^order = 0``.
+    ///
+    /// Parameters
+    /// ----------
+    /// order : int
+    ///     Order of truncation, from 1 to 64.
+    /// basis : str or list of str, optional
+    ///     Names of the new basis vectors.
+    ///
+    /// Returns
+    /// -------
+    /// LieAlgebra
+    ///     Algebra of dimension ``order`` times that of this algebra.
+    ///
+    /// Examples
+    /// --------
+    /// >>> LieAlgebra("so3").truncated(3).dimension
+    /// 9
     #[pyo3(signature = (order, *, basis=None))]
     fn truncated(order) = |structure: S, order: usize, _given| {
         if !(1..=64).contains(&order) {
@@ -144,14 +312,49 @@ constructions! {
         }
         Ok(made::<S>(&structure.truncated(order)?))
     };
-    /// The complexification, as a real algebra of twice the dimension: ``x`` and ``i x``.
+    /// Complexification ``L + i L`` as a real algebra.
+    ///
+    /// Parameters
+    /// ----------
+    /// basis : str or list of str, optional
+    ///     Names of all vectors of the complexification.
+    ///
+    /// Returns
+    /// -------
+    /// LieAlgebra
+    ///     Algebra of twice the dimension: the vectors ``x``, followed by ``i x``.
+    ///
+    /// Examples
+    /// --------
+    /// >>> LieAlgebra("so3").complexification().dynkin_type
+    /// 'A1 + A1'
     #[pyo3(signature = (*, basis=None))]
     fn complexification() = |structure: S, _data: Nothing, _given| {
         Ok(made::<S>(&structure.complexified()?))
     };
-    /// The Inonu-Wigner contraction: ``e_i`` is scaled by ``t^w_i``, in the limit of ``t`` to 0.
+    /// Inönü-Wigner contraction: ``e_i`` is scaled by ``t^w_i``, in the limit of ``t`` to 0.
     ///
-    /// Weights without a limit raise ConstructionError.
+    /// Parameters
+    /// ----------
+    /// weights : list of int
+    ///     Weight ``w_i`` of each basis vector.
+    /// basis : str or list of str, optional
+    ///     Names of the basis vectors.
+    ///
+    /// Returns
+    /// -------
+    /// LieAlgebra
+    ///
+    /// Raises
+    /// ------
+    /// ConstructionError
+    ///     The brackets have no limit.
+    ///
+    /// Examples
+    /// --------
+    /// >>> print(LieAlgebra("so3").contraction([0, 1, 1], basis="r x y"))
+    /// [r, x] = y
+    /// [r, y] = -x
     #[pyo3(signature = (weights, *, basis=None))]
     fn contraction(weights) = |structure: S, weights: Vec<i64>, _given| {
         Ok(made::<S>(&structure.inonu_wigner_contraction(&weights)?))
@@ -159,13 +362,51 @@ constructions! {
 }
 
 in_python! { PyAlgebra, "structure":
-    /// The semidirect sum with ``on``, an algebra on which this one acts: ``[e_j, v] = D_j v``.
+    /// Semidirect sum with an algebra on which this one acts: ``[e_j, v] = D_j v``.
     ///
-    /// ``by`` has a matrix ``D_j`` for each basis vector of this algebra. ``semidirect("adjoint")`` acts on the algebra
-    /// itself as a vector space, ``semidirect("coadjoint")`` on its dual space. Matrices that are not derivations, or not
-    /// an action, raise ConstructionError.
+    /// Parameters
+    /// ----------
+    /// on : LieAlgebra or str
+    ///     Algebra that is acted on. Without ``by``: ``"adjoint"`` acts on this algebra as a vector space, ``"coadjoint"`` on
+    ///     its dual space.
+    /// by : list of arrays, optional
+    ///     One matrix ``D_j`` per basis vector of this algebra.
+    /// basis : str or list of str, optional
+    ///     Names of all vectors of the sum.
+    ///
+    /// Returns
+    /// -------
+    /// LieAlgebra
+    ///     The basis of this algebra, followed by the basis of ``on``.
+    ///
+    /// Raises
+    /// ------
+    /// ConstructionError
+    ///     A matrix is not a derivation of ``on``, or the matrices are not an action.
+    ///
+    /// Examples
+    /// --------
+    /// >>> turn = [[0, -1], [1, 0]]
+    /// >>> print(LieAlgebra("R^1").semidirect("R^2", [turn], basis="r x y"))
+    /// [r, x] = y
+    /// [r, y] = -x
     semidirect (on, by=None, *, basis=None) [on, by, basis];
-    /// The algebra of the tangent bundle: the semidirect sum with itself as a vector space, by the adjoint action.
+    /// Tangent algebra: the semidirect sum with itself as a vector space, by the adjoint action.
+    ///
+    /// Parameters
+    /// ----------
+    /// basis : str or list of str, optional
+    ///     Names of all vectors of the sum.
+    ///
+    /// Returns
+    /// -------
+    /// LieAlgebra
+    ///     Algebra of twice the dimension.
+    ///
+    /// Examples
+    /// --------
+    /// >>> LieAlgebra("so3").tangent_algebra().dimension
+    /// 6
     tangent_algebra (*, basis=None) [basis];
 }
 

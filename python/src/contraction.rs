@@ -13,7 +13,23 @@ use pyo3::types::{PyDict, PyTuple};
 
 #[pymethods]
 impl PyTensor {
-    /// The :func:`contract` of this tensor, as the first factor, with others.
+    /// Contraction of this tensor, as the first factor, with other tensors.
+    ///
+    /// Parameters
+    /// ----------
+    /// expression : str
+    ///     Sum of products in index letters, as for :func:`contract`.
+    /// *others : Tensor
+    ///     Further factors, in the order of the expression.
+    ///
+    /// Returns
+    /// -------
+    /// Tensor
+    ///
+    /// Examples
+    /// --------
+    /// >>> Tensor([1, 2], "^").contract("^i _i -> ", Tensor([3, 4], "_"))[()]
+    /// Fraction(11, 1)
     #[pyo3(signature = (expression, *others))]
     fn contract<'py>(
         slf: &Bound<'py, Self>,
@@ -58,7 +74,21 @@ impl PyTensor {
         Self::new(py, values, &symbols, Names::of("T"))
     }
 
-    /// The slots in another order: slot ``a`` of the result is slot ``order[a]`` of this tensor.
+    /// Tensor with its slots in another order.
+    ///
+    /// Parameters
+    /// ----------
+    /// *order : int
+    ///     Slot ``a`` of the result is slot ``order[a]`` of this tensor, from 0.
+    ///
+    /// Returns
+    /// -------
+    /// Tensor
+    ///
+    /// Examples
+    /// --------
+    /// >>> Tensor([[0, 1], [2, 0]], "^_").permute(1, 0).slots
+    /// '_^'
     #[pyo3(signature = (*order))]
     fn permute(&self, order: &Bound<'_, PyTuple>) -> PyResult<Self> {
         let (py, order) = (order.py(), self.positions(order)?);
@@ -66,7 +96,27 @@ impl PyTensor {
         self.with(py, permuted.map_err(|error| refused(py, error))?)
     }
 
-    /// The sum over an upper and a lower slot, by their positions from 0.
+    /// Trace: the sum over an upper and a lower slot.
+    ///
+    /// Parameters
+    /// ----------
+    /// a, b : int
+    ///     Positions of the slots, from 0.
+    ///
+    /// Returns
+    /// -------
+    /// Tensor
+    ///     Tensor whose rank is lower by 2.
+    ///
+    /// Raises
+    /// ------
+    /// ShapeError
+    ///     The slots are both upper or both lower.
+    ///
+    /// Examples
+    /// --------
+    /// >>> Geometry("so3@zero").curvature.trace(0, 2)[1, 1]
+    /// Fraction(1, 2)
     fn trace<'py>(&self, a: Object<'py>, b: Object<'py>) -> PyResult<Self> {
         let py = a.py();
         let slots = self.positions(&PyTuple::new(py, [a, b])?)?;
@@ -96,16 +146,35 @@ impl PyTensor {
     }
 }
 
-/// A sum of products in index letters.
+/// Contraction: a sum of products in index letters.
 ///
-/// ``contract("^i_jk ^j -> ^i_k", c, v)`` takes its factors in order; ``contract("c^i_jk v^j -> ^i_k", c=c, v=v)`` by
-/// name. A letter that occurs twice in a term, once upper and once lower, is summed. Terms may have rational
-/// coefficients: ``"1/2 a^i_j - b^i_j -> ^i_j"``.
+/// A letter that occurs twice in a term, once upper and once lower, is summed. Terms may have rational coefficients:
+/// ``"1/2 a^i_j - b^i_j -> ^i_j"``.
+///
+/// Parameters
+/// ----------
+/// expression : str
+///     Products and the indices of the result, such as ``"^i_jk ^j -> ^i_k"`` or, by name, ``"c^i_jk v^j -> ^i_k"``.
+/// *factors : Tensor
+///     Factors without names, in the order of the expression.
+/// **named : Tensor
+///     Factors by name.
+///
+/// Returns
+/// -------
+/// Tensor
+///
+/// Raises
+/// ------
+/// ShapeError
+///     The slots or dimensions of the factors do not fit the expression.
 ///
 /// Examples
 /// --------
 /// >>> c, v = LieAlgebra("so3").structure, Tensor([1, 0, 0], "^")
 /// >>> contract("^i_jk ^j -> ^i_k", c, v)[2, 1]
+/// Fraction(1, 1)
+/// >>> contract("c^i_jk v^j -> ^i_k", c=c, v=v)[2, 1]
 /// Fraction(1, 1)
 #[pyfunction(name = "contract")]
 #[pyo3(signature = (expression, *factors, **named))]

@@ -98,15 +98,49 @@ impl PyTensor {
         self.listed(None)
     }
 
-    /// The components as ``str`` writes them, with names of the indices, such as those of coordinates, in place of numbers.
+    /// Components as text, as ``str`` writes them.
+    ///
+    /// Parameters
+    /// ----------
+    /// labels : list of str, optional
+    ///     Names of the index values, such as those of coordinates; by default numbers from 1.
+    ///
+    /// Returns
+    /// -------
+    /// str
+    ///
+    /// Examples
+    /// --------
+    /// >>> print(Tensor([[1, 0], [0, "r^2"]], "__", symbol="g").to_text(["r", "phi"]))
+    /// g_ij: 2 nonzero components
+    ///   g_rr = 1
+    ///   g_phi,phi = r^2
+    ///   all others are zero
     #[pyo3(signature = (labels=None))]
     fn to_text(&self, labels: Option<Vec<String>>) -> PyResult<String> {
         self.expect_labels(labels.as_deref())?;
         Ok(self.listed(labels.as_deref()))
     }
 
-    /// The components in LaTeX, lines of an ``aligned`` environment; at most ``limit`` of them. ``labels`` are names of the
-    /// indices, such as those of coordinates, in place of numbers.
+    /// Components in LaTeX, lines of an ``aligned`` environment.
+    ///
+    /// Parameters
+    /// ----------
+    /// limit : int, optional
+    ///     Largest number of components.
+    /// labels : list of str, optional
+    ///     Names of the index values, such as those of coordinates; by default numbers from 1.
+    ///
+    /// Returns
+    /// -------
+    /// str
+    ///
+    /// Examples
+    /// --------
+    /// >>> print(Tensor([[0, 1], [0, 0]], "__", symbol="g").to_latex())
+    /// \begin{aligned}
+    /// g_{12} &= 1
+    /// \end{aligned}
     #[pyo3(signature = (limit=None, labels=None))]
     fn to_latex(&self, limit: Option<usize>, labels: Option<Vec<String>>) -> PyResult<String> {
         self.expect_labels(labels.as_deref())?;

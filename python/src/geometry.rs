@@ -17,25 +17,36 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple, PyType};
 
-/// A frame with a connection and perhaps a metric; every quantity of ``affinor table`` is a property.
+/// Geometry: a frame with a connection and perhaps a metric. Every quantity of ``affinor table`` is a property.
 ///
 /// Parameters
 /// ----------
-/// space
+/// space : LieAlgebra, str, path or dict
 ///     A LieAlgebra or anything that makes one, a geometry of the paper (``"M3"``, ``"SO3"``), a name with a connection
 ///     (``"so3@plus"``), or a definition with a chart.
 /// connection : str or number, optional
-///     ``plus``, ``zero``, ``minus``, ``levi-civita``, ``lambda=1/3`` or a number lambda. Without one it is levi-civita if
-///     there is a metric, else zero.
+///     ``plus``, ``zero``, ``minus``, ``levi-civita``, ``lambda=1/3`` or a number lambda. By default ``levi-civita`` if
+///     there is a metric, else ``zero``.
 /// metric : str, array or list, optional
-///     ``identity``, ``killing``, ``diag(...)``, a matrix, or the entries of a diagonal; unknown names are parameters.
-/// affinities, torsion, nonmetricity : array or Tensor, optional
-///     Instead of a connection: affinities (slots ``^__``, direction first), or torsion and nonmetricity (slots ``^__`` and
-///     ``___``, with a metric).
+///     ``identity``, ``killing``, ``diag(...)``, a symmetric matrix ``g_ij``, or the entries of a diagonal. Unknown names
+///     are parameters.
+/// basis : str or list of str, optional
+///     Names of the basis vectors; required for brackets.
+/// affinities : array or Tensor, optional
+///     Affinities ``Lambda^i_jk`` instead of a connection: slots ``^__``, direction first.
+/// torsion, nonmetricity : array or Tensor, optional
+///     Instead of a connection, with a metric: slots ``^__`` and ``___``.
 /// frame : str
-///     ``"right"`` gives the components in the right-invariant frame.
-/// basis, scalar, tolerance
-///     As for a :class:`LieAlgebra`.
+///     ``"left"``, or ``"right"`` for components in the right-invariant frame.
+/// scalar : str
+///     ``"exact"`` (``symbolic`` with parameters) or ``"float"``.
+/// tolerance : float, optional
+///     For floats: bound below which a sum counts as zero, relative to its terms.
+///
+/// Raises
+/// ------
+/// MetricError
+///     The metric is not symmetric or degenerate, or ``levi-civita`` has no metric.
 ///
 /// Examples
 /// --------
@@ -106,14 +117,39 @@ quantities! {
     /// Structure constants ``c^i_jk``: ``[e_j, e_k] = c^i_jk e_i``.
     structure: tensor;
     /// Affinities ``Lambda^i_jk``: ``nabla_{e_j} e_k = Lambda^i_jk e_i``, the direction first.
+    ///
+    /// Examples
+    /// --------
+    /// >>> Geometry("so3@zero").affinities[2, 0, 1]
+    /// Fraction(1, 2)
     affinities: tensor;
-    /// Torsion ``tau^i_jk``.
+    /// Torsion ``tau^i_jk = Lambda^i_jk - Lambda^i_kj - c^i_jk``.
+    ///
+    /// Examples
+    /// --------
+    /// >>> Geometry("so3@plus").torsion[2, 0, 1]
+    /// Fraction(1, 1)
     torsion: tensor;
     /// Curvature ``R^i_jkl``: ``R(e_k, e_l) e_j = R^i_jkl e_i``.
+    ///
+    /// Examples
+    /// --------
+    /// >>> Geometry("so3@zero").curvature[0, 1, 0, 1]
+    /// Fraction(1, 4)
     curvature: tensor;
-    /// Ricci tensor ``Ric_jl``.
+    /// Ricci tensor ``Ric_jl = R^i_jil``.
+    ///
+    /// Examples
+    /// --------
+    /// >>> Geometry("so3@zero").ricci[0, 0]
+    /// Fraction(1, 2)
     ricci: tensor;
-    /// Scalar curvature ``S``.
+    /// Scalar curvature ``S = g^jl Ric_jl``, a number; it needs a metric.
+    ///
+    /// Examples
+    /// --------
+    /// >>> Geometry("so3", metric=[1, 1, 2]).scalar_curvature
+    /// Fraction(1, 1)
     scalar_curvature: number_of;
     /// Metric ``g_ij``.
     metric: tensor;
@@ -121,11 +157,11 @@ quantities! {
     inverse_metric: tensor;
     /// Nonmetricity ``Q_kij = (nabla_k g)_ij``.
     nonmetricity: tensor;
-    /// Killing form ``K_ij`` of the algebra.
+    /// Killing form ``K_ij = c^m_il c^l_jm`` of the algebra.
     killing: tensor;
-    /// Derivative of the torsion ``(nabla_m tau)^i_jk``, slots ``^i_mjk``.
+    /// Covariant derivative of the torsion ``(nabla_m tau)^i_jk``, slots ``^i_mjk``.
     nabla_torsion: tensor;
-    /// Derivative of the curvature ``(nabla_m R)^i_jkl``, slots ``^i_mjkl``.
+    /// Covariant derivative of the curvature ``(nabla_m R)^i_jkl``, slots ``^i_mjkl``.
     nabla_curvature: tensor;
     /// Symmetric part of the Ricci tensor, ``(Ric_jl + Ric_lj)/2``.
     ricci_symmetric: tensor;
@@ -141,34 +177,54 @@ quantities! {
     weyl: tensor;
     /// Cotton tensor ``C_jkl = (nabla_k P)_jl - (nabla_l P)_jk`` of a Levi-Civita connection.
     cotton: tensor;
-    /// Kretschmann scalar ``R_ijkl R^ijkl``.
+    /// Kretschmann scalar ``R_ijkl R^ijkl``, a number.
     kretschmann: number_of;
 }
 
 immutable! { PyGeometry }
 
 properties! { PyGeometry, own:
-    /// The name.
+    /// Name of the geometry.
     name: String = each!(&own.values, geometry => geometry.name().into());
-    /// The names of the frame vectors.
+    /// Names of the frame vectors.
     basis: Vec<String> = own.values.labels();
-    /// The dimension.
+    /// Dimension of the space.
     dimension: usize = own.values.labels().len();
-    /// ``exact``, ``symbolic`` or ``float``.
+    /// Scalar of the components: ``exact``, ``symbolic`` or ``float``.
     scalar: &'static str = own.values.scalar();
-    /// The connection: ``plus``, ``zero``, ``minus``, ``lambda``, ``levi-civita`` or ``affinities``.
+    /// Name of the connection: ``plus``, ``zero``, ``minus``, ``lambda``, ``levi-civita`` or ``affinities``.
     connection: String = each!(&own.values, geometry => geometry.kind().name().into());
-    /// ``left-invariant``, ``right-invariant``, ``coordinate`` or ``moving``.
+    /// Kind of the frame: ``left-invariant``, ``right-invariant``, ``coordinate`` or ``moving``.
     frame: &'static str = each!(&own.values, geometry => geometry.frame_name());
 }
 
 constructors! { PyGeometry:
-    /// A geometry over coordinates, with a metric in the frame of the coordinates or of ``fields``.
+    /// Geometry on a coordinate chart, in the coordinate frame or in the frame of given fields.
     ///
-    /// Coordinates are symbols of SymPy or names; metric and fields may contain sin, cos, exp and others of them. A field is
-    /// a text such as ``"1/sin(theta)*d_phi"``, or its components in the coordinate frame. ``functions`` are functions of
-    /// coordinates that are not given, such as ``"a(t)"``; those of SymPy in the metric and the fields need no mention.
-    /// ``positive`` are functions that are positive, for roots and logarithms.
+    /// Parameters
+    /// ----------
+    /// coordinates : str or list
+    ///     Names or symbols of SymPy.
+    /// metric : str, array or list, optional
+    ///     Metric as in :class:`Geometry`; entries are formulas of the coordinates and parameters.
+    /// fields : dict, optional
+    ///     Frame fields by name: texts such as ``"1/sin(theta)*d_phi"``, or components in the coordinate frame.
+    /// connection : str or number, optional
+    ///     Connection as in :class:`Geometry`.
+    /// affinities : str or list of str, optional
+    ///     Affinities instead of a connection, such as ``"nabla[d_x, d_y] = x*d_y"``.
+    /// parameters : list
+    ///     Names or symbols of parameters that the metric and the fields do not contain.
+    /// functions : list
+    ///     Undetermined functions, such as ``"a(t)"``. Those of SymPy in the metric and the fields are found.
+    /// positive : list
+    ///     Functions that are positive, for roots and logarithms.
+    /// name : str
+    ///     Name of the geometry.
+    ///
+    /// Returns
+    /// -------
+    /// Geometry
     ///
     /// Examples
     /// --------
@@ -212,7 +268,12 @@ impl PyGeometry {
         Ok(PyGeometry { source: source.unbind(), extra, frame: frame.extract()?, symbols, values })
     }
 
-    /// The factor lambda of a connection ``Lambda = lambda c``; None for others.
+    /// Factor lambda of a connection ``Lambda = lambda c``; None for other connections.
+    ///
+    /// Examples
+    /// --------
+    /// >>> Geometry("so3@zero").lambda_
+    /// Fraction(1, 2)
     #[getter]
     fn lambda_<'py>(&self, py: Python<'py>) -> PyResult<Optional<'py>> {
         let factor = each!(&self.values, geometry => {
@@ -221,7 +282,7 @@ impl PyGeometry {
         factor.map(|text| self.number(py, &text)).transpose()
     }
 
-    /// The symbols of SymPy that were given, by name.
+    /// Symbols of SymPy in the definition, by name.
     #[getter]
     fn symbols<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         self.symbols.bind(py).copy()
@@ -240,20 +301,54 @@ impl PyGeometry {
         Ok((extra, &self.frame))
     }
 
-    /// The Lie algebra.
+    /// Lie algebra of the frame.
     #[getter]
     fn algebra<'py>(&self, py: Python<'py>) -> New<'py> {
         py.get_type::<PyAlgebra>().call1((self.source.get().of_algebra(py)?,))
     }
 
-    /// A quantity by its name in tables; None where it does not apply.
+    /// Quantity by its name in tables.
+    ///
+    /// Parameters
+    /// ----------
+    /// key : str
+    ///     Name such as ``"ricci"``, ``"weyl"`` or ``"nabla_torsion"``: any of the properties that are tensors or numbers.
+    ///
+    /// Returns
+    /// -------
+    /// Tensor or None
+    ///     None if the quantity needs a metric or another connection. Numbers are tensors of rank 0.
+    ///
+    /// Raises
+    /// ------
+    /// ValueError
+    ///     The name is unknown.
+    ///
+    /// Examples
+    /// --------
+    /// >>> Geometry("so3", metric=[1, 1, 1]).quantity("scalar_curvature")[()]
+    /// Fraction(3, 2)
     #[pyo3(name = "quantity")]
     fn of_key(&self, py: Python<'_>, key: &str) -> PyResult<Option<PyTensor>> {
         self.values.quantity(py, quantity(key)?, &self.symbols)
     }
 
-    /// ``einstein``, ``constant_curvature``, ``bi_invariant``, ``locally_symmetric``, ``parallel_torsion`` or
-    /// ``parallel_curvature``: whether it holds, with its constant or a witness.
+    /// Whether a property holds, with its constant or a witness.
+    ///
+    /// Parameters
+    /// ----------
+    /// name : str
+    ///     ``"einstein"``, ``"constant_curvature"``, ``"bi_invariant"``, ``"locally_symmetric"``, ``"parallel_torsion"`` or
+    ///     ``"parallel_curvature"``.
+    ///
+    /// Returns
+    /// -------
+    /// Property
+    ///
+    /// Examples
+    /// --------
+    /// >>> Geometry("so3", metric=[1, 1, 1]).check_property("einstein")
+    /// Property(holds=True, value=Fraction(1, 2), witness=None)
     fn check_property<'py>(&self, py: Python<'py>, name: &str) -> New<'py> {
         fn test<S: Coefficient>(geometry: &Geometry<S>, name: &str) -> Result<Tested, InputError> {
             let connection = geometry.connection();
@@ -283,7 +378,17 @@ impl PyGeometry {
         python(py, "geometry", "Property")?.call1((holds, value, witness))
     }
 
-    /// A basis of the holonomy algebra, matrices ``A^i_j``.
+    /// Basis of the holonomy algebra.
+    ///
+    /// Returns
+    /// -------
+    /// list of Tensor
+    ///     Matrices ``A^i_j``; the upper index is the row.
+    ///
+    /// Examples
+    /// --------
+    /// >>> len(Geometry("so3@zero").holonomy())
+    /// 3
     fn holonomy(&self, py: Python<'_>) -> PyResult<Vec<PyTensor>> {
         fn basis<S: Held>(
             geometry: &Geometry<S>,
@@ -296,7 +401,16 @@ impl PyGeometry {
         basis.into_iter().map(|matrix| PyTensor::new(py, matrix, symbols, Names::of("A"))).collect()
     }
 
-    /// The checks of the certificate, of the connection that was given.
+    /// Certificate of the geometry: antisymmetry, the Jacobi identity, the metric and the Bianchi identities.
+    ///
+    /// Returns
+    /// -------
+    /// list of Check
+    ///
+    /// Examples
+    /// --------
+    /// >>> [check.name for check in Geometry("so3@zero").check()]
+    /// ['antisymmetry', 'jacobi', 'bianchi_first', 'bianchi_second']
     fn check<'py>(slf: &Bound<'py, Self>) -> PyResult<Vec<Object<'py>>> {
         let (py, geometry) = (slf.py(), slf.get());
         if geometry.extra.is_empty() {
@@ -354,7 +468,21 @@ impl PyGeometry {
 type Reduced<'py> = (Object<'py>, (Bound<'py, PyType>, Py<PySource>, Bound<'py, PyDict>, String));
 
 in_python! { PyGeometry, "geometry":
-    /// The geometry with parameters replaced, by name or by symbol.
+    /// Geometry with parameters replaced.
+    ///
+    /// Parameters
+    /// ----------
+    /// values : dict
+    ///     Numbers or expressions by the name or the symbol of a parameter or of an undetermined function.
+    ///
+    /// Returns
+    /// -------
+    /// Geometry
+    ///
+    /// Examples
+    /// --------
+    /// >>> Geometry("so3", metric="diag(a,a,b)").subs({"a": 1, "b": 2}).scalar_curvature
+    /// Fraction(1, 1)
     subs (values) [values];
 }
 

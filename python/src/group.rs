@@ -53,17 +53,23 @@ pub struct Action {
 /// The most numbers of a result that is computed on the stack.
 const FEW: usize = 64;
 
-/// A Lie group. All operations take and give arrays, with the axes of a batch in front and NumPy's broadcasting.
+/// Lie group whose elements are rows of arrays.
 ///
-/// Vectors are components in the basis of the algebra, of the shape (..., dimension). Elements are arrays of coordinates of
-/// the shape (..., coordinates): a unit quaternion ``w, x, y, z`` for rotations, a quaternion and a position for SE(3),
-/// entries column by column for groups of matrices, coordinates for R^n and nilpotent groups. Vectors of se(3) have the
-/// rotation first. Groups are equal if they are made of the same name or the same definition.
+/// All methods broadcast as NumPy does, with the axes of the batch in front. Vectors are components in the basis of the
+/// algebra, of the shape (..., dimension); angles are in radians, lengths in any consistent units. Elements are embedding
+/// coordinates of the shape (..., coordinates): a unit quaternion ``w, x, y, z`` for rotations, a quaternion and a position
+/// for SE(3), matrix entries column by column for groups of matrices, coordinates for R^n and nilpotent groups. Vectors of
+/// se(3) have the rotation first. Groups are equal if they are made from the same name or the same definition.
 ///
 /// Parameters
 /// ----------
 /// name : str
-///     A name of the catalogue or a sum of names.
+///     Name of the catalogue, or a sum of names such as ``"so3+R^3"``.
+///
+/// Raises
+/// ------
+/// InputError
+///     The name is unknown.
 ///
 /// Examples
 /// --------
@@ -222,11 +228,11 @@ pub type Array<'py> = Bound<'py, PyArrayDyn<f64>>;
 immutable! { PyGroup }
 
 properties! { PyGroup, own:
-    /// The name of the algebra.
+    /// Name of the algebra.
     name: &str = &own.name;
-    /// The dimension of the algebra.
+    /// Dimension of the algebra, the length of a vector.
     dimension: usize = own.dimension;
-    /// The number of coordinates of an element.
+    /// Number of coordinates of an element.
     coordinate_count: usize = own.order.len();
     _shape: (usize, usize) = own.shape;
 }
@@ -248,12 +254,26 @@ impl PyGroup {
         Ok(PyGroup::new(name.clone(), group, MadeOf::Name(name)))
     }
 
-    /// The neutral element.
+    /// Identity element.
+    ///
+    /// Returns
+    /// -------
+    /// array of the shape (coordinates,)
+    ///
+    /// Examples
+    /// --------
+    /// >>> SE3.identity()
+    /// array([1., 0., 0., 0., 0., 0., 0.])
     pub fn identity<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
         self.written(py, &self.group.identity())
     }
 
-    /// The matrices ``E_k`` of the basis, (dimension, rows, columns): the derivatives of ``matrix(exp(s e_k))`` at ``s = 0``.
+    /// Matrices ``E_k`` of the basis, the derivatives of ``matrix(exp(s e_k))`` at ``s = 0``.
+    ///
+    /// Returns
+    /// -------
+    /// array of the shape (dimension, rows, columns)
+    ///     The index ``k`` of the basis vector is first.
     ///
     /// Examples
     /// --------
@@ -277,7 +297,25 @@ impl PyGroup {
         arrays::array(py, &[count], &[rows, columns], &entries)
     }
 
-    /// Exponentials of normal vectors of this scale.
+    /// Random elements: exponentials of vectors with independent normal components.
+    ///
+    /// Parameters
+    /// ----------
+    /// shape : int or tuple of ints
+    ///     Shape of the batch; by default a single element.
+    /// rng : numpy.random.Generator or int, optional
+    ///     Generator, or its seed; by default a fresh seed.
+    /// scale : float
+    ///     Standard deviation of each component, in radians or units of length.
+    ///
+    /// Returns
+    /// -------
+    /// array of the shape (*shape, coordinates)
+    ///
+    /// Examples
+    /// --------
+    /// >>> SO3.random((2, 5), rng=1, scale=0.1).shape
+    /// (2, 5, 4)
     #[pyo3(
         signature = (shape=None, *, rng=None, scale=1.0),
         text_signature = "($self, shape=(), *, rng=None, scale=1.0)"
@@ -355,7 +393,17 @@ impl PyGroup {
     }
 }
 
-/// The groups in closed form: pattern, and how their elements are written.
+/// Groups in closed form.
+///
+/// Returns
+/// -------
+/// list of (str, str)
+///     Pattern of the name, and how elements are written.
+///
+/// Examples
+/// --------
+/// >>> groups()[0]
+/// ('R^n', 'columns of n coordinates')
 #[pyfunction]
 pub fn groups() -> Vec<(&'static str, &'static str)> {
     registry::families().iter().map(|family| (family.pattern, family.summary)).collect()

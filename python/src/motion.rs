@@ -136,11 +136,11 @@ fn table<'py>(
 }
 
 properties! { PyProblem, own:
-    /// The name.
+    /// Name of the problem.
     name: &str = &own.0.name;
-    /// The number of members of the ensemble; None without one.
+    /// Number of members of the ensemble; None without one.
     ensemble_size: Option<u64> = own.0.members();
-    /// The names of the parameters that the ensemble varies.
+    /// Names of the parameters that the ensemble varies.
     ensemble_parameters: Vec<String> = own.0.varied().into_iter().map(String::from).collect();
 }
 
@@ -188,7 +188,24 @@ impl PyProblem {
         Ok(PyProblem(problem, of_python))
     }
 
-    /// The values of the parameters that the ensemble varies for a member, from 0.
+    /// Parameters of a member of the ensemble.
+    ///
+    /// Parameters
+    /// ----------
+    /// member : int
+    ///     Number of the member, from 0.
+    ///
+    /// Returns
+    /// -------
+    /// dict of float
+    ///     Values of the parameters that the ensemble varies, by name.
+    ///
+    /// Examples
+    /// --------
+    /// >>> spins = {"grid": {"spin": "2, 4, 8"}}
+    /// >>> top = Problem(space="so3", metric=[2, 2, 1], initial={"velocity": [0, 0, "spin"]}, output={"end": 1}, ensemble=spins)
+    /// >>> top.ensemble_size, top.member_parameters(2)
+    /// (3, {'spin': 8.0})
     fn member_parameters<'py>(&self, py: Python<'py>, member: u64) -> PyResult<Bound<'py, PyDict>> {
         self.0.varied().into_iter().zip(self.0.variation(member)).into_py_dict(py)
     }
@@ -364,7 +381,12 @@ fn text(py: Python<'_>, text: &str) -> PyResult<Py<PyAny>> {
     Ok(text.into_pyobject(py)?.into_any().unbind())
 }
 
-/// The methods of integration by name, each with what it is for.
+/// Methods of integration.
+///
+/// Returns
+/// -------
+/// dict of str
+///     Purpose of each method by its name; ``docs/motion.md`` has their orders and properties.
 ///
 /// Examples
 /// --------

@@ -37,19 +37,134 @@ macro_rules! operations {
 }
 
 operations! {
-    /// The exponential of vectors (..., dimension): elements (..., coordinates).
+    /// Exponential map.
+    ///
+    /// Parameters
+    /// ----------
+    /// x : array of the shape (..., dimension)
+    ///     Vectors of the algebra; for rotations the rotation vectors in radians.
+    ///
+    /// Returns
+    /// -------
+    /// array of the shape (..., coordinates)
+    ///
+    /// Examples
+    /// --------
+    /// >>> SO2.exp([[0.0], [3.0]]).round(6)
+    /// array([[ 1.      ,  0.      ],
+    ///        [-0.989992,  0.14112 ]])
     exp(x: Vector) -> Element = Operation::Exp;
-    /// The logarithm of elements, near the identity the one near 0.
+    /// Logarithm, the inverse of :meth:`exp` near the identity.
+    ///
+    /// The rotation vectors of SO(3) and SE(3) have lengths up to pi.
+    ///
+    /// Parameters
+    /// ----------
+    /// g : array of the shape (..., coordinates)
+    ///     Elements.
+    ///
+    /// Returns
+    /// -------
+    /// array of the shape (..., dimension)
+    ///
+    /// Raises
+    /// ------
+    /// MathematicsError
+    ///     An element has no real logarithm.
+    ///
+    /// Examples
+    /// --------
+    /// >>> SE3.log([1, 0, 0, 0, 5, 6, 7])
+    /// array([0., 0., 0., 5., 6., 7.])
     log(g: Element) -> Vector = Operation::Log;
-    /// The products ``g h``.
+    /// Product ``g h``.
+    ///
+    /// Parameters
+    /// ----------
+    /// g, h : array of the shape (..., coordinates)
+    ///     Elements.
+    ///
+    /// Returns
+    /// -------
+    /// array of the shape (..., coordinates)
+    ///
+    /// Examples
+    /// --------
+    /// >>> SE3.compose([0, 0, 0, 1, 0, 0, 0], [1, 0, 0, 0, 5, 6, 7])
+    /// array([ 0.,  0.,  0.,  1., -5., -6.,  7.])
     compose(g: Element, h: Element) -> Element = Operation::Compose;
-    /// The inverse elements.
+    /// Inverse elements.
+    ///
+    /// Parameters
+    /// ----------
+    /// g : array of the shape (..., coordinates)
+    ///     Elements.
+    ///
+    /// Returns
+    /// -------
+    /// array of the shape (..., coordinates)
+    ///
+    /// Examples
+    /// --------
+    /// >>> SE3.inverse([0, 0, 0, 1, 5, 6, 7])[4:]
+    /// array([ 5.,  6., -7.])
     inverse(g: Element) -> Element = Operation::Inverse;
-    /// ``g^-1 h``.
+    /// Relative element ``g^-1 h``.
+    ///
+    /// Parameters
+    /// ----------
+    /// g, h : array of the shape (..., coordinates)
+    ///     Elements.
+    ///
+    /// Returns
+    /// -------
+    /// array of the shape (..., coordinates)
+    ///
+    /// Examples
+    /// --------
+    /// >>> SO3.between([0, 0, 0, 1], [0, 0, 0, 1])
+    /// array([1., 0., 0., 0.])
     between(g: Element, h: Element) -> Element = Operation::Between;
-    /// Drifted elements projected back onto the group; elements without an inverse are an error.
+    /// Projects drifted elements back onto the group.
+    ///
+    /// Quaternions are normalized; positions stay as they are.
+    ///
+    /// Parameters
+    /// ----------
+    /// g : array of the shape (..., coordinates)
+    ///     Elements with rounding errors or drift.
+    ///
+    /// Returns
+    /// -------
+    /// array of the shape (..., coordinates)
+    ///
+    /// Raises
+    /// ------
+    /// MathematicsError
+    ///     An element has no inverse, such as the quaternion 0.
+    ///
+    /// Examples
+    /// --------
+    /// >>> SO3.project([2, 0, 0, 0])
+    /// array([1., 0., 0., 0.])
     project(g: Element) -> Element = Operation::Restore;
-    /// ``Ad_g x``.
+    /// Adjoint action ``Ad_g x``: body velocity to spatial velocity.
+    ///
+    /// Parameters
+    /// ----------
+    /// g : array of the shape (..., coordinates)
+    ///     Elements.
+    /// x : array of the shape (..., dimension)
+    ///     Vectors of the algebra.
+    ///
+    /// Returns
+    /// -------
+    /// array of the shape (..., dimension)
+    ///
+    /// Examples
+    /// --------
+    /// >>> SO3.adjoint([0, 0, 0, 1], [1, 2, 3])
+    /// array([-1., -2.,  3.])
     adjoint(g: Element, x: Vector) -> Vector = Operation::Adjoint;
     /// The matrices of ``Ad_g``.
     ///
@@ -70,15 +185,84 @@ operations! {
     ///        [ 1.,  0.,  0.],
     ///        [ 0.,  0.,  1.]])
     adjoint_matrix(g: Element) -> Operator = Operation::AdjointMatrix;
-    /// ``Ad*_g h``: spatial to body momentum.
-    coadjoint(g: Element, h: Vector) -> Vector = Operation::Coadjoint;
-    /// The bracket of vectors.
-    bracket(x: Vector, y: Vector) -> Vector = Operation::Bracket;
-    /// ``T_left(x) v``: ``exp(x + dx) = exp(x) exp(T_left(x) dx + ...)``.
+    /// Coadjoint action ``(Ad*_g h)_k = (Ad_g)^i_k h_i``: spatial momentum to body momentum.
     ///
-    /// The rows of ``tangent_left(x, eye)`` are the columns of ``right_jacobian(x)``: its transpose.
+    /// Parameters
+    /// ----------
+    /// g : array of the shape (..., coordinates)
+    ///     Elements.
+    /// h : array of the shape (..., dimension)
+    ///     Covectors, such as momenta or forces.
+    ///
+    /// Returns
+    /// -------
+    /// array of the shape (..., dimension)
+    ///
+    /// Examples
+    /// --------
+    /// >>> SO3.coadjoint([0, 0, 0, 1], [1, 2, 3])
+    /// array([-1., -2.,  3.])
+    coadjoint(g: Element, h: Vector) -> Vector = Operation::Coadjoint;
+    /// Lie bracket ``[x, y]^i = c^i_jk x^j y^k``.
+    ///
+    /// Parameters
+    /// ----------
+    /// x, y : array of the shape (..., dimension)
+    ///     Vectors of the algebra.
+    ///
+    /// Returns
+    /// -------
+    /// array of the shape (..., dimension)
+    ///
+    /// Examples
+    /// --------
+    /// >>> SO3.bracket([1, 0, 0], [0, 1, 0])
+    /// array([0., 0., 1.])
+    bracket(x: Vector, y: Vector) -> Vector = Operation::Bracket;
+    /// Left-trivialized differential of exp, ``T(x) v``: ``exp(x + dx) = exp(x) exp(T(x) dx + ...)``.
+    ///
+    /// ``T(x)`` is the matrix :meth:`right_jacobian`. The rows of ``tangent_left(x, eye)`` are its columns.
+    ///
+    /// Parameters
+    /// ----------
+    /// x : array of the shape (..., dimension)
+    ///     Vectors of the algebra.
+    /// v : array of the shape (..., dimension)
+    ///     Time derivatives of ``x``.
+    ///
+    /// Returns
+    /// -------
+    /// array of the shape (..., dimension)
+    ///     Velocities in the left-invariant (body) frame.
+    ///
+    /// Examples
+    /// --------
+    /// >>> SE2.tangent_left([0, 3, 5], [1, 0, 0])
+    /// array([ 1. , -2.5,  1.5])
     tangent_left(x: Vector, v: Vector) -> Vector = Operation::TangentLeft;
-    /// ``T_left(x)^-1 v``.
+    /// Inverse of the left-trivialized differential of exp: ``T(x)^-1 v``.
+    ///
+    /// Parameters
+    /// ----------
+    /// x : array of the shape (..., dimension)
+    ///     Vectors of the algebra.
+    /// v : array of the shape (..., dimension)
+    ///     Velocities in the left-invariant (body) frame.
+    ///
+    /// Returns
+    /// -------
+    /// array of the shape (..., dimension)
+    ///     Time derivatives of ``x``.
+    ///
+    /// Raises
+    /// ------
+    /// MathematicsError
+    ///     The differential is singular, as for :meth:`left_jacobian_inverse`.
+    ///
+    /// Examples
+    /// --------
+    /// >>> SE2.tangent_left_inverse([0, 3, 5], [1, -2.5, 1.5])
+    /// array([1., 0., 0.])
     tangent_left_inverse(x: Vector, v: Vector) -> Vector = Operation::TangentLeftInverse;
     /// The left Jacobian of exp: ``exp(x + dx) = exp(J dx + ...) exp(x)``.
     ///
@@ -123,9 +307,22 @@ operations! {
     ///        [-2.5,  1. ,  0. ],
     ///        [ 1.5,  0. ,  1. ]])
     right_jacobian(x: Vector) -> Operator = Operation::Jacobian(JacobianKind::Right);
-    /// The inverse of the left Jacobian: ``log(exp(dx) exp(x)) = x + J^-1 dx + ...``.
+    /// Inverse of the left Jacobian: ``log(exp(dx) exp(x)) = x + J^-1 dx + ...``.
     ///
-    /// Singular where an eigenvalue of ``ad_x`` is ``2 pi i k``, ``k != 0``: there it raises a MathematicsError with the element.
+    /// Parameters
+    /// ----------
+    /// x : array of the shape (..., dimension)
+    ///     Vectors of the algebra.
+    ///
+    /// Returns
+    /// -------
+    /// array of the shape (..., dimension, dimension)
+    ///     The matrices ``J^-1``; the upper index is the row.
+    ///
+    /// Raises
+    /// ------
+    /// MathematicsError
+    ///     An eigenvalue of ``ad_x`` is ``2 pi i k`` with ``k != 0``; the message names the row.
     ///
     /// Examples
     /// --------
@@ -134,9 +331,22 @@ operations! {
     ///        [-2.5,  1. ,  0. ],
     ///        [ 1.5,  0. ,  1. ]])
     left_jacobian_inverse(x: Vector) -> Operator = Operation::Jacobian(JacobianKind::LeftInverse);
-    /// The inverse of the right Jacobian: ``log(exp(x) exp(dx)) = x + J^-1 dx + ...``.
+    /// Inverse of the right Jacobian: ``log(exp(x) exp(dx)) = x + J^-1 dx + ...``.
     ///
-    /// Singular where ``left_jacobian_inverse`` is.
+    /// Parameters
+    /// ----------
+    /// x : array of the shape (..., dimension)
+    ///     Vectors of the algebra.
+    ///
+    /// Returns
+    /// -------
+    /// array of the shape (..., dimension, dimension)
+    ///     The matrices ``J^-1``; the upper index is the row.
+    ///
+    /// Raises
+    /// ------
+    /// MathematicsError
+    ///     An eigenvalue of ``ad_x`` is ``2 pi i k`` with ``k != 0``; the message names the row.
     ///
     /// Examples
     /// --------
@@ -145,29 +355,66 @@ operations! {
     ///        [ 2.5,  1. ,  0. ],
     ///        [-1.5,  0. ,  1. ]])
     right_jacobian_inverse(x: Vector) -> Operator = Operation::Jacobian(JacobianKind::RightInverse);
-    /// The rate of the coordinates along ``g exp(s v)`` at ``s = 0``, linear in ``v``.
+    /// Time derivative of the coordinates along ``g exp(s v)`` at ``s = 0``, linear in ``v``.
+    ///
+    /// Parameters
+    /// ----------
+    /// g : array of the shape (..., coordinates)
+    ///     Elements.
+    /// v : array of the shape (..., dimension)
+    ///     Body velocities.
+    ///
+    /// Returns
+    /// -------
+    /// array of the shape (..., coordinates)
     ///
     /// Examples
     /// --------
-    /// >>> float(SO3.rate([1, 0, 0, 0], [0, 0, 2])[3])
+    /// >>> SO3.rate([1, 0, 0, 0], [0, 0, 2])[3].item()
     /// 1.0
     rate(g: Element, v: Vector) -> Element = Operation::Rate;
-    /// Elements as matrices (..., rows, columns), or as columns (..., rows) for vector groups and products.
+    /// Matrices of elements.
+    ///
+    /// Parameters
+    /// ----------
+    /// g : array of the shape (..., coordinates)
+    ///     Elements.
+    ///
+    /// Returns
+    /// -------
+    /// array of the shape (..., rows, columns)
+    ///     Matrices; for vector groups and products columns of the shape (..., rows).
+    ///
+    /// Examples
+    /// --------
+    /// >>> SO3.matrix([0, 0, 0, 1])
+    /// array([[-1.,  0.,  0.],
+    ///        [ 0., -1.,  0.],
+    ///        [ 0.,  0.,  1.]])
     matrix(g: Element) -> Matrix = Operation::Matrix;
 }
 
 #[pymethods]
 #[allow(clippy::wrong_self_convention, reason = "a group reads and writes its elements")]
 impl PyGroup {
-    /// The elements of matrices.
+    /// Elements of matrices.
     ///
     /// Parameters
     /// ----------
     /// matrix : array of the shape (..., rows, columns)
     ///     Matrices, or columns of vector groups and products.
     /// check : bool
-    ///     Whether matrices that are not of the group raise an error. ``False`` is faster for SO(3) and SE(3), and gives an
-    ///     unspecified element for a matrix that is not of the group; other groups always check.
+    ///     Whether to check that matrices belong to the group. ``False`` is faster for SO(3) and SE(3) and gives an unspecified
+    ///     element for other matrices; other groups always check.
+    ///
+    /// Returns
+    /// -------
+    /// array of the shape (..., coordinates)
+    ///
+    /// Raises
+    /// ------
+    /// MathematicsError
+    ///     A matrix does not belong to the group.
     ///
     /// Examples
     /// --------
@@ -184,7 +431,7 @@ impl PyGroup {
         self.map(py, operation, ("matrix", Row::Matrix, &matrix), None, Row::Element)
     }
 
-    /// The action of matrices of size k on points.
+    /// Action of matrices of size k on points.
     ///
     /// Parameters
     /// ----------
@@ -192,6 +439,15 @@ impl PyGroup {
     ///     Elements.
     /// points : array of the shape (..., k)
     ///     Points. Affine maps, such as rigid motions, act on points (..., k - 1) too.
+    ///
+    /// Returns
+    /// -------
+    /// array of the shape of the points, broadcast with the batch
+    ///
+    /// Raises
+    /// ------
+    /// ValueError
+    ///     The elements are not square matrices, or the points have another size.
     ///
     /// Examples
     /// --------
@@ -219,21 +475,48 @@ impl PyGroup {
 }
 
 in_python! { PyGroup, "group":
-    /// The point ``g exp(t log(g^-1 h))``: ``g`` at ``t = 0``, ``h`` at ``t = 1``; ``t`` has the shape of the batch.
-    interpolate (g, h, t) [g, h, t];
-    /// The element ``m`` with ``sum w_i log(m^-1 g_i) = 0`` that the iteration from the first element finds.
+    /// Point ``g exp(t log(g^-1 h))`` of the one-parameter curve from ``g`` to ``h``.
     ///
-    /// For rotations it is the Karcher mean, the point with the least weighted sum of squared distances; elements should lie within a
-    /// half turn of each other. On other groups it is the group exponential mean, which commutes with translations.
+    /// Parameters
+    /// ----------
+    /// g, h : array of the shape (..., coordinates)
+    ///     Elements at ``t = 0`` and at ``t = 1``.
+    /// t : array of the shape (...)
+    ///     Parameter of the curve, of the shape of the batch; values outside of 0 to 1 extrapolate.
+    ///
+    /// Returns
+    /// -------
+    /// array of the shape (..., coordinates)
+    ///
+    /// Examples
+    /// --------
+    /// >>> SE3.interpolate(SE3.identity(), [1, 0, 0, 0, 4, 0, 8], [0.25, 0.5])
+    /// array([[1., 0., 0., 0., 1., 0., 2.],
+    ///        [1., 0., 0., 0., 2., 0., 4.]])
+    interpolate (g, h, t) [g, h, t];
+    /// Mean of elements: the solution ``m`` of ``sum w_i log(m^-1 g_i) = 0`` found by iteration from the first element.
+    ///
+    /// For rotations it is the Karcher mean, which minimizes the weighted sum of squared distances; elements should lie within
+    /// half a turn of each other. On other groups it is the group exponential mean, which commutes with translations.
     ///
     /// Parameters
     /// ----------
     /// g : array of the shape (..., coordinates)
     ///     Elements.
     /// weights : array, optional
-    ///     Weights that are not negative, of the shape of the batch; for a single axis also a vector.
+    ///     Nonnegative weights of the shape of the batch; for a single axis also a vector.
     /// axis : int or tuple of ints, optional
-    ///     The axes of the batch over which the mean is taken; by default all.
+    ///     Axes of the batch that are averaged; by default all.
+    ///
+    /// Returns
+    /// -------
+    /// array of the shape (..., coordinates)
+    ///     The means, with the remaining axes of the batch.
+    ///
+    /// Raises
+    /// ------
+    /// MathematicsError
+    ///     The iteration does not converge.
     ///
     /// Examples
     /// --------
@@ -241,14 +524,19 @@ in_python! { PyGroup, "group":
     /// >>> SO3.log(SO3.mean(turns, weights=[3, 1])).round(12)
     /// array([0. , 0. , 0.1])
     mean (g, weights=None, axis=None) [g, weights, axis];
-    /// The length of ``log(g^-1 h)``, invariant under left translations; the angle between rotations.
+    /// Length of ``log(g^-1 h)``, invariant under left translations; for rotations the angle in radians.
     ///
     /// Parameters
     /// ----------
     /// g, h : array of the shape (..., coordinates)
     ///     Elements.
     /// weights : array of the shape (dimension,) or (dimension, dimension), optional
-    ///     A positive form on the algebra, such as squared lengths per radian for rigid motions; by default the identity.
+    ///     Positive semidefinite form on the algebra, such as squared lengths per radian for rigid motions; by default the
+    ///     identity.
+    ///
+    /// Returns
+    /// -------
+    /// array of the shape (...)
     ///
     /// Examples
     /// --------
@@ -257,7 +545,7 @@ in_python! { PyGroup, "group":
     /// >>> SE3.distance(SE3.identity(), [1, 0, 0, 0, 3, 4, 0], weights=[1, 1, 1, 4, 4, 4])
     /// array(10.)
     distance (g, h, weights=None) [g, h, weights];
-    /// The curve through elements at given times: piecewise geodesic, or cumulative cubic with continuous velocities.
+    /// Curve through elements at given times.
     ///
     /// Parameters
     /// ----------
@@ -266,9 +554,13 @@ in_python! { PyGroup, "group":
     /// g : array of the shape (count, ..., coordinates)
     ///     Elements.
     /// kind : str
-    ///     ``"cubic"`` or ``"geodesic"``.
+    ///     ``"cubic"`` (default) with continuous velocities, or ``"geodesic"`` with constant velocity between elements.
     /// velocities : array of the shape (count, ..., dimension), optional
     ///     Body velocities at the elements, for ``"cubic"``.
+    ///
+    /// Returns
+    /// -------
+    /// Spline
     ///
     /// Examples
     /// --------

@@ -129,7 +129,24 @@ fn finish<T>(
     }
 }
 
-/// Sets the number of threads of computations in this process; 0 stands for all cores.
+/// Sets the number of threads of computations in this process.
+///
+/// Parameters
+/// ----------
+/// count : int
+///     Number of threads up to 1024; 0 stands for all cores.
+///
+/// Raises
+/// ------
+/// ValueError
+///     The number is negative or too large.
+///
+/// Examples
+/// --------
+/// >>> set_threads(2)
+/// >>> threads()
+/// 2
+/// >>> set_threads(0)
 #[pyfunction]
 pub fn set_threads(count: &Bound<'_, PyAny>) -> PyResult<()> {
     let number = count.extract::<usize>().ok().filter(|count| *count <= MOST_THREADS);
@@ -146,15 +163,29 @@ pub fn set_threads(count: &Bound<'_, PyAny>) -> PyResult<()> {
 /// The most threads of a process.
 const MOST_THREADS: usize = 1024;
 
-/// The number of threads of computations in this process.
+/// Number of threads of computations in this process.
+///
+/// Returns
+/// -------
+/// int
+///
+/// Examples
+/// --------
+/// >>> threads() > 0
+/// True
 #[pyfunction]
 pub fn threads(py: Python<'_>) -> PyResult<usize> {
     run(py, || Ok(rayon::current_num_threads()))
 }
 
-/// Frees what symbolic computations of this process have stored to find it again. Results do not depend on it.
+/// Frees the caches of symbolic computations in this process.
 ///
-/// Each thread stores a bounded number of short values. The function waits until other computations have ended.
+/// Results do not depend on the caches. Each thread stores a bounded number of short values. The function waits until other
+/// computations have ended.
+///
+/// Examples
+/// --------
+/// >>> clear_caches()
 #[pyfunction]
 pub fn clear_caches(py: Python<'_>) -> PyResult<()> {
     scalar::clear_caches();

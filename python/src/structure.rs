@@ -42,43 +42,68 @@ answers! {
     is_perfect: value["perfect"];
     /// Whether the radical is the centre.
     is_reductive: value["reductive"];
-    /// Whether the Killing form is not degenerate.
+    /// Whether the Killing form is nondegenerate.
+    ///
+    /// Examples
+    /// --------
+    /// >>> LieAlgebra("so(4)").is_semisimple, LieAlgebra("so(4)").is_simple
+    /// (True, False)
     is_semisimple: value["semisimple"];
-    /// Whether the only ideals over the reals are zero and the algebra; None if it was not decided.
+    /// Whether the algebra is not abelian and its only ideals over the reals are zero and itself; None if undecided.
     is_simple: value["simple"];
-    /// Whether the centre is zero and all derivations are inner; None if it was not decided.
+    /// Whether the centre is zero and all derivations are inner; None if undecided.
     is_complete: value["complete"];
-    /// The length of the lower central series; None if the algebra is not nilpotent.
+    /// Length of the lower central series; None if the algebra is not nilpotent.
     nilpotency_class: value["nilpotency_class"];
-    /// The length of the derived series; None if the algebra is not solvable.
+    /// Length of the derived series; None if the algebra is not solvable.
     derived_length: value["derived_length"];
-    /// The dimensions of the derived series, until they are stable.
+    /// Dimensions of the derived series ``L, [L, L], ...`` until they are stable.
+    ///
+    /// Examples
+    /// --------
+    /// >>> LieAlgebra("se(2)").derived_series
+    /// [3, 2, 0]
     derived_series: list["derived_series"];
-    /// The dimensions of the lower central series, until they are stable.
+    /// Dimensions of the lower central series ``L, [L, L], [L, [L, L]], ...`` until they are stable.
     lower_central_series: list["lower_central_series"];
-    /// The dimensions of the upper central series, until they are stable.
+    /// Dimensions of the upper central series ``0, centre, ...`` until they are stable.
     upper_central_series: list["upper_central_series"];
-    /// A basis of the centre, one row per vector: an object array of the shape (dimension of the centre, n).
+    /// Basis of the centre, one row per vector: an object array of the shape (dimension of the centre, n).
+    ///
+    /// Examples
+    /// --------
+    /// >>> LieAlgebra("heisenberg(3)").centre
+    /// array([[Fraction(0, 1), Fraction(0, 1), Fraction(1, 1)]], dtype=object)
     centre: subspace["centre", "basis"];
-    /// A basis of the solvable radical, one row per vector.
+    /// Basis of the solvable radical, one row per vector: an object array of the shape (dimension of the radical, n).
     radical: subspace["radical", "basis"];
-    /// A basis of the nilradical, one row per vector.
+    /// Basis of the nilradical, one row per vector: an object array of the shape (dimension of the nilradical, n).
     nilradical: subspace["nilradical", "basis"];
-    /// A basis of a Levi subalgebra, one row per vector.
+    /// Basis of a Levi subalgebra, one row per vector: an object array of the shape (dimension, n).
     levi_subalgebra: subspace["levi", "basis"];
-    /// A basis of a Cartan subalgebra, one row per vector.
+    /// Basis of a Cartan subalgebra, one row per vector: an object array of the shape (rank, n).
     cartan_subalgebra: subspace["cartan_subalgebra", "basis"];
-    /// The dimension of a Cartan subalgebra.
+    /// Dimension of a Cartan subalgebra.
     rank: value["rank"];
-    /// The numbers of positive, negative and zero squares of the Killing form; None if they depend on parameters.
+    /// Numbers of positive, negative and zero squares of the Killing form; None if they depend on parameters.
+    ///
+    /// Examples
+    /// --------
+    /// >>> LieAlgebra("sl(2)").killing_signature
+    /// (2, 1, 0)
     killing_signature: tuple["killing", "signature"];
-    /// The type of the Levi subalgebra over the complex numbers, such as ``"A1 + A1"``; None without one.
+    /// Type of the Levi subalgebra over the complex numbers, such as ``"A1 + A1"``; None without one.
     dynkin_type: value["dynkin_type"];
-    /// The Betti numbers; None where they were not computed.
+    /// Betti numbers of the Lie algebra cohomology in degrees 0, 1, ..., n; None if they were not computed.
+    ///
+    /// Examples
+    /// --------
+    /// >>> LieAlgebra("so3").betti
+    /// [1, 0, 0, 1]
     betti: list["betti"];
-    /// The dimension minus the generic rank of ``f([x, y])``.
+    /// Index: the dimension minus the generic rank of the matrix ``f([e_i, e_j])`` for ``f`` in the dual space.
     index: value["index"];
-    /// The name of an isomorphic algebra, where one is found.
+    /// Catalogue name of an isomorphic algebra; None if none was found.
     identification: value["identification", "name"];
 }
 
@@ -129,16 +154,47 @@ impl PyAlgebra {
 
 #[pymethods]
 impl PyAlgebra {
-    /// The structure as ``affinor info`` finds it: series, radical, Levi subalgebra, type, cohomology, ...
+    /// Structure report: series, radical, Levi subalgebra, type, cohomology and more.
     ///
-    /// The dict is the JSON document ``affinor.info/1``; ``print`` shows the table. The answers are exact; with parameters
-    /// they hold for generic values. The computation is done once for an algebra.
+    /// The report is the JSON document ``affinor.info/1`` as a dict; ``print`` shows the table of ``affinor info``. The answers
+    /// are exact; with parameters they hold for generic values. The report is computed once per algebra.
+    ///
+    /// Returns
+    /// -------
+    /// Report
+    ///
+    /// Raises
+    /// ------
+    /// InputError
+    ///     The structure constants are floats.
+    ///
+    /// Examples
+    /// --------
+    /// >>> LieAlgebra("so(4)").info()["dynkin_type"]
+    /// 'A1 + A1'
     fn info<'py>(slf: &Bound<'py, Self>) -> New<'py> {
         let written = Self::answers(slf)?.0.clone();
         python(slf.py(), "structure", "Report")?.call1((written,))
     }
 
-    /// The structure constants as input of another program: ``gap``, ``sage``, ``maple`` or ``sympy``.
+    /// Structure constants as input of another program.
+    ///
+    /// Parameters
+    /// ----------
+    /// program : str
+    ///     ``"gap"``, ``"sage"``, ``"maple"`` or ``"sympy"``.
+    ///
+    /// Returns
+    /// -------
+    /// str
+    ///
+    /// Examples
+    /// --------
+    /// >>> print(LieAlgebra("heisenberg(3)").export("sage"), end="")
+    /// # heisenberg(3)
+    /// L = LieAlgebra(QQ, {
+    ///     ('x1', 'y1'): {'z': 1},
+    /// }, names='x1,y1,z')
     fn export(&self, py: Python<'_>, program: &str) -> PyResult<String> {
         let program = Program::from_name(program).ok_or_else(|| {
             let names = Program::ALL.map(Program::name).join(", ");

@@ -19,9 +19,23 @@ use pyo3::prelude::*;
 
 #[pymethods]
 impl PyGeometry {
-    /// All properties as ``affinor properties`` finds them: flat, Einstein, naturally reductive, Ricci soliton, ...
+    /// Report of all properties: flat, Einstein, naturally reductive, Ricci soliton and more, with constants or witnesses.
     ///
-    /// The dict is the JSON document ``affinor.properties/1``; ``print`` shows the table.
+    /// The report is the JSON document ``affinor.properties/1`` as a dict; ``print`` shows the table of ``affinor properties``.
+    ///
+    /// Returns
+    /// -------
+    /// Report
+    ///
+    /// Raises
+    /// ------
+    /// InputError
+    ///     The components are floats.
+    ///
+    /// Examples
+    /// --------
+    /// >>> Geometry("so3", metric=[1, 1, 1]).properties()["schema"]
+    /// 'affinor.properties/1'
     fn properties<'py>(&self, py: Python<'py>) -> New<'py> {
         let written = run(py, || match &self.values {
             Geometries::Exact(geometry) => all_formats(&Properties::of_geometry(geometry)?),
@@ -31,7 +45,23 @@ impl PyGeometry {
         python(py, "structure", "Report")?.call1((written,))
     }
 
-    /// Equations of motion: ``euler-poincare``, ``autoparallel`` or ``transport``.
+    /// Equations of motion as text.
+    ///
+    /// Parameters
+    /// ----------
+    /// kind : str
+    ///     ``"euler-poincare"``, ``"autoparallel"`` or ``"transport"``.
+    /// format : str
+    ///     ``"text"``, ``"markdown"``, ``"latex"``, ``"csv"``, ``"json"`` or ``"html"``.
+    ///
+    /// Returns
+    /// -------
+    /// str
+    ///
+    /// Examples
+    /// --------
+    /// >>> print(Geometry("so3", metric=[1, 1, 2]).equations().splitlines()[-3].strip())
+    /// dOmega1/dt = -Omega2*Omega3 + M1
     #[pyo3(signature = (kind="euler-poincare", format="text"))]
     fn equations(&self, py: Python<'_>, kind: &str, format: &str) -> PyResult<String> {
         fn report<S: Coefficient>(
@@ -52,9 +82,26 @@ impl PyGeometry {
         })
     }
 
-    /// The table as the command line prints it, in ``text``, ``markdown``, ``latex``, ``csv`` or ``json``.
+    /// Table of the tensors, as ``affinor table`` prints it.
     ///
-    /// ``show`` names quantities, or is ``all`` or ``derived``.
+    /// Parameters
+    /// ----------
+    /// show : str or list of str, optional
+    ///     Names of quantities, ``"all"`` or ``"derived"``; by default the basic tensors.
+    /// format : str
+    ///     ``"text"``, ``"markdown"``, ``"latex"``, ``"csv"``, ``"json"`` or ``"html"``.
+    /// independent : bool
+    ///     Whether to list only one component of each set that is equal by symmetry.
+    ///
+    /// Returns
+    /// -------
+    /// str
+    ///     The table; indices count from 1.
+    ///
+    /// Examples
+    /// --------
+    /// >>> Geometry("so3@zero").table("ricci", "csv").splitlines()[:2]
+    /// ['tensor,i,j,k,l,value', 'ricci,1,1,,,1/2']
     #[pyo3(signature = (show=None, format="text", *, independent=false))]
     pub fn table<'py>(
         &self,
@@ -107,7 +154,23 @@ fn names(show: Bound<'_, PyAny>) -> PyResult<Vec<String>> {
     items.map(|item| item?.extract()).collect()
 }
 
-/// Two geometries side by side, with the claims of the paper about them; by default the paper's table.
+/// Two geometries side by side, with the claims of the paper about them.
+///
+/// Parameters
+/// ----------
+/// first, second : Geometry, LieAlgebra or str
+///     Geometries, or what makes one; by default those of the table of the paper.
+/// format : str
+///     ``"text"``, ``"markdown"``, ``"latex"``, ``"csv"``, ``"json"`` or ``"html"``.
+///
+/// Returns
+/// -------
+/// str
+///
+/// Examples
+/// --------
+/// >>> compare("so3@plus", "so3@zero").splitlines()[0]
+/// 'so(3)@plus and so(3)@zero'
 #[pyfunction]
 #[pyo3(
     signature = (first=None, second=None, *, format="text"),
@@ -136,7 +199,21 @@ pub fn compare<'py>(
     })
 }
 
-/// The conventions of signs and indices.
+/// Conventions of signs and indices, as a table.
+///
+/// Parameters
+/// ----------
+/// format : str
+///     ``"text"``, ``"markdown"``, ``"latex"``, ``"csv"``, ``"json"`` or ``"html"``.
+///
+/// Returns
+/// -------
+/// str
+///
+/// Examples
+/// --------
+/// >>> "[e_j, e_k] = c^i_jk e_i" in conventions()
+/// True
 #[pyfunction]
 #[pyo3(signature = (format="text"))]
 pub fn conventions(py: Python<'_>, format: &str) -> PyResult<String> {

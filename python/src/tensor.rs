@@ -34,22 +34,28 @@ impl Names {
     }
 }
 
-/// A tensor over exact numbers, rational functions of parameters, or floats.
+/// Sparse tensor over exact numbers, rational functions of parameters, or floats.
 ///
-/// Components are sparse. Indices count from 0 in Python, and from 1 in all printed output.
+/// Indices count from 0 in Python, and from 1 in all printed output. ``tensor[i, j]`` is a component, ``tensor[i, ..., :]`` a
+/// tensor of lower rank.
 ///
 /// Parameters
 /// ----------
 /// components : array or dict
 ///     Numbers (int, Fraction, integral floats), SymPy expressions or texts; a dict has components by indices.
 /// slots : str
-///     A mark for each index: ``"^"`` for an upper and ``"_"`` for a lower one, so a curvature has ``"^___"``.
+///     One mark per index: ``"^"`` for an upper and ``"_"`` for a lower one, so a curvature has ``"^___"``.
 /// dimension : int, optional
-///     The dimension, which a dict needs.
+///     Dimension; required for a dict.
 /// scalar : str, optional
 ///     ``"float"`` makes a tensor of floats.
 /// symbol : str
-///     The symbol in displays.
+///     Symbol in displays.
+///
+/// Raises
+/// ------
+/// TypeError
+///     A component is a float that is not an integer, and ``scalar`` is not ``"float"``.
 ///
 /// Examples
 /// --------
@@ -147,19 +153,19 @@ pub fn written(letters: &str, slots: &str, runs: bool) -> String {
 immutable! { PyTensor }
 
 properties! { PyTensor, own:
-    /// The dimension: indices run from 0 to one less.
+    /// Dimension; indices run from 0 to ``dimension - 1``.
     dimension: usize = each!(&own.values, tensor => tensor.dimension());
-    /// ``^`` or ``_`` for each index.
+    /// Mark of each index: ``^`` for an upper and ``_`` for a lower one.
     slots: String = each!(&own.values, tensor => marks(tensor.slots()));
-    /// The number of indices.
+    /// Number of indices.
     rank: usize = each!(&own.values, tensor => tensor.slots().len());
-    /// The number of nonzero components.
+    /// Number of nonzero components.
     nnz: usize = each!(&own.values, tensor => tensor.len());
-    /// ``exact``, ``symbolic`` or ``float``.
+    /// Scalar of the components: ``exact``, ``symbolic`` or ``float``.
     scalar: &'static str = text(own.values.kind());
-    /// The names of the parameters, sorted.
+    /// Names of the parameters, sorted.
     parameters: Vec<String> = parameters(&own.values).into_iter().collect();
-    /// Whether every component is zero.
+    /// Whether all components vanish.
     is_zero: bool = own.nnz() == 0;
     _letters: String = own.letters();
 }
@@ -181,9 +187,31 @@ impl PyTensor {
         Self::made(py, parts, Names::of(symbol))
     }
 
-    /// The tensor of the components ``values`` at ``indices``, of the shape (rank, count) and from 0.
+    /// Tensor of components in coordinate form; components with equal indices are added.
     ///
-    /// Components with equal indices are added.
+    /// Parameters
+    /// ----------
+    /// indices : array of the shape (rank, count)
+    ///     Indices from 0.
+    /// values : array of the shape (count,)
+    ///     Components at the indices.
+    /// slots : str
+    ///     One mark per index: ``"^"`` or ``"_"``.
+    /// dimension : int
+    ///     Dimension.
+    /// scalar : str, optional
+    ///     ``"float"`` makes a tensor of floats.
+    /// symbol : str
+    ///     Symbol in displays.
+    ///
+    /// Returns
+    /// -------
+    /// Tensor
+    ///
+    /// Examples
+    /// --------
+    /// >>> Tensor.from_coo([[0, 0], [1, 1]], [2, 3], "__", 3)[0, 1]
+    /// Fraction(5, 1)
     #[staticmethod]
     #[pyo3(signature = (indices, values, slots, dimension, *, scalar=None, symbol="T"))]
     fn from_coo<'py>(
@@ -200,13 +228,13 @@ impl PyTensor {
         Self::made(py, parts, Names::of(symbol))
     }
 
-    /// ``(dimension,) * rank``.
+    /// Shape of the dense array, ``(dimension,) * rank``.
     #[getter]
     fn shape<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyTuple>> {
         PyTuple::new(py, vec![self.dimension(); self.rank()])
     }
 
-    /// The type of the elements of :meth:`to_numpy`: float64, or object with parameters.
+    /// Data type of :meth:`to_numpy`: float64, or object with parameters.
     #[getter]
     fn dtype<'py>(&self, py: Python<'py>) -> Bound<'py, PyArrayDescr> {
         let numbers = parameters(&self.values).is_empty();
@@ -286,7 +314,17 @@ impl PyTensor {
         Ok(Bound::new(py, part)?.into_any())
     }
 
-    /// The nonzero components in the order of their indices: indices from 0, and value.
+    /// Nonzero components in the order of their indices.
+    ///
+    /// Returns
+    /// -------
+    /// iterator of (tuple of ints, value)
+    ///     Indices from 0, and the component.
+    ///
+    /// Examples
+    /// --------
+    /// >>> list(Tensor([[0, 1], [2, 0]], "__").items())
+    /// [((0, 1), Fraction(1, 1)), ((1, 0), Fraction(2, 1))]
     fn items<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyIterator>> {
         let places = each!(&self.values, tensor => {
             let places = tensor.components().map(|(at, _)| PyTuple::new(py, at.to_vec()));
@@ -361,7 +399,16 @@ impl PyTensor {
         Self::new(py, values, symbols, self.names.clone())
     }
 
-    /// The same tensor over floats.
+    /// Same tensor over floats.
+    ///
+    /// Returns
+    /// -------
+    /// Tensor
+    ///
+    /// Examples
+    /// --------
+    /// >>> Tensor([1, "1/2"], "^").to_float()[1]
+    /// 0.5
     fn to_float(&self, py: Python<'_>) -> PyResult<Self> {
         let values = of::<TrackedFloat>(&self.values).map(Values::Float);
         let values = values.map_err(|error| refused(py, error))?;
@@ -399,22 +446,93 @@ impl PyTensor {
 }
 
 in_python! { PyTensor, "tensor":
-    /// The indices of the nonzero components, shape (rank, nnz) and from 0, and their values.
+    /// Nonzero components in coordinate form.
     ///
-    /// Values are float64; with ``dtype=object`` they are fractions or expressions of SymPy. Both arrays are built by the
-    /// engine and handed over without a copy. A type of integers needs components that are such integers.
+    /// Parameters
+    /// ----------
+    /// dtype : numpy.dtype, optional
+    ///     Data type of the values: by default float64; ``object`` for fractions or SymPy expressions. A type of integers needs
+    ///     components that are integers.
+    ///
+    /// Returns
+    /// -------
+    /// indices : array of the shape (rank, nnz)
+    ///     Indices from 0.
+    /// values : array of the shape (nnz,)
+    ///     Components at the indices.
+    ///
+    /// Examples
+    /// --------
+    /// >>> Tensor([[0, 1], [2, 0]], "__").to_coo()
+    /// (array([[0, 1],
+    ///        [1, 0]]), array([1., 2.]))
     to_coo (dtype=None) [dtype];
-    /// A dense array: float64, or with ``dtype=object`` of fractions or SymPy expressions.
+    /// Dense array.
     ///
-    /// Tensors with parameters need ``object``, which is then the default.
+    /// Parameters
+    /// ----------
+    /// dtype : numpy.dtype, optional
+    ///     Data type: by default float64, with parameters ``object``. ``object`` gives fractions or SymPy expressions.
+    ///
+    /// Returns
+    /// -------
+    /// array of the shape (dimension, ...)
+    ///     One axis per index, in their order.
+    ///
+    /// Raises
+    /// ------
+    /// MemoryError
+    ///     The array is too large: use :meth:`to_coo`.
+    ///
+    /// Examples
+    /// --------
+    /// >>> LieAlgebra("so3").killing_form.to_numpy()
+    /// array([[-2.,  0.,  0.],
+    ///        [ 0., -2.,  0.],
+    ///        [ 0.,  0., -2.]])
     to_numpy (dtype=None) [dtype];
     __array__ (dtype=None, copy=None) [dtype, copy];
     _sympy_ () [];
-    /// An array of SymPy (sparse if it is large); an expression for rank 0, a matrix for rank 2.
+    /// SymPy object: an expression for rank 0, a matrix for rank 2, else an array.
+    ///
+    /// Returns
+    /// -------
+    /// sympy.Expr, sympy.ImmutableMatrix or sympy.NDimArray
+    ///     Large arrays are sparse.
+    ///
+    /// Examples
+    /// --------
+    /// >>> Tensor([["a", 0], [0, "a"]], "__").to_sympy().det()
+    /// a**2
     to_sympy () [];
-    /// A DataFrame with a row for each nonzero component: its indices, from 0, and its value.
+    /// DataFrame with one row per nonzero component: its indices, from 0, and its value.
+    ///
+    /// Returns
+    /// -------
+    /// pandas.DataFrame
+    ///
+    /// Examples
+    /// --------
+    /// >>> LieAlgebra("heisenberg(3)").structure.to_pandas().columns.tolist()
+    /// ['i', 'j', 'k', 'value']
     to_pandas () [];
-    /// The tensor with parameters replaced, by name or by symbol; floats have none. Functions get values in a geometry.
+    /// Tensor with parameters replaced; a tensor of floats stays as it is.
+    ///
+    /// Undetermined functions are replaced by :meth:`Geometry.subs`.
+    ///
+    /// Parameters
+    /// ----------
+    /// values : dict
+    ///     Numbers or expressions by the name or the symbol of a parameter.
+    ///
+    /// Returns
+    /// -------
+    /// Tensor
+    ///
+    /// Examples
+    /// --------
+    /// >>> Tensor(["a", "a^2"], "^").subs({"a": 3})[1]
+    /// Fraction(9, 1)
     subs (values) [values];
 }
 

@@ -63,14 +63,38 @@ impl PyGeometry {
 
 #[pymethods]
 impl PyGeometry {
-    /// The group of the algebra.
+    /// Lie group of the algebra, with vectors in its basis.
+    ///
+    /// Returns
+    /// -------
+    /// Group
+    ///
+    /// Examples
+    /// --------
+    /// >>> Geometry("so3@plus").group().coordinate_count
+    /// 4
     fn group(&self, py: Python<'_>) -> PyResult<PyGroup> {
         self.group_of(py)
     }
 
-    /// The matrix (dimension, dimension) of parallel translation along consecutive arcs ``exp(s x)``, ``0 <= s <= 1``.
+    /// Matrix of parallel translation along consecutive arcs ``g exp(s x)``, ``0 <= s <= 1``.
     ///
-    /// Components are those in the left-invariant frame; ``arcs`` is a vector ``x`` or rows of them.
+    /// Parameters
+    /// ----------
+    /// arcs : array of the shape (dimension,) or (count, dimension)
+    ///     Vector ``x`` of each arc.
+    ///
+    /// Returns
+    /// -------
+    /// array of the shape (dimension, dimension)
+    ///     Maps components at the start to components at the end, in the left-invariant frame; the upper index is the row.
+    ///
+    /// Examples
+    /// --------
+    /// >>> Geometry("so3@zero").transport([0, 0, 1]).round(6)
+    /// array([[ 0.877583,  0.479426,  0.      ],
+    ///        [-0.479426,  0.877583,  0.      ],
+    ///        [ 0.      ,  0.      ,  1.      ]])
     fn transport<'py>(&self, arcs: &Object<'py>) -> PyResult<Square<'py>> {
         let py = arcs.py();
         let (group, translation) = self.translation(py)?;
@@ -80,7 +104,24 @@ impl PyGeometry {
         square(py, &run(py, || Ok(translation.along_arcs(&arcs)?))?)
     }
 
-    /// The matrix of parallel translation along a curve of elements; of a loop its holonomy.
+    /// Matrix of parallel translation along a curve of elements; for a closed curve its holonomy.
+    ///
+    /// Parameters
+    /// ----------
+    /// elements : array of the shape (count, coordinates)
+    ///     Elements, joined by arcs ``g exp(s x)``.
+    ///
+    /// Returns
+    /// -------
+    /// array of the shape (dimension, dimension)
+    ///     Maps components at the start to components at the end, in the left-invariant frame; the upper index is the row.
+    ///
+    /// Examples
+    /// --------
+    /// >>> Geometry("so3@zero").transport_along(SO3.exp([[0, 0, 0], [0, 0, 1]])).round(6)
+    /// array([[ 0.877583,  0.479426,  0.      ],
+    ///        [-0.479426,  0.877583,  0.      ],
+    ///        [ 0.      ,  0.      ,  1.      ]])
     fn transport_along<'py>(&self, elements: &Object<'py>) -> PyResult<Square<'py>> {
         let py = elements.py();
         let (group, translation) = self.translation(py)?;
@@ -88,7 +129,34 @@ impl PyGeometry {
         square(py, &run(py, || Ok(translation.along_samples(&elements)?))?)
     }
 
-    /// The autoparallel from an element (default: the identity) with a tangent vector, at times after 0.
+    /// Autoparallel curve ``nabla_n n = 0`` from an element.
+    ///
+    /// Parameters
+    /// ----------
+    /// tangent : array of the shape (dimension,)
+    ///     Initial velocity in the left-invariant frame.
+    /// times : float or array of the shape (count,)
+    ///     Times after 0.
+    /// start : array of the shape (coordinates,), optional
+    ///     Initial element; by default the identity.
+    /// tolerance : float
+    ///     Relative tolerance of a step.
+    ///
+    /// Returns
+    /// -------
+    /// Geodesic
+    ///
+    /// Raises
+    /// ------
+    /// IntegrationError
+    ///     The curve leaves every bounded set before the last time.
+    ///
+    /// Examples
+    /// --------
+    /// >>> curve = Geometry("so3", metric=[1, 1, 1]).geodesic([0, 0, 1], [0.5, 1])
+    /// >>> SO3.log(curve.elements).round(9)
+    /// array([[0. , 0. , 0.5],
+    ///        [0. , 0. , 1. ]])
     #[pyo3(signature = (tangent, times, start=None, *, tolerance=1e-12))]
     fn geodesic<'py>(
         &self,
@@ -123,7 +191,29 @@ impl PyGeometry {
         python(py, "geometry", "Geodesic")?.call1((times, elements, tangents))
     }
 
-    /// The tangent vector at ``start`` of an autoparallel that is at ``end`` at time 1.
+    /// Initial velocity of an autoparallel curve that connects two elements in time 1.
+    ///
+    /// Parameters
+    /// ----------
+    /// start, end : array of the shape (coordinates,)
+    ///     Elements at the times 0 and 1.
+    /// tolerance : float
+    ///     Largest error of the last element.
+    ///
+    /// Returns
+    /// -------
+    /// array of the shape (dimension,)
+    ///     Components in the left-invariant frame.
+    ///
+    /// Raises
+    /// ------
+    /// MathematicsError
+    ///     The iteration does not converge.
+    ///
+    /// Examples
+    /// --------
+    /// >>> Geometry("so3", metric=[1, 1, 1]).geodesic_between(SO3.identity(), SO3.exp([0, 0, 2])).round(9)
+    /// array([0., 0., 2.])
     #[pyo3(signature = (start, end, *, tolerance=1e-10))]
     fn geodesic_between<'py>(
         &self,
