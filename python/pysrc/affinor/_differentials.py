@@ -109,14 +109,35 @@ def rows(function: Callable[..., Floats], shape: tuple[int, ...], core: int, *ar
 
 
 class DifferentiableGroup:
-    """The operations of a group as functions of arrays of another library.
+    """Operations of a group on arrays of another library, with derivatives.
 
-    Elements and vectors are those of :class:`affinor.Group`, with the axes of the batch in front and broadcasting.
+    Elements and vectors are those of :class:`affinor.Group`: the axes of the batch are in front and broadcast, angles are in
+    radians. Results have the floating-point type of the arguments. A row without a result is NaN.
 
     Parameters
     ----------
     group : str or affinor.Group
         A group, or its name.
+
+    Attributes
+    ----------
+    library : str
+        Name of the library.
+    dimension : int
+        Dimension of the algebra, the length of a vector.
+    coordinate_count : int
+        Number of coordinates of an element.
+
+    Raises
+    ------
+    ValueError
+        In all operations: the last axis of an argument has the wrong length.
+
+    Examples
+    --------
+    >>> from affinor.jax import Group      # doctest: +SKIP
+    >>> Group("so3").exp([0.0, 0.0, 0.0])  # doctest: +SKIP
+    Array([1., 0., 0., 0.], dtype=float32)
     """
 
     library: str
@@ -132,35 +153,114 @@ class DifferentiableGroup:
         return f"<Group {self._group.name} in {self.library}>"
 
     def exp(self, x: Any) -> Any:
-        """The exponential of vectors (..., dimension)."""
+        """Exponential map.
+
+        Parameters
+        ----------
+        x : array of the shape (..., dimension)
+            Vectors of the algebra; for rotations the rotation vectors in radians.
+
+        Returns
+        -------
+        array of the shape (..., coordinates)
+
+        Examples
+        --------
+        >>> SO3.exp([0.0, 0.0, 0.0])  # doctest: +SKIP
+        Array([1., 0., 0., 0.], dtype=float32)
+        """
         return self._apply("exp", self._rows("x", x, self.dimension))
 
     def log(self, g: Any) -> Any:
-        """The logarithm of elements (..., coordinates)."""
+        """Logarithm, the inverse of :meth:`exp` near the identity.
+
+        Parameters
+        ----------
+        g : array of the shape (..., coordinates)
+            Elements.
+
+        Returns
+        -------
+        array of the shape (..., dimension)
+
+        Examples
+        --------
+        >>> SE3.log([1.0, 0, 0, 0, 5, 6, 7])  # doctest: +SKIP
+        Array([0., 0., 0., 5., 6., 7.], dtype=float32)
+        """
         return self._apply("log", self._rows("g", g, self.coordinate_count))
 
     def compose(self, g: Any, h: Any) -> Any:
-        """The products ``g h``."""
+        """Product ``g h``.
+
+        Parameters
+        ----------
+        g, h : array of the shape (..., coordinates)
+            Elements.
+
+        Returns
+        -------
+        array of the shape (..., coordinates)
+
+        Examples
+        --------
+        >>> SO3.compose([1.0, 0, 0, 0], [0.0, 0, 0, 1])  # doctest: +SKIP
+        Array([0., 0., 0., 1.], dtype=float32)
+        """
         return self._apply("compose", self._rows("g", g, self.coordinate_count), self._rows("h", h, self.coordinate_count))
 
     def inverse(self, g: Any) -> Any:
-        """The inverse elements."""
+        """Inverse elements.
+
+        Parameters
+        ----------
+        g : array of the shape (..., coordinates)
+            Elements.
+
+        Returns
+        -------
+        array of the shape (..., coordinates)
+
+        Examples
+        --------
+        >>> SE3.inverse([0.0, 0, 0, 1, 5, 6, 7])[4:]  # doctest: +SKIP
+        Array([ 5.,  6., -7.], dtype=float32)
+        """
         return self._apply("inverse", self._rows("g", g, self.coordinate_count))
 
     def act(self, g: Any, points: Any) -> Any:
-        """The action of matrices of size k on points (..., k); affine maps act on points (..., k - 1) too."""
+        """Action of matrices of size k on points.
+
+        Parameters
+        ----------
+        g : array of the shape (..., coordinates)
+            Elements.
+        points : array of the shape (..., k)
+            Points. Affine maps, such as rigid motions, act on points (..., k - 1) too.
+
+        Returns
+        -------
+        array of the shape of the points, broadcast with the batch
+
+        Examples
+        --------
+        >>> SE3.act([1.0, 0, 0, 0, 5, 6, 7], [1.0, 2, 3])  # doctest: +SKIP
+        Array([ 6.,  8., 10.], dtype=float32)
+        """
         g, points = self._rows("g", g, self.coordinate_count), self._real("points", points)
         # the engine checks the size of points
         self._group.act(self._group.identity(), [0.0] * (points.shape[-1] if points.ndim else 0))
         return self._apply("act", g, points)
 
     def _rows(self, name: str, value: Any, width: int) -> Any:
+        """An array of real numbers whose last axis has this length."""
         array = self._real(name, value)
         if array.ndim == 0 or array.shape[-1] != width:
             raise ValueError(f"{name} should have the shape (..., {width}), not {tuple(array.shape)}")
         return array
 
     def _apply(self, name: str, *arguments: Any) -> Any:
+        """The operation on arguments of a common floating-point type."""
         dtype = self._dtype(*arguments)
         return self._operations[name](*(self._converted(argument, dtype) for argument in arguments))
 
@@ -176,11 +276,12 @@ class DifferentiableGroup:
 
     @staticmethod
     def _dtype(*arguments: Any) -> Any:
-        """The type of floats for a result of these arguments."""
+        """The floating-point type of a result of these arguments."""
         raise NotImplementedError
 
     @staticmethod
     def _converted(array: Any, dtype: Any) -> Any:
+        """An array of another floating-point type."""
         raise NotImplementedError
 
 

@@ -31,21 +31,36 @@ _LOCK = threading.Lock()
 class Geometries:
     """Left-invariant geometries of one Lie algebra, for an array of metrics in floats.
 
-    Every quantity of a :class:`Geometry` with ``scalar="float"`` is an array with the axes of the batch in front. The formula is
-    recorded once for the algebra and the connection, and then runs over all metrics on all cores. The last 32 algebras
+    Every quantity of a :class:`Geometry` with ``scalar="float"`` is an array with the axes of the batch in front. The formula
+    is recorded once for the algebra and the connection, and then runs over all metrics on all cores. The last 32 algebras
     stay recorded.
 
     Parameters
     ----------
-    space
-        A LieAlgebra or anything that makes one, with or without a connection, such as ``so3@plus``; or a Geometry without a metric.
+    space : LieAlgebra, Geometry, str or dict
+        A LieAlgebra or anything that makes one, with or without a connection, such as ``"so3@plus"``; or a Geometry without
+        a metric.
     metrics : array of the shape (..., n, n)
         Symmetric, regular matrices ``g_ij`` of any signature.
     connection : str or number, optional
-        ``levi-civita``, ``plus``, ``zero``, ``minus``, or a number lambda. Default: the connection of the space, or ``levi-civita``
-        if the space has none.
+        ``levi-civita``, ``plus``, ``zero``, ``minus``, or a number lambda. By default the connection of the space, or
+        ``levi-civita`` if the space has none.
     parameters : dict of arrays, optional
         Values of the parameters of the brackets, by name or symbol; arrays are broadcast with the batch of metrics.
+    basis : str or list of str, optional
+        Names of the basis vectors; required for brackets.
+
+    Attributes
+    ----------
+    dimension : int
+        Dimension ``n`` of the algebra.
+    batch_shape : tuple of ints
+        Shape (...) of the batch of metrics and parameters.
+
+    Raises
+    ------
+    MetricError
+        A metric is not symmetric or is degenerate.
 
     Examples
     --------
@@ -105,12 +120,22 @@ class Geometries:
         raise TypeError("geometries in bulk are not pickled: pickle the algebra and the metrics")
 
     def quantity(self, key: str) -> Floats:
-        """The array (..., n, ...) of a quantity, by its name in tables.
+        """Quantity by its name in tables.
 
         Parameters
         ----------
         key : str
-            ``ricci``, ``weyl``, ``kretschmann`` or another name of a quantity; the indices are those of :class:`Geometry`.
+            ``"ricci"``, ``"weyl"``, ``"kretschmann"`` or another name of a quantity.
+
+        Returns
+        -------
+        array of the shape (..., n, ...)
+            The axes of the batch, then the indices in the order of :class:`Geometry`.
+
+        Raises
+        ------
+        ValueError
+            The name is unknown.
 
         Examples
         --------
@@ -123,39 +148,53 @@ class Geometries:
 
     @property
     def metric(self) -> Floats:
-        """Metrics ``g_ij``, (..., n, n)."""
+        """Metrics ``g_ij``, shape (..., n, n)."""
         return np.broadcast_to(self._metrics, (*self.batch_shape, self.dimension, self.dimension)).copy()
 
     @property
     def affinities(self) -> Floats:
-        """Affinities ``Lambda^i_jk``, (..., n, n, n): ``nabla_{e_j} e_k = Lambda^i_jk e_i``, the direction first."""
+        """Affinities ``Lambda^i_jk``, shape (..., n, n, n): ``nabla_{e_j} e_k = Lambda^i_jk e_i``, the direction first."""
         return self.quantity("affinities")
 
     @property
     def torsion(self) -> Floats:
-        """Torsion ``tau^i_jk``, (..., n, n, n)."""
+        """Torsion ``tau^i_jk``, shape (..., n, n, n)."""
         return self.quantity("torsion")
 
     @property
     def curvature(self) -> Floats:
-        """Curvature ``R^i_jkl``, (..., n, n, n, n): ``R(e_k, e_l) e_j = R^i_jkl e_i``."""
+        """Curvature ``R^i_jkl``, shape (..., n, n, n, n): ``R(e_k, e_l) e_j = R^i_jkl e_i``."""
         return self.quantity("curvature")
 
     @property
     def ricci(self) -> Floats:
-        """Ricci tensors ``Ric_jl``, (..., n, n)."""
+        """Ricci tensors ``Ric_jl = R^i_jil``, shape (..., n, n).
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> Geometries("so3", [np.eye(3), 2 * np.eye(3)]).ricci[:, 0, 0]
+        array([0.5, 0.5])
+        """
         return self.quantity("ricci")
 
     @property
     def scalar_curvature(self) -> Floats:
-        """Scalar curvatures ``S``, (...)."""
+        """Scalar curvatures ``S = g^jl Ric_jl``, shape (...)."""
         return self.quantity("scalar_curvature")
 
     @property
     def ricci_eigenvalues(self) -> NDArray[Any]:
-        """Eigenvalues (..., n) of the symmetric part of ``Ric`` with respect to the metric.
+        """Eigenvalues of the symmetric part of ``Ric`` with respect to the metric, shape (..., n).
 
         Floats in ascending order if all metrics are positive definite, else complex numbers.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> Geometries("so3", [np.eye(3), 2 * np.eye(3)]).ricci_eigenvalues
+        array([[0.5 , 0.5 , 0.5 ],
+               [0.25, 0.25, 0.25]])
         """
         n, ricci = self.dimension, self.ricci
         ricci = (ricci + np.swapaxes(ricci, -1, -2)) / 2
@@ -172,7 +211,16 @@ class Geometries:
         Parameters
         ----------
         x, y : array of the shape (..., n)
-            Vectors that span the planes, broadcast with the batch. A degenerate plane is an error.
+            Vectors that span the planes, broadcast with the batch.
+
+        Returns
+        -------
+        array of the shape (...)
+
+        Raises
+        ------
+        MathematicsError
+            A plane is degenerate.
 
         Examples
         --------
@@ -191,15 +239,20 @@ class Geometries:
         return self._evaluate("sectional_curvature", _common(self.batch_shape, planes), vectors=both)
 
     def derivative(self, key: str, direction: ArrayLike | None = None) -> Floats:
-        """The derivative of a quantity with respect to the metric.
+        """Derivative of a quantity with respect to the metric.
 
         Parameters
         ----------
         key : str
-            The name of a quantity, as for :meth:`quantity`.
+            Name of a quantity, as for :meth:`quantity`.
         direction : array of the shape (..., n, n), optional
-            Symmetric rates of the metric, broadcast with the batch. Without one the result is the full derivative: it has two
-            more axes ``a, b`` at the end, is symmetric in them, and ``sum D[..., a, b] h[a, b]`` is the derivative along ``h``.
+            Symmetric variations ``h`` of the metric, broadcast with the batch.
+
+        Returns
+        -------
+        array of the shape (..., n, ...)
+            Derivative along ``h``. Without a direction the full derivative ``D`` with two more axes ``a, b`` at the end,
+            symmetric in them: the derivative along ``h`` is ``sum D[..., a, b] h[a, b]``.
 
         Examples
         --------
@@ -271,6 +324,7 @@ class Geometries:
 
 
 def _common(*shapes: tuple[int, ...]) -> tuple[int, ...]:
+    """The common shape of batches that are broadcast together."""
     try:
         return np.broadcast_shapes(*shapes)
     except ValueError:

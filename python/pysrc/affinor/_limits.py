@@ -100,18 +100,32 @@ class Limits(ContextDecorator):
 
 
 def limits(timeout: float | None = None, memory: int | str | None = None) -> Limits:
-    """Limits for all computations of affinor in a block. A computation that passes one ends with LimitError.
+    """Limits on time and memory for all computations of affinor in a ``with`` block.
 
-    ``timeout`` is the number of seconds of the whole block. ``memory`` is the resident size of the whole process, in bytes or as
-    a text such as ``"2G"``; only Linux reports it. Blocks nest, and all their limits hold. A limit ends computations of
-    affinor only, also in the calls that follow in the block; code of Python goes on.
+    A computation that exceeds a limit ends with LimitError; code of Python goes on. Blocks nest, and all their limits hold.
+    Limits apply to the thread of the block. Other threads have limits of their own, also the tasks of sweeps that run in a
+    pool of threads: write the block in the task.
 
-    The limits hold for the thread of the block. Other threads have limits of their own, and so have tasks of sweeps that run in
-    a pool of threads: write the block in the task.
+    Parameters
+    ----------
+    timeout : float, optional
+        Seconds of the whole block.
+    memory : int or str, optional
+        Resident size of the whole process in bytes, or a text such as ``"2G"``; only Linux reports it.
 
-    >>> import affinor as af
-    >>> with af.limits(timeout=60, memory="8G"):
-    ...     print(af.Geometry("so3@zero").ricci[0, 0])
+    Returns
+    -------
+    context manager
+
+    Raises
+    ------
+    LimitError
+        In the block: a computation exceeds a limit.
+
+    Examples
+    --------
+    >>> with limits(timeout=60, memory="8G"):
+    ...     print(Geometry("so3@zero").ricci[0, 0])
     1/2
     """
     return Limits(timeout, memory)

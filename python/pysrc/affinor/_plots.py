@@ -131,6 +131,7 @@ def _axes(trajectory: _Curve) -> Any:
 
 
 def _sphere(ax: Any, radius: float) -> None:
+    """Draws a wireframe sphere around the origin."""
     u, v = np.mgrid[0 : 2 * np.pi : 25j, 0 : np.pi : 13j]
     ax.plot_wireframe(
         radius * np.cos(u) * np.sin(v),

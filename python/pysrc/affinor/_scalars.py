@@ -130,6 +130,7 @@ def with_axes(what: str, value: Any, counts: Sequence[int]) -> NDArray[np.float6
 
 
 def _refuse(item: object) -> float:
+    """Raises the TypeError of an object that is not a number."""
     raise TypeError(f"{item!r} is no number")
 
 
@@ -155,11 +156,13 @@ def integers(what: str, value: Any) -> NDArray[np.int64]:
 
 
 def _inexact(number: float) -> TypeError:
+    """The error of a float where exact numbers are required."""
     exact = f"write Fraction('{number!r}') or the text '{number!r}' for an exact number, or choose scalar='float'"
     return TypeError(f"{number!r} is a float, and exact numbers are needed: {exact}")
 
 
 def _of_sympy(expression: Any, symbols: Symbols, floats: bool, imaginary: bool) -> str:
+    """An expression of SymPy in the notation of definition files; its symbols are added to ``symbols``."""
     import sympy
 
     if floats and expression.is_real and expression.is_number and not expression.is_rational:
@@ -238,6 +241,7 @@ def _undefined(function: Any) -> str:
 
 
 def _symbol(symbol: Any, symbols: Symbols) -> str:
+    """The name of a symbol of SymPy, which is checked and added to ``symbols``."""
     name = str(symbol.name)
     if name == "pi":
         raise ValueError("pi is the number here: give the symbol pi another name, or write sympy.pi")

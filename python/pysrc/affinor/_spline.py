@@ -16,29 +16,45 @@ Floats = NDArray[np.float64]
 
 
 class Spline:
-    """A curve through given elements ``g_0 .. g_m`` at increasing times.
+    """Curve through given elements ``g_0, ..., g_m`` at increasing times.
 
     ``kind="geodesic"`` joins neighbours by ``g exp(s log(g^-1 h))``: the body velocity is constant between two elements and
-    jumps at them. ``kind="cubic"`` is the cumulative cubic curve (M.-J. Kim, M.-S. Kim and S. Shin, SIGGRAPH 1995)
+    discontinuous at them. ``kind="cubic"`` is the cumulative cubic curve (M.-J. Kim, M.-S. Kim and S. Shin, SIGGRAPH 1995)
 
         ``g_i exp(B_1(u) a) exp(B_2(u) b) exp(B_3(u) c)``,  ``B = 1 - (1-u)^3, 3 u^2 - 2 u^3, u^3``,
 
-    with ``3 a/h`` and ``3 c/h`` the body velocities at both ends of an interval of length ``h``, and ``b`` such that the curve
-    passes through the next element. It is continuously differentiable and commutes with left translations. Velocities that
-    are not given are those of the parabola through three neighbours.
+    with ``3 a/h`` and ``3 c/h`` the body velocities at both ends of an interval of length ``h``, and ``b`` such that the
+    curve passes through the next element. It is continuously differentiable and commutes with left translations. By default
+    the velocities are those of the parabola through three neighbours.
 
     Parameters
     ----------
     group : Group
         The group.
     times : array of the shape (m + 1,)
-        Increasing times, two or more.
+        Increasing times, two or more, in any consistent units.
     elements : array of the shape (m + 1, ..., coordinates)
         Elements; neighbours should differ by less than half a turn.
     kind : str
-        ``cubic`` or ``geodesic``.
+        ``"cubic"`` or ``"geodesic"``.
     velocities : array of the shape (m + 1, ..., dimension), optional
-        Body velocities at the elements, for ``cubic``.
+        Body velocities at the elements, for ``"cubic"``.
+
+    Attributes
+    ----------
+    group : Group
+        The group.
+    times : array of the shape (m + 1,)
+        Times of the elements.
+    elements : array of the shape (m + 1, ..., coordinates)
+        The given elements.
+    kind : str
+        ``"cubic"`` or ``"geodesic"``.
+
+    Raises
+    ------
+    ValueError
+        The times do not increase, a shape does not match, or an element does not belong to the group.
 
     Examples
     --------
@@ -89,7 +105,27 @@ class Spline:
         return f"<Spline on {name}, {self.kind}, through {count} elements from {self.times[0]} to {self.times[-1]}>"
 
     def __call__(self, t: ArrayLike) -> Floats:
-        """The elements at times ``t`` of any shape: (*t.shape, ..., coordinates). Times outside of the interval are an error."""
+        """Elements of the curve.
+
+        Parameters
+        ----------
+        t : array of any shape
+            Times between the first and the last time of the spline.
+
+        Returns
+        -------
+        array of the shape (*t.shape, ..., coordinates)
+
+        Raises
+        ------
+        ValueError
+            A time is outside of the interval.
+
+        Examples
+        --------
+        >>> SE3.spline([0, 1], [[1, 0, 0, 0, 0, 0, 0], [1, 0, 0, 0, 3, 4, 0]], kind="geodesic")(0.5)
+        array([1. , 0. , 0. , 0. , 1.5, 2. , 0. ])
+        """
         at, u, _ = self._place(t)
         curve = self.elements[at]
         for weight, logs in zip(self._weights(u), self._logs, strict=True):
@@ -97,7 +133,27 @@ class Spline:
         return curve
 
     def velocity(self, t: ArrayLike) -> Floats:
-        """The body velocities at times ``t``: shape ``(*t.shape, ..., dimension)``."""
+        """Body velocities along the curve.
+
+        Parameters
+        ----------
+        t : array of any shape
+            Times between the first and the last time of the spline.
+
+        Returns
+        -------
+        array of the shape (*t.shape, ..., dimension)
+
+        Raises
+        ------
+        ValueError
+            A time is outside of the interval.
+
+        Examples
+        --------
+        >>> SO2.spline([0, 2], SO2.exp([[0.0], [1.0]])).velocity(0.5).round(12)
+        array([0.5])
+        """
         at, u, h = self._place(t)
         found: Any = 0.0
         for weight, rate, logs in zip(self._weights(u), self._rates(u), self._logs, strict=True):
@@ -120,11 +176,13 @@ class Spline:
         return at, ((moments - self.times[at]) / steps)[axes], steps[axes]
 
     def _weights(self, u: Floats) -> tuple[Floats, ...]:
+        """The weights of the logarithms at parts ``u`` of an interval."""
         if self.kind == "geodesic":
             return (u,)
         return 1 - (1 - u) ** 3, (3 - 2 * u) * u**2, u**3
 
     def _rates(self, u: Floats) -> tuple[Floats, ...]:
+        """The derivatives of the weights with respect to ``u``."""
         if self.kind == "geodesic":
             return (np.ones_like(u),)
         return 3 * (1 - u) ** 2, 6 * u * (1 - u), 3 * u**2

@@ -43,9 +43,24 @@ _MANIFEST = "_affinor.json"
 
 
 class RandomSample:
-    """A seeded random grid: ``RandomSample(1000, seed=7, a="uniform(-1, 1)", b="normal(0, 0.1)", c=[1, 2, 3])``.
+    """Seeded random grid of a sweep.
 
-    The values of row ``i`` depend on the seed, on ``i`` and on the laws in their order. The seed is from 0 to 2^64 - 1.
+    The values of row ``i`` depend on the seed, on ``i`` and on the laws in their order.
+
+    Parameters
+    ----------
+    samples : int
+        Number of rows.
+    seed : int
+        Seed from 0 to 2^64 - 1.
+    **laws : str or list
+        Law of each parameter: ``"uniform(a, b)"``, ``"normal(mean, deviation)"``, or a list of equally likely values.
+
+    Examples
+    --------
+    >>> grid = RandomSample(1000, seed=7, a="uniform(-1, 1)", b="normal(0, 0.1)", c=[1, 2, 3])
+    >>> len(grid), list(grid.rows(0, 2))
+    (1000, ['a', 'b', 'c'])
     """
 
     def __init__(self, samples: int, *, seed: int = 0, **laws: str | Sequence[Any]) -> None:
@@ -65,13 +80,31 @@ class RandomSample:
         return self.samples
 
     def rows(self, start: int, stop: int) -> Columns:
-        """The values of the rows ``start`` to ``stop``."""
+        """Values of some rows.
+
+        Parameters
+        ----------
+        start, stop : int
+            First row, and the row after the last one.
+
+        Returns
+        -------
+        dict of list
+            Values by parameter.
+
+        Examples
+        --------
+        >>> grid = RandomSample(10, a="uniform(0, 1)")
+        >>> grid.rows(2, 4)["a"] == grid.rows(0, 4)["a"][2:]
+        True
+        """
         parts = [self._block(block) for block in range(start // _BLOCK, (max(stop, 1) - 1) // _BLOCK + 1)]
         offset = start // _BLOCK * _BLOCK
         joined = {name: list(itertools.chain(*(part[name] for part in parts))) for name in self.laws}
         return {name: values[start - offset : stop - offset] for name, values in joined.items()}
 
     def _block(self, block: int) -> Columns:
+        """The values of one block, which has a random stream of its own."""
         generator = np.random.Generator(np.random.Philox(key=np.array([self.seed, block], dtype=np.uint64)))
         found: Columns = {}
         for name, law in self.laws.items():
@@ -85,6 +118,7 @@ class RandomSample:
 
 
 def _law(name: str, law: str) -> tuple[str, float, float]:
+    """The kind of a law and its two numbers."""
     match = re.fullmatch(r"\s*(uniform|normal)\s*\(([^,()]+),([^,()]+)\)\s*", law)
     if match is None:
         raise ValueError(f"the law of {name} is uniform(a, b) or normal(mean, deviation), not {law!r}")
@@ -92,9 +126,25 @@ def _law(name: str, law: str) -> tuple[str, float, float]:
 
 
 class SimulationTask:
-    """The task that integrates a problem with the parameters of a row, and keeps the last row of the trajectory.
+    """Task of a sweep: integrates a problem with the parameters of a row and stores the last row of the trajectory.
 
-    ``columns`` chooses some of its columns, by names or stems. All runs of a partition share the cores.
+    All runs of a partition share the cores.
+
+    Parameters
+    ----------
+    problem : Problem, path or dict, optional
+        Problem of motion; by default the keys are arguments.
+    columns : list of str, optional
+        Columns to store, by names or stems; by default all.
+    **keys
+        Keys of a :class:`Problem`.
+
+    Examples
+    --------
+    >>> spin = {"velocity": [0, 0, 1]}
+    >>> body = Problem(space="so3", metric="diag(1,1,J)", parameters={"J": 1}, initial=spin, output={"end": 1})
+    >>> sweep(SimulationTask(body, columns=["H3"]), {"J": [1, 2]}).to_pandas()["H3"].round(9).tolist()
+    [1.0, 2.0]
     """
 
     def __init__(self, problem: Any = None, *, columns: Sequence[str] | None = None, **keys: Any) -> None:
@@ -102,7 +152,28 @@ class SimulationTask:
         self.columns = None if columns is None else list(columns)
 
     def run_rows(self, rows: Columns) -> tuple[Columns, list[str | None]]:
-        """The last row of each run, and the reason of each failure."""
+        """Integrates the problem once per row of parameters.
+
+        Parameters
+        ----------
+        rows : dict of list
+            Values by parameter, as many as there are rows.
+
+        Returns
+        -------
+        results : dict of list
+            Values of the last row of each run, by column.
+        errors : list of str or None
+            Reason of each failure.
+
+        Examples
+        --------
+        >>> spin = {"velocity": [0, 0, 1]}
+        >>> body = Problem(space="so3", metric="diag(1,1,J)", parameters={"J": 1}, initial=spin, output={"end": 1})
+        >>> results, errors = SimulationTask(body, columns=["H3"]).run_rows({"J": [1, 2]})
+        >>> [round(value, 9) for value in results["H3"]], errors
+        ([1.0, 2.0], [None, None])
+        """
         names = list(rows)
         values = np.array([rows[name] for name in names], dtype=np.float64).T.reshape(-1, len(names))
         columns, last, failed = self.problem._run_many(names, values)
@@ -114,7 +185,21 @@ class SimulationTask:
 
 
 class Sweep:
-    """The rows of a sweep: a Parquet data set in ``folder``, a file for each partition."""
+    """Rows of a sweep: a Parquet data set with one file per partition.
+
+    Attributes
+    ----------
+    folder : pathlib.Path
+        Folder of the data set. A temporary folder is removed with this object.
+    computed : int
+        Number of partitions that this call computed; others were there before.
+
+    Examples
+    --------
+    >>> squares = sweep(lambda row: {"square": row["x"] ** 2}, {"x": [1, 2, 3]})
+    >>> len(squares), squares.computed
+    (3, 1)
+    """
 
     def __init__(self, folder: Path, computed: int) -> None:
         self.folder = folder
@@ -123,11 +208,16 @@ class Sweep:
 
     @property
     def manifest(self) -> dict[str, Any]:
-        """What the sweep computes, and its partitions with their numbers of rows."""
+        """Description of the sweep: its grid, chunk and version, and its partitions with their numbers of rows."""
         return _manifest(self.folder / _MANIFEST)
 
     def to_arrow(self) -> Any:
-        """All rows as a table of Arrow, in the order of the grid."""
+        """All rows as a table of Arrow, in the order of the grid.
+
+        Returns
+        -------
+        pyarrow.Table
+        """
         pa, pq = optional("pyarrow", "sweep"), optional("pyarrow.parquet", "sweep")
 
         names = sorted(self.manifest["partitions"])
@@ -137,7 +227,12 @@ class Sweep:
         return pa.concat_tables(tables, promote_options="permissive")
 
     def to_pandas(self) -> Any:
-        """All rows as a DataFrame."""
+        """All rows as a DataFrame, in the order of the grid.
+
+        Returns
+        -------
+        pandas.DataFrame
+        """
         return self.to_arrow().to_pandas()
 
     def __len__(self) -> int:
@@ -157,19 +252,48 @@ def sweep(
     version: str = "",
     progress: bool = False,
 ) -> Sweep:
-    """Runs a task for every row of a grid, and writes a Parquet data set with a file for each ``chunk`` of rows.
+    """Runs a task for every row of a grid and writes the results as a Parquet data set.
 
-    ``task`` takes a dict of parameters and returns a dict of results; or it is :class:`SimulationTask`. ``grid`` is a dict of lists
-    (every combination, the last name fastest), a DataFrame, or a :class:`RandomSample`. ``on`` is ``"process"`` (this process, all
-    cores), a ``dask.distributed.Client``, ``"dask"`` (a client of a local cluster that ends with the sweep), or ``"ray"``.
+    The rows do not depend on the engine: number of the row, parameters, results, and ``error``, the reason why a task failed.
+    A column has one kind: truth values, integers, floats, texts or lists. Integers up to 2^53 may occur among floats;
+    fractions and expressions become texts. A result of any other type, or of another kind than the earlier rows of its chunk,
+    is an error of its row; a chunk of another kind ends the sweep. A sweep has at most 2^40 rows.
 
-    The rows are the same on every engine: the number of the row, its parameters, its results, and ``error``, the reason why
-    a task failed. A column has one kind: truth values, integers, floats, texts or lists. Integers up to 2^53 may stand among
-    floats; fractions and expressions become texts. Another object as a result is an error of its row, and so is a result of
-    another kind than the rows before it in its chunk. A chunk of another kind ends the sweep. A sweep has at most 2^40 rows.
+    Parameters
+    ----------
+    task : callable or SimulationTask
+        Function from a dict of parameters to a dict of results, or a simulation.
+    grid : dict, DataFrame or RandomSample
+        Rows of parameters; a dict of lists has every combination, the last name fastest.
+    on : str or dask.distributed.Client
+        ``"process"`` (this process, all cores), ``"dask"`` (a local cluster that ends with the sweep), a client of Dask, or
+        ``"ray"``.
+    out : path, optional
+        Folder of the data set; by default a temporary folder. A sweep that was interrupted continues when it is called again
+        with the same folder.
+    chunk : int
+        Number of rows per partition, which is one file.
+    version : str
+        Version of the task: change it when the code of the task, or a file that it reads, changes.
+    progress : bool
+        Whether to show a bar of tqdm.
 
-    ``out`` is the folder. A sweep that was killed goes on where it was when it is called again. A folder of another grid,
-    ``chunk`` or ``version`` is refused. ``version`` names the task: give another one when its code or what it reads changes.
+    Returns
+    -------
+    Sweep
+
+    Raises
+    ------
+    ValueError
+        The folder belongs to another grid, ``chunk`` or ``version``, or the grid has no rows.
+    TypeError
+        Two chunks have results of different kinds.
+
+    Examples
+    --------
+    >>> squares = sweep(lambda row: {"square": row["x"] ** 2}, {"x": [1, 2, 3]})
+    >>> squares.to_pandas()["square"].tolist()
+    [1, 4, 9]
     """
     if not isinstance(task, SimulationTask) and not callable(task):
         raise TypeError(f"a task is a function of a dict or SimulationTask, not {type(task).__name__}")
@@ -283,6 +407,7 @@ class _Grid:
         return hashlib.sha256(written.encode()).hexdigest()
 
     def rows(self, start: int, stop: int) -> Columns:
+        """The values of the rows ``start`` to ``stop``, by parameter."""
         if isinstance(self.grid, RandomSample):
             return self.grid.rows(start, stop)
         if not isinstance(self.grid, Mapping):
@@ -315,6 +440,7 @@ def _row_count(lengths: Iterable[int]) -> int:
 
 
 def _name(part: int) -> str:
+    """The file name of a partition."""
     return f"part-{part:06d}.parquet"
 
 
@@ -388,6 +514,7 @@ def _each(
 
 
 def _reason(error: BaseException) -> str:
+    """The class of an exception and the first line of its message."""
     return f"{type(error).__name__}: {str(error).splitlines()[0] if str(error) else ''}"
 
 
@@ -465,6 +592,7 @@ def _kind_of(name: str, values: Iterable[Any]) -> Kind:
 
 
 def _array(pa: Any, values: list[Any], kind: Kind) -> Any:
+    """A column of Arrow with values of a kind."""
     types = {None: pa.null(), "truth value": pa.bool_(), "float": pa.float64(), "text": pa.string()}
 
     def type_of(kind: Kind) -> Any:
@@ -520,6 +648,7 @@ def _manifest(path: Path) -> dict[str, Any]:
 
 
 def _write_json(path: Path, value: Any) -> None:
+    """Writes a JSON file; an existing file is replaced in one step."""
     temporary = path.with_name(f".{path.name}.{os.getpid()}.tmp")
     temporary.write_text(json.dumps(value, indent=1), encoding="utf-8")
     os.replace(temporary, path)
@@ -553,6 +682,7 @@ def _engine_of(on: Any) -> tuple[Engine, Callable[[], Any]]:
 
 
 def _in_process(parts: Iterator[tuple[Any, ...]]) -> Iterator[tuple[str, int]]:
+    """Runs partitions one after the other in this process."""
     for part in parts:
         yield _partition(*part)
 
@@ -575,6 +705,7 @@ def _on_dask(client: Any, parts: Iterator[tuple[Any, ...]]) -> Iterator[tuple[st
 
 
 def _on_ray(parts: Iterator[tuple[Any, ...]]) -> Iterator[tuple[str, int]]:
+    """Runs partitions on Ray, a bounded number of them at a time."""
     ray = optional("ray", "ray")
 
     if not ray.is_initialized():

@@ -8,7 +8,26 @@ __all__ = ["Check", "LieAlgebra", "catalogue"]
 
 
 class Check:
-    """A check of a certificate: what was checked, whether it holds, and the witness if it fails."""
+    """Check of a certificate; true if it holds.
+
+    Attributes
+    ----------
+    name : str
+        Identity that was checked, such as ``"jacobi"``.
+    ok : bool
+        Whether the identity holds.
+    detail : str
+        Number of checked components, or the reason of the failure.
+    indices : list of int or None
+        Indices of the first component that fails, from 1; None if the check holds.
+    residual : list of (int, str) or None
+        Nonzero components of the residual there; None if the check holds.
+
+    Examples
+    --------
+    >>> check("[x, y] = x, [y, z] = y", basis="x y z")
+    [<Check antisymmetry: ok, [x,y] = -[y,x] for all basis vectors>, <Check jacobi: FAILS, the Jacobi identity fails: [[x,y],z] + [[y,z],x] + [[z,x],y] = -x>]
+    """
 
     __slots__ = ("detail", "indices", "name", "ok", "residual")
 

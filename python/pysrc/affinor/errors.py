@@ -1,4 +1,4 @@
-"""Exceptions. Each carries its witness as data, and the message of the command line."""
+"""Exceptions. Each has its witness as data, and the message of the command line."""
 
 from __future__ import annotations
 
@@ -23,10 +23,31 @@ __all__ = [
 
 
 class AffinorError(ValueError):
-    """An error of affinor.
+    """Base class of the errors of affinor.
 
-    ``message`` says what is wrong, ``help`` what to write instead (or None), and ``place`` where it stands: a dict with
-    ``source`` and, where they are known, ``line``, ``column`` and ``text`` (or None). ``data`` has the witness.
+    Parameters
+    ----------
+    message : str
+        Description of the fault.
+    help : str, optional
+        What to write instead.
+    place : dict, optional
+        Source location: ``source`` and, where they are known, ``line``, ``column`` and ``text``.
+    data : dict, optional
+        Witness; subclasses have its entries as properties.
+
+    Attributes
+    ----------
+    message, help, place, data
+        The arguments.
+
+    Examples
+    --------
+    >>> try:
+    ...     LieAlgebra("so(n)")
+    ... except AffinorError as error:
+    ...     print(type(error).__name__)
+    InputError
     """
 
     def __init__(
@@ -57,122 +78,238 @@ class AffinorError(ValueError):
 
 
 class InputError(AffinorError):
-    """Wrong usage or unreadable input; exit status 2 of the command line."""
+    """Wrong usage or unreadable input; exit status 2 of the command line.
+
+    Examples
+    --------
+    >>> try:
+    ...     LieAlgebra("nothing")
+    ... except InputError as error:
+    ...     print(error.place["text"])
+    nothing
+    """
 
 
 class ShapeError(InputError):
-    """A tensor or an array of the wrong dimension, slots or shape."""
+    """Tensor or array of the wrong dimension, slots or shape.
+
+    Examples
+    --------
+    >>> try:
+    ...     contract("^i _i -> ", Tensor([1], "^"), Tensor([1, 2], "_"))
+    ... except ShapeError:
+    ...     print("the dimensions 1 and 2 differ")
+    the dimensions 1 and 2 differ
+    """
 
 
 class MathematicsError(AffinorError):
-    """A refusal of the mathematics; exit status 1 of the command line."""
+    """Valid input without a mathematical answer; exit status 1 of the command line.
+
+    Examples
+    --------
+    >>> try:
+    ...     SO3.project([0, 0, 0, 0])
+    ... except MathematicsError:
+    ...     print("the quaternion has no direction")
+    the quaternion has no direction
+    """
 
 
 class _Pair(MathematicsError):
+    """Error whose witness is a pair of basis vectors or matrices."""
+
     @property
     def pair(self) -> tuple[str, str] | None:
-        """The names of the two basis vectors or matrices."""
+        """Names of the two basis vectors or matrices."""
         return self.data.get("pair")
 
     @property
     def residual(self) -> str | None:
-        """The component that should vanish."""
+        """Component that should vanish, as text."""
         return self.data.get("residual")
 
 
 class JacobiError(MathematicsError):
-    """A bracket that violates the Jacobi identity."""
+    """Bracket that violates the Jacobi identity.
+
+    Examples
+    --------
+    >>> try:
+    ...     LieAlgebra("[x, y] = x, [y, z] = y", basis="x y z")
+    ... except JacobiError as error:
+    ...     print(error.triple, error.residual)
+    ('x', 'y', 'z') -x
+    """
 
     @property
     def triple(self) -> tuple[str, str, str]:
-        """The names of the three basis vectors."""
+        """Names of the three basis vectors."""
         triple: tuple[str, str, str] = self.data["triple"]
         return triple
 
     @property
     def residual(self) -> str:
-        """``[[x,y],z] + [[y,z],x] + [[z,x],y]``, which should vanish."""
+        """Residual ``[[x,y],z] + [[y,z],x] + [[z,x],y]``, which should vanish."""
         return str(self.data["residual"])
 
 
 class AntisymmetryError(_Pair):
-    """A bracket that is not antisymmetric."""
+    """Bracket that is not antisymmetric.
+
+    Examples
+    --------
+    >>> try:
+    ...     LieAlgebra("[x, y] = x, [y, x] = x", basis="x y")
+    ... except AntisymmetryError as error:
+    ...     print(error.pair, error.residual)
+    ('x', 'y') 2*x
+    """
 
 
 class ClosureError(_Pair):
-    """Matrices whose span is not closed under the commutator."""
+    """Matrices whose span is not closed under the commutator.
+
+    Examples
+    --------
+    >>> try:
+    ...     LieAlgebra.from_matrices([[[0, 1], [0, 0]], [[0, 0], [1, 0]]])
+    ... except ClosureError as error:
+    ...     print(error.pair, error.residual)
+    ('e1', 'e2') 1 at row 1, column 1
+    """
 
 
 class ConstructionError(_Pair):
-    """A construction whose condition fails: that of an ideal, a subalgebra, a cocycle, a derivation, an action, a limit, or a
+    """Construction whose condition fails: that of an ideal, a subalgebra, a cocycle, a derivation, an action, a limit, or a
     commutative, associative algebra.
 
     ``data`` has the witness: ``pair`` or ``triple``, ``residual``, and ``derivation``, ``vector`` or ``component``.
+
+    Examples
+    --------
+    >>> try:
+    ...     LieAlgebra("so3").quotient([[1, 0, 0]])
+    ... except ConstructionError as error:
+    ...     print(error.pair, error.residual)
+    ('e2', 'e1') -e3
     """
 
     @property
     def triple(self) -> tuple[str, str, str] | None:
-        """The names of three vectors for which the condition of a cocycle or of an associative product fails."""
+        """Names of three vectors for which the condition of a cocycle or of an associative product fails; None for others."""
         return self.data.get("triple")
 
 
 class DependentError(MathematicsError):
-    """Matrices or fields that are linearly dependent."""
+    """Matrices or fields that are linearly dependent.
+
+    Examples
+    --------
+    >>> try:
+    ...     LieAlgebra.from_matrices([[[1, 0], [0, 0]], [[2, 0], [0, 0]]])
+    ... except DependentError as error:
+    ...     print(error.relation)
+    -2*e1 + e2
+    """
 
     @property
     def relation(self) -> str:
-        """A linear combination that vanishes."""
+        """Linear combination that vanishes."""
         return str(self.data["relation"])
 
 
 class MetricError(_Pair):
-    """A metric that is missing, not symmetric, or degenerate."""
+    """Metric that is missing, not symmetric, or degenerate.
+
+    Examples
+    --------
+    >>> try:
+    ...     Geometry("so3", metric=[1, 1, 0])
+    ... except MetricError as error:
+    ...     print(error.null)
+    e3
+    """
 
     @property
     def null(self) -> str | None:
-        """A nonzero vector that is orthogonal to every vector, ``g_ij v^j = 0``."""
+        """Nonzero vector that is orthogonal to every vector, ``g_ij v^j = 0``; None for other faults."""
         return self.data.get("null")
 
 
 class SymmetryError(MathematicsError):
-    """A tensor without a symmetry that it needs."""
+    """Tensor without a symmetry that it needs.
+
+    Examples
+    --------
+    >>> try:
+    ...     Geometry("so3", metric=[1, 1, 1], torsion=Tensor({(0, 1, 2): 1}, "^__", dimension=3))
+    ... except SymmetryError as error:
+    ...     print(error.at, error.residual)
+    [1, 2, 3] 1
+    """
 
     @property
     def at(self) -> list[int]:
-        """The indices of a component, from 1."""
+        """Indices of a component that violates the symmetry, from 1."""
         return list(self.data["at"])
 
     @property
     def residual(self) -> str:
-        """The component that should vanish."""
+        """Component that should vanish, as text."""
         return str(self.data["residual"])
 
 
 class IntegrationError(MathematicsError):
-    """An integration that stopped before its end."""
+    """Integration that stopped before its end.
+
+    Examples
+    --------
+    >>> try:
+    ...     Geometry("sl2", metric=[1, -1, 3]).geodesic([1, 2, 3], [100])
+    ... except IntegrationError as error:
+    ...     print(round(error.time, 3))
+    1.214
+    """
 
     @property
     def time(self) -> float:
-        """The time that was reached."""
+        """Time that was reached."""
         return float(self.data["time"])
 
 
 class LimitError(AffinorError):
-    """A computation that passed a limit of :func:`affinor.limits`."""
+    """Computation that exceeded a limit of :func:`affinor.limits`.
+
+    Examples
+    --------
+    >>> try:
+    ...     with limits(timeout=1e-9):
+    ...         Geometry("so3@zero").ricci
+    ... except LimitError as error:
+    ...     print(error.limit)
+    timeout
+    """
 
     @property
     def limit(self) -> str:
-        """``"timeout"`` or ``"memory"``."""
+        """Kind of the limit: ``"timeout"`` or ``"memory"``."""
         return str(self.data["limit"])
 
     @property
     def stage(self) -> str | None:
-        """What was computed, such as ``"curvature"``, or None."""
+        """Computation that was stopped, such as ``"curvature"``; None if it had not begun."""
         return self.data.get("stage")
 
 
 class InternalError(RuntimeError):
-    """A defect of affinor itself; please report it."""
+    """Defect of affinor itself; please report it.
+
+    Examples
+    --------
+    >>> issubclass(InternalError, RuntimeError)
+    True
+    """
 
 
 def _of_engine(

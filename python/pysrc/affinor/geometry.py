@@ -81,17 +81,55 @@ def check(
     scalar: str = "exact",
     tolerance: float | None = None,
 ) -> list[Check]:
-    """Antisymmetry, the Jacobi identity, the metric and the Bianchi identities, each with a witness if it fails.
+    """Certificate of a definition: antisymmetry, the Jacobi identity, the metric and the Bianchi identities.
 
-    ``space`` is anything that a LieAlgebra or a Geometry is made of, with the same ``scalar`` and ``tolerance``. Failures are
-    results, not exceptions.
+    A check that fails is a result with a witness, not an exception.
+
+    Parameters
+    ----------
+    space : LieAlgebra, str, path or dict
+        Anything that makes a LieAlgebra or a Geometry.
+    basis : str or list of str, optional
+        Names of the basis vectors; required for brackets.
+    connection : str or number, optional
+        Connection as in :class:`Geometry`.
+    metric : str, array or list, optional
+        Metric as in :class:`Geometry`.
+    scalar : str
+        ``"exact"`` or ``"float"``.
+    tolerance : float, optional
+        For floats: bound below which a sum counts as zero, relative to its terms.
+
+    Returns
+    -------
+    list of Check
+
+    Examples
+    --------
+    >>> [check.ok for check in check("[x, y] = x, [y, z] = y", basis="x y z")]
+    [True, False]
     """
     source = source_of(space, basis=basis, scalar=scalar, tolerance=tolerance)
     return completed(source, connection, metric).check()
 
 
 class Property(NamedTuple):
-    """A property of a geometry: whether it holds, its value, or the witness of its failure."""
+    """Property of a geometry; true if it holds.
+
+    Attributes
+    ----------
+    holds : bool
+        Whether the property holds.
+    value : number or None
+        Constant of the property, such as ``c`` of ``Ric = c g``; None without one.
+    witness : str or None
+        First component that violates the property; None if it holds.
+
+    Examples
+    --------
+    >>> Geometry("so3", metric=[1, 1, 2]).check_property("einstein").witness
+    'Ric_jl - (0) g_jl = 2 at j = 3, l = 3'
+    """
 
     holds: bool
     value: Any
@@ -102,7 +140,22 @@ class Property(NamedTuple):
 
 
 class Geodesic(NamedTuple):
-    """An autoparallel: times, elements of the group, and tangent vectors in the left-invariant frame."""
+    """Autoparallel curve on a group.
+
+    Attributes
+    ----------
+    times : array of the shape (count,)
+        Times.
+    elements : array of the shape (count, coordinates)
+        Elements of the group.
+    tangents : array of the shape (count, dimension)
+        Velocities in the left-invariant frame.
+
+    Examples
+    --------
+    >>> Geometry("so3", metric=[1, 1, 2]).geodesic([1, 0, 1], [0.5, 1]).tangents.shape
+    (2, 3)
+    """
 
     times: NDArray[np.float64]
     elements: NDArray[np.float64]
@@ -212,6 +265,7 @@ def subs(geometry: Geometry, values: Mapping[Any, Scalar]) -> Geometry:
 
 
 def _tensor(given: Any, slots: str, name: str, scalar: str) -> Tensor | None:
+    """An argument as a tensor with these slots; None stays None."""
     if given is None:
         return None
     if isinstance(given, Tensor) and given.scalar == "float" and scalar != "float":
@@ -223,6 +277,7 @@ def _tensor(given: Any, slots: str, name: str, scalar: str) -> Tensor | None:
 
 
 def _field(field: Any, names: Sequence[str], symbols: Symbols) -> str:
+    """A frame field as a text in the coordinate fields ``d_x``."""
     if isinstance(field, str) or is_sympy(field):
         return text_of(field, symbols)
     parts = [text_of(part, symbols) for part in field]

@@ -157,7 +157,18 @@ def spline(
 
 
 class RotationGroup(Group):
-    """The rotations SO(3): elements are unit quaternions ``w, x, y, z``, vectors rotation vectors in radians."""
+    """Rotations SO(3): elements are unit quaternions ``w, x, y, z``, vectors are rotation vectors in radians.
+
+    Parameters
+    ----------
+    name : str
+        Name of the algebra, by default ``"so3"``.
+
+    Examples
+    --------
+    >>> SO3.log([0, 0, 0, 1]).round(6)
+    array([0.      , 0.      , 3.141593])
+    """
 
     __slots__ = ()
 
@@ -165,7 +176,30 @@ class RotationGroup(Group):
         return super().__new__(cls, name)
 
     def from_quaternion(self, q: ArrayLike, *, scalar_first: bool = True) -> Floats:
-        """The elements of quaternions of any length but zero; ``scalar_first=False`` takes the order ``x, y, z, w``."""
+        """Elements of quaternions, which are normalized.
+
+        Parameters
+        ----------
+        q : array of the shape (..., 4)
+            Quaternions of any length except 0.
+        scalar_first : bool
+            ``True`` for the order ``w, x, y, z``, ``False`` for ``x, y, z, w``.
+
+        Returns
+        -------
+        array of the shape (..., 4)
+            Elements ``w, x, y, z``.
+
+        Raises
+        ------
+        ValueError
+            A quaternion is zero or not finite.
+
+        Examples
+        --------
+        >>> SO3.from_quaternion([0, 0, 0, 2], scalar_first=False)
+        array([1., 0., 0., 0.])
+        """
         q = floats(q)
         if q.ndim == 0 or q.shape[-1] != 4:
             raise ValueError(f"quaternions should have the shape (..., 4), not {q.shape}")
@@ -177,25 +211,84 @@ class RotationGroup(Group):
         return unit if scalar_first else np.roll(unit, 1, axis=-1)
 
     def to_quaternion(self, g: ArrayLike, *, scalar_first: bool = True) -> Floats:
-        """The quaternions; ``scalar_first=False`` gives the order ``x, y, z, w``."""
+        """Unit quaternions of elements.
+
+        Parameters
+        ----------
+        g : array of the shape (..., 4)
+            Elements ``w, x, y, z``.
+        scalar_first : bool
+            ``True`` for the order ``w, x, y, z``, ``False`` for ``x, y, z, w``.
+
+        Returns
+        -------
+        array of the shape (..., 4)
+
+        Examples
+        --------
+        >>> SO3.to_quaternion([1, 0, 0, 0], scalar_first=False)
+        array([0., 0., 0., 1.])
+        """
         g = _elements(self, g)
         return g.copy() if scalar_first else np.roll(g, -1, axis=-1)
 
     def from_scipy(self, rotation: Any) -> Floats:
-        """The elements of a ``scipy.spatial.transform.Rotation``."""
+        """Elements of a rotation of SciPy.
+
+        Parameters
+        ----------
+        rotation : scipy.spatial.transform.Rotation
+            One rotation, or a stack of rotations.
+
+        Returns
+        -------
+        array of the shape (..., 4)
+
+        Examples
+        --------
+        >>> from scipy.spatial.transform import Rotation
+        >>> SO3.from_scipy(Rotation.identity())
+        array([1., 0., 0., 0.])
+        """
         if not hasattr(rotation, "as_quat"):
             raise TypeError(f"a Rotation of SciPy was expected, not {type(rotation).__name__}")
         return np.roll(np.asarray(rotation.as_quat(), dtype=np.float64), 1, axis=-1)
 
     def to_scipy(self, g: ArrayLike) -> Any:
-        """A ``scipy.spatial.transform.Rotation``."""
+        """Rotation of SciPy.
+
+        Parameters
+        ----------
+        g : array of the shape (..., 4)
+            Elements.
+
+        Returns
+        -------
+        scipy.spatial.transform.Rotation
+
+        Examples
+        --------
+        >>> SO3.to_scipy([0, 0, 0, 1]).magnitude().round(6).item()
+        3.141593
+        """
         from scipy.spatial.transform import Rotation
 
         return Rotation.from_quat(self.to_quaternion(g, scalar_first=False))
 
 
 class RigidMotionGroup(Group):
-    """The rigid motions SE(3): elements are ``w, x, y, z`` and a position, vectors rotation first."""
+    """Rigid motions SE(3): elements are ``w, x, y, z`` and the position, vectors have the rotation first.
+
+    Parameters
+    ----------
+    name : str
+        Name of the algebra, by default ``"se3"``.
+
+    Examples
+    --------
+    >>> SE3.exp([0, 0, 0, 1, 2, 3])
+    array([1., 0., 0., 0., 1., 2., 3.])
+    """
 
     __slots__ = ()
 
@@ -203,7 +296,16 @@ class RigidMotionGroup(Group):
         return super().__new__(cls, name)
 
     def from_scipy(self, transform: Any) -> Floats:
-        """The elements of a ``scipy.spatial.transform.RigidTransform`` (SciPy 1.16 or later).
+        """Elements of a rigid transform of SciPy 1.16 or later.
+
+        Parameters
+        ----------
+        transform : scipy.spatial.transform.RigidTransform
+            One transform, or a stack of transforms.
+
+        Returns
+        -------
+        array of the shape (..., 7)
 
         Examples
         --------
@@ -218,7 +320,21 @@ class RigidMotionGroup(Group):
         return np.concatenate([rotation, translation], axis=-1)
 
     def to_scipy(self, g: ArrayLike) -> Any:
-        """A ``scipy.spatial.transform.RigidTransform`` (SciPy 1.16 or later).
+        """Rigid transform of SciPy 1.16 or later.
+
+        Parameters
+        ----------
+        g : array of the shape (..., 7)
+            Elements.
+
+        Returns
+        -------
+        scipy.spatial.transform.RigidTransform
+
+        Raises
+        ------
+        ImportError
+            SciPy is missing or older than 1.16.
 
         Examples
         --------

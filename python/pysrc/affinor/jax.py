@@ -12,8 +12,8 @@ Examples
 --------
 >>> import jax                                             # doctest: +SKIP
 >>> from affinor.jax import SO3                            # doctest: +SKIP
->>> jax.grad(lambda x: SO3.exp(x)[0])(jax.numpy.zeros(3))  # doctest: +SKIP
-Array([-0., -0., -0.], dtype=float32)
+>>> jax.grad(lambda x: SO3.exp(x)[3])(jax.numpy.zeros(3))  # doctest: +SKIP
+Array([0. , 0. , 0.5], dtype=float32)
 """
 
 from __future__ import annotations
@@ -92,11 +92,27 @@ class Group(DifferentiableGroup):
     _dtype = staticmethod(_floats)
 
     def identity(self, dtype: Any = None) -> Any:
-        """The neutral element."""
+        """Identity element.
+
+        Parameters
+        ----------
+        dtype : dtype, optional
+            Floating-point type; by default that of JAX.
+
+        Returns
+        -------
+        array of the shape (coordinates,)
+
+        Examples
+        --------
+        >>> SE3.identity()  # doctest: +SKIP
+        Array([1., 0., 0., 0., 0., 0., 0.], dtype=float32)
+        """
         return jnp.asarray(self._group.identity(), dtype=dtype or jnp.result_type(float))
 
     @staticmethod
     def _real(name: str, value: Any) -> Any:
+        """An array of real numbers."""
         array = jnp.asarray(value)
         if jnp.issubdtype(array.dtype, jnp.complexfloating):
             raise TypeError(f"{name} should be an array of real numbers, not of dtype {array.dtype}")
@@ -104,6 +120,7 @@ class Group(DifferentiableGroup):
 
     @staticmethod
     def _converted(array: Any, dtype: Any) -> Any:
+        """An array of another floating-point type."""
         return array.astype(dtype)
 
 

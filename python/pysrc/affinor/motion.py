@@ -86,29 +86,74 @@ def unknown(keys: Mapping[str, Any]) -> None:
 
 @spelled_out
 class Problem(_engine.Problem):
-    """A problem of motion: a file, a dict with the keys of such a file, or these keys as arguments.
+    """Problem of motion: a file, a dict with the keys of a file, or these keys as arguments.
 
-    ``Problem(space="so3", metric=[2, 2, 1], initial={"velocity": [0, 0, 5]}, forces={"potential": "R33"},
-    output={"end": 10, "every": 0.1})``. Formulas are texts or expressions of SymPy. A table of forces is a path, an array
-    with a first column of times, or a DataFrame with the columns ``t``, ``M1``, ``M2``, .. Components may be a function of Python, ``{"body": force}`` or
-    ``{"spatial": force}``: ``force(t, g, omega)`` takes the time, the matrix of the element and the body velocity, and returns
-    the components of the covector. Such a force is slow: a formula is some hundred times faster.
+    Formulas are texts or expressions of SymPy. Angles are in radians, all other quantities in any consistent units.
+    ``docs/motion.md`` describes all keys.
 
     Parameters
     ----------
     problem : path or dict, optional
-        A TOML or JSON file, or a dict with its keys; without it the keys are arguments.
+        TOML or JSON file, or a dict with its keys.
     set : dict or str, optional
-        New values of parameters.
+        New values of parameters, ``{"m": 2}`` or ``"m=2"``.
     method : str, optional
-        The method of integration, one of :func:`methods`; replaces that of the file.
-    step, tolerance, end, every : number, expression or str, optional
-        The step size, the relative tolerance, the final time and the time between rows; each replaces the key of the file.
-    space, metric, ... :
-        The keys of a file: ``space`` (a name or a :class:`LieAlgebra`), ``definition``, ``metric``, ``inertia`` (a dict, or a list
-        with a dict for each part of a sum), ``connection``, ``invariance``, ``parameters``, ``initial`` (element and velocity),
-        ``forces``, ``constraints``, ``hamiltonian``, ``prescribed``, ``flow``, ``integrator``, ``output``, ``quantities``,
-        ``events`` and ``ensemble``.
+        Method of integration, one of :func:`methods`; replaces the method of the file.
+    step : number, expression or str, optional
+        Time step; replaces the step of the file.
+    tolerance : number, expression or str, optional
+        Relative tolerance of a step; replaces the tolerance of the file.
+    end : number, expression or str, optional
+        Final time; replaces the end of the file.
+    every : number, expression or str, optional
+        Time between rows; replaces the interval of the file.
+    name : str, optional
+        Name of the problem.
+    space : str, path or LieAlgebra, optional
+        Group: a name of the catalogue, a sum of names, a definition file, or an algebra.
+    definition : dict, optional
+        Instead of ``space``: the keys of a definition file.
+    metric : str, array or list, optional
+        Inertia tensor ``J`` as ``"diag(1,2,3)"``, matrix or diagonal; the kinetic energy is ``J_ij Omega^i Omega^j/2``.
+    inertia : dict or list of dict, optional
+        Instead of ``metric``: bodies made of parts; a list has one dict per summand of a sum of groups.
+    connection : str or number, optional
+        By default ``plus``: the Euler-Poincare equations.
+    invariance : str, optional
+        ``"left"`` (default) or ``"right"``: invariance of the metric.
+    parameters : dict, optional
+        Numbers or formulas by name; each may use earlier ones.
+    flow : dict, optional
+        Isospectral flow of matrices instead of a space.
+    initial : dict, optional
+        Initial condition: ``coordinates``, ``quaternion``, ``position`` or ``element``; ``velocity``, ``momentum``,
+        ``spatial_velocity`` or ``spatial_momentum``; ``time``.
+    prescribed : dict, optional
+        ``velocity`` over time, instead of equations of motion.
+    hamiltonian : str or expression, optional
+        Instead of ``metric``: function of the momentum ``H1``, ``H2``, ...
+    constraints : list, optional
+        Holonomic constraints: formulas of the element; each must vanish.
+    forces : dict, optional
+        Covectors ``body`` or ``spatial`` as lists of formulas; ``potential``, a formula; ``table``, a path, an array whose
+        first column is the time, or a DataFrame with the columns ``t``, ``M1``, ``M2``, ... ``body`` and ``spatial`` may be
+        a function ``force(t, g, omega)`` of the time, the matrix of the element and the body velocity that returns the
+        components. A function is a few hundred times slower than a formula.
+    integrator : dict, optional
+        ``method``, ``step``, ``tolerance``, ``absolute_tolerance``, ``max_step`` and ``max_steps``.
+    output : dict, optional
+        ``end`` and ``every``, or ``times``; ``columns``; ``stop``, a terminal event; ``section``, an event that writes rows.
+    quantities : dict, optional
+        More columns: formulas by name.
+    events : dict, optional
+        Event functions: formulas by name.
+    ensemble : dict, optional
+        Variations of parameters: ``grid``, ``random``, ``samples`` and ``seed``.
+
+    Raises
+    ------
+    InputError
+        A key or a formula cannot be read.
 
     Examples
     --------
@@ -145,6 +190,7 @@ class Problem(_engine.Problem):
         end: Any,
         every: Any,
     ) -> Self:
+        """A problem from its keys, and from options that replace keys of a file."""
         symbols: Symbols = {}
         texts = {"step": step, "tolerance": tolerance, "end": end, "every": every}
         options: dict[str, Any] = {
@@ -171,6 +217,7 @@ class Problem(_engine.Problem):
 
     @classmethod
     def _of(cls, path: str | None, text: str | None, options: dict[str, Any], *, in_memory: bool = False) -> Self:
+        """A problem from a file or a text, which are stored for pickling."""
         made = super().__new__(cls, path, None if text is None else ("problem", text), **options)
         made._arguments, made._in_memory = (path, text, options), in_memory
         return made
@@ -242,6 +289,7 @@ def _functions(keys: dict[str, Any]) -> tuple[dict[str, Any], dict[str, Any]]:
 
 
 def _settings(values: Mapping[str, Any] | str | None, symbols: Symbols) -> str | None:
+    """New values of parameters as a text ``name=value,...``."""
     if values is None or isinstance(values, str):
         return values
     if not isinstance(values, Mapping):
@@ -250,10 +298,41 @@ def _settings(values: Mapping[str, Any] | str | None, symbols: Symbols) -> str |
 
 
 class Trajectory:
-    """The rows of a motion, with a column for each quantity.
+    """Rows of a motion, with one column per quantity.
 
     ``trajectory["Omega1"]`` is a view of a column. ``trajectory["Omega"]`` has all components of a stem in their order, shape
-    (rows, components). ``rows`` has all columns.
+    (rows, components). Iteration runs over the names of the columns. ``trajectory(t)`` has the motion at other times.
+
+    Attributes
+    ----------
+    name : str
+        Name of the problem.
+    rows : array of the shape (rows, columns)
+        All values; angles in radians, other quantities in the units of the problem.
+    columns : list of str
+        Names of the columns.
+    watched : list of str
+        Columns that :meth:`drift` reports: energy, momentum, Casimir functions, named quantities.
+    conserved : list of str
+        Columns that the equations conserve, as the forces allow.
+    events : list of (str, float)
+        Name and time of each event.
+    method : str
+        Method of integration.
+    notes : list of str
+        Notes of the run, such as the default that was chosen.
+    error : Exception or None
+        Error that ended the run.
+    interrupted : bool
+        Whether an interrupt ended the run.
+
+    Examples
+    --------
+    >>> turn = simulate(space="so3", metric="identity", initial={"velocity": [0, 0, 2]}, output={"end": 1, "every": 0.5})
+    >>> turn["h"].shape
+    (3, 3)
+    >>> turn.conserved
+    ['h1', 'h2', 'h3', 'energy', 'casimir1']
     """
 
     __slots__ = (
@@ -297,7 +376,7 @@ class Trajectory:
 
     @property
     def t(self) -> Floats:
-        """The times."""
+        """Times of the rows."""
         return self["t"]
 
     def __getstate__(self) -> Any:
@@ -310,7 +389,7 @@ class Trajectory:
             setattr(self, name, value)
 
     def __call__(self, t: Any) -> Trajectory:
-        """The motion at other times, which is integrated anew by the same method.
+        """Motion at other times, integrated anew by the same method.
 
         Parameters
         ----------
@@ -320,13 +399,13 @@ class Trajectory:
         Returns
         -------
         Trajectory
-            A row for each time, in the order of the times.
+            One row per time, in the order of the times.
 
         Raises
         ------
         ValueError
-            The trajectory was unpickled, so that its problem is not known; times lie on both sides of the initial time or after
-            the end by ``output.stop``; or the rows are those of ``output.section``.
+            The trajectory was unpickled, so its problem is unknown; times lie on both sides of the initial time or after the end
+            by ``output.stop``; or the rows are those of ``output.section``.
 
         Examples
         --------
@@ -359,32 +438,88 @@ class Trajectory:
         return Trajectory(found, self._motion)
 
     def curve(self) -> tuple[list[str], Floats]:
-        """The names of the columns, and rows that are close enough for a smooth curve; the rows themselves where the problem is not known."""
+        """Rows that are dense enough to draw a smooth curve.
+
+        Returns
+        -------
+        columns : list of str
+            Names of the columns.
+        rows : array of the shape (rows, columns)
+            Dense rows; the rows of the trajectory if the run did not reach its end or was unpickled.
+
+        Examples
+        --------
+        >>> turn = simulate(space="so3", metric="identity", initial={"velocity": [0, 0, 2]}, output={"end": 1, "every": 1})
+        >>> columns, rows = turn.curve()
+        >>> len(rows) > len(turn)
+        True
+        """
         if self._motion is None or self.interrupted or self.error:
             return self.columns, self.rows
         problem, member = self._motion
         return problem._curve(member)
 
     def drift(self) -> dict[str, float]:
-        """The largest change of each watched quantity (energy, ``h``, Casimir functions, named quantities) from its initial value."""
+        """Largest change of each watched quantity from its initial value.
+
+        Returns
+        -------
+        dict of float
+            Changes of the energy, the momentum, Casimir functions and named quantities.
+
+        Examples
+        --------
+        >>> body = simulate(space="so3", metric=[1, 2, 3], initial={"velocity": [1, 1, 1]}, output={"end": 9}, method="rkmk853")
+        >>> body.drift()["energy"] < 1e-8
+        True
+        """
         if not len(self):
             return {}
         return {name: float(np.abs(self[name] - self[name][0]).max()) for name in self.watched}
 
     def to_pandas(self) -> Any:
-        """A DataFrame."""
+        """DataFrame with the columns of the trajectory.
+
+        Returns
+        -------
+        pandas.DataFrame
+        """
         pd = optional("pandas", "pandas")
 
         return pd.DataFrame(self.rows, columns=self.columns)
 
     def to_arrow(self) -> Any:
-        """A table of Arrow."""
+        """Table of Arrow with the columns of the trajectory.
+
+        Returns
+        -------
+        pyarrow.Table
+        """
         pa = optional("pyarrow", "pandas")
 
         return pa.table({name: np.ascontiguousarray(self[name]) for name in self.columns})
 
     def plot(self, kind: str = "conserved", *, columns: Sequence[str] | None = None, ax: Any = None) -> Any:
-        """A plot of matplotlib: ``conserved``, ``series``, ``attitude`` or ``momentum``. Returns the axes."""
+        """Plot of the trajectory with matplotlib.
+
+        Parameters
+        ----------
+        kind : str
+            ``"conserved"`` (change of conserved quantities), ``"series"`` (columns over time), ``"attitude"`` (paths of the body
+            axes) or ``"momentum"`` (path of the body momentum).
+        columns : list of str, optional
+            Columns or stems to plot, for ``"conserved"`` and ``"series"``.
+        ax : matplotlib.axes.Axes, optional
+            Axes to draw on; ``"attitude"`` and ``"momentum"`` need the projection ``"3d"``. By default a new figure.
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+
+        Examples
+        --------
+        >>> simulate("satellite.toml").plot("series", columns=["Omega"])  # doctest: +SKIP
+        """
         from affinor import _plots
 
         return _plots.plot(self, kind, columns, ax)
@@ -394,6 +529,7 @@ class Trajectory:
         return f"<Trajectory {self.name}, {len(self)} rows of {len(self.columns)} columns, {self.method}{state}>"
 
     def _repr_html_(self) -> str | None:
+        """The rows as a table of pandas, for notebooks."""
         try:
             frame = self.to_pandas()
         except ImportError:
@@ -423,13 +559,42 @@ def simulate(
     on_interrupt: str | None = None,
     **keys: Unpack[ProblemKeys],
 ) -> Trajectory:
-    """The trajectory of a problem: a file, a dict, or keys as arguments, as of :class:`Problem`.
+    """Integrates a problem of motion.
 
-    ``member`` chooses one of an ensemble, from 0. ``progress`` shows a bar of tqdm, or is called with the share of the time
-    that is passed. An interrupt (Ctrl-C) ends the run: the trajectory has the rows so far and ``interrupted`` is set;
-    ``on_interrupt="raise"`` raises KeyboardInterrupt instead, as do tasks of sweeps unless it is ``"return"``. An error of
-    the integration, or an exception of a force, is raised with the rows so far in its ``trajectory``; ``on_error="keep"``
-    returns them, with the error in ``error``.
+    Parameters
+    ----------
+    problem : Problem, path or dict, optional
+        A problem, a TOML or JSON file, or a dict with its keys; by default the keys are arguments.
+    member : int
+        Number of the member of an ensemble, from 0.
+    progress : bool or callable
+        ``True`` shows a bar of tqdm; a function is called with the share of the time that has passed, from 0 to 1.
+    on_error : str
+        ``"raise"`` (default) raises an error of the integration or of a force, with the rows so far in its attribute
+        ``trajectory``. ``"keep"`` returns these rows, with the error in ``error``.
+    on_interrupt : str, optional
+        ``"return"`` (default) returns the rows so far after Ctrl-C and sets ``interrupted``; ``"raise"`` raises
+        KeyboardInterrupt. Tasks of sweeps raise by default.
+    **keys
+        Keys of a :class:`Problem`.
+
+    Returns
+    -------
+    Trajectory
+
+    Raises
+    ------
+    InputError
+        A key or a formula cannot be read.
+    IntegrationError
+        The integration stops before the final time.
+
+    Examples
+    --------
+    >>> weight = {"body": ["-2*9.81"]}
+    >>> fall = simulate(space="R^1", metric=[2], forces=weight, initial={"velocity": [0]}, output={"end": 2, "every": 1})
+    >>> fall["x1"].round(6)
+    array([  0.   ,  -4.905, -19.62 ])
     """
     on_interrupt = on_interrupt or interrupts.get()
     if on_error not in ("raise", "keep") or on_interrupt not in ("return", "raise"):
@@ -472,14 +637,41 @@ def simulate(
 
 
 class Convergence(dict[str, Floats]):
-    """The errors of methods, each an array with a value a step size."""
+    """Errors of methods by name: a dict of arrays with one value per step size.
+
+    Attributes
+    ----------
+    steps : list of float
+        Step sizes.
+
+    Examples
+    --------
+    >>> body = {"space": "so3", "metric": [1, 2, 3], "initial": {"velocity": [1, 1, 1]}, "output": {"end": 1}}
+    >>> errors = convergence(body, "Omega1", ["rkmk4", "cf4"], [0.1, 0.05])
+    >>> list(errors), errors.steps
+    (['rkmk4', 'cf4'], [0.1, 0.05])
+    """
 
     def __init__(self, errors: Mapping[str, Floats], steps: Sequence[float]) -> None:
         super().__init__(errors)
         self.steps = list(steps)
 
     def plot(self, ax: Any = None) -> Any:
-        """The errors over the step size, on logarithmic axes; the axes of matplotlib."""
+        """Plot of the errors over the step size, on logarithmic axes.
+
+        Parameters
+        ----------
+        ax : matplotlib.axes.Axes, optional
+            Axes to draw on; by default a new figure.
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+
+        Examples
+        --------
+        >>> convergence("top.toml", "energy", ["rkmk4"], [0.1, 0.05]).plot()  # doctest: +SKIP
+        """
         from affinor._plots import plot_convergence
 
         return plot_convergence(self, self.steps, ax)
@@ -493,9 +685,32 @@ def convergence(
     *,
     reference: float | None = None,
 ) -> Convergence:
-    """The error of a column at the end, for each method and step size.
+    """Error of a column at the final time, for each method and step size.
 
-    Without a ``reference`` the value of ``rkmk853`` with the tolerance 1e-13 is taken.
+    Parameters
+    ----------
+    problem : path or dict
+        Problem file, or a dict with its keys.
+    column : str
+        Name of the column.
+    methods : list of str
+        Methods of integration, of :func:`methods`.
+    steps : list of float
+        Step sizes.
+    reference : float, optional
+        Exact value of the column; by default that of ``rkmk853`` with the tolerance 1e-13.
+
+    Returns
+    -------
+    Convergence
+        Absolute errors.
+
+    Examples
+    --------
+    >>> body = {"space": "so3", "metric": [1, 2, 3], "initial": {"velocity": [1, 1, 1]}, "output": {"end": 1}}
+    >>> large, small = convergence(body, "Omega1", ["rkmk4"], [0.1, 0.05])["rkmk4"]
+    >>> bool(8 < large / small < 32)
+    True
     """
     if reference is None:
         exact = simulate(problem, method="rkmk853", tolerance=1e-13, on_interrupt="raise")

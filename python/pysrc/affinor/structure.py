@@ -27,9 +27,23 @@ Read: TypeAlias = tuple[str, T, list[Tensor]]
 
 
 class Report(dict[str, Any]):
-    """A JSON document of the command line as a dict; it prints as the command line prints it.
+    """JSON document of the command line as a dict.
 
-    Numbers of the algebra are texts, such as ``"-1/2"``. ``docs/formats.md`` describes the keys.
+    ``print`` shows it as the command line does. Numbers of the algebra are texts, such as ``"-1/2"``. ``docs/formats.md``
+    describes the keys.
+
+    Attributes
+    ----------
+    text : str
+        The report as plain text.
+    markdown : str
+        The report as Markdown.
+
+    Examples
+    --------
+    >>> report = LieAlgebra("so3").info()
+    >>> report["simple"], report["rank"]
+    (True, 1)
     """
 
     def __init__(self, written: Written) -> None:
@@ -40,6 +54,7 @@ class Report(dict[str, Any]):
         return self.text
 
     def _repr_markdown_(self) -> str:
+        """The report as Markdown, for notebooks."""
         return self.markdown
 
 
@@ -167,6 +182,7 @@ def _vectors(algebra: LieAlgebra, given: Iterable[Any]) -> list[Tensor]:
 
 
 def _scalar(algebra: LieAlgebra) -> str | None:
+    """The argument ``scalar`` of tensors over the numbers of the algebra."""
     return "float" if algebra.scalar == "float" else None
 
 

@@ -121,15 +121,34 @@ class Group(DifferentiableGroup):
     library = "PyTorch"
 
     def identity(self, dtype: Any = None, device: Any = None) -> Any:
-        """The neutral element."""
+        """Identity element.
+
+        Parameters
+        ----------
+        dtype : torch.dtype, optional
+            Floating-point type; by default that of PyTorch.
+        device : torch.device, optional
+            Device of the tensor; by default the CPU.
+
+        Returns
+        -------
+        tensor of the shape (coordinates,)
+
+        Examples
+        --------
+        >>> SE3.identity()  # doctest: +SKIP
+        tensor([1., 0., 0., 0., 0., 0., 0.])
+        """
         return torch.as_tensor(self._group.identity(), dtype=dtype or torch.get_default_dtype(), device=device)
 
     @staticmethod
     def _differentiable(operation: Operation) -> Any:
+        """The operation with its differentials as a function of PyTorch."""
         return partial(_Apply.apply, operation)
 
     @staticmethod
     def _real(name: str, value: Any) -> Any:
+        """A tensor of real numbers."""
         tensor = torch.as_tensor(value)
         if tensor.is_complex():
             raise TypeError(f"{name} should be a tensor of real numbers, not of dtype {tensor.dtype}")
@@ -137,6 +156,7 @@ class Group(DifferentiableGroup):
 
     @staticmethod
     def _dtype(*arguments: Any) -> Any:
+        """The floating-point type of a result of these arguments."""
         dtype = arguments[0].dtype
         for argument in arguments[1:]:
             dtype = torch.promote_types(dtype, argument.dtype)
@@ -144,6 +164,7 @@ class Group(DifferentiableGroup):
 
     @staticmethod
     def _converted(array: Any, dtype: Any) -> Any:
+        """A tensor of another floating-point type."""
         return array.to(dtype)
 
 
