@@ -332,7 +332,7 @@ constructions! {
     fn complexification() = |structure: S, _data: Nothing, _given| {
         Ok(made::<S>(&structure.complexified()?))
     };
-    /// Inönü-Wigner contraction: ``e_i`` is scaled by ``t^w_i``, in the limit of ``t`` to 0.
+    /// Inonu-Wigner contraction: ``e_i`` is scaled by ``t^w_i``, in the limit of ``t`` to 0.
     ///
     /// Parameters
     /// ----------

@@ -151,7 +151,7 @@ quantities! {
     /// >>> Geometry("so3", metric=[1, 1, 2]).scalar_curvature
     /// Fraction(1, 1)
     scalar_curvature: number_of;
-    /// Metric ``g_ij``.
+    /// Metric ``g_ij``. Without a metric it raises MathematicsError, and ``quantity("metric")`` is None.
     metric: tensor;
     /// Inverse metric ``g^ij``.
     inverse_metric: tensor;

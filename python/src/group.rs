@@ -310,7 +310,7 @@ impl PyGroup {
     ///
     /// Returns
     /// -------
-    /// array of the shape (*shape, coordinates)
+    /// array of the shape ``(*shape, coordinates)``
     ///
     /// Examples
     /// --------

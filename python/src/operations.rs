@@ -166,7 +166,7 @@ operations! {
     /// >>> SO3.adjoint([0, 0, 0, 1], [1, 2, 3])
     /// array([-1., -2.,  3.])
     adjoint(g: Element, x: Vector) -> Vector = Operation::Adjoint;
-    /// The matrices of ``Ad_g``.
+    /// Matrices of the adjoint action ``Ad_g``.
     ///
     /// Parameters
     /// ----------
@@ -261,12 +261,12 @@ operations! {
     ///
     /// Examples
     /// --------
-    /// >>> SE2.tangent_left_inverse([0, 3, 5], [1, -2.5, 1.5])
+    /// >>> SE2.tangent_left_inverse([0, 3, 5], [1, -2.5, 1.5]).round(12)
     /// array([1., 0., 0.])
     tangent_left_inverse(x: Vector, v: Vector) -> Vector = Operation::TangentLeftInverse;
-    /// The left Jacobian of exp: ``exp(x + dx) = exp(J dx + ...) exp(x)``.
+    /// Left Jacobian of exp: ``exp(x + dx) = exp(J dx + ...) exp(x)``.
     ///
-    /// Left and right are the sides on which ``exp(J dx)`` stands (Sola, Deray and Atchuthan, arXiv 1812.01537).
+    /// Left and right are the sides of the factor ``exp(J dx)`` (Sola, Deray and Atchuthan, arXiv 1812.01537).
     ///
     /// Parameters
     /// ----------
@@ -285,10 +285,10 @@ operations! {
     ///        [ 2.5,  1. ,  0. ],
     ///        [-1.5,  0. ,  1. ]])
     left_jacobian(x: Vector) -> Operator = Operation::Jacobian(JacobianKind::Left);
-    /// The right Jacobian of exp: ``exp(x + dx) = exp(x) exp(J dx + ...)``.
+    /// Right Jacobian of exp: ``exp(x + dx) = exp(x) exp(J dx + ...)``.
     ///
-    /// It maps ``v`` to ``tangent_left(x, v)``, the velocity in the left-invariant frame. Not to be mixed up:
-    /// ``tangent_left(x, eye)`` has the images of the basis vectors in its rows, and so is the transpose of this matrix.
+    /// ``J`` maps ``v`` to ``tangent_left(x, v)``, the velocity in the left-invariant frame. It is the transpose of
+    /// ``tangent_left(x, eye)``, whose rows are the images of the basis vectors.
     ///
     /// Parameters
     /// ----------

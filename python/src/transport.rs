@@ -109,12 +109,17 @@ impl PyGeometry {
     /// Parameters
     /// ----------
     /// elements : array of the shape (count, coordinates)
-    ///     Elements, joined by arcs ``g exp(s x)``.
+    ///     Elements, joined by arcs ``g exp(s x)``. The error for other curves is of second order in the distance of elements.
     ///
     /// Returns
     /// -------
     /// array of the shape (dimension, dimension)
     ///     Maps components at the start to components at the end, in the left-invariant frame; the upper index is the row.
+    ///
+    /// Raises
+    /// ------
+    /// MathematicsError
+    ///     Two neighbours are too far apart for a logarithm.
     ///
     /// Examples
     /// --------
@@ -191,7 +196,7 @@ impl PyGeometry {
         python(py, "geometry", "Geodesic")?.call1((times, elements, tangents))
     }
 
-    /// Initial velocity of an autoparallel curve that connects two elements in time 1.
+    /// Initial velocity of an autoparallel curve that connects two elements in time 1; other curves may exist.
     ///
     /// Parameters
     /// ----------
@@ -208,7 +213,7 @@ impl PyGeometry {
     /// Raises
     /// ------
     /// MathematicsError
-    ///     The iteration does not converge.
+    ///     No curve was found, or ``start^-1 end`` has no logarithm.
     ///
     /// Examples
     /// --------

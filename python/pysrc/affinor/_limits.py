@@ -116,6 +116,7 @@ def limits(timeout: float | None = None, memory: int | str | None = None) -> Lim
     Returns
     -------
     context manager
+        Also a decorator of functions.
 
     Raises
     ------

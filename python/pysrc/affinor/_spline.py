@@ -114,7 +114,7 @@ class Spline:
 
         Returns
         -------
-        array of the shape (*t.shape, ..., coordinates)
+        array of the shape ``(*t.shape, ..., coordinates)``
 
         Raises
         ------
@@ -142,7 +142,7 @@ class Spline:
 
         Returns
         -------
-        array of the shape (*t.shape, ..., dimension)
+        array of the shape ``(*t.shape, ..., dimension)``
 
         Raises
         ------

@@ -217,6 +217,11 @@ class Sweep:
         Returns
         -------
         pyarrow.Table
+
+        Examples
+        --------
+        >>> sweep(lambda row: {"square": row["x"] ** 2}, {"x": [1, 2]}).to_arrow().column_names
+        ['row', 'x', 'square', 'error']
         """
         pa, pq = optional("pyarrow", "sweep"), optional("pyarrow.parquet", "sweep")
 
@@ -232,6 +237,11 @@ class Sweep:
         Returns
         -------
         pandas.DataFrame
+
+        Examples
+        --------
+        >>> sweep(lambda row: {"square": row["x"] ** 2}, {"x": [1, 2]}).to_pandas()["square"].tolist()
+        [1, 4]
         """
         return self.to_arrow().to_pandas()
 

@@ -17,7 +17,7 @@ class Check:
     ok : bool
         Whether the identity holds.
     detail : str
-        Number of checked components, or the reason of the failure.
+        Identity in words, or the reason of the failure.
     indices : list of int or None
         Indices of the first component that fails, from 1; None if the check holds.
     residual : list of (int, str) or None
@@ -25,8 +25,9 @@ class Check:
 
     Examples
     --------
-    >>> check("[x, y] = x, [y, z] = y", basis="x y z")
-    [<Check antisymmetry: ok, [x,y] = -[y,x] for all basis vectors>, <Check jacobi: FAILS, the Jacobi identity fails: [[x,y],z] + [[y,z],x] + [[z,x],y] = -x>]
+    >>> jacobi = check("[x, y] = x, [y, z] = y", basis="x y z")[1]
+    >>> jacobi.name, jacobi.ok, jacobi.residual
+    ('jacobi', False, [(1, '-1')])
     """
 
     __slots__ = ("detail", "indices", "name", "ok", "residual")

@@ -175,8 +175,8 @@ class ClosureError(_Pair):
     >>> try:
     ...     LieAlgebra.from_matrices([[[0, 1], [0, 0]], [[0, 0], [1, 0]]])
     ... except ClosureError as error:
-    ...     print(error.pair, error.residual)
-    ('e1', 'e2') 1 at row 1, column 1
+    ...     print(error.pair)
+    ('e1', 'e2')
     """
 
 

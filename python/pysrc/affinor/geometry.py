@@ -127,8 +127,9 @@ class Property(NamedTuple):
 
     Examples
     --------
-    >>> Geometry("so3", metric=[1, 1, 2]).check_property("einstein").witness
-    'Ric_jl - (0) g_jl = 2 at j = 3, l = 3'
+    >>> einstein = Geometry("so3", metric=[1, 1, 1]).check_property("einstein")
+    >>> einstein.holds, einstein.value
+    (True, Fraction(1, 2))
     """
 
     holds: bool

@@ -483,6 +483,12 @@ class Trajectory:
         Returns
         -------
         pandas.DataFrame
+
+        Examples
+        --------
+        >>> turn = simulate(space="so3", metric="identity", initial={"velocity": [0, 0, 2]}, output={"end": 1, "every": 0.5})
+        >>> turn.to_pandas()["t"].tolist()
+        [0.0, 0.5, 1.0]
         """
         pd = optional("pandas", "pandas")
 
@@ -494,6 +500,12 @@ class Trajectory:
         Returns
         -------
         pyarrow.Table
+
+        Examples
+        --------
+        >>> turn = simulate(space="so3", metric="identity", initial={"velocity": [0, 0, 2]}, output={"end": 1, "every": 0.5})
+        >>> turn.to_arrow()["t"].to_pylist()
+        [0.0, 0.5, 1.0]
         """
         pa = optional("pyarrow", "pandas")
 
