@@ -134,7 +134,7 @@ fn finish<T>(
 /// Parameters
 /// ----------
 /// count : int
-///     Number of threads up to 1024; 0 stands for all cores.
+///     Number of threads up to 1024; 0 means all cores.
 ///
 /// Raises
 /// ------

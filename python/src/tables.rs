@@ -159,7 +159,7 @@ fn names(show: Bound<'_, PyAny>) -> PyResult<Vec<String>> {
 /// Parameters
 /// ----------
 /// first, second : Geometry, LieAlgebra or str
-///     Geometries, or what makes one; by default those of the table of the paper.
+///     Geometries, or spaces as for :class:`Geometry`; by default those of the table of the paper.
 /// format : str
 ///     ``"text"``, ``"markdown"``, ``"latex"``, ``"csv"``, ``"json"`` or ``"html"``.
 ///

@@ -102,7 +102,7 @@ class Limits(ContextDecorator):
 def limits(timeout: float | None = None, memory: int | str | None = None) -> Limits:
     """Limits on time and memory for all computations of affinor in a ``with`` block.
 
-    A computation that exceeds a limit ends with LimitError; code of Python goes on. Blocks nest, and all their limits hold.
+    A computation that exceeds a limit ends with LimitError; code of Python goes on. Blocks nest, and all their limits apply.
     Limits apply to the thread of the block. Other threads have limits of their own, also the tasks of sweeps that run in a
     pool of threads: write the block in the task.
 
