@@ -3,7 +3,7 @@
     python3 -m venv peers && peers/bin/pip install numpy scipy mujoco pin drake
     python3 benches/peers/motion.py --python peers/bin/python
 
-measures, writes the tables of docs/motion_speed.md between its markers and draws docs/motion_speed.svg. A peer that
+measures, writes the tables of benches/results/motions.md between its markers and draws benches/results/motions.svg. A peer that
 cannot be imported is left out, and named. Progress goes to standard error. The machine should have little else to do.
 With `--problem` one problem is measured: its table is replaced, the other tables and the picture stay.
 
@@ -507,13 +507,13 @@ def draw(options, found):
         if key[1] in SHOWN:
             writer.writerow([*key, *value])
     picture = subprocess.run([*options.precision, "draw"], input=text.getvalue(), stdout=subprocess.PIPE, text=True, check=True)
-    with open(os.path.join(ROOT, "docs/motion_speed.svg"), "w") as file:
+    with open(os.path.join(ROOT, "benches/results/motions.svg"), "w") as file:
         file.write(picture.stdout)
 
 
 def replace(problem, head, found):
     """The section of one problem in the document, or a new one after those of the others."""
-    path = os.path.join(ROOT, "docs/motion_speed.md")
+    path = os.path.join(ROOT, "benches/results/motions.md")
     document = open(path).read()
     title, last = heading(problem), "### Nanoseconds a step\n"
     at = document.find(title)
@@ -562,7 +562,7 @@ def measure(options):
         replace(options.problem, head, found)
         return
     draw(options, found)
-    path = os.path.join(ROOT, "docs/motion_speed.md")
+    path = os.path.join(ROOT, "benches/results/motions.md")
     document = open(path).read()
     before, _, rest = document.partition("<!-- measured -->")
     _, _, after = rest.partition("<!-- end -->")

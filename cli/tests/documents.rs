@@ -12,8 +12,9 @@ use std::path::PathBuf;
 type Outcome = Result<(), Box<dyn std::error::Error>>;
 
 /// The documents that quote outputs of the program.
-const DOCUMENTS: [&str; 9] = [
+const DOCUMENTS: [&str; 10] = [
     "README.md",
+    "docs/geometry.md",
     "docs/commands.md",
     "docs/two_geometries.md",
     "docs/charts.md",
@@ -95,7 +96,12 @@ fn links_lead_somewhere() -> Outcome {
         "docs/joints.md",
         "docs/library.md",
         "docs/limits.md",
-        "docs/speed.md",
+        "docs/benchmarks.md",
+        "docs/exactness.md",
+        "docs/glossary.md",
+        "benches/results/tables.md",
+        "benches/results/structure.md",
+        "benches/results/motions.md",
         "docs/paper.md",
         "docs/wheels.md",
     ];
