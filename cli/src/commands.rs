@@ -11,6 +11,7 @@ mod completions;
 mod conventions;
 mod convert;
 mod equations;
+mod examples;
 mod failure;
 mod info;
 mod list;
@@ -100,12 +101,12 @@ enum Command {
 
 /// The commands with their options.
 pub fn command() -> clap::Command {
-    Cli::command()
+    examples::with_examples(Cli::command())
 }
 
 /// Parses the arguments, runs the command and reports its failure. Returns the exit status.
 pub fn main(arguments: &[OsString]) -> u8 {
-    let parsed = arguments::parse::<Cli>(arguments)
+    let parsed = arguments::parse(command, arguments)
         .and_then(|matches| Ok((Cli::from_arg_matches(&matches)?, matches)));
     let (cli, matches) = match parsed {
         Ok(parsed) => parsed,
@@ -147,6 +148,6 @@ fn run(command: Command, watch: &Watch) -> Result<(), Failure> {
         Command::Paper(arguments) => arguments.run(),
         Command::List(arguments) => arguments.run(),
         Command::Conventions(arguments) => arguments.run(),
-        Command::Completions(arguments) => arguments.run(&mut Cli::command()),
+        Command::Completions(arguments) => arguments.run(&mut self::command()),
     }
 }

@@ -1,6 +1,6 @@
 //! The command line as its contract says: every command and format, options, notes, files.
 
-use crate::program::{Outcome, run};
+use crate::program::{Outcome, root, run, words};
 use serde_json::{Value, json};
 use std::fs;
 use tempfile::TempDir;
@@ -105,6 +105,42 @@ fn help_and_version_are_results() {
         assert!(outcome.out.lines().all(|line| line.chars().count() <= 80), "{}", outcome.out);
     }
     assert_eq!(stdout(&["--version"]), format!("affinor {}\n", env!("CARGO_PKG_VERSION")));
+}
+
+/// The help of every command has two examples, which succeed beside the folder `examples`.
+#[cfg(unix)]
+#[test]
+fn examples_of_the_help_succeed() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = folder.path();
+    std::os::unix::fs::symlink(root().join("examples"), at.join("examples")).unwrap();
+    fs::create_dir(at.join("tables")).unwrap();
+    let table = stdout(&["table", "so3@zero", "--format", "json"]);
+    for file in ["table.json", "tables/so3.json"] {
+        fs::write(at.join(file), &table).unwrap();
+    }
+    fs::write(at.join("claims.txt"), "torsion = 0\n").unwrap();
+    let commands = stdout(&["--help"]);
+    let commands = commands.lines().skip_while(|line| *line != "Commands:").skip(1);
+    let names = commands.take_while(|line| !line.is_empty()).filter_map(|line| {
+        let indented = line.strip_prefix("  ").filter(|rest| !rest.starts_with(' '))?;
+        indented.split_whitespace().next().filter(|name| *name != "help")
+    });
+    let mut count = 0;
+    for name in names {
+        let help = stdout(&[name, "--help"]);
+        let examples: Vec<&str> =
+            help.lines().skip_while(|line| *line != "Examples:").skip(1).collect();
+        assert_eq!(examples.len(), 2, "{name}");
+        for example in examples {
+            let words = words(example.trim().strip_prefix("affinor ").unwrap());
+            assert_eq!(words[0], name);
+            let outcome = run(at, &words, b"");
+            assert_eq!(outcome.status, 0, "{example}: {}", outcome.err);
+        }
+        count += 1;
+    }
+    assert_eq!(count, 20);
 }
 
 #[test]

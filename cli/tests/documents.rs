@@ -3,7 +3,7 @@
 //! A fenced block `console` holds commands behind `$ ` and exactly what they print on standard
 //! output. `UPDATE_DOCUMENTS=1 cargo test -p affinor-cli documents::` writes what they print now.
 
-use crate::program::{root, run};
+use crate::program::{root, run, words};
 use affinor::{Bracket, Connection, LieAlgebra, Metric};
 use affinor_tensors::{Down, Rational, Tensor, expression};
 use serde_json::Value;
@@ -25,17 +25,10 @@ const DOCUMENTS: [&str; 10] = [
     "docs/programs.md",
 ];
 
-/// What `affinor ARGUMENTS` prints on standard output; double quotes hold words together.
+/// What `affinor ARGUMENTS` prints on standard output.
 fn output(command: &str) -> Result<String, Box<dyn std::error::Error>> {
     let arguments = command.strip_prefix("affinor ").ok_or("not a command of affinor")?;
-    let mut words = vec![];
-    for (at, piece) in arguments.split('"').enumerate() {
-        match at % 2 {
-            0 => words.extend(piece.split_whitespace()),
-            _ => words.push(piece),
-        }
-    }
-    let outcome = run(root(), &words, b"");
+    let outcome = run(root(), &words(arguments), b"");
     if outcome.status == 2 {
         return Err(format!("{command}: {}", outcome.err).into());
     }

@@ -49,6 +49,16 @@ pub fn run<A: AsRef<OsStr>>(folder: &Path, arguments: &[A], input: &[u8]) -> Out
     Outcome { status, out: out.join().unwrap(), err: err.join().unwrap() }
 }
 
+/// The words of a command; double quotes hold words together.
+pub fn words(arguments: &str) -> Vec<&str> {
+    let pieces = arguments.split('"').enumerate();
+    let words = pieces.flat_map(|(at, piece)| match at % 2 {
+        0 => piece.split_whitespace().collect(),
+        _ => vec![piece],
+    });
+    words.collect()
+}
+
 /// Runs what has to succeed in `folder`; standard output.
 pub fn stdout(folder: &Path, arguments: &[&str]) -> String {
     let outcome = run(folder, arguments, b"");

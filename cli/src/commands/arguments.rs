@@ -1,19 +1,19 @@
 //! The arguments of the program, before clap parses them.
 
-use clap::{ArgMatches, CommandFactory, Error};
+use clap::{ArgMatches, Command, Error};
 use std::ffi::OsString;
 
 /// Parses the arguments of the program; the first is its name.
 ///
 /// # Errors
 /// The error to print, or the help that the arguments ask for.
-pub fn parse<P: CommandFactory>(arguments: &[OsString]) -> Result<ArgMatches, Error> {
+pub fn parse(command: fn() -> Command, arguments: &[OsString]) -> Result<ArgMatches, Error> {
     let parsed = |escaped: fn(&str) -> Option<OsString>| {
         let arguments = arguments.iter().map(|argument| match argument.to_str() {
             Some(text) => escaped(text).unwrap_or_else(|| shielded(argument)),
             None => argument.clone(),
         });
-        P::command().try_get_matches_from(arguments)
+        command().try_get_matches_from(arguments)
     };
     parsed(|_| None).map_err(|error| {
         // clap repeats arguments in its messages: none may control the terminal
