@@ -300,4 +300,37 @@ mod tests {
         }
         Ok(())
     }
+
+    /// Eigenvalues `3/2 exp(+-i (pi - gap))` and `1/2` in more and more skewed bases. A logarithm has the matrix as its
+    /// exponential; it is found at every distance from the negative axis where the basis is well-conditioned, and rejected
+    /// where rounding errors of the basis exceed the tolerance.
+    #[test]
+    fn logarithms_lead_back_up_to_the_negative_axis() {
+        let mut rejected = 0;
+        for skew in (-1..8).map(|power| 2.0_f64.powi(power)) {
+            let upper =
+                DMatrix::from_row_slice(3, 3, &[1.0, skew, skew, 0.0, 1.0, skew, 0.0, 0.0, 1.0]);
+            let lower =
+                DMatrix::from_row_slice(3, 3, &[1.0, 0.0, 0.0, 0.5, 1.0, 0.0, -0.25, 0.75, 1.0]);
+            let basis = upper * lower;
+            let back = basis.clone().try_inverse().expect("determinant 1");
+            for gap in (0..10).map(|power| 0.1_f64.powi(power)) {
+                let (sin, cos) = gap.sin_cos();
+                let plane =
+                    [-1.5 * cos, -1.5 * sin, 0.0, 1.5 * sin, -1.5 * cos, 0.0, 0.0, 0.0, 0.5];
+                let a = &basis * DMatrix::from_row_slice(3, 3, &plane) * &back;
+                match logarithm(&a) {
+                    Ok(log) => {
+                        let off = (exp(&log) - &a).norm() / a.norm();
+                        assert!(off <= 10.0 * OFF, "{skew}, {gap:e}: {off:e}");
+                    }
+                    Err(error) => {
+                        assert!(skew > 2.0, "{skew}, {gap:e}: {error}");
+                        rejected += 1;
+                    }
+                }
+            }
+        }
+        assert!(rejected > 0);
+    }
 }

@@ -317,3 +317,66 @@ fn the_largest_angles_below_a_half_turn() {
     (g[(0, 0)], g[(1, 1)]) = (-1.0, -1.0);
     assert!(so4.log(&g).is_err());
 }
+
+/// Eigenvalues `3/2 exp(+-i (pi - gap))` and `1/2`: the logarithm is `ln(3/2) + (pi - gap) J` and `ln(1/2)` in the basis of
+/// eigenvectors, at every distance from the negative axis. The distance and the skew of the basis multiply rounding errors.
+#[test]
+fn logarithms_up_to_the_negative_axis() {
+    let gl3 = of_catalogue("gl(3)");
+    for skew in [0.5, 2.0, 8.0] {
+        let upper =
+            DMatrix::from_row_slice(3, 3, &[1.0, skew, skew, 0.0, 1.0, skew, 0.0, 0.0, 1.0]);
+        let lower =
+            DMatrix::from_row_slice(3, 3, &[1.0, 0.0, 0.0, 0.5, 1.0, 0.0, -0.25, 0.75, 1.0]);
+        let basis = upper * lower;
+        let back = basis.clone().try_inverse().unwrap();
+        let condition = basis.norm() * back.norm();
+        let matrix = |re: f64, im: f64, rest: f64| {
+            let plane = [re, -im, 0.0, im, re, 0.0, 0.0, 0.0, rest];
+            &basis * DMatrix::from_row_slice(3, 3, &plane) * &back
+        };
+        for gap in (0..8).map(|power| 0.1_f64.powi(power)) {
+            let (sin, cos) = gap.sin_cos();
+            let exact = matrix(1.5_f64.ln(), PI - gap, 0.5_f64.ln());
+            let x = gl3.log(&matrix(-1.5 * cos, 1.5 * sin, 0.5)).unwrap();
+            let off = (gl3.generator(&x) - &exact).norm() / exact.norm();
+            assert!(off <= 16.0 * EPS * condition.powi(2) / gap, "{skew} {gap:e}: {off:e}");
+        }
+    }
+}
+
+/// Each condition of an element alone rejects a matrix that satisfies the others, far below the distances of other matrices.
+#[test]
+fn each_condition_of_an_element_rejects() {
+    let diagonal = |entries: &[f64]| DMatrix::from_diagonal(&DVector::from_column_slice(entries));
+    let group = |generators: &[DMatrix<f64>]| MatrixGroup::new(generators).unwrap();
+    let refused = |group: &MatrixGroup, g: &DMatrix<f64>| {
+        group.expect_element(g, 1e-6).unwrap_err().to_string()
+    };
+    let stretch = diagonal(&[1.0, -1.0, 0.0]);
+    let line = group(std::slice::from_ref(&stretch));
+    let g = affinor::numerics::exponential::exp(&stretch);
+    assert!(line.expect_element(&g, 1e-6).is_ok());
+    // traceless generators have the determinant 1, others a positive one
+    assert!(refused(&line, &(&g * 1.0001)).contains("its determinant is 1.0003"));
+    let any = group(&[diagonal(&[1.0, 0.0]), diagonal(&[0.0, 1.0])]);
+    assert!(refused(&any, &diagonal(&[-2.0, 3.0])).contains("its determinant is -6"));
+    assert!(any.expect_element(&diagonal(&[2.0, 3.0]), 1e-6).is_ok());
+    // unimodular, and not orthogonal
+    let shear = DMatrix::from_row_slice(3, 3, &[1.0, 1e-4, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0]);
+    let rotations = of_catalogue("so(3)");
+    assert!(refused(&rotations, &shear).contains("Ad takes basis vector"));
+    // commutes with the generator, whose multiples are all logarithms
+    let beside = affinor::numerics::exponential::exp(&(diagonal(&[1.0, 1.0, -2.0]) * 1e-4));
+    assert!(refused(&line, &(&g * beside)).contains("its logarithm leaves the algebra by 2.4"));
+    // the centre of SU(3): only the third power has a logarithm in the algebra
+    let su3 = of_catalogue("su(3)");
+    let (sin, cos) = (2.0 * PI / 3.0).sin_cos();
+    let third = DMatrix::from_fn(6, 6, |i, j| match (i % 3 == j % 3, i / 3, j / 3) {
+        (false, ..) => 0.0,
+        (true, 0, 1) => -sin,
+        (true, 1, 0) => sin,
+        _ => cos,
+    });
+    assert!(su3.expect_element(&third, 1e-6).is_ok());
+}
