@@ -52,6 +52,7 @@ mod mechanics {
     mod bodies {
         mod elliptic;
         mod free_body;
+        mod inertia;
     }
     mod events;
     mod formula;

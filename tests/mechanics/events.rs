@@ -14,6 +14,7 @@ use affinor::{CanonicalConnection, Connection, Error, Metric};
 use affinor_tensors::{Down, Tensor};
 use nalgebra::Vector3;
 use proptest::prelude::*;
+use std::cell::Cell;
 
 /// Nothing moves but time.
 struct Clock;
@@ -114,6 +115,43 @@ fn directions_and_ends() {
     }
     // a zero where the run stopped is behind it
     assert_eq!(numbers, [0]);
+}
+
+/// The events of a step come in the order of the motion: backwards from the late ones to the early ones.
+#[test]
+fn events_of_a_step_are_sorted() {
+    let watched =
+        || [1.25, 1.75, 1.5].map(|place| at(move |t| t - place, Direction::Both, AfterEvent::GoOn));
+    let forward = events(watched().into(), 1.0, 1.0, 1).0;
+    assert_eq!(forward, [(0, 1.25), (2, 1.5), (1, 1.75)]);
+    let backward = events(watched().into(), 2.0, -1.0, 1).0;
+    assert_eq!(backward, [(1, 1.75), (2, 1.5), (0, 1.25)]);
+}
+
+/// An event takes at most two evaluations more than bisection of the step to the rounding of time, however flat or steep the
+/// function is.
+#[test]
+fn events_take_no_more_evaluations_than_bisection() {
+    let functions: [(&str, fn(f64) -> f64); 5] = [
+        ("flat", |x| x.powi(9)),
+        ("steep", |x| x.cbrt()),
+        ("one-sided", |x| (40.0 * x).exp_m1()),
+        ("the other side", |x| -(-40.0 * x).exp_m1()),
+        ("a jump", |x| if x < 0.0 { -1.0 } else { 1e6 }),
+    ];
+    for (what, function) in functions {
+        for place in [0.3, 1.0 / 3.0, 0.7, 0.93] {
+            let count = Cell::new(0);
+            let counted = |t: f64| {
+                count.set(count.get() + 1);
+                function(t - place)
+            };
+            let event = at(counted, Direction::Both, AfterEvent::GoOn);
+            assert_eq!(events(vec![event], 0.0, 1.0, 1).0.len(), 1, "{what} {place}");
+            // at both ends of the step, and 52 bisections
+            assert!(count.get() <= 2 + 52 + 2, "{what} {place}: {}", count.get());
+        }
+    }
 }
 
 /// A sign changes without a zero at a pole, and where an angle begins again; a jump between values that stay is an event.

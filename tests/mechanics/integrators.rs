@@ -519,6 +519,13 @@ fn what_is_not_meant_is_refused() {
         }
         assert_eq!(state.time, 0.0);
     }
+    // the moments of the system to rounding errors
+    for (error, accepted) in [(1e-15, true), (1e-13, true), (1e-9, false), (1e-5, false)] {
+        let nearly = Inertia::new(&(inertia.matrix() * (1.0 + error))).unwrap();
+        let mut state = plus.state(0.0, So3.identity(), &VELOCITY);
+        let step = SimoWong::new(&nearly).step(&plus, &mut state, 0.1);
+        assert_eq!(step.is_ok(), accepted, "{error}");
+    }
     let connection = Connection::canonical(&algebra, CanonicalConnection::Plus);
     let drag = |_: f64, _: &UnitQuaternion<f64>, omega: &Vector3<f64>| -omega;
     let system = EulerPoincare::new(So3, &connection, &metric, drag).unwrap();

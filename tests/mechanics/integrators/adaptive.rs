@@ -1,10 +1,11 @@
 //! Steps under control: a step is accepted within the tolerance, whatever length was tried first.
 
 use super::full;
-use affinor::group::{Coordinates, Embedded, Se2, Se3, Sl2, So3, TranslationSplit};
+use affinor::group::{Coordinates, Embedded, LieGroup, Se2, Se3, Sl2, So3, TranslationSplit};
 use affinor::mechanics::integrators::runge_kutta::LocalCoordinates;
 use affinor::mechanics::{Adaptive, EulerPoincare};
 use affinor::{CanonicalConnection, Connection};
+use nalgebra::Vector3;
 
 /// After a step of length `h` with the error `e`, in units of the tolerance, the next one is `0.9 h e^(-1/order)`, between a fifth
 /// and five times `h`. So it is at least `0.9 h` if the step was within the tolerance.
@@ -43,4 +44,22 @@ fn steps_are_accepted_within_the_tolerance() {
         accepted_within_the_tolerance(Sl2, &[0.5, -0.3, 0.6], &method);
         accepted_within_the_tolerance(So3, &[0.5, -0.3, 0.6], &method.projected());
     }
+}
+
+/// A run takes at most the allowed number of steps to each output time.
+#[test]
+fn a_run_takes_no_more_steps_than_allowed() {
+    let plus = Connection::canonical(&So3.algebra().unwrap(), CanonicalConnection::Plus);
+    let system = EulerPoincare::free(So3, &plus, &full(&So3)).unwrap();
+    let start = system.state(0.0, So3.identity(), &Vector3::new(0.5, -0.3, 0.6));
+    let method = Adaptive::new(1e-9);
+    let (mut state, mut next, mut steps) = (start.clone(), method.first_step(), 0);
+    while state.time != 2.0 {
+        method.step(&system, &mut state, &mut next, 2.0).unwrap();
+        steps += 1;
+    }
+    assert!(steps > 5, "{steps}");
+    let run = |max_steps| Adaptive { max_steps, ..method }.states(&system, &start, &[2.0]);
+    assert_eq!(run(steps).unwrap()[0].time, 2.0);
+    assert!(run(steps - 1).unwrap_err().to_string().contains("too many steps"));
 }

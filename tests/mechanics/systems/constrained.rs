@@ -503,6 +503,44 @@ fn what_is_no_state_is_refused() {
     assert!(matches!(other, Err(Error::Shape { what: "the connection", .. })));
 }
 
+/// `x = 0` and `x + angle y = 0`.
+struct Nearly(f64);
+
+impl Constraint<Translations<Const<2>>> for Nearly {
+    fn value(&self, x: &Vector2<f64>) -> DVector<f64> {
+        dvector![x.x, x.x + self.0 * x.y]
+    }
+
+    fn gradient(&self, _: &Vector2<f64>) -> DMatrix<f64> {
+        DMatrix::from_row_slice(2, 2, &[1.0, 0.0, 1.0, self.0])
+    }
+}
+
+/// Errors of a state up to `1e-8` of its size are accepted, of a gradient up to `1e-4`, because it is compared with differences.
+/// Gradients with an angle below `1e-10` are dependent.
+#[test]
+fn states_are_checked_to_their_tolerances() {
+    let plane = Translations(Const::<2>);
+    let unit = metric(&plane, &[1.0, 1.0]);
+    let (system, zero) = (pendulum(), Vector2::zeros());
+    let outside = |off: f64| system.state(0.0, Vector2::new(1.0 + off, 0.0), &zero).is_ok();
+    let leaving =
+        |rate: f64| system.state(0.0, Vector2::new(1.0, 0.0), &Vector2::new(rate, 1.0)).is_ok();
+    let independent = |angle: f64| {
+        constrained(plane, &unit, Free, Nearly(angle)).unwrap().state(0.0, zero, &zero).is_ok()
+    };
+    let wrong = |off: f64| {
+        let gradient = Wrong(DMatrix::from_row_slice(1, 2, &[1.0 + off, 0.0]));
+        constrained(plane, &unit, Free, gradient).unwrap().state(0.0, zero, &zero).is_ok()
+    };
+    for sign in [1.0, -1.0] {
+        assert!(outside(sign * 1e-9) && !outside(sign * 1e-7));
+        assert!(leaving(sign * 1e-9) && !leaving(sign * 1e-7));
+        assert!(independent(sign * 1e-6) && !independent(sign * 1e-12));
+        assert!(wrong(sign * 1e-5) && !wrong(sign * 1e-3));
+    }
+}
+
 #[test]
 fn steps_that_cannot_be_leave_the_state() {
     let system = pendulum();
