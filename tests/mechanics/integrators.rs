@@ -2,7 +2,11 @@
 //! they keep.
 
 mod adaptive;
+mod compensated;
+mod generalised_alpha;
+mod munthe_kaas;
 mod projected;
+mod step_start;
 
 use crate::common::steps::{expect_order, run};
 use crate::ode;

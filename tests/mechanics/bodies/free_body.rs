@@ -432,3 +432,19 @@ fn a_step_that_is_too_long_is_refused() {
         assert!(MoserVeselov::new(&inertia, order).steps(&start, 30.0, 10).is_err(), "{order:?}");
     }
 }
+
+/// The rate bounds the angular velocity and the angular frequency of `H`, also of moments that no masses have.
+#[test]
+fn rates_are_bounds() {
+    let momenta = [[0.05, 0.05, 1.0], [1.0, 0.05, 0.05], [0.4, -0.5, 0.6], [1e-9, 0.0, 3.0]];
+    for moments in [[1.0, 1.2, 1.5], [1.0, 1.2, 50.0], [1.0, 30.0, 50.0], [0.01, 1.0, 1.1]] {
+        for momentum in momenta {
+            let body = body(moments, momentum);
+            let bound = body.rate() * (1.0 + 1e-12);
+            let fastest = (0..100).map(|k| body.velocity(0.3 * f64::from(k)).norm());
+            assert!(fastest.fold(0.0, f64::max) <= bound, "{moments:?} {momentum:?}");
+            let frequency = body.period().map_or(0.0, |period| std::f64::consts::TAU / period);
+            assert!(frequency <= bound, "{moments:?} {momentum:?}: {frequency} {bound}");
+        }
+    }
+}

@@ -63,3 +63,28 @@ fn a_run_takes_no_more_steps_than_allowed() {
     assert_eq!(run(steps).unwrap()[0].time, 2.0);
     assert!(run(steps - 1).unwrap_err().to_string().contains("too many steps"));
 }
+
+/// A step that reaches the output time ends at it to the last bit, although the sum of time and step is rounded. A step that is
+/// a rounding error of the time is rejected.
+#[test]
+fn steps_end_at_output_times_and_exceed_rounding() {
+    let plus = Connection::canonical(&So3.algebra().unwrap(), CanonicalConnection::Plus);
+    let system = EulerPoincare::free(So3, &plus, &full(&So3)).unwrap();
+    let method = Adaptive::new(1e-9);
+    let step = |method: &Adaptive, from: f64, end: f64| {
+        let mut state = system.state(from, So3.identity(), &(Vector3::new(0.5, -0.3, 0.6) * 1e-6));
+        method.step(&system, &mut state, &mut 1e3, end).map(|()| state.time)
+    };
+    let mut rounded = 0;
+    for (from, end) in (1..40).map(|k| (f64::from(k) / 7.0, 1.0 / f64::from(k))) {
+        rounded += usize::from(from + (end - from) != end);
+        assert_eq!(step(&method, from, end).unwrap(), end);
+    }
+    assert!(rounded > 5, "{rounded}");
+    for from in [1.0, 1e9, -1e-9] {
+        let of = |max_step: f64| step(&Adaptive { max_step, ..method }, from, 2.0 * from.abs());
+        assert!(of(1e-13 * from.abs()).is_ok(), "{from}");
+        let lost = of(4.0 * f64::EPSILON * from.abs()).unwrap_err().to_string();
+        assert!(lost.contains("too small"), "{from}: {lost}");
+    }
+}

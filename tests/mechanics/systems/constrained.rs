@@ -444,30 +444,32 @@ fn energy_on_the_affine_group() {
     assert!(system.violation(&fine) < 1e-14);
 }
 
-/// A constraint twice.
-struct Twice;
+/// Constraints in the plane, by their values and gradients.
+struct Given<V, B>(V, B);
 
-impl Constraint<Translations<Const<2>>> for Twice {
+impl<V: Fn(&Vector2<f64>) -> DVector<f64>, B: Fn(&Vector2<f64>) -> DMatrix<f64>>
+    Constraint<Translations<Const<2>>> for Given<V, B>
+{
     fn value(&self, x: &Vector2<f64>) -> DVector<f64> {
-        dvector![x.x, 2.0 * x.x]
+        self.0(x)
     }
 
-    fn gradient(&self, _: &Vector2<f64>) -> DMatrix<f64> {
-        DMatrix::from_row_slice(2, 2, &[1.0, 0.0, 2.0, 0.0])
+    fn gradient(&self, x: &Vector2<f64>) -> DMatrix<f64> {
+        self.1(x)
     }
 }
 
-/// A gradient that is another function's.
-struct Wrong(DMatrix<f64>);
+/// `x = 0` with another gradient.
+fn wrong(gradient: DMatrix<f64>) -> impl Constraint<Translations<Const<2>>> {
+    Given(|x: &Vector2<f64>| dvector![x.x], move |_: &Vector2<f64>| gradient.clone())
+}
 
-impl Constraint<Translations<Const<2>>> for Wrong {
-    fn value(&self, x: &Vector2<f64>) -> DVector<f64> {
-        dvector![x.x]
-    }
-
-    fn gradient(&self, _: &Vector2<f64>) -> DMatrix<f64> {
-        self.0.clone()
-    }
+/// `x = 0` and `factor x + angle y = 0`.
+fn nearly_twice(factor: f64, angle: f64) -> impl Constraint<Translations<Const<2>>> {
+    Given(
+        move |x: &Vector2<f64>| dvector![x.x, factor * x.x + angle * x.y],
+        move |_: &Vector2<f64>| DMatrix::from_row_slice(2, 2, &[1.0, 0.0, factor, angle]),
+    )
 }
 
 #[test]
@@ -489,31 +491,18 @@ fn what_is_no_state_is_refused() {
     for (time, x, v) in [(f64::NAN, 1.0, 0.0), (0.0, f64::NAN, 0.0), (0.0, 1.0, f64::INFINITY)] {
         reason(system.state(time, Vector2::new(x, 0.0), &Vector2::new(0.0, v)));
     }
-    let twice = constrained(plane, &unit, Free, Twice).unwrap();
+    let twice = constrained(plane, &unit, Free, nearly_twice(2.0, 0.0)).unwrap();
     let dependent = reason(twice.state(0.0, zero, &zero));
     assert!(dependent.contains("constraint 2 depends on the ones before it"), "{dependent}");
-    let wrong = Wrong(DMatrix::from_row_slice(1, 2, &[0.5, 0.0]));
-    let wrong = constrained(plane, &unit, Free, wrong).unwrap();
-    assert!(reason(wrong.state(0.0, zero, &zero)).contains("B^1_1 is 0.5"));
-    let shape = constrained(plane, &unit, Free, Wrong(DMatrix::zeros(2, 2))).unwrap();
+    let half = wrong(DMatrix::from_row_slice(1, 2, &[0.5, 0.0]));
+    let half = constrained(plane, &unit, Free, half).unwrap();
+    assert!(reason(half.state(0.0, zero, &zero)).contains("B^1_1 is 0.5"));
+    let shape = constrained(plane, &unit, Free, wrong(DMatrix::zeros(2, 2))).unwrap();
     assert!(matches!(shape.state(0.0, zero, &zero), Err(Error::Shape { .. })));
     assert!(matches!(constrained(So3, &unit, Free, Nothing), Err(Error::Shape { .. })));
     let plus = Connection::canonical(&So3.algebra().unwrap(), CanonicalConnection::Plus);
     let other = Constrained::new(Se2, &plus, &metric(&Se2, &[1.0; 3]), Free, Nothing);
     assert!(matches!(other, Err(Error::Shape { what: "the connection", .. })));
-}
-
-/// `x = 0` and `x + angle y = 0`.
-struct Nearly(f64);
-
-impl Constraint<Translations<Const<2>>> for Nearly {
-    fn value(&self, x: &Vector2<f64>) -> DVector<f64> {
-        dvector![x.x, x.x + self.0 * x.y]
-    }
-
-    fn gradient(&self, _: &Vector2<f64>) -> DMatrix<f64> {
-        DMatrix::from_row_slice(2, 2, &[1.0, 0.0, 1.0, self.0])
-    }
 }
 
 /// Errors of a state up to `1e-8` of its size are accepted, of a gradient up to `1e-4`, because it is compared with differences.
@@ -527,17 +516,41 @@ fn states_are_checked_to_their_tolerances() {
     let leaving =
         |rate: f64| system.state(0.0, Vector2::new(1.0, 0.0), &Vector2::new(rate, 1.0)).is_ok();
     let independent = |angle: f64| {
-        constrained(plane, &unit, Free, Nearly(angle)).unwrap().state(0.0, zero, &zero).is_ok()
+        let state = constrained(plane, &unit, Free, nearly_twice(1.0, angle))
+            .unwrap()
+            .state(0.0, zero, &zero);
+        let reason = |error: Error| error.to_string();
+        state.map_err(reason).map_or_else(|reason| !reason.contains("2 depends"), |_| true)
     };
-    let wrong = |off: f64| {
-        let gradient = Wrong(DMatrix::from_row_slice(1, 2, &[1.0 + off, 0.0]));
-        constrained(plane, &unit, Free, gradient).unwrap().state(0.0, zero, &zero).is_ok()
+    let derived = |off: f64| {
+        let given = wrong(DMatrix::from_row_slice(1, 2, &[1.0 + off, 0.0]));
+        constrained(plane, &unit, Free, given).unwrap().state(0.0, zero, &zero).is_ok()
     };
     for sign in [1.0, -1.0] {
         assert!(outside(sign * 1e-9) && !outside(sign * 1e-7));
         assert!(leaving(sign * 1e-9) && !leaving(sign * 1e-7));
         assert!(independent(sign * 1e-6) && !independent(sign * 1e-12));
-        assert!(wrong(sign * 1e-5) && !wrong(sign * 1e-3));
+        assert!(derived(sign * 1e-5) && !derived(sign * 1e-3));
+    }
+}
+
+/// The acceleration of a free particle on a curve is its curvature times the square of the speed: derivatives of gradients are
+/// differences of fourth order.
+#[test]
+fn accelerations_on_a_curve_have_ten_digits() {
+    let plane = Translations(Const::<2>);
+    let sine = Given(
+        |x: &Vector2<f64>| dvector![x.y - x.x.sin()],
+        |x: &Vector2<f64>| DMatrix::from_row_slice(1, 2, &[-x.x.cos(), 1.0]),
+    );
+    let system = constrained(plane, &metric(&plane, &[1.0, 1.0]), Free, sine).unwrap();
+    for (x, speed) in [0.2_f64, 0.7, 1.3, 2.9].into_iter().flat_map(|x| [(x, 0.1), (x, 30.0)]) {
+        let (sin, cos) = x.sin_cos();
+        let state =
+            system.state(0.0, Vector2::new(x, sin), &(Vector2::new(1.0, cos) * speed)).unwrap();
+        let exact = Vector2::new(cos, -1.0) * (sin * speed.powi(2) / (1.0 + cos * cos));
+        let off = (state.acceleration - exact).norm() / exact.norm();
+        assert!(off <= 1e-10, "{x} {speed}: {off:e}");
     }
 }
 

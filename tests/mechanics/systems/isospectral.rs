@@ -95,6 +95,12 @@ fn toda_is_a_chain_of_particles() {
         let acceleration = if k > 0 { force(k - 1) } else { 0.0 } - force(k);
         assert!((-2.0 * slope - acceleration).abs() < 1e-9);
     }
+    // (exp((q_k - q_(k+1))/2)/2)'
+    for k in 0..3 {
+        let rate = (after[(k, k + 1)] - before[(k, k + 1)]) / (2.0 * h);
+        let expected = 0.5 * (p[k] - p[k + 1]) * start.matrix[(k, k + 1)];
+        assert!((rate - expected).abs() < 1e-9, "{k}: {rate} {expected}");
+    }
     let kinetic: f64 = p.iter().map(|p| 0.5 * p * p).sum();
     let energy = kinetic + (0..3).map(force).sum::<f64>();
     assert!((Toda.energy(&start.matrix) - energy).abs() < 1e-14);
