@@ -416,6 +416,20 @@ fn elements_without_a_logarithm_are_refused() {
     assert!(outside.contains("leaves the algebra by 6.93"), "{outside}");
 }
 
+/// The determinant is 1 to a millionth of the squares of the entries.
+#[test]
+fn unimodular_matrices_are_read_to_a_tolerance() {
+    let read = |factor: f64, off: f64| {
+        let matrix = DMatrix::from_row_slice(2, 2, &[factor * (1.0 + off), 0.0, 0.0, 1.0 / factor]);
+        Sl2.read(&matrix).is_ok()
+    };
+    for factor in [1.0, 10.0] {
+        let size = factor * factor;
+        assert!(read(factor, 0.0) && read(factor, 1e-7 * size) && read(factor, -1e-7 * size));
+        assert!(!read(factor, 1e-5 * size) && !read(factor, -1e-5 * size), "{factor}");
+    }
+}
+
 #[test]
 fn what_is_no_matrix_group_is_refused() {
     let units = units(2);

@@ -2,12 +2,12 @@
 
 use crate::common::{algebras::catalogued, property::properties};
 use affinor::group::{
-    Coordinates, Heisenberg, LieGroup, MatrixGroup, Nilpotent, Opposite, Product, Se2, Se3, Se23,
-    Sl2, So2, So3, Translations,
+    Coordinates, Heisenberg, Homotheties, LieGroup, MatrixGroup, Nilpotent, Opposite, Product, Se2,
+    Se3, Se23, Sl2, So2, So3, Translations,
 };
 use affinor::{Error, Law, LieAlgebra};
 use affinor_tensors::Rational;
-use nalgebra::{Const, DMatrix, DVector, Vector3};
+use nalgebra::{Const, DMatrix, DVector, Vector2, Vector3};
 use proptest::prelude::*;
 use std::f64::consts::TAU;
 
@@ -157,4 +157,15 @@ fn what_does_not_turn_is_never_singular() {
     // hyperbolic and parabolic vectors of SL(2)
     regular(&Sl2, &[TAU, TAU, 0.0], &v);
     regular(&Sl2, &[TAU, 0.0, 0.0], &v);
+}
+
+/// On the group of homotheties `T_left(w, u)(1, 0) = (1, u sum (-w)^k/(k + 2)!)`: to all digits for small and large `w`.
+#[test]
+fn homotheties_have_all_digits() {
+    let line = Homotheties::<Const<2>>::new();
+    for w in [0.0, 1e-9, 1e-6, -1e-4, 1e-3, 0.01, -0.1, 0.5, -0.99, 1.01, -2.0_f64] {
+        let exact = (3..60).rev().fold(1.0, |rest, k| 1.0 - rest * w / f64::from(k)) / 2.0;
+        let image = line.tangent_left(&Vector2::new(w, 3.0), &Vector2::new(1.0, 0.0));
+        assert!((image[1] / (3.0 * exact) - 1.0).abs() <= 8.0 * f64::EPSILON, "{w}: {image}");
+    }
 }

@@ -404,3 +404,25 @@ fn what_does_not_fit_is_refused() {
     let nowhere = plus.autoparallel(&So3.identity(), &Vector3::x(), &[f64::NAN], 1e-9);
     assert!(matches!(nowhere.unwrap_err(), Error::Integration { .. }));
 }
+
+/// A generator whose turns exceed the rounding error of its angle is rejected. Long translations are transported.
+#[test]
+fn too_many_turns_are_rejected() {
+    let zero = canonical(CanonicalConnection::Zero);
+    for angle in [1.0, 1e6, 1e9] {
+        let found = zero.along_subgroup(&Vector3::new(0.0, 0.6 * angle, 0.8 * angle)).unwrap();
+        assert!((found.trace() - (1.0 + 2.0 * (0.5 * angle).cos())).abs() < 1e-6, "{angle}");
+    }
+    for angle in [1e17, 1e20, 1e100] {
+        let lost = zero.along_subgroup(&Vector3::new(0.0, 0.6 * angle, 0.8 * angle));
+        assert!(matches!(lost, Err(Error::Integration { .. })), "{angle}: {lost:?}");
+    }
+    let plus = Connection::canonical(&Se2.algebra().unwrap(), CanonicalConnection::Plus);
+    let plane = ParallelTranslation::new(Se2, plus).unwrap();
+    for length in [1.0, 1e9, 1e15, 1e20] {
+        let x = Vector3::new(0.3, length, -0.5 * length);
+        let found = plane.along_subgroup(&x).unwrap();
+        let exact = Se2.adjoint_exp(&-x);
+        assert!((found - &exact).amax() <= 1e-14 * exact.amax(), "{length}");
+    }
+}

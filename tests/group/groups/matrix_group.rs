@@ -1,9 +1,9 @@
 //! Products and logarithms of matrix groups preserve the digits that their input determines, against 60-digit arithmetic and
 //! closed forms; and the element of the algebra nearest to a matrix.
 
-use crate::common::algebras::catalogued;
+use crate::common::algebras::{by_table, catalogued};
 use affinor::algebra::catalogue;
-use affinor::group::{AnyGroup, LieGroup, MatrixGroup, MatrixNotation, registry};
+use affinor::group::{AnyGroup, LieGroup, MatrixGroup, MatrixNotation, TranslationSplit, registry};
 use affinor_tensors::Rational;
 use affinor_tensors::linear::Matrix;
 use nalgebra::{DMatrix, DVector};
@@ -77,8 +77,8 @@ fn boosts_add() {
         let group = AnyGroup::named(name).unwrap();
         let axis = DVector::from_column_slice(axis);
         // multiples without rounding errors
-        for s in [-14.0, -7.5, 0.5_f64.powi(20), 3.0, 8.0, 14.0] {
-            for t in [-8.0, -7.0, 0.25, 3.0, 6.0] {
+        for s in [-14.0, -7.5, 0.5_f64.powi(20), 0.0625, 0.5, 3.0, 8.0, 14.0] {
+            for t in [-8.0, -7.0, 0.0625, 0.25, 0.5, 3.0, 6.0] {
                 let found = group.log_product(&(&axis * s), &(&axis * t)).unwrap();
                 let sum = &axis * (s + t);
                 // opposite vectors cancel to the rounding error of double-double numbers
@@ -94,7 +94,7 @@ fn boosts_add() {
 fn logarithms_of_boosts() {
     for (name, axis) in [("so(2,1)", 0), ("so(3,1)", 1), ("so(2,2)", 1), ("iso(3,1)", 1)] {
         let group = AnyGroup::named(name).unwrap();
-        for size in [0.1, 3.0, 6.0, 9.0, 12.0, 14.0] {
+        for size in (1..=28).map(|k| 0.5 * f64::from(k)) {
             let mut x = DVector::from_element(group.dimension(), 0.01);
             x[axis] = size;
             let g = group.exp(&x);
@@ -315,7 +315,8 @@ fn the_largest_angles_below_a_half_turn() {
     // a half turn has no direction
     let mut g = DMatrix::identity(4, 4);
     (g[(0, 0)], g[(1, 1)]) = (-1.0, -1.0);
-    assert!(so4.log(&g).is_err());
+    let half_turn = so4.log(&g).unwrap_err().to_string();
+    assert!(half_turn.contains("closed negative axis"), "{half_turn}");
 }
 
 /// Eigenvalues `3/2 exp(+-i (pi - gap))` and `1/2`: the logarithm is `ln(3/2) + (pi - gap) J` and `ln(1/2)` in the basis of
@@ -379,4 +380,103 @@ fn each_condition_of_an_element_rejects() {
         _ => cos,
     });
     assert!(su3.expect_element(&third, 1e-6).is_ok());
+}
+
+/// The logarithm of a matrix that rounding took off the group is that of the nearest element. Matrices farther away have none.
+#[test]
+fn logarithms_beside_the_group() {
+    let exp = affinor::numerics::exponential::exp;
+    let diagonal = |entries: &[f64]| DMatrix::from_diagonal(&DVector::from_column_slice(entries));
+    let stretch = diagonal(&[1.0, -1.0, 0.0]);
+    let line = MatrixGroup::new(std::slice::from_ref(&stretch)).unwrap();
+    let beside = |off: f64| line.log(&exp(&(&stretch * 0.5 + diagonal(&[0.1, 0.1, -0.2]) * off)));
+    for off in [0.0, 1e-12, 1e-9, 1e-7] {
+        let x = beside(off).unwrap();
+        assert!((x[0] - 0.5).abs() <= 4.0 * off + 4.0 * EPS, "{off}: {x}");
+    }
+    for off in [1e-4, 1e-3, 1e-2] {
+        let error = beside(off).unwrap_err().to_string();
+        assert!(error.contains("leaves the algebra"), "{off}: {error}");
+    }
+}
+
+/// A generator turns by an angle if its square is a negative multiple of a projection: of one frequency, not of two.
+#[test]
+fn angles_are_generators_of_one_frequency() {
+    let generator = |entries: &[(usize, usize, f64)]| {
+        let mut matrix = DMatrix::zeros(4, 4);
+        entries.iter().for_each(|(i, j, value)| matrix[(*i, *j)] = *value);
+        MatrixGroup::new(&[matrix]).unwrap().is_angle(0)
+    };
+    let plane = [(0, 1, -1.0), (1, 0, 1.0)];
+    let other = |w: f64| [(2, 3, -w), (3, 2, w)];
+    assert!(generator(&plane));
+    assert!(generator(&[plane, other(1.0)].concat()));
+    assert!(!generator(&[plane, other(2.0)].concat()));
+    // a boost, a shear, and a turn that stretches
+    assert!(!generator(&[(0, 1, 1.0), (1, 0, 1.0)]));
+    assert!(!generator(&[(0, 1, 1.0)]));
+    assert!(!generator(&[plane.to_vec(), vec![(0, 0, 0.5), (1, 1, 0.5)]].concat()));
+}
+
+/// Rotations of an ellipse with half axes 1 and `1/2` preserve the form `diag(1, 4)`, which gives the inverse.
+#[test]
+fn inverses_by_a_form() {
+    let turn = DMatrix::from_row_slice(2, 2, &[0.0, -4.0, 1.0, 0.0]);
+    let ellipse = MatrixGroup::new(&[turn]).unwrap();
+    for angle in [0.1, 0.7, 2.0] {
+        let x = DVector::from_element(1, angle);
+        let (g, back) = (ellipse.exp(&x), ellipse.exp(&-x));
+        assert!((ellipse.inverse(&g) - back).amax() < 16.0 * EPS, "{angle}");
+    }
+}
+
+/// A rotation about a distant point: the angle has its digits beside translations of any length.
+#[test]
+fn components_of_distant_rotations() {
+    for length in [1.0, 1e3, 1e6] {
+        let entries = [[0.0, -1.0, length], [1.0, 0.0, -0.3 * length], [0.0, 0.0, 0.0]];
+        let about = DMatrix::from_fn(3, 3, |i, j| entries[i][j]);
+        let along = |row: usize| DMatrix::from_fn(3, 3, |i, j| f64::from((i, j) == (row, 2)));
+        let plane = MatrixGroup::new(&[about, along(0), along(1)]).unwrap();
+        for angle in [0.3, 0.7, 1.1, -2.3] {
+            let x = DVector::from_vec(vec![angle, 0.7 * length, -0.2 * length]);
+            let found = plane.components(&plane.generator(&x));
+            assert!((found[0] - angle).abs() <= 4.0 * EPS, "{length}: {found}");
+            assert!((found - &x).amax() <= 16.0 * EPS * length, "{length}");
+        }
+    }
+}
+
+/// The translations are the kernel of the Killing form, if it is abelian and has a complementary subalgebra.
+#[test]
+fn translations_need_a_complement() {
+    // T and S act on a line each
+    let unit = |i: usize, j: usize| DMatrix::from_fn(7, 7, |row, k| f64::from((row, k) == (i, j)));
+    let lines = [unit(0, 0), unit(2, 2), unit(0, 1), unit(2, 3)];
+    assert!(MatrixGroup::new(&lines).unwrap().has_translations());
+    // [T, S] = Z is not a bracket of others, so T and S are in no complement
+    let mut extended = lines.to_vec();
+    extended[0] += unit(4, 5);
+    extended[1] += unit(5, 6);
+    extended.push(unit(4, 6));
+    assert!(!MatrixGroup::new(&extended).unwrap().has_translations());
+    // the kernel of the oscillator algebra is a Heisenberg algebra
+    let oscillator = by_table(4, &[(1, 2, 3, 1), (1, 3, 2, -1), (2, 3, 4, 1)]);
+    let oscillator = MatrixGroup::of_algebra(&oscillator.map(Rational::to_f64).unwrap());
+    assert!(!oscillator.unwrap().has_translations());
+    // screws J_i + e_i and translations e_i: J_i has the translational part 0, without rounding errors
+    let mut basis = vec![];
+    for (i, j, k) in [(0, 1, 2), (1, 2, 0), (2, 0, 1)] {
+        let mut screw = DMatrix::zeros(4, 4);
+        (screw[(k, j)], screw[(j, k)], screw[(i, 3)]) = (1.0, -1.0, 1.0);
+        basis.push(screw);
+    }
+    basis.extend((0..3).map(|i| DMatrix::from_fn(4, 4, |row, k| f64::from((row, k) == (i, 3)))));
+    let motions = MatrixGroup::new(&basis).unwrap();
+    for i in 0..3 {
+        let unit = |at: usize| DVector::from_fn(6, |k, _| f64::from(k == at));
+        let part = |x: &DVector<f64>| motions.translational_part(x).unwrap();
+        assert_eq!([part(&unit(i)), part(&unit(3 + i))], [unit(3 + i), unit(3 + i)], "{i}");
+    }
 }

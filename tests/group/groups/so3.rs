@@ -6,6 +6,7 @@ use crate::common::property::properties;
 use affinor::group::batch;
 use affinor::group::rotation::{from_matrix, matrix};
 use affinor::group::{LieGroup, So3};
+use affinor::{Error, Law};
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 use proptest::prelude::*;
 #[path = "../../common/rotation_peers.rs"]
@@ -296,5 +297,49 @@ fn table() {
             }
             println!();
         }
+    }
+}
+
+/// A quaternion of any length is projected to length 1, and has the logarithm of its rotation.
+#[test]
+fn lengths_of_quaternions_have_no_influence() {
+    let g = So3.exp(&Vector3::new(0.9, -1.3, 0.4));
+    for off in [0.0, 1e-12, -1e-9, 1e-8, -1e-6, 1e-5, 1e-4, -1e-3, 0.01, -0.5, 1.0, 1e9] {
+        let scaled = UnitQuaternion::new_unchecked(g.into_inner() * (1.0 + off));
+        let projected = So3.project(scaled);
+        assert!((projected.coords - g.coords).amax() <= 2.0 * EPS, "{off}: {projected}");
+        let logs = [&g, &scaled].map(|g| So3.log(g).unwrap());
+        assert!((logs[0] - logs[1]).amax() <= 4.0 * EPS, "{off}: {}", logs[1]);
+    }
+}
+
+/// The logarithm near a vector differs from it by at most half a turn, along its own axis: at the identity that of the vector.
+#[test]
+fn logarithms_near_vectors() {
+    let axis = Vector3::new(2.0, -1.0, 2.0) / 3.0;
+    for angle in [0.0, 1.0, 3.0, 4.0, TAU, 10.0, 5.0 * TAU] {
+        let x = axis * angle;
+        let g = if angle % TAU == 0.0 { So3.identity() } else { So3.exp(&x) };
+        for near in [-2.5, -0.4, 0.0, 0.4, 2.5].map(|off| axis * (angle + off)) {
+            let found = So3.log_near(&g, &near).unwrap();
+            assert!((found - x).norm() <= 1e-14 * angle.max(1.0), "{angle}: {found} near {near}");
+        }
+    }
+}
+
+/// The rounding error of a long vector exceeds its distance from the singular lengths `2 pi k`.
+#[test]
+fn tangents_at_long_vectors_are_rejected() {
+    let (axis, v) = (Vector3::new(2.0, -1.0, 2.0) / 3.0, Vector3::new(0.3, 0.5, -0.2));
+    let huge = [1e16, 1e100, 1e300];
+    for length in (1..=12).map(|k| 1e15 + 1e13 * f64::from(k)).chain(huge) {
+        let found = So3.tangent_left_inverse(&(axis * length), &v);
+        assert!(matches!(found, Err(Error::Broken { law: Law::RegularTangent, .. })), "{length}");
+    }
+    for length in [1.0, 1e3, 1e8, 1e12] {
+        let x = axis * length;
+        let there = So3.tangent_left_inverse(&x, &v).unwrap();
+        let back = So3.tangent_left(&x, &there);
+        assert!((back - v).norm() <= 1e-3, "{length}: {back}");
     }
 }
