@@ -248,3 +248,30 @@ fn gap_beside_an_abelian_and_a_simple_summand() {
         assert_eq!(sum.levi().unwrap().dimension() + sum.radical().dimension(), sum.dimension());
     }
 }
+
+/// The algebra without vectors is abelian, and not semisimple: it has no simple ideals.
+#[test]
+fn of_dimension_zero() {
+    let bracket = Bracket::from_constants(labels(0), []).unwrap();
+    let algebra: Algebra = LieAlgebra::try_from(bracket).unwrap();
+    let structure = StructureTheory::new(algebra);
+    assert!(!structure.is_semisimple());
+    assert!(structure.is_abelian() && structure.is_solvable() && structure.is_nilpotent());
+}
+
+/// The brackets of two subspaces are those of all pairs of basis vectors, as of coordinate planes of rotations.
+#[test]
+fn brackets_of_subspaces() {
+    let structure = StructureTheory::new(catalogued("so(4)"));
+    let algebra = structure.algebra();
+    let span = |units: &[usize]| Subspace::span(6, units.iter().map(|&at| vec![(at, 1.into())]));
+    let sets: Vec<Vec<usize>> =
+        (0..64_usize).map(|set| (0..6).filter(|at| set >> at & 1 == 1).collect()).collect();
+    for (v, w) in sets.iter().flat_map(|v| sets.iter().map(move |w| (v, w))) {
+        let constants = algebra.structure_constants().components();
+        let images = constants.filter(|(at, _)| v.contains(&at[1]) && w.contains(&at[2]));
+        // each bracket of basis vectors is a multiple of a basis vector
+        let expected: Vec<usize> = images.map(|(at, _)| at[0]).collect();
+        assert_eq!(structure.bracket(&span(v), &span(w)), span(&expected), "{v:?} {w:?}");
+    }
+}

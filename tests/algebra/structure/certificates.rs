@@ -108,3 +108,16 @@ fn betti_numbers_of_higher_dimension() {
     expected.extend(expected.clone().iter().rev());
     assert_eq!(betti("heisenberg(13)"), (expected, false));
 }
+
+/// Beyond the dimensions of equations, of reductive algebras: a derivation is inner but for the maps of the centre, and an
+/// invariant form is a multiple of the Killing form on each simple ideal, and any symmetric form on the centre.
+#[test]
+fn reductive_algebras_of_large_dimensions() {
+    for (name, derivations, forms) in
+        [("sl(6)", 35, 1), ("sl(6)+R^1", 36, 2), ("sl(6)+R^3", 44, 7), ("so(8)+sl(2)+R^2", 35, 5)]
+    {
+        let structure = StructureTheory::new(catalogued(name));
+        assert_eq!(structure.derivation_dimension().unwrap().dimension, derivations, "{name}");
+        assert_eq!(structure.invariant_form_dimension().unwrap().dimension, forms, "{name}");
+    }
+}

@@ -1,9 +1,10 @@
 //! Root spaces, multiplied out with the bracket of the algebra alone.
 
 use crate::common::algebras::catalogued;
-use affinor::Rational;
 use affinor::algebra::structure::StructureTheory;
+use affinor::{BasisChange, Rational};
 use affinor_tensors::linear::Row;
+use affinor_tensors::{Down, Ring, Tensor, Up};
 
 fn dense(row: &Row<Rational>, n: usize) -> Vec<Rational> {
     let mut vector = vec![Rational::from(0); n];
@@ -98,4 +99,31 @@ fn cartan_subalgebras_of_many_commuting_vectors() {
 #[ignore = "long: dimension 1599"]
 fn cartan_subalgebra_of_sl_40() {
     assert_eq!(StructureTheory::new(catalogued("sl(40)")).rank(), 39);
+}
+
+/// A Cartan subalgebra is its own normalizer, also where every vector of the basis is nilpotent, and sums of two are.
+#[test]
+fn cartan_subalgebras_in_bases_of_nilpotent_vectors() {
+    let algebra = catalogued("sl(2)+sl(2)");
+    // e, f and e - f + h of each summand
+    let vectors: Vec<Vec<i64>> = [0, 3]
+        .into_iter()
+        .flat_map(|at| [[1, 0, 0], [0, 1, 0], [1, -1, 1]].map(|x| (at, x)))
+        .map(|(at, x)| (0..6).map(|i| if i / 3 == at / 3 { x[i % 3] } else { 0 }).collect())
+        .collect();
+    for first in (0..64_usize).filter(|set| set.count_ones() == 3) {
+        // the positions of the vectors of the first summand
+        let (inside, outside): (Vec<_>, Vec<_>) = (0..6).partition(|at| first >> at & 1 == 1);
+        let places: Vec<usize> = inside.into_iter().chain(outside).collect();
+        let change = Tensor::from_fn(6, [Up, Down], |[i, j]| {
+            let at = places.iter().position(|place| *place == j).unwrap();
+            Rational::from(vectors[at][i])
+        });
+        let change = BasisChange::new(change.unwrap()).unwrap();
+        let structure = StructureTheory::new(algebra.change_basis(&change).unwrap());
+        assert!((0..6).all(|at| structure.killing_matrix().get(at, at).vanishes()));
+        let cartan = structure.cartan_subalgebra();
+        assert_eq!(cartan.dimension(), 2);
+        assert_eq!(structure.normalizer(&cartan), cartan, "{first:b}");
+    }
 }
