@@ -338,6 +338,31 @@ fn conformally_flat() {
     assert!((curvature.value() + 1.0).abs() < 1e-13);
 }
 
+/// Constants are quotients of large components: a component of the metric that nearly cancels has few digits in the curvature.
+/// With `[e_1, e_i] = e_i` all metrics have constant curvature.
+#[test]
+fn constants_are_quotients_of_large_components() {
+    let algebra = by_table(3, &[(1, 2, 2, 1), (1, 3, 3, 1)]);
+    // orthonormal vectors e_p = A^p_i e'_i, where the first two columns of A are orthogonal to 1e-13
+    let t = fraction(21, 5) - &Rational::new(9, 10_i64.pow(13)).unwrap();
+    let columns = [
+        [fraction(7, 10), fraction(1, 3), fraction(-1, 9)],
+        [fraction(1, 3), fraction(7, 10), t],
+        [fraction(-1, 9), fraction(1, 4), fraction(7, 10)],
+    ];
+    let moved = Tensor::from_fn(3, [Up, Down], |[i, j]| columns[j][i].clone()).unwrap();
+    let unit = Tensor::from_fn(3, [Down, Down], |[i, j]| integer((i == j) as i64)).unwrap();
+    let metric = contract("A^p_i A^q_k g_pq -> _ik", &[("A", &moved), ("g", &unit)]).unwrap();
+    let change = affinor::BasisChange::new(moved).unwrap();
+    let given = Given::levi_civita(&algebra.change_basis(&change).unwrap(), &metric);
+    let geometry = given.over(number);
+    let (connection, metric) = (geometry.connection(), geometry.metric().unwrap());
+    let einstein = connection.einstein_constant(metric).unwrap().holds().unwrap();
+    let curvature = connection.constant_curvature(metric).unwrap().holds().unwrap();
+    assert!((einstein.value() + 2.0).abs() < 1e-12, "{einstein:?}");
+    assert!((curvature.value() + 1.0).abs() < 1e-12, "{curvature:?}");
+}
+
 /// What is not a number is called so, with its component, and not unsymmetric.
 #[test]
 fn what_is_no_number_is_named() {

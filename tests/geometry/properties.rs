@@ -8,7 +8,7 @@ use crate::common::charts::{Chart, Moved, constant};
 use crate::common::spaces::{named, rational, symbolic};
 use crate::common::{Space, fraction, integer, property::properties, spaces};
 use affinor::geometry::properties::{Property, Soliton};
-use affinor::{Connection, Error, Frame, Geometry, LieAlgebra, Metric};
+use affinor::{CanonicalConnection, Connection, Error, Frame, Geometry, LieAlgebra, Metric};
 use affinor_tensors::linear::Matrix;
 use affinor_tensors::{Down, Notation, Rational, Scalar, Symbolic, Tensor, contract};
 use num_traits::Zero;
@@ -283,6 +283,8 @@ fn in_moving_frames() {
                     false => {
                         let witness = found.witness().unwrap();
                         assert!(witness.equation.starts_with("e_k("), "{witness}");
+                        // of the factor itself, not of the scalar curvature alone
+                        assert_ne!(witness.equation, "e_k(S)");
                         assert!(!witness.residual.is_zero());
                     }
                 }
@@ -430,4 +432,15 @@ properties! {
         let bi_invariant = metric.bi_invariant(&space.algebra)?.holds().is_some();
         prop_assert_eq!(bi_invariant, fields.len() == space.dimension());
     }
+}
+
+/// Of `plus`, `Lambda = c`: `(nabla_1 g)_23 = -c^3_12 g_33 - c^2_13 g_22 = -3 + 2`.
+#[test]
+fn a_metric_that_is_not_parallel() {
+    let space = named("so3", "diag(1,2,3)");
+    let plus = Connection::canonical(space.algebra().unwrap(), CanonicalConnection::Plus);
+    let witness = plus.metric_compatible(space.metric().unwrap()).unwrap().witness().unwrap();
+    assert_eq!(witness.to_string(), "(nabla_k g)_ij = -1 at k = 1, i = 2, j = 3");
+    let levi_civita = space.connection().metric_compatible(space.metric().unwrap()).unwrap();
+    assert_eq!(levi_civita, Property::Holds(()));
 }

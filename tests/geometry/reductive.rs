@@ -482,6 +482,9 @@ fn what_is_no_pair_is_refused() {
     let g = Tensor::from_fn(2, [Down, Down], |[i, j]| integer(((i == j) as i64) << i)).unwrap();
     let refused = sphere.levi_civita(&metric(g)).unwrap_err();
     assert!(refused.to_string().contains("the metric must be invariant under h"), "{refused}");
+    // (E g)_12 = -g_22 E^2_1 - g_11 E^1_2 = 2 - 1 up to the sign of E
+    let Error::Broken { at, .. } = refused else { panic!("{refused}") };
+    assert_eq!(at[2], "1,2");
     let gamma = Tensor::from_fn(2, [Up, Down, Down], |[i, ..]| integer(i as i64)).unwrap();
     assert!(matches!(
         sphere.connection(gamma),

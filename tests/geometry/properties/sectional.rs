@@ -4,9 +4,12 @@ use crate::common::algebras::catalogued;
 use crate::common::spaces::{named, rational};
 use crate::common::{fraction, integer};
 use affinor::algebra::structure::StructureTheory;
-use affinor::geometry::properties::Extreme;
-use affinor::{CanonicalConnection, Connection, Geometry, Metric, Rational};
-use affinor_tensors::{Down, Tensor};
+use affinor::geometry::properties::{Extreme, MAX_SEARCHED};
+use affinor::{
+    BasisChange, CanonicalConnection, Connection, Error, Frame, Geometry, Metric, Rational,
+};
+use affinor_tensors::{Down, Symbolic, Tensor, Up, contract};
+use nalgebra::DMatrix;
 
 /// The smallest and the largest curvature; each is that of its plane, and no coordinate plane lies beyond a proved one.
 fn extremes(space: &Geometry<Rational>) -> [Extreme; 2] {
@@ -63,7 +66,7 @@ fn of_the_complex_hyperbolic_plane() {
 fn of_bi_invariant_metrics() {
     for (name, coxeter) in [("su3", 3), ("so5", 3), ("so(6)", 4)] {
         let space = named(name, "killing");
-        if space.algebra().unwrap().dimension() > affinor::geometry::properties::MAX_SEARCHED {
+        if space.algebra().unwrap().dimension() > MAX_SEARCHED {
             let metric = space.metric().unwrap();
             assert_eq!(metric.sectional_extremes(space.algebra().unwrap()).unwrap(), None);
             continue;
@@ -108,6 +111,11 @@ fn parallel_forms() {
         Connection::canonical(&algebra, family).parallel_forms().unwrap().len()
     };
     assert_eq!([count(CanonicalConnection::Plus), count(CanonicalConnection::Minus)], [1, 6]);
+    // components that are constant in a frame of coordinates are no invariants
+    let coordinates = Frame::coordinates(&["x", "y"]).unwrap();
+    let plane = Metric::<Symbolic>::identity(2).unwrap();
+    let plane = Connection::levi_civita(&coordinates, &plane).unwrap();
+    assert!(matches!(plane.parallel_forms(), Err(Error::Unsupported(_))));
     let space = named("so3", "diag(1,2,3)");
     let forms = space.connection().parallel_forms().unwrap();
     let [only] = &forms[..] else { panic!("an irreducible holonomy leaves one metric") };
@@ -254,4 +262,85 @@ fn curvature_of(curvature: &Entries, metric: &Metric<Rational>, x: &[f64], y: &[
         curvature.iter().map(|([i, j, k, l], r)| r * x[*i] * y[*j] * x[*k] * y[*l]).sum();
     let below = form(x, x) * form(y, y) - form(x, y) * form(x, y);
     if below > 1e-9 { above / below } else { f64::NAN }
+}
+
+/// Extremes are searched up to the largest dimension, and not beyond it.
+#[test]
+fn are_searched_up_to_a_dimension() {
+    for (n, found) in [(1, false), (2, true), (MAX_SEARCHED, true), (MAX_SEARCHED + 1, false)] {
+        let algebra = catalogued(&format!("R^{n}"));
+        let extremes = Metric::identity(n).unwrap().sectional_extremes(&algebra).unwrap();
+        assert_eq!(extremes.is_some(), found, "{n}");
+    }
+}
+
+/// In dimension 3 the extremes are `S/2 - r` for the largest and the smallest eigenvalue `r` of the Ricci endomorphism. They
+/// are proved if these are rational.
+#[test]
+fn by_eigenvalues_of_the_ricci_endomorphism() {
+    let (mut rational, mut irrational) = (0, 0);
+    for name in ["so3", "sl2", "heisenberg(3)", "bianchi(IV)", "bianchi(V)", "bianchi(VI,h=-1/2)"] {
+        let algebra = catalogued(name);
+        for [a, b, c] in [[0, 0, 0], [1, 0, 0], [1, -1, 2], [0, 1, 1]] {
+            let entries = [[4, a, b], [a, 5, c], [b, c, 7]];
+            let g = Tensor::from_fn(3, [Down, Down], |[i, j]| integer(entries[i][j])).unwrap();
+            let metric = Metric::new(algebra.labels(), g).unwrap();
+            let found = metric.sectional_extremes(&algebra).unwrap().unwrap();
+            let connection = Connection::levi_civita(algebra.left_frame(), &metric).unwrap();
+            let ricci = connection.ricci().raise(0, metric.inverse()).unwrap();
+            let ricci = DMatrix::from_fn(3, 3, |i, j| ricci.get(&[i, j]).to_f64());
+            // symmetric in the metric: the eigenvalues are real
+            let mut values: Vec<f64> =
+                ricci.complex_eigenvalues().iter().map(|value| value.re).collect();
+            values.sort_by(f64::total_cmp);
+            let half = 0.5 * values.iter().sum::<f64>();
+            for (extreme, value) in found.iter().zip([values[2], values[0]]) {
+                let off = (extreme.curvature.to_f64() - (half - value)).abs();
+                assert!(off < 1e-7, "{name} {entries:?}: {extreme:?} {value}");
+            }
+            match found[0].proved {
+                true => rational += 1,
+                false => irrational += 1,
+            }
+        }
+    }
+    assert!(rational > 3 && irrational > 3, "{rational} {irrational}");
+}
+
+/// Of two spheres the more curved one has the largest curvature, by however little; planes between them are flat.
+#[test]
+fn of_products_of_nearly_equal_spheres() {
+    let found = extremes(&named("so3+so3", "diag(1,1,1,499/500,499/500,499/500)"));
+    assert_eq!(values(&found), [integer(0), fraction(125, 499)]);
+}
+
+/// A bound is proved only if the plane found attains it. In a skewed basis with simple fractions the planes are found exactly.
+#[test]
+fn in_skewed_bases() {
+    for (name, diagonal) in [("so(3)+R^1", [1, 2, 3, 1]), ("so(3)+R^1", [1, 1, 1, 1])] {
+        let algebra = catalogued(name);
+        let entry = |[i, j]: [usize; 2]| integer(if i == j { diagonal[i] } else { 0 });
+        let g = Tensor::from_fn(4, [Down, Down], entry).unwrap();
+        let plain = Metric::new(algebra.labels(), g.clone()).unwrap();
+        let plain = plain.sectional_extremes(&algebra).unwrap().unwrap();
+        for (a, b) in [((1, 3), (1, 2)), ((-1, 4), (2, 3)), ((17, 1009), (-5, 997))] {
+            let is_simple = a.1 < 10 && diagonal[1] != diagonal[0];
+            let skew = Tensor::from_fn(4, [Up, Down], |[i, j]| match (i, j) {
+                (0, 3) | (2, 1) => fraction(a.0, a.1),
+                (1, 3) => fraction(b.0, b.1),
+                _ => integer(i64::from(i == j)),
+            })
+            .unwrap();
+            let moved = contract("A^p_i A^q_k g_pq -> _ik", &[("A", &skew), ("g", &g)]).unwrap();
+            let moved_algebra = algebra.change_basis(&BasisChange::new(skew).unwrap()).unwrap();
+            let metric = Metric::new(moved_algebra.labels(), moved).unwrap();
+            let found = metric.sectional_extremes(&moved_algebra).unwrap().unwrap();
+            for (found, plain) in found.iter().zip(&plain) {
+                let off = found.curvature.to_f64() - plain.curvature.to_f64();
+                assert!(off.abs() < 1e-12, "{name} {a:?}: {off}");
+                assert!(!found.proved || found.curvature == plain.curvature, "{name} {a:?}");
+                assert!(!is_simple || found.curvature == plain.curvature, "{name} {a:?}");
+            }
+        }
+    }
 }
