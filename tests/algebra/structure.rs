@@ -14,7 +14,7 @@ mod symplectic;
 
 use crate::common::algebras::catalogued;
 use crate::common::labels;
-use affinor::algebra::structure::{StructureTheory, Subspace};
+use affinor::algebra::structure::{Existence, StructureTheory, Subspace};
 use affinor::{BasisChange, Bracket, LieAlgebra, Rational, Tensor};
 use affinor_tensors::linear::Matrix;
 use affinor_tensors::{Down, Up};
@@ -249,7 +249,7 @@ fn gap_beside_an_abelian_and_a_simple_summand() {
     }
 }
 
-/// The algebra without vectors is abelian, and not semisimple: it has no simple ideals.
+/// The algebra without vectors is abelian, and not semisimple: it has no simple ideals. Its only 2-form is symplectic.
 #[test]
 fn of_dimension_zero() {
     let bracket = Bracket::from_constants(labels(0), []).unwrap();
@@ -257,6 +257,9 @@ fn of_dimension_zero() {
     let structure = StructureTheory::new(algebra);
     assert!(!structure.is_semisimple());
     assert!(structure.is_abelian() && structure.is_solvable() && structure.is_nilpotent());
+    // the form without components is not degenerate
+    let exact = structure.exact_symplectic_form(&structure.two_forms().unwrap());
+    assert_eq!(exact, Existence::Witness(vec![]));
 }
 
 /// The brackets of two subspaces are those of all pairs of basis vectors, as of coordinate planes of rotations.

@@ -121,3 +121,26 @@ fn reductive_algebras_of_large_dimensions() {
         assert_eq!(structure.invariant_form_dimension().unwrap().dimension, forms, "{name}");
     }
 }
+
+/// The cohomology of a reductive algebra is that of a product of spheres of odd dimensions (H. Hopf, *Ann. of Math.* 42 (1941)
+/// 22-52), in small dimensions by linear algebra and in large ones by the exponents of the type.
+#[test]
+fn reductive_algebras_have_the_cohomology_of_spheres() {
+    let cases: [(&str, &[usize]); 6] = [
+        ("sl(2)+R^2", &[1, 1, 3]),
+        ("sl(3)+R^1", &[1, 3, 5]),
+        ("sl(3)+sl(2)+R^1", &[1, 3, 3, 5]),
+        ("so(5)+sl(2)", &[3, 3, 7]),
+        ("G2", &[3, 11]),
+        ("sl(4)", &[3, 5, 7]),
+    ];
+    for (name, spheres) in cases {
+        let structure = StructureTheory::new(catalogued(name));
+        let mut expected = vec![0; structure.dimension() + 1];
+        for set in 0..1_usize << spheres.len() {
+            let chosen = spheres.iter().enumerate().filter(|(at, _)| set >> at & 1 == 1);
+            expected[chosen.map(|(_, sphere)| sphere).sum::<usize>()] += 1;
+        }
+        assert_eq!(structure.betti_numbers(), Some((expected, true)), "{name}");
+    }
+}

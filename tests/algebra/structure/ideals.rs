@@ -1,7 +1,7 @@
 //! What the structure theory finds, multiplied out with the bracket of the algebra alone.
 
 use crate::algebra::structure::{regular, scrambled, stored};
-use crate::common::algebras::catalogued;
+use crate::common::algebras::{by_table, catalogued};
 use affinor::algebra::roots::{CartanType, Series};
 use affinor::algebra::structure::real_forms::real_forms;
 use affinor::algebra::structure::{StructureTheory, Subspace};
@@ -275,4 +275,31 @@ fn constructions_refuse_what_does_not_fit() {
             Err(Error::Broken { law: Law::Limit, .. })
         ));
     }
+}
+
+/// Rotations of the form `diag(1, 1, a)` over the field of `a^3 = 3 a - 1`, whose roots are -1.88, 0.35 and 1.53: two ideals over
+/// the reals are compact, one is not.
+#[test]
+fn a_field_with_three_real_places() {
+    let power = |k: usize| {
+        let mut value = [1, 0, 0];
+        (0..k).for_each(|_| value = [-value[2], value[0] + 3 * value[2], value[1]]);
+        value
+    };
+    let mut brackets = vec![];
+    for (j, k) in (0..3).flat_map(|j| (0..3).map(move |k| (j, k))) {
+        // [e_1, e_2] = e_3, [e_2, e_3] = a e_1, [e_3, e_1] = a e_2
+        for (first, second, third, factor) in [(0, 1, 2, 0), (1, 2, 0, 1), (2, 0, 1, 1)] {
+            let terms = power(j + k + factor).into_iter().enumerate().filter(|(_, v)| *v != 0);
+            brackets.extend(terms.map(|(l, value)| {
+                (3 * first + j + 1, 3 * second + k + 1, 3 * third + l + 1, value)
+            }));
+        }
+    }
+    let structure = StructureTheory::new(by_table(9, &brackets));
+    let ideals = structure.simple_ideals().unwrap().unwrap();
+    assert_eq!(ideals.rational.len(), 1);
+    let mut signatures: Vec<_> = ideals.real.iter().map(|ideal| ideal.signature).collect();
+    signatures.sort_unstable();
+    assert_eq!(signatures, [[0, 3], [0, 3], [2, 1]]);
 }

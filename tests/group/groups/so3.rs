@@ -332,7 +332,7 @@ fn logarithms_near_vectors() {
 fn tangents_at_long_vectors_are_rejected() {
     let (axis, v) = (Vector3::new(2.0, -1.0, 2.0) / 3.0, Vector3::new(0.3, 0.5, -0.2));
     let huge = [1e16, 1e100, 1e300];
-    for length in (1..=12).map(|k| 1e15 + 1e13 * f64::from(k)).chain(huge) {
+    for length in (1..=100).map(|k| 1e15 + 1e12 * f64::from(k)).chain(huge) {
         let found = So3.tangent_left_inverse(&(axis * length), &v);
         assert!(matches!(found, Err(Error::Broken { law: Law::RegularTangent, .. })), "{length}");
     }
