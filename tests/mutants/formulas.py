@@ -9,16 +9,13 @@ that function taking its text from the environment, and the tests are run once f
 """
 import argparse
 import itertools
-import json
-import os
 import re
-import shutil
-import subprocess
 import sys
 import tempfile
-from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[2]
+from copied import ROOT, build, copy_into, fails
+
+CONTRACTION = "tensors/src/contraction.rs"
 HOOK = "    let parsed = Expression::parse(expression)?;"
 SWITCH = """    let switched = std::env::var("AFFINOR_MUTANT").ok();
     let pair = switched.as_deref().and_then(|pair| pair.split_once('|'));
@@ -91,41 +88,23 @@ def main():
     parser.add_argument("--tests", default="")
     options = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:
-        tree = Path(folder) / "tree"
-        ignore = shutil.ignore_patterns("target", ".git", "mutants.out*")
-        shutil.copytree(ROOT, tree, ignore=ignore)
-        contraction = tree / "tensors/src/contraction.rs"
-        text = contraction.read_text()
+        text = (ROOT / CONTRACTION).read_text()
         assert text.count(HOOK) == 1, "the one function of formulas has moved"
-        contraction.write_text(text.replace(HOOK, SWITCH))
-        command = ["cargo", "test", "--tests", "--no-run", "--message-format=json"]
+        tree = copy_into(folder, {CONTRACTION: text.replace(HOOK, SWITCH)})
         modules = [name for name in options.tests.split(",") if name]
-
-        def build():
-            built = subprocess.run(command, cwd=tree, stdout=subprocess.PIPE, check=True, text=True)
-            messages = map(json.loads, built.stdout.splitlines())
-            tests = (m for m in messages if m.get("profile", {}).get("test"))
-            return [m["executable"] for m in tests if m.get("executable")]
-
-        binaries = build()
-        quiet = dict(stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, cwd=tree)
-        environment = dict(os.environ, PROPTEST_CASES="16", INSTA_UPDATE="no")
-        for binary in binaries:
-            if subprocess.run([binary, *modules], env=environment, **quiet).returncode:
-                sys.exit(f"{binary} fails without a mutant")
+        programs = list(build(tree).values())
+        for program in programs:
+            if fails(program, modules, tree):
+                sys.exit(f"{program} fails without a mutant")
         count, survivors, last = 0, 0, {}
 
-        def judge(path, formula, what):
+        def judge(path, formula, what, mutant=None):
             nonlocal count, survivors
             count += 1
             # whoever caught the last mutant of this file is asked first
-            for binary in sorted(binaries, key=lambda binary: binary != last.get(path)):
-                try:
-                    caught = subprocess.run([binary, *modules], env=environment, timeout=120, **quiet).returncode
-                except subprocess.TimeoutExpired:
-                    caught = True
-                if caught:
-                    last[path] = binary
+            for program in sorted(programs, key=lambda program: program != last.get(path)):
+                if fails(program, modules, tree, mutant):
+                    last[path] = program
                     return
             survivors += 1
             print(f"SURVIVES {path}: {what}\n    {formula}", flush=True)
@@ -133,9 +112,7 @@ def main():
         for formula, path in formulas().items():
             if options.only in f"{path} {formula}":
                 for what, mutant in mutants(formula):
-                    environment["AFFINOR_MUTANT"] = f"{formula}|{mutant}"
-                    judge(path, formula, what)
-        environment.pop("AFFINOR_MUTANT", None)
+                    judge(path, formula, what, f"{formula}|{mutant}")
         for path, old, new in DERIVATIONS:
             if options.only not in f"{path} {old}":
                 continue
@@ -143,7 +120,7 @@ def main():
             text = source.read_text()
             assert old in text, f"{path} no longer says {old}"
             source.write_text(text.replace(old, new))
-            binaries = build()
+            programs = list(build(tree).values())
             judge(path, old, new)
             source.write_text(text)
         print(f"{count} mutants, {survivors} survive")
