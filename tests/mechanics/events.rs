@@ -132,7 +132,8 @@ fn events_of_a_step_are_sorted() {
 /// function is.
 #[test]
 fn events_take_no_more_evaluations_than_bisection() {
-    let functions: [(&str, fn(f64) -> f64); 5] = [
+    type Function = fn(f64) -> f64;
+    let functions: [(&str, Function); 5] = [
         ("flat", |x| x.powi(9)),
         ("steep", |x| x.cbrt()),
         ("one-sided", |x| (40.0 * x).exp_m1()),

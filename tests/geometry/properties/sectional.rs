@@ -111,7 +111,7 @@ fn parallel_forms() {
         Connection::canonical(&algebra, family).parallel_forms().unwrap().len()
     };
     assert_eq!([count(CanonicalConnection::Plus), count(CanonicalConnection::Minus)], [1, 6]);
-    // components that are constant in a frame of coordinates are no invariants
+    // constant components are invariant in an invariant frame only, not in a frame of coordinates
     let coordinates = Frame::coordinates(&["x", "y"]).unwrap();
     let plane = Metric::<Symbolic>::identity(2).unwrap();
     let plane = Connection::levi_civita(&coordinates, &plane).unwrap();

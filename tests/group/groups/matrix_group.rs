@@ -382,7 +382,7 @@ fn each_condition_of_an_element_rejects() {
     assert!(su3.expect_element(&third, 1e-6).is_ok());
 }
 
-/// The logarithm of a matrix that rounding took off the group is that of the nearest element. Matrices farther away have none.
+/// The logarithm of a matrix that rounding took off the group is that of the nearest element. Matrices farther away have no logarithm.
 #[test]
 fn logarithms_beside_the_group() {
     let exp = affinor::numerics::exponential::exp;

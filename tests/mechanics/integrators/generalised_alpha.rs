@@ -1,6 +1,7 @@
 //! The generalized-alpha method: its damping of high frequencies, and how exactly a step solves its equations.
 
 use affinor::group::{LieGroup, Translations};
+use affinor::mechanics::systems::euler_poincare::Torque;
 use affinor::mechanics::{Constrained, Constraint, GeneralisedAlpha, Integrator};
 use affinor::{CanonicalConnection, Connection, Metric};
 use nalgebra::{Const, DMatrix, DVector, SVector, Vector1, Vector2, dvector};
@@ -22,11 +23,7 @@ impl Constraint<Translations<Const<1>>> for Nothing {
 fn particle<const N: usize, C: Constraint<Translations<Const<N>>>>(
     force: impl Fn(&SVector<f64, N>) -> SVector<f64, N>,
     constraint: C,
-) -> Constrained<
-    Translations<Const<N>>,
-    C,
-    impl Fn(f64, &SVector<f64, N>, &SVector<f64, N>) -> SVector<f64, N>,
-> {
+) -> Constrained<Translations<Const<N>>, C, impl Torque<Translations<Const<N>>>> {
     let space = Translations(Const::<N>);
     let plus = Connection::canonical(&space.algebra().unwrap(), CanonicalConnection::Plus);
     let force = move |_: f64, x: &SVector<f64, N>, _: &SVector<f64, N>| force(x);

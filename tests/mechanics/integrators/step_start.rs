@@ -25,9 +25,7 @@ fn translational_momenta_are_conserved_exactly() {
         for _ in 0..200 {
             method.step(&system, &mut state, 0.05).unwrap();
         }
-        assert!(
-            (&state.element.translation.vector - &start.element.translation.vector).norm() > 0.1
-        );
+        assert!((state.element.translation.vector - start.element.translation.vector).norm() > 0.1);
         assert_eq!(state.spatial.fixed_rows::<3>(3), start.spatial.fixed_rows::<3>(3), "{at}");
         let turning = (state.spatial - start.spatial).fixed_rows::<3>(0).norm();
         assert!(turning > 0.01, "{at}: {turning}");
