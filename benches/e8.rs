@@ -1,7 +1,7 @@
-//! E8, dimension 248: the engine, exact and in floats, beside hand-written integer loops.
+//! E8, dimension 248: the engine, exact and in floats, compared with hand-written integer loops.
 //!
-//! `cargo bench -p affinor-benches --bench e8`; one thread. The ratios of a row to its floor in the same run are
-//! what counts, not the absolute times.
+//! `cargo bench -p affinor-benches --bench e8`; one thread. Compare the ratio of a row to the
+//! hand-written loop in the same run, not the absolute times.
 
 use affinor::algebra::roots::{CartanType, RootSystem, Series, chevalley_constants};
 use affinor::{Bracket, CanonicalConnection, Connection, LieAlgebra, Metric};

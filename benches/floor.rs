@@ -1,7 +1,8 @@
-//! Hand-written integer loops for E8: what the hardware allows, for the benches to be held against.
+//! Hand-written integer loops for E8: the speed that the hardware allows, for comparison with the
+//! engine.
 //!
-//! They know everything that the engine does not: that the constants are small integers, that the
-//! connection is `c/2`, and that only a count is wanted.
+//! They use knowledge that the engine does not have: the constants are small integers, the
+//! connection is `c/2`, and only a count is needed.
 
 /// The structure constants as rows: `rows[j * n + k]` lists `(i, c^i_jk)`.
 pub struct Constants {

@@ -57,7 +57,7 @@ fn free_body(criterion: &mut Criterion) {
     group.finish();
 }
 
-/// With moments 0.6, 0.8, ...
+/// A body with the moments 0.6, 0.8, ...
 fn system<G: TranslationSplit, M: Torque<G>>(group: G, torque: M) -> EulerPoincare<G, M> {
     let algebra = group.algebra().expect("an algebra");
     let moments = (0..group.dimension()).map(|i| ([i, i], 0.6 + 0.2 * i as f64));

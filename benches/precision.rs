@@ -7,13 +7,15 @@
 //! cargo bench -p affinor-benches --bench precision -- draw < motion.csv > motion.svg
 //! ```
 //!
-//! A row of `measure` is `problem,method,parameter,error,seconds,steps`: the parameter is a number of steps or a tolerance,
-//! the error that at the end against 25 digits (`tests/data/motions.json`), of the entries of the element and of the body
-//! momentum over its largest component (of the satellite, `tests/data/orbit.json`: of attitude, spin, position and velocity,
-//! each over its own size), and the seconds are CPU time, the least of some batches. Rows of the problem
-//! `step` are steps on the group that stands for the parameter. `benches/peers/motion.py` puts others beside.
+//! A row of `measure` is `problem,method,parameter,error,seconds,steps`. The parameter is a number
+//! of steps or a tolerance. The seconds are CPU time, the minimum over some batches. The error is
+//! the error at the end, compared with 25 digits: of the entries of the element and of the body
+//! momentum, divided by its largest component (`tests/data/motions.json`). For the satellite
+//! (`tests/data/orbit.json`) it is the error of attitude, spin, position and velocity, each divided
+//! by its size. Rows of the problem `step` measure single steps on the group that the parameter
+//! names. `benches/peers/motion.py` adds rows of other programs.
 //!
-//! What begins with `Rust:` is not affinor's: what one would write without it, compiled alike.
+//! Methods that begin with `Rust:` are written without affinor, as plain Rust with the same compiler options.
 
 #[path = "precision/draw.rs"]
 mod draw;
@@ -54,7 +56,7 @@ const KICKS: [(&str, KickOrder); 3] =
 const MOTIONS: [(&str, FreeMotion); 2] =
     [("exact", FreeMotion::Exact), ("DMV10", FreeMotion::MoserVeselov(MoserVeselovOrder::Ten))];
 
-/// Measures a problem; its name stands in the rows.
+/// Measures a problem; its rows contain the name.
 type Measure = fn(&'static str);
 /// The problems by their names in the rows.
 const PROBLEMS: [(&str, Measure); 6] = [
@@ -214,7 +216,8 @@ fn body_momentum<G: TranslationSplit, M: Torque<G>>(
     vec![problem::rows(system.group(), &state.element), momentum]
 }
 
-/// Seconds a step, h = 0.05: of the free body, of one in a potential, and of a free system on SE(3).
+/// Seconds per step, h = 0.05, for the free body, for a body in a potential, and for a free system
+/// on SE(3).
 fn steps() {
     let body = Problem::read("hairer-vilmart", "10.0");
     let inertia = body.inertia();

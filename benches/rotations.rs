@@ -1,7 +1,8 @@
-//! Rotations: affinor beside nalgebra, glam and the formulas of Sophus and manif, in one run.
+//! Rotations: affinor compared with nalgebra, glam and the formulas of Sophus and manif, in one
+//! run.
 //!
 //! `cargo bench -p affinor-benches --bench rotations`: nanoseconds per 1000 independent operations, arguments and results in
-//! memory; then batches of a million. The ratios of one run count, not the absolute times.
+//! memory; then batches of a million. Compare ratios within one run, not absolute times.
 
 use affinor::group::batch;
 use affinor::group::{LieGroup, So3};

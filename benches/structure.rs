@@ -1,7 +1,8 @@
-//! Structure theory in seconds: types of scrambled tables, Levi subalgebras, large nilpotent algebras.
+//! Run times of structure theory: types of algebras in dense bases, Levi subalgebras, large
+//! nilpotent algebras.
 //!
-//! `cargo bench -p affinor-benches --bench structure`: one line a task. A scrambled table is an algebra after random
-//! elementary changes of the basis, three for each basis vector.
+//! `cargo bench -p affinor-benches --bench structure` prints one line per task. A dense basis is
+//! the result of random elementary changes of the basis, three for each basis vector.
 
 use affinor::algebra::catalogue;
 use affinor::algebra::structure::StructureTheory;

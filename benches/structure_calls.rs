@@ -1,8 +1,9 @@
 //! One task of structure theory in this process: the peer of a call inside another program.
 //!
-//! `cargo bench -p affinor-benches --bench structure_calls -- TASK SPACE`, where SPACE is a name of the catalogue or a
-//! file `{"dimension": n, "structure_constants": [[i, j, k, "v"], ..]}`. It prints the least of the seconds that the task
-//! took, from the algebra in memory to the answer, and the answer. The task is repeated for a second, at most 50 times.
+//! `cargo bench -p affinor-benches --bench structure_calls -- TASK SPACE`, where SPACE is a name of
+//! the catalogue or a file `{"dimension": n, "structure_constants": [[i, j, k, "v"], ..]}`. It
+//! prints the minimum of the seconds that the task took, from the algebra in memory to the answer,
+//! and the answer. The task is repeated for a second, at most 50 times.
 
 use affinor::algebra::catalogue;
 use affinor::algebra::structure::StructureTheory;

@@ -59,7 +59,7 @@ pub struct LieAlgebra<S> {
     frame: Frame<S>,
 }
 
-/// The nonzero brackets `[x, y] = z`, one a line.
+/// Writes the nonzero brackets `[x, y] = z`, one per line.
 impl<S: Scalar> fmt::Display for LieAlgebra<S> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.frame.write_products(f, self.structure_constants(), "[", "]", |j, k| j < k)
@@ -89,7 +89,7 @@ impl<S: Scalar> LieAlgebra<S> {
         self.frame.labels()
     }
 
-    /// The basis vectors, by their components.
+    /// The basis vectors as lists of components.
     pub(crate) fn basis(&self) -> impl Iterator<Item = Vec<S>> {
         let n = self.dimension();
         (0..n).map(move |j| {
@@ -110,7 +110,8 @@ impl<S: Scalar> LieAlgebra<S> {
         Frame::invariant(self.labels(), opposite).expect("the opposite of an algebra")
     }
 
-    /// The opposite algebra, `-[x, y]`: its left-invariant frame is the right-invariant one here.
+    /// The opposite algebra, with the bracket `-[x, y]`. Its left-invariant frame is the
+    /// right-invariant frame of this algebra.
     pub fn opposite(&self) -> Self {
         LieAlgebra { frame: self.right_frame() }
     }
@@ -131,7 +132,7 @@ impl<S: Scalar> LieAlgebra<S> {
     /// The bracket of two vectors, `[x, y]^i = c^i_jk x^j y^k`.
     ///
     /// # Errors
-    /// [`Error::Shape`] unless both have as many components as the algebra.
+    /// [`Error::Shape`] unless `x` and `y` have as many components as the algebra.
     pub fn bracket(&self, x: &[S], y: &[S]) -> Result<Vec<S>, Error> {
         let (ad, y) = (self.ad(x)?, self.vector(y)?);
         let bracket = formula("a^i_k y^k -> ^i", &[("a", &ad), ("y", &y)]);
@@ -144,7 +145,7 @@ impl<S: Scalar> LieAlgebra<S> {
     }
 
     /// The direct sum, in the basis of this algebra followed by the basis of `other`. A label of
-    /// `other` that occurs before gets a prime.
+    /// `other` that this algebra also has gets a prime.
     ///
     /// # Errors
     /// [`Error::Tensor`] if the dimension of the sum is too large for the indices of a tensor, 64 bits.
@@ -160,7 +161,7 @@ impl<S: Scalar> LieAlgebra<S> {
         let theirs = other.structure_constants().components().map(shifted(n));
         let both = mine.chain(theirs);
         let structure = Tensor::from_components(n + m, &[Up, Down, Down], both)?;
-        // the sum of two algebras is one: nothing to check again
+        // a direct sum of Lie algebras satisfies the Jacobi identity
         Ok(LieAlgebra { frame: Frame::invariant(labels, structure)? })
     }
 
@@ -186,12 +187,12 @@ impl<S: Field + Scalar> LieAlgebra<S> {
     pub fn change_basis(&self, change: &BasisChange<S>) -> Result<Self, Error> {
         let structure = change.apply(self.structure_constants())?;
         let labels = (1..=self.dimension()).map(|a| format!("e{a}"));
-        // covariance keeps Jacobi, and floats need not prove it twice
+        // a change of basis preserves the Jacobi identity, and rounding errors must not break it
         Ok(LieAlgebra { frame: Frame::invariant(labels, structure)? })
     }
 }
 
-/// The matrix of `[n, .]` from structure constants that need not be checked again.
+/// The matrix of `[n, .]`, from structure constants that are already checked.
 pub(crate) fn ad<S: Scalar>(structure: &Tensor<S>, n: &[S]) -> Result<Tensor<S>, Error> {
     let n = vector(structure, n)?;
     Ok(formula("c^i_jk n^j -> ^i_k", &[("c", structure), ("n", &n)]))
@@ -203,7 +204,7 @@ fn vector<S: Scalar>(structure: &Tensor<S>, components: &[S]) -> Result<Tensor<S
     Ok(vector)
 }
 
-/// The labels of a direct sum: a label of `second` that occurs before gets primes.
+/// The labels of a direct sum: a label of `second` that also occurs before it gets primes.
 pub fn join_labels(first: &[String], second: &[String]) -> Vec<String> {
     let mut labels = first.to_vec();
     for label in second {

@@ -44,8 +44,9 @@
 //! - *Torsion* (B10): `tau^i_jk = Lambda^i_jk - Lambda^i_kj - c^i_jk`.
 //! - *Curvature* (B14): `R(e_k, e_l) e_j = R^i_jkl e_i`. *Ricci*: `Ric_jl = R^i_jil`, with the parts `symRic`, `altRic`
 //!   of weight 1/2.
-//! - *Right frame*: structure `-c`, and `Lambda_right = Lambda - c` for connections invariant under ad; others are
-//!   refused. `g -> g^-1` exchanges the frames, and `lambda` with `1 - lambda`.
+//! - *Right frame*: structure `-c`, and `Lambda_right = Lambda - c` for connections that are
+//!   invariant under ad; other connections are rejected. `g -> g^-1` exchanges the frames, and
+//!   `lambda` with `1 - lambda`.
 //! - *Transport* along the autoparallel of a constant `n`: `du/dt = -Lambda(n) u`, that is `-ad_n` for `plus`.
 //! - *Change of frame* by functions `A`: affinities follow the inhomogeneous law
 //!   `Lambda' = A^-1 (Lambda(A, A) + e(A))`, structure functions its antisymmetric part (A6).
@@ -98,8 +99,9 @@
 //!   *Kretschmann*: `Kr = R_ijkl R^ijkl`.
 //! - *Contorsion* `K_ijk = (tau_ijk + tau_jik + tau_kij)/2` and *disformation*
 //!   `L_ijk = (Q_ijk - Q_jki - Q_kij)/2`, the first index lowered: `Lambda = LeviCivita + K + L`.
-//! - *Schouten*: `P_jl = (Ric_jl - S/(2(n-1)) g_jl)/(n-2)`. *Weyl*: `W^i_jkl = R^i_jkl - delta^i_k P_jl
-//!   + delta^i_l P_jk - g_jl P^i_k + g_jk P^i_l`. *Cotton*: `C_jkl = (nabla_k P)_jl - (nabla_l P)_jk`.
+//! - *Schouten*: `P_jl = (Ric_jl - S/(2(n-1)) g_jl)/(n-2)`. *Weyl*: `W^i_jkl = R^i_jkl - delta^i_k
+//!   P_jl + delta^i_l P_jk - g_jl P^i_k + g_jk P^i_l`. *Cotton*: `C_jkl = (nabla_k P)_jl - (nabla_l
+//!   P)_jk`.
 //!
 //! ```
 //! # use affinor::*;
@@ -235,7 +237,7 @@ pub const ALL: &[(&str, &[&str])] = &[
     (
         "right frame",
         &[
-            "structure -c; Lambda_right = Lambda - c if Lambda is invariant under ad, else refused; \
+            "structure -c; Lambda_right = Lambda - c if Lambda is invariant under ad, else an error; \
          g -> g^-1 exchanges the frames, and lambda with 1 - lambda",
         ],
     ),

@@ -6,7 +6,7 @@
 //! - [`properties`]: parallel curvature, Einstein, bi-invariance, with witnesses; [`holonomy`];
 //! - [`chart`]: coordinates and moving frames; [`forms`]: differential forms;
 //! - [`reductive`]: homogeneous spaces G/H; [`equations`]: equations of motion;
-//! - [`Geometry`]: all of it together;
+//! - [`Geometry`]: frame, connection and metric together;
 //! - [`conditions`]: the conditions on parameters under which a tensor vanishes.
 
 pub mod chart;
@@ -56,13 +56,13 @@ pub struct Geometry<S> {
     right: bool,
 }
 
-/// Where the frame of a geometry comes from.
+/// The origin of the frame of a geometry.
 #[derive(Clone, Debug, PartialEq)]
 pub enum FrameOrigin<S> {
     /// The left-invariant frame of a Lie algebra.
     Algebra(LieAlgebra<S>),
-    /// Fields on a chart, and their Lie algebra if their structure functions are constants. The
-    /// fields are then, near every point, the left-invariant fields of a group with this algebra.
+    /// Fields on a chart, and their Lie algebra if their structure functions are constants. In this
+    /// case the fields are locally the left-invariant fields of a group with this algebra.
     Chart(Box<Fields<S>>, Option<LieAlgebra<S>>),
 }
 
@@ -83,10 +83,10 @@ impl<S: Field + Scalar> FrameOrigin<S> {
         }
     }
 
-    /// The Lie algebra of the frame, or an error that says what needs it.
+    /// The Lie algebra of the frame; an error names `what` needs the algebra.
     ///
     /// # Errors
-    /// [`Law::Constant`] with `what` and the first structure function that is not constant.
+    /// [`Law::Constant`] with `what`, and the first structure function that is not constant.
     pub fn algebra_for(&self, what: &'static str) -> Result<&LieAlgebra<S>, Error> {
         self.algebra().ok_or_else(|| {
             let frame = self.frame();
@@ -100,7 +100,7 @@ impl<S: Field + Scalar> FrameOrigin<S> {
         })
     }
 
-    /// Whether the value has a derivative along the frame that is not zero.
+    /// Whether the value has a nonzero derivative along the frame.
     fn varies(&self, value: &S) -> bool {
         let frame = self.frame();
         (0..frame.dimension()).any(|k| !frame.derive(k, value).vanishes())
@@ -132,7 +132,7 @@ impl<S: Field + Scalar> From<Fields<S>> for FrameOrigin<S> {
     }
 }
 
-/// How a connection was chosen.
+/// The choice of a connection.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ConnectionKind<S> {
     /// One of the three canonical connections.
@@ -141,7 +141,7 @@ pub enum ConnectionKind<S> {
     Family(S),
     /// The Levi-Civita connection of the metric.
     LeviCivita,
-    /// Affinities given one by one, in the frame of the geometry.
+    /// Affinities given by components, in the frame of the geometry.
     Affinities(Tensor<S>),
 }
 
@@ -182,16 +182,17 @@ impl<S: Notation + Scalar> Geometry<S> {
     }
 
     /// The same geometry with its components in the right-invariant frame: structure `-c`,
-    /// affinities `Lambda - c`. A metric that is not bi-invariant is dropped, because its components
-    /// there are not constant. Without a metric, two applications give this geometry again.
+    /// affinities `Lambda - c`. A metric that is not bi-invariant is dropped, because its
+    /// components there are not constant. Without a metric, applying this method twice returns the
+    /// original geometry.
     ///
     /// # Errors
-    /// [`Law::AdInvariance`] for a connection without constant components there;
-    /// [`Error::Unsupported`] over a chart.
+    /// [`Law::AdInvariance`] for a connection without constant components in the right-invariant
+    /// frame; [`Error::Unsupported`] over a chart.
     pub fn in_right_frame(&self) -> Result<Self, Error> {
         let FrameOrigin::Algebra(algebra) = &self.origin else {
             return Err(Error::Unsupported(
-                "fields on a chart have no right-invariant frame beside them".into(),
+                "fields on a chart have no right-invariant frame".into(),
             ));
         };
         let connection = self.connection.in_right_frame(algebra)?;
@@ -214,7 +215,7 @@ impl<S: Notation + Scalar> Geometry<S> {
         })
     }
 
-    /// The name of the frame of all components: `left-invariant`, `right-invariant`, and over a
+    /// The name of the frame of all components: `left-invariant` or `right-invariant`, and over a
     /// chart `coordinate` or `moving`.
     pub fn frame_name(&self) -> &'static str {
         match self.origin.fields() {
@@ -225,13 +226,14 @@ impl<S: Notation + Scalar> Geometry<S> {
         }
     }
 
-    /// The same geometry with another name for its algebra, such as so(3) for M(3).
+    /// The same geometry with another name of its algebra, such as so(3) for M(3).
     #[must_use]
     pub fn over(self, algebra_name: impl Into<String>) -> Self {
         Geometry { algebra_name: Some(algebra_name.into()), ..self }
     }
 
-    /// The name of its algebra; that of the geometry unless [`over`](Self::over) gave another.
+    /// The name of its algebra; it is the name of the geometry unless [`over`](Self::over) set
+    /// another.
     pub fn algebra_name(&self) -> &str {
         self.algebra_name.as_deref().unwrap_or(&self.name)
     }
@@ -241,7 +243,7 @@ impl<S: Notation + Scalar> Geometry<S> {
         &self.name
     }
 
-    /// Where the frame comes from: the Lie algebra, or the fields on a chart.
+    /// The origin of the frame: the Lie algebra, or the fields on a chart.
     pub fn frame_origin(&self) -> &FrameOrigin<S> {
         &self.origin
     }
@@ -261,7 +263,7 @@ impl<S: Notation + Scalar> Geometry<S> {
         &self.connection
     }
 
-    /// How the connection was chosen.
+    /// The choice of the connection.
     pub fn kind(&self) -> &ConnectionKind<S> {
         &self.kind
     }
@@ -272,10 +274,10 @@ impl<S: Notation + Scalar> Geometry<S> {
     }
 
     /// Whether the connection is the Levi-Civita connection of the metric: torsion-free and
-    /// compatible. `zero` is, with a bi-invariant metric.
+    /// compatible. For a bi-invariant metric, `zero` is.
     ///
     /// # Errors
-    /// None for a valid geometry; [`Error::Shape`] is passed on.
+    /// None for a valid geometry; an [`Error::Shape`] of a computation is passed on.
     pub fn is_levi_civita(&self) -> Result<bool, Error> {
         let Some(metric) = &self.metric else { return Ok(false) };
         Ok(self.kind == ConnectionKind::LeviCivita
@@ -315,7 +317,7 @@ impl<S: Notation + Scalar> ConnectionKind<S> {
         }
     }
 
-    /// The name with an explanation, for the head of an output.
+    /// The name with an explanation, for the header of an output.
     pub fn describe(&self) -> String {
         match self {
             ConnectionKind::Canonical(which) => format!("{} ({})", which.name(), which.paper()),

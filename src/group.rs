@@ -1,18 +1,20 @@
 //! Lie groups in floating point: exponential, logarithm, adjoint action, tangent operators.
 //!
 //! In reading order:
-//! - [`LieGroup`], the trait of every group; [`Embedded`] for embedding coordinates, [`MatrixNotation`] for matrices in files,
-//!   [`TranslationSplit`] for integrators;
+//! - [`LieGroup`], the trait of every group; [`Embedded`] for embedding coordinates,
+//!   [`MatrixNotation`] for matrices in files, [`TranslationSplit`] for the split of rotations and
+//!   translations in integrators;
 //! - in `groups`, one file for each group: closed forms [`Translations`], [`So2`], [`So3`], [`Se2`], [`Se3`], [`Se23`], [`Sl2`], [`Heisenberg`], [`Homotheties`];
 //!   general groups [`MatrixGroup`], [`Nilpotent`], [`Product`], [`Opposite`] (right-invariant systems);
-//! - [`AnyGroup`], a group chosen at run time, and the [`registry`] that knows all groups by name;
+//! - [`AnyGroup`], a group chosen at run time, and the [`registry`] of all groups by name;
 //! - [`rotation`]: quaternions, matrices, Euler angles; [`batch`]: many rotations at once;
 //! - [`fields`] and [`velocity`]: invariant vector fields, body and spatial velocity of paths;
 //! - [`transport`]: parallel translation and autoparallels of a left-invariant connection;
-//! - [`laws`]: the laws of a Lie group as checks, for groups of your own.
+//! - [`laws`]: checks of the laws of a Lie group, for user-defined groups.
 //!
-//! A vector is the list of its components in the basis of the algebra. A tangent vector at `g` has its components in the
-//! left-invariant frame: for a matrix group, `x` at `g` is the matrix `g x`.
+//! A vector is the list of its components in the basis of the algebra. A tangent vector at `g` has
+//! components in the left-invariant frame: for a matrix group, the components `x` at `g` represent
+//! the matrix `g x`.
 
 mod any;
 pub mod batch;

@@ -4,15 +4,15 @@
 //! Each formula is implemented once, for all scalars and all frames. [`conventions`] fixes signs
 //! and index orders. The modules in reading order:
 //!
-//! - [`tensors`]: the package `affinor-tensors`, re-exported: scalars, sparse tensors, contraction
-//!   by index letters, linear algebra. It knows no geometry;
+//! - [`tensors`]: the re-exported package `affinor-tensors`, with scalars, sparse tensors,
+//!   contraction by index letters and linear algebra. It contains no geometry;
 //! - [`algebra`]: frames, brackets, Lie algebras, the catalogue of named algebras;
 //! - [`geometry`]: connections, metrics, torsion, curvature, charts, forms, homogeneous spaces;
 //! - [`group`]: group elements in `f64`: exp, log, adjoint, parallel transport;
 //! - [`numerics`]: matrix exponentials and tableaux, below groups and mechanics;
 //! - [`mechanics`]: rigid bodies, Euler-Poincare and Lie-Poisson systems, integrators.
 //!
-//! Three types carry the geometry. A [`Frame`] has structure functions and derivations. A
+//! Three types represent the geometry. A [`Frame`] has structure functions and derivations. A
 //! [`LieAlgebra`] is a frame with constant structure that satisfies the Jacobi identity. A
 //! [`Connection`] is a frame with affinities (connection coefficients).
 //!
@@ -55,7 +55,7 @@ pub use geometry::forms::Form;
 pub use geometry::metric::Metric;
 pub use geometry::reductive::ReductivePair;
 pub use geometry::{ConnectionKind, FrameOrigin, Geometry};
-/// The vectors and matrices of group elements.
+/// The crate for the vectors and matrices of group elements.
 pub use nalgebra;
 
 /// The program of the README, as a doctest.

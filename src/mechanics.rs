@@ -7,8 +7,8 @@
 //! - [`integrators`]: methods whose steps stay on the group, from [`MuntheKaas`] to [`MoserVeselov`]; [`Adaptive::run`] gives a
 //!   [`Trajectory`];
 //! - [`events`]: sign changes of functions along a trajectory;
-//! - [`bodies`]: [`MassProperties`] of shapes, meshes and points, and the [`FreeBody`], whose attitude and momentum at any time
-//!   are known in closed form;
+//! - [`bodies`]: [`MassProperties`] of shapes, meshes and points, and the [`FreeBody`], whose
+//!   attitude and momentum at any time have a closed form;
 //! - [`formula`] and [`simulation`]: systems, forces and columns as formulas, chosen at run time.
 //!
 //! Attitudes map body to spatial components, `Rdot = R spin(Omega)`. Momentum `H = J Omega` and velocity are in body components,
@@ -34,12 +34,12 @@ pub use systems::{Isospectral, LiePoissonSystem, Manakov, MatrixState, State, Sy
 
 use crate::Error;
 
-/// The error of an integration that stops at a time.
+/// The error of an integration that stops at time `t`.
 fn stopped(t: f64, reason: impl Into<String>) -> Error {
     Error::Integration { t, reason: reason.into() }
 }
 
-/// The error of an inertia that is refused.
+/// The error for an invalid inertia.
 fn invalid_inertia(reason: impl Into<String>) -> Error {
     Error::Invalid { what: "inertia", reason: reason.into() }
 }

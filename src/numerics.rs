@@ -1,8 +1,11 @@
-//! Numerical methods without groups, the floor below groups and mechanics.
+//! Numerical methods that do not involve groups; the modules for groups and mechanics build on
+//! them.
 //!
-//! - [`exponential`] of matrices, `logarithm` with `double`-double arithmetic, `stumpff` functions of angles;
+//! - [`exponential`] of matrices, `logarithm` with `double`-double arithmetic, `stumpff` functions
+//!   of angles;
 //! - [`tableaux`] of Runge-Kutta methods, `ode` for initial value problems in R^n;
-//! - [`blocks`], recorded programs on many rows; `lanes`, floats side by side; `least_squares`, and `rounding`, which rejects results without digits.
+//! - [`blocks`], recorded programs on many rows; `lanes`, several floats in one vector register;
+//!   `least_squares`, and `rounding`, which rejects results without correct digits.
 
 pub mod blocks;
 pub(crate) mod double;

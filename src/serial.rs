@@ -7,9 +7,10 @@
 //! {"schema": "affinor.geometry/1", "name": "M(3)", "algebra": ALGEBRA, "connection": "plus", "metric": METRIC}
 //! ```
 //!
-//! TENSOR is the form of [`Tensor`]. The connection of a geometry is `"plus"`, `"zero"`, `"minus"`, `"levi-civita"`,
-//! `{"lambda": "1/3"}` or `{"affinities": TENSOR}`. Whatever is read passes the checks of the constructors: antisymmetry, the
-//! Jacobi identity, symmetry and the rank of a metric. Frames on charts and right-invariant frames are not written.
+//! TENSOR is the serialized form of [`Tensor`]. The connection of a geometry is `"plus"`, `"zero"`,
+//! `"minus"`, `"levi-civita"`, `{"lambda": "1/3"}` or `{"affinities": TENSOR}`. Every value that is
+//! read passes the checks of the constructors: antisymmetry, the Jacobi identity, symmetry and the
+//! rank of a metric. Frames on charts and right-invariant frames cannot be serialized.
 
 use crate::geometry::connection::{CanonicalConnection, Connection};
 use crate::{
@@ -78,7 +79,7 @@ struct Space<N, A, S, T, M> {
     metric: Option<M>,
 }
 
-/// How a connection is chosen.
+/// The serialized choice of a connection.
 #[derive(serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]
 enum Kind<S, T> {
@@ -121,7 +122,7 @@ impl<'de, S: Field + Scalar + Deserialize<'de>> Deserialize<'de> for Metric<S> {
 
 impl<S: Scalar + Serialize> Serialize for Connection<S> {
     /// # Errors
-    /// In a frame that is not invariant, and of a homogeneous space.
+    /// Returns an error for a frame that is not invariant, and for a homogeneous space.
     fn serialize<W: Serializer>(&self, serializer: W) -> Result<W::Ok, W::Error> {
         let frame = self.frame();
         let bracket = Bracket::new(frame.labels(), frame.structure_functions().clone());
@@ -144,7 +145,7 @@ impl<'de, S: Scalar + Deserialize<'de>> Deserialize<'de> for Connection<S> {
 
 impl<S: Notation + Scalar + Serialize> Serialize for Geometry<S> {
     /// # Errors
-    /// On a chart, and in a right-invariant frame.
+    /// Returns an error for a geometry on a chart, or in a right-invariant frame.
     fn serialize<W: Serializer>(&self, serializer: W) -> Result<W::Ok, W::Error> {
         let FrameOrigin::Algebra(algebra) = self.frame_origin() else {
             return Err(W::Error::custom("a geometry on a chart is not written"));

@@ -1,4 +1,4 @@
-//! The table of laws: each message names its witness, and each class exists in Python.
+//! The error messages: each names its witness, and each error class exists in Python.
 
 use crate::common::root;
 use affinor::tensors::scalar::ExactSum;
@@ -9,7 +9,7 @@ use std::collections::BTreeSet;
 use std::fmt;
 use std::ops::{Add, Mul, Neg, Sub};
 
-/// Entries and a residual that occur in no message by chance.
+/// Entries and a residual with values that do not occur in messages otherwise.
 fn broken(law: Law) -> (Vec<String>, Error) {
     let count = law.parts().iter().map(|(_, names)| names.len()).sum();
     let at: Vec<_> = (0..count).map(|entry| format!("<{entry}>")).collect();
@@ -25,13 +25,13 @@ fn messages_contain_the_whole_witness() {
             assert!(message.contains(entry), "{law:?}: {message}");
         }
         assert!(!message.contains(['{', '}']) && !message.contains("  "), "{law:?}: {message}");
-        // only the value 0 may be absent
+        // only the value 0 may be missing
         let silent = [Law::KillingOnSubalgebra, Law::RegularPoint, Law::RegularTangent];
         assert_eq!(message.contains("<residual>"), !silent.contains(law), "{law:?}: {message}");
     }
 }
 
-/// A witness without its entries, or with more, is written without a panic.
+/// A witness with missing or additional entries is printed without a panic.
 #[test]
 fn messages_accept_any_number_of_entries() {
     for law in Law::ALL {
@@ -79,7 +79,7 @@ fn python_has_an_exception_for_each_class() {
     }
 }
 
-/// Intervals with the rules of Moore: `x - x` contains zero, and is not zero.
+/// Intervals with Moore's arithmetic: `x - x` contains zero, but is not zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Interval(i64, i64);
 

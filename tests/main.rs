@@ -1,4 +1,5 @@
-//! Tests of the library: folders and files follow `src/`, and `claims/` holds claims that span rooms.
+//! Tests of the library: folders and files follow `src/`; `claims/` contains claims about several
+//! modules.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 mod common;
@@ -89,3 +90,4 @@ mod claims {
 mod error;
 mod serial;
 mod tidy;
+mod words;

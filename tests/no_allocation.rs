@@ -1,4 +1,4 @@
-//! A step on a group whose vectors have a fixed size allocates nothing.
+//! A step on a group whose vectors have a fixed size does not allocate.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use affinor::group::{
@@ -25,7 +25,7 @@ use affinor_tensors::{Down, Tensor};
 use allocation_counter::measure;
 use nalgebra::{DVector, UnitQuaternion, Vector3, dvector};
 
-/// Steps one by one, counted.
+/// Counts allocations in single steps, and expects none.
 fn assert_none<S: System>(name: &str, system: &S, method: &dyn Integrator<S>, start: &S::State) {
     let mut state = start.clone();
     let counted = measure(|| {
@@ -116,7 +116,7 @@ fn steps_of_a_body() {
     let motion = FreeBody::new(&inertia, &at).unwrap();
     assert_eq!(measure(|| assert!(motion.at(10.0).momentum.norm() > 0.0)).count_total, 0);
 
-    // an event that does not happen
+    // an event that does not occur
     let never = Event::new(|_: &State<So3>| 1.0, Direction::Both, AfterEvent::GoOn);
     let mut watch = EventDetector::new(vec![never], &system, &start).unwrap();
     let mut state = start.clone();
@@ -125,7 +125,8 @@ fn steps_of_a_body() {
     assert_eq!(counted.count_total, 0);
 }
 
-/// Allocations in ten steps of a motion, after the first three, that looks for sign changes of all its columns.
+/// The number of allocations in ten steps of a motion, after the first three, with checks for sign
+/// changes of all columns.
 fn allocations(motion: &mut dyn Motion) -> u64 {
     let mut crossings = Crossings::new(motion, 0..motion.column_count());
     let mut steps = |count| {
@@ -137,7 +138,7 @@ fn allocations(motion: &mut dyn Motion) -> u64 {
     measure(|| steps(10)).count_total
 }
 
-/// What stays positive, of all kinds of quantities.
+/// Quantities of all kinds that stay positive.
 fn columns(names: &SymbolTable, formulas: &[&str]) -> ColumnFormulas {
     let mut columns = ColumnFormulas::default();
     for text in formulas {
@@ -189,7 +190,7 @@ fn forced<G: SimulationGroup>(
     spec.start(&AnyGroup::new(group.clone())).unwrap().motion
 }
 
-/// Methods of all groups, with events, forces and potentials as formulas.
+/// Methods for all groups, with events, forces and potentials as formulas.
 #[test]
 fn steps_of_motions() {
     fn any_group<G: SimulationGroup>(name: &str, group: G, methods: &[Method]) {
@@ -220,7 +221,8 @@ fn steps_of_motions() {
     any_group("SE(3)", Se3, &[&fixed[..], &[Method::Projected4]].concat());
 }
 
-/// Methods of bodies, free and in a potential; motions of a Hamiltonian, and of a velocity over time.
+/// Methods for bodies, free and in a potential; motions of a Hamiltonian, and with a prescribed
+/// velocity.
 #[test]
 fn steps_of_other_motions() {
     for method in [Method::Exact, Method::MoserVeselov10] {
@@ -259,7 +261,7 @@ fn steps_of_other_motions() {
     assert_eq!(allocations(spec.start(&so3).unwrap().as_mut()), 0);
 }
 
-/// The counter counts.
+/// The counter counts allocations of lists.
 #[test]
 fn lists_are_seen() {
     assert_eq!(measure(|| drop(vec![1.0, 2.0])).count_total, 1);

@@ -1,4 +1,5 @@
-//! Algebras, metrics, connections and geometries written through serde and read back, and what is refused.
+//! Algebras, metrics, connections and geometries are serialized and read back by serde; invalid
+//! data are errors.
 
 use crate::common::{Space, property::properties, spaces};
 use affinor::geometry::connection::CanonicalConnection;
@@ -95,7 +96,7 @@ fn other_frames_are_not_written() {
     assert_eq!(right.to_string(), "a geometry in its right-invariant frame is not written");
 }
 
-/// To the last bit, with rotations, poses, and elements of a group by name.
+/// States are equal to the last bit: rotations, poses, and elements of a named group.
 #[test]
 fn states_of_motions() {
     fn there_and_back<

@@ -1,20 +1,20 @@
-//! The house is in order: sizes, arrows and habits that ARCHITECTURE.md and CONTRIBUTING.md promise.
+//! The rules of ARCHITECTURE.md and CONTRIBUTING.md on file sizes, dependencies and style.
 
 use crate::common::root;
 use std::collections::BTreeSet;
 use std::fs;
 
-/// The most lines of a source file.
+/// The maximum number of lines of a source file.
 const LINES: usize = 600;
 
 struct File {
-    /// From the root, with `/`.
+    /// The path from the root of the workspace, with `/`.
     path: String,
     text: String,
 }
 
 impl File {
-    /// The lines of code, numbered from 1: neither comments, nor docs, nor unit tests.
+    /// The lines of code, numbered from 1, without comments, docs and unit tests.
     fn code(&self) -> impl Iterator<Item = (usize, &str)> {
         let lines = self.text.lines().enumerate().map(|(at, line)| (at + 1, line));
         let unit_tests = self.path.ends_with("/tests.rs");
@@ -22,7 +22,7 @@ impl File {
         lines.filter(|(_, line)| !line.trim_start().starts_with("//"))
     }
 
-    /// Refuses words in the code.
+    /// Fails if words occur in the code.
     fn forbid(&self, words: &[&str]) {
         for (number, line) in self.code() {
             for word in words {
@@ -32,7 +32,7 @@ impl File {
     }
 }
 
-/// Whether `word` stands in `line` with no letter of a name on either side.
+/// Whether `word` occurs in `line` as a whole name.
 fn contains_word(line: &str, word: &str) -> bool {
     let of_name = |c: char| c.is_alphanumeric() || c == '_';
     line.match_indices(word).any(|(at, _)| {
@@ -69,7 +69,7 @@ fn sources(folders: &[&str]) -> Vec<File> {
 /// The packages, from the bottom up.
 const PACKAGES: [&str; 6] =
     ["tensors/src", "src", "documents/src", "paper/src", "cli/src", "python/src"];
-/// The rooms of the library, from the bottom up: each may use those before it.
+/// The modules of the library, from the bottom up: each may use the modules before it.
 const ROOMS: [&str; 5] = ["numerics", "algebra", "geometry", "group", "mechanics"];
 
 #[test]
@@ -115,10 +115,11 @@ fn functions(file: &File, begins: impl Fn(&str) -> bool) -> Vec<&str> {
     names.collect()
 }
 
-/// Groups made of groups forward every closed form of a trait: no method falls back to its default silently.
+/// Groups that contain groups forward every closed form of a trait: no method uses its default
+/// silently.
 #[test]
 fn groups_of_groups_forward_all_closed_forms() {
-    /// Methods whose defaults call methods that are forwarded, or have no meaning for a product.
+    /// Methods whose defaults call forwarded methods, or that are meaningless for a product.
     const DEFAULTS: [(&str, &str); 4] = [
         ("src/group/groups/opposite.rs", "adjoint_exp"),
         ("src/group/groups/opposite.rs", "relative_linear_part"),
@@ -164,7 +165,7 @@ fn every_property_has_the_shared_configuration() {
         sources(&["src", "tests", "tensors", "documents", "paper", "cli", "benches", "examples"])
     {
         if !file.path.ends_with("tests/common/property.rs") {
-            // in pieces, so that this test does not find itself
+            // written in pieces, so that this test does not find itself
             let macros = [concat!("proptest", "!"), concat!("Proptest", "Config")];
             file.forbid(&[macros[0], macros[1], concat!("Test", "Runner")]);
         }
@@ -178,7 +179,7 @@ fn every_source_says_what_it_is() {
     }
 }
 
-/// A test file bears the name of the source file or folder that it guards, or stands among the claims.
+/// A test file has the name of the source file or folder that it tests, or is in `claims`.
 #[test]
 fn tests_follow_the_sources() {
     let rooms = ROOMS.map(|room| (format!("tests/{room}"), format!("src/{room}")));
@@ -200,7 +201,7 @@ fn architecture() -> String {
     fs::read_to_string(root.join("ARCHITECTURE.md")).expect("the page")
 }
 
-/// ARCHITECTURE.md is a page, names every room, and names nothing that does not exist.
+/// ARCHITECTURE.md is one page, names every module, and names only existing ones.
 #[test]
 fn the_page_on_architecture_is_true() {
     let (page, root) = (architecture(), root());

@@ -1,4 +1,4 @@
-"""Motions: accuracy for the time that it takes, affinor beside other programs.
+"""Motions: accuracy and computing time, affinor compared with other programs.
 
     python3 -m venv peers && peers/bin/pip install numpy scipy mujoco pin drake
     python3 benches/peers/motion.py --python peers/bin/python
@@ -33,7 +33,7 @@ import time
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 PEERS = ["scipy", "numpy", "pinocchio", "drake", "mujoco"]
-LONG = 0.3  # seconds: what takes longer is the last of its method
+LONG = 0.3  # seconds: the sweep of a method ends after a run that takes longer
 BATCH = 0.02
 LEVELS = [10.0**-k for k in range(4, 13)]
 TOLERANCES = [10.0 ** (-k / 2) for k in range(4, 29)]
@@ -104,7 +104,7 @@ def rotation(w, x, y, z):
 
 
 def rows(problem, method, parameters, run, seen, steps=lambda parameter, state: int(parameter)):
-    """A row for each parameter, until nothing is gained or it takes too long."""
+    """A row for each parameter, until the error no longer decreases or a run takes too long."""
     best, worse = math.inf, 0
     for parameter in parameters:
         try:

@@ -1,4 +1,4 @@
-"""What the peers written in Python share: reading constants, measuring, handing over results.
+"""Common code of the Python peers: reading constants, measuring, returning results.
 
 A file of constants has a line `i j k value` for every nonzero c^i_jk, j < k, indices from 1.
 """

@@ -1,4 +1,4 @@
-//! Work over precision, as a diagram.
+//! The diagram of cost over accuracy.
 
 use affinor_documents::figures::diagram::{Diagram, Drawn, Graph, Line, Scale};
 use affinor_documents::picture::{diagram, svg};

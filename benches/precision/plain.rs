@@ -1,4 +1,4 @@
-//! What one would write without affinor: quaternion and body momentum as plain numbers.
+//! Motions as they would be written without affinor: quaternion and body momentum as plain numbers.
 
 use crate::problem::{Problem, rows};
 use crate::satellite::Gravity;
@@ -42,7 +42,7 @@ fn attitude(y: &[f64]) -> UnitQuaternion<f64> {
     UnitQuaternion::from_quaternion(Quaternion::new(y[3], y[0], y[1], y[2]))
 }
 
-/// The classical step, then the quaternion is normalised.
+/// The classical step; then the quaternion is normalized.
 fn rk4<const N: usize>(
     rates: &impl Fn(f64, &SVector<f64, N>, &mut SVector<f64, N>),
     y: &mut SVector<f64, N>,

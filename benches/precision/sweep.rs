@@ -1,4 +1,4 @@
-//! Rows: one method at many lengths of steps, or tolerances.
+//! Rows of one method for many step sizes or tolerances.
 
 use crate::problem::Problem;
 use std::hint::black_box;
@@ -7,17 +7,17 @@ use std::time::Instant;
 /// The parts of a state that are compared: in most problems the entries of the element, and the body momentum.
 pub type Seen = Vec<Vec<f64>>;
 
-/// What takes longer is the last of its method.
+/// The sweep of a method ends after a run that takes longer than this, in seconds.
 const LONG: f64 = 0.1;
-/// Seconds of a batch, and batches.
+/// The seconds of a batch, and the number of batches.
 const BATCH: f64 = 0.008;
 const BATCHES: usize = 5;
 
 /// Rows of a problem.
 pub struct Sweep<'p> {
-    /// Its name in the rows.
+    /// The name of the problem in the rows.
     pub problem: &'static str,
-    /// What it is, and its end.
+    /// The problem itself, with its end time.
     pub reference: &'p Problem,
 }
 
@@ -51,7 +51,7 @@ impl Sweep<'_> {
         self.all(method, tolerances, run, seen, |_, state| steps(state));
     }
 
-    /// Until nothing is gained, or it takes too long.
+    /// Refines the step until the error no longer decreases, or a run takes too long.
     fn all<T>(
         &self,
         method: &str,

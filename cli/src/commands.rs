@@ -1,4 +1,4 @@
-//! The commands of the program, one file each, and the options and outputs they share.
+//! The commands of the program, one file for each, and their shared options and outputs.
 
 mod arguments;
 mod check;
@@ -44,8 +44,9 @@ use watch::{LimitOptions, Watch};
 /// "[x,y]=z, [y,z]=x"; it is left out where --basis and --bracket define it. It may carry its
 /// connection and metric: "so3@levi-civita;metric=diag(1,2,3)".
 ///
-/// Exit status: 0 success; 1 the mathematics refuses, as for brackets that violate the Jacobi
-/// identity, or a limit is passed; 2 wrong usage or unreadable input; 130, 143 stopped by a signal.
+/// Exit status: 0 success; 1 valid input without a mathematical answer, such as brackets that
+/// violate the Jacobi identity, or a limit is exceeded; 2 wrong usage or unreadable input; 130, 143
+/// stopped by a signal.
 #[derive(Parser)]
 #[command(name = "affinor", version, max_term_width = 80)]
 struct Cli {
@@ -57,7 +58,7 @@ struct Cli {
 
 #[derive(Subcommand)]
 enum Command {
-    /// Compare two spaces side by side; by default the paper's M(3) and SO(3)
+    /// Compare two spaces; by default the paper's M(3) and SO(3)
     Compare(compare::Arguments),
     /// Print the tensors of a space
     Table(table::Arguments),
@@ -89,7 +90,7 @@ enum Command {
     Simulate(simulate::Arguments),
     /// Draw the figures of the paper, and trajectories
     Plot(plot::Arguments),
-    /// Write the paper equation by equation, with what is computed of each
+    /// Recompute the paper equation by equation
     Paper(paper::Arguments),
     /// List the catalogue of spaces
     List(list::Arguments),
@@ -116,7 +117,7 @@ pub fn main(arguments: &[OsString]) -> u8 {
     let watch = Watch::begin(&cli.limits, color);
     let outcome = watch.and_then(|watch| {
         let outcome = watch.run(|| run(cli.command, &watch));
-        // kept until the process ends
+        // locked until the process ends
         std::mem::forget(watch.last_word());
         outcome
     });

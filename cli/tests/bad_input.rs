@@ -1,4 +1,4 @@
-//! Malformed input: each is refused with its place, its witness and the right status.
+//! Malformed input: each case is an error with its location, its witness and the right exit status.
 
 mod case;
 mod charts;

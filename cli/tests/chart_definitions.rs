@@ -3,7 +3,7 @@
 use crate::program::{definition, run};
 use tempfile::TempDir;
 
-/// The rotation group in its charts, against its brackets.
+/// The rotation group in several charts agrees with its brackets.
 #[test]
 fn charts_of_the_rotation_group_are_so3() {
     let temporary = TempDir::new().unwrap();
@@ -33,7 +33,7 @@ fn functions_are_written_in_every_format() {
     let markdown = table("markdown");
     assert!(markdown.contains("| `Lambda^1_22` | `-sin(theta)*cos(theta)` |"), "{markdown}");
     assert!(markdown.contains("- coordinates: theta, phi"), "{markdown}");
-    // coordinate fields commute, so there is an algebra, and its Killing form is zero
+    // coordinate fields commute, so they define an algebra, and its Killing form is zero
     assert!(table("text").contains("K_ij = 0"));
     let half_plane = definition("hyperbolic_plane.toml");
     let text = run(temporary.path(), &["table", &half_plane, "--show", "structure"], b"").out;

@@ -1,4 +1,4 @@
-//! `affinor claims`: statements of one's own, the exit status, and the witness of a failure.
+//! `affinor claims`: user-defined statements, the exit status, and the witness of a failure.
 
 use crate::program::{definition, run, stdout};
 use serde_json::{Value, json};

@@ -1,4 +1,4 @@
-//! The command line as its contract says: every command and format, options, notes, files.
+//! The contract of the command line: every command and format, options, notes and files.
 
 use crate::program::{Outcome, root, run, words};
 use serde_json::{Value, json};
@@ -17,12 +17,12 @@ fn folder() -> TempDir {
     folder
 }
 
-/// Runs the program in a folder of its own.
+/// Runs the program in an empty temporary folder.
 fn affinor(arguments: &[&str]) -> Outcome {
     run(folder().path(), arguments, b"")
 }
 
-/// Standard output of what has to succeed in a folder of its own.
+/// The standard output of a command that succeeds, in an empty temporary folder.
 fn stdout(arguments: &[&str]) -> String {
     crate::program::stdout(folder().path(), arguments)
 }
@@ -182,7 +182,7 @@ fn unknown_names_become_parameters_and_are_said() {
     assert_eq!(inline.err, "note: taken as parameters: a\n");
     assert_eq!(inline.status, 0);
 
-    // what a name or a file declares is no news
+    // declarations of a name or a file are not repeated as notes
     assert_eq!(affinor(&["table", "M3"]).err, "");
     assert_eq!(affinor(&["table", "bianchi(VI,h=h)@zero"]).err, "");
 }
@@ -198,12 +198,12 @@ fn set_puts_values_for_parameters() {
     let table =
         json_of(&["table", "bianchi(VI,h=h)@zero", "--set", "h=-1/2", "--show", "structure"]);
     assert_eq!((&table["scalar"], &table["algebra"]["parameters"]), (&json!("exact"), &json!([])));
-    // all at once: the values are not set in each other
+    // values are substituted at once, not into each other
     let swapped = ["table", "so3", "--connection", "zero", "--metric", "diag(a,b,1)"];
     let swapped =
         [&swapped[..], &["--set", "a=b,b=a", "--show", "metric", "--format", "csv"]].concat();
     assert!(stdout(&swapped).ends_with("metric,1,1,,,b\nmetric,2,2,,,a\nmetric,3,3,,,1\n"));
-    // set, the metric is that of a float
+    // after values are set, the metric is a metric of floats
     let float = ["table", "M3", "--scalar", "float", "--show", "metric", "--format", "json"];
     let set = ["--set", "J11=1/3,J12=0,J13=0,J22=1,J23=0,J33=1"];
     let table: Value = serde_json::from_str(&stdout(&[&float[..], &set].concat())).unwrap();
@@ -217,10 +217,10 @@ fn independent_components_stand_for_all() {
     let few = rows(&stdout(&[&curvature[..], &["--independent"]].concat()));
     assert_eq!((all.len(), few.len()), (12, 6));
     assert!(few.iter().all(|row| all.contains(row)));
-    // and they are said to be
+    // and the output says so
     let json = json_of(&["table", "SO3", "--independent"]);
     assert!(json["conventions"]["components"].is_string());
-    // a stored table of them verifies against them
+    // a stored table with these values verifies against them
     let folder = folder();
     fs::write(
         folder.path().join("few.csv"),
@@ -253,7 +253,7 @@ fn timings_are_lines_beside_the_results() {
     }
 }
 
-/// The name in `timing: NAME 0.041 s`.
+/// The seconds in a line `timing: NAME 0.041 s`.
 fn timing(line: &str) -> &str {
     let inner = line.strip_prefix("timing: ").and_then(|line| line.strip_suffix(" s"));
     let (name, seconds) = inner.and_then(|inner| inner.split_once(' ')).unwrap();
@@ -292,7 +292,7 @@ fn definitions_are_read_from_files_and_from_standard_input() {
     }
     let show = ["--show", "structure,torsion", "--connection", "plus"];
     let of = |space: &str, input: &str| {
-        // `-@zero` begins like an option
+        // `-@zero` begins like an option, but is a space
         let arguments = [&["table"], &show[..], &["--", space]].concat();
         let outcome = run(folder.path(), &arguments, input.as_bytes());
         assert_eq!((outcome.status, outcome.err.as_str()), (0, ""), "{space}");
@@ -311,7 +311,7 @@ fn definitions_are_read_from_files_and_from_standard_input() {
         ("-@levi-civita;metric=identity", json),
     ] {
         let same = of(space, input);
-        // a metric is named in the head of a table
+        // a metric is named in the text above a table
         assert!(same == out || space.contains("metric"), "{space}: {same}");
     }
 }
@@ -396,8 +396,8 @@ fn a_setting_serves_whichever_space_has_the_parameter() {
     assert_eq!(set(&["so3", "bianchi(VI,h=h)"], "h=2").status, 0);
     let unknown = set(&[], "K=1");
     assert_eq!(unknown.status, 2);
-    assert!(unknown.err.contains("`K` is no parameter here"), "{}", unknown.err);
-    // declared, though nothing depends on it; and what a value brings in is said
+    assert!(unknown.err.contains("`K` is not a parameter here"), "{}", unknown.err);
+    // a declared parameter is listed even if nothing depends on it; names in values are listed too
     let file = "basis = ['x', 'y']\nparameters = ['k']\nbrackets = '[x, y] = x'\n";
     fs::write(folder.path().join("declared.toml"), file).unwrap();
     let declared = run(folder.path(), &["check", "declared.toml", "--set", "k=2"], b"");
@@ -434,7 +434,7 @@ fn shells_complete_the_commands() {
     let folder = TempDir::new().unwrap();
     let script = folder.path().join("affinor.bash");
     fs::write(&script, stdout(&["completions", "bash"])).unwrap();
-    // where there is a bash, it understands the script
+    // if bash is installed, it accepts the script
     if let Ok(status) = std::process::Command::new("bash").arg("-n").arg(&script).status() {
         assert!(status.success());
     }
@@ -479,7 +479,7 @@ fn messages_are_coloured_on_request() {
     let of = |color: &str| affinor(&["table", "so31", "--color", color]).err;
     assert!(of("always").contains("\u{1b}["));
     assert!(!of("never").contains('\u{1b}'));
-    assert!(!of("auto").contains('\u{1b}'), "standard error is no terminal here");
+    assert!(!of("auto").contains('\u{1b}'), "standard error is not a terminal here");
     let results = affinor(&["table", "so3", "--color", "always"]);
     assert!(!results.out.contains('\u{1b}'));
 }
@@ -517,7 +517,7 @@ fn derived_tensors_are_shown_when_asked_for() {
     assert_eq!(refused.status, 2);
     assert!(refused.err.contains(&format!("{basic}, {derived}, all, derived")), "{}", refused.err);
 
-    // Weyl, Schouten and Cotton belong to a Levi-Civita connection, however it was named
+    // Weyl, Schouten and Cotton belong to a Levi-Civita connection, whichever name was used for it
     let show = ["--show", "weyl,einstein,schouten", "--format", "csv"];
     let plus = affinor(&[&["table", "so4@plus;metric=identity"], &show[..]].concat());
     assert!(plus.err.contains("not defined for this space: weyl, schouten"), "{}", plus.err);

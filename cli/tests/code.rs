@@ -1,4 +1,5 @@
-//! Tensors as programs: compiled, run, and compared with the exact tensors at rational points.
+//! Tensors as generated programs: compiled, run, and compared with the exact tensors at rational
+//! points.
 
 mod accuracy;
 mod pivots;
@@ -12,14 +13,14 @@ use affinor_documents::space::{Request, Space};
 use affinor_tensors::{Notation, Rational, Symbolic, Tensor, Tolerance};
 use std::collections::BTreeMap;
 
-/// A full symmetric matrix of symbols `J11 ..`, as an option.
+/// A full symmetric matrix of symbols `J11`, `J12`, ..., as an option.
 fn full(n: usize) -> String {
     let entry = |i: usize, j: usize| format!("J{}{}", i.min(j), i.max(j));
     let row = |i| (1..=n).map(|j| entry(i, j)).collect::<Vec<_>>().join(",");
     format!("[{}]", (1..=n).map(|i| format!("[{}]", row(i))).collect::<Vec<_>>().join(","))
 }
 
-/// A rational number that belongs to a name and a draw; the diagonal of a metric dominates.
+/// A rational number for a name and a draw. The metric is diagonally dominant.
 fn number(name: &str, draw: i64) -> Rational {
     let hash = name.bytes().fold(draw * 7 + 3, |hash, byte| (hash * 31 + i64::from(byte)) % 1009);
     let digits = name.trim_start_matches(|c: char| !c.is_ascii_digit()).as_bytes();
@@ -35,7 +36,7 @@ fn open(space: &str, [connection, metric]: [&str; 2], set: Option<String>) -> Sp
     Space::open(&Request { space, connection, metric, set, ..Request::default() }).unwrap()
 }
 
-/// All components of a tensor, zeros included, the last index first to change.
+/// All components of a tensor, zeros included; the last index changes first.
 fn dense<S: Coefficient>(tensor: &Tensor<S>, n: usize, value: impl Fn(&S) -> f64) -> Vec<f64> {
     let mut all = vec![0.0; n.pow(tensor.slots().len() as u32)];
     for (at, component) in tensor.components() {
@@ -75,7 +76,7 @@ fn cases() -> Vec<(String, &'static str, String, &'static str)> {
         ("aff(1)".into(), "minus", full(2), all),
         ("se(3)".into(), "", full(6), "curvature,ricci,scalar_curvature"),
         ("so(4)".into(), "", full(6), "scalar_curvature"),
-        // without a pivot on the diagonal
+        // a metric without a nonzero diagonal entry for a pivot
         ("so(3)".into(), "", "[[0,J12,0],[J12,0,1],[0,1,J33]]".into(), "curvature,inverse_metric"),
         (
             definition("affinities.toml"),
@@ -110,7 +111,7 @@ fn tensors_as_programs_give_the_exact_values() {
                 }
             }
             for language in Language::ALL {
-                // a large function takes rustc long
+                // rustc is slow on a large function
                 if language == Language::Rust && (n > 3 || draw > 0) {
                     continue;
                 }
@@ -125,7 +126,7 @@ fn tensors_as_programs_give_the_exact_values() {
     }
 }
 
-/// Parameters in Greek are arguments with Latin names, which differ from the other arguments.
+/// Greek parameters become arguments with Latin names, which differ from the other arguments.
 #[test]
 fn greek_parameters_as_programs() {
     let folder = tempfile::tempdir().unwrap();
@@ -156,11 +157,11 @@ fn greek_parameters_as_programs() {
     }
 }
 
-/// Functions on a chart: against the rational functions at a point.
+/// Programs of functions on a chart agree with the rational functions at a point.
 #[test]
 fn charts_as_programs() {
     let folder = tempfile::tempdir().unwrap();
-    // products, parts of angles, roots and logarithms
+    // products, multiples of angles, roots and logarithms
     let products = folder.path().join("products.toml");
     let text = "parameters = ['a']\nmetric = 'diag(exp(2*r), cos(a*r/2)^2 + log(r)^2*sqrt(y))'\n\
                 chart = {coordinates = ['r', 'y'], positive = ['r', 'y']}\n";
@@ -211,7 +212,7 @@ fn charts_as_programs() {
     }
 }
 
-/// Derivatives by parameters: against those of the rational functions.
+/// Derivatives by parameters agree with the derivatives of the rational functions.
 #[test]
 fn derivatives_are_those_of_the_formulas() {
     let folder = tempfile::tempdir().unwrap();
@@ -246,7 +247,7 @@ fn statements(source: &str) -> Vec<(String, String)> {
     pairs.map(|(left, right)| (left.trim().replace("const double ", ""), right.into())).collect()
 }
 
-/// No right side is computed twice, everything is used, and abelian summands cost nothing.
+/// No right side is computed twice, every variable is used, and abelian summands add no code.
 #[test]
 fn every_value_is_computed_once() {
     let metric = full(3);
@@ -264,7 +265,7 @@ fn every_value_is_computed_once() {
     assert_eq!(statements(&alone), statements(&beside));
 }
 
-/// Python takes arrays that broadcast; indices are the last axes.
+/// Python functions accept arrays that broadcast; the indices are the last axes.
 #[test]
 fn python_broadcasts() {
     let folder = tempfile::tempdir().unwrap();
@@ -284,7 +285,7 @@ fn python_broadcasts() {
     }
 }
 
-/// The text in every language.
+/// The source code in every language.
 #[test]
 fn programs_in_every_language() {
     let mut settings = insta::Settings::clone_current();
@@ -328,10 +329,10 @@ fn refusals_of_programs() {
     for (arguments, status, message) in [
         (&["--code", "fortran"][..], 2, "the languages are rust, c, python"),
         (&["--code", "c", "--format", "csv"], 2, "cannot be used with"),
-        (&["--code", "c", "--independent"], 2, "leave --independent away"),
-        (&["--code", "c", "--scalar", "float"], 2, "leave --scalar float away"),
+        (&["--code", "c", "--independent"], 2, "leave --independent out"),
+        (&["--code", "c", "--scalar", "float"], 2, "leave --scalar float out"),
         (&["--derivatives", "J1"], 2, "--code"),
-        (&["--code", "c", "--derivatives", "K"], 2, "no parameter is called `K`"),
+        (&["--code", "c", "--derivatives", "K"], 2, "there is no parameter `K`"),
         (&["--code", "c", "--derivatives", "J1,J1"], 2, "names J1 twice"),
         (
             &["--code", "c", "--show", "weyl", "--connection", "plus"],
@@ -353,12 +354,12 @@ fn refusals_of_programs() {
     let outcome = program::run(root(), &["table", "E8", "--show", "curvature", "--code", "c"], b"");
     assert_eq!(outcome.status, 2);
     assert!(outcome.err.contains("curvature has 248^4 components"), "{}", outcome.err);
-    // what the mathematics refuses has its witness, also with parameters
+    // a mathematical error is reported with its witness, also with parameters
     let broken = ["table", "--basis", "x y z", "--bracket", "[x,y]=a*z; [x,z]=b*x", "--code", "c"];
     let outcome = program::run(root(), &broken, b"");
     assert_eq!(outcome.status, 1, "{outcome:?}");
     assert!(outcome.err.contains("Jacobi"), "{}", outcome.err);
-    // degenerate by an identity between parameters
+    // degenerate because of an identity between parameters
     let metric = "[[a^2,a*b,0],[a*b,b^2,0],[0,0,1]]";
     let outcome = program::run(root(), &["table", "so3", "--metric", metric, "--code", "c"], b"");
     assert_eq!(outcome.status, 1, "{outcome:?}");

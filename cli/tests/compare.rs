@@ -4,7 +4,7 @@ use crate::program::{root, stdout};
 use affinor_documents::report::Claim;
 use serde_json::Value;
 
-/// `affinor compare` with these arguments: what it prints.
+/// The output of `affinor compare` with these arguments.
 fn compare(arguments: &[&str]) -> String {
     stdout(root(), &[&["compare"], arguments].concat())
 }
@@ -66,7 +66,7 @@ fn comparisons_stay_within_80_columns() {
         for line in text.lines() {
             assert!(line.chars().count() <= 80, "{pair:?}: {line}");
         }
-        // every claim, and a verdict on it, stands in every format
+        // every claim and its verdict occur in every format
         for format in ["markdown", "latex", "csv", "json"] {
             let written = compare(&[pair, &["--format", format]].concat());
             for claim in Claim::ALL {

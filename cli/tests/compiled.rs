@@ -1,10 +1,11 @@
-//! Source code that the program writes, compiled and run.
+//! Generated source code, compiled and run.
 
 use affinor_documents::report::Language;
 use std::path::Path;
 use std::process::Command;
 
-/// What a program prints. `None` where the machine lacks the program, which fails where `CI` is set.
+/// The output of a program. `None` if the program is not installed, which is a failure if `CI` is
+/// set.
 fn output(command: &mut Command) -> Option<String> {
     let output = match command.output() {
         Ok(output) => output,
@@ -24,7 +25,7 @@ pub fn has_numpy() -> bool {
     import.is_ok_and(|output| output.status.success())
 }
 
-/// A substitute for NumPy, of numbers alone: it shows that the formulas are right without it.
+/// A substitute for NumPy with numbers only: it shows that the formulas are right without NumPy.
 const NUMPY: &str = "
 import itertools
 from math import sin, cos, exp, log, sqrt, sinh, cosh, tanh
@@ -74,7 +75,7 @@ pub fn signature(source: &str) -> (String, Vec<String>) {
 }
 
 /// Compiles the function with a main program that prints all components of its arrays, and runs it.
-/// `None` where the machine lacks the compiler.
+/// `None` if the compiler is not installed.
 pub fn run(
     folder: &Path,
     language: Language,
@@ -141,7 +142,7 @@ pub fn run_at(
                 let shape = if shape.is_empty() { vec![1] } else { shape.clone() };
                 let lengths: String = shape.iter().map(|n| format!("[{n}]")).collect();
                 declared += &format!("static double {name}{lengths}; ");
-                // not cleared, so that zeros must be written
+                // the arrays are not cleared, so that zeros must be written
                 declared +=
                     &format!("for (int i = 0; i < {size}; i++) ((double *){name})[i] = 7; ");
                 prints += &format!(
@@ -180,7 +181,7 @@ pub fn run_at(
     Some(lines.lines().map(|line| line.parse().unwrap()).collect())
 }
 
-/// What a Python program prints; `None` without Python or NumPy.
+/// The output of a Python program; `None` without Python or NumPy.
 pub fn run_numpy(folder: &Path, main: &str) -> Option<String> {
     if !has_numpy() {
         eprintln!("not tested: python3 has no NumPy");

@@ -1,7 +1,7 @@
-//! The documents say what the program does: quoted outputs, formats, limits and translations.
+//! The documents agree with the program: quoted outputs, formats, limits and translations.
 //!
-//! A fenced block `console` holds commands behind `$ ` and exactly what they print on standard
-//! output. `UPDATE_DOCUMENTS=1 cargo test -p affinor-cli documents::` writes what they print now.
+//! A fenced block `console` contains commands after `$ ` and their exact standard output.
+//! `UPDATE_DOCUMENTS=1 cargo test -p affinor-cli documents::` writes the current output.
 
 use crate::program::{root, run, words};
 use affinor::{Bracket, Connection, LieAlgebra, Metric};
@@ -35,7 +35,7 @@ fn output(command: &str) -> Result<String, Box<dyn std::error::Error>> {
     Ok(outcome.out)
 }
 
-/// The document with every quoted output as it is now.
+/// The document with the current output in every quotation.
 fn refreshed(document: &str) -> Result<String, Box<dyn std::error::Error>> {
     let (mut fresh, mut lines) = (String::new(), document.lines());
     while let Some(line) = lines.next() {
@@ -110,7 +110,7 @@ fn links_lead_somewhere() -> Outcome {
     Ok(())
 }
 
-/// Every key that stands anywhere in `value`, but for names that are data.
+/// Every key that occurs anywhere in `value`, except names that are data.
 fn keys<'v>(value: &'v Value, found: &mut Vec<&'v str>) {
     match value {
         Value::Object(object) => {
@@ -130,7 +130,7 @@ fn keys<'v>(value: &'v Value, found: &mut Vec<&'v str>) {
 fn formats_names_every_key_of_every_schema() -> Outcome {
     let formats = std::fs::read_to_string(root().join("docs/formats.md"))?;
     let stored = tempfile::Builder::new().suffix(".json").tempfile()?;
-    let path = stored.path().to_str().ok_or("a path that is no text")?.to_string();
+    let path = stored.path().to_str().ok_or("a path that is not valid text")?.to_string();
     std::fs::write(
         &path,
         output("affinor table so3@zero --show torsion,curvature --format json")?,

@@ -1,4 +1,4 @@
-//! E8 from end to end, from a definition file made from GAP's table.
+//! E8 from end to end, from a definition file that contains GAP's table.
 
 use crate::program;
 use std::fs;
@@ -17,7 +17,7 @@ fn definition() -> String {
     format!("name = \"E8 of GAP\"\ndimension = 248\nstructure_constants = [\n{rows}\n]\n")
 }
 
-/// The command of the README's largest example: 1,031,700 rows, sorted, none of them zero.
+/// The command of the README's largest example: 1,031,700 sorted rows, all nonzero.
 #[test]
 fn curvature_of_the_file_as_csv() {
     let folder = tempfile::tempdir().expect("a folder");

@@ -1,4 +1,4 @@
-//! Equations of motion as they are printed, and the generated code against the library.
+//! Printed equations of motion, and their generated code compared with the library.
 
 use crate::common::algebras::seeds;
 use crate::common::integer;
@@ -83,7 +83,7 @@ fn generated_code_gives_the_same_numbers() {
     }
 }
 
-/// What `affinor equations` prints.
+/// The output of `affinor equations`.
 fn printed(arguments: &[&str]) -> String {
     stdout(root(), &[&["equations"], arguments].concat())
 }
@@ -119,8 +119,8 @@ fn rows_of_a_csv_are_named_by_coordinate_or_number() {
     assert_eq!(names, ["equation", "theta", "phi", "1", "1", "2", "2"], "{csv}");
 }
 
-/// The kinematics of Euler angles z-x-z (Goldstein, Classical Mechanics, 4-87, solved for the
-/// rates), and the refusal where the metric varies.
+/// The kinematics of the Euler angles z-x-z (Goldstein, Classical Mechanics, 4-87, solved for the
+/// rates), and the error for a metric that varies.
 #[test]
 fn kinematics_of_euler_angles() {
     let angles = definition("euler_angles.toml");
@@ -141,8 +141,8 @@ fn kinematics_of_euler_angles() {
     assert!(refused.err.contains("need a metric with constant components"), "{}", refused.err);
 }
 
-/// In a moving frame the Euler-Poincare equations are Boltzmann's and Hamel's, with structure
-/// functions; another connection does not give them.
+/// In a moving frame the Euler-Poincare equations are the equations of Boltzmann and Hamel, with
+/// structure functions. Another connection gives different equations.
 #[test]
 fn moving_frames_tell_other_connections_apart() {
     let folder = tempfile::tempdir().unwrap();
@@ -205,7 +205,8 @@ fn geodesics_are_euler_poincare_in_floats() {
     }
 }
 
-/// The parameter of a curve has another name than the coordinates and parameters, in every format with such a name.
+/// The parameter of a curve differs from the names of the coordinates and parameters, in every
+/// format that contains it.
 #[test]
 fn the_parameter_of_a_curve_has_a_name_of_its_own() {
     let folder = tempfile::tempdir().unwrap();

@@ -1,4 +1,4 @@
-//! The examples run, and every definition beside them passes `affinor check`.
+//! The examples run, and every definition next to them passes `affinor check`.
 
 use crate::program::{definition, root, stdout};
 use affinor_documents::input::InputError;
@@ -100,7 +100,7 @@ fn own_scalar() -> Outcome {
     own_scalar::main()
 }
 
-/// The dimension, and the number of structure constants; Jacobi is checked on the way.
+/// The dimension and the number of structure constants. Also checks the Jacobi identity.
 fn dimension<S: Coefficient>(space: &Space) -> Result<(usize, usize), InputError> {
     let algebra = space.definition.algebra::<S>(Tolerance::default())?;
     Ok((algebra.dimension(), algebra.structure_constants().len()))
@@ -111,7 +111,7 @@ fn a_table_of_gap_becomes_a_definition() -> Outcome {
     let text = definition_from_gap::definition("E8", 248, definition_from_gap::E8)?;
     let file = tempfile::Builder::new().suffix(".toml").tempfile()?;
     std::fs::write(file.path(), text)?;
-    let space = file.path().to_str().ok_or("a path that is no text")?.to_string();
+    let space = file.path().to_str().ok_or("a path that is not valid text")?.to_string();
     let space = Space::open(&Request { space: Some(space), ..Request::default() })?;
     let found = over_kind!(space.kind(ScalarChoice::Exact)?, S => dimension::<S>(&space))?;
     assert_eq!(found, (248, 2 * 8347));

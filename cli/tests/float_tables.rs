@@ -1,4 +1,5 @@
-//! Tables and certificates in floats, as the program prints them: no noise where theory has zero.
+//! Printed tables and certificates in floats: components that are zero in theory show no rounding
+//! errors.
 
 use crate::program::{run, stdout};
 use std::path::Path;
@@ -18,7 +19,7 @@ fn places(csv: &str) -> Vec<&str> {
     csv.lines().map(|line| line.rsplit_once(',').unwrap().0).collect()
 }
 
-/// Units of the basis vectors do not matter: a metric of widely different sizes has an accurate inverse.
+/// The inverse of a metric is accurate whatever the units of the basis vectors.
 #[test]
 fn metrics_of_many_scales() {
     for (space, metric) in [
@@ -44,7 +45,7 @@ fn metrics_of_many_scales() {
     }
 }
 
-/// A component below the tolerance still cancels one that is above it.
+/// A component below the tolerance can cancel a component above it.
 #[test]
 fn certificates_hold_over_many_scales() {
     for exponent in 0..=9 {
@@ -58,7 +59,7 @@ fn certificates_hold_over_many_scales() {
     }
 }
 
-/// `table - --scalar float` of affinities without brackets.
+/// The output of `table - --scalar float` for affinities without brackets.
 fn of_affinities(dimension: usize, affinities: &str, options: &[&str]) -> String {
     let file = format!(
         "dimension = {dimension}\nbrackets = \"\"\naffinities = \"\"\"\n{affinities}\"\"\"\n"
@@ -69,7 +70,7 @@ fn of_affinities(dimension: usize, affinities: &str, options: &[&str]) -> String
     outcome.out
 }
 
-/// `R^1_413 = 1e16 - 1e16 + 1` is not shown, and cancels `R^2_423 = -1` in the Ricci tensor.
+/// `R^1_413 = 1e16 - 1e16 + 1` is not shown, but cancels `R^2_423 = -1` in the Ricci tensor.
 #[test]
 fn a_component_that_is_not_shown_enters_the_next_sum() {
     let affinities = "nabla[e1, e5] = 100000000*e1\n\
@@ -83,7 +84,7 @@ fn a_component_that_is_not_shown_enters_the_next_sum() {
     assert!(!csv.contains("\nricci,4,3,"), "{csv}");
 }
 
-/// A tolerance holds in all stages: here `R^1_212 = 1e-15` of terms of size 1.
+/// The tolerance holds in all stages: here `R^1_212 = 1e-15` is a sum of terms of size 1.
 #[test]
 fn a_smaller_tolerance_is_kept_to() {
     let affinities = "nabla[e1, e1] = e1\n\
@@ -100,8 +101,8 @@ fn a_smaller_tolerance_is_kept_to() {
     assert_eq!(shown(&["--tolerance", "1e-17"]), all);
 }
 
-/// An ill-conditioned metric, where `f64` has no digit of these: what consists of rounding is kept for later sums, and
-/// the rounding is subtracted from what is written.
+/// An ill-conditioned metric, for which `f64` has no correct digit of these components. Rounding
+/// errors are kept for later sums, and subtracted from the output.
 #[test]
 fn rounding_is_corrected_in_ill_conditioned_metrics() {
     let metric = "[[-18,-1/3,37/7,38/3,10/3],[-1/3,14/9,-2/3,-23/9,-7/9],[37/7,-2/3,-58/49,-443/189,-13/21],\

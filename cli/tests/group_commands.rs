@@ -2,14 +2,14 @@
 
 use crate::program::{root, run};
 
-/// Standard output, of a run that succeeds.
+/// The standard output of a command that succeeds.
 fn output(arguments: &[&str], input: &str) -> String {
     let outcome = run(root(), arguments, input.as_bytes());
     assert_eq!(outcome.status, 0, "{arguments:?}: {}", outcome.err);
     outcome.out
 }
 
-/// The numbers of the output, below its head.
+/// The numbers of the output, without its header.
 fn numbers(arguments: &[&str], input: &str) -> Vec<f64> {
     let text = output(arguments, input);
     let begins_head = |line: &&str| line.starts_with(|c: char| c.is_ascii_alphabetic());
@@ -22,12 +22,12 @@ fn numbers(arguments: &[&str], input: &str) -> Vec<f64> {
 fn near(found: &[f64], expected: &[f64]) {
     assert_eq!(found.len(), expected.len(), "{found:?}");
     for (a, b) in found.iter().zip(expected) {
-        // text has twelve digits
+        // text output has twelve digits
         assert!((a - b).abs() < 1e-11 * (1.0 + b.abs()), "{found:?} and not {expected:?}");
     }
 }
 
-/// Exit status and message of a run that fails.
+/// The exit status and the message of a command that fails.
 fn refusal(arguments: &[&str], input: &str) -> (i32, String) {
     let outcome = run(root(), arguments, input.as_bytes());
     (outcome.status, outcome.err)
@@ -44,7 +44,7 @@ fn a_quarter_turn() {
     near(&numbers(&["compose", "so3", "0,0,pi/2, pi/2,0,0"], ""), &[third; 3]);
 }
 
-/// `Ad` of a translation `t` takes `(w, v)` to `(w, v + t x w)`.
+/// `Ad` of a translation `t` maps `(w, v)` to `(w, v + t x w)`.
 #[test]
 fn adjoint_of_a_translation() {
     let ad = numbers(&["adjoint", "se3", "0,0,0,1,2,3", "--format", "json"], "");
@@ -53,7 +53,7 @@ fn adjoint_of_a_translation() {
     near(&column, &[1.0, 0.0, 0.0, 0.0, 3.0, -2.0]);
 }
 
-/// Rows in, rows out: heads and remarks are skipped, both notations are read.
+/// Every input row gives an output row. Headers and comments are skipped; both notations are read.
 #[test]
 fn rows_of_standard_input() {
     let input = "x,y,z\n0,0,0\n\n# a remark\n[0, 0, 3.141592653589793]\n-1e-3;0;0\n";
@@ -63,13 +63,13 @@ fn rows_of_standard_input() {
     assert_eq!(lines.len(), 3);
     assert_eq!(lines[0], "[0,0,0]");
     assert_eq!(lines[1], "[0,0,3.141592653589793]");
-    // small angles keep their digits but for roundings
+    // small angles are accurate up to rounding errors
     let small: f64 =
         lines[2].trim_start_matches('[').split(',').next().unwrap_or("").parse().expect("x");
     assert!((small + 1e-3).abs() < 1e-18 && lines[2].ends_with(",0,0]"), "{}", lines[2]);
 }
 
-/// Where no name says which group it is: unipotent matrices, brackets of a nilpotent algebra, ad.
+/// Groups that are given without a name: unipotent matrices, brackets of a nilpotent algebra, ad.
 #[test]
 fn groups_of_any_algebra() {
     near(
@@ -88,17 +88,17 @@ fn groups_of_any_algebra() {
     );
     let (code, message) = refusal(&["log", "hom(1)", "-2,0,0,1"], "");
     assert!(code == 1 && message.contains("the factor -2 of the dilation"), "{message}");
-    // by brackets alone: elements are columns of coordinates
+    // groups given by brackets only: elements are columns of coordinates
     let file = "examples/definitions/heisenberg.toml";
     near(&numbers(&["exp", file, "1,2,3"], ""), &[1.0, 2.0, 3.0]);
-    // a centre beside the brackets, and one among them
+    // algebras with an additional centre, and a Heisenberg algebra with its own centre
     near(&numbers(&["compose", "so3+R^1", "0,0,1,2, 0,0,1,3"], ""), &[0.0, 0.0, 2.0, 5.0]);
-    // brackets alone, with a centre and too many derivations to solve for
+    // brackets only, with a centre and too many derivations to solve for
     let (code, message) =
         refusal(&["exp", "-", "1"], "dimension = 25\nbrackets = '[e1,e2] = e2'\n");
     assert_eq!(code, 1);
     assert!(message.contains("centre") && message.contains("by matrices"), "{message}");
-    // a column for each factor, in the order of the sum
+    // one column for each factor, in the order of the sum
     let row = numbers(&["exp", "R^2+so2+heisenberg3", "--degrees", "1,2, 90, 1,2,3"], "");
     near(&row, &[1.0, 2.0, 0.0, -1.0, 1.0, 0.0, 1.0, 1.0, 4.0, 0.0, 1.0, 2.0, 0.0, 0.0, 1.0]);
     let element: Vec<String> = row.iter().map(f64::to_string).collect();
@@ -111,7 +111,8 @@ fn groups_of_any_algebra() {
     near(&numbers(&product, ""), &[0.0, 0.0, 2.0, 1.0, 1.0, 0.5]);
 }
 
-/// `compose` has all digits of boosts, and `log` notes how many digits rounded entries determine if these are few.
+/// `compose` of boosts is accurate to all digits. `log` notes how many digits are determined, if
+/// rounded entries determine few.
 #[test]
 fn digits_of_logarithms() {
     for (space, rows) in [
@@ -141,14 +142,14 @@ fn digits_of_logarithms() {
     }
 }
 
-/// Generators that turn are angles in groups of matrices too.
+/// For matrix groups too, components along rotation generators are angles in degrees.
 #[test]
 fn degrees_of_matrix_groups() {
     let quarter = numbers(&["exp", "so(4)", "--degrees", "0,0,0,0,0,90"], "");
     near(&quarter[..6], &[0.0, -1.0, 0.0, 0.0, 1.0, 0.0]);
     let back = numbers(&["log", "sim2", "--degrees", "0,-2,1,2,0,1,0,0,1"], "");
     near(&back[..2], &[90.0, 2f64.ln()]);
-    // boosts and the centre of heisenberg(3) are none
+    // boosts and the centre of heisenberg(3) are not angles
     let boost = numbers(&["adjoint", "so(2,1)", "--degrees", "1,0,0"], "");
     assert!((boost[4] - 1f64.cosh()).abs() < 1e-11, "{boost:?}");
     let outcome = run(root(), &["exp", "heisenberg(3)", "--degrees", "1,2,3"], b"");
@@ -181,7 +182,8 @@ fn conversions() {
     assert!(outcome.err.contains("gimbal lock in 1 row:"), "{}", outcome.err);
 }
 
-/// Bad rows say where they are, with status 2 for the writing and 1 for the mathematics.
+/// Errors of rows give the location. The status is 2 for wrong notation and 1 for a mathematical
+/// error.
 #[test]
 fn what_is_refused() {
     let cases: [(&[&str], &str, i32, &str); 12] = [
@@ -189,13 +191,18 @@ fn what_is_refused() {
         (&["exp", "so3", "1,2,x"], "", 2, "names are pi and tau"),
         (&["exp", "so3", "1,2,1/0"], "", 2, "divides by zero"),
         (&["exp", "so3", "1,2,1e999"], "", 2, "beyond the range"),
-        (&["exp", "so3", "1,2,nan"], "", 2, "no number"),
+        (&["exp", "so3", "1,2,nan"], "", 2, "not a number"),
         (&["exp", "so3"], "1,2,3\n4,5\n", 2, "<standard input>, line 2"),
         (&["exp", "so3", "1,2,3", "--format", "latex"], "", 2, "text, csv, json"),
         (&["log", "so3", "1,0,0,0,1,0,0,0,2"], "", 1, "R^T R differs from 1"),
         (&["log", "so3", "-1,0,0,0,1,0,0,0,1"], "", 1, "reflection"),
         (&["log", "sl2", "-2,0,0,-0.5"], "", 1, "trace is -2.5"),
-        (&["convert", "--from", "vector", "--to", "XXY", "1,2,3"], "", 2, "the kinds are"),
+        (
+            &["convert", "--from", "vector", "--to", "XXY", "1,2,3"],
+            "",
+            2,
+            "choose vector, quaternion",
+        ),
         (&["exp", "examples/definitions/sphere.toml", "1,2"], "", 2, "help: give a Lie algebra"),
     ];
     for (arguments, input, code, part) in cases {
@@ -203,7 +210,7 @@ fn what_is_refused() {
         assert_eq!(found, code, "{arguments:?}: {message}");
         assert!(message.contains(part), "{arguments:?}: {message}");
     }
-    // a number in the first line makes it a row, and a bad one
+    // a first line with a number is a row, here an invalid one
     let (code, message) = refusal(&["exp", "so3"], "1,2,x\n1,2,3\n");
     assert_eq!((code, message.contains("names are pi")), (2, true), "{message}");
     let (code, message) = refusal(&["transport", "SO3", "--along", "1e100,1,2", "1,2,3"], "");
@@ -217,12 +224,12 @@ fn what_is_refused() {
     let outcome = run(root(), &["exp", "so3"], b"1,2,3\n\xff\n");
     assert_eq!(outcome.status, 2);
     assert!(outcome.err.contains("cannot read standard input, line 2"), "{}", outcome.err);
-    // what stood before the bad row is written
+    // the rows before the invalid row are written
     let outcome = run(root(), &["log", "so2"], b"0,-1,1,0\nx\n");
     assert_eq!((outcome.status, outcome.out.lines().count()), (2, 1));
 }
 
-/// The head of CSV names the columns.
+/// The header of CSV names the columns.
 #[test]
 fn columns_of_csv_have_names() {
     let head = |arguments: &[&str]| {
@@ -242,12 +249,12 @@ fn columns_of_csv_have_names() {
     assert_eq!(convert("quaternion"), "w,x,y,z");
     assert_eq!(convert("matrix"), matrix("R"));
     assert_eq!(convert("ZYX"), "angle1,angle2,angle3");
-    // from the tenth row on, the two numbers are told apart
+    // from the tenth row on, row and line numbers differ in length
     let large = head(&["exp", "so(10)", &["0"; 45].join(",")]);
     assert!(large.starts_with("g1_1,g1_2,") && large.ends_with(",g10_10"), "{large}");
 }
 
-/// Only names make a header; a mark of the encoding is none, and what is missing is not closed up.
+/// Only a line of names is a header, also after a byte-order mark. Missing numbers are an error.
 #[test]
 fn headers_and_missing_numbers() {
     let expected = output(&["exp", "so3"], "1,2,3\n");
@@ -280,15 +287,15 @@ fn refused_rows_are_left_out_on_request() {
         [
             "note: <standard input>, line 2 is left out: a vector of this algebra of dimension 3 \
              has 3 numbers, not 2",
-            "note: <standard input>, line 3 is left out: `x` is no number: names are pi and tau",
+            "note: <standard input>, line 3 is left out: `x` is not a number: names are pi and tau",
             "note: 2 of 4 rows left out",
         ]
     );
-    // the rows of the arguments, and what the mathematics refuses
+    // invalid rows and mathematical errors
     for (arguments, reason) in [
         (&["log", "so3", "1,0,0,0,1,0,0,0,1", "1,0,0,0,1,0,0,0,2"][..], "R^T R differs from 1"),
         (&["compose", "so3", "0,0,0,0,0,0", "1"], "has 6 numbers, not 1"),
-        (&["adjoint", "so3", "0,0,0", "nan,0,0"], "no number"),
+        (&["adjoint", "so3", "0,0,0", "nan,0,0"], "not a number"),
         (&["exp", "sl2", "0,0,0", "1,1,800"], "of the result is inf"),
         (&["transport", "so3@plus", "--along", "0,0,0", "0,0,0", "1,2"], "has 3 numbers, not 2"),
         (
@@ -309,7 +316,7 @@ fn refused_rows_are_left_out_on_request() {
         assert!(report.ends_with("note: 1 of 2 rows left out\n"), "{arguments:?}: {report}");
         let alone = output(&arguments[..arguments.len() - 1], "");
         assert_eq!(outcome.out, alone, "{arguments:?}");
-        // by default the run ends there
+        // by default the run stops at the invalid row
         for stop in [&[][..], &["--on-error", "stop"]] {
             let (code, message) = refusal(&[arguments, stop].concat(), "");
             assert!(code > 0 && message.contains(reason), "{arguments:?}: {message}");
@@ -317,7 +324,7 @@ fn refused_rows_are_left_out_on_request() {
     }
 }
 
-/// A head of input names the columns in any order; other names are refused.
+/// A header of the input names the columns in any order; other names are errors.
 #[test]
 fn heads_order_the_columns_of_input() {
     let convert = |from: &str, input: &str| {
@@ -348,7 +355,7 @@ fn heads_order_the_columns_of_input() {
     ];
     assert_eq!(output(&order, "0,0,1,0\n"), "x,y,z,w\n0,0,1,0\n");
     assert_eq!(output(&order, "w,x,y,z\n0,0,0,1\n"), "x,y,z,w\n0,0,1,0\n");
-    // what affinor writes with a head is read back, with its columns in reverse order too
+    // output with a header is read back, with its columns in reverse order too
     for (space, vector) in
         [("so3", "0.1,0.2,0.3"), ("se(3)", "0.1,0.2,0.3,1,2,3"), ("so3+so2", "0.1,0.2,0.3,0.4")]
     {
@@ -382,7 +389,8 @@ fn heads_order_the_columns_of_input() {
     }
 }
 
-/// Elements rounded to 3 to 8 digits are restored on all groups; without `--restore` those off the group are refused.
+/// Elements rounded to 3 to 8 digits are restored on all groups; without `--restore` they are
+/// errors.
 #[test]
 fn rounded_elements_are_restored() {
     let groups = [
@@ -445,7 +453,7 @@ fn rounded_elements_are_restored() {
             }
         }
     }
-    // a reflection, and a matrix far off
+    // a reflection, and a matrix far from the group
     for element in ["-1,0,0,0,1,0,0,0,1", "1,0.5,0,0,1,0,0,0,1"] {
         let outcome = run(root(), &["log", "so3", "--restore", element], b"");
         assert!(outcome.status == 1 && outcome.err.contains("nearest element"), "{}", outcome.err);
@@ -473,7 +481,7 @@ fn rounded_elements_are_restored() {
     assert!((angle.sqrt() - std::f64::consts::PI).abs() < 1e-9, "{found}");
 }
 
-/// Logarithms are found up to the rounding of an angle near half a turn.
+/// Logarithms near half a turn are accurate up to the rounding error of the angle.
 #[test]
 fn logarithms_near_half_a_turn() {
     type Vector = fn(f64) -> Vec<f64>;

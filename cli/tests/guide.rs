@@ -1,4 +1,4 @@
-//! The guide: the three tasks at the head of `docs/motion.md`, done with the commands that stand there.
+//! The guide: the three tasks at the beginning of `docs/motion.md`, with the commands of the page.
 
 use crate::program::{root, run};
 use std::fs;
@@ -11,13 +11,13 @@ fn tasks() -> Vec<String> {
     sections.map(str::to_string).collect()
 }
 
-/// The text of the fenced block of a kind.
+/// The text of the fenced block with this language.
 fn block<'s>(section: &'s str, kind: &str) -> &'s str {
     let (_, rest) = section.split_once(&format!("```{kind}\n")).unwrap();
     rest.split_once("```").unwrap().0
 }
 
-/// The problem file of a task, and its commands as words.
+/// The problem file of a task, and its commands, split into words.
 fn file_and_commands(section: &str) -> (String, Vec<Vec<String>>) {
     let commands: Vec<Vec<String>> = (block(section, "sh").lines())
         .map(|line| line.strip_prefix("affinor ").unwrap())
@@ -30,7 +30,8 @@ fn file_and_commands(section: &str) -> (String, Vec<Vec<String>>) {
     (files.remove(0), commands)
 }
 
-/// Runs the commands of a task where nothing but its file is, perhaps edited; their standard errors and the folder.
+/// Runs the commands of a task in a folder with its file only, after an optional edit. Returns the
+/// standard errors and the folder.
 fn done(section: &str, edit: impl Fn(&str) -> String) -> (Vec<String>, TempDir) {
     let (file, commands) = file_and_commands(section);
     let folder = TempDir::new().unwrap();
@@ -47,7 +48,7 @@ fn done(section: &str, edit: impl Fn(&str) -> String) -> (Vec<String>, TempDir) 
     (commands.iter().map(run).collect(), folder)
 }
 
-/// The number behind a word of a text.
+/// The number after a word of a text.
 fn after(text: &str, word: &str) -> f64 {
     let (_, rest) = text.split_once(word).unwrap_or_else(|| panic!("{word}: {text}"));
     rest.split_whitespace().next().unwrap().parse().unwrap()
@@ -93,7 +94,7 @@ fn the_top_precesses_once_in_its_film() {
             assert!(values.iter().all(|value| (value - values[0]).abs() < 1e-9), "{file} {name}");
         }
         let (x, y) = (column(&folder, file, "g13"), column(&folder, file, "g23"));
-        // once around, and not before
+        // the curve has gone around once at the end, but not before
         let angles: Vec<f64> = x.iter().zip(&y).map(|(x, y)| x.atan2(-y)).collect();
         assert!(
             angles[60].abs() > 3.1 && angles[120].abs() < 1e-6 && angles.len() == 121,
@@ -104,7 +105,8 @@ fn the_top_precesses_once_in_its_film() {
     assert!(film.contains("<animate") || film.contains("@keyframes"), "a film moves");
 }
 
-/// With a fiftieth and a fivehundredth of the steps: what grows with time shows already.
+/// With a fiftieth and a fivehundredth of the steps: errors that grow with time are already
+/// visible.
 #[test]
 fn the_methods_keep_the_energy_as_the_page_says() {
     let task = &tasks()[2];

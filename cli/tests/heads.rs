@@ -1,4 +1,4 @@
-//! What stands above the components: conventions, tolerance and brackets; and witnesses of metrics.
+//! The text above the components: conventions, tolerance and brackets; and witnesses of metrics.
 
 use crate::program::{root, run, stdout};
 use serde_json::{Value, json};

@@ -7,7 +7,7 @@ fn info(space: &str) -> Value {
     serde_json::from_str(&stdout(root(), &["info", space, "--format", "json"])).unwrap()
 }
 
-/// The structure of an algebra that a file on standard input defines.
+/// The structure of an algebra that is defined in a file on standard input.
 fn info_of(file: &str) -> Value {
     let outcome = run(root(), &["info", "-", "--format", "json"], file.as_bytes());
     assert_eq!(outcome.status, 0, "{file}: {}", outcome.err);
@@ -60,7 +60,7 @@ fn root_systems() {
     assert_eq!(compact["roots"]["vectors"], Value::Null);
     assert_eq!(info("heisenberg(3)")["roots"], Value::Null);
     assert_eq!(info("heisenberg(3)")["cartan_matrix"], Value::Null);
-    // the spaces of a branched diagram stand in boxes
+    // the spaces of a branched diagram are in boxes
     let latex = stdout(root(), &["info", "D4", "--format", "latex"]);
     assert!(latex.contains("\\mbox{\\footnotesize\\ttfamily ~~~~\\textbar{}}"), "{latex}");
 }
@@ -72,7 +72,7 @@ fn dynkin_diagrams_as_svg() {
         let picture = stdout(root(), &["plot", "dynkin", space]);
         let document = roxmltree::Document::parse(&picture).unwrap();
         let all = |tag: &str| document.descendants().filter(|node| node.has_tag_name(tag)).count();
-        // each node is a disc with a white one in it
+        // each node is a disc with a white disc inside
         (all("circle") / 2, all("polyline"))
     };
     assert_eq!(count("E8"), (8, 7));
@@ -91,7 +91,8 @@ fn with_parameters_holds_for_generic_values() {
     assert_eq!(generic["unimodular"], false);
     // VI_0, III and V
     assert_eq!(generic["exceptional_values"], json!(["-1", "0", "1"]));
-    // VII_0, and the Killing form (2 h^2 - 2) e3* e3* of rank 1, alone and beside one of rank 1 or 3
+    // VII_0, and the Killing form (2 h^2 - 2) e3* e3* of rank 1, in sums with Killing forms of rank
+    // 0, 1 and 3
     for (name, rank) in [("bianchi(VII)", 1), ("bianchi(VII)+aff(1)", 2), ("bianchi(VII)+sl(2)", 4)]
     {
         let all = info(name);
@@ -115,11 +116,12 @@ fn with_parameters_holds_for_generic_values() {
         "generators": ["a*mu3^2 + b*mu1^2 + c*mu2^2"],
     });
     assert_eq!(info_of(scaled)["casimirs"], casimirs);
-    // the inertia of M(3) does not concern its algebra
+    // the inertia of M(3) does not affect its algebra
     assert_eq!(info("M3")["generic"], false);
 }
 
-/// Rows of the table: a root that every isomorphism needs, equations of parameters, and flags that are not proved.
+/// Rows with reservations: a root that every isomorphism needs, equations of parameters, and flags
+/// that are not proved.
 #[test]
 fn reservations_are_written() {
     let rows =
@@ -230,7 +232,8 @@ fn constructions_of_files() {
     }
 }
 
-/// The paths of parts begin at the folder of the file; a file that contains itself is refused.
+/// The paths of parts are relative to the folder of the file; a file that contains itself is an
+/// error.
 #[test]
 fn constructions_of_other_files() {
     let folder = tempfile::tempdir().unwrap();
@@ -314,7 +317,7 @@ fn constructions_are_refused_with_a_witness() {
             2,
             "write product[x, y] = ...",
         ),
-        ("tensor_product = { of = 'so(3)', basis = [], products = '' }", 2, "has no names"),
+        ("tensor_product = { of = 'so(3)', basis = [], products = '' }", 2, "must have names"),
         ("contraction = { of = 'so(3)', weights = [1, 0, 0] }", 1, "no limit"),
         ("contraction = { of = 'so(3)', weights = [1, 0] }", 1, "the number of weights"),
         ("subalgebra = { of = 'so(3)', spanned_by = ['q'] }", 2, "q"),
@@ -375,7 +378,7 @@ fn properties_of_geometries() {
     let so3 = of(&["SO3"]);
     assert_eq!(so3["schema"], "affinor.properties/1");
     assert_eq!(find(&so3, "holonomy algebra")["value"], "dimension 3: su(2)");
-    // names that the parameters have already
+    // names that parameters already have
     let plane = of(&["aff1", "--metric", "diag(c,K)"]);
     assert_eq!(find(&plane, "Einstein (Ric = c g)")["value"], "the constant is -1/c");
     assert_eq!(find(&plane, "constant curvature K")["value"], "the constant is -1/c");
@@ -391,14 +394,14 @@ fn properties_of_geometries() {
         let arguments = ["properties", "so3", "--metric", "identity", "--plane", plane];
         assert_eq!(run(root(), &arguments, b"").status, 2, "{plane}");
     }
-    // an unknown name was meant as a vector, and cannot be declared
+    // an unknown name was meant as a vector, so the help does not suggest to declare it
     for plane in ["e1, q", "e1, e2+q*e3", "e1, 2*q"] {
         let arguments = ["properties", "so3", "--metric", "identity", "--plane", plane];
         let message = run(root(), &arguments, b"").err;
         assert!(message.contains("`q` is neither a basis vector"), "{message}");
         assert!(message.contains("help: the basis is e1, e2, e3\n"), "{message}");
     }
-    // which connection a row is about
+    // each row says which connection it is about
     let by = |connection: &str| {
         let arguments =
             ["properties", "heisenberg(3)", "--metric", "identity", "--connection", connection];
@@ -406,17 +409,17 @@ fn properties_of_geometries() {
     };
     assert!(by("plus").contains("Einstein and K are of the connection above"), "{}", by("plus"));
     assert!(by("levi-civita").contains("metric       given\n"), "{}", by("levi-civita"));
-    // no metric, no claims on one
+    // without a metric there are no claims about one
     let bare = of(&["so3@zero"]);
     let names: Vec<&Value> =
         bare["properties"].as_array().unwrap().iter().map(|p| &p["name"]).collect();
     assert!(!names.contains(&&json!("metric-compatible")) && names.contains(&&json!("flat")));
-    // a chart has no algebra
+    // a chart does not have an algebra
     let sphere = of(&[&definition("sphere.toml")]);
     assert_eq!(find(&sphere, "constant curvature K")["value"], "K = 1/a^2");
 }
 
-/// GAP reads the program; the list is what GAP 4.12.1 prints of the table of so(3).
+/// GAP reads the program; the list is the output of GAP 4.12.1 for the table of so(3).
 #[test]
 fn tables_of_gap_are_written_and_read() {
     let code = stdout(root(), &["table", "so3", "--show", "structure", "--format", "gap"]);
@@ -441,7 +444,7 @@ fn tables_of_gap_are_written_and_read() {
                    [ [ [ 2 ], [ 1 ] ], [ [ 1 ], [ -1 ] ], [ [  ], [  ] ] ], -1, 0 ]";
     assert_eq!(structure(printed), structure(expected));
     let refused = [
-        ("T := EmptySCTable( x, 0 );", "begins with the dimension"),
+        ("T := EmptySCTable( x, 0 );", "must be the dimension"),
         (
             "T := EmptySCTable( 2, 0 );\nSetEntrySCTable( T, 1, 3, [ 1, 1 ] );",
             "the index 3 is not in 1..2",
@@ -450,7 +453,7 @@ fn tables_of_gap_are_written_and_read() {
             "T := EmptySCTable( 2, 0 );\nSetEntrySCTable( T, 1, 2, [ 1 ] );",
             "SetEntrySCTable( T, j, k",
         ),
-        ("[ [ [ [ 1 ], [ ] ] ], -1, 0 ]", "as many values as indices"),
+        ("[ [ [ [ 1 ], [ ] ] ], -1, 0 ]", "the numbers of indices and values differ"),
     ];
     for (input, says) in refused {
         let outcome = run(root(), &["table", "-"], input.as_bytes());
@@ -487,7 +490,7 @@ fn notions(space: &str) -> Vec<String> {
     text.lines().skip(1).map(first).filter(|notion| !notion.is_empty()).collect()
 }
 
-/// Every algebra has the same rows and keys; a key that is null has a reason.
+/// Every algebra has the same rows and keys, and a reason for each key that is null.
 #[test]
 fn rows_are_always_there() {
     let expected = notions("so(3)");
@@ -546,7 +549,8 @@ fn no_symplectic_form_in_dimension_14() {
     assert_eq!(found["betti"][2], 42 - 7);
 }
 
-/// Exceptional values are roots of the polynomials of the computation; others are named as open.
+/// Exceptional values are roots of polynomials in the computation; other polynomials are reported
+/// as open.
 #[test]
 fn exceptional_values_are_roots() {
     let of = |brackets: &str| {
@@ -559,7 +563,7 @@ fn exceptional_values_are_roots() {
     for value in ["-4", "0", "1", "2"] {
         assert!(values.contains(&json!(value)), "{value} in {values:?}");
     }
-    // unimodular at a root of high height, and of no rational number
+    // unimodular at a root with large coefficients, but at no rational number
     let found = of("[e1,e5]=e1; [e2,e5]=(355/113 - h)*e2; [e3,e5]=-e3");
     assert!(found["exceptional_values"].as_array().unwrap().contains(&json!("355/113")));
     let found = of("[e1,e5]=e1; [e2,e5]=(h^2 - 3)*e2; [e3,e5]=-e3");

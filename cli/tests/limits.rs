@@ -1,5 +1,5 @@
-//! What grows beyond the limit on formulas is refused, and the message says which limit, where, and what
-//! to do.
+//! Expressions that exceed the size limit are errors. The message names the limit, the location and
+//! the remedy.
 
 use crate::program::run;
 use std::path::Path;
@@ -46,7 +46,8 @@ fn a_chart_is_limited_too() {
     assert!(outcome.err.contains("limit of 2000 terms"), "{}", outcome.err);
 }
 
-/// A limit that is passed as formulas are put in order for the output: nothing is written, and a file stays as it was.
+/// If a limit is exceeded while formulas are prepared for the output, nothing is written, and an
+/// existing file is unchanged.
 #[test]
 fn a_limit_in_the_output() {
     let folder = tempfile::TempDir::new().unwrap();

@@ -1,4 +1,4 @@
-//! Tests of the program: a file for a command, or for a claim about several.
+//! Tests of the program: one file per command, or per claim about several commands.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 #[path = "../../tests/common/mod.rs"]

@@ -10,7 +10,7 @@ fn table(definition: &str, options: &[&str]) -> Outcome {
     run(folder.path(), &[&["table", "a.toml"], options].concat(), b"")
 }
 
-/// The output of a definition that is accepted.
+/// The output for a definition that is valid.
 fn accepted(definition: &str, options: &[&str]) -> String {
     let Outcome { status, out, err } = table(definition, options);
     assert_eq!(status, 0, "{definition}\n{err}");
@@ -69,7 +69,7 @@ fn a_missing_operator_is_named_with_the_text_to_write() {
     assert!(err.contains("declare a parameter: parameters = [\"alpha\"]"), "{err}");
 }
 
-/// The function `d` has the derivative `d_x(x,y,z)`, beside the field `d_x`.
+/// The function `d` has the derivative `d_x(x,y,z)`, next to the field `d_x`.
 #[test]
 fn a_function_may_be_named_as_the_fields() {
     let text = |f: &str| {
@@ -84,7 +84,7 @@ fn a_function_may_be_named_as_the_fields() {
     assert_eq!(accepted(&text("d"), &options), renamed);
 }
 
-/// Names in Greek give the table of names in Latin with the same order.
+/// Greek names give the same table as Latin names with the same order.
 #[test]
 fn names_have_letters_of_any_script() {
     let text = |[a, b, c]: [&str; 3]| {

@@ -3,7 +3,8 @@
 use crate::program::{root, stdout};
 use std::collections::BTreeSet;
 
-/// It is well-formed, its links lead to its own elements, and nothing is fetched from elsewhere.
+/// The page is well-formed, its links lead to its own elements, and it does not load external
+/// resources.
 #[test]
 fn html_stands_alone() {
     let text = stdout(root(), &["paper"]);

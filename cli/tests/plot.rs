@@ -1,4 +1,4 @@
-//! Pictures: well-formed SVG with every label, PNG of the size asked for, and what is refused.
+//! Plots: well-formed SVG with every label, PNG of the requested size, and errors.
 
 mod motions;
 
@@ -8,7 +8,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use tempfile::TempDir;
 
-/// Names, other names, and labels that must be seen.
+/// Names of figures, alternative names, and labels that the figure must contain.
 const FIGURES: [(&str, &str, &[&str]); 5] = [
     ("images", "figure2", &["e", "p", "γ", "η", "n", "nₚ", "w", "Ω", "ω", "Ψ¹", "Ψ²", "Ψ³"]),
     ("transport", "figure3", &["M(3): connection plus", "SO(3): connection zero", "ω′", "Ω", "ω"]),
@@ -21,7 +21,7 @@ pub fn affinor(folder: &TempDir, arguments: &[&str]) -> Outcome {
     run(folder.path(), &[&["plot"], arguments].concat(), b"")
 }
 
-/// The texts of an SVG, where it is one.
+/// The texts of an SVG; empty for other formats.
 pub fn texts(svg: &str) -> BTreeSet<String> {
     let document = Document::parse(svg).unwrap();
     let root = document.root_element();
@@ -82,7 +82,7 @@ fn a_png_without_the_feature_is_refused_by_its_name() {
     assert!(outcome.err.contains("--features png"), "{}", outcome.err);
 }
 
-/// Names of files become texts of XML, whatever characters they have.
+/// File names are escaped as XML text.
 #[test]
 fn texts_are_escaped() {
     let folder = TempDir::new().unwrap();
@@ -168,7 +168,7 @@ fn extreme_numbers_neither_panic_nor_hang() {
     }
 }
 
-/// What a figure of a motion needs is computed, whatever columns the problem writes.
+/// The quantities for a figure of a motion are computed, whichever columns the problem writes.
 #[test]
 fn a_motion_needs_no_columns_to_be_drawn() {
     let folder = TempDir::new().unwrap();
@@ -200,7 +200,7 @@ fn a_motion_needs_no_columns_to_be_drawn() {
         assert_eq!(refused.status, 1, "{figure}");
         assert!(refused.err.contains(help), "{figure}: {}", refused.err);
     }
-    // matrices of three rows that turn nothing, coordinates, a flow
+    // matrices with three rows that are not rotations, coordinates, a flow
     let brackets = "definition.basis = [\"a\", \"b\", \"c\"]\ndefinition.brackets = ";
     let flow = "flow = { kind = \"toda\", positions = [0, 0], momenta = [1, -1] }\n\
                 output = { end = 1 }\nintegrator.step = 0.1\n";

@@ -1,4 +1,4 @@
-//! The program as a process.
+//! Runs the program as a process.
 #![allow(dead_code, reason = "each test takes what it needs")]
 
 pub use crate::common::root;
@@ -66,7 +66,7 @@ pub fn stdout(folder: &Path, arguments: &[&str]) -> String {
     outcome.out
 }
 
-/// The exit status, once the program has ended.
+/// The exit status, after the program has ended.
 pub fn wait(child: &mut Child) -> i32 {
     let status = child.wait().unwrap();
     status.code().unwrap_or_else(|| panic!("ended by a signal: {status}"))

@@ -1,11 +1,12 @@
-//! Exact numbers that floats do not hold are refused where they would be written as floats.
+//! Exact numbers that floats cannot represent are errors in float output.
 
 use std::fs;
 
-/// What stands for a number too large, too small, and one that keeps too few digits.
+/// Numbers that are too large or too small, and a subnormal number, which has fewer digits.
 const BEYOND: [&str; 4] = ["1e400", "1e-400", "-1e309", "1.2345678901e-318"];
 
-/// Refused by every command that computes or writes floats, with status 2 and nothing on standard output.
+/// Every command that computes or writes floats reports an error, with status 2 and nothing on
+/// standard output.
 #[test]
 fn every_command_refuses_what_floats_do_not_hold() {
     let folder = tempfile::tempdir().unwrap();
@@ -49,14 +50,15 @@ fn every_command_refuses_what_floats_do_not_hold() {
             }
         }
     }
-    // computed values that leave the range are no names of parameters either
+    // computed values outside the range of floats are not reported as names of parameters
     let large = ["equations", "so3", "--scalar", "float", "--metric", "diag(1e200,1e-200,1)"];
     for rest in [&["--solve"][..], &["--code", "c"], &["--code", "python"], &["--code", "rust"]] {
         let arguments = [&large[..], rest].concat();
         let outcome = run(&arguments, "");
         assert!(!outcome.out.contains("inf") && !outcome.out.contains("nan"), "{}", outcome.out);
     }
-    // nor are they verdicts: on the Jacobi identity, of curvature, of Levi-Civita and given affinities
+    // nor are they used for results on the Jacobi identity, curvature, Levi-Civita and given
+    // affinities
     let spaces = [
         "brackets = ['[x,y]=1e160*z', '[y,z]=1e160*x', '[z,x]=1e160*x']",
         "brackets = ['[x,y]=1e160*z', '[y,z]=1e160*x', '[z,x]=1e160*y']",
@@ -80,7 +82,7 @@ fn every_command_refuses_what_floats_do_not_hold() {
     assert_eq!(exact.status, 0, "{}", exact.err);
 }
 
-/// Rows of floats: what is written as a float is read as one, and zero is zero.
+/// Floats in output rows can be read as floats, and zero is written as zero.
 #[test]
 fn small_numbers_in_rows() {
     let folder = tempfile::tempdir().unwrap();

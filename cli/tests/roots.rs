@@ -34,7 +34,7 @@ fn json_of(file: &str, arguments: &[&str]) -> Value {
     serde_json::from_str(&with(file, &[arguments, &["--format", "json"]].concat())).unwrap()
 }
 
-/// The answers that do not depend on a basis.
+/// Keys of the answers that do not depend on a basis.
 const INVARIANT: [&str; 12] = [
     "simple",
     "dynkin_type",
@@ -69,7 +69,7 @@ fn su3_in_the_basis_of_gell_mann_is_su3() {
     assert!(text.contains("e8/sqrt(3) instead of e8") && text.contains("-3 * identity"), "{text}");
 }
 
-/// Of rational tables nothing is written about another basis.
+/// For rational tables the output does not mention another basis.
 #[test]
 fn rational_algebras_have_no_other_basis() {
     let info = stdout(root(), &["info", "su(3)", "--format", "json"]);
@@ -99,7 +99,7 @@ fn commands_compute_with_roots_exactly_and_in_floats() {
     assert_eq!(table["scalar"], "symbolic");
 }
 
-/// Motions in a basis that is scaled by a root are the same motions.
+/// Motions do not change if the basis is scaled by a root.
 #[test]
 fn simulations_scale_with_the_basis() {
     let file = |factor: &str, unit: f64| {
@@ -128,7 +128,7 @@ fn simulations_scale_with_the_basis() {
     }
 }
 
-/// A parameter takes the value of a root, exactly and in floats.
+/// A parameter may have the value of a root, exactly and in floats.
 #[test]
 fn parameters_take_roots_as_values() {
     let given = GELL_MANN
@@ -163,7 +163,8 @@ fn tables_that_no_scaling_makes_rational_are_refused_at_the_bracket() {
     }
 }
 
-/// Roots beside parameters are scaled away; the answers are those of the brackets without roots.
+/// Roots are removed by scaling, also if there are parameters. The answers are those for the
+/// brackets without roots.
 #[test]
 fn brackets_with_parameters_and_roots_are_scaled() {
     let file = on_three("[x,y] = sqrt(2)*z\n[y,z] = a*sqrt(2)*x\n[z,x] = sqrt(2)*y");
@@ -175,7 +176,7 @@ fn brackets_with_parameters_and_roots_are_scaled() {
     }
 }
 
-/// Exports for other programs have fields with these numbers.
+/// Exports for other programs use fields that contain these numbers.
 #[test]
 fn exports_have_roots_and_pi() {
     let file = on_three("[x,y] = sqrt(2)/3*z\n[z,x] = a*pi*y");
@@ -197,7 +198,7 @@ fn exports_have_roots_and_pi() {
     };
     let rational = sympy("[x,y] = 2/3*z");
     assert!(rational.contains("Rational, symbols") && rational.contains("Rational('2/3')"));
-    // Python divides integers in floats
+    // Python divides integers to floats
     let quotients = sympy("[x,y] = a/3*z + (a^2/2 + 1/(4*a))*y + a^2/7*x");
     for part in ["= Rational('1/3')*a\n", "= Rational('1/7')*a**2\n", "= (2*a**3 + 1)/(4*a)\n"] {
         assert!(quotients.contains(part), "{part}\n{quotients}");

@@ -1,4 +1,4 @@
-//! `affinor simulate`: what is written, and what happens when something goes wrong.
+//! `affinor simulate`: output, and the handling of errors.
 #![cfg(unix)]
 
 mod checkpoints;
@@ -19,7 +19,7 @@ use std::path::Path;
 use std::process::{Command, Output};
 use tempfile::{TempDir, tempdir};
 
-/// A spinning top that takes a while.
+/// A spinning top with a long run time.
 const TOP: &str = r#"
 space = "so3"
 metric = "diag(1, 2, 3)"

@@ -1,9 +1,9 @@
-//! What the program prints of the paper's geometries, in every format: the files in `snapshots/`.
+//! The output for the paper's geometries in every format: the files in `snapshots/`.
 
 use crate::program::{root, stdout};
 use std::collections::BTreeSet;
 
-/// What is printed, and the name of its snapshots before the format.
+/// The arguments of a command, and the name of its snapshots without the format.
 const OBJECTS: [(&str, &[&str]); 10] = [
     ("m3_table", &["table", "M3"]),
     ("so3_table", &["table", "SO3"]),
@@ -18,8 +18,8 @@ const OBJECTS: [(&str, &[&str]); 10] = [
 ];
 const FORMATS: [&str; 6] = ["text", "markdown", "latex", "csv", "json", "html"];
 
-/// The formats of an object: the JSON of E8 is half a megabyte, and `info` asserts its values. One page of each kind is enough,
-/// and for properties text and JSON.
+/// The formats of an object. E8 has no JSON, which would be half a megabyte, and `info` asserts its
+/// values. One page of each kind is enough, and for properties text and JSON.
 fn formats(object: &str) -> impl Iterator<Item = &'static str> {
     let pages = ["so3_table", "m3_so3_comparison", "bianchi_info"].contains(&object);
     let kept = move |format: &&str| match *format {
@@ -53,12 +53,12 @@ fn tables_and_comparison() {
 fn nothing_else_stands_in_the_folder() {
     let entries = std::fs::read_dir(root().join("snapshots")).unwrap();
     let names = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap());
-    // a snapshot that waits for review is not part of the project
+    // a snapshot that waits for review is ignored
     let found: BTreeSet<String> = names.filter(|name| !name.ends_with(".snap.new")).collect();
     let expected = OBJECTS.iter().flat_map(|(object, _)| {
         formats(object).map(move |format| format!("{object}_{format}.snap"))
     });
-    // those of `code`
+    // the snapshots of `code` are tested elsewhere
     let programs = ["c", "python", "rust"].map(|name| format!("program_{name}.snap"));
     assert_eq!(found, expected.chain(programs).collect());
 }

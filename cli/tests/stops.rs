@@ -25,8 +25,8 @@ fn dense(n: i64) -> String {
     format!("[{}]", (1..=n).map(|i| format!("[{}]", row(i))).collect::<Vec<_>>().join(","))
 }
 
-/// Commands that take more than ten seconds, with a text of their messages. `properties` and `transport` have no stage while they
-/// read a space.
+/// Commands that run for more than ten seconds, with a text of their messages. `properties` and
+/// `transport` do not report a stage while they read a space.
 fn long() -> Vec<(Vec<String>, &'static str)> {
     let diagonal: Vec<String> = (1..=248).map(|k: i32| k.to_string()).collect();
     let along = vec!["0.1"; 133].join(",");
@@ -43,7 +43,8 @@ fn long() -> Vec<(Vec<String>, &'static str)> {
     commands.map(|(command, stage)| (command.into_iter().map(String::from).collect(), stage)).into()
 }
 
-/// A line of what the system says of a process; where it says nothing, half a second is enough for all of it.
+/// A line of the system's information on a process. If there is none, half a second is enough for
+/// every stage.
 fn of_system(id: u32, file: &str) -> Option<String> {
     let text = fs::read_to_string(format!("/proc/{id}/{file}")).ok();
     if text.is_none() {
@@ -55,14 +56,14 @@ fn of_system(id: u32, file: &str) -> Option<String> {
 /// Whether a process has computed for 0.2 s of processor time: it has read its space and is in its long stage.
 fn has_computed(id: u32) -> bool {
     of_system(id, "stat").is_none_or(|stat| {
-        // the times stand behind the name, which may have spaces
+        // the times follow the name, which may contain spaces
         let fields = stat.rsplit(')').next().unwrap_or_default().split_whitespace();
         let ticks = fields.skip(11).take(2).filter_map(|ticks| ticks.parse::<u64>().ok());
         ticks.sum::<u64>() >= 20
     })
 }
 
-/// Whether a process has its own handler for SIGINT.
+/// Whether a process has installed a handler for SIGINT.
 fn has_handler(id: u32) -> bool {
     of_system(id, "status").is_none_or(|status| {
         let caught = status.lines().find_map(|line| line.strip_prefix("SigCgt:"));
@@ -105,7 +106,7 @@ fn a_signal_ends_every_command() {
     // a program that waits for its input
     let mut child =
         program(Path::new(".")).args(["log", "so3"]).stdin(Stdio::piped()).spawn().unwrap();
-    // `wait` would close it
+    // `wait` would close the input
     let input = child.stdin.take();
     let id = child.id();
     assert!(reaches(&mut child, || has_handler(id)));
@@ -121,11 +122,11 @@ fn a_limit_on_the_time_names_the_stage() {
         let outcome = run(Path::new("."), &limited, b"");
         assert_eq!(outcome.status, 1, "{arguments:?}: {}", outcome.err);
         assert!(outcome.out.is_empty());
-        for part in ["passes its time limit of 2 s", stage, "--timeout"] {
+        for part in ["exceeds its time limit of 2 s", stage, "--timeout"] {
             assert!(outcome.err.contains(part), "{part}: {}", outcome.err);
         }
     }
-    // a limit that is not reached changes nothing, wherever it stands
+    // a limit that is not reached changes nothing, whatever its position
     let plain = run(Path::new("."), &["table", "so3@zero"], b"");
     for limited in
         [["--timeout", "1000", "table", "so3@zero"], ["table", "so3@zero", "--timeout", "1000"]]
@@ -142,7 +143,7 @@ fn a_limit_on_the_memory_names_the_stage() {
     let limited = [&table[..], &["--memory", "40M"]].concat();
     let outcome = run(Path::new("."), &limited, b"");
     assert_eq!(outcome.status, 1, "{}", outcome.err);
-    for part in ["passes its memory limit of 40 MiB", "in the stage", "--memory"] {
+    for part in ["exceeds its memory limit of 40 MiB", "in the stage", "--memory"] {
         assert!(outcome.err.contains(part), "{part}: {}", outcome.err);
     }
     let plain = run(Path::new("."), &["info", "so3"], b"");
@@ -161,7 +162,7 @@ fn limits_are_sizes_and_seconds() {
     }
 }
 
-/// A command that is stopped leaves a file as it was, and no other file.
+/// A command that is stopped leaves its output file unchanged, and no temporary file.
 #[test]
 fn a_stopped_command_writes_no_file() {
     let folder = tempfile::TempDir::new().unwrap();
@@ -173,7 +174,7 @@ fn a_stopped_command_writes_no_file() {
     assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
 }
 
-/// A limit ends a simulation as a signal does: the rows so far are written.
+/// A limit ends a simulation like a signal: the rows so far are written.
 #[test]
 fn a_limit_keeps_the_rows_of_a_simulation() {
     let folder = tempfile::TempDir::new().unwrap();
@@ -183,7 +184,7 @@ fn a_limit_keeps_the_rows_of_a_simulation() {
     let simulate = ["simulate", "problem.toml", "-o", "rows.csv", "--timeout", "0.5"];
     let outcome = run(folder.path(), &simulate, b"");
     assert_eq!(outcome.status, 1, "{}", outcome.err);
-    for part in ["passes its time limit of 0.5 s", "rows up to this time to rows.partial.csv"] {
+    for part in ["exceeds its time limit of 0.5 s", "rows up to this time to rows.partial.csv"] {
         assert!(outcome.err.contains(part), "{part}: {}", outcome.err);
     }
     let rows = fs::read_to_string(folder.path().join("rows.partial.csv")).unwrap();

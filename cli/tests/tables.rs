@@ -1,4 +1,4 @@
-//! Tables of structure constants, written by affinor and by others, read as spaces.
+//! Tables of structure constants, written by affinor and by other programs, read as spaces.
 
 use crate::common::root;
 use crate::program::run;
@@ -53,7 +53,7 @@ fn semidirect(n: usize, random: &mut Random) -> String {
     text
 }
 
-/// Every format of `affinor table` with structure constants is read back as the same table.
+/// Every format of `affinor table` with structure constants can be read back as the same table.
 #[test]
 fn written_tables_are_read_back() {
     let mut random = Random(7);
@@ -88,7 +88,7 @@ fn written_tables_are_read_back() {
     }
 }
 
-/// Rows of CSV are read by the names of their columns, in every order and with every separator.
+/// Columns of CSV are found by their names, in every order and with every separator.
 #[test]
 fn columns_are_read_by_their_names() {
     let mut random = Random(11);
@@ -111,7 +111,7 @@ fn columns_are_read_by_their_names() {
             expected,
             "{order:?}"
         );
-        // without a head the order is that of affinor
+        // without a header the order is the one that affinor writes
         let plain: String = rows.iter().map(|row| row.join(";") + "\n").collect();
         assert_eq!(structure("-", &plain), expected);
     }
@@ -178,7 +178,7 @@ fn brackets_of_papers_are_read() {
             assert_eq!(structure(text, ""), so3, "{text}");
         }
     }
-    // missing numbers of a numbered basis are basis vectors
+    // missing numbers of a numbered basis denote basis vectors
     assert!(structure("[e1,e2]=a*e5;metric=identity", "").contains("structure,5,1,2,,a\n"));
     let basis = "names='x,y,z,w'";
     let central = format!("LieAlgebra(QQ, {{('x','y'): {{'z': QQ('1/2')}}}}, {basis})");

@@ -1,9 +1,9 @@
-//! Values that are read: signs, settings, integers of any length; families of the catalogue.
+//! Values of options and settings: signs, integers of any length; families of the catalogue.
 
 use crate::program::stdout;
 use tempfile::TempDir;
 
-/// Signs behind `*` and `/`, repeated `--set`, and integers of any length.
+/// Signs after `*` and `/`, repeated `--set`, and integers of any length.
 #[test]
 fn values_that_are_read() {
     let folder = TempDir::new().unwrap();
@@ -45,7 +45,7 @@ fn affine_algebras_of_any_dimension() {
         let table = stdout(folder.path(), &["table", &name, "--show", "killing"]);
         assert!(table.contains(&format!("  dimension    {}\n", n * (n + 1))), "{table}");
     }
-    // the letters that LaTeX has without packages
+    // Greek letters that LaTeX has without packages
     let list = stdout(folder.path(), &["list", "--format", "latex"]);
     assert!(list.contains("aff(n)") && list.is_ascii(), "{list}");
 }

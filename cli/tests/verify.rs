@@ -1,4 +1,4 @@
-//! `affinor verify`: what was stored agrees, and what was changed is found and named.
+//! `affinor verify`: unchanged tables agree, and changed components are found and named.
 
 use crate::program::{run, stdout};
 use serde_json::{Value, json};
@@ -29,7 +29,7 @@ fn a_stored_table_verifies() {
         assert_eq!(run(folder.path(), &table, b"").status, 0);
         let verify = [&["verify"], &space[..], &[&file]].concat();
         assert_eq!(run(folder.path(), &verify, b"").status, 0, "{format}");
-        // against the exact values, floats included that are no fractions of few digits
+        // compared with the exact values; some floats are not fractions with few digits
         let exact =
             ["table", "so3@levi-civita;metric=diag(1,2,3)", "--format", format, "-o", &file];
         assert_eq!(run(folder.path(), &exact, b"").status, 0);
@@ -37,7 +37,8 @@ fn a_stored_table_verifies() {
     }
 }
 
-/// `--show all` leaves out what does not apply to the space, as `table` does; a tensor that applies must be stored.
+/// `--show all` omits tensors that do not apply to the space, as `table` does; a tensor that
+/// applies must be stored.
 #[test]
 fn chosen_tensors_that_do_not_apply() {
     let folder = TempDir::new().unwrap();
@@ -138,7 +139,7 @@ fn what_is_verified_is_named() {
     write("none.json", "{\"schema\": \"affinor.table/1\", \"tensors\": {}}");
     let none = verify(&["so3@plus", "none.json"]);
     assert_eq!(none.status, 2);
-    assert!(none.err.contains("there is no tensor in it"), "{}", none.err);
+    assert!(none.err.contains("it contains no tensor"), "{}", none.err);
     write("twice.csv", "tensor,i,j,k,l,value\nricci,1,1,,,1/4\nricci,1,1,,,1/4\n");
     let twice = verify(&["so3@zero", "twice.csv"]);
     assert_eq!(twice.status, 2);
@@ -149,9 +150,9 @@ fn what_is_verified_is_named() {
 fn a_stored_table_of_another_kind_is_remarked_upon() {
     let folder = TempDir::new().unwrap();
     for (option, remark) in [
-        (&["--independent"][..], "stored are independent components only"),
+        (&["--independent"][..], "only independent components are stored"),
         (&["--frame", "right"], "stored in the right-invariant frame, computed in the left"),
-        (&["--scalar", "float"], "stored in floats, computed exactly"),
+        (&["--scalar", "float"], "the stored values are floats, the computed ones exact"),
     ] {
         let table = [&["table", "so3@zero", "--format", "json", "-o", "a.json"], option].concat();
         assert_eq!(run(folder.path(), &table, b"").status, 0);
@@ -185,7 +186,7 @@ fn the_other_sign_convention_does_not_verify() {
     assert_eq!(outcome.status, 1);
     let head = format!("{count} components differ; the first 20");
     assert!(outcome.out.starts_with(&head), "{}", outcome.out);
-    // the stored connection is another one: a note
+    // the stored connection is another one, which is only noted
     let json =
         stdout(folder.path(), &["table", "sl3@zero", "--show", "structure", "--format", "json"]);
     fs::write(folder.path().join("zero.json"), json).unwrap();
@@ -284,12 +285,12 @@ fn named_factors_verify() {
     };
     let outcome = verify(&text, "same.json");
     assert_eq!(outcome.status, 0, "{}{}", outcome.out, outcome.err);
-    // without the option each value stands for itself
+    // without the option each value is written for itself
     let plain = [&["table"], &space[..], &show, &["--format", "json"]].concat();
     let plain = stdout(folder.path(), &plain);
     assert!(!plain.contains("\"where\"") && !plain.contains("/D"));
     assert_eq!(verify(&plain, "plain.json").status, 0);
-    // other names, and values without names, are the same values
+    // other names, or values without names, are equal values
     let renamed = text.replace("\"D\"", "\"det\"").replace("D)", "det)").replace("/D", "/det");
     let outcome = verify(&renamed.replace("*D^", "*det^"), "renamed.json");
     assert_eq!(outcome.status, 0, "{}{}", outcome.out, outcome.err);
@@ -302,9 +303,9 @@ fn named_factors_verify() {
     assert!(outcome.out.contains("Lambda^1_11"), "{}", outcome.out);
     for (change, message) in [
         ("\"D\": \"a*\"", "where: `D`"),
-        ("\"D\": 3", "`where` is no object of names"),
+        ("\"D\": 3", "`where` is not an object of names"),
         ("\"a\": \"b\"", "where: `a` is a parameter of the table"),
-        ("\"1D\": \"b\"", "where: `1D` is no name"),
+        ("\"1D\": \"b\"", "where: `1D` is not a name"),
         ("\"D\": \"0\"", "division by zero"),
     ] {
         let outcome = verify(&text.replace(&format!("\"D\": \"{det}\""), change), "bad.json");
@@ -313,8 +314,8 @@ fn named_factors_verify() {
     }
 }
 
-/// The letters of all values without spaces, beside those that Maxima 5.46 writes for the same tensors
-/// (`benches/peers/run.py symbols`).
+/// The number of characters of all values without spaces, next to the number for Maxima 5.46 and
+/// the same tensors (`benches/peers/run.py symbols`).
 #[test]
 fn values_are_not_longer_than_those_of_maxima() {
     let folder = TempDir::new().unwrap();
@@ -351,7 +352,8 @@ fn values_are_not_longer_than_those_of_maxima() {
     }
 }
 
-/// A list of one component of each set that is equal by symmetry agrees with `--independent`, whichever components it names.
+/// A table with one component of each set of components that are equal by symmetry agrees with
+/// `--independent`, whichever components it contains.
 #[test]
 fn any_component_of_a_symmetric_set_may_be_stored() {
     let folder = TempDir::new().unwrap();
@@ -381,11 +383,11 @@ fn any_component_of_a_symmetric_set_may_be_stored() {
             let bare = run(folder.path(), &arguments, b"");
             assert_eq!(bare.status, 1);
             assert!(
-                bare.err.contains("independent components only: see --independent"),
+                bare.err.contains("only independent components are stored: see --independent"),
                 "{}",
                 bare.err
             );
-            // a changed value is found under the name that the table uses
+            // a changed value is reported with the name from the table
             let text = chosen(lower);
             let last = text.trim_end().rsplit_once(',').unwrap().0;
             write("changed.csv", &format!("{last},99\n"));
@@ -406,14 +408,14 @@ fn any_component_of_a_symmetric_set_may_be_stored() {
     }
 }
 
-/// Tables in another convention agree once the convention is stated, and only then.
+/// Tables in another convention agree only if the convention is stated.
 #[test]
 fn stated_conventions() {
     let folder = TempDir::new().unwrap();
     let space = "so3@lambda=1/3;metric=diag(1,2,3)";
     let table = ["table", space, "--format", "csv", "--show", "affinities,curvature,ricci,torsion"];
     let text = stdout(folder.path(), &table);
-    // components with `convention` applied by text alone
+    // the text of the components after a change of `convention`
     let converted = |tensor: &str, order: &[usize], negative: bool| -> String {
         let convert = |line: &str| {
             let mut fields: Vec<String> = line.split(',').map(String::from).collect();
@@ -458,9 +460,9 @@ fn stated_conventions() {
     assert!(lower.out.starts_with("2 components differ"), "{}{}", lower.out, lower.err);
     assert!(lower.out.contains("R_1313") && lower.out.contains("R_2323"), "{}", lower.out);
     for (convention, message) in [
-        ("R^i_jkl", "a convention is an equation"),
-        ("2*R^i_jkl = R^i_jkl", "the left side is one tensor with a letter for each index"),
-        ("R^i_1kl = R^i_1kl", "the left side is one tensor with a letter for each index"),
+        ("R^i_jkl", "the convention is not an equation"),
+        ("2*R^i_jkl = R^i_jkl", "the left side must be one tensor with a letter for each index"),
+        ("R^i_1kl = R^i_1kl", "the left side must be one tensor with a letter for each index"),
         ("R^i_jkl = R^i_jkm", "the sides have different indices"),
         ("R^i_jkl = R^i_j", "R has 4 indices, not 2"),
     ] {
@@ -471,7 +473,7 @@ fn stated_conventions() {
     }
 }
 
-/// Several tables, and the tables of a folder, are compared in one run; each has its outcome.
+/// Several tables, or the tables of a folder, are compared in one run, each with its own result.
 #[test]
 fn many_tables() {
     let folder = TempDir::new().unwrap();
@@ -516,7 +518,7 @@ fn many_tables() {
     let empty = verify(&["empty"]);
     assert_eq!(empty.status, 2);
     assert!(empty.err.contains("the folder empty has no .json or .csv file"), "{}", empty.err);
-    // as many files with inline brackets
+    // one file after another, with inline brackets
     let inline = ["verify", "--basis", "x y", "--bracket", "[x,y]=y", "one.csv", "two.csv"];
     write("one.csv", "tensor,i,j,k,l,value\nstructure,2,1,2,,1\nstructure,2,2,1,,-1\n");
     write("two.csv", "tensor,i,j,k,l,value\nkilling,1,1,,,1\n");

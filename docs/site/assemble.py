@@ -49,7 +49,9 @@ def main(program: str, folder: Path) -> None:
     for picture in (ROOT / "docs").glob("*.svg"):
         shutil.copy(picture, static)
         shutil.copy(picture, folder)
-    pages = {page.name: page.read_text(encoding="utf-8") for page in (ROOT / "docs").glob("*.md")}
+    # the style guide is for contributors
+    found = (page for page in (ROOT / "docs").glob("*.md") if page.name != "style.md")
+    pages = {page.name: page.read_text(encoding="utf-8") for page in found}
     pages["changelog.md"] = (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
     for name, text in pages.items():
         (folder / name).write_text(outward(text), encoding="utf-8")

@@ -5,9 +5,9 @@ use affinor_tensors::stop::StopReason;
 use std::fs;
 use std::time::{Duration, Instant};
 
-/// Limits on the time and on the memory, from the moment at which the value was made.
+/// Limits on the time and on the memory, measured from the creation of the value.
 ///
-/// The memory is the resident size of the whole process, which only Linux tells.
+/// The memory is the resident size of the whole process, which only Linux reports.
 #[derive(Clone, Copy, Debug)]
 pub struct Budget {
     begin: Instant,
@@ -16,10 +16,11 @@ pub struct Budget {
 }
 
 impl Budget {
-    /// A limit on the seconds and a limit on the bytes from now on.
+    /// Sets limits on the time (seconds) and the memory (bytes), starting now.
     ///
     /// # Errors
-    /// A number of seconds that is negative or not finite; a limit on the memory where the system does not tell its size.
+    /// A message for a number of seconds that is negative or not finite, and for a memory limit if
+    /// the system does not report the size of a process.
     pub fn new(timeout: Option<f64>, memory: Option<u64>) -> Result<Self, InputError> {
         let timeout = timeout.map(|seconds| {
             Duration::try_from_secs_f64(seconds).map_err(|_| {
@@ -28,13 +29,13 @@ impl Budget {
             })
         });
         if memory.is_some() && resident_memory().is_none() {
-            let message = "this system does not tell how much memory a process uses";
-            return Err(InputError::usage(message).help("leave the limit on the memory away"));
+            let message = "the memory limit cannot be used: this system does not report the memory of a process";
+            return Err(InputError::usage(message).help("leave the memory limit out"));
         }
         Ok(Budget { begin: Instant::now(), timeout: timeout.transpose()?, memory })
     }
 
-    /// The limit that is passed now, if any.
+    /// The limit that is exceeded now; `None` if none is.
     pub fn exceeded(&self) -> Option<StopReason> {
         let late = self.timeout.is_some_and(|timeout| self.begin.elapsed() >= timeout);
         let large = |most| resident_memory().is_some_and(|size| size >= most);
@@ -44,22 +45,23 @@ impl Budget {
         }
     }
 
-    /// The time until the limit on the time, if there is one.
+    /// The remaining time; `None` without a limit on the time.
     pub fn rest(&self) -> Option<Duration> {
         Some(self.timeout?.saturating_sub(self.begin.elapsed()))
     }
 
-    /// The message of a limit that was passed in this stage; a stage without a name is not mentioned.
+    /// The message for a limit that was exceeded during a stage; a stage without a name is not
+    /// mentioned.
     pub fn message(&self, reason: StopReason, stage: &str) -> String {
         let limit = match reason {
             StopReason::Interrupted => "interrupted".to_string(),
             StopReason::Timeout => {
                 let seconds = self.timeout.unwrap_or_default().as_secs_f64();
-                format!("the computation passes its time limit of {seconds} s")
+                format!("the computation exceeds its time limit of {seconds} s")
             }
             StopReason::Memory => {
                 let size = written_size(self.memory.unwrap_or_default());
-                format!("the process passes its memory limit of {size}")
+                format!("the process exceeds its memory limit of {size}")
             }
         };
         match stage {
@@ -69,7 +71,7 @@ impl Budget {
     }
 }
 
-/// The resident size of this process in bytes; `None` where the system does not tell it.
+/// The resident size of this process in bytes; `None` if the system does not report it.
 fn resident_memory() -> Option<u64> {
     let status = fs::read_to_string("/proc/self/status").ok()?;
     let line = status.lines().find_map(|line| line.strip_prefix("VmRSS:"))?;
@@ -99,7 +101,7 @@ pub fn size(text: &str) -> Result<u64, String> {
     bytes.map(|bytes| bytes as u64).ok_or_else(|| "write a size such as 800M or 2G".into())
 }
 
-/// The size in the largest unit that it reaches, with at most one decimal.
+/// The size in the largest unit that does not exceed it, with at most one decimal.
 fn written_size(bytes: u64) -> String {
     let unit = UNITS.iter().find(|(_, unit)| bytes >= *unit);
     let Some((name, unit)) = unit else { return format!("{bytes} bytes") };

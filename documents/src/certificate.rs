@@ -12,37 +12,39 @@ use affinor_tensors::{Indices, Tensor, Tolerance};
 /// One check of a certificate.
 #[derive(Clone, Debug)]
 pub struct Check {
-    /// What is checked.
+    /// The subject of the check.
     pub name: &'static str,
-    /// Whether it holds.
+    /// Whether the check succeeds.
     pub ok: bool,
     /// The statement that holds, or the failure with its residual.
     pub detail: String,
-    /// Where it fails.
+    /// The indices and residual at which it fails.
     pub witness: Option<CheckWitness>,
 }
 
-/// The largest dimension of an algebra alone at which the Bianchi identities of the default connection are computed.
+/// The largest dimension at which the Bianchi identities of the default connection of an algebra
+/// are computed.
 const IMPLIED: usize = 300;
 
-/// Indices, from 1, at which an identity fails, and the residual by its upper index.
+/// The witness of an identity that fails: indices, from 1, and the residual by its upper index.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CheckWitness {
     /// The lower indices, from 1.
     pub indices: Vec<usize>,
-    /// The nonzero components of the residual there.
+    /// The nonzero components of the residual at these indices.
     pub residual: Vec<(usize, String)>,
 }
 
 /// Checks a definition: antisymmetry, Jacobi, the metric, and the identities of the connection.
 ///
-/// A failed check ends the certificate if the later checks depend on it. `stage` is called with the name of each
-/// computation before it starts. For floats use [`TrackedFloat`](affinor_tensors::TrackedFloat), which bounds the rounding error;
-/// an `f64` may fail the identities by rounding alone.
+/// A failed check ends the certificate if later checks depend on it. `stage` is called with the
+/// name of each computation before it starts. For floats use
+/// [`TrackedFloat`](affinor_tensors::TrackedFloat), which bounds the rounding error; with an `f64`
+/// the identities may fail because of rounding errors.
 ///
 /// # Errors
-/// Input that cannot be read as this scalar, and floats that leave their range. Failures of the mathematics are checks, not
-/// errors.
+/// Errors for input that does not exist in this scalar, and for floats beyond their range.
+/// Mathematical failures are reported as checks, not as errors.
 pub fn certify<S: Coefficient>(
     definition: &Definition,
     tolerance: Tolerance,
@@ -69,7 +71,7 @@ pub fn certify<S: Coefficient>(
         && !definition.has_metric()
         && definition.dimension() > IMPLIED
     {
-        // both are identities of any affinities over brackets that satisfy the identity of Jacobi
+        // both identities hold for any affinities over brackets that satisfy the Jacobi identity
         let detail = format!(
             "follows from the identity of Jacobi; computed up to dimension {IMPLIED}, or with --connection"
         );
@@ -137,7 +139,7 @@ fn ground<S: Coefficient>(
         return Ok(None);
     }
     checks.push(held("jacobi", statement));
-    // the identity was checked above
+    // the Jacobi identity was checked above
     Ok(Some(LieAlgebra::try_from(bracket)?.into()))
 }
 
@@ -145,7 +147,7 @@ fn held(name: &'static str, detail: &str) -> Check {
     Check { name, ok: true, detail: detail.into(), witness: None }
 }
 
-/// The value of a step; a refusal of the mathematics becomes a failed check and `None`.
+/// The value of a step. A mathematical error becomes a failed check and `None`.
 fn passed<T>(
     name: &'static str,
     step: Result<T, InputError>,
@@ -161,12 +163,12 @@ fn passed<T>(
     }
 }
 
-/// Whether floats left their range: then nothing is known of a check.
+/// Whether floats exceeded their range, so that a check is undecided.
 fn is_out_of_range(error: &InputError) -> bool {
     matches!(error.cause.as_deref(), Some(Error::NotFinite { .. }))
 }
 
-/// Where a metric is not symmetric, or the vector that is orthogonal to all.
+/// The failed check for a metric that is not symmetric, or for a degenerate one with a null vector.
 fn of_metric(error: &InputError, labels: &[String]) -> Option<CheckWitness> {
     let number = |name: &String| labels.iter().position(|label| label == name).map(|at| at + 1);
     match error.cause.as_deref()? {
@@ -181,7 +183,7 @@ fn of_metric(error: &InputError, labels: &[String]) -> Option<CheckWitness> {
     }
 }
 
-/// The check that a residual with one upper index, in front, is zero.
+/// The check that a residual, whose first index is upper, is zero.
 fn vanishing<S: Coefficient>(
     name: &'static str,
     detail: &str,

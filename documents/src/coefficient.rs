@@ -1,4 +1,4 @@
-//! The scalars that spaces of documents and their reports are computed in.
+//! The scalar types in which spaces and reports are computed.
 
 use crate::input::{InputError, shown};
 use affinor::tensors::{Notation, Rational, Recorded, Scalar, Symbolic, Tabular, TrackedFloat};
@@ -8,10 +8,10 @@ pub trait Coefficient: Tabular + Scalar {
     /// The value in this scalar; `None` if it cannot represent it.
     fn from_symbolic(value: &Symbolic) -> Option<Self>;
 
-    /// [`from_symbolic`](Self::from_symbolic), or the refusal.
+    /// Like [`from_symbolic`](Self::from_symbolic), with an error message.
     ///
     /// # Errors
-    /// A value without a counterpart.
+    /// An error for a value that does not exist in this scalar.
     fn read(value: &Symbolic) -> Result<Self, InputError> {
         Self::from_symbolic(value).ok_or_else(|| {
             let shown = shown(&value.to_string());
@@ -33,14 +33,15 @@ impl Coefficient for Symbolic {
     }
 }
 
-/// Programs: the parameters and coordinates are their inputs.
+/// Programs are recorded with parameters and coordinates as inputs.
 impl Coefficient for Recorded {
     fn from_symbolic(value: &Symbolic) -> Option<Self> {
         Recorded::try_from(value).ok()
     }
 }
 
-/// Roots of numbers and pi have rational approximations beyond floats, so that rounding errors are known.
+/// Roots of numbers and pi are approximated by rational numbers more accurately than by floats, so
+/// that rounding errors are known.
 impl Coefficient for TrackedFloat {
     fn from_symbolic(value: &Symbolic) -> Option<Self> {
         Self::from_rational(&value.approximation()?)
@@ -53,7 +54,8 @@ impl Coefficient for f64 {
     }
 }
 
-/// Evaluates the same expression over the scalar of a [`Kind`](affinor::tensors::Kind): `over_kind!(kind, S => f::<S>(x))`.
+/// Evaluates an expression over the scalar type of a [`Kind`](affinor::tensors::Kind):
+/// `over_kind!(kind, S => f::<S>(x))`.
 #[macro_export]
 macro_rules! over_kind {
     ($kind:expr, $S:ident => $body:expr) => {

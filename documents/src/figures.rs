@@ -1,7 +1,7 @@
 //! Figures of the paper and of trajectories: curves, arrows and points in space, and diagrams. [`picture`](crate::picture) draws them.
 //!
-//! A rotation is drawn at its canonical coordinates (61), (74): its rotation vector, in the ball of radius `pi`.
-//! Opposite points of the sphere are one rotation.
+//! A rotation is drawn at its canonical coordinates (61), (74): its rotation vector, in the ball of
+//! radius `pi`. Opposite points of the sphere represent the same rotation.
 
 mod animation;
 mod autoparallels;
@@ -31,13 +31,13 @@ use nalgebra::{Matrix3, Vector3};
 
 /// A connection on the rotation group, and its name.
 pub struct Connected {
-    /// The name, which is the title of its panel.
+    /// The name of the connection, which is the title of its panel.
     pub name: String,
     /// Parallel translation by the connection.
     pub translation: ParallelTranslation<So3>,
 }
 
-/// Panels side by side.
+/// A figure: panels next to each other.
 #[derive(Clone, Debug)]
 pub struct Figure {
     /// The title.
@@ -67,19 +67,19 @@ pub struct Panel {
     pub bodies: Vec<Body>,
 }
 
-/// The picture of a body in its own frame.
+/// The appearance of a body in its own frame.
 #[derive(Clone, Debug)]
 pub enum Look {
-    /// A box with its axes of inertia, along the coordinates.
+    /// A box with its axes of inertia, which are the coordinate axes.
     Box {
         /// Half the lengths of its edges, along the axes.
         half: [f64; 3],
-        /// The length of the axes, from the centre of the box.
+        /// The drawn length of the axes, from the centre of the box.
         reach: f64,
         /// The captions of the axes.
         captions: [String; 3],
     },
-    /// Its parts.
+    /// The parts of the body.
     Parts {
         /// Their surfaces.
         solids: Vec<Solid>,
@@ -101,7 +101,7 @@ pub struct Body {
     pub times: [f64; 2],
     /// The mean rotation between two poses, in radians.
     pub turn: f64,
-    /// The duration of the film in seconds.
+    /// The duration of the animation in seconds.
     pub seconds: f64,
 }
 
@@ -192,7 +192,7 @@ impl Panel {
     }
 
     fn curve(&mut self, role: Role, [label, caption]: [&str; 2], pieces: Vec<Vec<Vector3<f64>>>) {
-        // only the first piece has the symbol
+        // only the first piece gets the symbol
         for (i, points) in pieces.into_iter().enumerate() {
             let label = if i == 0 { label.into() } else { String::new() };
             let caption = caption.into();

@@ -1,7 +1,8 @@
-//! Mathematical formulas: one tree, read from text and written as text, LaTeX and MathML.
+//! Mathematical formulas as trees, parsed from text and written as text, LaTeX and MathML.
 //!
-//! A [`Row`] is a list of [`Node`]s. [`formula()`] reads statements written by hand; values that the engine computed are read by
-//! the grammar of [expressions](affinor_tensors::expression). [`tex`] and [`mathml`] are the writers.
+//! A [`Row`] is a list of [`Node`]s. [`formula()`] parses handwritten statements. Computed values
+//! are parsed with the grammar of [expressions](affinor_tensors::expression). [`tex`] and
+//! [`mathml`] are the writers.
 //!
 //! ```
 //! use affinor_documents::formula::{formula, mathml, tex};
@@ -25,11 +26,13 @@
 //! word     = ( Greek letter | letter | name ) [ "~" | "dot" | "bar" | "hat" ] [ digits ] | ( "d" | "D" ) word
 //! ```
 //!
-//! - `/` binds as tightly as `*`, and both bind tighter than a space: `1/2 a b` is half of `a b`, and `a*b/c` has the
-//!   numerator `a*b`, `a/b/c` the denominator `b c`.
-//! - A function binds tightest: `sin x/x` is the quotient of `sin x` and `x`, and `D v/Dt` that of `D v` and `Dt`.
-//! - A group that is a whole numerator or denominator loses its brackets.
-//! - Letters and digits of an index are an index each: `R^i_jkl`. Digits after a word are one lower index: `J11`.
+//! - `/` binds as tightly as `*`, and both bind tighter than a space: `1/2 a b` is half of `a b`,
+//!   `a*b/c` has the numerator `a*b`, and `a/b/c` the denominator `b c`.
+//! - A function binds tightest: `sin x/x` is the quotient of `sin x` and `x`, and `D v/Dt` the
+//!   quotient of `D v` and `Dt`.
+//! - Brackets around a whole numerator or denominator are removed.
+//! - Each letter and digit of an index is a separate index: `R^i_jkl`. Digits after a word are one
+//!   lower index: `J11`.
 //! - A word of several letters is a Greek letter, a function, a differential `dx`, or else the name of a quantity.
 //! - Anything else is an error.
 
@@ -46,7 +49,7 @@ pub(crate) use notation::notation;
 pub(crate) use text::text;
 pub(crate) use value::{label, name, sum, value};
 
-/// Formulas side by side.
+/// A sequence of formulas.
 pub type Row = Vec<Node>;
 
 /// A piece of a formula.
@@ -56,19 +59,19 @@ pub enum Node {
     Letter(char),
     /// The name of a quantity, of several letters: `mass`, `Ric`.
     Name(String),
-    /// The name of a function such as `sin`.
+    /// The name of a function, such as `sin`.
     Function(String),
     /// A number.
     Number(String),
-    /// Letters and digits of an index, each an index: `jkl`.
+    /// Indices of one character each: `jkl`.
     Indices(String),
-    /// A sign between or before pieces, as a character of Unicode.
+    /// A sign before or between terms, as a Unicode character.
     Sign(&'static str),
     /// Words.
     Text(String),
     /// Pieces in brackets.
     Group(Brackets, Row),
-    /// A function and its argument: a group, or one piece without brackets.
+    /// A function and its argument: a group, or one node without brackets.
     Apply(Box<Node>, Box<Node>),
     /// A fraction: the numerator and the denominator.
     Fraction([Row; 2]),
@@ -76,8 +79,8 @@ pub enum Node {
     Root(Row),
     /// An accent over a letter.
     Accent(Accent, Box<Node>),
-    /// Indices and powers, in order: whether each script is above, and its pieces. A power of a piece that has an index of
-    /// its own, `J11^2`, is a node of its own; it stands above the index.
+    /// Indices and powers, in order: the flag tells whether a script is upper. A power of a node
+    /// with an index, `J11^2`, is a separate node around it, so that it is written above the index.
     Scripts(Box<Node>, Vec<(bool, Row)>),
 }
 
@@ -103,20 +106,20 @@ impl Brackets {
     }
 }
 
-/// An accent of a letter.
+/// An accent on a letter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Accent {
     /// `Omega~`: the matrix `spin(Omega)`.
     Tilde,
-    /// `Hdot`: the derivative by time.
+    /// The dot in `Hdot`: the time derivative.
     Dot,
-    /// `Vbar`.
+    /// The bar in `Vbar`.
     Bar,
-    /// `ehat`.
+    /// The hat in `ehat`.
     Hat,
 }
 
-/// Letters with a name: in text, in Unicode, and in LaTeX where the command has another name.
+/// Named letters: in text, as a Unicode character, and in LaTeX if the command has another name.
 const LETTERS: [(&str, char, &str); 43] = [
     ("alpha", 'α', ""),
     ("beta", 'β', ""),
@@ -162,19 +165,19 @@ const LETTERS: [(&str, char, &str); 43] = [
     ("nabla", '∇', ""),
     ("partial", '∂', ""),
 ];
-/// Functions beside the elementary ones.
+/// Functions in addition to the elementary ones.
 const FUNCTIONS: [&str; 9] = ["cot", "det", "tr", "ad", "Ad", "spin", "vect", "norm", "diag"];
 
-/// Whether the name is that of a function, which takes an argument without brackets.
+/// Whether the name is a function, whose argument may be written without brackets.
 fn is_function(name: &str) -> bool {
     FUNCTIONS.contains(&name) || Function::from_name(name).is_some()
 }
 
-/// Differentials: one letter in front of another, as in `dx` and `DH`.
+/// Differentials: a letter before another one, as in `dx` and `DH`.
 const DIFFERENTIALS: [char; 2] = ['d', 'D'];
 const ACCENTS: [(&str, Accent); 4] =
     [("~", Accent::Tilde), ("dot", Accent::Dot), ("bar", Accent::Bar), ("hat", Accent::Hat)];
-/// Signs in text and in Unicode, those of several characters first. A star ends an index: `L_{g*}`.
+/// Signs in text and in Unicode; longer ones come first. A star ends an index: `L_{g*}`.
 const SIGNS: [(&str, &str); 15] = [
     ("->", "→"),
     ("<=", "≤"),
@@ -193,7 +196,7 @@ const SIGNS: [(&str, &str); 15] = [
     ("x", "×"),
 ];
 
-/// A letter of a name.
+/// The letter with this name.
 fn letter(name: &str) -> Option<char> {
     let mut letters = name.chars();
     match (letters.next(), letters.next()) {
@@ -202,12 +205,12 @@ fn letter(name: &str) -> Option<char> {
     }
 }
 
-/// The letter of a name, or the name itself.
+/// The letter with this name, or the name itself.
 fn symbol(name: &str) -> Node {
     letter(name).map_or_else(|| Node::Name(name.into()), Node::Letter)
 }
 
-/// A part of a fraction: brackets around the whole are not needed.
+/// A part of a fraction, without brackets around the whole.
 fn bare(row: Row) -> Row {
     match <[Node; 1]>::try_from(row) {
         Ok([Node::Group(Brackets::Round, inner)]) => inner,
@@ -216,7 +219,7 @@ fn bare(row: Row) -> Row {
     }
 }
 
-/// A quotient of rows. One that is divided again has one bar.
+/// A quotient of rows. A quotient that is divided again becomes a single fraction.
 fn fraction(above: Row, below: Row) -> Row {
     match <[Node; 1]>::try_from(above) {
         Ok([Node::Fraction([above, mut first])]) => {
@@ -232,22 +235,22 @@ fn fraction(above: Row, below: Row) -> Row {
 }
 
 impl Node {
-    /// Whether the sign relates two sides.
+    /// Whether the sign is a relation between two sides.
     fn is_relation(&self) -> bool {
         matches!(self, Node::Sign("=" | "≠" | "≤" | "≥" | "→"))
     }
 
-    /// Whether the sign separates pieces.
+    /// Whether the sign separates items of a list.
     fn is_separator(&self) -> bool {
         matches!(self, Node::Sign("," | ";" | ":"))
     }
 
-    /// Whether the sign may stand in front of a term as well as between two.
+    /// Whether the sign may be a prefix of a term as well as an operator between two.
     fn is_sign_of_term(&self) -> bool {
         matches!(self, Node::Sign("+" | "−" | "±"))
     }
 
-    /// Whether the piece is higher than a line of letters.
+    /// Whether the node is taller than a line of letters.
     fn is_tall(&self) -> bool {
         let tall = |row: &Row| row.iter().any(Node::is_tall);
         match self {
@@ -260,7 +263,7 @@ impl Node {
     }
 }
 
-/// Whether the piece at a position is a sign in front of a term, not between two.
+/// Whether the node at a position is a sign before a term, and not an operator between two.
 fn is_prefix(row: &[Node], at: usize) -> bool {
     let before = at.checked_sub(1).and_then(|before| row.get(before));
     row[at].is_sign_of_term() && before.is_none_or(|before| matches!(before, Node::Sign(_)))

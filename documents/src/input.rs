@@ -1,7 +1,9 @@
-//! The text layer of all documents: sources and places in them, errors, TOML, JSON, CSV, numbers and meshes.
+//! The text layer of all documents: sources and locations, errors, TOML, JSON, CSV, numbers and
+//! meshes.
 //!
-//! In reading order: `source` and `error` have places and errors; `file` reads texts; `keys` parses TOML and `json` JSON into values,
-//! which `forms` has as they are written; `numbers`, `rows` and `mesh` read floats, tables of them, and bodies.
+//! In reading order: `source` and `error` define locations and errors; `file` reads texts; `keys`
+//! parses TOML, and `json` JSON; `forms` defines the forms in which values are written; `numbers`,
+//! `rows` and `mesh` read floats, tables of floats, and bodies.
 
 pub(crate) mod error;
 pub(crate) mod file;

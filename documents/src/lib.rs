@@ -1,8 +1,10 @@
-//! Documents of [`affinor`]: the files and names that describe spaces and motions, and the reports about them.
+//! Documents of [`affinor`]: files and names that describe spaces and motions, and reports about
+//! them.
 //!
 //! In reading order:
-//! - [`input`]: texts with places, errors, numbers; [`space`]: spaces, on the command line and in TOML or JSON files;
-//! - [`problem`]: problems of motion in such files, and the motions that they start;
+//! - [`input`]: texts with source locations, errors, numbers; [`space`]: spaces, on the command
+//!   line and in TOML or JSON files;
+//! - [`problem`]: problems of motion in such files, and the motions that they define;
 //! - [`certificate`]: checks of a definition, each with its witness;
 //! - [`report`]: tables of tensors, comparisons and equations in every format;
 //! - [`formula`]: formulas as trees, written as text, LaTeX and MathML; [`page`]: pages of HTML;
@@ -28,7 +30,7 @@ pub mod space;
 
 pub use coefficient::Coefficient;
 
-/// The scalars of [`over_kind`].
+/// The scalar types for [`over_kind`].
 #[doc(hidden)]
 pub mod scalars {
     pub use affinor::tensors::{Kind, Rational, Symbolic, TrackedFloat};

@@ -1,15 +1,15 @@
-//! Pages of HTML: one file each, without scripts, with nothing fetched from elsewhere.
+//! HTML pages: self-contained single files without scripts.
 
 use crate::formula::mathml::escaped;
 use std::io::{self, Write};
 
-/// Light and dark, from narrow screens to paper.
+/// The style sheet, for light and dark mode, narrow screens and print.
 const STYLE: &str = include_str!("page.css");
 
-/// Writes a page: its title, as text, and the elements that `body` writes.
+/// Writes a page with a plain text title and the elements that `body` writes.
 ///
 /// # Errors
-/// An error of `out` or `body`.
+/// Errors of `out` and of `body`.
 ///
 /// ```
 /// use affinor_documents::page::page;

@@ -1,8 +1,8 @@
 //! Pictures: shapes on a plane, written as SVG.
 //!
-//! A [`Picture`] is a list of [`Shape`]s. [`draw()`] makes one of a [`Figure`](crate::figures::Figure), [`diagram()`] of a
-//! [`Diagram`](crate::figures::diagram::Diagram), [`dynkin()`] and [`roots()`] of Cartan types, and [`heat()`] of a tensor. [`svg()`]
-//! writes it.
+//! A [`Picture`] is a list of [`Shape`]s. [`draw()`] draws a [`Figure`](crate::figures::Figure),
+//! [`diagram()`] a [`Diagram`](crate::figures::diagram::Diagram), [`dynkin()`] and [`roots()`]
+//! Cartan types, and [`heat()`] a tensor. [`svg()`] writes the picture.
 
 mod arrow;
 mod axis;
@@ -27,13 +27,13 @@ pub use roots::roots;
 pub use svg::svg;
 pub use view::View;
 
-/// The ink of lines and words.
+/// The colour of lines and words.
 const BLACK: Ink = Ink::opaque(0x111111);
-/// The ground.
+/// The background colour.
 const WHITE: Ink = Ink::opaque(0xffffff);
 /// The width of the white edge around symbols.
 const EDGE: f64 = 3.0;
-/// A line without gaps.
+/// The dash pattern of a solid line.
 const SOLID: &[f64] = &[];
 
 /// Shapes on a plane: `x` points right, `y` down, both in the unit of [`Picture::width`].
@@ -75,13 +75,13 @@ pub enum Shape {
         /// Its colour.
         ink: Ink,
     },
-    /// A closed polygon in motion, which repeats from the start; the first frame where pictures do not move.
+    /// An animated closed polygon, which repeats. Media without animation show the first frame.
     Film {
         /// Its vertices at equal intervals of time.
         frames: Vec<Vec<Point>>,
         /// Whether each frame is visible.
         shown: Vec<bool>,
-        /// Its colour inside, if it has one.
+        /// The fill colour; `None` for no fill.
         fill: Option<Ink>,
         /// Its edge.
         stroke: Stroke,
@@ -90,7 +90,7 @@ pub enum Shape {
     },
     /// A line of text.
     Text {
-        /// Its anchor, on the base line.
+        /// The anchor, on the baseline.
         at: Point,
         /// The characters.
         text: String,
@@ -104,7 +104,7 @@ fn width(text: &str, size: f64) -> f64 {
     0.6 * size * text.chars().count() as f64
 }
 
-/// A point of the plane: right and down.
+/// A point of the plane: coordinates to the right and down.
 pub type Point = [f64; 2];
 
 /// A colour and its opacity.
@@ -131,7 +131,7 @@ pub struct Stroke {
     pub ink: Ink,
     /// Its width.
     pub width: f64,
-    /// Lengths of dashes and gaps in turn; empty for a solid line.
+    /// Alternating lengths of dashes and gaps; empty for a solid line.
     pub dash: &'static [f64],
 }
 
@@ -142,27 +142,27 @@ pub struct Font {
     pub size: f64,
     /// A mathematical symbol is set in italics with serifs, on a white edge; words are upright and without serifs.
     pub symbol: bool,
-    /// The part of the text that lies at its anchor.
+    /// The part of the text that is placed at its anchor.
     pub anchor: Anchor,
-    /// Whether the text runs upwards, turned anticlockwise by a right angle.
+    /// Whether the text runs upwards, rotated anticlockwise by a right angle.
     pub turned: bool,
     /// Its colour.
     pub ink: Ink,
 }
 
 impl Font {
-    /// Black words.
+    /// A font for black words.
     pub const fn words(size: f64, anchor: Anchor) -> Self {
         Font { size, symbol: false, anchor, turned: false, ink: BLACK }
     }
 
-    /// A symbol, anchored in its middle.
+    /// A font for a symbol that is anchored at its middle.
     pub const fn symbol(size: f64, ink: Ink) -> Self {
         Font { size, symbol: true, anchor: Anchor::Middle, turned: false, ink }
     }
 }
 
-/// The part of a text that lies at its anchor.
+/// The part of a text that is placed at its anchor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Anchor {
     /// The first character.

@@ -1,11 +1,13 @@
-//! Problems of motion: files that are read into motions.
+//! Problems of motion: files that are parsed into motions.
 //!
-//! A problem has a class: Euler-Poincare equations, with or without constraints, Lie-Poisson equations, a prescribed velocity,
-//! or an isospectral flow of matrices. Around the class are the parameters, the integration, the output and, perhaps, an
-//! ensemble that varies parameters. Every number may be a formula in the parameters.
+//! The class of a problem is one of: Euler-Poincare equations, with or without constraints;
+//! Lie-Poisson equations; a prescribed velocity; an isospectral flow of matrices. All classes have
+//! parameters, integration settings, output settings and, optionally, an ensemble that varies
+//! parameters. Every number may be a formula in the parameters.
 //!
-//! In reading order: `keys` of a file are read by a `reader` into one file for each class, and these into a
-//! [`Problem`]. It starts motions ([`Ready`]), which an [`Integration`] integrates.
+//! In reading order: `keys` defines the keys of a file; `reader` evaluates them; each class has a
+//! file that builds its part of a [`Problem`]. A problem starts motions ([`Ready`]), which an
+//! [`Integration`] integrates.
 
 mod body;
 mod constrained;
@@ -51,10 +53,10 @@ pub struct Problem {
     /// The name.
     pub name: String,
     source: Source,
-    /// The paths of the other files that it names.
+    /// The paths of other files to which the problem refers.
     files: Vec<String>,
     parameters: Vec<Parameter>,
-    /// Values that replace those of the file.
+    /// Values that replace values of the file.
     settings: Vec<(String, f64)>,
     class: Class,
     integrator: Integrator,
@@ -65,11 +67,11 @@ pub struct Problem {
 #[derive(Clone, Debug)]
 struct Parameter {
     name: String,
-    /// A formula in the parameters before it; none for a parameter that only the ensemble brings in.
+    /// A formula in the earlier parameters; `None` for a parameter that only the ensemble defines.
     value: Option<Value>,
 }
 
-/// The classes of problems, all but one on a group.
+/// The classes of problems; all but one are on a group.
 #[derive(Clone, Debug)]
 enum Class {
     MatrixFlow(Box<MatrixFlow>),
@@ -101,7 +103,7 @@ impl Class {
         Ok(Class::EulerPoincare(group, class.into()))
     }
 
-    /// The motion of a member.
+    /// The motion of a member of the ensemble.
     fn motion(&self, member: &Member) -> Result<Ready, InputError> {
         match self {
             Class::MatrixFlow(flow) => flow.motion(member),
@@ -119,7 +121,7 @@ impl Problem {
     /// Reads a problem from a file, or from standard input for `-`.
     ///
     /// # Errors
-    /// A file that cannot be read, parsed or understood, with the place.
+    /// An error with its location, for a file that cannot be read, parsed or understood.
     pub fn read(path: &str) -> Result<Self, InputError> {
         Self::of_source(&file::read(path)?, Path::new(path).parent().unwrap_or(Path::new("")))
     }
@@ -144,14 +146,14 @@ impl Problem {
     /// ```
     ///
     /// # Errors
-    /// As [`read`](Self::read).
+    /// Those of [`read`](Self::read).
     pub fn parse(name: &str, text: &str) -> Result<Self, InputError> {
         Self::of_source(&Source::new(name.escape_debug().to_string(), text), Path::new(""))
     }
 
-    /// Reads a problem whose file lies in a folder.
+    /// Reads a problem whose file is in the given folder.
     fn of_source(source: &Source, folder: &Path) -> Result<Self, InputError> {
-        let content = "a problem has a space, its metric, initial values and an output";
+        let content = "give a space, its metric, initial values and an output";
         let (keys, source): (Keys, Source) = parse_keys(source, content)?;
         let mut reader = Reader::new(&source, folder);
         let mut values = Vec::new();
@@ -178,16 +180,16 @@ impl Problem {
         })
     }
 
-    /// Gives parameters other values, `name=value,...`. Parameters that depend on them follow, and an ensemble no longer
-    /// varies them.
+    /// Replaces values of parameters, `name=value,...`. Parameters that depend on them change too.
+    /// An ensemble no longer varies them.
     ///
     /// # Errors
-    /// A name that is no parameter; a value that is no number.
+    /// A name that is not a parameter; a value that is not a number.
     pub fn set(&mut self, text: &str) -> Result<(), InputError> {
         let source = Source::new("--set", text);
         for part in source.text.split(',').filter(|part| !part.trim().is_empty()) {
             let Some((name, value)) = part.split_once('=') else {
-                let error = InputError::usage("a setting is name=value");
+                let error = InputError::usage("this is not of the form name=value");
                 return Err(error.at(&source.whole(part)));
             };
             let trimmed = name.trim();
@@ -196,7 +198,7 @@ impl Problem {
                 return Err(no_parameter(trimmed, &known).at(&source.whole(name)));
             }
             let [value] = numbers_in(value, &source)?[..] else {
-                let error = InputError::usage("a parameter has one value");
+                let error = InputError::usage("give the parameter exactly one value");
                 return Err(error.at(&source.whole(part)));
             };
             self.settings.retain(|(other, _)| other != trimmed);
@@ -208,11 +210,11 @@ impl Problem {
         Ok(())
     }
 
-    /// Replaces the method, step and tolerance of the file by those of the options `--method`, `--step` and
+    /// Replaces the method, step and tolerance of the file by the options `--method`, `--step` and
     /// `--tolerance`: formulas in the parameters, as in the file.
     ///
     /// # Errors
-    /// As for the keys of the file.
+    /// Those for the keys of the file.
     pub fn replace_integration(
         &mut self,
         method: Option<&str>,
@@ -229,11 +231,11 @@ impl Problem {
         Ok(())
     }
 
-    /// Replaces the end and the interval between rows of the file by those of the options `--end` and `--every`. A list of times
-    /// ends at its last time.
+    /// Replaces the end and the interval between rows of the file by the options `--end` and
+    /// `--every`. The end of a list of times is its last time.
     ///
     /// # Errors
-    /// As for the keys of the file.
+    /// Those for the keys of the file.
     pub fn replace_times(
         &mut self,
         end: Option<&str>,
@@ -246,7 +248,7 @@ impl Problem {
         Ok(())
     }
 
-    /// The number that an option gives.
+    /// The value of an option.
     fn option(&self, name: &str, text: Option<&str>) -> Result<Option<Value>, InputError> {
         let Some(text) = text else { return Ok(None) };
         let source = Source::new(name, text);
@@ -274,29 +276,29 @@ impl Problem {
         Ok(names.zip(values).collect())
     }
 
-    /// The method of integration that the file names.
+    /// The method of integration in the file.
     pub fn method(&self) -> Option<Method> {
         self.integrator.method
     }
 
-    /// The times of the rows of a member of the ensemble, from 0; the first is the initial time.
+    /// The times of the rows for a member of the ensemble, from 0; the first is the initial time.
     ///
     /// # Errors
-    /// Times that neither increase nor decrease, or are too many; a formula without a value.
+    /// Errors for times that are not monotonic, or are too many, and for a formula without a value.
     pub fn times(&self, member: u64) -> Result<Vec<f64>, InputError> {
         self.output.times.at(&self.source, &values_of(&self.values(member)?))
     }
 
-    /// The same problem with another method, with steps of this length, or with this relative tolerance; without them those
-    /// of the file remain, if the method has them.
+    /// The same problem with another method, and with this step size or relative tolerance. Without
+    /// a value, that of the file is used if the method needs it.
     #[must_use]
     pub fn with_method(&self, method: Method, step: Option<f64>, tolerance: Option<f64>) -> Self {
         let integrator = self.integrator.with_method(method, step, tolerance, &self.source);
         Problem { integrator, ..self.clone() }
     }
 
-    /// The same problem with a force as a function, beside the forces of the file. ColumnFormulas of the power and Casimir functions know
-    /// of it; the function is called several times in a step.
+    /// The same problem with an additional force, given as a function. Columns of the power and of
+    /// Casimir functions include it. The function is called several times in a step.
     ///
     /// ```
     /// use affinor::mechanics::simulation::{ForceFunction, ForceFrame};
@@ -317,7 +319,8 @@ impl Problem {
     /// ```
     ///
     /// # Errors
-    /// A problem without forces: of a Hamiltonian, a prescribed velocity or a flow of matrices.
+    /// An error for a problem without forces: with a Hamiltonian, a prescribed velocity or a flow
+    /// of matrices.
     pub fn with_force(
         &self,
         side: ForceFrame,
@@ -333,12 +336,15 @@ impl Problem {
                 dynamics.add_force(side, function);
                 Ok(problem)
             }
-            _ => Err(InputError::usage("a force as a function needs Euler-Poincare equations")
-                .help("give a metric")),
+            _ => Err(InputError::usage(
+                "forces as functions are allowed with Euler-Poincare equations only",
+            )
+            .help("give a metric")),
         }
     }
 
-    /// The same problem with other columns, by their names in a file. A named quantity gives way to a column of its name.
+    /// The same problem with other columns, by their names in a file. A column of the file takes
+    /// precedence over a quantity with the same name.
     #[must_use]
     pub fn with_columns(&self, names: &[&str]) -> Self {
         Problem { output: self.output.with_columns(names, &self.source), ..self.clone() }
@@ -360,7 +366,7 @@ impl Problem {
         problem
     }
 
-    /// The most accurate method of a class that has no step-size control.
+    /// The most accurate method of a class without step-size control.
     pub fn own_class(&self) -> Option<Method> {
         match &self.class {
             Class::MatrixFlow(_) => Some(Method::Isospectral4),
@@ -384,12 +390,13 @@ impl Problem {
         &self.source.text
     }
 
-    /// The paths of the other files that it names: tables, meshes, the definition of its space.
+    /// The paths of other files to which the problem refers: tables, meshes, the definition of its
+    /// space.
     pub fn files(&self) -> &[String] {
         &self.files
     }
 
-    /// The number of members of the ensemble; none without one.
+    /// The number of members of the ensemble; `None` without an ensemble.
     pub fn members(&self) -> Option<u64> {
         self.ensemble.as_ref().and_then(Ensemble::checked_size)
     }
@@ -404,10 +411,11 @@ impl Problem {
         self.ensemble.as_ref().map_or(vec![], |ensemble| ensemble.values(member))
     }
 
-    /// The motion; of an ensemble that of a member, from 0.
+    /// The motion. For an ensemble, the motion of a member, from 0.
     ///
     /// # Errors
-    /// A refusal of the mathematics, such as a degenerate metric; a method that is not for this class.
+    /// A mathematical error, such as a degenerate metric; an error for a method that does not apply
+    /// to this class.
     pub fn motion(&self, member: u64) -> Result<Ready, InputError> {
         let parameters = self.values(member)?;
         let times = self.output.times.at(&self.source, &values_of(&parameters))?;
@@ -421,7 +429,7 @@ impl Problem {
         Ok(ready)
     }
 
-    /// The integration of a motion of this problem through its times and events.
+    /// Integrates a motion of this problem through its output times and events.
     pub fn integrate(&self, ready: Ready) -> Integration {
         Integration::new(ready, self.output.stop.clone(), self.output.section.clone())
     }

@@ -1,12 +1,15 @@
 //! Tables of tensors, comparisons and equations, written in several formats.
 //!
-//! In reading order: [`Quantity`] names the tensors, [`Table`] computes them, and one module for each format writes them;
-//! [`tensors_as_code`] writes them as a program; [`Comparison`] sets two geometries side by side, with the [`Claim`]s of the paper about them; [`EquationReport`] writes
-//! equations of motion, also as source code;
-//! [`StoredTable`] compares a table with a stored one; [`Statements`] are claims about a geometry, each tested; [`Info`] is the structure of an algebra,
-//! [`Properties`] those of a geometry. Each is a [`Report`]; short lists are [`conventions`], the
-//! [`catalogue`], a [`certificate`] and any other [`listing`]. A [`Computation`] makes those of a space, over the scalar
-//! that it needs.
+//! In reading order: [`Quantity`] names the tensors, [`Table`] computes them, and one module for
+//! each format writes them; [`tensors_as_code`] writes them as a program. [`Comparison`] compares
+//! two geometries, with the [`Claim`]s of the paper about them. [`EquationReport`] writes equations
+//! of motion, also as source code. [`StoredTable`] compares a table with a stored one.
+//! [`Statements`] are claims about a geometry, each tested. [`Info`] is the structure of an
+//! algebra, [`Properties`] are the properties of a geometry.
+//!
+//! Each of these is a [`Report`]. Short lists are [`conventions`], the [`catalogue`], a
+//! [`certificate`] and any other [`listing`]. A [`Computation`] creates the reports of a space,
+//! over the scalar that it needs.
 
 mod claims;
 mod code;
@@ -56,7 +59,7 @@ use affinor_tensors::{Kind, Tensor, Tolerance};
 use std::borrow::Cow;
 use std::io::{self, BufWriter, Write};
 
-/// The tensors of one geometry, ready to be printed.
+/// The tensors of one geometry, ready for output.
 ///
 /// ```
 /// use affinor_documents::report::{Format, Quantity, Report, Table};
@@ -80,7 +83,7 @@ use std::io::{self, BufWriter, Write};
 pub struct Table<S> {
     /// The name of the space.
     pub name: String,
-    /// The name of its algebra; that of the space unless another is known.
+    /// The name of its algebra, which is the name of the space unless another one is known.
     pub algebra: String,
     /// The names of the basis vectors.
     pub labels: Vec<String>,
@@ -88,30 +91,32 @@ pub struct Table<S> {
     pub parameters: Vec<String>,
     /// The short name of the connection.
     pub connection: String,
-    /// The connection in words, for a head line.
+    /// A description of the connection, for the header.
     pub connection_words: String,
     /// The factor of a connection `Lambda = lambda c`.
     pub lambda: Option<S>,
     /// The frame of the components: `left-invariant`, `right-invariant`, `coordinate` or `moving`.
     pub frame: &'static str,
-    /// The chart, where the components are functions on one.
+    /// The chart, if the components are functions on a chart.
     pub chart: Option<OnChart>,
     /// The tolerance below which a float counts as zero.
     pub tolerance: Tolerance,
     /// Whether only one component of each set that is equal by symmetry is listed.
     pub independent: bool,
-    /// Whether JSON has names for the common factors of denominators, as text, Markdown, LaTeX and HTML do; otherwise each
-    /// of its values stands for itself.
+    /// Whether JSON uses names for common factors of denominators, as text, Markdown, LaTeX and
+    /// HTML do. Otherwise each value in JSON is complete.
     pub common_factors: bool,
-    /// The names of the indices of components; without them indices are numbers from 1. CSV and JSON have numbers.
+    /// The names of the indices of components; `None` for numbers from 1. CSV and JSON always use
+    /// numbers.
     pub index_names: Option<Vec<String>>,
-    /// The components of the metric, if there is one: its determinant is a common factor.
+    /// The components of the metric, if there is one, because its determinant may be a common
+    /// factor.
     pub metric: Option<Tensor<S>>,
     /// The tensors, in the order in which they are shown.
     pub tensors: Vec<TableEntry<S>>,
 }
 
-/// Coordinates, and the fields of a frame over them, as they are written.
+/// Coordinates, and the vector fields of a frame as text.
 #[derive(Clone, Debug)]
 pub struct OnChart {
     /// The names of the coordinates.
@@ -123,7 +128,7 @@ pub struct OnChart {
 /// A tensor with its name.
 #[derive(Clone, Debug)]
 pub struct TableEntry<S> {
-    /// Which tensor.
+    /// The quantity that the tensor is.
     pub quantity: Quantity,
     /// Its nonzero components.
     pub tensor: Tensor<S>,
@@ -133,15 +138,16 @@ impl<S: Coefficient> Table<S> {
     /// The table of a geometry in its frame, with the quantities that apply.
     ///
     /// # Errors
-    /// As [`Quantity::of`].
+    /// Those of [`Quantity::of`].
     pub fn new(geometry: &Geometry<S>, quantities: &[Quantity]) -> Result<Self, Error> {
         Self::in_stages(geometry, quantities, &|_| ())
     }
 
-    /// As [`new`](Self::new); `stage` is called with the name of each tensor before it is computed.
+    /// Like [`new`](Self::new); `stage` is called with the name of each tensor before it is
+    /// computed.
     ///
     /// # Errors
-    /// As [`Quantity::of`].
+    /// Those of [`Quantity::of`].
     pub fn in_stages(
         geometry: &Geometry<S>,
         quantities: &[Quantity],
@@ -185,7 +191,8 @@ impl<S: Coefficient> Table<S> {
     pub fn finite(&self) -> Result<(), Error> {
         for TableEntry { quantity, tensor } in &self.tensors {
             let wild = |value: &S| value.to_f64().is_some_and(|x| !x.is_finite());
-            // few tensors have one, and indices are costly where there are millions of components
+            // tests values first: few tensors have such a component, and computing indices takes
+            // long for millions of components
             if S::KIND == Kind::Float
                 && tensor.nonzero().any(wild)
                 && let Some((at, value)) = tensor.components().find(|(_, value)| wild(value))
@@ -197,7 +204,7 @@ impl<S: Coefficient> Table<S> {
         Ok(())
     }
 
-    /// The names of the coordinates, in a coordinate frame, or else of the basis vectors.
+    /// The index names: coordinates in a coordinate frame, otherwise the basis vectors.
     pub fn frame_names(&self) -> &[String] {
         match &self.chart {
             Some(OnChart { coordinates, .. }) if self.frame == "coordinate" => coordinates,
@@ -205,7 +212,7 @@ impl<S: Coefficient> Table<S> {
         }
     }
 
-    /// The heading of a tensor: structure constants may be functions on a chart.
+    /// The title of a tensor; on a chart structure constants are called functions.
     fn title(&self, quantity: Quantity) -> &'static str {
         match quantity {
             Quantity::Structure if self.chart.is_some() => "Structure functions",
@@ -213,7 +220,7 @@ impl<S: Coefficient> Table<S> {
         }
     }
 
-    /// The components of an entry that are printed: all, or only the independent ones.
+    /// The components of an entry that are written: all, or only the independent ones.
     fn shown<'a>(&self, entry: &'a TableEntry<S>) -> Cow<'a, Tensor<S>> {
         match self.independent {
             true => Cow::Owned(independent(&entry.tensor)),
@@ -222,12 +229,12 @@ impl<S: Coefficient> Table<S> {
     }
 }
 
-/// A report that is written in one of the formats.
+/// A report that can be written in one of the formats.
 pub trait Report {
     /// Writes the report.
     ///
     /// # Errors
-    /// An error of `out`; for JSON also [`io::ErrorKind::InvalidData`] if a float is infinite or not a number.
+    /// Errors of `out`; for JSON also [`io::ErrorKind::InvalidData`] if a float is infinite or NaN.
     fn write(&self, format: Format, out: &mut dyn Write) -> io::Result<()>;
 }
 
@@ -251,9 +258,9 @@ impl<S: Coefficient> Report for Table<S> {
 pub enum Format {
     /// Plain text of at most 80 columns.
     Text,
-    /// Headings and tables as GitHub renders them.
+    /// Markdown with headings and tables, as rendered by GitHub.
     Markdown,
-    /// A fragment that needs amsmath.
+    /// A LaTeX fragment that needs amsmath.
     Latex,
     /// One row for every component.
     Csv,
@@ -268,7 +275,7 @@ impl Format {
     pub const ALL: [Format; 6] =
         [Format::Text, Format::Markdown, Format::Latex, Format::Csv, Format::Json, Format::Html];
 
-    /// The name in options.
+    /// The name of the format in options.
     pub fn name(self) -> &'static str {
         match self {
             Format::Text => "text",
@@ -280,7 +287,7 @@ impl Format {
         }
     }
 
-    /// The format of that name.
+    /// The format with this name.
     pub fn from_name(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|format| format.name() == name)
     }

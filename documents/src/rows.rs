@@ -1,4 +1,5 @@
-//! Runs: the rows of a motion, in a file (one module a format) or dense enough for a curve.
+//! Runs: the rows of a motion, written to a file (one module per format) or sampled densely for a
+//! curve.
 
 mod csv;
 mod dense;
@@ -48,7 +49,7 @@ impl RunFormat {
         RunFormat::Parquet,
     ];
 
-    /// The name, which is also the ending of files.
+    /// The name of the format, which is also the file name extension.
     pub fn name(self) -> &'static str {
         match self {
             RunFormat::Csv => "csv",
@@ -58,7 +59,7 @@ impl RunFormat {
         }
     }
 
-    /// The format of a name.
+    /// The format with this name.
     pub fn from_name(name: &str) -> Option<Self> {
         Self::ALL.iter().copied().find(|format| format.name() == name)
     }
@@ -66,7 +67,7 @@ impl RunFormat {
     /// Writes a run.
     ///
     /// # Errors
-    /// An error of the rows or of `out`.
+    /// Errors of the rows and of `out`.
     pub fn write(self, head: &Head, rows: &mut Rows, out: &mut dyn Write) -> io::Result<()> {
         match self {
             RunFormat::Csv => csv::write(head, rows, out),

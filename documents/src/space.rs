@@ -1,12 +1,12 @@
-//! Spaces, on the command line and in files, read into geometries.
+//! Spaces, given on the command line and in files, and converted to geometries.
 //!
 //! A SPACE is a geometry of the paper, a catalogue name, a sum of names, a file, or brackets given inline ([`Space`]).
 //! Each becomes a [`Definition`], exact and symbolic, which is then converted to the scalar of the computation
 //! ([`Coefficient`](crate::Coefficient)). Files are TOML or JSON with the same keys, or tables of structure constants.
 //!
-//! In reading order: `definition` is the definition; `read` reads one from a file, `tables` chooses its notation, `document`
-//! reads its keys and `notation` its expressions;
-//! `request` has the SPACE of a command.
+//! In reading order: `definition` is the definition; `read` reads a definition from a file;
+//! `tables` detects the notation of structure constants; `document` reads keys, and `notation`
+//! expressions; `request` resolves the SPACE of a command.
 
 mod chart;
 mod construction;

@@ -23,7 +23,7 @@ impl Line {
         Ok(Line { frame: fields.frame().clone(), fields: fields.components().clone() })
     }
 
-    /// Affinities that are functions without symmetry.
+    /// Affinities that depend on the coordinates and have no symmetry.
     fn connection(&self) -> Result<Connection<Symbolic>, Error> {
         let [a, b] = ["a", "b"].map(Symbolic::parameter);
         let entry = |[i, j, k]: [usize; 3]| match (i + 2 * j + k) % 4 {
@@ -35,7 +35,7 @@ impl Line {
         Connection::new(self.frame.clone(), Tensor::from_fn(2, [Up, Down, Down], entry)?)
     }
 
-    /// Two fields and a function without a pattern.
+    /// Two fields and a function without symmetries.
     fn fields(&self) -> [Vec<Symbolic>; 3] {
         let [a, b] = ["a", "b"].map(Symbolic::parameter);
         [

@@ -11,7 +11,7 @@ use nalgebra::{DMatrix, Matrix3, Vector3};
 
 /// The time at which the motion is examined.
 const T: f64 = 0.8;
-/// Masses and their places in the body. No axis is principal.
+/// Masses and their positions in the body. No coordinate axis is a principal axis.
 const MASSES: [(f64, [f64; 3]); 4] = [
     (1.0, [0.3, -0.5, 1.0]),
     (2.0, [-1.0, 0.2, 0.4]),
@@ -117,7 +117,7 @@ fn images() -> Result<Row, Error> {
     ))
 }
 
-/// `J` by the library, of the point masses about the origin.
+/// `J` of the point masses about the origin, computed by the library.
 fn inertia() -> Result<Matrix3<f64>, Error> {
     let masses = MASSES.map(|(mass, place)| (mass, Vector3::from(place)));
     let body = MassProperties::points(&masses)?;

@@ -1,34 +1,37 @@
-//! What is computed of an equation.
+//! Findings: the computed checks and values for an equation.
 
 use affinor_documents::Coefficient;
 use affinor_tensors::Tensor;
 
-/// A statement with what is computed of it.
+/// A statement and the outcome of its check.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Finding {
-    /// The statement. Formulas stand between backticks.
+    /// The statement. Formulas are written between backticks.
     pub claim: String,
-    /// Whether it holds.
+    /// The outcome of the check.
     pub outcome: Outcome,
-    /// Whether it is a false statement that the paper prints or suggests: its check is expected to fail.
+    /// Whether the paper prints or suggests this statement although it is false: its check is
+    /// expected to fail.
     pub refuted: bool,
 }
 
-/// Whether a statement holds.
+/// The outcome of the check of a statement.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Outcome {
-    /// Exactly.
+    /// It holds exactly.
     Exactly,
-    /// In floats: the difference, beside the size of the values, is below the bound.
+    /// It holds in floats: the difference, relative to the size of the values, is below this bound.
     Within(f64),
-    /// It does not, with a witness. Formulas stand between backticks.
+    /// It fails; the text describes a component that differs. Formulas are written between
+    /// backticks.
     Fails(String),
     /// The statement is a computed value.
     Value,
 }
 
 impl Finding {
-    /// That a tensor, the left side of a statement minus the right one, is zero. The witness is its first component.
+    /// Checks that a tensor is zero: the left side of a statement minus its right side. A failure
+    /// names the first nonzero component.
     pub(crate) fn exact<S: Coefficient>(claim: &str, difference: &Tensor<S>) -> Self {
         let witness = difference.components().next().map(|(at, value)| {
             let indices: Vec<String> = at.iter().map(|index| (index + 1).to_string()).collect();
@@ -40,8 +43,8 @@ impl Finding {
         Self::of(claim, witness.map_or(Outcome::Exactly, Outcome::Fails))
     }
 
-    /// That two lists of values are equal. The witness is the first component of the left side minus the right one, which is
-    /// that of the computed value minus the stated one.
+    /// Checks that two lists of values, the computed and the stated ones, are equal. A failure
+    /// names the first component of their difference.
     pub(crate) fn equal<S: Coefficient>(claim: &str, left: &[S], right: &[S]) -> Self {
         let differ = left.iter().zip(right).position(|(a, b)| a != b);
         let outcome = match differ {
@@ -56,7 +59,7 @@ impl Finding {
         Self::of(claim, outcome)
     }
 
-    /// That a difference in floats is below a bound.
+    /// Checks that a difference in floats is below a bound.
     pub(crate) fn within(claim: &str, difference: f64, bound: f64) -> Self {
         let small = difference < bound;
         let outcome = if small {
@@ -67,7 +70,8 @@ impl Finding {
         Self::of(claim, outcome)
     }
 
-    /// One finding for several algebras: the first that is not expected, or else the last.
+    /// Checks a statement on several algebras. Returns the first finding with an unexpected
+    /// outcome, or else the last finding.
     pub(crate) fn everywhere<'a>(
         claim: &str,
         findings: impl IntoIterator<Item = (&'a str, Finding)>,
@@ -104,12 +108,13 @@ impl Finding {
         Finding { claim: claim.into(), outcome, refuted: false }
     }
 
-    /// Whether the check has the expected outcome: a statement holds, one that is refuted fails.
+    /// Whether the check has the expected outcome: a refuted statement should fail, any other
+    /// should hold.
     pub fn is_expected(&self) -> bool {
         matches!(self.outcome, Outcome::Fails(_)) == self.refuted
     }
 
-    /// The outcome in words. Formulas stand between backticks.
+    /// The outcome in words. Formulas are written between backticks.
     pub fn words(&self) -> String {
         match &self.outcome {
             Outcome::Exactly => "holds exactly".into(),
@@ -120,12 +125,12 @@ impl Finding {
     }
 }
 
-/// `10^-12` of a power of ten.
+/// Writes a power of ten as `10^-12`.
 fn power(bound: f64) -> String {
     format!("10^{}", bound.log10().round())
 }
 
-/// A finding alone, where several are expected.
+/// A single finding can be used wherever several are expected.
 impl IntoIterator for Finding {
     type Item = Finding;
     type IntoIter = std::iter::Once<Finding>;

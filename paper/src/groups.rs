@@ -279,7 +279,7 @@ fn flat(lab: &Lab) -> Result<Row, Error> {
     })
 }
 
-/// Right translation of `e_j(e)` is no field through `e_j(p)`.
+/// The right translate of `e_j(e)` is not a field through `e_j(p)`.
 fn halves() -> Result<Row, Error> {
     use affinor::group::So3;
     use nalgebra::Vector3;

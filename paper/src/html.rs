@@ -1,4 +1,4 @@
-//! The document as one file of HTML: no script, nothing from elsewhere, formulas in MathML.
+//! The document as one HTML file without scripts and external resources, with formulas in MathML.
 
 use crate::{ABOUT, Finding, Outcome, Paper, PaperFigure, Part, Row, TITLE, parts};
 use affinor_documents::formula::formula;
@@ -108,7 +108,7 @@ fn line(finding: &Finding) -> String {
     format!("{claim}{words}")
 }
 
-/// Words, with formulas in MathML.
+/// A text with its formulas in MathML.
 fn text(text: &str) -> String {
     let part = |part| match part {
         Part::Words(words) => escaped(words),

@@ -1,4 +1,4 @@
-//! The objects that the rows compute with.
+//! The groups, algebras and geometries on which the equations are checked.
 
 use affinor::algebra::catalogue;
 use affinor::group::transport::ParallelTranslation;
@@ -8,17 +8,18 @@ use affinor_documents::space::paper;
 use affinor_tensors::{Down, Rational, Symbolic, Tensor, Up};
 use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 
-/// The two geometries, the algebra of rotations, and groups on which general statements are computed.
+/// The two geometries of the paper, the algebra of rotations, and the groups on which general
+/// statements are checked.
 pub(crate) struct Lab {
-    /// M(3): `plus`, with the inertia as its metric.
+    /// M(3): the rotation group with the connection `plus` and the inertia as its metric.
     pub m3: Geometry<Symbolic>,
-    /// "SO(3)": `zero`, with the bi-invariant metric (102).
+    /// "SO(3)": the rotation group with the connection `zero` and the bi-invariant metric (102).
     pub so3: Geometry<Rational>,
-    /// so(3) with symbols.
+    /// The algebra so(3) over symbolic expressions.
     pub rotations: LieAlgebra<Symbolic>,
     /// SO(3), SE(2), SE(3), SL(2), the Heisenberg group and the affine group of the line.
     pub groups: Vec<AnyGroup>,
-    /// The algebras of the groups, exactly.
+    /// The algebras of these groups over the rationals.
     pub algebras: Vec<LieAlgebra<Rational>>,
 }
 
@@ -39,12 +40,12 @@ impl Lab {
         })
     }
 
-    /// The inertia `J_ij` with symbols.
+    /// The symbolic inertia `J_ij`.
     pub fn inertia(&self) -> Result<&Metric<Symbolic>, Error> {
         self.m3.metric().ok_or(Error::NoMetric)
     }
 
-    /// A canonical connection on the rotations, with symbols.
+    /// A canonical connection on the rotations, over symbolic expressions.
     pub fn canonical(&self, which: CanonicalConnection) -> Connection<Symbolic> {
         Connection::canonical(&self.rotations, which)
     }
@@ -54,12 +55,12 @@ impl Lab {
         NAMES.into_iter().zip(&self.algebras)
     }
 
-    /// The largest value of a law on all groups.
+    /// The largest value of a law over all groups.
     pub fn on_groups(&self, law: impl Fn(&AnyGroup) -> Result<f64, Error>) -> Result<f64, Error> {
         self.groups.iter().try_fold(0.0, |worst: f64, group| Ok(worst.max(law(group)?)))
     }
 
-    /// The smallest value of a law on all groups: by how much a wrong formula misses at least.
+    /// The smallest value of a law over all groups: the least error of a wrong formula.
     pub fn least_on_groups(
         &self,
         law: impl Fn(&AnyGroup) -> Result<f64, Error>,
@@ -68,14 +69,14 @@ impl Lab {
     }
 }
 
-/// Three vectors without a pattern, of length about 1.
+/// Three vectors of length about 1 without symmetries.
 pub(crate) fn vectors(group: &AnyGroup) -> [DVector<f64>; 3] {
     let n = group.dimension();
     [0.0, 1.0, 2.0]
         .map(|a| DVector::from_fn(n, |i, _| 0.9 * (1.3 + 2.1 * i as f64 + 1.7 * a).sin()))
 }
 
-/// A motion that is no one-parameter group, with all components of its velocity.
+/// A motion that is not a one-parameter group; all components of its velocity are nonzero.
 pub(crate) fn motion(group: &AnyGroup) -> impl Fn(f64) -> DVector<f64> {
     let [x, y, z] = vectors(group);
     move |t| {
@@ -84,7 +85,7 @@ pub(crate) fn motion(group: &AnyGroup) -> impl Fn(f64) -> DVector<f64> {
     }
 }
 
-/// A motion of the rotation group.
+/// A motion on the rotation group.
 pub(crate) fn rotation(t: f64) -> nalgebra::UnitQuaternion<f64> {
     let factors = [
         Vector3::new(0.3, -0.1, 0.2),
@@ -120,17 +121,17 @@ pub(crate) fn hat(group: &AnyGroup, x: &DVector<f64>) -> DMatrix<f64> {
     rate(|t| group.matrix(&group.exp(&(x * t))), 0.0)
 }
 
-/// How far two matrices are apart, beside their size.
+/// The distance of two matrices, relative to their size.
 pub(crate) fn distance(found: &DMatrix<f64>, expected: &DMatrix<f64>) -> f64 {
     (found - expected).amax() / (1.0 + expected.amax())
 }
 
-/// How far two vectors are apart, beside their size.
+/// The distance of two vectors, relative to their size.
 pub(crate) fn apart(found: &DVector<f64>, expected: &DVector<f64>) -> f64 {
     (found - expected).amax() / (1.0 + expected.amax())
 }
 
-/// `ad_x` of a group, the upper index as the row.
+/// `ad_x` of a group; the upper index is the row.
 pub(crate) fn ad(group: &AnyGroup, x: &DVector<f64>) -> DMatrix<f64> {
     group.operator_matrix(|v| group.bracket(x, v))
 }
@@ -145,7 +146,7 @@ pub(crate) fn symbols(name: &str, n: usize) -> Vec<Symbolic> {
     (1..=n).map(|i| Symbolic::parameter(&format!("{name}{i}"))).collect()
 }
 
-/// `a x b`, each component written out.
+/// `a x b` by its components.
 pub(crate) fn cross(a: &[Symbolic], b: &[Symbolic]) -> Vec<Symbolic> {
     let term = |i: usize, j: usize| a[i].clone() * &b[j] - &(a[j].clone() * &b[i]);
     vec![term(1, 2), term(2, 0), term(0, 1)]

@@ -56,7 +56,7 @@ fn equation(row: &Row, out: &mut dyn Write) -> io::Result<()> {
     writeln!(out, "\\end{{itemize}}\nComputed by {}.", functions.join(", "))
 }
 
-/// A formula that stands alone, which TeX breaks at commas, relations and signs.
+/// A displayed formula, with breaks at commas, relations and signs.
 fn display(text: &str) -> String {
     let formula = formula(text);
     let parts = formula.split(|node| *node == Node::Sign(","));
@@ -64,7 +64,7 @@ fn display(text: &str) -> String {
     parts.map(part).collect::<Vec<_>>().join(", ")
 }
 
-/// Words, with formulas in the mathematics mode.
+/// A text with its formulas in the mathematics mode.
 fn text(text: &str) -> String {
     let part = |part| match part {
         Part::Words(words) => tex::escaped(words),

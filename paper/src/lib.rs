@@ -1,9 +1,10 @@
-//! The paper of Paraskevopoulos and Natsiavas, *Int. J. Solids and Structures* 50 (2013) 57-72, equation by equation:
-//! what each says, and what the engine computes of it now.
+//! The paper of Paraskevopoulos and Natsiavas, *Int. J. Solids and Structures* 50 (2013) 57-72,
+//! equation by equation: the statement of each equation, and its check by the engine.
 //!
-//! In reading order: [`Paper`] is a list of [`Section`]s of [`Row`]s; each row has [`Finding`]s, computed when the paper
-//! is read. One file each has the rows of a section of the paper, `lab` has the objects they compute with, and `html`,
-//! `markdown`, `latex` write the document.
+//! In reading order: [`Paper`] is a list of [`Section`]s of [`Row`]s. Each row has [`Finding`]s,
+//! which are computed when the paper is read. One file for each section of the paper contains its
+//! rows. `lab` contains the groups and geometries for the checks; `html`, `markdown` and `latex`
+//! write the document.
 //!
 //! ```
 //! use affinor_paper::{Paper, PaperFormat};
@@ -49,9 +50,9 @@ pub struct Paper {
 /// A section of the paper.
 #[derive(Clone, Debug)]
 pub struct Section {
-    /// Its number and title in our words.
+    /// The number and the title of the section, in our words.
     pub title: &'static str,
-    /// What it is about. Formulas stand between backticks.
+    /// The contents of the section. Formulas are written between backticks.
     pub about: &'static str,
     /// The equations and claims.
     pub rows: Vec<Row>,
@@ -60,35 +61,35 @@ pub struct Section {
 /// An equation or a claim of the paper.
 #[derive(Clone, Debug)]
 pub struct Row {
-    /// Its number, `(38)` or `after (38)`.
+    /// The number of the equation, `(38)` or `after (38)`.
     pub equation: &'static str,
-    /// The formula, in the notation of the project.
+    /// The formula, in the notation of this project.
     pub formula: &'static str,
-    /// What it says. Formulas stand between backticks.
+    /// The statement in words. Formulas are written between backticks.
     pub says: &'static str,
-    /// How the paper states it.
+    /// The assessment of the equation as printed.
     pub status: Status,
     /// The functions of the library that compute it.
     pub functions: Vec<&'static str>,
-    /// What is computed now.
+    /// The computed checks and values.
     pub findings: Vec<Finding>,
 }
 
-/// How the paper states an equation. Formulas stand between backticks.
+/// The assessment of an equation as the paper prints it. Formulas are written between backticks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Status {
-    /// Right as printed.
+    /// Correct as printed.
     Right,
-    /// Right under a convention that the paper leaves open.
+    /// Correct under a convention that the paper does not state.
     Convention(&'static str),
     /// A misprint, with the correction.
     Misprint(&'static str),
-    /// True, but not in the generality of the text.
+    /// True, but less general than the text says.
     TooStrong(&'static str),
 }
 
 impl Status {
-    /// In one or two words.
+    /// The assessment in one or two words.
     pub fn word(self) -> &'static str {
         match self {
             Status::Right => "right",
@@ -112,9 +113,9 @@ impl Status {
 /// The format of the document.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PaperFormat {
-    /// One file without scripts, with formulas in MathML.
+    /// One HTML file without scripts, with formulas in MathML.
     Html,
-    /// Tables as GitHub renders them.
+    /// Markdown with tables, as GitHub renders them.
     Markdown,
     /// A document for pdfLaTeX.
     Latex,
@@ -125,7 +126,7 @@ pub enum PaperFormat {
 pub struct PaperFigure {
     /// The title, with the number of the figure in the paper.
     pub title: String,
-    /// What is to be seen, in a sentence.
+    /// A description of the figure, in one sentence.
     pub about: String,
     /// The picture, an element `svg`.
     pub svg: String,
@@ -135,7 +136,7 @@ impl Paper {
     /// Computes the whole document.
     ///
     /// # Errors
-    /// Those of the functions of the library; none is expected.
+    /// Errors of the functions of the library; none is expected.
     pub fn read() -> Result<Self, Error> {
         let lab = Lab::new()?;
         let sections = vec![
@@ -150,7 +151,7 @@ impl Paper {
         Ok(Paper { sections })
     }
 
-    /// How many equations and findings there are, and how many have the expected outcome.
+    /// The numbers of equations, of findings, and of findings with the expected outcome.
     pub fn summary(&self) -> String {
         let rows = || self.sections.iter().flat_map(|section| &section.rows);
         let findings = || rows().flat_map(|row| &row.findings);
@@ -202,13 +203,13 @@ impl Row {
         self
     }
 
-    /// The values of a tensor, a line for those that are equal up to sign.
+    /// The values of a tensor; components that are equal up to sign share a line.
     fn components<S: Coefficient>(self, symbol: &str, tensor: &Tensor<S>) -> Self {
         let lines = grouped_in_text(symbol, tensor);
         self.find(lines.iter().map(|line| Finding::value(line)))
     }
 
-    /// That a tensor is zero on each of the algebras.
+    /// Checks that a tensor is zero on each of the algebras.
     fn on_algebras(
         self,
         lab: &Lab,
@@ -227,7 +228,7 @@ impl Row {
 enum Part<'a> {
     Words(&'a str),
     Formula(&'a str),
-    /// A name of the program, such as that of a connection.
+    /// A name of the program, such as the name of a connection.
     Name(&'a str),
 }
 

@@ -231,7 +231,7 @@ fn carried(lab: &Lab) -> Result<Row, Error> {
     .find(Finding::within("`B(q) omega` is the right-invariant field", off, 1e-12)))
 }
 
-/// How far from `e` a velocity across the axis has equal images.
+/// Checks for which rotation vectors the two images of a velocity across the axis are equal.
 fn equal_images() -> Result<Row, Error> {
     let n = Vector3::new(2.0, -1.0, 2.0) / 3.0;
     let across = Vector3::new(1.0, 2.0, 0.0);

@@ -45,7 +45,7 @@ fn functions(row: &Row) -> String {
     functions.join(", ")
 }
 
-/// Escapes a bar, which would end the cell.
+/// Escapes `|`, which would end a table cell.
 fn cell(text: &str) -> String {
     text.replace('|', "\\|")
 }

@@ -1,5 +1,5 @@
-//! The rows of the document are the tests of the equations: all equations have one, what is computed of each comes out as it must,
-//! and `docs/paper.md` is this document.
+//! The rows of the document are the tests of the equations: every equation has a row, its checks
+//! have the expected outcomes, and `docs/paper.md` is this document.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use affinor_paper::{Paper, PaperFormat, Row, Status};
@@ -92,7 +92,7 @@ fn what_is_too_strong_is_refuted() {
     }
 }
 
-/// The numbers that the paper prints: (46), the table after (65), (102), and Euler's equations (108).
+/// Numbers printed in the paper: (46), the table after (65), (102), and Euler's equations (108).
 #[test]
 fn the_numbers_of_the_paper() {
     let claims = |equation: &str| -> Vec<String> {
@@ -139,7 +139,8 @@ fn the_page_is_the_document() {
     assert_eq!(page, written);
 }
 
-/// For pdfLaTeX: an entry a paragraph, in ASCII, with all braces, formulas and environments closed.
+/// The LaTeX document has one paragraph per entry, is ASCII, and closes all braces, formulas and
+/// environments.
 #[test]
 fn the_latex_document_is_closed() {
     let mut written = vec![];

@@ -56,7 +56,7 @@ pub struct PyAlgebra {
     pub space: Space,
     /// The algebra with the connection zero and without a metric.
     pub values: Geometries,
-    /// The report of the structure, which is computed once.
+    /// The report of the structure, computed once.
     pub found: PyOnceLock<(Written, Py<PyAny>)>,
 }
 
@@ -333,7 +333,7 @@ impl PyAlgebra {
         }
         let what = "a change of basis";
         let (_, values) = run(py, || match &own.values {
-            // parameters of the matrix
+            // the matrix has parameters that the algebra does not have
             Geometries::Exact(_) if matrix.kind() == Kind::Symbolic => {
                 changed(&symbolic(&own.values, what)?, matrix)
             }
@@ -396,7 +396,7 @@ impl PyAlgebra {
         self.source.get().checks(py)
     }
 
-    /// Equal names of the basis vectors and equal structure constants.
+    /// Algebras are equal if their basis names and structure constants are.
     fn __eq__(&self, py: Python<'_>, other: &PyAlgebra) -> PyResult<bool> {
         let equal = self.basis() == other.basis();
         Ok(equal && self.structure(py)?.equals(&other.structure(py)?))
@@ -415,7 +415,7 @@ impl PyAlgebra {
         format!("<LieAlgebra {name}, dimension {}, {scalar}>", self.dimension())
     }
 
-    /// The nonzero brackets, one a line.
+    /// The nonzero brackets, one per line.
     fn __str__(&self) -> String {
         self.values.brackets().unwrap_or_default()
     }
@@ -447,7 +447,7 @@ impl PyAlgebra {
         contract_all(expression, PyTuple::new(py, factors)?, None)
     }
 
-    /// The algebra of structure constants, with the tolerance of this one.
+    /// The algebra with these structure constants, and the tolerance of this algebra.
     pub fn structured<'py>(
         slf: &Bound<'py, Self>,
         values: Values,

@@ -1,4 +1,4 @@
-//! Arrays of NumPy as lists of rows, with broadcasting.
+//! NumPy arrays as lists of rows, with broadcasting.
 
 use crate::errors::wrong;
 use crate::values::python;
@@ -12,8 +12,8 @@ use pyo3::sync::PyOnceLock;
 use std::borrow::Cow;
 use std::ops::Deref;
 
-/// An argument of floats: any array, list or number that NumPy casts to float64.
-/// Complex numbers, dates and records are refused.
+/// An argument of floats: any array, list or number that NumPy casts to float64. Complex numbers,
+/// dates and records are errors.
 pub struct Floats<'py>(PyReadonlyArrayDyn<'py, f64>);
 
 impl<'py> Deref for Floats<'py> {
@@ -43,19 +43,20 @@ impl<'py> FromPyObject<'_, 'py> for Floats<'py> {
 
 /// An argument of rows: a few numbers, copied, or any array of floats.
 pub enum Input<'py> {
-    /// The numbers of an array in C order with one or two axes, and its shape.
+    /// The numbers of an array with one or two axes in C order, and its shape.
     Small(Vec<f64>, [usize; 2], usize),
     Array(Floats<'py>),
 }
 
-/// The most numbers that are copied.
+/// Arrays up to this number of elements are copied.
 const SMALL: usize = 16;
 
 impl<'py> FromPyObject<'_, 'py> for Input<'py> {
     type Error = PyErr;
 
     fn extract(value: Borrowed<'_, 'py, PyAny>) -> PyResult<Self> {
-        // borrows of arrays are counted, which takes longer than to copy a few numbers
+        // NumPy arrays are tracked while they are borrowed, which takes longer than copying a few
+        // numbers
         if value.is_exact_instance_of::<PyUntypedArray>()
             && let Ok(array) = value.cast::<PyArrayDyn<f64>>()
             && (1..=2).contains(&array.ndim())
@@ -82,14 +83,14 @@ impl Input<'_> {
         }
     }
 
-    /// The rows of the batch shape `own`, broadcast to `batch`.
+    /// The rows, broadcast from the batch shape `own` to `batch`.
     pub fn rows(&self, own: &[usize], batch: &[usize]) -> Rows<'_> {
         let shape = self.shape();
         match self {
             Input::Small(numbers, ..) => Rows::of(shape, Some(numbers), own, batch, || {
                 ArrayViewD::from_shape(shape, numbers).ok()
             }),
-            // one slice may also be in the order of Fortran
+            // a single slice may also be in Fortran order
             Input::Array(array) => {
                 let slice = array.as_slice().ok().filter(|_| array.is_c_contiguous());
                 Rows::of(shape, slice, own, batch, || Some(array.as_array()))
@@ -98,7 +99,7 @@ impl Input<'_> {
     }
 }
 
-/// Finite real numbers as an array with one of these numbers of axes.
+/// Finite real numbers as an array that has one of these numbers of axes.
 pub fn with_axes<'py>(
     what: &str,
     value: &Bound<'py, PyAny>,
@@ -107,14 +108,14 @@ pub fn with_axes<'py>(
     python(value.py(), "_scalars", "with_axes")?.call1((what, value, counts.to_vec()))?.extract()
 }
 
-/// Whether the steps between numbers are whole numbers, unlike those in a field of packed records.
+/// Whether all strides are multiples of the size of a number, unlike for a field of packed records.
 fn is_regular(array: &Bound<'_, PyArrayDyn<f64>>) -> bool {
     let size = size_of::<f64>();
     array.data().addr().is_multiple_of(size)
         && array.strides().iter().all(|step| step.unsigned_abs().is_multiple_of(size))
 }
 
-/// The shape of one row of an argument, in front of which stand the axes of the batch.
+/// The shape of the batch: the axes of an argument before those of a single row.
 pub fn batch<'a>(name: &str, shape: &'a [usize], row: &[usize]) -> PyResult<&'a [usize]> {
     match shape.len().checked_sub(row.len()) {
         Some(axes) if shape[axes..] == *row => Ok(&shape[..axes]),
@@ -126,7 +127,7 @@ pub fn batch<'a>(name: &str, shape: &'a [usize], row: &[usize]) -> PyResult<&'a 
     }
 }
 
-/// A shape as Python writes it.
+/// A shape in Python notation.
 pub fn written(shape: &[usize]) -> String {
     let list: Vec<String> = shape.iter().map(usize::to_string).collect();
     if list.len() == 1 { format!("({},)", list[0]) } else { format!("({})", list.join(", ")) }
@@ -150,7 +151,7 @@ pub fn common(a: &[usize], b: &[usize]) -> PyResult<Vec<usize>> {
     joined.collect()
 }
 
-/// The rows of an argument. A single row stands for all of the batch.
+/// The rows of an argument. A single row is used for the whole batch.
 pub struct Rows<'a> {
     data: Cow<'a, [f64]>,
     width: usize,
@@ -158,8 +159,8 @@ pub struct Rows<'a> {
 }
 
 impl<'a> Rows<'a> {
-    /// The rows of an array of the batch shape `own`, broadcast to `batch`; `slice` are its numbers in C order, if it is in
-    /// that order.
+    /// The rows of an array, broadcast from the batch shape `own` to `batch`; `slice` contains its
+    /// numbers if it is in C order.
     fn of(
         shape: &[usize],
         slice: Option<&'a [f64]>,
@@ -175,17 +176,17 @@ impl<'a> Rows<'a> {
             return Rows { data, width, step: if single { 0 } else { width } };
         }
         let whole: Vec<usize> = batch.iter().chain(&shape[own.len()..]).copied().collect();
-        // the shapes are compatible: `common` has joined them
+        // the shapes are compatible, because `common` has combined them
         let data = view().and_then(|view| Some(view.broadcast(whole)?.iter().copied().collect()));
         Rows { data: Cow::Owned(data.unwrap_or_default()), width, step: width }
     }
 
-    /// The numbers of one row.
+    /// The number of numbers in a row.
     pub fn width(&self) -> usize {
         self.width
     }
 
-    /// The row that stands for all of the batch.
+    /// The single row for the whole batch, if there is only one.
     pub fn single(&self) -> Option<&[f64]> {
         (self.step == 0).then_some(&self.data)
     }
@@ -195,12 +196,12 @@ impl<'a> Rows<'a> {
         &self.data
     }
 
-    /// All numbers, if there is one row for every element.
+    /// All numbers, if every element has its own row.
     pub fn all(&self) -> Option<&[f64]> {
         (self.step == self.width || self.data.len() == self.width).then_some(&self.data)
     }
 
-    /// The row of an index.
+    /// The row with an index.
     #[inline]
     pub fn row(&self, at: usize) -> &[f64] {
         let start = at * self.step;
@@ -218,7 +219,7 @@ pub fn array<'py>(
     let refused = |error: numpy::ndarray::ShapeError| {
         pyo3::exceptions::PyValueError::new_err(error.to_string())
     };
-    // arrays of a fixed number of axes are made faster
+    // arrays with a fixed number of axes are created faster
     Ok(match (batch, row) {
         ([], [_]) => PyArray1::from_slice(py, numbers).to_dyn().clone(),
         ([], [rows, columns]) => {
@@ -237,13 +238,14 @@ pub fn zeros<'py>(py: Python<'py>, batch: &[usize], row: &[usize]) -> Bound<'py,
     PyArrayDyn::zeros(py, [batch, row].concat(), false)
 }
 
-/// The size in bytes from which an array is made by NumPy.
+/// The size in bytes from which NumPy allocates an array.
 const LARGE: usize = 1 << 14;
 
-/// The number of axes that every NumPy takes.
+/// The number of axes that every version of NumPy supports.
 pub const AXES: usize = 32;
 
-/// A new array, to be overwritten. NumPy makes the large ones: it asks the system for large pages, and fills nothing.
+/// A new uninitialized array. NumPy allocates large ones, because it requests large pages from the
+/// system and does not fill them.
 pub fn fresh<'py, T: Element + Default>(
     py: Python<'py>,
     batch: &[usize],
@@ -252,7 +254,7 @@ pub fn fresh<'py, T: Element + Default>(
     static EMPTY: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
     let shape = [batch, row].concat();
     let size = shape.iter().fold(size_of::<T>(), |size, n| size.saturating_mul(*n));
-    // NumPy refuses too many axes and too large a size with an exception
+    // NumPy raises an exception for too many axes and for too large a size
     if size < LARGE && shape.len() <= AXES {
         return Ok(PyArrayDyn::zeros(py, shape, false));
     }

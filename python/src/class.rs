@@ -1,14 +1,14 @@
-//! Parts that classes have in common: properties, copies, and methods that Python implements.
+//! Common parts of classes: properties, copies, and methods implemented in Python.
 
 use pyo3::prelude::*;
 
-/// An object of Python.
+/// A Python object.
 pub type Object<'py> = Bound<'py, PyAny>;
 
-/// An argument that may be left out.
+/// An optional argument.
 pub type Optional<'py> = Option<Object<'py>>;
 
-/// A new object of Python.
+/// A new Python object, or an exception.
 pub type New<'py> = PyResult<Object<'py>>;
 
 /// Properties: a row has the name, the type and the value.
@@ -30,7 +30,7 @@ macro_rules! properties {
     };
 }
 
-/// Objects that never change are their own copies.
+/// Immutable objects are their own copies.
 macro_rules! immutable {
     ($class:ty) => {
         #[pymethods]
@@ -46,7 +46,8 @@ macro_rules! immutable {
     };
 }
 
-/// Other constructors, whose arguments a function of Python makes a source: the signature, and the function.
+/// Alternative constructors: the signature, and the Python function that converts the arguments to
+/// a source.
 macro_rules! constructors {
     ($class:ty: $(
         $(#[doc = $doc:literal])* $name:ident($signature:literal) = $module:literal.$function:literal;
@@ -70,7 +71,8 @@ macro_rules! constructors {
     };
 }
 
-/// Methods that a function of Python with the same name computes: a row has the signature and the arguments.
+/// Methods implemented by a Python function with the same name: a row has the signature and the
+/// arguments.
 macro_rules! in_python {
     ($class:ty, $module:literal: $(
         $(#[doc = $doc:literal])* $name:ident $signature:tt [$($argument:ident),*];

@@ -21,7 +21,7 @@ pub enum Values {
     Float(Arc<Tensor<TrackedFloat>>),
 }
 
-/// Runs the same expression over each scalar.
+/// Evaluates the same expression over each scalar.
 macro_rules! each {
     ($values:expr, $tensor:ident => $body:expr) => {
         match $values {
@@ -46,10 +46,10 @@ pub fn float<S: Coefficient>(value: &S) -> Result<f64, InputError> {
         Some(float) if float.is_finite() => Ok(float),
         Some(_) => refused("is beyond the range of floats", "take exact numbers: to_numpy(object)"),
         None if value.parameters().is_empty() => {
-            refused("is no rational number", "take to_sympy(), and evalf of its expressions")
+            refused("is not a rational number", "take to_sympy(), and evalf of its expressions")
         }
         None => refused(
-            "has parameters, and is no float",
+            "has parameters, so it is not a float",
             "substitute numbers for the parameters, or take to_sympy()",
         ),
     }
@@ -66,14 +66,14 @@ pub fn write_floats<S: Coefficient>(
     Ok(())
 }
 
-/// A scalar of the tensors that Python holds.
+/// A scalar of tensors in Python.
 pub trait Held: Coefficient {
     fn wrap(tensor: Tensor<Self>) -> Values;
-    /// The tensor over this scalar, if its values exist here.
+    /// The tensor over this scalar; `None` if the values are of another type.
     fn of(values: &Values) -> Option<Arc<Tensor<Self>>>;
 }
 
-/// A tensor over another scalar; `None` if a value does not exist there.
+/// Converts a tensor to another scalar; `None` if a value does not exist there.
 fn over<S: Coefficient, T: Coefficient>(
     tensor: &Tensor<S>,
     convert: impl Fn(&S) -> Option<T>,
@@ -155,7 +155,7 @@ pub fn widest<'v>(all: impl IntoIterator<Item = &'v Values>) -> Kind {
     all.into_iter().map(Values::kind).max_by_key(rank).unwrap_or(Kind::Exact)
 }
 
-/// The tensor over a scalar, or the reason why a component is not in it.
+/// The tensor over a scalar, or an error if a component does not exist in it.
 pub fn of<S: Held>(values: &Values) -> Result<Arc<Tensor<S>>, InputError> {
     S::of(values).ok_or_else(|| {
         if values.kind() == Kind::Float {
@@ -184,8 +184,8 @@ pub fn marks(slots: &[Variance]) -> String {
     slots.iter().map(|slot| if *slot == Up { '^' } else { '_' }).collect()
 }
 
-/// Components over the narrowest scalar: `values` are texts, or floats for the scalar `float`, at `indices` of the shape
-/// (rank, count), from 0.
+/// Components over the narrowest scalar: `values` are texts, or floats for the scalar `float`, at
+/// `indices` of the shape (rank, count), from 0.
 pub fn build(
     py: Python<'_>,
     dimension: usize,

@@ -1,4 +1,4 @@
-//! Contractions of tensors, and the indices of their parts.
+//! Contractions of tensors, and indexing.
 
 use crate::class::Object;
 use crate::components::{Held, Values, each, of, widest};
@@ -40,7 +40,8 @@ impl PyTensor {
         contract_all(expression, factors.to_tuple()?, None)
     }
 
-    /// The sum over the last index of one tensor and the first of the other, one of them upper and one lower.
+    /// The sum over the last index of one tensor and the first of the other, one of which must be
+    /// upper and one lower.
     fn __matmul__(&self, py: Python<'_>, other: &PyTensor) -> PyResult<Self> {
         let (a, b) = (self.slots(), other.slots());
         let pair = (a.chars().last(), b.chars().next());
@@ -50,7 +51,7 @@ impl PyTensor {
             );
             return Err(error(py, "ShapeError", (reason,)));
         }
-        // letters: those of the first, the one that is summed, those of the second
+        // the index letters: those of the first factor, the summed one, those of the second factor
         let letters: Vec<char> = LETTERS.chars().chain('r'..='z').collect();
         let (rank, last) = (self.rank(), self.rank() + other.rank() - 1);
         if last > letters.len() {

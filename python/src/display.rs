@@ -8,10 +8,10 @@ use affinor_tensors::Tensor;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
-/// The most components that a notebook shows.
+/// The largest number of components that a notebook shows.
 const SHOWN: usize = 50;
 
-/// The most components that `str` lists.
+/// The largest number of components that `str` lists.
 const LISTED: usize = 2000;
 
 impl PyTensor {
@@ -150,7 +150,7 @@ impl PyTensor {
     pub fn _repr_latex_(&self) -> String {
         format!("$$\n{}\n$$", self.in_latex(Some(SHOWN), None))
     }
-    /// A table of the first components of a large tensor; smaller ones are LaTeX.
+    /// Shows the first components of a large tensor as a table; smaller tensors are shown in LaTeX.
     fn _repr_html_(&self) -> Option<String> {
         let more = self.nnz().checked_sub(SHOWN).filter(|more| *more > 0)?;
         let escaped = |text: &str| {
@@ -174,7 +174,7 @@ impl PyTensor {
     }
 }
 
-/// The tensor of the first components.
+/// The tensor that contains only the first components.
 fn first<S: Coefficient>(tensor: &Tensor<S>, limit: usize) -> Tensor<S> {
     if tensor.len() <= limit {
         return tensor.clone();

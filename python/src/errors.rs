@@ -1,27 +1,27 @@
-//! Errors as exceptions of `affinor.errors`, with their witness as data.
+//! Errors as exceptions of `affinor.errors`, with their witnesses as data.
 
 use affinor::Error;
 use affinor_documents::input::{InputError, Refusal};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 
-/// The exception of an error.
+/// The exception for an error.
 pub fn raise(py: Python<'_>, error: &InputError) -> PyErr {
     exception(py, error).unwrap_or_else(|failed| failed)
 }
 
-/// The exception of any error that has a message for the input.
+/// The exception for any error that converts to an input error.
 pub fn refused(py: Python<'_>, error: impl Into<InputError>) -> PyErr {
     raise(py, &error.into())
 }
 
-/// The exception of a panic.
+/// The exception for a panic.
 pub fn internal(py: Python<'_>, text: &str) -> PyErr {
     let made = py.import("affinor.errors").and_then(|errors| errors.getattr("InternalError"));
     made.and_then(|class| class.call1((text,))).map_or_else(|failed| failed, PyErr::from_value)
 }
 
-/// The exception of a limit on the time, or on the memory, that was passed in a stage.
+/// The exception for a limit on the time or on the memory that was exceeded during a stage.
 pub fn limit(py: Python<'_>, message: &str, memory: bool, stage: &str) -> PyErr {
     let made = || -> PyResult<PyErr> {
         let data = PyDict::new(py);
@@ -39,7 +39,7 @@ pub fn is_a(py: Python<'_>, error: &PyErr, class: &str) -> bool {
     class.is_ok_and(|class| error.matches(py, class).unwrap_or(false))
 }
 
-/// A wrong value or a wrong shape: what was expected, and what was found.
+/// The exception for a wrong value or a wrong shape, with the expected and the actual one.
 pub fn wrong(what: &str, expected: &str, found: &str) -> PyErr {
     pyo3::exceptions::PyValueError::new_err(format!("{what} should be {expected}, not {found}"))
 }
@@ -73,7 +73,7 @@ fn exception(py: Python<'_>, error: &InputError) -> PyResult<PyErr> {
     Ok(PyErr::from_value(made))
 }
 
-/// The witness of a refusal: names and values under the keys that the exceptions document.
+/// The witness of an error: names and values under the keys that the exceptions document.
 fn witness<'py>(py: Python<'py>, error: &Error) -> PyResult<Bound<'py, PyDict>> {
     let data = PyDict::new(py);
     match error {
@@ -103,7 +103,8 @@ fn witness<'py>(py: Python<'py>, error: &Error) -> PyResult<Bound<'py, PyDict>> 
     Ok(data)
 }
 
-/// Options of the command line as arguments of Python, `--max-step` as `max_step`, and its commands as functions.
+/// Translates options of the command line to Python arguments (`--max-step` to `max_step`), and
+/// commands to functions.
 fn in_words_of_python(text: &str) -> String {
     let mut words = String::with_capacity(text.len());
     let mut rest = text;

@@ -1,4 +1,4 @@
-//! Geometries in bulk: one algebra with a connection, and many metrics in floats.
+//! Geometries in bulk: one algebra with a connection, and many numeric metrics.
 
 use crate::arrays::{Floats, fresh};
 use crate::group::Array;
@@ -19,15 +19,16 @@ use rayon::prelude::*;
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// An algebra with a connection and a metric whose entries are inputs of recorded programs.
+/// An algebra with a connection, and a metric whose entries are inputs of recorded programs.
 #[pyclass(name = "Family", frozen, module = "affinor._engine")]
 pub struct PyFamily {
     geometry: Geometry<Recorded>,
     dimension: usize,
     parameters: Vec<String>,
-    /// The names of the inputs: the upper triangle of the metric row by row, parameters, and two vectors.
+    /// The names of the inputs: the upper triangle of the metric row by row, parameters, and two
+    /// vectors.
     inputs: Vec<String>,
-    /// The programs by the names of their quantities: at most one for each quantity.
+    /// The programs by the names of their quantities; at most one for each quantity.
     programs: Mutex<HashMap<String, Arc<Recording>>>,
 }
 
@@ -37,10 +38,10 @@ struct Recording {
     shape: Vec<usize>,
 }
 
-/// The operations below which a change of threads takes longer.
+/// The number of operations below which starting threads would take longer.
 const SHORT: usize = 200_000;
 
-/// The operations of one task.
+/// The number of operations of one task.
 const TASK: usize = 100_000;
 
 /// The name of the sectional curvature, which is not a quantity of tables.
@@ -51,7 +52,8 @@ fn triangle(n: usize) -> impl Iterator<Item = (usize, usize)> {
     (0..n).flat_map(move |i| (i..n).map(move |j| (i, j)))
 }
 
-/// The numbers of an array in C order, and the distance between rows: 0 for one row that stands for all.
+/// The numbers of an array in C order, and the distance between rows, which is 0 if there is one
+/// row for all.
 fn rows<'a>(array: &'a Floats<'_>, count: usize) -> PyResult<(&'a [f64], usize)> {
     let (numbers, shape) = (array.as_slice()?, array.shape());
     let step = if shape[0] == 1 { 0 } else { shape[1] };
@@ -68,7 +70,8 @@ enum Defect {
     Degenerate,
 }
 
-/// Checks a matrix `g` of `n` rows for numbers, symmetry and, in a metric, a determinant that is not zero to rounding.
+/// Checks a matrix `g` of `n` rows: its entries are finite, it is symmetric and, if it is a metric,
+/// its determinant is nonzero up to rounding errors.
 fn check(g: &[f64], n: usize, regular: bool) -> Result<(), Defect> {
     let not_a_number = |x: &&f64| !x.is_finite();
     if let Some(value) = g.iter().find(not_a_number) {
@@ -83,8 +86,10 @@ fn check(g: &[f64], n: usize, regular: bool) -> Result<(), Defect> {
     if regular && !is_regular(g, n) { Err(Defect::Degenerate) } else { Ok(()) }
 }
 
-/// Whether a symmetric matrix is regular: elimination with pivots in units of the basis, `g_ij/(d_i d_j)` with `d_i^2` the size
-/// of the diagonal entry or, where it is larger, `m_i^2/M` with the largest sizes in the row and in the matrix.
+/// Whether a symmetric matrix is regular, by elimination with pivots that do not depend on the
+/// units of the basis: `g_ij/(d_i d_j)`. `d_i^2` is the larger of the magnitude of the diagonal
+/// entry and `m_i^2/M`, where `m_i` is the largest magnitude in the row and `M` the largest in the
+/// matrix.
 fn is_regular(g: &[f64], n: usize) -> bool {
     let size = |row: &[f64]| row.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
     let largest = size(g);
@@ -119,7 +124,7 @@ fn is_regular(g: &[f64], n: usize) -> bool {
 }
 
 impl PyFamily {
-    /// The program of a quantity, recorded when it is first asked for.
+    /// The program of a quantity, recorded on first use.
     fn recording(&self, py: Python<'_>, key: &str) -> PyResult<Arc<Recording>> {
         let known = || self.programs.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(found) = known().get(key) {
@@ -172,7 +177,7 @@ impl PyFamily {
         Ok(self.geometry.connection().sectional_curvature(metric, &x, &y)?)
     }
 
-    /// The exception for a matrix.
+    /// The exception for an invalid matrix.
     fn refused(&self, py: Python<'_>, what: &str, at: usize, defect: &Defect) -> PyErr {
         let of = format!("{what} {at} of the batch");
         let message = match defect {
@@ -190,7 +195,8 @@ impl PyFamily {
 
 #[pymethods]
 impl PyFamily {
-    /// The family of a source whose metric has the entries of the upper triangle as parameters of these names.
+    /// The family of a source whose metric has parameters with these names as the entries of its
+    /// upper triangle.
     #[new]
     fn __new__(
         py: Python<'_>,
@@ -208,7 +214,7 @@ impl PyFamily {
         let dimension = geometry.frame().dimension();
         let mut parameters = definition.parameters();
         parameters.retain(|name| !entries.contains(name));
-        // with a space: no parameter has such a name
+        // the names contain a space, so no parameter has the same name
         let vector = |letter: &str| (1..=dimension).map(move |i| format!("{letter} {i}")).collect();
         let (x, y): (Vec<String>, Vec<String>) = (vector("x"), vector("y"));
         let inputs = [entries, parameters.clone(), x, y].concat();
@@ -231,7 +237,7 @@ impl PyFamily {
         Ok(self.recording(py, key)?.shape.clone())
     }
 
-    /// Checks matrices (count, n n): metrics, or rates of metrics.
+    /// Checks matrices (count, n n): metrics, or derivatives of metrics.
     fn check(
         &self,
         py: Python<'_>,
@@ -257,8 +263,9 @@ impl PyFamily {
         found.map_or(Ok(()), |(at, defect)| Err(self.refused(py, what, at, &defect)))
     }
 
-    /// A quantity (count, components) for metrics (count, n n), parameters (count, p) and vectors x, y (count, 2 n); its
-    /// derivative if there are rates of the metrics (count, n n). An argument of one row stands for all rows.
+    /// A quantity (count, components) for metrics (count, n n), parameters (count, p) and vectors
+    /// x, y (count, 2 n). If derivatives of the metrics (count, n n) are given, the derivative of
+    /// the quantity. An argument of one row is used for all rows.
     #[pyo3(signature = (key, count, metrics, parameters, vectors, rates=None))]
     #[allow(clippy::too_many_arguments, reason = "called by the class of Python alone")]
     fn evaluate<'py>(
@@ -295,7 +302,7 @@ impl PyFamily {
                 None => program.evaluate(&inputs, start, out, width),
                 Some(rates) => program.derivative(&inputs, rates, start, out, width),
             }
-            // a number times 0 is 0, unless it is infinite or NaN
+            // a number times 0 is 0, unless the number is infinite or NaN
             let sum = out.iter().fold(0.0, |sum, x| sum + x * 0.0);
             if sum == 0.0 {
                 return Ok(());
@@ -373,7 +380,7 @@ impl PyFamily {
 }
 
 impl PyFamily {
-    /// The columns of all inputs in the arrays of metrics, parameters and vectors.
+    /// The columns of all inputs, as views of the arrays of metrics, parameters and vectors.
     fn columns<'a>(
         &self,
         [metrics, parameters, vectors]: [&'a [f64]; 3],

@@ -1,4 +1,4 @@
-//! Geometries over the three scalars, which algebras and geometries of Python hold.
+//! Geometries over the three scalars, which Python algebras and geometries contain.
 
 use crate::components::{Held, Values, text};
 use crate::run::run;
@@ -19,7 +19,7 @@ pub enum Geometries {
     Float(Geometry<TrackedFloat>),
 }
 
-/// Runs the same expression over each scalar.
+/// Evaluates the same expression over each scalar.
 macro_rules! each {
     ($values:expr, $geometry:ident => $body:expr) => {
         match $values {
@@ -32,7 +32,7 @@ macro_rules! each {
 
 pub(crate) use each;
 
-/// A scalar of the geometries that Python holds.
+/// A scalar of geometries in Python.
 pub trait Grounded: Held {
     fn geometry(geometry: Geometry<Self>) -> Geometries;
 }
@@ -70,12 +70,13 @@ impl Geometries {
         })
     }
 
-    /// The brackets of the algebra as text, one a line; none if the frame has none.
+    /// The brackets of the algebra as text, one per line; `None` if the frame is not that of an
+    /// algebra.
     pub fn brackets(&self) -> Option<String> {
         each!(self, geometry => geometry.algebra().map(|algebra| algebra.to_string()))
     }
 
-    /// A quantity; none where it does not apply.
+    /// A quantity; `None` if it does not apply.
     pub fn quantity(
         &self,
         py: Python<'_>,
@@ -93,7 +94,7 @@ impl Geometries {
         found.map(|values| PyTensor::new(py, values, symbols.bind(py), names())).transpose()
     }
 
-    /// A quantity; an error where it does not apply.
+    /// A quantity; an error if it does not apply.
     pub fn tensor(
         &self,
         py: Python<'_>,
@@ -137,7 +138,7 @@ pub fn symbolic(
     }
 }
 
-/// The refusal of an exact computation over floats.
+/// The error for an exact computation over floats.
 pub fn in_floats(what: &str) -> InputError {
     let error = InputError::usage(format!("{what} is exact, and the values here are floats"));
     error.help("give exact numbers (int, Fraction, SymPy or texts) and leave out scalar='float'")

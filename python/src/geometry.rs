@@ -1,4 +1,4 @@
-//! Geometries: a frame with a connection and perhaps a metric, over the three scalars.
+//! Geometries: a frame with a connection and optionally a metric, over the three scalars.
 
 use crate::algebra::PyAlgebra;
 use crate::class::{New, Object, Optional, constructors, immutable, in_python, properties};
@@ -72,7 +72,7 @@ pub fn quantity(key: &str) -> PyResult<Quantity> {
     })
 }
 
-/// A property that holds, with its value, or the witness of its failure.
+/// The result of testing a property: whether it holds, its value, and the witness of its failure.
 type Tested = (bool, Option<String>, Option<String>);
 
 fn tested<S: Coefficient, T>(
@@ -464,7 +464,7 @@ impl PyGeometry {
     }
 }
 
-/// The function of Python that makes a pickled geometry, and its arguments.
+/// The Python function that restores a pickled geometry, and its arguments.
 type Reduced<'py> = (Object<'py>, (Bound<'py, PyType>, Py<PySource>, Bound<'py, PyDict>, String));
 
 in_python! { PyGeometry, "geometry":
@@ -487,7 +487,7 @@ in_python! { PyGeometry, "geometry":
 }
 
 impl PyGeometry {
-    /// A number of the geometry, from its text.
+    /// A number of the geometry, parsed from its text.
     fn number<'py>(&self, py: Python<'py>, text: &str) -> New<'py> {
         number(text, self.symbols.bind(py), self.scalar() == "float")
     }

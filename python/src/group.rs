@@ -46,11 +46,11 @@ impl Deref for RowShape {
 pub struct Action {
     /// The size of the matrices.
     pub size: usize,
-    /// Whether the last row of all matrices is 0, .., 0, 1.
+    /// Whether the last row of all matrices is 0, ..., 0, 1.
     pub is_affine: bool,
 }
 
-/// The most numbers of a result that is computed on the stack.
+/// The largest size of a result that is computed on the stack.
 const FEW: usize = 64;
 
 /// Lie group whose elements are rows of arrays.
@@ -81,22 +81,23 @@ pub struct PyGroup {
     name: String,
     group: AnyGroup,
     made: MadeOf,
-    /// For each coordinate of Python its index in the library, where quaternions end with w.
+    /// The index in the library of each coordinate of Python; quaternions of the library end with
+    /// w.
     order: Vec<usize>,
     dimension: usize,
     shape: (usize, usize),
     closed: Closed,
-    /// The action on points, if there is one; known when it is first asked for.
+    /// The action on points, if there is one; determined on first use.
     action: OnceLock<Option<Action>>,
 }
 
-/// The name or the source from which a group is made.
+/// The name or the source from which a group was created.
 enum MadeOf {
     Name(String),
     Source(Py<PySource>),
 }
 
-/// The order of the coordinates of Python in those of the library.
+/// For each coordinate of Python, its index in the library.
 fn order(group: &AnyGroup) -> Vec<usize> {
     if let Some(Product(first, second)) = group.downcast_ref::<Product<AnyGroup, AnyGroup>>() {
         let mut all = order(first);
@@ -136,7 +137,7 @@ impl PyGroup {
         Ok(PyGroup::new(space.definition.name.clone(), group, MadeOf::Source(source)))
     }
 
-    /// The arguments that equal groups have in common.
+    /// The arguments that determine equality of groups.
     fn arguments(&self) -> Arguments {
         match &self.made {
             MadeOf::Name(name) => Arguments::named(name),
@@ -161,7 +162,8 @@ impl PyGroup {
         }
     }
 
-    /// The action on points: of square matrices, but not of a vector of one number, whose identity is 0.
+    /// The action on points, for groups of square matrices. A vector with a single number, whose
+    /// identity is 0, has no action.
     pub fn action(&self) -> Option<Action> {
         *self.action.get_or_init(|| {
             let (rows, columns) = self.shape;
@@ -208,7 +210,7 @@ impl PyGroup {
             run_here(py, || ground.operate(operation, rows, numbers, width))?;
             return arrays::array(py, &whole, &row, numbers);
         }
-        // too large a result is an error before an argument is copied
+        // allocated first, so that too large a result is an error before an argument is copied
         let out = fresh(py, &whole, &row)?;
         {
             let (a, b) = rows();
@@ -334,7 +336,7 @@ impl PyGroup {
         format!("<Group {name}, dimension {n}, {count} coordinates>")
     }
 
-    /// Whether both are made of the same name or definition.
+    /// Whether both groups are created from the same name or definition.
     fn __eq__(&self, other: &PyGroup) -> bool {
         self.arguments() == other.arguments()
     }
@@ -354,7 +356,7 @@ impl PyGroup {
     }
 }
 
-/// The argument of the constructor.
+/// The arguments of the constructor.
 type Argument<'py> = (Object<'py>,);
 
 impl PyGroup {
@@ -378,7 +380,7 @@ impl PyGroup {
         write_element(&self.group, &self.order, g, row);
     }
 
-    /// Elements of an array with some axes, which are checked; their quaternions get the length 1.
+    /// The elements of an array with some axes, after checking; quaternions are normalized.
     pub fn checked(
         &self,
         what: &str,

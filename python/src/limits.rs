@@ -1,4 +1,4 @@
-//! The watch over a computation: signals of Python, and limits on its time and memory.
+//! Monitoring of a computation: Python signals, and limits on its time and memory.
 
 use crate::errors;
 use crate::values::python;
@@ -9,15 +9,15 @@ use pyo3::sync::PyOnceLock;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
-/// The time between two looks.
+/// The polling interval.
 const OFTEN: Duration = Duration::from_millis(20);
 
-/// Limits that hold at the same time: the innermost block first.
+/// Limits that apply at the same time, the innermost block first.
 #[pyclass(name = "Budget", frozen, module = "affinor._engine")]
 #[derive(Clone)]
 pub struct PyBudget(Vec<Budget>);
 
-/// Whether this process ever made limits: the variable of the context need not be read before.
+/// Whether this process has ever used limits; if not, the context variable is not read.
 static USED: AtomicBool = AtomicBool::new(false);
 
 #[pymethods]
@@ -42,7 +42,7 @@ impl PyBudget {
 }
 
 impl PyBudget {
-    /// The limits of the current context of Python.
+    /// The limits in the current context of Python.
     fn current(py: Python<'_>) -> PyResult<Self> {
         static VARIABLE: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
         if !USED.load(Ordering::Relaxed) {
@@ -55,31 +55,31 @@ impl PyBudget {
         Ok(found.map_or_else(|| PyBudget(vec![]), |found| found.get().clone()))
     }
 
-    /// The limit that is passed, if any.
+    /// The exceeded limit, if any.
     fn exceeded(&self) -> Option<Passed> {
         self.0.iter().find_map(|budget| Some(Passed { reason: budget.exceeded()?, of: *budget }))
     }
 }
 
-/// A limit that is passed.
+/// An exceeded limit.
 struct Passed {
     reason: StopReason,
     of: Budget,
 }
 
 impl Passed {
-    /// The exception of a computation in this stage.
+    /// The exception for a computation in this stage.
     fn raise(&self, py: Python<'_>, stage: &str) -> PyErr {
         let message = self.of.message(self.reason, stage);
         errors::limit(py, &message, self.reason == StopReason::Memory, stage)
     }
 }
 
-/// The watch over one computation.
+/// The monitor of a computation.
 pub struct Watch {
     token: StopToken,
     budget: PyBudget,
-    /// The exception of a signal.
+    /// The exception that a signal raised.
     raised: Option<PyErr>,
     passed: Option<Passed>,
 }
@@ -88,7 +88,7 @@ impl Watch {
     /// Begins the watch.
     ///
     /// # Errors
-    /// A limit that is passed already.
+    /// An error if a limit is already exceeded.
     pub fn begin(py: Python<'_>) -> PyResult<Self> {
         let budget = PyBudget::current(py)?;
         match budget.exceeded() {
@@ -102,13 +102,13 @@ impl Watch {
         self.token.clone()
     }
 
-    /// The time until the next look.
+    /// The time until the next poll.
     pub fn pause(&self) -> Duration {
         let rests = self.budget.0.iter().filter_map(Budget::rest);
         rests.filter(|rest| !rest.is_zero()).fold(OFTEN, Duration::min)
     }
 
-    /// Looks for signals and limits, and stops the computation if there is one.
+    /// Polls for signals and limits, and stops the computation if there is one.
     pub fn look(&mut self) {
         if self.raised.is_none()
             && let Err(error) = Python::attach(|py| py.check_signals())

@@ -1,4 +1,4 @@
-//! Problems of motion, and their integration in short pieces between which Python can interrupt.
+//! Problems of motion, and their integration in short pieces, between which Python can interrupt.
 
 use crate::arrays::{Input, batch};
 use crate::class::properties;
@@ -19,15 +19,15 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-/// The time between two looks for a signal.
+/// The time between two polls for a signal.
 const PIECE: Duration = Duration::from_millis(20);
 
-/// A problem of motion, and whether functions of Python are among its forces.
+/// A problem of motion; the flag tells whether Python functions are among its forces.
 #[pyclass(name = "Problem", frozen, subclass, module = "affinor._engine")]
 pub struct PyProblem(Problem, bool);
 
 thread_local! {
-    /// The exception of a force, in the thread that integrates.
+    /// The exception that a force raised, in the integrating thread.
     static RAISED: RefCell<Option<PyErr>> = const { RefCell::new(None) };
 }
 
@@ -36,9 +36,9 @@ fn raised() -> Option<PyErr> {
     RAISED.with_borrow_mut(Option::take)
 }
 
-/// The reason why a run has no further rows.
+/// The reason why a run ended early.
 enum Failed {
-    /// A refusal of the engine.
+    /// An error of the engine.
     Refused(InputError),
     /// An exception of a force.
     Raised(PyErr),
@@ -53,7 +53,8 @@ impl From<Failed> for PyErr {
     }
 }
 
-/// The result of a step; the exception of a force goes before what the engine says of a force that is not a number.
+/// The result of a step. An exception of a force takes precedence over the engine's error about a
+/// force that is not a number.
 fn checked<T>(result: Result<T, impl Into<InputError>>) -> Result<T, Failed> {
     match raised() {
         Some(error) => Err(Failed::Raised(error)),
@@ -61,7 +62,7 @@ fn checked<T>(result: Result<T, impl Into<InputError>>) -> Result<T, Failed> {
     }
 }
 
-/// The force that a function of Python computes: `force(t, g, omega)`, with the element as a matrix.
+/// The force computed by a Python function `force(t, g, omega)`, where the element is a matrix.
 fn force(function: Py<PyAny>) -> ForceFunction {
     ForceFunction::new(move |t, g, omega| {
         Python::attach(|py| {
@@ -101,7 +102,7 @@ struct Piece {
 }
 
 impl Piece {
-    /// Walks until the end of the motion or of the piece.
+    /// Integrates until the end of the motion or of the piece.
     fn integrate(
         &mut self,
         integration: &mut Integration,
@@ -123,7 +124,7 @@ impl Piece {
     }
 }
 
-/// The columns, the last rows, and the errors of runs that failed: exceptions of forces, or messages.
+/// The columns, the last rows, and the errors of failed runs: exceptions of forces, or messages.
 type Many<'py> = (Vec<String>, Bound<'py, PyArray2<f64>>, Vec<Option<Py<PyAny>>>);
 
 fn table<'py>(
@@ -146,7 +147,8 @@ properties! { PyProblem, own:
 
 #[pymethods]
 impl PyProblem {
-    /// A problem from a file, or from a text with a name for messages; options replace keys of the file.
+    /// A problem from a file, or from a text with a name for messages; options override keys of the
+    /// file.
     #[new]
     #[allow(clippy::too_many_arguments, reason = "keyword arguments of Python")]
     #[pyo3(signature = (path=None, text=None, set=None, method=None, step=None, tolerance=None, end=None, every=None, body=None, spatial=None))]
@@ -215,8 +217,8 @@ impl PyProblem {
         format!("<Problem {}{members}>", self.0.name)
     }
 
-    /// Integrates a member. `progress` is called with the share of the time that is passed. An interrupt, or an error of
-    /// the integration, ends the run and keeps its rows.
+    /// Integrates a member. `progress` is called with the fraction of the time that has passed. An
+    /// interrupt, or an error of the integration, ends the run but preserves its rows.
     #[pyo3(signature = (member=0, progress=None))]
     fn _run<'py>(
         &self,
@@ -225,7 +227,7 @@ impl PyProblem {
         progress: Option<Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyDict>> {
         let problem = &self.0;
-        // a thread that waits in a function of Python takes no other work
+        // a thread that waits in a Python function must not start other work
         let threads = if self.1 { Threads::apart(py, 1)? } else { Threads::shared(py)? };
         let ready = threads.run(py, || Ok(checked(problem.motion(member))))??;
         let names: Vec<String> = ready.columns.iter().map(|column| column.name.clone()).collect();
@@ -233,7 +235,7 @@ impl PyProblem {
         let conserved: Vec<bool> = ready.columns.iter().map(|column| column.conserved).collect();
         let (method, why) = (ready.method.name(), ready.method.why());
         let notes = ready.notes.clone();
-        // values of events at the start may call forces
+        // computing the values of events at the start may call forces
         let mut integration =
             threads.run(py, || Ok(checked(Ok::<_, InputError>(problem.integrate(ready)))))??;
         let (mut rows, mut events) = (Vec::new(), Vec::new());
@@ -248,10 +250,10 @@ impl PyProblem {
             events.extend(piece.events);
             match piece.failed.map(PyErr::from) {
                 Some(error) if error.is_instance_of::<PyException>(py) => failed = Some(error),
-                // such as KeyboardInterrupt
+                // an exception such as KeyboardInterrupt
                 error => interrupt = error,
             }
-            // a step that took long was stopped in its middle
+            // a step that took long was stopped before it was complete
             match stopped {
                 Err(error) if is_a(py, &error, "InternalError") => return Err(error),
                 Err(error) if is_a(py, &error, "LimitError") => {
@@ -306,13 +308,14 @@ impl PyProblem {
         Ok((names, table(py, rows.concat(), width)?))
     }
 
-    /// The same problem with rows at these times, after that of the initial time.
+    /// The same problem with rows at the initial time and at these times.
     fn _at_times(&self, times: Vec<f64>) -> Self {
         PyProblem(self.0.at_times(&times), self.1)
     }
 
-    /// Integrates the problem once for each row of values of parameters, on all threads: the columns, the last row of each
-    /// run, and its error if it failed. An interrupt ends all runs.
+    /// Integrates the problem once for each row of parameter values, on all threads. Returns the
+    /// columns, the last row of each run, and the errors of failed runs. An interrupt ends all
+    /// runs.
     fn _run_many<'py>(
         &self,
         py: Python<'py>,
@@ -340,7 +343,8 @@ impl PyProblem {
             let last = found.split_off(found.len().saturating_sub(columns.len()));
             failed.map_or(Ok((columns, last)), Err)
         };
-        // rows are no tasks of a pool: a thread that waits in a force would begin another one
+        // the rows are not tasks of a pool, because a thread that waits in a force would begin
+        // another task
         let (next, found) = (AtomicUsize::new(0), Mutex::new(vec![]));
         let work = || {
             loop {

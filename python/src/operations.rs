@@ -1,4 +1,4 @@
-//! The methods of groups that take and give arrays of rows.
+//! The methods of groups on arrays of rows.
 
 use crate::arrays::{self, Input};
 use crate::class::in_python;
@@ -457,7 +457,7 @@ impl PyGroup {
     fn act<'py>(&self, py: Python<'py>, g: Input<'py>, points: Input<'py>) -> PyResult<Array<'py>> {
         let Some(Action { size, is_affine }) = self.action() else {
             let name = self.name();
-            let reason = format!("the elements of {name} are no matrices that act on points");
+            let reason = format!("the elements of {name} are not matrices that act on points");
             return Err(PyValueError::new_err(reason));
         };
         let shape = points.shape();

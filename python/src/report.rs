@@ -5,7 +5,7 @@ use affinor_documents::report::{Format, Report};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
-/// The format of a name.
+/// The format with a name.
 pub fn format(name: &str) -> PyResult<Format> {
     Format::from_name(name).ok_or_else(|| {
         let names: Vec<&str> = Format::ALL.iter().map(|format| format.name()).collect();

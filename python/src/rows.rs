@@ -1,4 +1,5 @@
-//! Operations of groups on rows: kernels of rotations and rigid motions, and any group row by row.
+//! Group operations on rows: by kernels for rotations and rigid motions, and row by row for any
+//! group.
 
 use crate::arrays::Rows;
 use affinor::Error;
@@ -50,20 +51,22 @@ pub enum Closed {
     Other,
 }
 
-/// A group, its kernels, and for each coordinate of Python its index in the library, where quaternions end with w.
+/// A group, its kernels, and the index in the library of each coordinate of Python; quaternions of
+/// the library end with w.
 pub struct Ground<'g> {
     pub group: &'g AnyGroup,
     pub closed: Closed,
     pub order: &'g [usize],
 }
 
-/// The most rows that one thread handles without others.
+/// The largest number of rows that one thread processes alone.
 pub const ALONE: usize = 512;
 
-/// The numbers of a result that one task of a kernel computes, in some tens of microseconds.
+/// The number of numbers in the result of one task of a kernel, which takes some tens of
+/// microseconds.
 const CHUNK: usize = 1 << 16;
 
-/// Runs the same expression with the group in its own type, where that is known.
+/// Evaluates the same expression with the static type of the group, if it is known.
 macro_rules! with_group {
     ($any:expr, $group:ident => $body:expr; $($G:ty),*) => {
         $(if let Some($group) = $any.downcast_ref::<$G>() { $body } else)* {
@@ -73,7 +76,7 @@ macro_rules! with_group {
     };
 }
 
-/// The element with coordinates in the order of Python.
+/// The element for coordinates in the order of Python.
 #[inline]
 pub fn element<G: Embedded>(group: &G, order: &[usize], row: &[f64]) -> G::Element {
     let mut sorted = [0.0; 16];
@@ -96,7 +99,7 @@ fn write_coordinates(order: &[usize], numbers: &[f64], out: &mut [f64]) {
     order.iter().zip(out).for_each(|(at, value)| *value = numbers[*at]);
 }
 
-/// Writes the columns of a matrix row by row.
+/// Writes the columns of a matrix in row-major order.
 fn write_columns<V: Coordinates>(
     n: usize,
     out: &mut [f64],
@@ -111,7 +114,7 @@ fn write_columns<V: Coordinates>(
     Ok(())
 }
 
-/// One operation on one row of each argument.
+/// Applies an operation to one row of each argument.
 #[inline]
 fn apply<G: MatrixNotation>(
     group: &G,
@@ -130,7 +133,7 @@ fn apply<G: MatrixNotation>(
         Operation::Between => Err(group.between(&element(a), &element(b))),
         Operation::Restore => {
             let g = group.project(element(a));
-            // zero and NaN have no inverse
+            // zero and NaN have no inverse, so this test fails for them
             let one = group.compose(&g, &group.inverse(&g));
             let off = group.write(&one) - group.write(&group.identity());
             if !off.iter().all(|entry| entry.abs() < 0.5) {
@@ -155,7 +158,7 @@ fn apply<G: MatrixNotation>(
             group.entries(&element(a), &mut entries);
             let rows = entries.len().isqrt();
             for (i, value) in out.iter_mut().enumerate() {
-                // points of affine maps have a last coordinate 1
+                // for affine maps, the last coordinate of points is 1
                 let rest = if b.len() < rows { entries[rows * b.len() + i] } else { 0.0 };
                 let terms = b.iter().enumerate().map(|(k, x)| entries[rows * k + i] * x);
                 *value = terms.sum::<f64>() + rest;
@@ -200,14 +203,14 @@ fn apply<G: MatrixNotation>(
     Ok(())
 }
 
-/// The error of an element of a batch.
+/// The error for an element of a batch.
 fn named(at: usize, error: Error) -> InputError {
     let error = InputError::from(error);
     let message = format!("element {at} of the batch: {}", error.message);
     InputError { message, ..error }
 }
 
-/// One operation on all rows.
+/// Applies an operation to all rows.
 fn apply_all<G: MatrixNotation + Sync>(
     group: &G,
     order: &[usize],
@@ -237,7 +240,7 @@ fn apply_all<G: MatrixNotation + Sync>(
     out.par_chunks_mut(ALONE * width).enumerate().try_for_each(task)
 }
 
-/// Whether rows of a width take a kernel less time than a change of threads is worth.
+/// Whether a kernel takes less time for rows of this width than starting threads would.
 fn is_short(count: usize, width: usize) -> bool {
     count.saturating_mul(width) <= 8 * CHUNK
 }
@@ -250,7 +253,7 @@ fn operand<'r, const N: usize>(rows: &'r Rows<'_>) -> Operand<'r, N> {
     }
 }
 
-/// A kernel on all rows.
+/// Applies a kernel to all rows.
 fn each<const A: usize, const B: usize, const O: usize>(
     kernel: &(impl Kernel<A, B, O> + Sync),
     [a, b]: [&Rows<'_>; 2],
@@ -268,7 +271,8 @@ fn each<const A: usize, const B: usize, const O: usize>(
     })
 }
 
-/// An operation by its kernel; `None` if there is none, or if the rows have to be taken one by one.
+/// Applies an operation by its kernel; `None` if there is no kernel, or if the rows must be
+/// processed one by one.
 fn by_kernel(
     closed: Closed,
     operation: Operation,
@@ -292,7 +296,7 @@ fn by_kernel(
         (Closed::Se3, Operation::Compose) => each(&MotionProduct, rows, out),
         (Closed::Se3, Operation::Inverse) => each(&InverseMotion, rows, out),
         (Closed::Se3, Operation::Matrix) => each(&MotionMatrix, rows, out),
-        // points of three coordinates, and not of four
+        // points with three coordinates, not with four
         (Closed::Se3, Operation::Act) if rows[1].width() == 3 => each(&MovedPoint, rows, out),
         (Closed::Se3, Operation::AdjointMatrix) => each(&MotionAdjoint, rows, out),
         (Closed::Se3, Operation::Read) => each(&MotionOfMatrix(true), rows, out),
@@ -304,7 +308,7 @@ fn by_kernel(
 }
 
 impl Ground<'_> {
-    /// An operation on all rows, in the threads of the caller.
+    /// Applies an operation to all rows, in the threads of the caller.
     pub fn operate(
         &self,
         operation: Operation,
@@ -321,7 +325,7 @@ impl Ground<'_> {
             So3, Se3, Se2, Se23, Sl2, So2)
     }
 
-    /// Whether rows are so few that the thread of the caller computes them alone.
+    /// Whether there are so few rows that the thread of the caller processes them alone.
     pub fn is_alone(&self, count: usize, width: usize) -> bool {
         match self.closed {
             Closed::Other => count <= ALONE,
@@ -330,7 +334,7 @@ impl Ground<'_> {
     }
 }
 
-/// Rotations by rows in a batch; `false` if the rows have to be taken one by one.
+/// Processes rotations in a batch; `false` if the rows must be processed one by one.
 fn rotations(operation: Operation, [a, b]: [&Rows<'_>; 2], out: &mut [f64]) -> bool {
     let Some(rows) = a.all() else { return false };
     match operation {
@@ -346,7 +350,8 @@ fn rotations(operation: Operation, [a, b]: [&Rows<'_>; 2], out: &mut [f64]) -> b
         }
         Operation::Log => {
             let (g, x) = (rows.as_chunks::<4>().0, out.as_chunks_mut::<3>().0);
-            // a batch with an element that has no logarithm is refused row by row
+            // if an element of a batch has no logarithm, the rows are processed one by one to
+            // report it
             if is_short(x.len(), 3) {
                 return batch::log_rows(g, x);
             }

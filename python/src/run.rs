@@ -1,4 +1,5 @@
-//! The one door to computations: without the interpreter lock, in a pool of this process, and without panics.
+//! The only entry point to computations: without the interpreter lock, in a thread pool of this
+//! process, and without panics.
 
 use crate::errors;
 use crate::limits::Watch;
@@ -13,13 +14,14 @@ use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::{Arc, Mutex, PoisonError, mpsc};
 
-/// The threads of a process. A pool does not survive `fork`: a child makes its own.
+/// The thread pool of a process. A pool does not survive `fork`, so a child process creates its
+/// own.
 struct Pool {
     process: u32,
     threads: Arc<ThreadPool>,
 }
 
-/// The pool, and the number of threads that was asked for; 0 for all cores.
+/// The pool, and the requested number of threads; 0 means all cores.
 static POOL: Mutex<(Option<Pool>, usize)> = Mutex::new((None, 0));
 
 fn pool() -> Result<Arc<ThreadPool>, InputError> {
@@ -28,10 +30,12 @@ fn pool() -> Result<Arc<ThreadPool>, InputError> {
     if let Some(pool) = state.0.as_ref().filter(|pool| pool.process == process) {
         return Ok(pool.threads.clone());
     }
-    // the threads of a parent do not exist here, so that its pool can only be forgotten
+    // the threads of the parent process do not exist here, so its pool must be forgotten without
+    // being dropped
     std::mem::forget(state.0.take());
     let threads = ThreadPoolBuilder::new().num_threads(state.1).build();
-    let threads = threads.map_err(|error| InputError::usage(format!("no threads: {error}")))?;
+    let threads =
+        threads.map_err(|error| InputError::usage(format!("cannot start the threads: {error}")))?;
     let threads = Arc::new(threads);
     state.0 = Some(Pool { process, threads: threads.clone() });
     Ok(threads)
@@ -46,11 +50,12 @@ impl Threads {
         pool().map(Threads).map_err(|error| errors::raise(py, &error))
     }
 
-    /// Threads of one computation, as many as it has parts but not more than are set: no other one runs on them.
+    /// Separate threads for one computation: as many as it has parts, but at most the number that
+    /// is set.
     pub fn apart(py: Python<'_>, parts: usize) -> PyResult<Self> {
         let count = Self::shared(py)?.0.current_num_threads().min(parts).max(1);
         let threads = ThreadPoolBuilder::new().num_threads(count).build();
-        let failed = |error| InputError::usage(format!("no threads: {error}"));
+        let failed = |error| InputError::usage(format!("cannot start the threads: {error}"));
         let threads = threads.map_err(|error| errors::raise(py, &failed(error)))?;
         Ok(Threads(threads.into()))
     }
@@ -62,7 +67,7 @@ impl Threads {
         work: impl FnOnce() -> Result<T, InputError> + Send,
     ) -> PyResult<T> {
         if StopToken::current().is_some() {
-            // a function that a computation calls: the watch over that computation is enough
+            // this function is called within a computation, whose monitor is sufficient
             let limits = Limits::current();
             let work = || limits.run(|| self.0.install(|| limits.run(work)));
             return finish(py, py.detach(|| catch_unwind(AssertUnwindSafe(work))));
@@ -73,7 +78,7 @@ impl Threads {
             self.0.in_place_scope(|scope| {
                 scope.spawn(move |_| {
                     let done = catch_unwind(AssertUnwindSafe(|| token.run(work)));
-                    // the receiver waits for it
+                    // sending cannot fail, because the receiver waits
                     let _ = end.send(done);
                 });
                 loop {
@@ -108,7 +113,7 @@ pub fn run<T: Send>(
     Threads::shared(py)?.run(py, work)
 }
 
-/// Runs a computation that is shorter than a change of threads.
+/// Runs a computation in this thread, because it is shorter than starting threads.
 pub fn run_here<T>(py: Python<'_>, work: impl FnOnce() -> Result<T, InputError>) -> PyResult<T> {
     finish(py, catch_unwind(AssertUnwindSafe(work)))
 }
@@ -119,7 +124,7 @@ fn finish<T>(
 ) -> PyResult<T> {
     match done {
         Ok(result) => result.map_err(|error| errors::raise(py, &error)),
-        // of a computation around this one
+        // the enclosing computation was stopped
         Err(panic) if panic.is::<Stopped>() => Err(PyKeyboardInterrupt::new_err(())),
         Err(panic) => {
             let text = panic.downcast_ref::<&str>().map(|text| (*text).to_string());
@@ -160,7 +165,7 @@ pub fn set_threads(count: &Bound<'_, PyAny>) -> PyResult<()> {
     Ok(())
 }
 
-/// The most threads of a process.
+/// The largest number of threads of a process.
 const MOST_THREADS: usize = 1024;
 
 /// Number of threads of computations in this process.
@@ -192,7 +197,7 @@ pub fn clear_caches(py: Python<'_>) -> PyResult<()> {
     Threads::shared(py)?.each(py, &scalar::clear_caches)
 }
 
-/// Panics inside of the door; the tests show that Python gets an exception.
+/// Panics inside a computation, so that tests can check that Python gets an exception.
 #[pyfunction]
 pub fn _panic(py: Python<'_>) -> PyResult<()> {
     run(py, || -> Result<(), InputError> { panic!("a panic for the tests") })

@@ -19,7 +19,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyType};
 use std::collections::BTreeMap;
 
-/// The arguments of the command line for a space, as a dict of Python.
+/// The arguments that define a space, as a Python dict.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Hash, FromPyObject, IntoPyObject)]
 pub struct Arguments {
     #[pyo3(item)]
@@ -34,7 +34,7 @@ pub struct Arguments {
     connection: Option<String>,
     #[pyo3(item, default)]
     metric: Option<String>,
-    /// Values of parameters and functions, by the text before the equality sign.
+    /// Values of parameters and functions, by the text before the equals sign.
     #[pyo3(item, default)]
     values: Vec<(String, String)>,
     /// The contents of the files that were read, by their paths.
@@ -59,18 +59,18 @@ pub struct PySource {
     pub tolerance: Option<f64>,
 }
 
-/// The connection of a geometry beside that of its definition.
+/// A connection of a geometry that is given by tensors.
 #[derive(Clone, Copy)]
 pub enum Given<'t> {
     Definition,
-    /// The zero connection without a metric: for questions about the algebra alone.
+    /// The zero connection without a metric, for questions about the algebra alone.
     None,
     Affinities(&'t Values),
     /// Torsion and nonmetricity.
     TorsionAndNonmetricity(Option<&'t Values>, Option<&'t Values>),
 }
 
-/// The tensor over another scalar.
+/// Converts a tensor to another scalar.
 fn read<S: Coefficient>(values: &Values, tolerance: Tolerance) -> Result<Tensor<S>, InputError> {
     fn convert<S: Coefficient, T: Scalar>(
         tensor: &Tensor<T>,
@@ -80,7 +80,7 @@ fn read<S: Coefficient>(values: &Values, tolerance: Tolerance) -> Result<Tensor<
         let mut components = Vec::new();
         for (at, value) in tensor.components() {
             let converted = exact(value).and_then(|value| S::from_symbolic(&value));
-            let refused = || InputError::usage(format!("{value} is no value of this scalar"));
+            let refused = || InputError::usage(format!("{value} is not a value of this scalar"));
             components.push((at, converted.ok_or_else(refused)?));
         }
         let tensor = Tensor::from_components(tensor.dimension(), tensor.slots(), components)?;
@@ -169,7 +169,7 @@ impl PySource {
         run(py, || Space::open(&request))
     }
 
-    /// The space that the arguments describe; its files are read once.
+    /// The space that the arguments define; its files are read once.
     pub fn space(&self, py: Python<'_>) -> PyResult<Space> {
         self.open(py, self.arguments.clone())
     }
@@ -184,7 +184,7 @@ impl PySource {
         let (choice, tolerance) = (self.scalar, self.tolerance()?);
         run(py, || {
             let kind = match choice {
-                // parameters of a tensor that the definition does not have
+                // the tensor has parameters that the definition does not have
                 ScalarChoice::Exact if given.has_parameters() => Kind::Symbolic,
                 _ => space.kind(choice)?,
             };
@@ -197,7 +197,8 @@ impl PySource {
         PySource { arguments, files, symbols, scalar: self.scalar, tolerance: self.tolerance }
     }
 
-    /// The source without the connection and the metric, with values of the parameters that remain.
+    /// The source without the connection and the metric, and with the values of the remaining
+    /// parameters.
     pub fn of_algebra(&self, py: Python<'_>) -> PyResult<Self> {
         let all = self.arguments.clone();
         let alone = Arguments { connection: None, metric: None, values: vec![], ..all.clone() };
@@ -206,19 +207,19 @@ impl PySource {
         Ok(self.with(py, Arguments { values, ..alone }))
     }
 
-    /// The name of a space, if the source is that of an algebra of the catalogue, or a sum of them, alone.
+    /// The name of a space, if the source consists only of a catalogue name or a sum of names.
     pub fn plain_name(&self, space: &Space) -> Option<&str> {
         let name = self.arguments.space.as_deref()?;
         let alone = Arguments { space: None, ..self.arguments() } == Arguments::default();
         (alone && space.definition.is_of_catalogue() && !name.contains('@')).then_some(name)
     }
 
-    /// The source of another name.
+    /// The same source with another name.
     pub fn renamed(&self, py: Python<'_>, name: String) -> Self {
         self.with(py, Arguments { space: Some(name), ..self.arguments.clone() })
     }
 
-    /// The checks of the certificate, as objects of Python.
+    /// The checks of the certificate, as Python objects.
     pub fn checks<'py>(&self, py: Python<'py>) -> PyResult<Vec<Object<'py>>> {
         let (choice, tolerance, space) = (self.scalar, self.tolerance()?, self.space(py)?);
         let checks = run(py, || {
@@ -282,7 +283,7 @@ impl PySource {
         self.tolerance
     }
 
-    /// The parameters and the coordinates; with values of parameters if they are `settled`.
+    /// The parameters and the coordinates; if `settled`, including parameters that have values.
     fn names(&self, py: Python<'_>, settled: bool) -> PyResult<(Vec<String>, Vec<String>)> {
         let mut arguments = self.arguments.clone();
         arguments.values.retain(|_| settled);
@@ -290,7 +291,7 @@ impl PySource {
         Ok((definition.parameters(), definition.coordinates().to_vec()))
     }
 
-    /// The source with further values of parameters, by name or by symbol.
+    /// The source with additional values of parameters, by name or by symbol.
     pub fn subs(slf: &Bound<'_, Self>, values: &Object<'_>) -> PyResult<Self> {
         let settings = python(slf.py(), "_source", "settings")?.call1((values, slf))?;
         let (values, symbols) = settings.extract()?;
@@ -311,7 +312,7 @@ impl PySource {
     }
 }
 
-/// The arguments of the constructor of a source.
+/// The state of a pickled source.
 type Stored = (Arguments, Py<PyDict>, &'static str, Option<f64>);
 
 impl PyTensor {

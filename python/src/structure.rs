@@ -140,7 +140,7 @@ impl PyAlgebra {
         })
     }
 
-    /// An entry of the report; None where a key before it is None.
+    /// An entry of the report; None if a key on the way to it is None.
     fn answer<'py>(slf: &Bound<'py, Self>, keys: &[&str]) -> New<'py> {
         let mut found = Self::answers(slf)?.1.bind(slf.py()).clone();
         for key in keys {

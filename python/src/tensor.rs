@@ -28,7 +28,7 @@ pub struct Names {
 }
 
 impl Names {
-    /// A symbol alone.
+    /// Names with a symbol only.
     pub fn of(symbol: &str) -> Self {
         Names { symbol: symbol.into(), latex: symbol.into(), title: None, letters: None }
     }
@@ -78,7 +78,7 @@ type Parts<'py> =
     (usize, String, PyArrayLikeDyn<'py, i64>, Object<'py>, String, Bound<'py, PyDict>);
 
 impl PyTensor {
-    /// A tensor with those of the symbols that are its parameters.
+    /// A tensor, with those of the symbols that are its parameters.
     pub fn new(
         py: Python<'_>,
         values: Values,
@@ -119,7 +119,7 @@ impl PyTensor {
     }
 }
 
-/// Indices in which `...` stands for as many full slices as there are indices left.
+/// Replaces `...` by full slices for all remaining indices.
 fn filled<'py>(at: &Bound<'py, PyTuple>, rank: usize) -> PyResult<Bound<'py, PyTuple>> {
     let py = at.py();
     let dots = PyEllipsis::get(py);
@@ -257,13 +257,14 @@ impl PyTensor {
         Err(PyTypeError::new_err("the truth of a tensor is ambiguous: ask for is_zero"))
     }
 
-    // a product with a scalar of NumPy is a tensor, too, and not a dense array
+    // the product of a NumPy scalar and a tensor is a tensor, not a dense array
     #[classattr]
     fn __array_ufunc__() -> Option<bool> {
         None
     }
 
-    /// The components of a vector or covector; of other tensors those with the first index fixed.
+    /// The components of a vector or covector; for other tensors, the tensors with the first index
+    /// fixed.
     fn __iter__<'py>(slf: &Bound<'py, Self>) -> New<'py> {
         python(slf.py(), "tensor", "rows")?.call1((slf,))
     }
@@ -348,7 +349,7 @@ impl PyTensor {
         Ok(out)
     }
 
-    /// The indices and the floats, both at once.
+    /// The indices and the floats together.
     fn _coo<'py>(&self, py: Python<'py>) -> PyResult<Coordinates<'py>> {
         let indices = fresh(py, &[self.rank()], &[self.nnz()])?;
         let floats = fresh(py, &[self.nnz()], &[])?;
@@ -415,7 +416,8 @@ impl PyTensor {
         Self::new(py, values, &PyDict::new(py), self.names.clone())
     }
 
-    /// Equal shapes and equal components. Tensors of floats never equal exact ones.
+    /// Tensors are equal if their shapes and components are. Tensors of floats never equal exact
+    /// ones.
     #[pyo3(name = "__eq__")]
     pub fn equals(&self, other: &PyTensor) -> bool {
         let both = [&self.values, &other.values];
@@ -536,10 +538,10 @@ in_python! { PyTensor, "tensor":
     subs (values) [values];
 }
 
-/// The scalar, the components as bytes, the symbols, and the names of a tensor.
+/// The state of a pickled tensor: the scalar, the components as bytes, the symbols, and the names.
 type Stored<'py> = (String, Bound<'py, PyBytes>, Bound<'py, PyDict>, Names);
 
-/// A tensor from its pickled parts.
+/// Restores a tensor from its pickled state.
 #[pyfunction]
 #[pyo3(signature = (*stored))]
 pub fn _restore_tensor(stored: Stored<'_>) -> PyResult<PyTensor> {

@@ -11,7 +11,7 @@ use pyo3::sync::PyOnceLock;
 use pyo3::types::{PyDict, PyTuple};
 use std::cell::RefCell;
 
-/// A function or a class of a module of the package.
+/// A function or a class from a module of the Python package.
 pub fn python<'py>(py: Python<'py>, module: &str, name: &str) -> PyResult<Bound<'py, PyAny>> {
     py.import(format!("affinor.{module}"))?.getattr(name)
 }
@@ -22,12 +22,12 @@ pub fn error<'py>(py: Python<'py>, class: &str, arguments: impl PyCallArgs<'py>)
     error.map_or_else(|failed| failed, PyErr::from_value)
 }
 
-/// Integers of any type that has `__index__`, but no bool.
+/// An integer of any type that has `__index__`, except bool.
 pub fn index(what: &str, value: &Bound<'_, PyAny>) -> PyResult<isize> {
     python(value.py(), "_scalars", "index")?.call1((what, value))?.extract()
 }
 
-/// A value in the notation of definition files; the symbols of SymPy are added to `symbols`.
+/// A value in the notation of definition files; SymPy symbols are added to `symbols`.
 pub fn text_of(
     value: &Bound<'_, PyAny>,
     symbols: &Bound<'_, PyDict>,
@@ -36,7 +36,8 @@ pub fn text_of(
     python(value.py(), "_scalars", "text_of")?.call1((value, symbols, floats))?.extract()
 }
 
-/// A text of the engine as users see it: a `Fraction`, a float, or an expression of SymPy (a text without SymPy).
+/// A text of the engine as a Python number: a `Fraction`, a float, or a SymPy expression (a text if
+/// SymPy is missing).
 pub fn number<'py>(
     text: &str,
     symbols: &Bound<'py, PyDict>,
@@ -45,7 +46,7 @@ pub fn number<'py>(
     python(symbols.py(), "_scalars", "number")?.call1((text, symbols, floats))
 }
 
-/// The symbols of several objects. Two different symbols of one name are an error.
+/// Merges the symbols of several objects. Two different symbols with the same name are an error.
 pub fn merged<'py, 'a>(
     py: Python<'py>,
     all: impl IntoIterator<Item = &'a Py<PyDict>>,
@@ -67,7 +68,7 @@ pub fn merged<'py, 'a>(
     Ok(joined)
 }
 
-/// Whether this is the name of an elementary function, or an abbreviation of such functions.
+/// Whether this is the name of an elementary function, or an abbreviation for such functions.
 #[pyfunction]
 pub fn knows(name: &str) -> bool {
     is_abbreviation(name) || Symbolic::function(name, &Symbolic::parameter("x")).is_ok()
@@ -91,16 +92,16 @@ pub fn fraction<'py>(py: Python<'py>, value: &Rational) -> PyResult<Bound<'py, P
     }
 }
 
-/// A number or an expression in the notation of definitions.
+/// Parses a number or an expression in the notation of definitions.
 pub fn read<S: Coefficient>(text: &str) -> PyResult<S> {
-    let names = |name: &str| S::parameter(name).ok_or_else(|| format!("`{name}` is no number"));
+    let names = |name: &str| S::parameter(name).ok_or_else(|| format!("`{name}` is not a number"));
     let scalars = affinor_tensors::expression::Scalars(names, S::call);
     let value = Expression::parse(text).and_then(|expression| expression.evaluate(&scalars));
     value.map_err(|error| PyValueError::new_err(format!("in `{text}`: {error}")))
 }
 
-/// The value of a text in other objects: `number(p, q)`, `name(text)`, `function(name, *values)`, and the operators of
-/// Python.
+/// Evaluates a text with Python objects: `number(p, q)`, `name(text)`, `function(name, *values)`,
+/// and Python operators.
 #[pyfunction]
 pub fn evaluate<'py>(
     text: &str,
@@ -116,7 +117,7 @@ pub fn evaluate<'py>(
     })
 }
 
-/// Objects of Python as the values of expressions.
+/// An evaluator of expressions whose values are Python objects.
 struct Objects<'py> {
     number: Bound<'py, PyAny>,
     name: Bound<'py, PyAny>,
@@ -125,7 +126,7 @@ struct Objects<'py> {
 }
 
 impl<'py> Objects<'py> {
-    /// Keeps an exception, of which an expression passes on only that there was one.
+    /// Stores an exception, because the error of an expression cannot carry it.
     fn keep(&self, result: PyResult<Bound<'py, PyAny>>) -> Result<Bound<'py, PyAny>, String> {
         result.map_err(|error| {
             *self.failed.borrow_mut() = Some(error);

@@ -1,4 +1,4 @@
-"""Algebras and geometries: every way in, and the same values out."""
+"""Algebras and geometries: every kind of input gives the same values."""
 
 import json
 import pickle
@@ -79,7 +79,7 @@ def test_definition_files_as_files_and_as_dicts(path):
     from_file, from_dict = af.Geometry(path), af.Geometry(keys)
     assert from_file == from_dict
     assert from_file.basis == from_dict.basis and from_file.scalar == from_dict.scalar
-    # curvature follows from these, and takes a minute for a rotating black hole
+    # curvature follows from these, and needs a minute for a rotating black hole
     given = [key for key in ("structure", "affinities", "metric") if from_file.quantity(key) is not None]
     assert from_file.table(given).splitlines()[1:] == from_dict.table(given).splitlines()[1:]
 

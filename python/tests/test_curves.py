@@ -13,7 +13,7 @@ NAMES = ["so3", "se3", "se2", "sl2", "heisenberg(3)", "so3+R^3"]
 
 @pytest.mark.parametrize("name", NAMES)
 def test_weighted_means(name):
-    """The mean solves its equation, commutes with translations, and takes each axis alone."""
+    """The mean solves its equation, commutes with translations, and is computed along each axis separately."""
     group = af.Group(name)
     g = group.exp(rng.normal(scale=0.3, size=(5, 4, 3, group.dimension)))
     weights = rng.uniform(size=(5, 4, 3))
@@ -35,7 +35,7 @@ def test_means_of_scipy():
     theirs = transform.Rotation.from_rotvec(rng.normal(scale=0.05, size=(40, 3)))
     weights = rng.uniform(size=40)
     ours = SO3.mean(SO3.from_scipy(theirs), weights)
-    # the mean of SciPy minimizes another distance, and differs by the third power of the size
+    # the mean of SciPy minimizes another distance; the difference is of third order in the size
     np.testing.assert_allclose(SO3.log(ours), theirs.mean(weights).as_rotvec(), atol=1e-4)
 
 
@@ -75,7 +75,7 @@ def test_weights_of_any_size():
     scales = np.array([1e-150, 1, 1e8])
     form = np.outer(scales, scales) * (np.eye(3) + 0.1)
     np.testing.assert_allclose(SO3.distance(SO3.identity(), SO3.exp([0, 1, 0]), form), np.sqrt(1.1))
-    # a form may ignore directions
+    # a form may be degenerate
     assert SE3.distance(SE3.identity(), [1, 0, 0, 0, 3, 4, 0], [1, 1, 1, 0, 0, 0]) == 0
     assert SO3.distance(SO3.identity(), SO3.exp([1, 1, 1]), np.ones((3, 3))) == pytest.approx(3)
     g = SO3.exp([[1, 0, 0], [0, 1, 0]])
@@ -107,7 +107,7 @@ def test_splines_of_wrong_numbers():
 @pytest.mark.parametrize("name", NAMES)
 @pytest.mark.parametrize("kind", ["cubic", "geodesic"])
 def test_splines(name, kind):
-    """The curve passes through its elements, its velocity is that of differences, and it commutes with translations."""
+    """The curve passes through its elements, its velocity agrees with finite differences, and it commutes with translations."""
     group = af.Group(name)
     times = np.array([0, 0.5, 1.7, 2, 3.5])
     g = group.exp(rng.normal(scale=0.3, size=(5, 2, group.dimension)))
@@ -134,7 +134,7 @@ def test_splines(name, kind):
 
 
 def test_cubics_of_a_vector_group():
-    """On R^n the curve is the cubic polynomial of Hermite."""
+    """On R^n the curve is the cubic Hermite polynomial."""
     group, t = af.Group("R^2"), np.linspace(0, 2, 9)
     p = lambda t: np.stack([t**2 - t, 1 + 3 * t**2], axis=-1)  # noqa: E731
     np.testing.assert_allclose(group.spline([0, 0.7, 2], p(np.array([0, 0.7, 2])))(t), p(t), atol=1e-13)

@@ -1,4 +1,4 @@
-"""JAX and PyTorch: values, derivatives, batches and types, each in a process of its own, and beside each other."""
+"""JAX and PyTorch: values, derivatives, batches and types, in separate processes and together in one."""
 
 import functools
 import importlib.util

@@ -1,4 +1,4 @@
-"""Wrong arguments: each says what was expected. No panic and no abort reaches Python."""
+"""Wrong arguments: each error names the expected value. Python sees neither panics nor aborts."""
 
 import pickle
 import sys
@@ -174,7 +174,7 @@ WRONG = [
     (lambda: SO3.exp(np.array([1j, 0, 0])), TypeError, "real numbers.*complex128"),
     (lambda: SO3.exp([1j, 0, 0]), TypeError, "real numbers.*complex128"),
     (lambda: SO3.exp(["1", "2", "3"]), TypeError, "real numbers"),
-    (lambda: SO3.exp(np.array(["1", 0, 0], dtype=object)), TypeError, "'1' is no number"),
+    (lambda: SO3.exp(np.array(["1", 0, 0], dtype=object)), TypeError, "'1' is not a number"),
     (lambda: SO3.exp([None, 0, 0]), TypeError, "real numbers.*NoneType"),
     (lambda: SO3.exp(np.zeros(3, dtype="datetime64[Y]")), TypeError, "datetime64"),
     (lambda: SO3.exp(np.zeros(3, dtype=[("a", "f8")])), TypeError, "real numbers"),
@@ -261,7 +261,7 @@ def test_a_law_names_its_witness():
     assert set(data) == {"direction", "indices", "residual"} and len(data["indices"]) == 3
     direction, indices = data["direction"], "^{}_{}{}".format(*data["indices"])
     assert f"(L_{direction} Lambda){indices} = {data['residual']}," in found.value.message
-    assert found.value.help == "take frame left, or a canonical connection"
+    assert found.value.help == "write frame left, or choose a canonical connection"
 
 
 def test_messages_are_in_the_words_of_python():

@@ -13,7 +13,7 @@ every = pytest.mark.parametrize("name", NAMES)
 
 
 def number(value):
-    """An exact number or an expression, as SymPy has it."""
+    """An exact number or an expression of SymPy."""
     return sp.sympify(str(value).replace("^", "**"), rational=True)
 
 

@@ -1,4 +1,4 @@
-"""Geometries in bulk agree with geometries one by one, and refuse wrong metrics with their index."""
+"""Geometries in bulk agree with single geometries; errors of metrics name their index."""
 
 import numpy as np
 import pytest
@@ -111,7 +111,7 @@ def test_eigenvalues_of_ricci(name):
 
 @pytest.mark.parametrize("key", ["affinities", "ricci", "scalar_curvature", "curvature"])
 def test_derivatives_by_the_metric(key):
-    """Central differences along a direction; the full derivative gives the same, and scaling is homogeneous."""
+    """Derivatives agree with central differences along a direction and with the full derivative, and scaling is homogeneous."""
     g = metrics(3, 6)
     h = rng.normal(size=(6, 3, 3))
     h = h + np.swapaxes(h, -1, -2)
@@ -142,13 +142,13 @@ def test_wrong_metrics_are_named():
             bad[1500, 1, 1] = float(change)
         with pytest.raises(af.MetricError, match=f"metric 1500 of the batch.*{words}"):
             af.Geometries("so3", bad)
-    # units of the basis do not matter
+    # the result does not depend on units of the basis
     scales = np.array([1e-8, 1.0, 1e8])
     assert np.isfinite(af.Geometries("so3", good * scales[:, None] * scales).scalar_curvature).all()
 
 
 def test_the_space_gives_the_connection():
-    """A connection in a text, a dict or a Geometry is the default; the argument replaces it."""
+    """A connection in a text, a dict or a Geometry is the default; the argument overrides it."""
     g = metrics(3, 4)
     plus = af.Geometries("so3", g, connection="plus").torsion
     assert np.abs(plus).max() > 0.5

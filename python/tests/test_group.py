@@ -210,7 +210,7 @@ def test_transport_and_geodesics():
 
 
 def layouts(x):
-    """The same numbers in arrays of other layouts and types."""
+    """Arrays of other layouts and types give the same numbers."""
     packed = np.zeros(len(x), dtype=[("tag", "f4"), ("x", "f8", (x.shape[1],))])
     packed["x"] = x
     wide = np.zeros((len(x), 2 * x.shape[1]))
@@ -244,7 +244,7 @@ def test_layouts(count):
 
 
 def test_a_rotation_does_not_depend_on_its_place_or_on_threads():
-    """Large arrays (made by NumPy), their parts of any length, and single vectors; all sides of every threshold."""
+    """Large arrays (from NumPy), parts of any length, and single vectors give the same numbers, on both sides of every threshold."""
     x = rng.normal(size=(70_001, 3)) * rng.choice([1e-170, 1e-8, 0.3, 1, 3, 30], size=(70_001, 1))
     g, logs = SO3.exp(x), SO3.log(SO3.exp(x))
     products = SO3.compose(g, g[::-1])
@@ -272,13 +272,13 @@ def test_matrices_of_one_number_act_on_points():
     x, points = np.array([[0.1], [0.2], [0.3]]), np.array([[1.0], [2.0], [3.0]])
     np.testing.assert_allclose(group.act(group.exp(x), points), np.exp(x) * points)
     np.testing.assert_allclose(group.act(group.exp([0.5]), [2.0]), [2 * np.exp(0.5)])
-    with pytest.raises(ValueError, match="no matrices that act"):
+    with pytest.raises(ValueError, match="not matrices that act"):
         af.Group("R^1").act([0.5], [2.0])
 
 
 def test_what_has_no_direction_is_refused():
     for group, g in ((SO3, [0, 0, 0, 0]), (SO3, [np.nan, 0, 0, 1]), (af.Group("so(4)"), np.zeros(16)), (af.SO2, [0, 0])):
-        with pytest.raises(af.MathematicsError, match="no element of the group"):
+        with pytest.raises(af.MathematicsError, match="invalid element of the group"):
             group.project(g)
     geometry = af.Geometry("so3", metric=[1, 2, 3])
     calls = (

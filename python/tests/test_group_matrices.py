@@ -50,7 +50,7 @@ def test_adjoint_matrices_and_rates(name):
 
 @pytest.mark.parametrize("group", [SO3, SE3], ids=repr)
 def test_rows_do_not_depend_on_their_batch(group):
-    """Single rows, small batches, and batches on several threads: the same floats at all angles."""
+    """Single rows, small batches, and batches on several threads give the same floats at all angles."""
     n, count = group.dimension, 9001
     x = rng.normal(size=(count, n))
     x[:, :3] *= rng.choice([0, 1e-170, 1e-8, 0.3, 1, 1.8, 5], size=(count, 1))

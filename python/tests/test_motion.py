@@ -1,4 +1,4 @@
-"""SimulationTask: the values of the command line, every way in, interrupts and errors."""
+"""Simulations: the values of the command line, every kind of input, interrupts and errors."""
 
 import gc
 import inspect

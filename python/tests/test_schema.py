@@ -121,7 +121,7 @@ def replaced(value, path, new):
     ("path", "new"),
     [
         (["schema"], "affinor.table/2"),
-        (["scalar"], "float"),  # its components are no texts
+        (["scalar"], "float"),  # its components are not texts
         (["tensors", "curvature", "components", 0, 1], 0.25),
         (["tensors", "curvature", "components", 0, 0, 0], 0),  # indices count from 1
         (["tensors", "curvature", "indices", 0], "sideways"),

@@ -1,4 +1,4 @@
-"""Calls that are stopped: by signals, and by limits on the time and the memory."""
+"""Calls that are stopped by signals, and by limits on time and memory."""
 
 import contextvars
 import gc
@@ -101,11 +101,11 @@ def test_ctrl_c_interrupts(name, threads, fresh, no_collection):
 
 @every
 def test_a_timeout_ends_every_call(name):
-    with pytest.raises(af.LimitError, match="passes its time limit of 0.4 s") as found:
+    with pytest.raises(af.LimitError, match="exceeds its time limit of 0.4 s") as found:
         with af.limits(timeout=0.4):
             LONG[name]()
     assert found.value.limit == "timeout"
-    # blocks that are not reached change nothing
+    # limits that are not reached change nothing
     with af.limits(timeout=1000):
         assert af.Geometry("so3@zero").scalar == "exact"
 
@@ -134,7 +134,7 @@ def test_blocks_nest():
         with pytest.raises(af.LimitError), af.limits(timeout=1000):
             af.Geometry("so3@zero").table()
     af.Geometry("so3@zero").table()
-    # another thread has limits of its own
+    # another thread has separate limits
     found = []
     with af.limits(timeout=0):
         thread = threading.Thread(target=lambda: found.append(af.Geometry("so3@zero").table()))

@@ -1,4 +1,4 @@
-"""Structure theory and constructions: the documents of the command line, known algebras, and refusals with witnesses."""
+"""Structure theory and constructions: the documents of the command line, known algebras, and errors with witnesses."""
 
 import json
 import pickle
@@ -192,7 +192,7 @@ def test_a_report_is_a_dict_of_its_own():
     assert copy == so3.info() and str(copy) == str(so3.info())
 
 
-# -- refusals ------------------------------------------------------------------------------------------------------------------
+# -- errors --------------------------------------------------------------------------------------------------------------------
 
 heisenberg = af.LieAlgebra("heisenberg(5)")
 filiform = af.LieAlgebra("filiform(4)")
@@ -244,7 +244,7 @@ WRONG = [
     (lambda: so3.quotient("e1"), TypeError, "list of vectors"),
     (lambda: so3.quotient([[1, 0]]), ValueError, "3 components"),
     (lambda: so3.subalgebra(["e9"]), ValueError, "neither"),
-    (lambda: so3.subalgebra(["3"]), ValueError, "no combination"),
+    (lambda: so3.subalgebra(["3"]), ValueError, "not a combination"),
     (lambda: so3.subalgebra(["sin(e1)"]), ValueError, "function"),
     (lambda: so3.subalgebra(["e1 +"]), ValueError, r"e1 \+"),
     (lambda: so3.subalgebra(["e1", "2*e1"]), af.InputError, "dependent"),

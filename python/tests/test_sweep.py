@@ -1,4 +1,4 @@
-"""Sweeps: the same rows on every engine, failures as rows, and a killed worker that loses and doubles nothing."""
+"""Sweeps: the same rows on every engine, failures as rows, and no lost or repeated rows if a worker is killed."""
 
 import gc
 import hashlib

@@ -1,4 +1,4 @@
-"""Thirty symbolic cases against SymPy's own computation, and expressions both ways."""
+"""Thirty symbolic cases agree with SymPy's computation; expressions are converted in both directions."""
 
 import itertools
 import pickle

@@ -6,8 +6,8 @@ use affinor_tensors::stop::checkpoint;
 use affinor_tensors::{Field, Scalar, TensorError};
 
 impl<S: Field + Scalar> LieAlgebra<S> {
-    /// The homogeneous parts `Z_1 .. Z_order` of `log(exp(x) exp(y)) = Z_1 + Z_2 + ..`, where `Z_n` is a
-    /// combination of brackets of `n` factors:
+    /// The homogeneous parts `Z_1 ... Z_order` of `log(exp(x) exp(y)) = Z_1 + Z_2 + ...`, where
+    /// `Z_n` is a combination of brackets of `n` factors:
     ///
     /// ```text
     /// Z_1 = x + y     Z_2 = [x,y]/2     Z_3 = [x,[x,y]]/12 - [y,[x,y]]/12     Z_4 = -[y,[x,[x,y]]]/24
@@ -32,12 +32,13 @@ impl<S: Field + Scalar> LieAlgebra<S> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Shape`]; [`Error::Tensor`] for scalars in which an integer up to the order has no inverse.
+    /// [`Error::Shape`]; [`Error::Tensor`] if an integer up to the order has no inverse in the
+    /// scalars.
     pub fn bch(&self, x: &[S], y: &[S], order: usize) -> Result<Vec<Vec<S>>, Error> {
         let (_, _) = (self.vector(x)?, self.vector(y)?);
         let zeta = bernoulli(order / 2)?;
         let (sum, difference) = (combined(x, y, 1), combined(x, y, -1));
-        // nested[q][m]: the sum over k_1 + .. + k_q = m of [Z_{k_1}, [.. [Z_{k_q}, x + y]]]
+        // nested[q][m]: the sum over k_1 + ... + k_q = m of [Z_{k_1}, [... [Z_{k_q}, x + y]]]
         let mut nested = vec![vec![sum.clone()]];
         let mut parts: Vec<Vec<S>> = Vec::new();
         if order > 0 {
@@ -50,7 +51,7 @@ impl<S: Field + Scalar> LieAlgebra<S> {
             checkpoint();
             for q in 1..=n {
                 let mut total = zero.clone();
-                // q - 1 factors are left, each of degree 1 at least
+                // q - 1 factors remain, each of degree at least 1
                 for k in 1..=n + 1 - q {
                     let inner = &nested[q - 1][n - k];
                     total = combined(&total, &self.bracket(&parts[k - 1], inner)?, 1);
@@ -72,10 +73,11 @@ impl<S: Field + Scalar> LieAlgebra<S> {
     /// sum (-1)^k B_k/k! ad_x^k v = v + [x,v]/2 + [x,[x,v]]/12 - [x,[x,[x,[x,v]]]]/720 + ..
     /// ```
     ///
-    /// which is the part of [`bch`](Self::bch) that is linear in `y = v`. `T_right(x)^-1` is that at `-x`.
+    /// This is the part of [`bch`](Self::bch) that is linear in `y = v`. The series of
+    /// `T_right(x)^-1` is the same at `-x`.
     ///
     /// # Errors
-    /// As [`bch`](Self::bch).
+    /// Those of [`bch`](Self::bch).
     pub fn tangent_left_inverse(&self, x: &[S], v: &[S], order: usize) -> Result<Vec<S>, Error> {
         let _ = self.vector(x)?;
         let zeta = bernoulli(order / 2)?;
@@ -93,8 +95,8 @@ impl<S: Field + Scalar> LieAlgebra<S> {
     }
 }
 
-/// `B_2p/(2p)!` for `p = 1..=count`, by Euler's `(2p + 1) b_p = -sum b_k b_{p-k}`, whose terms have one
-/// sign: floats lose nothing.
+/// `B_2p/(2p)!` for `p = 1..=count`, by Euler's recursion `(2p + 1) b_p = -sum b_k b_{p-k}`. All
+/// its terms have the same sign, so that floats do not cancel.
 fn bernoulli<S: Field + Scalar>(count: usize) -> Result<Vec<S>, Error> {
     let mut numbers: Vec<S> = Vec::new();
     for p in 1..=count {

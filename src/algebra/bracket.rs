@@ -33,7 +33,7 @@ impl<S: Scalar> Bracket<S> {
     /// `j < k` only; indices count from 0.
     ///
     /// # Errors
-    /// As [`from_constants`](Self::from_constants).
+    /// Those of [`from_constants`](Self::from_constants).
     pub fn from_fn(
         labels: impl IntoIterator<Item: AsRef<str>>,
         bracket: impl Fn(usize, usize) -> Vec<(usize, S)>,
@@ -52,9 +52,9 @@ impl<S: Scalar> Bracket<S> {
     /// follow the same rule.
     ///
     /// # Errors
-    /// An index out of range; [`Error::NotFinite`]; [`Law::GivenOnce`] for a component given
-    /// twice; [`Law::OppositeOrders`] for a pair with `[x, y] + [y, x]` not zero;
-    /// [`Law::Antisymmetry`] for `[x, x]`.
+    /// An index out of range; [`Error::NotFinite`]; [`Law::GivenOnce`] for a component given twice;
+    /// [`Law::OppositeOrders`] for a pair with nonzero `[x, y] + [y, x]`; [`Law::Antisymmetry`] for
+    /// a nonzero `[x, x]`.
     pub fn from_constants(
         labels: impl IntoIterator<Item: AsRef<str>>,
         constants: impl IntoIterator<Item = (usize, usize, usize, S)>,
@@ -62,7 +62,7 @@ impl<S: Scalar> Bracket<S> {
         Self::of_constants(owned(labels), constants.into_iter().collect())
     }
 
-    /// The same for lists: compiled once a scalar, not once an iterator.
+    /// The same for lists, so that it is compiled once for each scalar, and not for each iterator.
     fn of_constants(labels: Vec<String>, constants: Vec<Constant<S>>) -> Result<Self, Error> {
         let given = sorted(&labels, constants)?;
         let pairs: Vec<&[Constant<S>]> = given.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1)).collect();
@@ -106,11 +106,12 @@ impl<S: Scalar> Bracket<S> {
         self.frame.jacobi()
     }
 
-    /// The first triple of basis vectors that violates the Jacobi identity; [`Error::NotFinite`] where
-    /// floats leave their range on the way.
+    /// The first triple of basis vectors that violates the Jacobi identity; [`Error::NotFinite`] if
+    /// a float overflows in between.
     ///
-    /// With rational constants the triples that begin with a generator are enough: the `x` for which
-    /// `[x, .]` is a derivation are closed under the bracket. All triples are computed if one of these fails.
+    /// With rational constants, it is enough to test the triples that begin with a generator,
+    /// because the `x` for which `[x, .]` is a derivation are closed under the bracket. All triples
+    /// are computed only if one of these fails.
     pub fn jacobi_violation(&self) -> Option<Error> {
         if let Some(generators) = matrices_of_generators(self.structure_constants())
             && self.are_derivations(&generators)
@@ -129,7 +130,7 @@ impl<S: Scalar> Bracket<S> {
         })
     }
 
-    /// Whether `[x_j, .]` is a derivation for the matrices `a^i_jk` of these.
+    /// Whether `[x_j, .]` is a derivation for all `x_j`, given by their matrices `a^i_jk`.
     fn are_derivations(&self, matrices: &Tensor<S>) -> bool {
         if let Some(are) = are_dense_derivations(self.structure_constants(), matrices) {
             return are;
@@ -141,7 +142,7 @@ impl<S: Scalar> Bracket<S> {
         residual.is_empty()
     }
 
-    /// The same bracket with another tolerance for floats; everything computed from it inherits the
+    /// The same bracket with another tolerance for floats. Everything computed from it inherits the
     /// tolerance.
     #[must_use]
     pub fn with_tolerance(self, tolerance: Tolerance) -> Self {
@@ -153,7 +154,7 @@ impl<S: Scalar> Bracket<S> {
     }
 }
 
-/// The nonzero brackets `[x, y] = z`, one a line.
+/// Writes the nonzero brackets `[x, y] = z`, one per line.
 impl<S: Scalar> fmt::Display for Bracket<S> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.frame.write_products(f, self.structure_constants(), "[", "]", |j, k| j < k)
@@ -167,7 +168,8 @@ fn owned(labels: impl IntoIterator<Item: AsRef<str>>) -> Vec<String> {
     labels.into_iter().map(|label| label.as_ref().to_string()).collect()
 }
 
-/// The constants sorted by pair and component, after the check that each is a number given once.
+/// Sorts the constants by pair and component, and checks that each is a finite number and is given
+/// once.
 fn sorted<S: Scalar>(
     labels: &[String],
     mut given: Vec<Constant<S>>,

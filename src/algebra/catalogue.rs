@@ -1,16 +1,16 @@
 //! The catalogue: Lie algebras by name.
 //!
-//! [`algebra`] turns a name such as `so(3,1)`, `E8` or `bianchi(VI,h=-1/2)` into a Lie algebra over
-//! any scalar. [`find`] returns the [`Entry`] behind it: labels, structure constants and, for matrix
+//! [`algebra`] returns the Lie algebra with a name such as `so(3,1)`, `E8` or `bianchi(VI,h=-1/2)`,
+//! over any scalar. [`find`] returns its [`Entry`]: labels, structure constants and, for matrix
 //! algebras, the matrices. [`families`] lists all families with their bases.
 //!
-//! Families of matrices are written down as matrices and their constants computed
-//! ([`MatrixBasis::bracket`]), the simple complex types come from their roots
-//! ([`chevalley_constants`](crate::algebra::roots::chevalley_constants)), and the Bianchi types from their
-//! symmetric matrix and vector.
+//! Families of matrix algebras are defined by matrices, from which the constants are computed
+//! ([`MatrixBasis::bracket`]). The simple complex types come from their roots
+//! ([`chevalley_constants`](crate::algebra::roots::chevalley_constants)), and the Bianchi types
+//! from their symmetric matrix and vector.
 //!
-//! Parentheses may be omitted if the name stays unambiguous: `so3` is so(3). `so31` is refused, because
-//! so(31) and so(3,1) both exist.
+//! Parentheses may be omitted if the name stays unambiguous: `so3` is so(3). `so31` is rejected,
+//! because so(31) and so(3,1) both exist.
 
 mod bianchi;
 mod compact;
@@ -51,8 +51,8 @@ pub const MAX_DIMENSION: usize = crate::algebra::roots::MAX_DIMENSION;
 /// ```
 ///
 /// # Errors
-/// [`CatalogueError`] as [`find`]; [`CatalogueError::Parameter`] where a structure constant is no
-/// value of `S`: it depends on a parameter, or is out of range.
+/// Those of [`find`]; [`CatalogueError::Parameter`] if a structure constant does not exist in `S`,
+/// because it depends on a parameter or is out of range.
 pub fn algebra<S: Notation + Scalar>(name: &str) -> Result<LieAlgebra<S>, Error> {
     let entry = find(name)?;
     let value = |value: &Symbolic| {
@@ -63,7 +63,7 @@ pub fn algebra<S: Notation + Scalar>(name: &str) -> Result<LieAlgebra<S>, Error>
     entry.bracket::<S, Error>(value)?.try_into()
 }
 
-/// A polynomial in the parameters over another scalar; `None` where `S` lacks one of them.
+/// A polynomial in the parameters over another scalar; `None` if a parameter does not exist in `S`.
 fn polynomial<S: Notation + Scalar>(value: &Symbolic) -> Option<S> {
     value.terms().into_iter().try_fold(S::zero(), |sum, (powers, coefficient)| {
         let mut powers = powers.into_iter();
@@ -96,8 +96,8 @@ pub fn families() -> &'static [Family] {
     FAMILIES
 }
 
-/// The names of the algebras of a dimension, family by family. Borel and parabolic subalgebras are left out;
-/// parameters stay open. None beyond [`MAX_DIMENSION`].
+/// The names of the algebras of a dimension, family by family. Borel and parabolic subalgebras are
+/// left out, and parameters have no values. Empty for dimensions above [`MAX_DIMENSION`].
 ///
 /// ```
 /// let names = affinor::algebra::catalogue::names(2);
@@ -164,12 +164,12 @@ static FAMILIES: &[Family] = &[
 #[non_exhaustive]
 #[derive(Clone, Debug)]
 pub struct Entry {
-    /// The name in full, `so(3)` for `so3`; [`find`] reads it back.
+    /// The full name, such as `so(3)` for `so3`; [`find`] accepts it.
     pub name: String,
     /// The names of the basis vectors.
     pub labels: Vec<String>,
-    /// The structure constants `(j, k, i, v)`, `[e_j, e_k] = .. + v e_i`, from 0, with `j < k`, no
-    /// zeros, and sorted.
+    /// The nonzero structure constants `(j, k, i, v)`, `[e_j, e_k] = ... + v e_i`, from 0, with `j
+    /// < k`, sorted.
     pub constants: Vec<(usize, usize, usize, Symbolic)>,
     /// The parameters of the constants, in alphabetical order.
     pub parameters: Vec<String>,
@@ -183,7 +183,7 @@ impl Entry {
         self.labels.len()
     }
 
-    /// The bracket whose constants are the values of `value_of`.
+    /// The bracket with the constants converted by `value_of`.
     ///
     /// # Errors
     /// The first error of `value_of`.
@@ -205,7 +205,7 @@ impl Entry {
         Self::of_constants(name, labels, constants.into_iter().collect())
     }
 
-    /// The same for a list: compiled once, not once a family.
+    /// The same for a list, so that it is compiled once, and not for each family.
     fn of_constants(
         name: String,
         labels: Vec<String>,
@@ -280,19 +280,19 @@ pub struct Family {
 /// The parser of the arguments of a family.
 #[derive(Clone, Copy, Debug)]
 enum Reader {
-    /// `count` integers. `dimension` is the dimension of the algebra, saturated, and `None` for
-    /// arguments without an algebra.
+    /// `count` integers. `dimension` computes the dimension of the algebra, with saturation; it
+    /// returns `None` for arguments without an algebra.
     Integers {
         count: usize,
         dimension: fn(&[usize]) -> Option<usize>,
         build: fn(String, &[usize]) -> Entry,
     },
-    /// Arguments that may be words; the first argument of the reader is the whole name.
+    /// Arguments that may be words. The function gets the full name and the arguments.
     Words(fn(&str, &[Argument]) -> Result<Entry, CatalogueError>),
 }
 
 impl Family {
-    /// The word with which its names begin.
+    /// The word with which the names of the family begin.
     fn head(&self) -> &'static str {
         let end = self.pattern.find(['(', '^']).unwrap_or(self.pattern.len() - 1);
         &self.pattern[..end]
@@ -308,7 +308,7 @@ impl Family {
             let fits = |name: &String| find(name).is_ok_and(|e| e.dimension() == dimension);
             return all.into_iter().filter(fits).collect();
         };
-        // no family has a smaller dimension than its arguments minus two
+        // in every family the dimension is at least each argument minus two
         let most = dimension + 2;
         let first = (1..=most).map(|n| vec![n]);
         let arguments: Vec<Vec<usize>> = match count {
@@ -322,7 +322,7 @@ impl Family {
         arguments.into_iter().filter(fits).map(|numbers| self.name(&written(numbers))).collect()
     }
 
-    /// The last argument where it is a letter: the field in `sl(n,C)`.
+    /// The last argument, if it is a letter: the field in `sl(n,C)`.
     fn letter(&self) -> Option<&'static str> {
         let last = self.pattern.strip_suffix(')')?.rsplit(',').next()?;
         matches!(last, "C" | "H").then_some(last)
@@ -342,13 +342,13 @@ impl Family {
     }
 }
 
-/// `e1 .. en` for the letter `e`.
+/// The names `e1 ... en` for the letter `e`.
 fn numbered(letter: &str, n: usize) -> Vec<String> {
     (1..=n).map(|i| format!("{letter}{i}")).collect()
 }
 
-/// `E12` for the letter `E` and the place (0, 1) in matrices of size `n`; `E1_12` where an index
-/// can have two digits.
+/// The name `E12` for the letter `E` and the position (0, 1) in matrices of size `n`; `E1_12` if an
+/// index can have two digits.
 fn at(letter: &str, (i, j): (usize, usize), n: usize) -> String {
     let between = if n < 10 { "" } else { "_" };
     format!("{letter}{}{between}{}", i + 1, j + 1)
@@ -359,7 +359,7 @@ fn pairs(n: usize) -> impl DoubleEndedIterator<Item = (usize, usize)> {
     (0..n).flat_map(move |i| (i + 1..n).map(move |j| (i, j)))
 }
 
-/// How many [`pairs`] there are, saturated.
+/// The number of [`pairs`], with saturation.
 fn pair_count(n: usize) -> usize {
     n.saturating_mul(n.saturating_sub(1)) / 2
 }

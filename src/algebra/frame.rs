@@ -7,13 +7,13 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 use std::sync::Arc;
 
-/// A frame `e_1..e_n`: its structure functions `[e_j, e_k] = c^i_jk e_i` and its derivations
-/// `f -> e_k(f)`.
+/// A frame `e_1, ..., e_n`, with structure functions `[e_j, e_k] = c^i_jk e_i` and derivations `f
+/// -> e_k(f)`.
 ///
-/// The left-invariant frame of a Lie algebra (constant `c`, zero derivations on constants), the
-/// right-invariant one (the opposite algebra), a moving or coordinate frame, and the tangent space of
-/// a homogeneous space ([`ReductivePair`](crate::ReductivePair)) are all frames. So every formula of
-/// the differential geometry is written once.
+/// The left-invariant frame of a Lie algebra has constant `c`, and its derivations vanish on
+/// constants. The right-invariant frame (that of the opposite algebra), moving and coordinate
+/// frames, and the tangent space of a homogeneous space ([`ReductivePair`](crate::ReductivePair))
+/// are frames too. Every formula of differential geometry is therefore written once.
 #[derive(Clone)]
 pub struct Frame<S> {
     labels: Arc<[String]>,
@@ -22,11 +22,11 @@ pub struct Frame<S> {
     isotropy: Option<Tensor<S>>,
 }
 
-/// `f -> e_k(f)`, with `k` from 0.
+/// The derivations `f -> e_k(f)`, with `k` from 0.
 pub type Derivations<S> = Arc<dyn Fn(usize, &S) -> S + Send + Sync>;
 
 impl<S: Scalar> Frame<S> {
-    /// An invariant frame: constant structure `c^i_jk`, components without derivatives.
+    /// An invariant frame: constant structure `c^i_jk`, and zero derivations.
     ///
     /// # Errors
     /// [`Error::Shape`] unless `structure` has the slots `^i_jk` in the dimension of the labels; [`Error::Invalid`] for
@@ -67,7 +67,7 @@ impl<S: Scalar> Frame<S> {
     /// A frame whose vectors differentiate the scalars: `derivations(k, f) = e_k(f)`.
     ///
     /// # Errors
-    /// As [`invariant`](Self::invariant).
+    /// Those of [`invariant`](Self::invariant).
     pub fn moving(
         labels: impl IntoIterator<Item: AsRef<str>>,
         structure: Tensor<S>,
@@ -83,8 +83,8 @@ impl<S: Scalar> Frame<S> {
         Self::moving(labels, structure, partial)
     }
 
-    /// A frame of other vectors, with their structure, isotropy and derivations. `derive` is used
-    /// only if this frame has derivations.
+    /// A frame with other vectors, given by their structure, isotropy and derivations. `derive` is
+    /// used only if this frame has derivations.
     pub(crate) fn with_vectors(
         &self,
         labels: impl IntoIterator<Item: AsRef<str>>,
@@ -96,9 +96,9 @@ impl<S: Scalar> Frame<S> {
         Ok(Frame { derivations, ..Self::reductive(labels, structure, isotropy)? })
     }
 
-    /// The frame of the tangent space `m` of a reductive homogeneous space: its structure is
-    /// `[e_j, e_k]_m`, its isotropy `[[e_k, e_l]_h, e_j] = h^i_jkl e_i`. Without isotropy it is that
-    /// of a group.
+    /// The frame of the tangent space `m` of a reductive homogeneous space. Its structure is `[e_j,
+    /// e_k]_m`, its isotropy `[[e_k, e_l]_h, e_j] = h^i_jkl e_i`. Without isotropy it is an
+    /// invariant frame of a group.
     pub(crate) fn reductive(
         labels: impl IntoIterator<Item: AsRef<str>>,
         structure: Tensor<S>,
@@ -124,9 +124,9 @@ impl<S: Scalar> Frame<S> {
         &self.structure
     }
 
-    /// The isotropy `h^i_jkl` of a homogeneous space, slots `[Up, Down, Down, Down]`:
-    /// `[[e_k, e_l]_h, e_j] = h^i_jkl e_i`, which enters the curvature with a minus sign. Zero for any
-    /// other frame.
+    /// The isotropy `h^i_jkl` of a homogeneous space, slots `[Up, Down, Down, Down]`, defined by
+    /// `[[e_k, e_l]_h, e_j] = h^i_jkl e_i`. The curvature contains it with a minus sign. Zero for
+    /// any other frame.
     ///
     /// # Errors
     /// If the dimension exceeds the limit of tensors of rank 4.
@@ -142,10 +142,11 @@ impl<S: Scalar> Frame<S> {
         self.derivations.is_none() && self.isotropy.is_none()
     }
 
-    /// The frame derivatives `e_k(T)` of all components, `k` a new first slot `_k`.
+    /// The frame derivatives `e_k(T)` of all components; `k` is a new first slot `_k`.
     ///
     /// # Errors
-    /// [`Error::Shape`] when the dimensions differ; [`Error::Tensor`] if the result is too large for the indices of a tensor, 64 bits.
+    /// [`Error::Shape`] if the dimensions differ; [`Error::Tensor`] if the result is too large for
+    /// the indices of a tensor, 64 bits.
     pub fn derivative(&self, tensor: &Tensor<S>) -> Result<Tensor<S>, Error> {
         expect_slots("the tensor", tensor, self.dimension(), tensor.slots())?;
         let derivative = match &self.derivations {
@@ -165,7 +166,8 @@ impl<S: Scalar> Frame<S> {
     /// manifold.
     pub fn jacobi(&self) -> Tensor<S> {
         let derivative = self.derivative(&self.structure).expect("the structure of this frame");
-        // the second term is written [[e_j,e_l],e_k] with its sign, so that it mirrors the first
+        // the second term is written [[e_j,e_l],e_k] with its sign, so that it is the mirror image
+        // of the first
         formula(
             "c^m_jk c^i_ml - c^m_jl c^i_mk + c^m_kl c^i_mj \
              - d_l^i_jk + d_k^i_jl - d_j^i_kl -> ^i_[jkl]",
@@ -178,8 +180,8 @@ impl<S: Scalar> Frame<S> {
         Frame { structure: self.structure.with_tolerance(tolerance), ..self }
     }
 
-    /// Writes `{open}x, y{close} = z` for each product `e_j e_k = T^i_jk e_i` that is not zero and
-    /// has indices that are `wanted`, one a line.
+    /// Writes a line `{open}x, y{close} = z` for each nonzero product `e_j e_k = T^i_jk e_i` whose
+    /// indices are `wanted`.
     pub(crate) fn write_products(
         &self,
         f: &mut fmt::Formatter<'_>,
@@ -201,7 +203,7 @@ impl<S: Scalar> Frame<S> {
         Ok(())
     }
 
-    /// Components as a linear combination of the frame vectors.
+    /// Writes components as a linear combination of the frame vectors.
     pub(crate) fn write(&self, components: impl IntoIterator<Item = S>) -> String {
         let named = components.into_iter().zip(self.labels.iter().cloned());
         combination(named.filter(|(value, _)| !value.vanishes()))
@@ -223,8 +225,8 @@ impl Frame<Symbolic> {
     }
 }
 
-/// Equal labels, structure and isotropy, and the same derivations: closures are compared by
-/// identity.
+/// Frames are equal if their labels, structure, isotropy and derivations are. The closures of
+/// derivations are compared by their addresses.
 impl<S: PartialEq> PartialEq for Frame<S> {
     fn eq(&self, other: &Self) -> bool {
         let derivations = match (&self.derivations, &other.derivations) {
@@ -268,7 +270,7 @@ pub(crate) fn expect_slots<S: Scalar>(
     })
 }
 
-/// Checks that names are not empty and different.
+/// Checks that names are nonempty and distinct.
 fn expect_names(what: &'static str, names: &[String]) -> Result<(), Error> {
     let mut seen = BTreeSet::new();
     match names.iter().find(|name| name.is_empty() || !seen.insert(*name)) {
@@ -277,12 +279,12 @@ fn expect_names(what: &'static str, names: &[String]) -> Result<(), Error> {
             Err(Error::Invalid { what, reason: "a name is empty".into() })
         }
         Some(name) => {
-            Err(Error::Invalid { what, reason: format!("the name `{name}` stands twice") })
+            Err(Error::Invalid { what, reason: format!("the name `{name}` occurs twice") })
         }
     }
 }
 
-/// Checks that no component is infinite or NaN, which comparisons do not detect.
+/// Checks that no component is infinite or NaN, because comparisons do not detect NaN.
 ///
 /// # Errors
 /// [`Error::NotFinite`] with the first such component; `what` is the name of the tensor.
@@ -296,7 +298,8 @@ pub fn expect_numbers<S: Scalar>(what: &'static str, tensor: &Tensor<S>) -> Resu
     }
 }
 
-/// Checks that two slots are symmetric (`sign` 1) or antisymmetric (-1), and hold numbers.
+/// Checks that a tensor is symmetric (`sign` 1) or antisymmetric (-1) in two slots, and that its
+/// components are finite.
 pub(crate) fn expect_symmetry<S: Scalar>(
     what: &'static str,
     tensor: &Tensor<S>,

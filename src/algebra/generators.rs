@@ -1,8 +1,9 @@
-//! Generators of an algebra with a bracket whose Jacobi identity is not known yet.
+//! Generators of an algebra whose bracket is not yet known to satisfy the Jacobi identity.
 //!
-//! The `x` for which `[x, .]` is a derivation, `[x,[y,z]] = [[x,y],z] + [y,[x,z]]` for all `y`, `z`, are a vector space
-//! that is closed under the bracket: then `ad_[x,y] = ad_x ad_y - ad_y ad_x`, a commutator of derivations. So the Jacobi
-//! identity holds for all triples if it holds for the triples that begin with a generator.
+//! Consider the `x` for which `[x, .]` is a derivation: `[x,[y,z]] = [[x,y],z] + [y,[x,z]]` for all
+//! `y`, `z`. They form a vector space that is closed under the bracket, because `ad_[x,y] = ad_x
+//! ad_y - ad_y ad_x` is a commutator of derivations. The Jacobi identity therefore holds for all
+//! triples if it holds for the triples that begin with a generator.
 
 use crate::algebra::SparseBracket;
 use crate::algebra::structure::reduction::{ModularAlgebra, PseudoRandom};
@@ -11,19 +12,21 @@ use affinor_tensors::{Down, Scalar, Tensor, Up};
 use nalgebra::{DMatrix, Dyn};
 use std::collections::BTreeMap;
 
-/// Larger algebras are not looked at in a dense basis: the time grows with the cube of the dimension.
+/// The largest dimension at which a dense basis is searched for generators, because the time grows
+/// with the cube of the dimension.
 const LARGEST_DENSE: usize = 600;
-/// Below this dimension few triples are left out.
+/// The smallest dimension for generators in a dense basis. Below it, few triples are saved.
 const SMALLEST_DENSE: usize = 24;
-/// Beyond this dimension a dense table of all constants takes too much memory.
+/// The largest dimension of a dense table of all constants in floats, which is limited by memory.
 const LARGEST_IN_FLOATS: usize = 200;
-/// Tables are multiplied as dense ones if at least one constant of so many is not zero.
+/// A table is multiplied as a dense matrix if at least one in this number of constants is nonzero.
 const FILLED: usize = 8;
-/// How many combinations of the basis are tried as generators.
+/// The numbers of random combinations of the basis that are tried as generators.
 const COMBINATIONS: [usize; 3] = [2, 3, 5];
 
-/// The matrices `a^i_jk` of `[x_j, .]` for fewer generators `x_j` than basis vectors: `[x_j, e_k] = a^i_jk e_i`. `None`
-/// where the constants are not short rational numbers, or such generators were not found.
+/// The matrices `a^i_jk` of `[x_j, .]`, `[x_j, e_k] = a^i_jk e_i`, for generators `x_j` that are
+/// fewer than the basis vectors. `None` if the constants are not short rational numbers, or no such
+/// generators were found.
 pub(super) fn matrices_of_generators<S: Scalar>(structure: &Tensor<S>) -> Option<Tensor<S>> {
     let n = structure.dimension();
     let values: Vec<&S> = structure.components().map(|(_, value)| value).collect();
@@ -34,7 +37,7 @@ pub(super) fn matrices_of_generators<S: Scalar>(structure: &Tensor<S>) -> Option
     let basis = among_the_basis(&constants);
     let among_basis = |j: usize| basis.binary_search(&j).is_ok();
     let few = 2 * basis.len() <= n;
-    // two combinations have full matrices
+    // two random combinations would have full matrices
     let short = structure.components().filter(|(at, _)| among_basis(at[1])).count() <= 2 * n * n;
     let dense = (SMALLEST_DENSE..=LARGEST_DENSE).contains(&n) && structure.len() >= n * n;
     if dense
@@ -52,8 +55,9 @@ pub(super) fn matrices_of_generators<S: Scalar>(structure: &Tensor<S>) -> Option
     few.then(|| Tensor::from_components(n, &[Up, Down, Down], chosen).ok()).flatten()
 }
 
-/// Whether `[x_j, .]` is a derivation for the matrices of these, `A ad_y - ad_y A = ad_(A y)` for each of a basis; `None` where
-/// few constants are not zero, or where the numbers are no short rational ones.
+/// Whether `[x_j, .]` is a derivation for all `x_j`, given by their matrices `A`: `A ad_y - ad_y A
+/// = ad_(A y)` for each basis vector `y`. `None` if few constants are nonzero, or if the numbers
+/// are not short rational ones.
 ///
 /// Products of matrices of integers are exact in floats as long as no sum exceeds 2^53.
 pub(super) fn are_dense_derivations<S: Scalar>(
@@ -64,7 +68,7 @@ pub(super) fn are_dense_derivations<S: Scalar>(
     if !(SMALLEST_DENSE..=LARGEST_IN_FLOATS).contains(&n) || FILLED * structure.len() < n * n * n {
         return None;
     }
-    // entries a^i_jk of each j at [i, k]
+    // the entries a^i_jk of the matrix of each j, at [i, k]
     let numbers = |tensor: &Tensor<S>| {
         let values: Vec<&S> = tensor.components().map(|(_, value)| value).collect();
         let (integers, _) = S::clear_denominators(values.into_iter())?;
@@ -96,7 +100,8 @@ pub(super) fn are_dense_derivations<S: Scalar>(
     }))
 }
 
-/// Basis vectors that generate the algebra, ascending. Only brackets with one new basis vector are followed.
+/// Basis vectors that generate the algebra, in ascending order. The search only follows brackets
+/// with one new basis vector.
 fn among_the_basis(constants: &SparseBracket<i64>) -> Vec<usize> {
     let n = constants.dimension();
     let mut known = vec![false; n];
@@ -122,8 +127,9 @@ fn among_the_basis(constants: &SparseBracket<i64>) -> Vec<usize> {
     generators
 }
 
-/// The components `([i, j, k], v)` of `[x_j, e_k]` for few combinations `x_j` of the basis that generate the algebra
-/// modulo a prime, and so over the rationals: vectors whose residues are independent are independent.
+/// The components `([i, j, k], v)` of `[x_j, e_k]` for a few combinations `x_j` of the basis that
+/// generate the algebra modulo a prime. They also generate it over the rationals, because vectors
+/// with independent residues are independent.
 fn combinations(constants: &SparseBracket<i64>) -> Option<Vec<([usize; 3], i64)>> {
     let (n, prime) = (constants.dimension(), PRIMES[0]);
     let reduction = ModularAlgebra::of_integers(prime, constants)?;

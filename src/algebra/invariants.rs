@@ -6,14 +6,14 @@ use crate::algebra::lie_derivative::act;
 use affinor_tensors::linear::{Matrix, Row};
 use affinor_tensors::{Field, Scalar, Tensor, Tolerance, Variance};
 
-/// The most unknowns of a search for invariants.
+/// The largest number of unknowns in a search for invariants.
 ///
-/// The time depends on the basis. With few structure constants, as in the catalogue, so many unknowns
-/// take seconds. In a dense basis the numbers grow, and a thousand unknowns take minutes.
+/// The time depends on the basis. With few structure constants, as in the catalogue, this number of
+/// unknowns takes seconds. In a dense basis the numbers grow, and a thousand unknowns take minutes.
 pub const MAX_UNKNOWNS: usize = 1 << 16;
 
-/// A basis of the tensors with `slots` on which every endomorphism `A^i_j` acts as zero,
-/// `A^i_p T^p_j - A^p_j T^i_p = 0`, in reduced row echelon form over their components.
+/// A basis of the tensors with `slots` that every endomorphism `A^i_j` annihilates, `A^i_p T^p_j -
+/// A^p_j T^i_p = 0`. It is in reduced row echelon form over the components.
 ///
 /// ```
 /// use affinor::algebra::invariants::invariant_tensors;
@@ -26,7 +26,7 @@ pub const MAX_UNKNOWNS: usize = 1 << 16;
 /// ```
 ///
 /// # Errors
-/// [`Error::Shape`]; [`Error::Size`] when there are more than [`MAX_UNKNOWNS`] components.
+/// [`Error::Shape`]; [`Error::Size`] for more than [`MAX_UNKNOWNS`] components.
 pub fn invariant_tensors<S: Field + Scalar>(
     dimension: usize,
     slots: &[Variance],
@@ -48,8 +48,8 @@ pub fn invariant_tensors<S: Field + Scalar>(
 
 /// The common kernel of the maps on vectors with `unknowns` components, in reduced row echelon form.
 ///
-/// Each map is applied to the kernel of those before it, so few vectors remain for the last maps. No
-/// map is written as a matrix.
+/// Each map is applied only to the common kernel of the previous maps, so that few vectors remain
+/// for the last maps. No map is stored as a matrix.
 pub(crate) fn common_kernel<S: Field + Scalar, M: Copy>(
     what: &'static str,
     unknowns: usize,
@@ -75,7 +75,7 @@ impl<S: Field + Scalar> LieAlgebra<S> {
     /// invariant under the subalgebra that the directions generate.
     ///
     /// # Errors
-    /// As [`invariant_tensors`].
+    /// Those of [`invariant_tensors`].
     pub fn invariant_tensors(
         &self,
         slots: &[Variance],

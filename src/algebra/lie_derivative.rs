@@ -5,8 +5,8 @@ use crate::algebra::frame::{Frame, expect_slots, formula};
 use crate::algebra::{LETTERS, indices};
 use affinor_tensors::{Down, Scalar, Tensor, Up, Variance, contract};
 
-/// The derivation `e_k -> L^i_{direction}k e_i` of `T` in the notation of contractions: a term
-/// `+ L^a_p T^p..` for each upper slot, and `- L^p_a T_p..` for each lower one.
+/// The derivation `e_k -> L^i_{direction}k e_i` of `T`, in the notation of contractions: a term `+
+/// L^a_p T^p...` for each upper slot, and `- L^p_a T_p...` for each lower one.
 pub(crate) fn derivation<S: Scalar>(direction: &str, tensor: &Tensor<S>) -> String {
     let letters = &LETTERS[..tensor.rank()];
     let slots = letters.chars().zip(tensor.slots());
@@ -36,11 +36,11 @@ pub fn act<S: Scalar>(endomorphism: &Tensor<S>, tensor: &Tensor<S>) -> Result<Te
 }
 
 impl<S: Scalar> Frame<S> {
-    /// The bracket of two fields, given like the result by components in this frame:
-    /// `[X, Y]^i = X^j e_j(Y^i) - Y^j e_j(X^i) + c^i_jk X^j Y^k` (32), (A6).
+    /// The bracket of two fields `X` and `Y`, by components in this frame: `[X, Y]^i = X^j
+    /// e_j(Y^i) - Y^j e_j(X^i) + c^i_jk X^j Y^k` (32), (A6).
     ///
     /// # Errors
-    /// [`Error::Shape`] unless both have as many components as the frame.
+    /// [`Error::Shape`] unless both fields have as many components as the frame.
     pub fn bracket(&self, x: &[S], y: &[S]) -> Result<Vec<S>, Error> {
         let field =
             |v: &[S]| Tensor::vector(v, Up).with_tolerance(self.structure_functions().tolerance());
@@ -54,8 +54,8 @@ impl<S: Scalar> Frame<S> {
     /// (L_X T)^i_j = X^m e_m(T^i_j) + A^i_p T^p_j - A^p_j T^i_p,    A^i_j = X^m c^i_mj - e_j(X^i)
     /// ```
     ///
-    /// so `L_X Y = [X, Y]` (A7). In the left-invariant frame of an algebra and with constant
-    /// components, `A = ad_X`.
+    /// With this definition `L_X Y = [X, Y]` (A7). In the left-invariant frame of an algebra and
+    /// for constant components, `A = ad_X`.
     ///
     /// # Errors
     /// [`Error::Shape`]; [`Error::Tensor`] if the derivative is too large for the indices of a tensor, 64 bits.

@@ -1,8 +1,8 @@
 //! The Lie-Poisson bracket on the dual of a Lie algebra, its Casimirs and the coadjoint orbits.
 //!
-//! Functions are [`Symbolic`] in the coordinates `mu1 .. mun` of `mu = mu_i e^i`. The sign is that of
-//! J. E. Marsden and T. S. Ratiu, *Introduction to Mechanics and Symmetry* (1999), 13.1:
-//! `{f,g}(mu) = +- <mu, [df, dg]>`, minus for left-invariant systems.
+//! Functions are [`Symbolic`] in the coordinates `mu1 ... mun` of `mu = mu_i e^i`. The sign follows
+//! J. E. Marsden and T. S. Ratiu, *Introduction to Mechanics and Symmetry* (1999), 13.1: `{f,g}(mu)
+//! = +- <mu, [df, dg]>`, minus for left-invariant systems.
 
 mod casimirs;
 
@@ -38,7 +38,7 @@ impl LiePoisson {
     /// The bracket (-) of left-invariant systems on T*G, such as the rigid body.
     ///
     /// # Errors
-    /// [`Error::Name`] when a parameter of the algebra has the name of a coordinate.
+    /// [`Error::Name`] if a parameter of the algebra has the name of a coordinate.
     pub fn left(algebra: &LieAlgebra<Symbolic>) -> Result<Self, Error> {
         Self::new(algebra, -1)
     }
@@ -46,7 +46,7 @@ impl LiePoisson {
     /// The bracket (+) of right-invariant systems on T*G, such as the ideal fluid.
     ///
     /// # Errors
-    /// As [`left`](Self::left).
+    /// Those of [`left`](Self::left).
     pub fn right(algebra: &LieAlgebra<Symbolic>) -> Result<Self, Error> {
         Self::new(algebra, 1)
     }
@@ -79,7 +79,7 @@ impl LiePoisson {
     /// The bracket of two functions, `{f,g} = Pi_ij df/dmu_i dg/dmu_j`.
     ///
     /// # Errors
-    /// [`Error::Shape`]; not for functions of these coordinates.
+    /// [`Error::Shape`], which cannot occur for functions of these coordinates.
     pub fn bracket(&self, f: &Symbolic, g: &Symbolic) -> Result<Symbolic, Error> {
         let field = self.hamiltonian_field(g)?;
         let operands = [("f", &self.differential(f)), ("X", &field)];
@@ -89,7 +89,7 @@ impl LiePoisson {
     /// The equations of motion of a Hamiltonian: `dmu_i/dt = {mu_i, h} = Pi_ij dh/dmu_j`, slots `_i`.
     ///
     /// # Errors
-    /// As [`bracket`](Self::bracket).
+    /// Those of [`bracket`](Self::bracket).
     pub fn hamiltonian_field(&self, h: &Symbolic) -> Result<Tensor<Symbolic>, Error> {
         let dh = self.differential(h);
         expect_slots("the differential", &dh, self.names.len(), &[Up])?;
@@ -109,8 +109,9 @@ impl LiePoisson {
 }
 
 impl<S: Field + Scalar> LieAlgebra<S> {
-    /// The dimension of the coadjoint orbit through `mu`, the rank of `c^k_ij mu_k`: always even.
-    /// Near a generic `mu` the number of independent Casimir functions is `n` minus this dimension.
+    /// The dimension of the coadjoint orbit through `mu`, which is the rank of `c^k_ij mu_k` and
+    /// always even. Near a generic `mu` the number of independent Casimir functions is `n` minus
+    /// this dimension.
     ///
     /// # Errors
     /// [`Error::Shape`] unless `mu` has as many components as the algebra.
@@ -127,7 +128,7 @@ impl<S: Field + Scalar> LieAlgebra<S> {
     }
 }
 
-/// `<mu, [e_i, e_j]>`.
+/// The antisymmetric form `<mu, [e_i, e_j]>`.
 fn paired<S: Scalar>(algebra: &LieAlgebra<S>, mu: &Tensor<S>) -> Tensor<S> {
     formula("c^k_ij u_k -> _[ij]", &[("c", algebra.structure_constants()), ("u", mu)])
 }

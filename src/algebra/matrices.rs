@@ -26,17 +26,18 @@ impl<S: Field + Scalar> Complex<S> {
 /// Square matrices that are linearly independent over the reals. They are a basis of a matrix Lie
 /// algebra if their span is closed under the commutator.
 ///
-/// A complex matrix `A + iB` is stored as the real matrix `[[A, -B], [B, A]]`, which has the same
-/// products. So independence, closure and span are over the reals.
+/// A complex matrix `A + iB` is stored as the real matrix `[[A, -B], [B, A]]`, because these
+/// matrices have the same products. Independence, closure and span are therefore over the reals.
 #[derive(Clone, Debug)]
 pub struct MatrixBasis<S> {
     labels: Vec<String>,
     matrices: Vec<Matrix<S>>,
-    /// The largest entry of each matrix: the scale against which floats count as zero.
+    /// The largest entry of each matrix, relative to which floats count as zero.
     scales: Vec<S>,
     complex: bool,
     tolerance: Tolerance,
-    /// The matrices as rows of their entries, each followed by its own unit column.
+    /// The rows of the echelon form: the entries of a matrix, followed by a unit vector that
+    /// identifies the matrix.
     span: Echelon<S>,
 }
 
@@ -45,8 +46,8 @@ impl<S: Field + Scalar> MatrixBasis<S> {
     /// from 0.
     ///
     /// # Errors
-    /// [`Error::Shape`] for an entry outside or a wrong number of labels; [`Error::NotFinite`];
-    /// [`Law::Independent`] with a vanishing combination.
+    /// [`Error::Shape`] for an entry outside the matrix or a wrong number of labels;
+    /// [`Error::NotFinite`]; [`Law::Independent`] with a vanishing combination.
     pub fn new(
         labels: impl IntoIterator<Item: AsRef<str>>,
         size: usize,
@@ -105,7 +106,8 @@ impl<S: Field + Scalar> MatrixBasis<S> {
     /// ```
     ///
     /// # Errors
-    /// As [`new`](Self::new), and [`Error::Shape`] for a matrix that is not square or of another size.
+    /// Those of [`new`](Self::new), and [`Error::Shape`] for a matrix that is not square or has
+    /// another size.
     pub fn from_dmatrices<'m>(
         labels: impl IntoIterator<Item: AsRef<str>>,
         matrices: impl IntoIterator<Item = &'m DMatrix<S>>,
@@ -130,7 +132,7 @@ impl<S: Field + Scalar> MatrixBasis<S> {
         &self.labels
     }
 
-    /// The matrices; complex ones in the real form of twice the size.
+    /// The matrices; complex matrices in their real form of twice the size.
     pub fn matrices(&self) -> &[Matrix<S>] {
         &self.matrices
     }
@@ -145,7 +147,7 @@ impl<S: Field + Scalar> MatrixBasis<S> {
         let sparse: Vec<Vec<_>> = self.matrices.iter().map(|m| m.entries().collect()).collect();
         let mut constants = Vec::new();
         for (j, k) in (0..n).flat_map(|j| (j + 1..n).map(move |k| (j, k))) {
-            // (row, column) of A B in one number
+            // encodes (row, column) of A B in one number
             let product = |a: usize, b: usize| {
                 sparse[a].iter().flat_map(move |&(r, m, x)| {
                     let row = self.matrices[b].row(m).iter();
@@ -200,7 +202,7 @@ impl<S: Field + Scalar> MatrixBasis<S> {
         self.size() * self.size()
     }
 
-    /// An entry of the real form `[[A, -B], [B, A]]`, written as an entry of `A + iB`.
+    /// An entry of the real form `[[A, -B], [B, A]]`, shown as an entry of `A + iB`.
     fn entry(&self, row: usize, column: usize, value: S) -> String {
         let size = if self.complex { self.size() / 2 } else { self.size() };
         let value = match (row < size, column < size) {
@@ -211,7 +213,7 @@ impl<S: Field + Scalar> MatrixBasis<S> {
         format!("{value} at row {}, column {}", row % size + 1, column % size + 1)
     }
 
-    /// The linear combination of matrices that the unit columns of a remainder describe.
+    /// The linear combination of matrices that the unit vectors at the end of a remainder describe.
     fn named(&self, remainder: &[(usize, S)]) -> String {
         let entries = self.entries();
         combination(remainder.iter().map(|(column, v)| (v, self.labels[column - entries].clone())))
@@ -245,13 +247,14 @@ fn real_form<S: Field + Scalar>(
     Ok(matrix.with_tolerance(tolerance))
 }
 
-/// The entries of a matrix, row behind row.
+/// The entries of a matrix in one list, row after row.
 fn flat<S: Field + Scalar>(matrix: &Matrix<S>) -> impl Iterator<Item = (usize, S)> {
     let columns = matrix.columns();
     matrix.entries().map(move |(i, j, v)| (i * columns + j, v.clone()))
 }
 
-/// The entry of the greatest weight, which for floats is the largest; zero if there is none.
+/// The entry of the largest pivot weight, which for floats is the largest magnitude; zero if there
+/// is no entry.
 fn largest<S: Field + Scalar>(matrix: &Matrix<S>) -> S {
     let entries = matrix.entries().map(|(_, _, value)| value);
     let largest = entries.max_by(|a, b| a.pivot_weight().total_cmp(&b.pivot_weight()));

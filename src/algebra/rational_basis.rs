@@ -1,9 +1,10 @@
-//! Bases in which structure constants are free of square roots.
+//! Bases in which the structure constants contain no square roots.
 //!
-//! If every structure constant is a rational number times the square root of a rational number, then multiples
-//! `e'_i = e_i / d_i` with rational `d_i^2` may have rational structure constants `c^i_jk d_i / (d_j d_k)`. For each prime `p`
-//! the bits "p divides `d_i^2`" solve linear equations over the field of two elements: those of `d_i`, `d_j`, `d_k` and
-//! `c^i_jk` have the sum 0. The same holds for irreducible polynomials in parameters instead of primes.
+//! Let every structure constant be a rational number times the square root of a rational number.
+//! Then multiples `e'_i = e_i / d_i` with rational `d_i^2` may have rational structure constants
+//! `c^i_jk d_i / (d_j d_k)`. For each prime `p` the bits "p divides `d_i^2`" solve linear equations
+//! over the field of two elements: the bits of `d_i`, `d_j`, `d_k` and `c^i_jk` have the sum 0. The
+//! same holds for irreducible polynomials in parameters instead of primes.
 
 use crate::algebra::frame::Frame;
 use crate::{Error, Law, LieAlgebra};
@@ -12,7 +13,7 @@ use affinor_tensors::{Down, Field, Rational, Symbolic, Tensor, Up};
 use num_traits::One;
 use std::collections::BTreeSet;
 
-/// Solutions of the linear equations are compared up to this number of free unknowns.
+/// The largest number of free unknowns at which all solutions of the linear equations are compared.
 const FREE: usize = 12;
 
 /// An algebra in a basis `e'_i = e_i / d_i` whose structure constants contain no square roots.
@@ -36,8 +37,9 @@ pub struct RationalBasis {
 }
 
 impl RationalBasis {
-    /// A basis of multiples in which the structure constants are rational, or rational functions of parameters. Of several
-    /// with few free choices it changes the smallest number of basis vectors.
+    /// A basis of multiples in which the structure constants are rational, or rational functions of
+    /// parameters. If the solution is not unique and has few free unknowns, the one that changes
+    /// the fewest basis vectors is chosen.
     ///
     /// # Errors
     /// [`Law::RationalConstants`] with a structure constant that prevents it: one that is not a rational number times a square
@@ -63,7 +65,7 @@ impl RationalBasis {
                 divisors: vec![Symbolic::one(); n],
             });
         }
-        // rational constants come first, so that a contradiction shows at a root
+        // rational constants come first, so that a contradiction is reported at a root
         equations.sort_by_key(|(_, _, class)| !class.is_empty());
         let mut system = System::new(n);
         for (at, value, class) in &equations {
@@ -91,7 +93,7 @@ impl RationalBasis {
         Ok(RationalBasis { algebra, divisors })
     }
 
-    /// The algebra in the new basis, whose labels are the multiples: `e8/sqrt(3)`.
+    /// The algebra in the new basis. The labels show the multiples: `e8/sqrt(3)`.
     pub fn algebra(&self) -> &LieAlgebra<Symbolic> {
         &self.algebra
     }
@@ -125,13 +127,14 @@ fn multiple(label: &str, divisor: &Symbolic) -> String {
     }
 }
 
-/// The square roots whose product is the value, up to a rational function; `None` if there is no such product.
+/// The set of square roots whose product is the value, up to a rational function; `None` if there
+/// is no such product.
 fn class(value: &Symbolic) -> Option<BTreeSet<Variable>> {
     let [above, below] = [class_of_sum(&value.numerator())?, class_of_sum(&value.denominator())?];
     Some(&above ^ &below)
 }
 
-/// The square roots that every term of a polynomial contains.
+/// The square roots that occur in every term of a polynomial.
 fn class_of_sum(sum: &Symbolic) -> Option<BTreeSet<Variable>> {
     let classes = sum.terms().into_iter().map(|(powers, _)| {
         let mut class = BTreeSet::new();
@@ -162,14 +165,14 @@ fn is_rational(value: &Symbolic) -> bool {
     only_parameters(value.numerator()) && only_parameters(value.denominator())
 }
 
-/// An equation of [`System`] that contradicts those before.
+/// The error for an equation of [`System`] that contradicts earlier ones.
 struct Contradiction;
 
-/// Linear equations `x_i + x_j + x_k = b` over the field of two elements, with the same left sides for several right sides, in
-/// reduced echelon form.
+/// Linear equations `x_i + x_j + x_k = b` over the field of two elements, in reduced echelon form.
+/// Several right-hand sides share the same left-hand sides.
 struct System {
     unknowns: usize,
-    /// The equation whose pivot is that unknown.
+    /// For each unknown the equation of which it is the pivot.
     pivots: Vec<Option<Equation>>,
     /// The unknowns that occur in an equation.
     used: Vec<bool>,
@@ -178,7 +181,7 @@ struct System {
 #[derive(Clone, Default)]
 struct Equation {
     left: BTreeSet<usize>,
-    /// The numbers of the right sides that are 1.
+    /// The numbers of the right-hand sides that are 1.
     right: BTreeSet<usize>,
 }
 
@@ -194,7 +197,7 @@ impl System {
         System { unknowns, pivots: vec![None; unknowns], used: vec![false; unknowns] }
     }
 
-    /// Adds the equation of the unknowns, in which an unknown that occurs twice cancels.
+    /// Adds the equation with these unknowns; an unknown that occurs twice cancels.
     fn add(&mut self, unknowns: &[usize], right: BTreeSet<usize>) -> Result<(), Contradiction> {
         let mut equation = Equation { left: BTreeSet::new(), right };
         for at in unknowns {
@@ -218,7 +221,8 @@ impl System {
         Ok(())
     }
 
-    /// The unknowns that are 1 in a solution for the right side of that number, as few as possible where few unknowns are free.
+    /// The unknowns that are 1 in a solution for a right-hand side. If few unknowns are free, as
+    /// few as possible are 1.
     fn smallest_solution(&self, number: usize) -> BTreeSet<usize> {
         let known =
             || self.pivots.iter().enumerate().filter_map(|(at, known)| Some((at, known.as_ref()?)));
@@ -226,7 +230,7 @@ impl System {
         let mut solution: BTreeSet<usize> = one.collect();
         let mut best = solution.clone();
         let free = (0..self.unknowns).filter(|at| self.used[*at] && self.pivots[*at].is_none());
-        // the solutions that differ by exchanging one free unknown
+        // the changes of the solution for each free unknown
         let changes: Vec<BTreeSet<usize>> = free
             .take(FREE)
             .map(|free| {
@@ -235,7 +239,7 @@ impl System {
                 with.chain([free]).collect()
             })
             .collect();
-        // the Gray code changes one free unknown in each step
+        // a Gray code changes one free unknown in each step
         for step in 1..1usize << changes.len() {
             solution = &solution ^ &changes[step.trailing_zeros() as usize];
             if solution.len() < best.len() {

@@ -4,8 +4,8 @@
 //! [`chevalley_constants`] are the integer structure constants of the split real form.
 //!
 //! Simple roots are numbered as in Bourbaki, *Groupes et algèbres de Lie*, ch. VI, plates I-IX.
-//! Every vector here is a list of `rank` integers: a root over the simple roots `α_i`, a coroot
-//! over the simple coroots `α_i^∨`, a weight over the fundamental weights.
+//! Every vector in this module is a list of `rank` integers: a root over the simple roots `α_i`, a
+//! coroot over the simple coroots `α_i^∨`, a weight over the fundamental weights.
 
 mod cartan;
 mod chevalley;
@@ -44,7 +44,7 @@ pub struct Root {
 }
 
 impl RootSystem {
-    /// Builds the positive roots level by level: `β + α_i` is a root when the `α_i`-string through
+    /// Builds the positive roots level by level. `β + α_i` is a root if the `α_i`-string through
     /// `β`, which reaches down to `β - p α_i`, has `p > <β, α_i^∨>`.
     ///
     /// Humphreys, *Introduction to Lie Algebras and Representation Theory*, 9.4 and 11.1.
@@ -83,13 +83,13 @@ impl RootSystem {
     }
 
     /// The positive roots by height and, within a height, in descending lexicographic order of
-    /// their coefficients. The simple roots `α_1 .. α_r` come first, the highest root last.
+    /// their coefficients. The simple roots `α_1 ... α_r` come first, the highest root last.
     pub fn positive_roots(&self) -> &[Root] {
         &self.positive
     }
 
-    /// The place of a root in [`positive_roots`](Self::positive_roots), from its coefficients;
-    /// `None` for anything else, negative roots included.
+    /// The position of a root in [`positive_roots`](Self::positive_roots), from its coefficients;
+    /// `None` for other coefficients, including those of negative roots.
     pub fn index(&self, coefficients: &[i64]) -> Option<usize> {
         self.index.get(&key(coefficients, self.cartan_type)?).copied()
     }
@@ -100,8 +100,8 @@ impl RootSystem {
         self.index(coefficients).or_else(|| self.index(&opposite)).is_some()
     }
 
-    /// The positive root `t - r`, if it is one. Exact: keys of sums of two positive roots are
-    /// distinct, so `key(t) - key(r) = key(s)` holds only for `t = r + s`.
+    /// The positive root `t - r`, if it is a root. The lookup is exact: keys of sums of two
+    /// positive roots are distinct, so `key(t) - key(r) = key(s)` implies `t = r + s`.
     fn difference(&self, t: usize, r: usize) -> Option<usize> {
         let key = self.positive[t].key.checked_sub(self.positive[r].key)?;
         self.index.get(&key).copied()
@@ -147,14 +147,16 @@ impl Root {
         self.coefficients.iter().sum()
     }
 
-    /// `(α, α)`, in the scale where the short roots have 2; where all are equally long, all have 2.
+    /// The squared length `(α, α)`, normalized to 2 for the short roots, or for all roots if they
+    /// have equal lengths.
     pub fn squared_length(&self) -> i64 {
         self.squared_length
     }
 }
 
-/// The coefficients as the digits of one number, the first most significant, so that keys add as
-/// roots do and rise in lexicographic order; `None` where they are not `rank` digits.
+/// The coefficients as the digits of one number, the first digit most significant. Keys of sums are
+/// sums of keys, and their order is lexicographic. `None` if there are not `rank` digits or one is
+/// out of range.
 fn key(coefficients: &[i64], cartan_type: CartanType) -> Option<u128> {
     let radix = radix(cartan_type);
     let digit = |&c: &i64| u128::try_from(c).ok().filter(|&c| c < radix);
@@ -162,8 +164,9 @@ fn key(coefficients: &[i64], cartan_type: CartanType) -> Option<u128> {
         .then(|| coefficients.iter().try_fold(0, |key, c| Some(key * radix + digit(c)?)))?
 }
 
-/// One more than any coefficient of a sum of two positive roots: those of a root are at most 6
-/// in the exceptional types and at most 2 in the classical ones. `radix^rank` fits in 128 bits.
+/// One more than the largest coefficient of a sum of two positive roots. The coefficients of a root
+/// are at most 6 in the exceptional types and at most 2 in the classical ones. `radix^rank` fits in
+/// 128 bits.
 fn radix(cartan_type: CartanType) -> u128 {
     match cartan_type.series() {
         Series::A | Series::B | Series::C | Series::D => 5,

@@ -1,12 +1,12 @@
-//! Structure constants by their first factor: one bracket over every kind of number.
+//! Structure constants grouped by their first factor, over any type of numbers.
 
 use affinor_tensors::stop::checkpoint;
 use affinor_tensors::{Scalar, Tensor};
 
 /// The constants `(k, i, c^i_jk)` of each `j`, sorted, where `[e_j, e_k] = c^i_jk e_i`.
 ///
-/// The numbers are scalars of tensors, residues modulo a prime, integers, or floats. Where they have no operators of their own,
-/// a method takes the operation `sum + a b`.
+/// The numbers may be scalars of tensors, residues modulo a prime, integers, or floats. Methods
+/// over numbers without operators take the operation `sum + a b` as an argument.
 #[derive(Clone, Debug)]
 pub(crate) struct SparseBracket<C> {
     by_first: Vec<Vec<(usize, usize, C)>>,
@@ -33,7 +33,7 @@ impl<C> SparseBracket<C> {
         &self.by_first[j]
     }
 
-    /// The constants over other numbers; `None` if one has no image.
+    /// The same bracket with its constants converted by `image`; `None` if a constant has no image.
     pub fn map<D>(&self, image: impl Fn(&C) -> Option<D>) -> Option<SparseBracket<D>> {
         let line = |line: &Vec<(usize, usize, C)>| {
             line.iter().map(|(k, i, value)| Some((*k, *i, image(value)?))).collect()

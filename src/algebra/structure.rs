@@ -1,4 +1,5 @@
-//! The structure of a Lie algebra, exact: series, radicals, Levi subalgebras, types. In reading order:
+//! The structure of a Lie algebra, computed exactly: series, radicals, Levi subalgebras, types. In
+//! reading order:
 //!
 //! - [`GroundField`]: the scalars, rationals and rational functions of parameters;
 //! - [`Subspace`]: subspaces in reduced row echelon form; `products`: brackets of vectors;
@@ -16,8 +17,8 @@
 //!
 //! # Choices by trial
 //!
-//! Every search among elements, forms or primes ends with a certificate, or the answer says that it has none. Primes that divide
-//! a denominator or a structure constant are skipped.
+//! Every search among elements, forms or primes ends with a certificate, or the answer states that
+//! it is not proved. Primes that divide a denominator or a structure constant are skipped.
 //!
 //! | choice | certificate |
 //! |---|---|
@@ -94,7 +95,7 @@ use affinor_tensors::linear::Matrix;
 
 use std::cell::OnceCell;
 
-/// A Lie algebra, prepared for questions about its structure. Answers are computed once.
+/// A Lie algebra, with cached answers to questions about its structure.
 ///
 /// ```
 /// use affinor::algebra::structure::StructureTheory;
@@ -178,7 +179,7 @@ impl<S: GroundField> StructureTheory<S> {
             }
         }
         let labels = (1..=basis.len()).map(|at| format!("e{at}"));
-        // a subalgebra satisfies the identity of Jacobi
+        // a subalgebra satisfies the Jacobi identity
         let bracket = Bracket::from_constants(labels, constants)?;
         let inside = StructureTheory::new(LieAlgebra { frame: bracket.into_frame() });
         if self.levi.get() == Some(subspace) {
@@ -187,7 +188,8 @@ impl<S: GroundField> StructureTheory<S> {
         Ok(inside)
     }
 
-    /// The algebra over the rationals, with the types that are known; `None` if a constant is not rational.
+    /// The algebra over the rationals, with the types that are already known; `None` if a constant
+    /// is not rational.
     pub fn over_the_rationals(&self) -> Option<StructureTheory<Rational>> {
         let constants = self.algebra.structure_constants();
         let rational = constants.components().all(|(_, value)| value.rational().is_some());
@@ -202,7 +204,7 @@ impl<S: GroundField> StructureTheory<S> {
         Some(same)
     }
 
-    /// Takes over types that were found for this algebra.
+    /// Stores types that were found for the same algebra elsewhere.
     fn know_types(&self, types: Option<&Option<Vec<CartanType>>>) {
         if let Some(types) = types {
             self.types.get_or_init(|| types.clone());

@@ -1,16 +1,17 @@
-//! Laws whose failure is an error: the row of a law has its witness, class, message and advice.
+//! Laws whose violation is an error: the row of a law has its witness, class, message and advice.
 
 use super::Error;
 use std::fmt;
 
-/// A row is `Law(part: names, ...; residual) Class "message" "advice"`. The message may use every name of the row.
+/// A row is `Law(part: names, ...; residual) Class "message" "advice"`. The message may use every
+/// name of the row.
 macro_rules! laws {
     ($(
         $(#[$doc:meta])+
         $law:ident($($part:ident: $($name:ident)+),*; $residual:ident) $class:ident
         $message:literal $($advice:literal)?
     )+) => {
-        /// A law that a construction needs. [`Error::Broken`] says where it fails.
+        /// A law that a construction requires. [`Error::Broken`] reports where it fails.
         #[non_exhaustive]
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         pub enum Law {
@@ -21,22 +22,22 @@ macro_rules! laws {
             /// All laws.
             pub const ALL: &[Law] = &[$(Law::$law),+];
 
-            /// The parts of the witness, such as a `pair` or a `triple`, each with the names of its entries. In this order
-            /// the entries are in [`Error::Broken`].
+            /// The parts of the witness, such as a `pair` or a `triple`, each with the names of its
+            /// entries. [`Error::Broken`] stores the entries in this order.
             pub fn parts(self) -> &'static [(&'static str, &'static [&'static str])] {
                 match self {
                     $(Law::$law => &[$((stringify!($part), &[$(stringify!($name)),+])),*],)+
                 }
             }
 
-            /// As [`Error::class`].
+            /// See [`Error::class`].
             pub(super) fn class(self) -> &'static str {
                 match self {
                     $(Law::$law => stringify!($class),)+
                 }
             }
 
-            /// As [`Error::advice`].
+            /// See [`Error::advice`].
             pub(super) fn advice(self) -> Option<&'static str> {
                 let advice: &[&str] = match self {
                     $(Law::$law => &[$($advice)?],)+
@@ -44,7 +45,7 @@ macro_rules! laws {
                 advice.first().copied()
             }
 
-            /// Writes the message.
+            /// Writes the message of the error.
             pub(super) fn write(
                 &self,
                 at: &[String],
@@ -74,7 +75,7 @@ laws! {
     Antisymmetry(pair: x y; residual) AntisymmetryError
         "the bracket is not antisymmetric: [{x}, {y}] + [{y}, {x}] = {residual}"
         "[y,x] must be -[x,y], and [x,x] zero"
-    /// The same of a bracket that is given in both orders.
+    /// The same for a bracket that is given in both orders.
     OppositeOrders(pair: x y, values: forward backward; residual) AntisymmetryError
         "the bracket is not antisymmetric: [{x}, {y}] + [{y}, {x}] = {residual}, \
          for [{x}, {y}] = {forward} and [{y}, {x}] = {backward}"
@@ -86,8 +87,8 @@ laws! {
     Jacobi(triple: x y z; residual) JacobiError
         "the Jacobi identity fails: [[{x},{y}],{z}] + [[{y},{z}],{x}] + [[{z},{x}],{y}] = {residual}"
         "look at the brackets of these three basis vectors"
-    /// Structure constants become rational if basis vectors are divided by square roots. The residual is a constant
-    /// that does not.
+    /// Structure constants become rational if basis vectors are divided by square roots. The
+    /// residual is a constant that cannot be made rational.
     RationalConstants(pair: x y, component: component; value) MathematicsError
         "no division of basis vectors by square roots makes all structure constants rational: \
          the component of [{x}, {y}] along {component} is {value}"
@@ -131,14 +132,15 @@ laws! {
     Independent(relation: relation; zero) DependentError
         "the matrices are linearly dependent over the reals: {relation} = {zero}"
         "a basis has no such relation: leave a matrix out"
-    /// Vector fields are linearly independent somewhere.
+    /// Vector fields are linearly independent at some point.
     IndependentFields(relation: relation; zero) DependentError
         "the frame is degenerate: its determinant is zero, for {relation} = {zero}"
     /// `g(x, y) - g(y, x) = 0` for a metric.
     SymmetricMetric(pair: x y; residual) MetricError
         "the metric is not symmetric: g({x},{y}) - g({y},{x}) = {residual}"
         "write the same value at both places"
-    /// A value that an operation needs, such as a structure function, is constant. The residual is the value.
+    /// A value that must be constant for an operation, such as a structure function. The residual
+    /// is the value.
     Constant(operation: what, component: component; value) MathematicsError
         "{what} needs constants, but here {component} = {value}"
     /// `L_direction Lambda = 0` for a connection that has constant components in the right-invariant frame.
@@ -162,7 +164,7 @@ laws! {
     ConstantTangent(direction: n; residual) MathematicsError
         "{n} is not the constant tangent of an autoparallel: \
          nabla_n n = {residual} in the left-invariant frame"
-    /// The adjoint representation is faithful: no central vector exists.
+    /// The adjoint representation is faithful: there is no central vector.
     FaithfulAdjoint(central: central; zero) MathematicsError
         "the algebra has a centre: {central} commutes with everything, and ad takes it to {zero}"
     /// An algebra is nilpotent. The residual is a component that should vanish.

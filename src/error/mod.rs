@@ -8,25 +8,25 @@ use crate::algebra::catalogue::CatalogueError;
 use affinor_tensors::TensorError;
 use affinor_tensors::linear::LinearError;
 
-/// An error of the library. It says what failed, where, and by how much.
+/// An error of the library. It reports the fault, the location, and the size of the violation.
 ///
-/// Basis vectors appear by their labels, residuals as linear combinations of them.
+/// Basis vectors are given by their labels, residuals as linear combinations of them.
 #[non_exhaustive]
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum Error {
-    /// Tensors whose shapes do not fit, or scalars without an inverse that a formula needs.
+    /// The shapes of tensors do not fit, or a scalar in a formula has no inverse.
     #[error(transparent)]
     Tensor(#[from] TensorError),
-    /// Linear equations over scalars that do not form a field.
+    /// Linear equations over scalars that are not a field.
     #[error(transparent)]
     Linear(#[from] LinearError),
-    /// A name that does not denote one algebra of the catalogue.
+    /// The name does not denote one algebra of the catalogue.
     #[error(transparent)]
     Catalogue(#[from] CatalogueError),
-    /// A name that denotes no group or no column, or that cannot serve as a coordinate.
+    /// The name does not denote a group or a column, or cannot be the name of a coordinate.
     #[error("{0}")]
     Name(String),
-    /// A tensor of the wrong dimension or with the wrong slots.
+    /// A tensor has the wrong dimension or the wrong slots.
     #[error("{what} should have {expected}, not {found}")]
     Shape {
         /// The name of the object.
@@ -36,17 +36,17 @@ pub enum Error {
         /// The shape it has.
         found: String,
     },
-    /// A search over more candidates than its limit.
+    /// A search has more candidates than its limit.
     #[error("{size} {what} are too many to search: the limit is {limit}")]
     Size {
-        /// The candidates, in the plural.
+        /// The candidates, as a plural noun.
         what: &'static str,
         /// Their number.
         size: usize,
         /// The largest number allowed.
         limit: usize,
     },
-    /// A component that is infinite or not a number.
+    /// A component is infinite or NaN.
     #[error("{what}: the component {} = {value} is not a finite number", indices(.at.iter().copied()))]
     NotFinite {
         /// The name of the object.
@@ -56,7 +56,7 @@ pub enum Error {
         /// The component.
         value: String,
     },
-    /// A value that left the range of `f64`.
+    /// A value exceeded the range of `f64`.
     #[error("{component} = {value}: the computation left the range of f64")]
     Overflow {
         /// The component.
@@ -64,17 +64,17 @@ pub enum Error {
         /// The value.
         value: String,
     },
-    /// A law that fails; see [`Law::broken`].
+    /// A law is violated; see [`Law::broken`].
     #[error(fmt = Law::write)]
     Broken {
         /// The law.
         law: Law,
-        /// The vectors and other names at which it fails, in the order of [`Law::parts`].
+        /// The vectors and other names at which the law fails, in the order of [`Law::parts`].
         at: Vec<String>,
         /// The value that contradicts the law: in most laws a remainder that should vanish.
         residual: String,
     },
-    /// A tensor that lacks a required symmetry.
+    /// A tensor lacks a required symmetry.
     #[error(
         "{what} is not {symmetry} in the slots {} and {}: component {} is off by {residual}",
         .slots[0], .slots[1], indices(.at.iter().copied())
@@ -99,36 +99,36 @@ pub enum Error {
         /// Its nonzero components, each with the number of its basis vector, from 1.
         components: Vec<(usize, String)>,
     },
-    /// A Levi-Civita connection was asked for without a metric.
+    /// The Levi-Civita connection was requested without a metric.
     #[error("levi-civita is the connection of a metric, and none is given")]
     NoMetric,
     /// A change of basis whose matrix is singular.
     #[error("the new basis is linearly dependent")]
     SingularBasis,
-    /// A value that does not exist or is not admissible: `no inertia: the mass is -1`.
-    #[error("no {what}: {reason}")]
+    /// A value does not exist or is not admissible: `invalid inertia: the mass is -1`.
+    #[error("invalid {what}: {reason}")]
     Invalid {
         /// The object: `basis`, `element of the group`, `logarithm`, `mean`, `rotation`, `inertia`, `state`, `solid`
         /// or coordinates.
         what: &'static str,
-        /// Why, with the witness.
+        /// The reason, with the witness.
         reason: String,
     },
-    /// An operation that is not defined in this frame, or a method that does not apply to the problem.
+    /// The operation is not defined in this frame, or a method does not apply to the problem.
     #[error("{0}")]
     Unsupported(String),
-    /// An integration that failed before its end.
+    /// An integration failed before its final time.
     #[error("the integration stops at t = {t}: {reason}")]
     Integration {
         /// The time that was reached.
         t: f64,
-        /// Why.
+        /// The reason.
         reason: String,
     },
 }
 
 impl Error {
-    /// A name that cannot serve as a coordinate: not an identifier, or used twice.
+    /// The error for a name that cannot be a coordinate: it is not an identifier, or is used twice.
     pub(crate) fn coordinate(name: &str) -> Self {
         Error::Name(format!("`{name}` is not the name of one coordinate"))
     }
@@ -138,7 +138,7 @@ impl Error {
         self.row().0
     }
 
-    /// What to change, if a general answer exists.
+    /// Advice on what to change, if there is general advice.
     pub fn advice(&self) -> Option<&'static str> {
         self.row().1
     }
@@ -165,7 +165,7 @@ impl Error {
     }
 }
 
-/// Indices as they are listed: `1,2,3`.
+/// A list of indices: `1,2,3`.
 pub(crate) fn indices(at: impl IntoIterator<Item = usize>) -> String {
     at.into_iter().map(|index| index.to_string()).collect::<Vec<_>>().join(",")
 }

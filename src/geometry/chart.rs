@@ -1,10 +1,9 @@
 //! Charts: coordinates, and frames of functions over them.
 //!
-//! A coordinate frame has no structure functions (A9), and (B14) with partial derivatives is (B12).
-//! Any other frame is the product of a coordinate frame and a matrix of functions ([`Frame::moved`]).
-//! Its structure functions are the brackets of its fields (A6), and affinities transform by the
-//! inhomogeneous law
-//! ([`Connection::moved`](crate::Connection::moved)).
+//! A coordinate frame has zero structure functions (A9), and (B14) with partial derivatives is
+//! (B12). Any other frame is the product of a coordinate frame and a matrix of functions
+//! ([`Frame::moved`]). Its structure functions are the brackets of its fields (A6), and affinities
+//! transform by the inhomogeneous law ([`Connection::moved`](crate::Connection::moved)).
 
 mod at_point;
 mod canonical;
@@ -26,8 +25,8 @@ use affinor_tensors::text::combination;
 use affinor_tensors::{Down, Notation, Scalar, Tensor, Up};
 use std::sync::Arc;
 
-/// Named coordinates. Functions of them are scalars with the coordinates as parameters;
-/// [`Symbolic`](affinor_tensors::Symbolic) knows their sines, cosines and exponentials.
+/// Named coordinates. Functions of the coordinates are scalars with the coordinates as parameters;
+/// [`Symbolic`](affinor_tensors::Symbolic) supports their sines, cosines and exponentials.
 ///
 /// ```
 /// use affinor::{Connection, Metric};
@@ -53,7 +52,7 @@ impl Chart {
     /// The chart with these coordinates.
     ///
     /// # Errors
-    /// [`Error::Name`] unless they are different identifiers.
+    /// [`Error::Name`] unless the names are distinct identifiers.
     pub fn new(coordinates: impl IntoIterator<Item: AsRef<str>>) -> Result<Self, Error> {
         let coordinates: Arc<[String]> =
             coordinates.into_iter().map(|name| name.as_ref().to_string()).collect();

@@ -8,8 +8,8 @@ use std::collections::BTreeMap;
 /// The polynomials in the parameters whose common zeros make all components of the tensor vanish.
 ///
 /// They are a basis of the linear span of the numerators, reduced over their monomials. For the
-/// nonmetricity of M(3) they say that `J` is a multiple of the identity. For a tensor of numbers the
-/// result is empty or the constant 1.
+/// nonmetricity of M(3) they state that `J` is a multiple of the identity. For a tensor of numbers
+/// the result is empty or the constant 1.
 pub fn conditions<S: Notation + Scalar>(tensor: &Tensor<S>) -> Vec<S> {
     let polynomials: Vec<_> = tensor.components().map(|(_, v)| v.numerator_terms()).collect();
     let key = |powers: &[(Variable, u32)]| -> Vec<(&str, u32)> {

@@ -22,9 +22,10 @@ use std::sync::{Arc, OnceLock};
 pub struct Connection<S> {
     frame: Frame<S>,
     gamma: Tensor<S>,
-    /// Computed when first asked for, by [`curvature`](Self::curvature); clones share it.
+    /// The curvature, computed by the first call of [`curvature`](Self::curvature) and shared by
+    /// clones.
     pub(super) curvature: Arc<OnceLock<Tensor<S>>>,
-    /// Computed when first asked for without the curvature, by [`ricci`](Self::ricci).
+    /// The Ricci tensor, if [`ricci`](Self::ricci) computed it without the curvature.
     pub(super) ricci: Arc<OnceLock<Tensor<S>>>,
 }
 
@@ -34,7 +35,7 @@ impl<S: PartialEq> PartialEq for Connection<S> {
     }
 }
 
-/// The nonzero covariant derivatives `nabla[x, y] = z` of the frame vectors, one a line.
+/// Writes the nonzero covariant derivatives `nabla[x, y] = z` of the frame vectors, one per line.
 impl<S: Scalar> fmt::Display for Connection<S> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.frame.write_products(f, &self.gamma, "nabla[", "]", |_, _| true)
@@ -66,20 +67,20 @@ impl<S: Scalar> Connection<S> {
         &self.gamma
     }
 
-    /// The covariant derivative of a tensor of any type,
-    /// `(nabla_m T)^i_j = e_m(T^i_j) + Lambda^i_mp T^p_j - Lambda^p_mj T^i_p`; the direction `m`
-    /// is the first lower index of the result. Over the frame of a homogeneous space the tensor must
-    /// be invariant.
+    /// The covariant derivative of a tensor of any type, `(nabla_m T)^i_j = e_m(T^i_j) +
+    /// Lambda^i_mp T^p_j - Lambda^p_mj T^i_p`. The direction `m` is the first lower index of the
+    /// result. Over the frame of a homogeneous space the tensor must be invariant.
     ///
     /// # Errors
-    /// [`Error::Shape`] when the dimensions differ; [`Error::Tensor`] if the result is too large for the indices of a tensor, 64 bits.
+    /// [`Error::Shape`] if the dimensions differ; [`Error::Tensor`] if the result is too large for
+    /// the indices of a tensor, 64 bits.
     pub fn nabla(&self, tensor: &Tensor<S>) -> Result<Tensor<S>, Error> {
         let derivative = self.frame.derivative(tensor)?;
         let letters = &LETTERS[..tensor.rank()];
         let sum = format!("d_m{}{}", indices(letters, tensor), derivation("m", tensor));
         let at = tensor.slots().iter().position(|slot| *slot == Down).unwrap_or(tensor.rank());
         let before = indices(&letters[..at], tensor);
-        // nabla T has the symmetries of T; an antisymmetric last pair is computed once
+        // nabla T has the symmetries of T, so an antisymmetric last pair is computed once
         let pair = tensor.rank().checked_sub(2).filter(|&pair| {
             pair >= at
                 && tensor.slots()[pair..] == [Down, Down]

@@ -1,6 +1,6 @@
 //! Torsion, curvature and the tensors derived from them, with the Bianchi identities.
 //!
-//! A connection computes its curvature once; all tensors here share it.
+//! The curvature of a connection is computed once and shared by all tensors of this module.
 
 mod conformal;
 mod ricci;
@@ -36,8 +36,8 @@ impl<S: Scalar> Connection<S> {
     pub fn curvature(&self) -> &Tensor<S> {
         let _stage = stage("curvature");
         let cell = &self.curvature;
-        // not `get_or_init(compute)`: a thread of the pool that waits within `compute` may take up
-        // work that asks for this curvature
+        // `get_or_init(compute)` could deadlock: a pool thread that waits within `compute` may
+        // start other work that needs this curvature
         cell.get().unwrap_or_else(|| {
             let curvature = self.compute_curvature();
             cell.get_or_init(|| curvature)
@@ -50,14 +50,15 @@ impl<S: Scalar> Connection<S> {
 
     /// The Ricci tensor, slots `_jl`: `Ric_jl = R^i_jil`. It need not be symmetric.
     ///
-    /// Where values grow ([`GROWS`](affinor_tensors::Summable::GROWS)) and the curvature is not known yet, it is computed without the
-    /// curvature, whose components may be much longer.
+    /// For scalars that grow ([`GROWS`](affinor_tensors::Summable::GROWS)), it is computed without
+    /// the curvature unless this is already known, because the components of the curvature may be
+    /// much longer.
     pub fn ricci(&self) -> Tensor<S> {
         let _stage = stage("ricci");
         if S::GROWS && self.curvature.get().is_none() {
             let known = self.ricci.get().cloned();
             return known.unwrap_or_else(|| {
-                // not within `get_or_init`, as above
+                // not within `get_or_init`, for the reason given in `curvature`
                 let ricci = self.evaluate(&format!("{} -> _jl", CURVATURE.replace('k', "i")));
                 self.ricci.get_or_init(|| ricci).clone()
             });
@@ -89,15 +90,15 @@ impl<S: Scalar> Connection<S> {
         self.nabla(&self.torsion()).expect("the torsion belongs to the frame")
     }
 
-    /// The derivative of the curvature, slots `^i_mjkl`: `(nabla_m R)^i_jkl`. Zero for a
-    /// torsion-free connection exactly where the space is locally symmetric.
+    /// The derivative of the curvature, slots `^i_mjkl`: `(nabla_m R)^i_jkl`. For a torsion-free
+    /// connection it vanishes exactly if the space is locally symmetric.
     pub fn nabla_curvature(&self) -> Tensor<S> {
         let _stage = stage("nabla_curvature");
         self.nabla(self.curvature()).expect("the curvature belongs to the frame")
     }
 
-    /// The residual of the first Bianchi identity with torsion, slots `^i_jkl`: the cyclic sum
-    /// over `j, k, l` of `R^i_jkl - tau^m_kl tau^i_mj - (nabla_k tau)^i_lj`. Zero for every
+    /// The residual of the first Bianchi identity with torsion, slots `^i_jkl`: the cyclic sum over
+    /// `j, k, l` of `R^i_jkl - tau^m_kl tau^i_mj - (nabla_k tau)^i_lj`. It vanishes for every
     /// connection over a frame whose structure satisfies the Jacobi identity.
     pub fn bianchi_first(&self) -> Tensor<S> {
         let _stage = stage("first Bianchi identity");
@@ -111,11 +112,12 @@ impl<S: Scalar> Connection<S> {
     }
 
     /// The residual of the second Bianchi identity with torsion, slots `^i_jmkl`: the cyclic sum
-    /// over `m, k, l` of `(nabla_m R)^i_jkl + tau^p_mk R^i_jpl`. Zero as the first.
+    /// over `m, k, l` of `(nabla_m R)^i_jkl + tau^p_mk R^i_jpl`. It vanishes under the same
+    /// condition as the first.
     ///
     /// The affinities between the lower indices `m, k, l` of `nabla R` cancel against those in the
-    /// torsion, whatever the connection. What is left is the exterior covariant derivative of the
-    /// curvature form, and is what is computed: the cyclic sum of
+    /// torsion, whatever the connection. The remainder is the exterior covariant derivative of the
+    /// curvature form. This remainder is computed: the cyclic sum of
     ///
     /// ```text
     /// e_m(R^i_jkl) + Lambda^i_mp R^p_jkl - Lambda^p_mj R^i_pkl - c^p_mk R^i_jpl
@@ -125,7 +127,7 @@ impl<S: Scalar> Connection<S> {
         let curvature = self.curvature();
         let derivative =
             self.frame().derivative(curvature).expect("the curvature belongs to the frame");
-        // the kernel loops over the leading indices, so only over m < k < l
+        // the kernel loops over the leading indices, so m, k, l lead and only m < k < l is computed
         let residual = formula(
             "d_m^i_jkl + d_k^i_jlm + d_l^i_jmk \
              + L^i_mp R^p_jkl + L^i_kp R^p_jlm + L^i_lp R^p_jmk \

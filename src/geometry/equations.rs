@@ -1,7 +1,8 @@
 //! Equations of motion of vectors and covectors along a curve, from a connection.
 //!
-//! All are quadratic: the rate of a vector is bilinear in the vector and the velocity. The
-//! coefficients are constants in an invariant frame, and functions of the position in a moving frame.
+//! All equations are quadratic: the time derivative of a vector is bilinear in the vector and the
+//! velocity. The coefficients are constants in an invariant frame, and functions of the position in
+//! a moving frame.
 
 use crate::Error;
 use crate::algebra::frame::{expect_slots, formula};
@@ -14,8 +15,8 @@ use affinor_tensors::{Down, Field, Scalar, Tensor, Up};
 /// The kind of equations of motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum EquationKind {
-    /// `DH/Dt = M` for the covector `H = g(Omega, .)` (104): for the connection `plus` the
-    /// Euler-Poincare equations (106), (108) of a left-invariant system.
+    /// `DH/Dt = M` for the covector `H = g(Omega, .)` (104). For the connection `plus` these are
+    /// the Euler-Poincare equations (106), (108) of a left-invariant system.
     EulerPoincare,
     /// `nabla_v v = 0` (B6), in components (B7): the velocity of an autoparallel.
     Autoparallel,
@@ -28,7 +29,7 @@ impl EquationKind {
     pub const ALL: [EquationKind; 3] =
         [EquationKind::EulerPoincare, EquationKind::Autoparallel, EquationKind::Transport];
 
-    /// The name in options and JSON.
+    /// The name of the kind in options and JSON.
     pub fn name(self) -> &'static str {
         match self {
             EquationKind::EulerPoincare => "euler-poincare",
@@ -37,7 +38,7 @@ impl EquationKind {
         }
     }
 
-    /// The kind of that name.
+    /// The kind with this name.
     pub fn from_name(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|kind| kind.name() == name)
     }
@@ -55,8 +56,9 @@ impl EquationKind {
     }
 }
 
-/// The equations `a_ij dx^j/dt = q_ijk y^j x^k + M_i`, with the external covector `M` for [`EquationKind::EulerPoincare`] only. `y` is `x`, except for
-/// [`EquationKind::Transport`], where it is the velocity `w` of the curve.
+/// The equations `a_ij dx^j/dt = q_ijk y^j x^k + M_i`; only [`EquationKind::EulerPoincare`] has the
+/// external covector `M`. `y` is `x`, except for [`EquationKind::Transport`], where it is the
+/// velocity `w` of the curve.
 ///
 /// ```
 /// use affinor::algebra::catalogue;
@@ -81,10 +83,10 @@ pub struct Equations<S> {
 }
 
 impl<S: Field + Scalar> Equations<S> {
-    /// The equations of a kind.
+    /// The equations of this kind.
     ///
     /// # Errors
-    /// [`Error::NoMetric`] for Euler-Poincare without a metric; as
+    /// [`Error::NoMetric`] for Euler-Poincare without a metric; those of
     /// [`euler_poincare`](Self::euler_poincare).
     pub fn new(
         kind: EquationKind,
@@ -101,12 +103,12 @@ impl<S: Field + Scalar> Equations<S> {
         }
     }
 
-    /// `DH/Dt = M` (104), written out:
-    /// `g_ij dOmega^j/dt = Lambda^j_ki Omega^k g_jm Omega^m + M_i` (106).
+    /// The equations `DH/Dt = M` (104), written out: `g_ij dOmega^j/dt = Lambda^j_ki Omega^k g_jm
+    /// Omega^m + M_i` (106).
     ///
     /// # Errors
-    /// [`Error::Shape`] when the dimensions differ; [`Error::Unsupported`] for a metric with components
-    /// that are not constant.
+    /// [`Error::Shape`] if the dimensions differ; [`Error::Unsupported`] for a metric whose
+    /// components are not constant.
     pub fn euler_poincare(connection: &Connection<S>, metric: &Metric<S>) -> Result<Self, Error> {
         let n = connection.frame().dimension();
         expect_slots("the metric", metric.components(), n, &[Down, Down])?;
@@ -124,7 +126,7 @@ impl<S: Field + Scalar> Equations<S> {
         })
     }
 
-    /// `nabla_w u = 0`, or `nabla_v v = 0`: `dx^i/dt = -Lambda^i_jk y^j x^k`.
+    /// The equations `nabla_w u = 0` or `nabla_v v = 0`: `dx^i/dt = -Lambda^i_jk y^j x^k`.
     fn parallel(kind: EquationKind, connection: &Connection<S>) -> Self {
         let identity = Tensor::identity(connection.frame().dimension());
         Equations {
@@ -136,11 +138,11 @@ impl<S: Field + Scalar> Equations<S> {
         }
     }
 
-    /// The same equations solved for the rates, `dx^i/dt = h^il (q_ljk y^j x^k + M_l)`.
+    /// The same equations solved for the time derivatives, `dx^i/dt = h^il (q_ljk y^j x^k + M_l)`.
     #[must_use]
     pub fn solved(&self) -> Self {
         let _stage = stage("solution for the derivatives");
-        // equations solved for the rates have an upper index
+        // equations that are solved for the time derivatives have an upper index
         if self.force.is_none() || self.quadratic.slots()[0] == Up {
             return self.clone();
         }
@@ -155,8 +157,9 @@ impl<S: Field + Scalar> Equations<S> {
         }
     }
 
-    /// Whether equations of another connection, with the same metric, have the same solutions: the symmetric parts of the
-    /// quadratic terms are equal, `q_ijk + q_ikj = p_ijk + p_ikj`, to the tolerance of floats.
+    /// Whether these equations and those of another connection with the same metric have the same
+    /// solutions: the symmetric parts of the quadratic terms must be equal, `q_ijk + q_ikj =
+    /// p_ijk + p_ikj`, up to the tolerance of floats.
     ///
     /// ```
     /// use affinor::algebra::catalogue;
@@ -173,7 +176,8 @@ impl<S: Field + Scalar> Equations<S> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Shape`] for equations of another kind or dimension, or where only one is solved for the rates.
+    /// [`Error::Shape`] for equations of another kind or dimension, or if only one of them is
+    /// solved for the time derivatives.
     pub fn agree_with(&self, other: &Self) -> Result<bool, Error> {
         let slots = self.quadratic.slots();
         expect_slots("the quadratic terms", &other.quadratic, self.dimension(), slots)?;
@@ -183,8 +187,8 @@ impl<S: Field + Scalar> Equations<S> {
         Ok(formula(&text, &operands).is_empty())
     }
 
-    /// The rates `dx/dt`, by one elimination. `other` is the external covector `M` (Euler-Poincare), the velocity `w` of
-    /// the curve (transport), or empty (autoparallel).
+    /// The time derivatives `dx/dt`, by one elimination. `other` is the external covector `M`
+    /// (Euler-Poincare), the velocity `w` of the curve (transport), or empty (autoparallel).
     ///
     /// # Errors
     /// [`Error::Shape`] for vectors of another length; [`Error::Linear`] over a ring without pivots.
@@ -220,7 +224,7 @@ impl<S: Field + Scalar> Equations<S> {
             }
         };
         let right = right.to_vector().unwrap_or_default();
-        // the matrix has an inverse, so there is one solution
+        // the matrix is invertible, so there is exactly one solution
         Ok(to_matrix(&self.left).solve(&right)?.unwrap_or_default())
     }
 }
@@ -244,10 +248,10 @@ pub enum Variable {
     Force(usize),
 }
 
-/// One equation: coefficients of the rates, and of products of the variables.
+/// One equation: coefficients of the time derivatives, and of products of the variables.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Row<S> {
-    /// `a_j` for each rate `dx^j/dt`, with `j` from 0.
+    /// The coefficient `a_j` of each time derivative `dx^j/dt`, with `j` from 0.
     pub left: Vec<(S, usize)>,
     /// The coefficient of each product and its factors; a square lists its variable twice.
     pub right: Vec<(S, Vec<Variable>)>,
@@ -264,7 +268,7 @@ impl<S: Scalar> Equations<S> {
         self.left.dimension()
     }
 
-    /// The inverse of the matrix before the rates.
+    /// The inverse of the matrix that multiplies the time derivatives.
     pub fn inverse(&self) -> &Tensor<S> {
         &self.inverse
     }
@@ -289,7 +293,8 @@ impl<S: Scalar> Equations<S> {
     }
 }
 
-/// `q_ijk x^j x^k` with each product once: `q_ijk + q_ikj` for `j < k`, `q_ijj` for squares.
+/// The quadratic terms `q_ijk x^j x^k` with each product once: `q_ijk + q_ikj` for `j < k`, `q_ijj`
+/// for squares.
 fn collect<S: Scalar>(quadratic: &Tensor<S>) -> Tensor<S> {
     let first = if quadratic.slots()[0] == Up { "^i" } else { "_i" };
     let both = formula(&format!("q{first}_jk + q{first}_kj -> {first}_jk"), &[("q", quadratic)]);

@@ -1,9 +1,9 @@
 //! Differential forms in a frame: exterior derivative, products, and Cartan's structure equations.
 //!
-//! A form of degree `p` is its components `w_{i1..ip} = w(e_i1, .., e_ip)`, antisymmetric, so that
-//! `w = 1/p! w_{i1..ip} e^i1 ^ .. ^ e^ip`. No factorial stands in `d` or in the wedge product:
-//! `(e^1 ^ e^2)(e_1, e_2) = 1` and `dw(x,y) = x(w(y)) - y(w(x)) - w([x,y])` (the convention of
-//! Spivak and Warner; that of Kobayashi and Nomizu divides by `p + 1`).
+//! A form of degree `p` is stored by its components `w_{i1...ip} = w(e_i1, ..., e_ip)`, which are
+//! antisymmetric: `w = 1/p! w_{i1...ip} e^i1 ^ ... ^ e^ip`. The exterior derivative and the wedge
+//! product contain no factorials: `(e^1 ^ e^2)(e_1, e_2) = 1` and `dw(x,y) = x(w(y)) - y(w(x)) -
+//! w([x,y])`. This is the convention of Spivak and Warner; Kobayashi and Nomizu divide by `p + 1`.
 
 use crate::Error;
 use crate::algebra::LETTERS;
@@ -16,10 +16,11 @@ use affinor_tensors::{Down, Indices, Scalar, Tensor, TensorError, Up, contract};
 pub struct Form<S>(Tensor<S>);
 
 impl<S: Scalar> Form<S> {
-    /// The form with these components, all slots lower. Of degree 0: a function.
+    /// The form with these components, all slots lower. A form of degree 0 is a function.
     ///
     /// # Errors
-    /// [`Error::Shape`]; [`Error::NotFinite`]; [`Error::Symmetry`] unless they are antisymmetric.
+    /// [`Error::Shape`]; [`Error::NotFinite`]; [`Error::Symmetry`] unless the components are
+    /// antisymmetric.
     pub fn new(components: Tensor<S>) -> Result<Self, Error> {
         let degree = components.rank();
         expect_slots("the form", &components, components.dimension(), &vec![Down; degree])?;
@@ -31,7 +32,7 @@ impl<S: Scalar> Form<S> {
         Ok(Form(components))
     }
 
-    /// The components `w_{i1..ip}`.
+    /// The components `w_{i1...ip}`.
     pub fn components(&self) -> &Tensor<S> {
         &self.0
     }
@@ -46,8 +47,8 @@ impl<S: Scalar> Form<S> {
         self.0.is_empty()
     }
 
-    /// The exterior product, `a ^ b = (p+q)!/(p! q!) Alt(a b)`: the signed sum of
-    /// `a_{i..} b_{j..}` over all ways to share the indices.
+    /// The exterior product, `a ^ b = (p+q)!/(p! q!) Alt(a b)`: the signed sum of `a_{i...}
+    /// b_{j...}` over all ways to distribute the indices.
     ///
     /// # Errors
     /// [`TensorError::Dimension`]; [`TensorError::TooLarge`] beyond degree 8.
@@ -74,7 +75,7 @@ impl<S: Scalar> Form<S> {
         Ok(Form(contract(&format!("{sum} -> {result}"), &[("a", &self.0), ("b", &other.0)])?))
     }
 
-    /// The interior product with a vector: `(i_X w)_{j..} = X^i w_{ij..}`; zero on functions.
+    /// The interior product with a vector: `(i_X w)_{j...} = X^i w_{ij...}`; zero for functions.
     ///
     /// # Errors
     /// [`Error::Shape`] unless `X` has the slots `^i` in the dimension of the form.
@@ -91,8 +92,8 @@ impl<S: Scalar> Form<S> {
 }
 
 impl<S: Scalar> Frame<S> {
-    /// The dual forms `e^1 .. e^n`, `e^i(e_j) = delta^i_j`: for an algebra its Maurer-Cartan forms,
-    /// with `de^i = -1/2 c^i_jk e^j ^ e^k`.
+    /// The dual forms `e^1 ... e^n`, `e^i(e_j) = delta^i_j`. For an algebra they are its
+    /// Maurer-Cartan forms, with `de^i = -1/2 c^i_jk e^j ^ e^k`.
     pub fn coframe(&self) -> Vec<Form<S>> {
         let unit = |i: usize| {
             let mut components = vec![S::zero(); self.dimension()];
@@ -112,9 +113,9 @@ impl<S: Scalar> Frame<S> {
     ///               + sum_{a<b} (-1)^(a+b) c^m_{ia ib} w_{m .. no ia, ib ..}
     /// ```
     ///
-    /// On left-invariant forms only the second sum remains: the differential of C. Chevalley and
-    /// S. Eilenberg, *Trans. Amer. Math. Soc.* 63 (1948) 85-124. `d d = 0` by the Jacobi identity.
-    /// On a homogeneous space it is that of invariant forms.
+    /// On left-invariant forms only the second sum remains: the differential of C. Chevalley and S.
+    /// Eilenberg, *Trans. Amer. Math. Soc.* 63 (1948) 85-124. `d d = 0` by the Jacobi identity. On
+    /// a homogeneous space, the differential of invariant forms is computed.
     ///
     /// # Errors
     /// [`Error::Shape`]; [`TensorError::TooLarge`] beyond degree 8.
@@ -137,7 +138,8 @@ impl<S: Scalar> Frame<S> {
 }
 
 impl<S: Scalar> Connection<S> {
-    /// The connection forms `w^i_j = Lambda^i_kj e^k`, by `i` and then `j`: `nabla e_j = w^i_j e_i`.
+    /// The connection forms `w^i_j = Lambda^i_kj e^k`, indexed by `i` and then `j`: `nabla e_j =
+    /// w^i_j e_i`.
     pub fn connection_forms(&self) -> Vec<Vec<Form<S>>> {
         let n = self.frame().dimension();
         let mut forms = vec![vec![vec![S::zero(); n]; n]; n];
@@ -149,7 +151,7 @@ impl<S: Scalar> Connection<S> {
         forms.into_iter().map(|row| row.into_iter().map(form).collect()).collect()
     }
 
-    /// The torsion forms by Cartan's first structure equation, `T^i = de^i + w^i_j ^ e^j`; their
+    /// The torsion forms by Cartan's first structure equation, `T^i = de^i + w^i_j ^ e^j`. Their
     /// components are the [`torsion`](Self::torsion), `T^i(e_j, e_k) = tau^i_jk`.
     ///
     /// # Errors
@@ -164,7 +166,7 @@ impl<S: Scalar> Connection<S> {
     }
 
     /// The curvature forms by Cartan's second structure equation, `W^i_j = dw^i_j + w^i_k ^ w^k_j`,
-    /// by `i` and then `j`; their components are the [`curvature`](Self::curvature),
+    /// indexed by `i` and then `j`. Their components are the [`curvature`](Self::curvature),
     /// `W^i_j(e_k, e_l) = R^i_jkl`.
     ///
     /// # Errors
@@ -196,7 +198,7 @@ fn total<S: Scalar>(
     })
 }
 
-/// The index letters of a form of that degree.
+/// The index letters of a form of a given degree.
 fn letters(dimension: usize, degree: usize) -> Result<&'static str, Error> {
     let fits = degree <= Indices::MAX;
     let letters = fits.then(|| &LETTERS[..degree]);
@@ -207,7 +209,7 @@ fn lower(letters: &str) -> String {
     if letters.is_empty() { String::new() } else { format!("_{letters}") }
 }
 
-/// The indices of an antisymmetric result.
+/// The index notation of an antisymmetric result.
 fn antisymmetric(letters: &str) -> String {
     if letters.len() < 2 { lower(letters) } else { format!("_[{letters}]") }
 }

@@ -12,18 +12,18 @@ use affinor_tensors::{Down, Field, Indices, Scalar, Tensor, Up};
 #[derive(Clone, Debug)]
 pub struct Holonomy<S> {
     dimension: usize,
-    /// Matrices as rows of `n n` entries.
+    /// The matrices as rows of `n n` entries.
     span: Echelon<S>,
 }
 
 impl<S: Field + Scalar> Connection<S> {
-    /// The holonomy algebra of a connection with constant components in an invariant frame: the
-    /// smallest space of matrices `A^i_j` that contains all `R(e_k, e_l)` and with `A` also the
-    /// `[Lambda_m, A]`, where `(Lambda_m)^i_j = Lambda^i_mj`.
+    /// The holonomy algebra of a connection with constant components in an invariant frame. It is
+    /// the smallest space of matrices `A^i_j` that contains all `R(e_k, e_l)` and, for each of its
+    /// elements `A`, all `[Lambda_m, A]`, where `(Lambda_m)^i_j = Lambda^i_mj`.
     ///
-    /// K. Nomizu, *Amer. J. Math.* 76 (1954) 33-65; Kobayashi and Nomizu, *Foundations II*, section
-    /// X.4: the space so spanned is closed under the commutator. With parameters it is the
-    /// algebra for generic values. Over floats its dimension depends on the tolerance.
+    /// This space is closed under the commutator: K. Nomizu, *Amer. J. Math.* 76 (1954) 33-65;
+    /// Kobayashi and Nomizu, *Foundations II*, section X.4. With parameters it is the algebra for
+    /// generic values. Over floats its dimension depends on the tolerance.
     ///
     /// # Errors
     /// [`Error::Unsupported`] in a frame that is not invariant; [`Error::Linear`] over a ring that is not a
@@ -44,8 +44,9 @@ impl<S: Field + Scalar> Connection<S> {
         self.holonomy_up_to(n * n)
     }
 
-    /// The same, which is faster if the connection preserves the metric: then the matrices are skew, so that the search ends
-    /// with `n(n-1)/2` of them.
+    /// Like [`holonomy`](Self::holonomy), but faster if the connection preserves the metric: then
+    /// the matrices are antisymmetric with respect to it, so that the search ends with `n(n-1)/2`
+    /// of them.
     ///
     /// ```
     /// use affinor::{Connection, Metric, Rational};
@@ -58,7 +59,7 @@ impl<S: Field + Scalar> Connection<S> {
     /// ```
     ///
     /// # Errors
-    /// As [`holonomy`](Self::holonomy); [`Error::Shape`] when the dimensions differ.
+    /// Those of [`holonomy`](Self::holonomy); [`Error::Shape`] if the dimensions differ.
     pub fn holonomy_beside(&self, metric: &Metric<S>) -> Result<Holonomy<S>, Error> {
         let n = self.frame().dimension();
         match self.metric_compatible(metric)?.holds() {
@@ -76,9 +77,9 @@ impl<S: Field + Scalar> Connection<S> {
         let n = self.frame().dimension();
         let tolerance = self.affinities().tolerance();
         let mut span = Echelon::new().with_tolerance(tolerance);
-        // R(e_k, e_l) is the matrix of slots 0 and 1, apart by slots 2 and 3
+        // R(e_k, e_l) is the matrix of slots 0 and 1, one for each value of slots 2 and 3
         let mut open = matrices(self.curvature(), [0, 1], &[2, 3])?;
-        // level by level: matrices of a later level have longer entries
+        // in order of levels, because matrices of later levels have longer entries
         while !open.is_empty() {
             let mut found = vec![];
             for matrix in open {
@@ -111,7 +112,8 @@ impl<S: Field + Scalar> Holonomy<S> {
     /// The reduced basis: matrices `A^i_j`, slots `[Up, Down]`.
     ///
     /// # Errors
-    /// [`Error::Tensor`] if the dimension is too large for a tensor, which that of a connection is not.
+    /// [`Error::Tensor`] if the dimension is too large for a tensor, which cannot occur for the
+    /// dimension of a connection.
     pub fn basis(&self) -> Result<Vec<Tensor<S>>, Error> {
         let matrix =
             |row: &Row<S>| Ok(Tensor::from_row(self.dimension, &[Up, Down], row.iter().cloned())?);

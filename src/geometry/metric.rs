@@ -15,7 +15,7 @@ pub struct Metric<S> {
     inverse: Tensor<S>,
 }
 
-/// As definitions write it: `diag(1, 2, 3)`, or rows `[[2, 1], [1, 2]]`.
+/// Writes the metric as definitions do: `diag(1, 2, 3)`, or rows `[[2, 1], [1, 2]]`.
 impl<S: Field + Scalar> fmt::Display for Metric<S> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (g, n) = (&self.components, self.components.dimension());
@@ -66,7 +66,7 @@ impl<S: Field + Scalar> Metric<S> {
                 components: row.iter().map(|(i, v)| (i + 1, written(v))).collect(),
             });
         };
-        // symmetric to the last bit, also in floats
+        // copies one half, so that floats are exactly symmetric too
         let upper = entries.into_iter().filter(|([i, j], _)| i <= j);
         let both = upper.flat_map(|([i, j], v)| {
             let mirrored = (i < j).then(|| ([j, i], v.clone()));
@@ -76,7 +76,7 @@ impl<S: Field + Scalar> Metric<S> {
         Ok(Metric { components, inverse: inverse.with_tolerance(tolerance) })
     }
 
-    /// The metric `diag(values)`. A message calls the basis vectors `e1 ..`.
+    /// The metric `diag(values)`. Messages call the basis vectors `e1 ...`.
     ///
     /// # Errors
     /// [`Error::NotFinite`]; [`Error::Degenerate`] for a value without an inverse.
@@ -109,7 +109,7 @@ impl<S: Field + Scalar> Metric<S> {
     /// The trace `g^jl t_jl` of a bilinear form with the slots `_jl`.
     ///
     /// # Errors
-    /// [`Error::Shape`] unless the form has these slots and the dimension of the metric.
+    /// [`Error::Shape`] unless the form has two lower slots and the dimension of the metric.
     pub fn trace(&self, form: &Tensor<S>) -> Result<S, Error> {
         expect_slots("the form", form, self.components.dimension(), &[Down, Down])?;
         let trace = formula("g^jl t_jl ->", &[("g", &self.inverse), ("t", form)]);
@@ -120,14 +120,14 @@ impl<S: Field + Scalar> Metric<S> {
     /// vanishes for a bi-invariant metric.
     ///
     /// # Errors
-    /// [`Error::Shape`] when the dimensions differ.
+    /// [`Error::Shape`] if the dimensions differ.
     pub fn ad_invariance_defect(&self, algebra: &LieAlgebra<S>) -> Result<Tensor<S>, Error> {
         self.expect_dimension(algebra.dimension())?;
         let operands = [("g", &self.components), ("c", algebra.structure_constants())];
         Ok(formula("g_mj c^m_ki + g_im c^m_kj -> _kij", &operands))
     }
 
-    /// Checks that the metric is one of this dimension.
+    /// Checks that the metric has this dimension.
     pub(crate) fn expect_dimension(&self, dimension: usize) -> Result<(), Error> {
         expect_slots("the metric", &self.components, dimension, &[Down, Down])
     }

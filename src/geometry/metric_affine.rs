@@ -1,8 +1,9 @@
-//! A connection beside a metric: nonmetricity, and the connections that a metric determines.
+//! Connections on a space with a metric: nonmetricity, and the connections that a metric
+//! determines.
 //!
-//! Connection and metric are given independently (metric-affine geometry). Koszul's formula is the
-//! one formula behind this module: [`Connection::levi_civita`] and the connections with given
-//! torsion and nonmetricity are cases of it.
+//! Connection and metric are given independently (metric-affine geometry). This module is based on
+//! Koszul's formula alone: [`Connection::levi_civita`] and the connections with given torsion and
+//! nonmetricity are special cases.
 
 use crate::algebra::frame::{Frame, expect_slots, expect_symmetry, formula};
 use crate::geometry::connection::Connection;
@@ -12,7 +13,7 @@ use affinor_tensors::stop::stage;
 use affinor_tensors::{Down, Field, Scalar, Tensor, TensorError, Up, contract};
 
 impl<S: Field + Scalar> Connection<S> {
-    /// The nonmetricity `Q_kij = (nabla_k g)_ij`; zero when the metric is compatible.
+    /// The nonmetricity `Q_kij = (nabla_k g)_ij`; zero if the metric is parallel.
     ///
     /// # Errors
     /// [`Error::Shape`] when the dimensions differ.
@@ -48,11 +49,11 @@ impl<S: Field + Scalar> Connection<S> {
         Connection::new(frame.clone(), gamma)
     }
 
-    /// The only connection compatible with `metric` that has this torsion, slots `^i_jk`, in any
+    /// The unique connection compatible with `metric` that has this torsion, slots `^i_jk`, in any
     /// frame: Levi-Civita plus the [`contorsion`].
     ///
     /// # Errors
-    /// As [`contorsion`].
+    /// Those of [`contorsion`].
     pub fn with_torsion(
         frame: &Frame<S>,
         metric: &Metric<S>,
@@ -62,9 +63,9 @@ impl<S: Field + Scalar> Connection<S> {
         Self::with_torsion_and_nonmetricity(frame, metric, torsion, &nonmetricity)
     }
 
-    /// The [`contorsion`] of this connection's torsion. A connection compatible with the metric
-    /// is Levi-Civita plus it, `K = Lambda - LeviCivita`; any other has a
-    /// [`disformation`](Self::disformation) as well.
+    /// The [`contorsion`] of this connection's torsion. For a connection compatible with the metric
+    /// it is the difference `K = Lambda - LeviCivita`; for any other the difference also contains
+    /// the [`disformation`](Self::disformation).
     ///
     /// # Errors
     /// [`Error::Shape`] when the dimensions differ.
@@ -72,14 +73,14 @@ impl<S: Field + Scalar> Connection<S> {
         contorsion(metric, &self.torsion())
     }
 
-    /// The only connection with this torsion `tau^i_jk` and nonmetricity `Q_kij`, in any frame:
+    /// The unique connection with this torsion `tau^i_jk` and nonmetricity `Q_kij`, in any frame:
     ///
     /// ```text
     /// Lambda = LeviCivita + K(tau) + L(Q)
     /// ```
     ///
-    /// with the [`contorsion`] and the [`disformation`]. Koszul's formula is linear,
-    /// and each summand is its value for one of the three inputs.
+    /// with the [`contorsion`] and the [`disformation`]. Koszul's formula is linear, and each
+    /// summand is its value for one of the three inputs.
     ///
     /// # Errors
     /// [`Error::Shape`]; [`Error::Symmetry`] unless `tau^i_jk = -tau^i_kj` and `Q_kij = Q_kji`.
@@ -109,7 +110,8 @@ impl<S: Field + Scalar> Connection<S> {
     }
 }
 
-/// The contorsion of a torsion `tau^i_jk`, slots `^i_jk` as the affinities (direction first):
+/// The contorsion of a torsion `tau^i_jk`, with slots `^i_jk` like the affinities (direction
+/// first):
 ///
 /// ```text
 /// K_ijk = (tau_ijk + tau_jik + tau_kij) / 2,    K_ijk = -K_kji
@@ -135,7 +137,8 @@ fn expect_torsion<S: Field + Scalar>(torsion: &Tensor<S>, n: usize) -> Result<()
     expect_symmetry("the torsion", torsion, [1, 2], -1)
 }
 
-/// The disformation of a nonmetricity `Q_kij = (nabla_k g)_ij`, slots `^i_jk` as the affinities:
+/// The disformation of a nonmetricity `Q_kij = (nabla_k g)_ij`, with slots `^i_jk` like the
+/// affinities:
 ///
 /// ```text
 /// L_ijk = (Q_ijk - Q_jki - Q_kij) / 2,    L_ijk = L_ikj
@@ -161,14 +164,15 @@ fn expect_nonmetricity<S: Scalar>(nonmetricity: &Tensor<S>, n: usize) -> Result<
     expect_symmetry("the nonmetricity", nonmetricity, [1, 2], 1)
 }
 
-/// The only `L^i_jk` with `L_ikj + L_jki = d_kij` and `L^i_jk - L^i_kj = b^i_jk`, its first index
-/// lowered by the metric (`d_kij` symmetric in `ij`, `b^i_jk` antisymmetric in `jk`):
+/// The unique tensor `L^i_jk` with `L_ikj + L_jki = d_kij` and `L^i_jk - L^i_kj = b^i_jk`, where
+/// `d_kij` is symmetric in `ij` and `b^i_jk` antisymmetric in `jk`. With its first index lowered by
+/// the metric it is
 ///
 /// ```text
 /// 2 L_ijk = d_jki + d_kij - d_ijk + b_ijk - b_jki + b_kij
 /// ```
 ///
-/// It is linear in `d` and `b`. `d = e(g) - Q` and `b = c + tau` give the affinities; each summand
+/// It is linear in `d` and `b`. The affinities have `d = e(g) - Q` and `b = c + tau`; each summand
 /// alone gives its contribution.
 fn koszul<S: Field + Scalar>(
     metric: &Metric<S>,
@@ -177,8 +181,8 @@ fn koszul<S: Field + Scalar>(
 ) -> Result<Tensor<S>, Error> {
     let half = S::from_i64(2).recip().ok_or(TensorError::NotInvertible(2))?;
     let lowered = formula("g_im b^m_jk -> _ijk", &[("g", metric.components()), ("b", b)]);
-    // All terms but b_ijk are symmetric in j and k, and b_ijk raised is b itself. So in floats, too,
-    // the antisymmetric part of the result is b/2 to the last bit.
+    // All terms except b_ijk are symmetric in j and k, and raising the index of b_ijk returns b. In
+    // floats, too, the antisymmetric part of the result is therefore exactly b/2.
     let symmetric =
         formula("d_j_ki + d_k_ij - d_i_jk + b_jik + b_kij -> _ijk", &[("d", d), ("b", &lowered)]);
     let raised = formula("h^im s_mjk -> ^i_jk", &[("h", metric.inverse()), ("s", &symmetric)]);

@@ -1,5 +1,5 @@
-//! Properties of connections and metrics. Each holds, possibly with a value such as a constant, or
-//! fails with a nonzero component as witness.
+//! Properties of connections and metrics. A property holds, possibly with a value such as a
+//! constant, or fails with a nonzero component as witness.
 
 mod einstein;
 mod invariant;
@@ -16,7 +16,7 @@ use crate::geometry::metric::Metric;
 use affinor_tensors::{Field, Scalar, Tensor};
 use std::fmt;
 
-/// Whether a property holds.
+/// The answer whether a property holds.
 ///
 /// ```
 /// use affinor::geometry::properties::Property;
@@ -35,9 +35,9 @@ use std::fmt;
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub enum Property<S, T = ()> {
-    /// It holds, with the value that belongs to it, such as a constant or a derivation.
+    /// The property holds, with an associated value such as a constant or a derivation.
     Holds(T),
-    /// It fails, with a witness.
+    /// The property fails, with a witness.
     Fails(Witness<S>),
 }
 
@@ -71,7 +71,7 @@ impl<S, T> Property<S, T> {
         }
     }
 
-    /// The property with another value.
+    /// The same answer with another value.
     fn with<U>(self, value: impl FnOnce(T) -> U) -> Property<S, U> {
         match self {
             Property::Holds(held) => Property::Holds(value(held)),
@@ -80,7 +80,7 @@ impl<S, T> Property<S, T> {
     }
 }
 
-/// `Ric_jl - (1/2) g_jl = 3 at j = 1, l = 1`
+/// Writes `Ric_jl - (1/2) g_jl = 3 at j = 1, l = 1`.
 impl<S: fmt::Display> fmt::Display for Witness<S> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{} = {}", self.equation, self.residual)?;
@@ -120,9 +120,9 @@ impl<S: Scalar> Connection<S> {
         vanishing(&self.nabla_torsion(), "(nabla_m tau)^i_jk".into(), "imjk")
     }
 
-    /// Whether the curvature is parallel, `nabla R = 0`. With parallel torsion the space is then
-    /// locally a reductive homogeneous one with its canonical connection: Kobayashi and Nomizu,
-    /// *Foundations II*, section X.2.
+    /// Whether the curvature is parallel, `nabla R = 0`. If the torsion is parallel too, the space
+    /// is locally a reductive homogeneous space with its canonical connection: Kobayashi and
+    /// Nomizu, *Foundations II*, section X.2.
     pub fn parallel_curvature(&self) -> Property<S> {
         vanishing(&self.nabla_curvature(), "(nabla_m R)^i_jkl".into(), "imjkl")
     }

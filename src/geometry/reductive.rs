@@ -1,4 +1,4 @@
-//! Reductive homogeneous spaces G/H: their canonical connections, and invariant ones.
+//! Reductive homogeneous spaces G/H, with their canonical and invariant connections.
 
 use crate::algebra::frame::{Frame, expect_slots, formula};
 use crate::algebra::invariants::invariant_tensors;
@@ -10,8 +10,8 @@ use crate::{Error, Law};
 use affinor_tensors::linear::Matrix;
 use affinor_tensors::{Down, Field, Scalar, Tensor, TensorError, Up, Variance};
 
-/// An algebra `g = m + h` with a subalgebra `h` and a complement `[h, m]` within `m`: the
-/// homogeneous space G/H seen from its origin, where `m` is the tangent space.
+/// An algebra `g = m + h` with a subalgebra `h` and a complement `m` such that `[h, m]` lies in
+/// `m`. It describes the homogeneous space G/H at its origin, where `m` is the tangent space.
 ///
 /// An invariant connection on G/H is an `h`-invariant bilinear map `Lambda^i_jk` on `m`. Its torsion
 /// and curvature are (K. Nomizu, *Amer. J. Math.* 76 (1954) 33-65)
@@ -21,8 +21,9 @@ use affinor_tensors::{Down, Field, Scalar, Tensor, TensorError, Up, Variance};
 /// R(x,y)z = Lambda(x) Lambda(y) z - Lambda(y) Lambda(x) z - Lambda([x,y]_m) z - [[x,y]_h, z]
 /// ```
 ///
-/// These are (B10) and (B14) over [`frame`](Self::frame). So such a connection is a [`Connection`],
-/// with `nabla` of invariant tensors, Ricci, the Bianchi identities and scalar curvature.
+/// These are (B10) and (B14) over [`frame`](Self::frame). An invariant connection is therefore a
+/// [`Connection`], with `nabla` of invariant tensors, Ricci, the Bianchi identities and scalar
+/// curvature.
 ///
 /// ```
 /// use affinor::algebra::catalogue;
@@ -40,16 +41,17 @@ use affinor_tensors::{Down, Field, Scalar, Tensor, TensorError, Up, Variance};
 pub struct ReductivePair<S> {
     algebra: LieAlgebra<S>,
     frame: Frame<S>,
-    /// `ad_x` on `m` for the basis of `h`, slots `^i_j`.
+    /// The action of `ad_x` on `m` for each basis vector `x` of `h`, slots `^i_j`.
     isotropy: Vec<Tensor<S>>,
 }
 
 impl<S: Field + Scalar> ReductivePair<S> {
-    /// The pair with these bases of `h` and `m`, by their components in the basis of `algebra`.
+    /// The pair with these bases of `h` and `m`, given by components in the basis of `algebra`.
     ///
     /// # Errors
-    /// [`Error::Shape`]; [`Error::SingularBasis`] unless both together are a basis;
-    /// [`Law::ReductiveIsotropy`] or [`Law::ReductiveComplement`] with the first bracket that escapes.
+    /// [`Error::Shape`]; [`Error::SingularBasis`] unless the vectors of `h` and `m` together are a
+    /// basis; [`Law::ReductiveIsotropy`] or [`Law::ReductiveComplement`] with the first bracket
+    /// that violates it.
     pub fn new(algebra: &LieAlgebra<S>, h: &[Vec<S>], m: &[Vec<S>]) -> Result<Self, Error> {
         let (n, r) = (algebra.dimension(), m.len());
         let basis: Vec<_> = m.iter().chain(h).collect();
@@ -65,7 +67,8 @@ impl<S: Field + Scalar> ReductivePair<S> {
         let change = change.with_tolerance(algebra.structure_constants().tolerance());
         let adapted = algebra.change_basis(&BasisChange::new(change)?)?;
         let c = adapted.structure_constants();
-        // the constants c^i_jk whose indices lie in h where `of_h` is true, and in m elsewhere
+        // the constants c^i_jk in which an index belongs to h where `of_h` is true, and to m
+        // otherwise
         let part = |of_h: [bool; 3]| {
             c.filter_map(|at, value| at.iter().map(|i| *i >= r).eq(of_h).then(|| value.clone()))
         };
@@ -82,7 +85,7 @@ impl<S: Field + Scalar> ReductivePair<S> {
         if let Some([x, y, bracket]) = escaped([true, true, false]) {
             return Err(Law::ReductiveComplement.broken([x, y], bracket));
         }
-        // v(x, y) = [x, y]_h
+        // the vertical part [x, y]_h
         let vertical = part([true, false, false]);
         let curving = formula("v^a_kl c^i_aj -> ^i_j[kl]", &[("v", &vertical), ("c", c)]);
         let labels = &adapted.labels()[..r];
@@ -100,9 +103,9 @@ impl<S: Field + Scalar> ReductivePair<S> {
     /// The pair with the complement of `h` that is orthogonal under the Killing form.
     ///
     /// # Errors
-    /// [`Law::KillingOnSubalgebra`] if the Killing form is degenerate on `h`: the orthogonal
-    /// complement does not exist, though others may. [`Error::SingularBasis`] for dependent vectors. Otherwise as
-    /// [`new`](Self::new).
+    /// [`Law::KillingOnSubalgebra`] if the Killing form is degenerate on `h`: then the orthogonal
+    /// complement is not a complement, though others may exist. [`Error::SingularBasis`] for
+    /// dependent vectors. Otherwise those of [`new`](Self::new).
     pub fn orthogonal(algebra: &LieAlgebra<S>, h: &[Vec<S>]) -> Result<Self, Error> {
         let killing = algebra.killing_form();
         let rows = h.iter().map(|x| {
@@ -118,7 +121,7 @@ impl<S: Field + Scalar> ReductivePair<S> {
             return Err(Error::SingularBasis);
         }
         if !h.is_empty() {
-            // K restricted to h
+            // the Killing form K restricted to h
             let null = products.mul(&vectors.transpose())?.nullspace()?;
             if null.rows() > 0 {
                 let x = vectors.transpose().apply(&null.to_dense()[0])?;
@@ -135,11 +138,11 @@ impl<S: Field + Scalar> ReductivePair<S> {
         Connection::in_frame(&self.frame, &S::zero())
     }
 
-    /// The first canonical connection, the natural one without torsion: `Lambda(x) y = [x,y]_m / 2`.
-    /// It has the geodesics of [`canonical`](Self::canonical).
+    /// The first canonical connection, which is the torsion-free natural one: `Lambda(x) y =
+    /// [x,y]_m / 2`. It has the geodesics of [`canonical`](Self::canonical).
     ///
     /// # Errors
-    /// [`Error::Tensor`] where 2 has no inverse.
+    /// [`Error::Tensor`] if 2 has no inverse in the scalars.
     pub fn natural(&self) -> Result<Connection<S>, Error> {
         let half = S::from_i64(2).recip().ok_or(TensorError::NotInvertible(2))?;
         Ok(Connection::in_frame(&self.frame, &half))
@@ -148,7 +151,7 @@ impl<S: Field + Scalar> ReductivePair<S> {
     /// The invariant connection with the affinities `Lambda^i_jk` on `m`.
     ///
     /// # Errors
-    /// [`Error::Shape`]; [`Law::IsotropyInvariance`] unless they are invariant under `h`.
+    /// [`Error::Shape`]; [`Law::IsotropyInvariance`] unless the affinities are invariant under `h`.
     pub fn connection(&self, gamma: Tensor<S>) -> Result<Connection<S>, Error> {
         let connection = Connection::new(self.frame.clone(), gamma)?;
         self.expect_invariant("the affinities", connection.affinities())?;
@@ -159,7 +162,7 @@ impl<S: Field + Scalar> ReductivePair<S> {
     /// `Lambda(x) y = [x,y]_m / 2 + U(x,y)`.
     ///
     /// # Errors
-    /// [`Error::Shape`]; [`Law::IsotropyInvariance`] unless it is invariant under `h`.
+    /// [`Error::Shape`]; [`Law::IsotropyInvariance`] unless the metric is invariant under `h`.
     pub fn levi_civita(&self, metric: &Metric<S>) -> Result<Connection<S>, Error> {
         let slots = [Down, Down];
         expect_slots("the metric", metric.components(), self.dimension(), &slots)?;
@@ -167,12 +170,12 @@ impl<S: Field + Scalar> ReductivePair<S> {
         Connection::levi_civita(&self.frame, metric)
     }
 
-    /// A basis of the `h`-invariant tensors on `m`: the invariant tensor fields of G/H.
-    /// With the slots `^i_jk` these are its invariant connections (H.-C. Wang, *Nagoya Math. J.* 13
-    /// (1958) 1-19), for connected H.
+    /// A basis of the `h`-invariant tensors on `m`, which are the invariant tensor fields of G/H.
+    /// With the slots `^i_jk` these are, for connected H, its invariant connections (H.-C. Wang,
+    /// *Nagoya Math. J.* 13 (1958) 1-19).
     ///
     /// # Errors
-    /// As [`invariant_tensors`].
+    /// Those of [`invariant_tensors`].
     pub fn invariant_tensors(&self, slots: &[Variance]) -> Result<Vec<Tensor<S>>, Error> {
         invariant_tensors(self.dimension(), slots, &self.isotropy)
     }
@@ -199,7 +202,8 @@ impl<S: Scalar> ReductivePair<S> {
         &self.algebra
     }
 
-    /// The frame of `m`: structure `[e_j, e_k]_m`, and `[[e_k, e_l]_h, .]` in every curvature.
+    /// The frame of `m`: its structure is `[e_j, e_k]_m`, and every curvature contains `[[e_k,
+    /// e_l]_h, .]`.
     pub fn frame(&self) -> &Frame<S> {
         &self.frame
     }
@@ -214,14 +218,14 @@ impl<S: Scalar> ReductivePair<S> {
         &self.isotropy
     }
 
-    /// Whether `[m, m]` lies in `h`. The two canonical connections then coincide, without torsion and
-    /// with parallel curvature.
+    /// Whether `[m, m]` lies in `h`. In this case the two canonical connections coincide, are
+    /// torsion-free and have parallel curvature.
     pub fn is_symmetric(&self) -> bool {
         self.frame.structure_functions().is_empty()
     }
 }
 
-/// The components with all indices below `r`, as a tensor in that dimension.
+/// The components with all indices below `r`, as a tensor of dimension `r`.
 fn restricted<S: Scalar>(tensor: &Tensor<S>, r: usize) -> Result<Tensor<S>, Error> {
     let inside = tensor.components().filter(|(at, _)| at.iter().all(|index| *index < r));
     let inside = inside.map(|(at, value)| (at, value.clone()));

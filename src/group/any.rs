@@ -10,12 +10,13 @@ use std::any::Any;
 use std::fmt::Debug;
 use std::sync::Arc;
 
-/// A group chosen at run time: [by its name](AnyGroup::named), or [made](AnyGroup::new) of any group of the library or of
-/// your own.
+/// A group chosen at run time, [by its name](AnyGroup::named), or [made](AnyGroup::new) from any
+/// group type.
 ///
-/// It is a [`LieGroup`] like the others. Elements are lists of embedding coordinates ([`Embedded::coordinates`]), vectors are
-/// lists of components. Lengths are not checked in every call: a list of another length than the group expects panics or
-/// gives a wrong result. Matrices of elements come from [`MatrixNotation::write`].
+/// It is a [`LieGroup`] like the others. Elements are lists of embedding coordinates
+/// ([`Embedded::coordinates`]), vectors are lists of components. Lengths are not checked in every
+/// call: a list of a wrong length panics or gives a wrong result. For matrices of elements use
+/// [`MatrixNotation::write`].
 ///
 /// ```
 /// use affinor::group::{AnyGroup, LieGroup, MatrixNotation};
@@ -33,22 +34,23 @@ use std::sync::Arc;
 pub struct AnyGroup(Arc<dyn Erased>);
 
 impl AnyGroup {
-    /// A group whose type is no longer visible.
+    /// Wraps a group and hides its type.
     pub fn new<G: MatrixNotation + TranslationSplit + Debug + Send + Sync + 'static>(
         group: G,
     ) -> Self {
         AnyGroup(Arc::new(Flat(group)))
     }
 
-    /// [`registry::find`](super::registry::find): the group of a name.
+    /// The group with this name, by [`registry::find`](super::registry::find).
     ///
     /// # Errors
-    /// As there.
+    /// Those of [`registry::find`](super::registry::find).
     pub fn named(name: &str) -> Result<Self, Error> {
         super::registry::find(name)
     }
 
-    /// The factors of a direct product of groups that were chosen at run time, in order; otherwise the group alone.
+    /// The factors, in order, of a direct product of groups that were chosen at run time; for any
+    /// other group, the group itself.
     ///
     /// ```
     /// use affinor::group::{AnyGroup, LieGroup};
@@ -64,13 +66,13 @@ impl AnyGroup {
         }
     }
 
-    /// The group that it was [made](Self::new) of, if that has this type.
+    /// The group from which this was [made](Self::new), if it has type `G`.
     pub fn downcast_ref<G: 'static>(&self) -> Option<&G> {
         self.0.group().downcast_ref()
     }
 }
 
-/// A group whose elements and vectors are lists of numbers.
+/// The interface of groups whose elements and vectors are lists of numbers.
 trait Erased:
     LieGroup<Element = DVector<f64>, Vector = DVector<f64>>
     + TranslationSplit
@@ -79,11 +81,11 @@ trait Erased:
     + Send
     + Sync
 {
-    /// The group behind the lists.
+    /// The wrapped group.
     fn group(&self) -> &dyn Any;
 }
 
-/// Any group with lists of numbers for elements and vectors.
+/// A wrapper of any group that converts its elements and vectors to lists of numbers.
 #[derive(Debug)]
 struct Flat<G>(G);
 
@@ -141,8 +143,8 @@ fn list(x: impl Coordinates) -> DVector<f64> {
     DVector::from_column_slice(x.components())
 }
 
-/// Implements the traits of a group by those of the group inside, between which `element`, `vector`, `to_element` and
-/// `to_vector` convert.
+/// Implements the traits of a group by forwarding to the wrapped group; `element`, `vector`,
+/// `to_element` and `to_vector` convert.
 macro_rules! on_lists {
     ([$($parameters:tt)*] $Group:ty) => {
         impl $($parameters)* LieGroup for $Group {

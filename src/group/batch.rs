@@ -1,8 +1,11 @@
-//! Many elements of SO(3) or SE(3) at once: rows of components, in the thread of the caller.
+//! Operations on many elements of SO(3) or SE(3): arrays of rows, computed in the thread of the
+//! caller.
 //!
-//! [`exp_rows`], [`log_rows`] and [`compose_rows`] compute with rotations; [`map`] applies any kernel of [`rotations`] and
-//! [`motions`] to rows. The formulas are those of [`So3`] and [`Se3`](super::Se3). Over blocks of rows the compiler emits vector instructions: with the feature `simd` those
-//! that the processor has, chosen at run time. All of them round alike, so a result depends on its argument alone.
+//! [`exp_rows`], [`log_rows`] and [`compose_rows`] compute with rotations; [`map`] applies any
+//! kernel of [`rotations`] and [`motions`] to rows. The formulas are those of [`So3`] and
+//! [`Se3`](super::Se3). For blocks of rows the compiler emits vector instructions; with the feature
+//! `simd` they are chosen at run time for the processor. All instruction sets round alike, so a
+//! result depends on its argument alone.
 
 pub mod motions;
 pub mod rotations;
@@ -18,7 +21,8 @@ use crate::numerics::stumpff::{NEAR, near};
 use multiversion::multiversion;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
-/// A quarter of the squared angle, and where this is below [`NEAR`] the scalar part and the ratio of the vector parts.
+/// A quarter of the squared angle, and for values below [`NEAR`] the scalar part and the ratio of
+/// the vector parts.
 #[inline(always)]
 fn exp_near([x, y, z]: [f64; 3]) -> (f64, f64, f64) {
     let quarter = 0.25 * (x * x + y * y + z * z);
@@ -36,7 +40,7 @@ fn exp_alone(x: [f64; 3]) -> [f64; 4] {
     [g.w, g.i, g.j, g.k]
 }
 
-/// The squared norm, and where this is that of a unit the ratio of the vector parts.
+/// The squared norm, and for norms near 1 the ratio of the vector parts.
 #[inline(always)]
 fn log_near([w, i, j, k]: [f64; 4]) -> (f64, f64) {
     let square = i * i + j * j + k * k;
@@ -106,8 +110,8 @@ fn exp_lanes(x: &[[f64; 3]; LANES], g: &mut [[f64; 4]; LANES]) {
     }
 }
 
-/// Logarithms of rows `w, x, y, z`, of length at most `pi`; NaN for a quaternion that is zero or not finite. Returns
-/// whether every row has a logarithm.
+/// Logarithms of rows `w, x, y, z`, of length at most `pi`; NaN for a quaternion that is zero or
+/// not finite. Returns whether every row has a logarithm.
 ///
 /// # Panics
 /// If the numbers of rows differ.
@@ -155,16 +159,16 @@ fn log_lanes(g: &[[f64; 4]; LANES], x: &mut [[f64; 3]; LANES]) -> bool {
     valid
 }
 
-/// The number of rows that are computed side by side.
+/// The number of rows that are computed at once.
 const LANES: usize = 16;
 
-/// Rows as columns, over which loops become vector instructions.
+/// Transposes rows to columns, over which loops become vector instructions.
 #[inline(always)]
 fn columns<const N: usize>(rows: &[[f64; N]; LANES]) -> [[f64; LANES]; N] {
     std::array::from_fn(|column| std::array::from_fn(|row| rows[row][column]))
 }
 
-/// The last rows, and others that complete the lanes.
+/// The last rows, padded to a whole block.
 #[inline(always)]
 fn filled<const N: usize>(rest: &[[f64; N]], fill: [f64; N]) -> [[f64; N]; LANES] {
     let mut block = [fill; LANES];
@@ -176,7 +180,8 @@ fn filled<const N: usize>(rest: &[[f64; N]], fill: [f64; N]) -> [[f64; N]; LANES
 mod tests {
     use super::*;
 
-    /// The instructions of this processor give the same floats as those that every processor has, at any place of a batch.
+    /// The instructions of this processor give the same floats as the basic ones, at every position
+    /// of a batch.
     #[test]
     fn equal_floats_on_every_processor_at_every_place() {
         let scales = [0.0, 1e-170, 1e-9, 0.1, 1.2, 2.99, 3.0, 3.01, 6.3, 1e3, 1e150, f64::NAN];

@@ -1,4 +1,4 @@
-//! Components of vectors, of a size fixed at compile time or not.
+//! Components of vectors, of a size that is fixed at compile time or dynamic.
 
 use nalgebra::{DMatrix, DVector, SMatrix, SVector};
 use std::fmt::Debug;
@@ -14,22 +14,23 @@ pub trait Coordinates:
     + Neg<Output = Self>
     + Mul<f64, Output = Self>
 {
-    /// Square matrices that act on these vectors; their size is fixed if that of the vectors is.
+    /// Square matrices that act on these vectors. Matrices have a fixed size if vectors have one.
     type Matrix: Clone + Debug + PartialEq;
 
-    /// The matrix of a dimension with these columns.
+    /// The matrix with these columns; a fixed size ignores `dimension`.
     fn matrix(dimension: usize, column: impl FnMut(usize) -> Self) -> Self::Matrix;
 
-    /// From a function of the index, for a dimension; a fixed size ignores `dimension`.
+    /// The vector with components given by a function of the index; a fixed size ignores
+    /// `dimension`.
     fn from_fn(dimension: usize, component: impl FnMut(usize) -> f64) -> Self;
 
     /// The list of components.
     fn components(&self) -> &[f64];
 
-    /// From the list of components.
+    /// The vector with these components.
     ///
     /// # Panics
-    /// If the size is fixed and the list is shorter.
+    /// If the size is fixed and the list is too short.
     #[inline]
     fn from_components(components: &[f64]) -> Self {
         Self::from_fn(components.len(), |i| components[i])
@@ -41,7 +42,7 @@ pub trait Coordinates:
         Self::from_fn(dimension, |_| 0.0)
     }
 
-    /// The largest absolute value of a component, NaN ignored.
+    /// The largest absolute value of a component; NaN is ignored.
     #[inline]
     fn largest(&self) -> f64 {
         self.components().iter().fold(0.0, |most, x| if x.abs() > most { x.abs() } else { most })
@@ -50,7 +51,7 @@ pub trait Coordinates:
     /// Whether no component is infinite or NaN.
     #[inline]
     fn is_finite(&self) -> bool {
-        // a product with zero is zero or NaN: no branch for each
+        // branchless: x * 0.0 is NaN for an infinite x or NaN, and zero otherwise
         self.components().iter().fold(0.0, |sum, x| sum + x * 0.0) == 0.0
     }
 }
@@ -80,7 +81,7 @@ impl Coordinates for DVector<f64> {
     type Matrix = DMatrix<f64>;
 
     fn matrix(dimension: usize, column: impl FnMut(usize) -> Self) -> Self::Matrix {
-        // a matrix without columns needs its number of rows
+        // nalgebra needs the number of rows even if there are no columns
         let columns: Vec<_> = (0..dimension).map(column).collect();
         DMatrix::from_fn(dimension, dimension, |i, k| columns[k][i])
     }

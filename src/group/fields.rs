@@ -1,12 +1,13 @@
-//! Invariant vector fields of a group: values, flows, brackets; translated vectors.
+//! Invariant vector fields of a group: values, flows, brackets and translations.
 //!
-//! Left translation keeps left components (24). Right translation by `h` takes left components `v` at `g` to
-//! `Ad_{h^-1} v` at `g h`; the right components of `v` at `g` are `Ad_g v`.
+//! Left translation preserves left components (24). Right translation by `h` maps a vector with
+//! left components `v` at `g` to one with left components `Ad_{h^-1} v` at `g h`. The right
+//! components of `v` at `g` are `Ad_g v`.
 
 use super::{Coordinates, LieGroup};
 pub use crate::geometry::chart::Side;
 
-/// The invariant field through a vector `x` at the identity.
+/// The invariant field with the value `x` at the identity.
 ///
 /// ```
 /// use affinor::group::fields::{InvariantField, Side};
@@ -18,14 +19,15 @@ pub use crate::geometry::chart::Side;
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct InvariantField<V> {
-    /// The side of the translations that leave it invariant.
+    /// The side of the translations under which the field is invariant.
     pub side: Side,
     /// Its value at the identity.
     pub vector: V,
 }
 
 impl<V: Coordinates> InvariantField<V> {
-    /// The value at `g` in left components: `x`, or `Ad_{g^-1} x` for a right-invariant field.
+    /// The value at `g` in left components: `x` for a left-invariant field, `Ad_{g^-1} x` for a
+    /// right-invariant one.
     pub fn at<G: LieGroup<Vector = V>>(&self, group: &G, g: &G::Element) -> V {
         match self.side {
             Side::Left => self.vector.clone(),
@@ -33,8 +35,9 @@ impl<V: Coordinates> InvariantField<V> {
         }
     }
 
-    /// The flow from `g` over the time `t`: a left-invariant field moves by right translations,
-    /// `g exp(t x)`, a right-invariant one by left translations, `exp(t x) g`.
+    /// The flow from `g` for the time `t`. The flow of a left-invariant field is a right
+    /// translation, `g exp(t x)`; the flow of a right-invariant one is a left translation, `exp(t
+    /// x) g`.
     pub fn flow<G: LieGroup<Vector = V>>(&self, group: &G, g: &G::Element, t: f64) -> G::Element {
         let step = group.exp(&(self.vector.clone() * t));
         match self.side {
@@ -43,8 +46,8 @@ impl<V: Coordinates> InvariantField<V> {
         }
     }
 
-    /// The bracket of two fields, an invariant field: `[x,y]` on the left (34), `-[x,y]` on the right, and 0
-    /// for a left- and a right-invariant field (35).
+    /// The bracket of two fields, which is an invariant field: `[x,y]` for left-invariant fields
+    /// (34), `-[x,y]` for right-invariant ones, and 0 for a left- and a right-invariant field (35).
     #[must_use]
     pub fn bracket<G: LieGroup<Vector = V>>(&self, group: &G, other: &Self) -> Self {
         let bracket = group.bracket(&self.vector, &other.vector);
@@ -56,7 +59,7 @@ impl<V: Coordinates> InvariantField<V> {
     }
 }
 
-/// `R_h*` of a vector in left components: `Ad_{h^-1} v`.
+/// Right translation `R_h*` of a vector in left components: `Ad_{h^-1} v`.
 pub fn right_translate<G: LieGroup>(group: &G, v: &G::Vector, h: &G::Element) -> G::Vector {
     group.adjoint(&group.inverse(h), v)
 }

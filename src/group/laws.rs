@@ -1,19 +1,19 @@
 //! The laws of a Lie group, as checks for any implementation of [`LieGroup`].
 //!
-//! Two sides of a law may differ by a bound relative to their sizes. The bounds are meant for vectors with components
-//! between -1 and 1.
+//! The two sides of a law may differ by a bound relative to their sizes. The bounds are meant for
+//! vectors with components between -1 and 1.
 
 use super::{Coordinates, LieGroup, TranslationSplit};
 use crate::Error;
 use nalgebra::{DMatrix, DVector};
 
-/// A violated law of a group, with its two sides.
+/// A violated law of a group, with the two sides of its equation.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error("{law} fails: {sides} differ by {defect:e}, relative to their size")]
 pub struct BrokenGroupLaw {
     /// The law, as a formula.
     pub law: &'static str,
-    /// The relative difference, infinite if a side does not exist.
+    /// The relative difference; infinite if a side does not exist.
     pub defect: f64,
     /// Both sides, or the error of a side that does not exist.
     pub sides: String,
@@ -21,7 +21,7 @@ pub struct BrokenGroupLaw {
 
 type Check = Result<(), BrokenGroupLaw>;
 
-/// All laws on three vectors.
+/// Checks all laws on three vectors.
 ///
 /// ```
 /// use affinor::group::{Se3, laws};
@@ -32,7 +32,7 @@ type Check = Result<(), BrokenGroupLaw>;
 /// ```
 ///
 /// # Errors
-/// The first law that is broken.
+/// The first law that is violated.
 pub fn all<G: LieGroup>(
     group: &G,
     x: &G::Vector,
@@ -44,15 +44,16 @@ pub fn all<G: LieGroup>(
     interpolation(group, x, y)?;
     adjoint(group, x, y, z)?;
     tangents(group, &(x.clone() * 2.0), z)?;
-    // where the series of closed forms are taken
+    // a vector so short that closed forms use their series
     tangents(group, &(x.clone() * 1e-5), z)
 }
 
-/// The group axioms for `exp(x)`, `exp(y)`, `exp(z)`.
+/// Checks the group axioms for `exp(x)`, `exp(y)`, `exp(z)`.
 fn axioms<G: LieGroup>(group: &G, x: &G::Vector, y: &G::Vector, z: &G::Vector) -> Check {
     let (g, h, k) = (group.exp(x), group.exp(y), group.exp(z));
     let e = group.identity();
-    // first by matrices alone: inverse and logarithm, by which equal elements are known, may be wrong themselves
+    // compared by matrices first, because inverse and logarithm, on which other comparisons depend,
+    // may be wrong themselves
     let equal = |law, g: &G::Element, h| near(law, &group.matrix(g), &group.matrix(h), 1e-12);
     equal("g e = g", &group.compose(&g, &e), &g)?;
     equal("e g = g", &group.compose(&e, &g), &g)?;
@@ -67,7 +68,8 @@ fn axioms<G: LieGroup>(group: &G, x: &G::Vector, y: &G::Vector, z: &G::Vector) -
     same("(g h) k = g (h k)", group, &group.compose(&gh, &k), &group.compose(&g, &hk), 1e-11)
 }
 
-/// `exp` and `log`, and that `exp(t x)` is the one-parameter group (25) with its velocity at the identity.
+/// Checks `exp` and `log`, and that `exp(t x)` is the one-parameter group (25) with velocity `x` at
+/// the identity.
 fn exponential<G: LieGroup>(group: &G, x: &G::Vector) -> Check {
     let g = group.exp(x);
     let log = exists("log(exp(x)) = x", group.log(&g))?;
@@ -82,9 +84,9 @@ fn exponential<G: LieGroup>(group: &G, x: &G::Vector) -> Check {
     near("exp(d/dt exp(t x) at 0) = exp(x), of matrices", &velocity.exp(), &group.matrix(&g), 1e-9)
 }
 
-/// `between`, `interpolate` and `mean` of `exp(x)` and `exp(y)`.
+/// Checks `between`, `interpolate` and `mean` for `exp(x)` and `exp(y)`.
 fn interpolation<G: LieGroup>(group: &G, x: &G::Vector, y: &G::Vector) -> Check {
-    // near each other: the product of two far elements may have no logarithm
+    // close to each other, because a product of distant elements may have no logarithm
     let [g, h] = [x, y].map(|x| group.exp(&(x.clone() * 0.3)));
     same("g (g^-1 h) = h", group, &group.compose(&g, &group.between(&g, &h)), &h, 1e-12)?;
     let at = |t: f64| exists("interpolate(g, h, t)", group.interpolate(&g, &h, t));
@@ -95,7 +97,8 @@ fn interpolation<G: LieGroup>(group: &G, x: &G::Vector, y: &G::Vector) -> Check 
     same(law, group, &mean, &at(0.5)?, 1e-11)
 }
 
-/// `Ad` is a representation by automorphisms, the exponential of `ad`, and `g exp(v) g^-1 = exp(Ad_g v)`; the Jacobi identity.
+/// Checks that `Ad` is a representation by automorphisms and the exponential of `ad`, that `g
+/// exp(v) g^-1 = exp(Ad_g v)`, and the Jacobi identity.
 fn adjoint<G: LieGroup>(group: &G, x: &G::Vector, y: &G::Vector, v: &G::Vector) -> Check {
     let (g, h) = (group.exp(x), group.exp(y));
     let twice = group.adjoint(&g, &group.adjoint(&h, v));
@@ -121,10 +124,11 @@ fn adjoint<G: LieGroup>(group: &G, x: &G::Vector, y: &G::Vector, v: &G::Vector) 
     near(law, &ad(group, &group.bracket(x, y)), &commutator, 1e-12)
 }
 
-/// The laws of a [`TranslationSplit`]: closed forms at `exp(x)`, `exp(y)` and the covector `h` agree with their definitions.
+/// Checks the laws of a [`TranslationSplit`]: closed forms at `exp(x)`, `exp(y)` and the covector
+/// `h` agree with their definitions.
 ///
 /// # Errors
-/// The first law that is broken.
+/// The first law that is violated.
 pub fn translations<G: TranslationSplit>(
     group: &G,
     x: &G::Vector,
@@ -156,7 +160,8 @@ pub fn translations<G: TranslationSplit>(
     }
 }
 
-/// The tangent operators at `x`: their series, their inverses, and that they are derivatives of `exp` along `v`.
+/// Checks the tangent operators at `x`: their series, their inverses, and that they are derivatives
+/// of `exp` along `v`.
 fn tangents<G: LieGroup>(group: &G, x: &G::Vector, v: &G::Vector) -> Check {
     let g = group.exp(x);
     let n = group.dimension();
@@ -192,11 +197,11 @@ fn tangents<G: LieGroup>(group: &G, x: &G::Vector, v: &G::Vector) -> Check {
     close(law, &slope(law, &from_right)?, &right, 1e-6)
 }
 
-/// Matrices of elements multiply as the elements do: not a law of every group, as [`Opposite`](super::Opposite) reverses
-/// products.
+/// Checks that matrices of elements multiply as the elements do. This is not a law of every group,
+/// because [`Opposite`](super::Opposite) reverses products.
 ///
 /// # Errors
-/// That it is broken.
+/// The law, if it is violated.
 pub fn represented<G: LieGroup>(
     group: &G,
     x: &G::Vector,
@@ -218,7 +223,7 @@ fn exists<T>(law: &'static str, side: Result<T, Error>) -> Result<T, BrokenGroup
 
 fn near(law: &'static str, a: &DMatrix<f64>, b: &DMatrix<f64>, tolerance: f64) -> Check {
     let defect = (a - b).norm() / (1.0 + a.norm() + b.norm());
-    // not above: NaN is refused as well
+    // `<=` rejects NaN as well
     if defect <= tolerance {
         return Ok(());
     }
@@ -230,7 +235,7 @@ fn close<V: Coordinates>(law: &'static str, x: &V, y: &V, tolerance: f64) -> Che
     near(law, &column(x), &column(y), tolerance)
 }
 
-/// Equal as matrices, and by the logarithm of `g^-1 h`.
+/// Checks that two elements are equal as matrices, and by the logarithm of `g^-1 h`.
 fn same<G: LieGroup>(
     law: &'static str,
     group: &G,

@@ -12,8 +12,9 @@ use std::fmt::Debug;
 /// T_right(x) = sum ad_x^k/(k+1)!        exp(x + dx) = exp(T_right(x) dx + ..) exp(x)
 /// ```
 ///
-/// Nine methods define a group. The tangent operators are computed from their series unless the group has closed forms.
-/// [`laws`](super::laws) checks the implementation. Equations (17)-(27) and, for the map `Phi = exp`, (77)-(86) of the paper.
+/// A group must implement nine methods. The tangent operators are computed from their series unless
+/// the group has closed forms. [`laws`](super::laws) checks the implementation. Equations (17)-(27)
+/// of the paper, and (77)-(86) for the map `Phi = exp`.
 ///
 /// ```
 /// use affinor::group::{Coordinates, LieGroup, So3};
@@ -32,41 +33,44 @@ use std::fmt::Debug;
 pub trait LieGroup {
     /// The type of an element.
     type Element: Clone + Debug;
-    /// Components in the basis of the algebra.
+    /// A vector of the algebra, by its components in the basis.
     type Vector: Coordinates;
 
     /// The dimension of the algebra.
     fn dimension(&self) -> usize;
     /// The neutral element.
     fn identity(&self) -> Self::Element;
-    /// `g h`: the left translate (17) of `h`, and the right translate (18) of `g`.
+    /// The product `g h`: the left translate (17) of `h`, and the right translate (18) of `g`.
     fn compose(&self, g: &Self::Element, h: &Self::Element) -> Self::Element;
-    /// `g^-1`.
+    /// The inverse `g^-1`.
     fn inverse(&self, g: &Self::Element) -> Self::Element;
-    /// The exponential (26), the one-parameter group of `x` at time 1.
+    /// The exponential (26): the one-parameter group of `x` at time 1.
     fn exp(&self, x: &Self::Vector) -> Self::Element;
-    /// A logarithm: `exp(log(g)) = g`, near the identity the one near 0.
+    /// A logarithm, `exp(log(g)) = g`; for elements near the identity, the logarithm near 0.
     ///
     /// # Errors
-    /// [`Error::Invalid`] for an element without a logarithm, or without one that the group can compute.
+    /// [`Error::Invalid`] for an element without a logarithm, or for one whose logarithm the group
+    /// cannot compute.
     fn log(&self, g: &Self::Element) -> Result<Self::Vector, Error>;
-    /// `Ad_g x`, for matrices `g x g^-1`.
+    /// The adjoint action `Ad_g x`, for matrices `g x g^-1`.
     fn adjoint(&self, g: &Self::Element, x: &Self::Vector) -> Self::Vector;
-    /// `[x, y] = ad_x y`, for matrices the commutator (28).
+    /// The bracket `[x, y] = ad_x y`, for matrices the commutator (28).
     fn bracket(&self, x: &Self::Vector, y: &Self::Vector) -> Self::Vector;
     /// The element as a matrix.
     fn matrix(&self, g: &Self::Element) -> DMatrix<f64>;
 
-    /// `T_left(x) v`: left components of the derivative of exp at `x` along `v`.
+    /// The tangent operator `T_left(x) v`: left components of the derivative of exp at `x` along
+    /// `v`.
     fn tangent_left(&self, x: &Self::Vector, v: &Self::Vector) -> Self::Vector {
         tangent::by_series(self, x, v)
     }
 
-    /// `T_left(x)^-1 v`.
+    /// The inverse operator `T_left(x)^-1 v`.
     ///
     /// # Errors
-    /// [`Law::RegularTangent`](crate::Law::RegularTangent) where `exp` is singular: an eigenvalue of `ad_x` is
-    /// `2 pi i k`, `k != 0`, to the rounding of `x`. Near it the result is large.
+    /// [`Law::RegularTangent`](crate::Law::RegularTangent) where `exp` is singular: an eigenvalue
+    /// of `ad_x` is `2 pi i k`, `k != 0`, up to the rounding error of `x`. Near such a point the
+    /// result is large.
     fn tangent_left_inverse(
         &self,
         x: &Self::Vector,
@@ -75,15 +79,15 @@ pub trait LieGroup {
         tangent::inverse_by_series(self, x, v)
     }
 
-    /// `T_right(x) v = T_left(-x) v = Ad_exp(x) T_left(x) v`.
+    /// The tangent operator `T_right(x) v = T_left(-x) v = Ad_exp(x) T_left(x) v`.
     fn tangent_right(&self, x: &Self::Vector, v: &Self::Vector) -> Self::Vector {
         self.tangent_left(&-x.clone(), v)
     }
 
-    /// `T_right(x)^-1 v`.
+    /// The inverse operator `T_right(x)^-1 v`.
     ///
     /// # Errors
-    /// As [`LieGroup::tangent_left_inverse`].
+    /// Those of [`LieGroup::tangent_left_inverse`].
     fn tangent_right_inverse(
         &self,
         x: &Self::Vector,
@@ -92,9 +96,11 @@ pub trait LieGroup {
         self.tangent_left_inverse(&-x.clone(), v)
     }
 
-    /// `Ad*_g h`, the covector with `(Ad*_g h)_i = h_j (Ad_g e_i)^j`: spatial to body momentum.
+    /// The coadjoint action `Ad*_g h`, the covector with `(Ad*_g h)_i = h_j (Ad_g e_i)^j`. It
+    /// converts spatial to body momentum.
     ///
-    /// It is the transpose of `Ad_g`, a right action: `Ad*_(gh) = Ad*_h Ad*_g`. Many books write it `Ad*_(g^-1)`.
+    /// It is the transpose of `Ad_g` and a right action: `Ad*_(gh) = Ad*_h Ad*_g`. Many books write
+    /// it `Ad*_(g^-1)`.
     fn coadjoint(&self, g: &Self::Element, h: &Self::Vector) -> Self::Vector {
         Self::Vector::from_fn(self.dimension(), |i| {
             let image = self.adjoint(g, &self.basis_vector(i));
@@ -102,38 +108,39 @@ pub trait LieGroup {
         })
     }
 
-    /// `Ad_exp(x) = exp(ad_x)` as a matrix: the upper index is the row.
+    /// The operator `Ad_exp(x) = exp(ad_x)` as a matrix; the upper index is the row.
     fn adjoint_exp(&self, x: &Self::Vector) -> DMatrix<f64> {
         let g = self.exp(x);
         let columns: Vec<_> = self.basis().iter().map(|v| self.adjoint(&g, v)).collect();
         DMatrix::from_fn(columns.len(), columns.len(), |i, k| columns[k].components()[i])
     }
 
-    /// `log(exp(x) exp(y))`, the product (73) in canonical coordinates.
+    /// The product (73) in canonical coordinates, `log(exp(x) exp(y))`.
     ///
     /// # Errors
-    /// As [`log`](Self::log).
+    /// Those of [`log`](Self::log).
     fn log_product(&self, x: &Self::Vector, y: &Self::Vector) -> Result<Self::Vector, Error> {
         self.log(&self.compose(&self.exp(x), &self.exp(y)))
     }
 
-    /// `Ad*_exp(x) h`.
+    /// The coadjoint action `Ad*_exp(x) h`.
     fn coadjoint_exp(&self, x: &Self::Vector, h: &Self::Vector) -> Self::Vector {
         self.coadjoint(&self.exp(x), h)
     }
 
-    /// Projects a drifted element back onto the group: a quaternion gets length 1 again. Groups whose elements are free
-    /// coordinates return it unchanged.
+    /// Projects a drifted element back onto the group; for example, it normalizes a quaternion.
+    /// Groups whose elements are unconstrained coordinates return it unchanged.
     fn project(&self, g: Self::Element) -> Self::Element {
         g
     }
 
-    /// `g^-1 h`, the element that takes `g` to `h` from the right.
+    /// The element `g^-1 h`, by which `g` must be multiplied from the right to get `h`.
     fn between(&self, g: &Self::Element, h: &Self::Element) -> Self::Element {
         self.compose(&self.inverse(g), h)
     }
 
-    /// `g exp(t log(g^-1 h))`, from `g` at `t = 0` to `h` at `t = 1` with a constant body velocity.
+    /// Interpolates by `g exp(t log(g^-1 h))`, from `g` at `t = 0` to `h` at `t = 1`, with a
+    /// constant body velocity.
     ///
     /// ```
     /// use affinor::group::{LieGroup, Se3};
@@ -147,7 +154,7 @@ pub trait LieGroup {
     /// ```
     ///
     /// # Errors
-    /// As [`log`](Self::log).
+    /// Those of [`log`](Self::log).
     fn interpolate(
         &self,
         g: &Self::Element,
@@ -157,23 +164,26 @@ pub trait LieGroup {
         Ok(self.compose(g, &self.exp(&(self.log(&self.between(g, h))? * t))))
     }
 
-    /// The mean of elements: the `m` with `sum log(m^-1 g_i) = 0` that the iteration from the first element finds.
+    /// The mean of elements: the `m` with `sum log(m^-1 g_i) = 0` to which the iteration converges
+    /// from the first element.
     ///
-    /// For rotations it is the Karcher mean, the point with the least sum of squared distances; elements should lie within a
-    /// half turn of each other. On other groups it is the group exponential mean, which commutes with left and right
-    /// translations. X. Pennec and V. Arsigny, in *Matrix Information Geometry* (2013) 123-166.
+    /// For rotations it is the Karcher mean, which minimizes the sum of squared distances; elements
+    /// should be within a half turn of each other. On other groups it is the group exponential
+    /// mean, which commutes with left and right translations. X. Pennec and V. Arsigny, in *Matrix
+    /// Information Geometry* (2013) 123-166.
     ///
     /// # Errors
-    /// [`Error::Shape`] without elements; those of [`log`](Self::log); [`Error::Invalid`] if the iteration does not converge.
+    /// [`Error::Shape`] for an empty list; the errors of [`log`](Self::log); [`Error::Invalid`] if the iteration does not converge.
     fn mean(&self, elements: &[Self::Element]) -> Result<Self::Element, Error> {
         mean::mean(self, elements)
     }
 
     /// The left Jacobian of exp at `x`, the matrix of [`tangent_right`](Self::tangent_right):
-    /// `exp(x + dx) = exp(J dx + ..) exp(x)`. The matrix has a fixed size if vectors have.
+    /// `exp(x + dx) = exp(J dx + ...) exp(x)`. The matrix has a fixed size if vectors have one.
     ///
-    /// The names left and right are those of J. Sola, J. Deray and D. Atchuthan, arXiv 1812.01537: the side on which
-    /// `exp(J dx)` stands. Those of the tangent operators are the frames of the result.
+    /// The names left and right follow J. Sola, J. Deray and D. Atchuthan, arXiv 1812.01537: the
+    /// side of the factor `exp(J dx)`. The names of the tangent operators refer to the frame of the
+    /// result.
     ///
     /// ```
     /// use affinor::group::{LieGroup, So3};
@@ -190,7 +200,7 @@ pub trait LieGroup {
     }
 
     /// The right Jacobian of exp at `x`, the matrix of [`tangent_left`](Self::tangent_left):
-    /// `exp(x + dx) = exp(x) exp(J dx + ..)`.
+    /// `exp(x + dx) = exp(x) exp(J dx + ...)`.
     fn jacobian_right(&self, x: &Self::Vector) -> <Self::Vector as Coordinates>::Matrix
     where
         Self: Sized,
@@ -198,8 +208,9 @@ pub trait LieGroup {
         Self::Vector::matrix(self.dimension(), |k| self.tangent_left(x, &self.basis_vector(k)))
     }
 
-    /// The inverse of the left Jacobian, the matrix of [`tangent_right_inverse`](Self::tangent_right_inverse):
-    /// `log(exp(dx) exp(x)) = x + J^-1 dx + ..`.
+    /// The inverse of the left Jacobian, the matrix of
+    /// [`tangent_right_inverse`](Self::tangent_right_inverse): `log(exp(dx) exp(x)) = x + J^-1 dx +
+    /// ...`.
     ///
     /// ```
     /// use affinor::group::{LieGroup, Se3};
@@ -211,7 +222,7 @@ pub trait LieGroup {
     /// ```
     ///
     /// # Errors
-    /// As [`tangent_left_inverse`](Self::tangent_left_inverse).
+    /// Those of [`tangent_left_inverse`](Self::tangent_left_inverse).
     fn jacobian_left_inverse(
         &self,
         x: &Self::Vector,
@@ -222,11 +233,12 @@ pub trait LieGroup {
         self.jacobian_right_inverse(&-x.clone())
     }
 
-    /// The inverse of the right Jacobian, the matrix of [`tangent_left_inverse`](Self::tangent_left_inverse):
-    /// `log(exp(x) exp(dx)) = x + J^-1 dx + ..`.
+    /// The inverse of the right Jacobian, the matrix of
+    /// [`tangent_left_inverse`](Self::tangent_left_inverse): `log(exp(x) exp(dx)) = x + J^-1 dx +
+    /// ...`.
     ///
     /// # Errors
-    /// As [`tangent_left_inverse`](Self::tangent_left_inverse).
+    /// Those of [`tangent_left_inverse`](Self::tangent_left_inverse).
     fn jacobian_right_inverse(
         &self,
         x: &Self::Vector,
@@ -240,7 +252,7 @@ pub trait LieGroup {
         Ok(Self::Vector::matrix(columns.len(), |k| columns[k].clone()))
     }
 
-    /// The matrix of `Ad_g`; the upper index is the row. It has a fixed size if vectors have.
+    /// The matrix of `Ad_g`; the upper index is the row. It has a fixed size if vectors have one.
     ///
     /// ```
     /// use affinor::group::{LieGroup, Se3};
@@ -257,7 +269,7 @@ pub trait LieGroup {
         Self::Vector::matrix(self.dimension(), |k| self.adjoint(g, &self.basis_vector(k)))
     }
 
-    /// The basis vector of an index, from 0.
+    /// The basis vector with an index, from 0.
     fn basis_vector(&self, at: usize) -> Self::Vector {
         Self::Vector::from_fn(self.dimension(), |i| f64::from(i == at))
     }
@@ -267,10 +279,10 @@ pub trait LieGroup {
         (0..self.dimension()).map(|a| self.basis_vector(a)).collect()
     }
 
-    /// The algebra, with the basis `e1`, `e2`, ... of the components unless the group has names for it.
+    /// The algebra. Its basis is named `e1`, `e2`, ... unless the group has other names.
     ///
     /// # Errors
-    /// [`Law::Jacobi`](crate::Law::Jacobi) for a `bracket` that is none.
+    /// [`Law::Jacobi`](crate::Law::Jacobi) if `bracket` is not a Lie bracket.
     fn algebra(&self) -> Result<LieAlgebra<f64>, Error> {
         let basis = self.basis();
         let labels: Vec<String> = (1..=basis.len()).map(|i| format!("e{i}")).collect();
@@ -282,7 +294,7 @@ pub trait LieGroup {
         LieAlgebra::try_from(bracket)
     }
 
-    /// The matrix of a linear map of the algebra, such as `|v| group.tangent_left(&x, v)`: the
+    /// The matrix of a linear map of the algebra, such as `|v| group.tangent_left(&x, v)`; the
     /// upper index is the row.
     fn operator_matrix(&self, map: impl Fn(&Self::Vector) -> Self::Vector) -> DMatrix<f64>
     where

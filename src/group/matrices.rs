@@ -1,31 +1,34 @@
-//! Elements in tables and files: the matrix of numbers by which an element is written and read.
+//! Elements in tables and files: the matrix of numbers with which an element is written and read.
 
 use super::{Coordinates, Embedded};
 use crate::Error;
 use crate::numerics::logarithm::logarithm;
 use nalgebra::{DMatrix, DVectorView};
 
-/// The tolerance to which entries must satisfy the equations of the group.
+/// The tolerance of the equations of the group for matrices that are read.
 pub(super) const TOLERANCE: f64 = 1e-6;
 
 /// A group whose elements are written as matrices of numbers and read back.
 ///
-/// The written form of a linear group is its matrix. That of a vector group, such as R^n, is a column of coordinates; that
-/// of a [`Product`](super::Product) is one column with the entries of the first factor, row by row, then those of the second.
+/// The written form of a linear group is its matrix. For a vector group, such as R^n, it is a
+/// column of coordinates. For a [`Product`](super::Product) it is one column with the entries of
+/// the first factor, row by row, then those of the second.
 pub trait MatrixNotation: Embedded {
-    /// The written element.
+    /// The written form of an element.
     fn write(&self, g: &Self::Element) -> DMatrix<f64> {
         self.matrix(g)
     }
 
-    /// The element that is written as `matrix`.
+    /// The element with the written form `matrix`.
     ///
     /// # Errors
-    /// [`Error::Shape`], and [`Error::Invalid`] with the defect.
+    /// [`Error::Shape`] for a wrong shape; [`Error::Invalid`] with the defect if the matrix is not
+    /// an element.
     fn read(&self, matrix: &DMatrix<f64>) -> Result<Self::Element, Error>;
 
-    /// A bound on the error of the components of `x = log(g)` if each entry of `g` is rounded to a float. `None` if the group
-    /// does not estimate it, as with closed forms.
+    /// A bound on the error of the components of `x = log(g)` that is caused by rounding each entry
+    /// of `g` to a float. `None` if the group does not estimate it, for example if it has closed
+    /// forms.
     fn log_rounding(&self, g: &Self::Element, x: &Self::Vector) -> Option<f64> {
         let _ = (g, x);
         None
@@ -37,34 +40,37 @@ pub trait MatrixNotation: Embedded {
         false
     }
 
-    /// Names of coordinates beside the entries, such as those of a quaternion.
+    /// Names of further coordinates that are not entries, such as those of a quaternion.
     fn names(&self) -> &'static [&'static str] {
         &[]
     }
 
-    /// The coordinate whose name is the `k`-th, from 0, of the names of all [`blocks`](Self::blocks).
+    /// The coordinate with the `k`-th name, from 0, in the list of the names of all
+    /// [`blocks`](Self::blocks).
     fn named(&self, g: &Self::Element, k: usize) -> f64 {
         let _ = (g, k);
         f64::NAN
     }
 
-    /// Replaces `entries` by those of the [written](Self::write) element, column by column.
+    /// Replaces the content of `entries` by the entries of the [written](Self::write) element,
+    /// column by column.
     fn entries(&self, g: &Self::Element, entries: &mut Vec<f64>) {
         replace(entries, self.write(g).as_slice());
     }
 
-    /// The written forms of the factors of a product; a group that is no product is its only factor.
+    /// The written forms of the factors of a product. A group that is not a product is its only
+    /// factor.
     fn blocks(&self) -> Vec<Block> {
         vec![Block { names: self.names(), shape: self.write(&self.identity()).shape() }]
     }
 
-    /// The derivatives at 0 of `exp(s e_i)` as written, one for each basis vector.
+    /// The derivatives at 0 of the written form of `exp(s e_i)`, one for each basis vector.
     ///
-    /// Entries that are zero must be exact: [`derivatives`](Self::derivatives) multiplies them by coordinates, which may be
-    /// large.
+    /// Entries that are zero must be exactly zero, because [`derivatives`](Self::derivatives)
+    /// multiplies them by coordinates, which may be large.
     fn generators(&self) -> Vec<DMatrix<f64>> {
         let half = |x: &Self::Vector| self.write(&self.exp(&(x.clone() * 0.5)));
-        // half of a basis vector has a principal logarithm
+        // half of a basis vector is short enough to be a principal logarithm
         let log = |x: &Self::Vector| {
             let half = half(x);
             match logarithm(&half) {
@@ -75,8 +81,9 @@ pub trait MatrixNotation: Embedded {
         self.basis().iter().map(log).collect()
     }
 
-    /// The derivatives at 0 of a function of the written `g exp(s e_i)`, one for each `i`. `entries` are those of `g`,
-    /// `generators` those of [`Generator::of`], and `partial` the derivatives by entries that are not zero.
+    /// The derivatives at 0 of a function of the written form of `g exp(s e_i)`, one for each `i`.
+    /// `entries` are the entries of `g`, `generators` the result of [`Generator::of`], and
+    /// `partial` the nonzero derivatives of the function with respect to entries.
     #[inline]
     fn derivatives(
         &self,
@@ -90,13 +97,15 @@ pub trait MatrixNotation: Embedded {
     }
 }
 
-/// The derivative of a function by an entry of the written element: row, column and value.
+/// The derivative of a function with respect to an entry of the written element: row, column and
+/// value.
 pub type Partial = (usize, usize, f64);
 
-/// The square matrix of a basis vector by its entries that are not zero.
+/// The square matrix of a basis vector, by its nonzero entries.
 #[derive(Clone, Debug, Default)]
 pub struct Generator {
-    /// The entries of each column: the value, after the start of the column of `g` that it multiplies in the list of entries.
+    /// For each column, its nonzero entries: the offset in the list of entries of the column of `g`
+    /// that is multiplied, and the value.
     columns: Vec<Vec<(usize, f64)>>,
 }
 
@@ -113,7 +122,8 @@ impl Generator {
         group.generators().into_iter().map(sparse).collect()
     }
 
-    /// `sum_rc (g E)_rc p_rc` for the generator `E` and the derivatives `p_rc`; `entries` are those of `g`, column by column.
+    /// The derivative `sum_rc (g E)_rc p_rc` for the generator `E` and the derivatives `p_rc`.
+    /// `entries` are those of `g`, column by column.
     #[inline]
     fn derivative(&self, entries: &[f64], partial: &[Partial]) -> f64 {
         let slope = |&(row, column, share): &Partial| {
@@ -125,7 +135,7 @@ impl Generator {
     }
 }
 
-/// Replaces a list by other numbers.
+/// Replaces the content of a list, and reuses its memory.
 pub(super) fn replace(list: &mut Vec<f64>, numbers: &[f64]) {
     list.clear();
     list.extend_from_slice(numbers);
@@ -134,13 +144,13 @@ pub(super) fn replace(list: &mut Vec<f64>, numbers: &[f64]) {
 /// The written form of one factor of a group: named coordinates and the shape of its matrix.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Block {
-    /// The names of coordinates beside the entries.
+    /// Names of further coordinates that are not entries.
     pub names: &'static [&'static str],
     /// Rows and columns.
     pub shape: (usize, usize),
 }
 
-/// What a name of a [`Block`] stands for.
+/// The meaning of a name of a [`Block`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Coordinate {
     /// A named coordinate, by its index from 0.
@@ -149,7 +159,7 @@ pub enum Coordinate {
     Entry(usize, usize),
 }
 
-/// Named coordinates of a position. They are entries of the last column of the matrix.
+/// The names of the coordinates of a position. They are entries of the last column of the matrix.
 const POSITION: [&str; 3] = ["x", "y", "z"];
 
 impl Block {
@@ -158,7 +168,8 @@ impl Block {
         if self.shape.1 == 1 { "x" } else { "g" }
     }
 
-    /// The coordinate of a name: `qw`, `x`; `g12` or `R12` by row and column, `g1_12` for larger matrices; `x1` of a column.
+    /// The coordinate with this name: `qw`, `x`; `g12` or `R12` by row and column, `g1_12` for larger
+    /// matrices; `x1` for a column.
     pub fn find(&self, name: &str) -> Option<Coordinate> {
         if let Some(k) = self.names.iter().position(|named| *named == name) {
             let axis = POSITION.iter().position(|axis| *axis == name);
@@ -191,13 +202,14 @@ impl Block {
         entries.map(|(i, j)| format!("{letter}{i}{between}{j}")).collect()
     }
 
-    /// The names that a position has here, those of [`POSITION`].
+    /// The names of the components of a position in this block, from [`POSITION`].
     pub(crate) fn is_position(name: &str) -> bool {
         POSITION.contains(&name)
     }
 }
 
-/// The element that `of` finds for a matrix, if it is written as that matrix.
+/// Returns the element that `of` finds for a matrix, after checking that its written form is the
+/// matrix.
 pub(super) fn checked<G: MatrixNotation>(
     group: &G,
     matrix: &DMatrix<f64>,
@@ -209,7 +221,7 @@ pub(super) fn checked<G: MatrixNotation>(
         return Err(Error::Invalid { what: "element of the group", reason });
     }
     let element = of(matrix)?;
-    // NaN counts as infinitely far
+    // a NaN counts as an infinite distance
     let written = group.write(&element);
     let differences = matrix.iter().zip(&written).map(|(a, b)| (a - b).abs());
     let defect = differences.fold(0.0, |largest, d| if d <= largest { largest } else { d });

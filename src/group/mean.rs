@@ -1,4 +1,4 @@
-//! Means of elements.
+//! Means of group elements.
 
 use super::{Coordinates, LieGroup};
 use crate::Error;
@@ -7,10 +7,11 @@ use affinor_tensors::stop::checkpoint;
 /// The largest number of iterations.
 const MAX_STEPS: usize = 100;
 
-/// A step of this size, beside the largest logarithm of the first iteration, is rounding.
+/// A step of this size, relative to the largest logarithm of the first iteration, counts as
+/// rounding error.
 const ROUNDING: f64 = 1e-14;
 
-/// `m <- m exp(sum log(m^-1 g_i)/n)` until the step is rounding.
+/// Iterates `m <- m exp(sum log(m^-1 g_i)/n)` until the step is of the size of rounding errors.
 pub(super) fn mean<G: LieGroup + ?Sized>(
     group: &G,
     elements: &[G::Element],
@@ -36,10 +37,10 @@ pub(super) fn mean<G: LieGroup + ?Sized>(
             return Err(no_mean(step + 1, f64::NAN));
         }
         let size = correction.largest();
-        // of elements that are far from 1
+        // the rounding error of elements that are far from the identity
         let own = 1e3 * f64::EPSILON * group.matrix(&mean).amax();
         mean = group.project(group.compose(&mean, &group.exp(&correction)));
-        // roundings of the logarithms stay, however many steps there are
+        // rounding errors of the logarithms remain, whatever the number of steps
         if size <= ROUNDING * spread || (size <= own.max(1e6 * ROUNDING * spread) && size >= before)
         {
             return Ok(mean);

@@ -1,8 +1,9 @@
-//! The registry of groups: a group for every name of the catalogue of algebras.
+//! The registry of groups, with a group for every name of the catalogue of algebras.
 //!
-//! [`find`] reads a name such as `se(3)`, `heisenberg(5)` or `so3+R^3`. Groups in closed form stand in the list of
-//! [`families`]. Other algebras get a group from their matrices or, near the
-//! identity, from their brackets. A sum of algebras gets the direct product of the groups, with the basis of the sum.
+//! [`find`] returns the group for a name such as `se(3)`, `heisenberg(5)` or `so3+R^3`.
+//! [`families`] lists the groups in closed form. Other algebras get a group from their matrices or,
+//! near the identity, from their brackets. A sum of algebras gets the direct product of the groups,
+//! with the basis of the sum.
 //!
 //! | algebra | an element as written ([`MatrixNotation::write`](super::MatrixNotation::write)) |
 //! |---|---|
@@ -12,8 +13,9 @@
 //! | any other given by brackets | the matrix of `exp(ad_x)`, extended by derivations if there is a centre |
 //! | a sum | one column: the entries of each factor as above, row by row, factor after factor |
 //!
-//! So an element of `se3+se3` has 32 numbers, two 4 x 4 matrices; one of `so3+R^3` has 9 + 3. In formulas of motions the
-//! names of factor `k` end in `_k`, as in `x_2`, `qw_1` and `g11_2`.
+//! For example, an element of `se3+se3` has 32 numbers, which are two 4 x 4 matrices; an element of
+//! `so3+R^3` has 9 + 3. In formulas of motions the names of factor `k` end in `_k`, as in `x_2`,
+//! `qw_1` and `g11_2`.
 
 use super::{
     AnyGroup, Heisenberg, Homotheties, MatrixGroup, Nilpotent, Product, Se2, Se3, Se23, Sl2, So2,
@@ -30,9 +32,9 @@ use nalgebra::{DMatrix, Dyn};
 pub struct GroupFamily {
     /// The name in the catalogue of algebras, with `n` for a number.
     pub pattern: &'static str,
-    /// How elements are written.
+    /// The written form of elements.
     pub summary: &'static str,
-    /// The group of a number.
+    /// Builds the group for a number `n`.
     build: fn(usize) -> AnyGroup,
 }
 
@@ -65,7 +67,7 @@ const fn family(
     GroupFamily { pattern, summary, build }
 }
 
-/// The group of a name of the catalogue, or of names joined by `+`.
+/// The group for a name of the catalogue, or for names joined by `+`.
 ///
 /// ```
 /// use affinor::group::{LieGroup, registry};
@@ -83,11 +85,11 @@ pub fn find(name: &str) -> Result<AnyGroup, Error> {
     factors.try_fold(first, |product, next| Ok(AnyGroup::new(Product(product, next?))))
 }
 
-/// A group of an algebra that is given by its brackets: simply connected if the algebra is nilpotent, else a group of
-/// matrices near the identity.
+/// A group of an algebra that is given by its brackets: simply connected if the algebra is
+/// nilpotent, otherwise a group of matrices near the identity.
 ///
 /// # Errors
-/// As [`MatrixGroup::of_algebra`].
+/// Those of [`MatrixGroup::of_algebra`].
 pub fn of_algebra(algebra: &LieAlgebra<f64>) -> Result<AnyGroup, Error> {
     match Nilpotent::new(algebra.clone()) {
         Ok(group) => Ok(AnyGroup::new(group)),
@@ -98,7 +100,7 @@ pub fn of_algebra(algebra: &LieAlgebra<f64>) -> Result<AnyGroup, Error> {
     }
 }
 
-/// The parts of a sum: `+` inside parentheses joins nothing.
+/// The names in a sum; a `+` inside parentheses does not separate names.
 pub fn summands(name: &str) -> Vec<&str> {
     let mut depth = 0_i64;
     let joins = |symbol: char| {
@@ -131,7 +133,7 @@ fn factor(name: &str) -> Result<AnyGroup, Error> {
     of_algebra(&LieAlgebra::try_from(entry.bracket(number)?)?)
 }
 
-/// The number that stands in a name for the `n` of a pattern, 0 for a pattern without one.
+/// The number in a name at the position of the `n` of a pattern; 0 for a pattern without `n`.
 fn argument(pattern: &str, name: &str) -> Option<usize> {
     let (before, behind) = match (pattern.strip_suffix("n)"), pattern.strip_suffix("^n")) {
         (Some(before), _) => (before, ")"),

@@ -1,4 +1,5 @@
-//! The element of a group that is nearest to a matrix, as for rotations that are rounded to three digits.
+//! The element of a group that is nearest to a matrix, for example to a rotation matrix rounded to
+//! three digits.
 
 use super::matrices::expect_shape;
 use super::{Coordinates, MatrixNotation};
@@ -6,23 +7,26 @@ use crate::Error;
 use affinor_tensors::stop::checkpoint;
 use nalgebra::{DMatrix, DVector};
 
-/// The largest distance of a matrix from the group, of each entry, relative to entries above 1.
+/// The largest accepted distance of a matrix from the group, for each entry, relative to entries
+/// above 1.
 pub const RESTORABLE: f64 = 0.1;
 
-/// The largest number of steps of Levenberg and Marquardt.
+/// The largest number of steps of the Levenberg-Marquardt method.
 const STEPS: usize = 200;
 
-/// The step of the differences that approximate derivatives.
+/// The step of the finite differences that approximate derivatives.
 const DIFFERENCE: f64 = 1e-6;
 
-/// The length of the vectors whose exponentials are further first guesses, because the distance may be stationary, without
-/// being least, at the identity: from there a half turn is in no direction.
+/// The length of the vectors whose exponentials serve as further initial guesses. They are needed
+/// because the identity may be a stationary point of the distance without being a minimum, for
+/// example for a half turn.
 const GUESS: f64 = 2.0;
 
-/// The nearest element of a group to a matrix of its written form, and the largest difference of an entry.
+/// The nearest element of a group to a matrix of its written form, and the largest difference of an
+/// entry.
 ///
-/// The sum of the squares of all differences is least. It is found by the method of Levenberg and Marquardt from the identity,
-/// and from exponentials of basis vectors.
+/// It minimizes the sum of the squares of all differences, by the method of Levenberg and
+/// Marquardt. The iterations start from the identity, and from exponentials of basis vectors.
 ///
 /// ```
 /// use affinor::group::{restored, So3, LieGroup};
@@ -51,7 +55,7 @@ pub fn restored<G: MatrixNotation>(
         let nearest = nearest(group, guess, matrix);
         let differences = group.write(&nearest) - matrix;
         let pairs = || differences.iter().zip(matrix);
-        // NaN is far
+        // a NaN counts as far
         if pairs().all(|(off, entry)| off.abs() <= RESTORABLE * entry.abs().max(1.0)) {
             return Ok((nearest, differences.amax()));
         }
@@ -61,7 +65,7 @@ pub fn restored<G: MatrixNotation>(
     refused(format!("the nearest element found differs by {least:.2e} in an entry"))
 }
 
-/// A local minimum of the distance `|g - m|`, from a first guess.
+/// A local minimum of the distance `|g - m|`, from an initial guess.
 fn nearest<G: MatrixNotation>(group: &G, guess: G::Element, m: &DMatrix<f64>) -> G::Element {
     let off = |g: &G::Element| DVector::from_column_slice((m - group.write(g)).as_slice());
     let n = group.dimension();
@@ -79,7 +83,7 @@ fn nearest<G: MatrixNotation>(group: &G, guess: G::Element, m: &DMatrix<f64>) ->
         };
         let moved = group.compose(&g, &group.exp(&Coordinates::from_components(step.as_slice())));
         let next = off(&moved);
-        // the distance does not tell shorter steps apart
+        // below this size, steps change the distance by less than rounding errors
         let settled = step.amax() <= 1e-9;
         if settled || next.norm() < rest.norm() {
             (g, rest, damping) = (moved, next, damping * 0.1);
@@ -94,7 +98,7 @@ fn nearest<G: MatrixNotation>(group: &G, guess: G::Element, m: &DMatrix<f64>) ->
     g
 }
 
-/// The derivatives of the written `g exp(x)` at `x = 0`, a column for each basis vector.
+/// The derivatives of the written form of `g exp(x)` at `x = 0`, one column for each basis vector.
 fn slopes<G: MatrixNotation>(group: &G, g: &G::Element, rows: usize) -> DMatrix<f64> {
     let mut slopes = DMatrix::zeros(rows, group.dimension());
     for (x, mut column) in group.basis().into_iter().zip(slopes.column_iter_mut()) {

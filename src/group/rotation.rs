@@ -1,8 +1,8 @@
 //! Coordinates of rotations: quaternions, matrices, Euler angles, Rodrigues parameters.
 //!
-//! Rotation vectors, the canonical coordinates of the first kind, are converted by `exp` and `log` of
-//! [`So3`](super::So3). Every conversion passes through the unit quaternion, `w` first. Functions return an error where
-//! coordinates do not exist.
+//! Rotation vectors, the canonical coordinates of the first kind, are converted by `exp` and `log`
+//! of [`So3`](super::So3). Every conversion goes through the unit quaternion, `w` first. Functions
+//! return an error where coordinates do not exist.
 //!
 //! | coordinates | to and from the quaternion | singular |
 //! |---|---|---|

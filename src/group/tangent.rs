@@ -9,18 +9,18 @@ use nalgebra::linalg::{SVD, Schur};
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::TAU;
 
-/// The matrix of `-ad_x`, of which `T_left(x)` is the function [`phi1`].
+/// The matrix `-ad_x`; `T_left(x)` is the function [`phi1`] of it.
 fn ad<G: LieGroup + ?Sized>(group: &G, x: &G::Vector) -> DMatrix<f64> {
     let columns: Vec<_> = group.basis().iter().map(|v| group.bracket(v, x)).collect();
     DMatrix::from_fn(columns.len(), columns.len(), |i, k| columns[k].components()[i])
 }
 
-/// Whether a matrix has an eigenvalue near `2 pi i k`, `k != 0`; eigenvalues of a Jordan block are known to
-/// a root of the rounding only.
+/// Whether a matrix has an eigenvalue near `2 pi i k`, `k != 0`. For a Jordan block, eigenvalues
+/// are accurate only to a root of the machine precision.
 fn turns(m: &DMatrix<f64>) -> bool {
     const NEAR: f64 = 1e-3;
     let steps = 100 * m.nrows();
-    // without eigenvalues nothing is known to be regular
+    // if the eigenvalues cannot be computed, the operator is not known to be regular
     let Some(schur) = Schur::try_new(m.clone(), 4.0 * f64::EPSILON, steps) else { return true };
     schur.complex_eigenvalues().iter().any(|value| {
         let k = (value.im / TAU).round();
@@ -28,7 +28,7 @@ fn turns(m: &DMatrix<f64>) -> bool {
     })
 }
 
-/// `T_left(x) v`, by the series.
+/// The operator `T_left(x) v`, by its series.
 pub(super) fn by_series<G: LieGroup + ?Sized>(
     group: &G,
     x: &G::Vector,
@@ -38,7 +38,8 @@ pub(super) fn by_series<G: LieGroup + ?Sized>(
     G::Vector::from_components((phi1(&ad(group, x)) * v).as_slice())
 }
 
-/// `T_left(x)^-1 v`, by the series. Singular where the operator is so to rounding, for an eigenvalue of `ad_x` near `2 pi i k`.
+/// The operator `T_left(x)^-1 v`, by its series. It is an error if the operator is singular up to
+/// rounding errors, because of an eigenvalue of `ad_x` near `2 pi i k`.
 pub(super) fn inverse_by_series<G: LieGroup + ?Sized>(
     group: &G,
     x: &G::Vector,
@@ -52,12 +53,12 @@ pub(super) fn inverse_by_series<G: LieGroup + ?Sized>(
         return Err(singular());
     }
     if turns(&ad) {
-        // an oscillation of many radians is known to as many roundings
+        // the rounding error of an oscillation is proportional to its angle in radians
         let rounding = f64::EPSILON * ad.nrows() as f64 * (1.0 + ad.norm());
         let steps = 100 * ad.nrows();
         let svd = SVD::try_new(operator.clone(), false, false, f64::EPSILON, steps);
         let sizes = svd.ok_or_else(singular)?.singular_values;
-        // not at most: NaN is refused as well
+        // `>` rejects NaN as well
         let regular = sizes.min() > rounding * sizes.max();
         if !regular {
             return Err(singular());
@@ -68,7 +69,8 @@ pub(super) fn inverse_by_series<G: LieGroup + ?Sized>(
     Ok(G::Vector::from_components(solution.as_slice()))
 }
 
-/// `T_left(x) v = v - c_2 [x, v] + c_3 [x, [x, v]]` with the Stumpff functions of `z(x)`, a quadratic form.
+/// The operator `T_left(x) v = v - c_2 [x, v] + c_3 [x, [x, v]]` with the Stumpff functions of
+/// `z(x)`, a quadratic form.
 pub(super) fn cubic<G: LieGroup>(
     group: &G,
     form: impl Fn(&G::Vector) -> f64,
@@ -77,7 +79,8 @@ pub(super) fn cubic<G: LieGroup>(
 ) -> G::Vector {
     let z = form(x);
     if z > FAR {
-        // the mean over a turn: the part that commutes with x
+        // for a large angle, only the part that commutes with x is accurate: the mean over a full
+        // turn
         let unit = x.clone() * x.largest().recip();
         let twice = group.bracket(&unit, &group.bracket(&unit, v));
         return v.clone() + twice * form(&unit).recip();
@@ -87,8 +90,9 @@ pub(super) fn cubic<G: LieGroup>(
     v.clone() - once.clone() * c.c2 + group.bracket(x, &once) * c.c3
 }
 
-/// `T_left(x)^-1 v = v + [x, v]/2 + d [x, [x, v]]` with `d` of [`inverse_tangent`] at `z(x)`; singular at
-/// `z = (2 pi k)^2`, `k > 0`, to the rounding of `z`, whose terms have sizes that sum to `size`.
+/// The operator `T_left(x)^-1 v = v + [x, v]/2 + d [x, [x, v]]` with `d` of [`inverse_tangent`] at
+/// `z(x)`. It is singular at `z = (2 pi k)^2`, `k > 0`, up to the rounding error of `z`; the
+/// magnitudes of the terms of `z` add up to `size`.
 pub(super) fn cubic_inverse<G: LieGroup>(
     group: &G,
     [z, size]: [f64; 2],

@@ -1,4 +1,4 @@
-//! Parallel translation along curves of a group, its generator, and autoparallels.
+//! Parallel transport along curves of a group, its generator, and autoparallels.
 
 mod autoparallel;
 
@@ -15,8 +15,8 @@ use affinor_tensors::{Scalar, Tensor, Up};
 use nalgebra::{DMatrix, DVector};
 
 impl<S: Scalar> Connection<S> {
-    /// The generator of parallel translation along a curve with the tangent `w`, slots `^i_k`:
-    /// `du/dt = G u` with `G^i_k = -Lambda^i_jk w^j`, from (42), (B5).
+    /// The generator of parallel transport along a curve with the tangent `w`, slots `^i_k`: `du/dt
+    /// = G u` with `G^i_k = -Lambda^i_jk w^j`, from (42), (B5).
     ///
     /// # Errors
     /// [`Error::Shape`].
@@ -26,13 +26,14 @@ impl<S: Scalar> Connection<S> {
         Ok(formula("-1 L^i_jk w^j -> ^i_k", &[("L", self.affinities()), ("w", &vector)]))
     }
 
-    /// The generator along the autoparallel with the constant tangent `n`, (45).
+    /// The generator of parallel transport along the autoparallel with the constant tangent `n`,
+    /// (45).
     ///
     /// It is `-ad_n` for `plus`, `-ad_n/2` for `zero`, and 0 for `minus`.
     ///
     /// # Errors
-    /// [`Law::ConstantTangent`] unless `Lambda^i_jk n^j n^k = 0` (B7): else the tangent of the
-    /// autoparallel does not stay constant in this frame. [`Error::Shape`].
+    /// [`Law::ConstantTangent`] unless `Lambda^i_jk n^j n^k = 0` (B7): otherwise the tangent of the
+    /// autoparallel is not constant in this frame. [`Error::Shape`].
     pub fn transport_generator(&self, n: &[S]) -> Result<Tensor<S>, Error> {
         let generator = self.transport_along(n)?;
         let vector = Tensor::vector(n, Up).with_tolerance(self.affinities().tolerance());
@@ -46,14 +47,15 @@ impl<S: Scalar> Connection<S> {
     }
 }
 
-/// The size of generators above which the rounding of the exponential is checked, and the largest error allowed.
+/// The size of generators above which the rounding error of the exponential is checked, and the
+/// largest error allowed.
 const LARGE: f64 = 1e8;
 const NOISE: f64 = 1e-3;
 
-/// A group with a left-invariant connection: parallel translation along curves, and autoparallels.
+/// A group with a left-invariant connection: parallel transport along curves, and autoparallels.
 ///
-/// Vectors are left components, as everywhere: a vector is translated from `p` to `q` by a matrix
-/// `B` with `u(q) = B u(p)`, (49).
+/// Vectors are given by left components. A vector is transported from `p` to `q` by a matrix `B`
+/// with `u(q) = B u(p)`, (49).
 ///
 /// ```
 /// use affinor::group::{LieGroup, So3};
@@ -78,11 +80,11 @@ pub struct ParallelTranslation<G> {
 }
 
 impl<G: LieGroup> ParallelTranslation<G> {
-    /// Joins a group and a connection on its algebra, in the same basis.
+    /// Combines a group with a connection on its algebra, in the same basis.
     ///
     /// # Errors
-    /// [`Error::Shape`] if the structure constants of the connection's frame are not those of the
-    /// group, or the frame has derivations.
+    /// [`Error::Shape`] if the structure constants of the connection's frame differ from those of
+    /// the group, or if the frame has derivations.
     pub fn new(group: G, connection: Connection<f64>) -> Result<Self, Error> {
         expect_left_frame(&group, connection.frame())?;
         Ok(ParallelTranslation { group, connection })
@@ -98,11 +100,13 @@ impl<G: LieGroup> ParallelTranslation<G> {
         &self.connection
     }
 
-    /// From `g` to `g exp(x)` along `g exp(s x)`: `exp(-Lambda_x)`, in closed form whether or not
-    /// that curve is autoparallel. (51) for `plus`, (71) for `zero`, the identity for `minus`.
+    /// The matrix of transport from `g` to `g exp(x)` along `g exp(s x)`. It is `exp(-Lambda_x)`,
+    /// whether or not the curve is autoparallel: (51) for `plus`, (71) for `zero`, the identity for
+    /// `minus`.
     ///
     /// # Errors
-    /// [`Error::Shape`]; [`Error::Integration`] for so many turns that the rounding of the angle exceeds the last one.
+    /// [`Error::Shape`]; [`Error::Integration`] for so many turns that the rounding error of the
+    /// angle exceeds a turn.
     pub fn along_subgroup(&self, x: &G::Vector) -> Result<DMatrix<f64>, Error> {
         let generator = self.generator(x)?;
         let carried = exponential::exp(&generator);
@@ -119,15 +123,17 @@ impl<G: LieGroup> ParallelTranslation<G> {
         Err(Error::Integration { t: 1.0, reason })
     }
 
-    /// Along the arcs `exp(s x_1)`, then `exp(x_1) exp(s x_2)`, and so on, `0 <= s <= 1`.
+    /// The matrix of transport along the arcs `exp(s x_1)`, then `exp(x_1) exp(s x_2)`, and so on,
+    /// `0 <= s <= 1`.
     ///
     /// # Errors
-    /// As [`along_subgroup`](Self::along_subgroup); [`Error::Invalid`] if large matrices cancel, so that their rounding may change
-    /// more than a millionth of the product: long arcs of a group that is not compact, and back.
+    /// Those of [`along_subgroup`](Self::along_subgroup). [`Error::Invalid`] if large matrices
+    /// cancel, so that rounding errors may change more than a millionth of the product; this occurs
+    /// for long arcs of a noncompact group, and back.
     pub fn along_arcs(&self, arcs: &[G::Vector]) -> Result<DMatrix<f64>, Error> {
         let n = self.group.dimension();
         let mut carried = DMatrix::identity(n, n);
-        // the same product, with every entry changed by a rounding
+        // the same product, with every entry changed by a rounding error
         let mut rounded = carried.clone();
         let mut signs = signs();
         for x in arcs {
@@ -140,11 +146,11 @@ impl<G: LieGroup> ParallelTranslation<G> {
         Ok(carried)
     }
 
-    /// A vector at the start of a path, carried to its end by the matrix of the path.
+    /// Transports a vector from the start of a path to its end, by the matrix of the path.
     ///
     /// # Errors
-    /// [`Error::Shape`]; [`Error::Invalid`] if large numbers cancel, so that their rounding may change more than a millionth of the
-    /// result.
+    /// [`Error::Shape`]; [`Error::Invalid`] if large numbers cancel, so that rounding errors may
+    /// change more than a millionth of the result.
     pub fn carry(&self, path: &DMatrix<f64>, u: &G::Vector) -> Result<DVector<f64>, Error> {
         let n = self.group.dimension();
         expect_shape(path, (n, n))?;
@@ -155,19 +161,19 @@ impl<G: LieGroup> ParallelTranslation<G> {
         Ok(carried)
     }
 
-    /// Along a sampled curve: the arcs `g_i exp(s x_i)` from one element to the next, with the
-    /// logarithms `x_i`. Exact for curves made of such arcs, of second order in the distance of the
-    /// samples for others. A loop gives its holonomy.
+    /// The matrix of transport along a sampled curve: the arcs `g_i exp(s x_i)` from one element to
+    /// the next, with the logarithms `x_i`. It is exact for curves made of such arcs, and otherwise
+    /// of second order in the distance of the samples. A loop gives its holonomy.
     ///
     /// # Errors
-    /// [`Error::Invalid`] where two neighbours are too far apart.
+    /// [`Error::Invalid`] if two consecutive samples are too far apart.
     pub fn along_samples(&self, curve: &[G::Element]) -> Result<DMatrix<f64>, Error> {
         let arc = |pair: &[G::Element]| self.group.log(&self.group.between(&pair[0], &pair[1]));
         self.along_arcs(&curve.windows(2).map(arc).collect::<Result<Vec<_>, _>>()?)
     }
 
-    /// Along a curve with the velocity `w(t) = g^-1 g'`, from the first of the times to each of
-    /// them: `du/dt = -Lambda_w u` (B5) to a tolerance.
+    /// The matrices of transport along a curve with the velocity `w(t) = g^-1 g'`, from the first
+    /// of the times to each of them. They solve `du/dt = -Lambda_w u` (B5) to a tolerance.
     ///
     /// # Errors
     /// [`Error::Integration`].
@@ -197,7 +203,7 @@ impl<G: LieGroup> ParallelTranslation<G> {
     }
 }
 
-/// Refuses a result of which rounding may change a large part.
+/// Returns an error if rounding errors may change a large part of the result.
 fn expect_part(what: &str, lost: f64) -> Result<(), Error> {
     expect_digits("parallel translation", lost, |lost| {
         format!(
@@ -206,7 +212,7 @@ fn expect_part(what: &str, lost: f64) -> Result<(), Error> {
     })
 }
 
-/// An irregular sequence of signs, always the same.
+/// A fixed irregular sequence of signs.
 fn signs() -> impl FnMut() -> f64 {
     let mut state = 1_u64;
     move || {

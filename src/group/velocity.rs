@@ -5,9 +5,11 @@ use super::{Coordinates, LieGroup};
 use crate::Error;
 use affinor_tensors::stop::checkpoint;
 
-/// The velocity `g'` of a path, translated to the identity: `g' = L_g* body` (55) `= R_g* spatial` (59).
+/// The velocity `g'` of a path, translated to the identity: `g' = L_g* body` (55) `= R_g* spatial`
+/// (59).
 ///
-/// For matrices they are `g^-1 g'` and `g' g^-1`, for rotations `Omega` and `omega`; `spatial = Ad_g body`, (10), (57).
+/// For matrices the velocities are `g^-1 g'` and `g' g^-1`, for rotations `Omega` and `omega`;
+/// `spatial = Ad_g body`, (10), (57).
 ///
 /// ```
 /// use affinor::group::velocity::Velocity;
@@ -27,42 +29,43 @@ use affinor_tensors::stop::checkpoint;
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Velocity<V> {
-    /// `L_{g^-1}* g'`, the left components.
+    /// The body velocity `L_{g^-1}* g'`, the left components.
     pub body: V,
-    /// `R_{g^-1}* g'`, the right components.
+    /// The spatial velocity `R_{g^-1}* g'`, the right components.
     pub spatial: V,
 }
 
-/// Samples that determine the velocity at one of them.
+/// The number of samples from which the velocity at one of them is computed.
 const WINDOW: usize = 5;
-/// The most steps of Newton's method from one sample to the next.
+/// The largest number of Newton steps from one sample to the next.
 const MAX_STEPS: usize = 20;
 
 impl<V: Coordinates> Velocity<V> {
-    /// From the body velocity at `g`.
+    /// Both velocities, from the body velocity at `g`.
     pub fn from_body<G: LieGroup<Vector = V>>(group: &G, g: &G::Element, body: V) -> Self {
         let spatial = group.adjoint(g, &body);
         Velocity { body, spatial }
     }
 
-    /// From the spatial velocity at `g`.
+    /// Both velocities, from the spatial velocity at `g`.
     pub fn from_spatial<G: LieGroup<Vector = V>>(group: &G, g: &G::Element, spatial: V) -> Self {
         let body = right_translate(group, &spatial, g);
         Velocity { body, spatial }
     }
 
-    /// Of the path `exp(x(t))`, from `x` and `dx/dt`: `T_left(x) dx/dt` and `T_right(x) dx/dt`, which is
-    /// what stands behind (86).
+    /// The velocity of the path `exp(x(t))`, from `x` and `dx/dt`: `T_left(x) dx/dt` and
+    /// `T_right(x) dx/dt`, on which (86) is based.
     pub fn in_coordinates<G: LieGroup<Vector = V>>(group: &G, x: &V, rate: &V) -> Self {
         Velocity { body: group.tangent_left(x, rate), spatial: group.tangent_right(x, rate) }
     }
 
-    /// Of a smooth path at the time `t`, by central differences of `log(g(t)^-1 g(t + s))` over `step`, its
-    /// half and its quarter, extrapolated: the error is of order 6 in `step`, plus rounding errors divided by
-    /// `step`. A good step is a hundredth to a tenth of the time in which the velocity changes.
+    /// The velocity of a smooth path at the time `t`, by central differences of `log(g(t)^-1 g(t +
+    /// s))` over `step`, its half and its quarter, extrapolated. The error is of order 6 in `step`,
+    /// plus rounding errors divided by `step`. A good step is a hundredth to a tenth of the time
+    /// scale on which the velocity changes.
     ///
     /// # Errors
-    /// [`Error::Invalid`] where the path leaves the reach of the logarithm within `step`.
+    /// [`Error::Invalid`] if the logarithm does not exist within `step`.
     pub fn of_path<G: LieGroup<Vector = V>>(
         group: &G,
         path: impl Fn(f64) -> G::Element,
@@ -83,16 +86,19 @@ impl<V: Coordinates> Velocity<V> {
         Ok(Self::from_body(group, &g, body))
     }
 
-    /// Of a sampled path, at each sample: the slope of the polynomial through the five nearest samples (at
-    /// the ends one-sided) in canonical coordinates around it. The error is of order 4 in the distance
-    /// of the times, which need not be equal; of `n < 5` samples it is of order `n - 1`.
+    /// The velocity of a sampled path, at each sample: the slope of the polynomial through the five
+    /// nearest samples (at the ends one-sided) in canonical coordinates around the sample. The
+    /// times need not be equidistant. The error is of order 4 in their distance; for `n < 5`
+    /// samples it is of order `n - 1`.
     ///
-    /// Coordinates are continued from neighbour to neighbour, so that only neighbours have to be near: of
-    /// rotations less than half a turn apart, and less than a whole one over the samples used.
+    /// Coordinates are continued from one sample to the next, so that only consecutive samples must
+    /// be near each other. Rotations must be less than a half turn apart, and less than a whole
+    /// turn over the samples used.
     ///
     /// # Errors
-    /// [`Error::Shape`] unless there are two or more samples, as many times, and these increase;
-    /// [`Error::Invalid`] and [`Law::RegularTangent`](crate::Law::RegularTangent) for samples too far apart.
+    /// [`Error::Shape`] unless there are two or more samples with as many increasing times;
+    /// [`Error::Invalid`] and [`Law::RegularTangent`](crate::Law::RegularTangent) for samples too
+    /// far apart.
     pub fn of_samples<G: LieGroup<Vector = V>>(
         group: &G,
         times: &[f64],
@@ -131,14 +137,15 @@ fn check(times: &[f64], samples: usize) -> Result<(), Error> {
     late.map_or(Ok(()), |t| refused("increasing times", format!("{} after {}", t[1], t[0])))
 }
 
-/// The weight of the value at `times[k]` in the slope at `times[i]` of the polynomial through all.
+/// The weight of the value at `times[k]` in the slope, at `times[i]`, of the interpolation
+/// polynomial.
 fn weight(times: &[f64], i: usize, k: usize) -> f64 {
     let others = (0..times.len()).filter(|m| *m != i && *m != k);
     let ratio = |m: usize| (times[i] - times[m]) / (times[k] - times[m]);
     others.map(ratio).product::<f64>() / (times[k] - times[i])
 }
 
-/// The logarithm of `g` that lies near `x`, by Newton's method from there; at 0 it is `log`.
+/// The logarithm of `g` near `x`, by Newton's method from `x`; at 0 it is `log`.
 fn continued<G: LieGroup>(group: &G, x: &G::Vector, g: &G::Element) -> Result<G::Vector, Error> {
     let mut x = x.clone();
     for _ in 0..MAX_STEPS {
@@ -146,7 +153,7 @@ fn continued<G: LieGroup>(group: &G, x: &G::Vector, g: &G::Element) -> Result<G:
         let rest = group.log(&group.compose(&group.exp(&-x.clone()), g))?;
         let step = group.tangent_left_inverse(&x, &rest)?;
         x = x + step.clone();
-        // the error that is left is the square of the step
+        // Newton's method converges quadratically: the remaining error is the square of the step
         if step.largest() <= 1e-12 * (1.0 + x.largest()) {
             return Ok(x);
         }

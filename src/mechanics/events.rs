@@ -12,12 +12,12 @@ pub enum Direction {
     Rising,
     /// From positive to negative.
     Falling,
-    /// Either.
+    /// Both directions.
     #[default]
     Both,
 }
 
-/// Whether an event ends the run.
+/// The behaviour after an event.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum AfterEvent {
     /// The run goes on.
@@ -56,9 +56,9 @@ impl<'a, T> Event<'a, T> {
 /// An occurrence of an event, with the state there.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Crossing<T> {
-    /// The index of the event among the watched events, from 0.
+    /// The index of the event in the list of watched events, from 0.
     pub event: usize,
-    /// The state at the event: the first, to the rounding of time, after the sign change.
+    /// The state at the first time, within the resolution of floats, after the sign change.
     pub state: T,
     /// Whether the run ends here.
     pub then: AfterEvent,
@@ -66,12 +66,13 @@ pub struct Crossing<T> {
 
 /// Finds events along a run, each once, in the step where the sign changes.
 ///
-/// Sign changes at poles and at angle wraps are ignored: there the values grow towards the change on both sides. A jump
-/// between constant values is an event.
+/// Sign changes at poles and at angle wraps are ignored: there the absolute value grows towards the
+/// change on both sides. A jump between constant values is an event.
 ///
-/// A zero at the end of a step belongs to that step and not to the next. A run that starts at a zero has not crossed it. A function
-/// that becomes zero and stays zero has its event where it becomes zero; where it leaves zero there is none. Two sign changes
-/// within one step are missed, so steps must be shorter than the time between events.
+/// A zero at the end of a step belongs to that step, not to the next one. A zero at the start of
+/// the run is not an event. If a function becomes zero and stays zero, the event is where it
+/// becomes zero, and not where it leaves zero. Two sign changes within one step are missed, so
+/// steps must be shorter than the time between events.
 ///
 /// ```
 /// use affinor::mechanics::events::{Direction, Event, AfterEvent, EventDetector};
@@ -106,7 +107,7 @@ impl<'a, T: Clone> EventDetector<'a, T> {
     /// Watches events from a state on.
     ///
     /// # Errors
-    /// [`Error::Integration`] for a function that is not a number.
+    /// [`Error::Integration`] if the value of a function is NaN.
     pub fn new<S: System<State = T>>(
         events: Vec<Event<'a, T>>,
         system: &S,
@@ -119,11 +120,13 @@ impl<'a, T: Clone> EventDetector<'a, T> {
         Ok(watch)
     }
 
-    /// Makes a step, which must start at the end of the last one. `state` becomes the end of the step, or the state at the first
-    /// event that stops the run. Returns the events in the order of the run; one that stops it is the last.
+    /// Makes a step, which must start at the end of the last one. `state` becomes the end of the
+    /// step, or the state at the first event that stops the run. Returns the events in the order of
+    /// the run; a terminal event is the last.
     ///
     /// # Errors
-    /// Those of the method, and [`Error::Integration`] for a function that is not a number. `state` is then unchanged.
+    /// Those of the method, and [`Error::Integration`] if the value of a function is NaN. `state`
+    /// is then unchanged.
     pub fn advance<S: System<State = T>, I: Integrator<S>>(
         &mut self,
         step: &DenseStep<S, I>,
@@ -132,10 +135,11 @@ impl<'a, T: Clone> EventDetector<'a, T> {
         self.pass(step, step.after(step.length)?, state)
     }
 
-    /// The same for a step whose end is known, such as that of an adaptive method.
+    /// Like [`advance`](Self::advance), for a step whose end is known, such as that of an adaptive
+    /// method.
     ///
     /// # Errors
-    /// As [`advance`](Self::advance).
+    /// Those of [`advance`](Self::advance).
     pub fn pass<S: System<State = T>, I: Integrator<S>>(
         &mut self,
         step: &DenseStep<S, I>,
@@ -181,11 +185,13 @@ impl<'a, T: Clone> EventDetector<'a, T> {
     }
 }
 
-/// The sign changes of functions in a step from a time, of a length that is negative backwards: the time since the start and
-/// the number of the function, in the order of the run.
+/// The sign changes of functions in a step from a time. The length of the step is negative
+/// backwards. Returns the time since the start and the number of the function, in the order of the
+/// run.
 ///
-/// The functions have the values `before` and `after` at its ends, and those of `value` within. A function that starts at zero
-/// has not crossed it. Changes of a sense that is not `wanted` (is it rising with time?) are left out.
+/// The functions have the values `before` and `after` at the ends of the step, and `value` within
+/// it. A zero at the start does not count. Changes whose direction is not `wanted` are left out;
+/// the argument tells whether the function rises with time.
 pub(crate) fn changes_of_sign(
     [before, after]: [&[f64]; 2],
     (start, length): (f64, f64),
@@ -208,7 +214,7 @@ pub(crate) fn changes_of_sign(
 /// Checks the value of an event function.
 ///
 /// # Errors
-/// [`Error::Integration`] if it is not a number.
+/// [`Error::Integration`] if the value is NaN.
 pub(crate) fn expect_number(time: f64, value: f64) -> Result<f64, Error> {
     if value.is_nan() {
         return Err(stopped(time, "the function of an event is not a number"));
@@ -216,12 +222,13 @@ pub(crate) fn expect_number(time: f64, value: f64) -> Result<f64, Error> {
     Ok(value)
 }
 
-/// The first point after a sign change of a function between 0 and `end`, to the rounding of the times `start + x`. The function
-/// has the values `ends` at 0 and `end`. `None` at a pole or an angle wrap, where its values grow towards the sign change.
+/// The first point after a sign change of a function between 0 and `end`, within the resolution of
+/// the times `start + x`. The function has the values `ends` at 0 and `end`. `None` at a pole or an
+/// angle wrap, where its absolute value grows towards the sign change.
 ///
-/// The ITP method of I. F. D. Oliveira and R. H. C. Takahashi, *ACM Trans. Math. Softw.* 47 (2021) 5: as fast as the secant
-/// method, with at most one evaluation more than bisection.
-#[inline(never)] // or its logarithm is computed in every step
+/// The ITP method of I. F. D. Oliveira and R. H. C. Takahashi, *ACM Trans. Math. Softw.* 47 (2021)
+/// 5: as fast as the secant method, and with at most one evaluation more than bisection.
+#[inline(never)] // otherwise its logarithm would be computed in every step
 fn change_of_sign(
     mut value: impl FnMut(f64) -> Result<f64, Error>,
     start: f64,
@@ -231,7 +238,7 @@ fn change_of_sign(
     let [mut before, mut behind] = ends;
     let resolution = f64::EPSILON * start.abs().max((start + end).abs());
     let (mut a, mut b) = (0.0, end);
-    // the width of the bracket of bisection, one step earlier
+    // the width that the bracket of bisection would have one step earlier
     let mut allowed = resolution * 2.0 * (end.abs() / resolution).max(1.0).log2().ceil().exp2();
     while (b - a).abs() > resolution {
         let middle = a + 0.5 * (b - a);
@@ -239,7 +246,7 @@ fn change_of_sign(
             break;
         }
         let secant = (behind * a - before * b) / (behind - before);
-        // towards the middle, so that both ends of the bracket move
+        // a shift towards the middle, so that both ends of the bracket move
         let nudge = 0.2 * (b - a).powi(2) / end.abs();
         let towards = (middle - secant).signum();
         let nudged =
@@ -247,7 +254,7 @@ fn change_of_sign(
         let radius = 0.5 * (allowed - (b - a).abs()).max(0.0);
         let inside = (nudged - middle).abs() <= radius;
         let mut at = if inside { nudged } else { middle - towards * radius };
-        // a function may stay zero: the event is where it becomes zero
+        // a function may stay zero; then the event is where it becomes zero
         if behind == 0.0 || !(at.is_finite() && at != a && at != b) {
             at = middle;
         }

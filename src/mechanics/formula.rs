@@ -9,7 +9,7 @@ use std::cell::RefCell;
 use std::collections::HashMap;
 use std::f64::consts::{PI, TAU};
 
-/// A formula: numbers and variables, then a list of operations, each on earlier values.
+/// A formula: numbers and variables, followed by a list of operations on earlier values.
 ///
 /// ```
 /// use affinor::mechanics::formula::Formula;
@@ -26,12 +26,12 @@ pub struct Formula {
     numbers: Vec<f64>,
     variables: Vec<usize>,
     operations: Vec<Operation>,
-    /// The place of the value in the list of numbers, variables and results of operations.
+    /// The position of the value in the list of numbers, variables and results of operations.
     last: usize,
 }
 
-/// A formula and its partial derivatives as one list of operations. What does not depend on a variable is computed once, when
-/// the list is made.
+/// A formula and its partial derivatives as one list of operations. Subexpressions without
+/// variables are computed once, when the list is made.
 ///
 /// ```
 /// use affinor::mechanics::formula::{Formula, Symbol, Workspace};
@@ -50,7 +50,8 @@ pub struct Formula {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Gradient {
     formula: Formula,
-    /// Variables, and the places of the derivatives by them; other derivatives are zero.
+    /// Variables, and the positions of the derivatives with respect to them; other derivatives are
+    /// zero.
     slopes: Vec<(usize, usize)>,
 }
 
@@ -70,7 +71,7 @@ pub enum Symbol {
     Variable(usize),
 }
 
-/// An operation on two earlier values; some ignore the second.
+/// An operation on two earlier values; some operations ignore the second one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 struct Operation {
     kind: Kind,
@@ -85,11 +86,12 @@ enum Kind {
     Reciprocal,
     Call(&'static Function),
     CallTwo(&'static FunctionOfTwo),
-    /// A derivative times a number; 0 if the derivative is 0, even where the number is infinite.
+    /// A derivative times a number; 0 if the derivative is 0, even if the number is infinite.
     Share,
-    /// The slope of a function at its argument, which has the value there as the second operand.
+    /// The slope of a function at its argument; the second operand is the value of the function
+    /// there.
     Slope(&'static Function),
-    /// The slope of a function of two numbers by one of them.
+    /// The slope of a function of two numbers with respect to one of them.
     SlopeOfTwo(&'static FunctionOfTwo, usize),
 }
 
@@ -112,10 +114,11 @@ impl Kind {
 }
 
 impl Formula {
-    /// Parses a formula; `variable` gives the number of the variable of a name. `pi` and `tau` are constants.
+    /// Parses a formula. `variable` returns the index of the variable with a name. `pi` and `tau`
+    /// are constants.
     ///
     /// # Errors
-    /// A syntax error, an unknown name or an unknown function, with its place in the text.
+    /// A syntax error, an unknown name or an unknown function, with its position in the text.
     pub fn parse(
         text: &str,
         variable: &mut dyn FnMut(&str) -> Option<usize>,
@@ -123,10 +126,10 @@ impl Formula {
         Self::read(text, &mut |name| variable(name).map(Symbol::Variable))
     }
 
-    /// As [`parse`](Self::parse), where names may also be constants.
+    /// Like [`parse`](Self::parse), but names may also be constants.
     ///
     /// # Errors
-    /// As [`parse`](Self::parse).
+    /// Those of [`parse`](Self::parse).
     pub fn read(
         text: &str,
         symbol: &mut dyn FnMut(&str) -> Option<Symbol>,
@@ -136,7 +139,7 @@ impl Formula {
         Ok(reader.graph.into_inner().formula(last, &mut []))
     }
 
-    /// The constant formula of a number.
+    /// The formula that is a constant number.
     pub fn number(number: f64) -> Self {
         Formula { numbers: vec![number], variables: vec![], operations: vec![], last: 0 }
     }
@@ -146,14 +149,16 @@ impl Formula {
         self.value_in(variables, &mut Workspace::default())
     }
 
-    /// As [`value`](Self::value), with a buffer of the caller, so that no memory is allocated once it has grown.
+    /// Like [`value`](Self::value), with a reusable buffer: once it has grown, no memory is
+    /// allocated.
     #[inline]
     pub fn value_in(&self, variables: &[f64], workspace: &mut Workspace) -> f64 {
         self.evaluate(variables, workspace)[self.last]
     }
 
-    /// The value; its partial derivatives by all variables are written to `slopes`. For many points,
-    /// [`differentiated`](Self::differentiated) does the work that they share once.
+    /// Returns the value, and writes its partial derivatives with respect to all variables to
+    /// `slopes`. For many points, [`differentiated`](Self::differentiated) is faster, because it
+    /// prepares the derivatives once.
     pub fn gradient(&self, variables: &[f64], slopes: &mut [f64]) -> f64 {
         let (gradient, mut workspace) = (self.differentiated(), Workspace::default());
         let (value, derivatives) = gradient.evaluate(variables, &mut workspace);
@@ -171,7 +176,7 @@ impl Formula {
         for (at, node) in numbers.chain(variables).chain(operations).enumerate() {
             assert_eq!(graph.push(node), at, "nodes of a formula are distinct");
         }
-        // derivatives of the value by nodes, zero if none
+        // the derivatives of the value with respect to the nodes; `None` if they vanish
         let mut shares = vec![None; graph.nodes.len()];
         shares[self.last] = Some(graph.number(1.0));
         let mut slopes: Vec<(usize, usize)> = vec![];
@@ -227,7 +232,7 @@ impl Formula {
                         add(&mut graph, operand, part);
                     }
                 }
-                // in derivatives alone
+                // these operations occur only in derivatives
                 Kind::Share | Kind::Slope(_) | Kind::SlopeOfTwo(..) => {}
             }
         }
@@ -236,7 +241,7 @@ impl Formula {
         Gradient { formula, slopes }
     }
 
-    /// The indices of its variables, each once.
+    /// The indices of the variables that occur, each once.
     pub fn variables(&self) -> &[usize] {
         &self.variables
     }
@@ -263,7 +268,8 @@ impl Formula {
 }
 
 impl Gradient {
-    /// The value at given values of the variables, and the derivatives that are not zero everywhere, each after its variable.
+    /// The value at given values of the variables, and the derivatives that do not vanish
+    /// identically, each with the index of its variable.
     #[inline]
     pub fn evaluate<'g>(
         &'g self,
@@ -278,13 +284,14 @@ impl Gradient {
 /// A number, a variable, or the result of an operation on earlier nodes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 enum Node {
-    /// The bits of a number.
+    /// The bits of a floating-point number.
     Number(u64),
     Variable(usize),
     Result(Operation),
 }
 
-/// The nodes of formulas that are being made, each once, so that what a text repeats is computed once.
+/// The nodes of formulas under construction, each once, so that repeated subexpressions are
+/// computed once.
 #[derive(Debug, Default)]
 struct Graph {
     nodes: Vec<Node>,
@@ -292,7 +299,7 @@ struct Graph {
 }
 
 impl Graph {
-    /// The place of a node, which is new unless it has been pushed before.
+    /// The position of a node; it is added unless it is already present.
     fn push(&mut self, node: Node) -> usize {
         let place = *self.places.entry(node).or_insert(self.nodes.len());
         if place == self.nodes.len() {
@@ -305,7 +312,8 @@ impl Graph {
         self.push(Node::Number(number.to_bits()))
     }
 
-    /// The result of an operation: a number, if both operands are, or the other factor of 1.
+    /// The result of an operation, simplified: a number if both operands are numbers, the other
+    /// factor if one is 1.
     fn apply(&mut self, kind: Kind, mut operands: [usize; 2]) -> usize {
         let number = |operand: usize| match self.nodes[operand] {
             Node::Number(bits) => Some(f64::from_bits(bits)),
@@ -321,8 +329,8 @@ impl Graph {
         self.push(Node::Result(Operation { kind, operands }))
     }
 
-    /// The formula of a node, with the nodes that it and the `outputs` need. Each output has a node after its name, which
-    /// becomes its place in the formula.
+    /// The formula of a node, with all nodes that it and the `outputs` need. Each output is a pair
+    /// of a name and a node; the node is replaced by its position in the formula.
     fn formula(self, last: usize, outputs: &mut [(usize, usize)]) -> Formula {
         let mut needed = vec![false; self.nodes.len()];
         needed[last] = true;
@@ -359,10 +367,10 @@ impl Graph {
     }
 }
 
-/// Gives the meaning of a name.
+/// Returns the meaning of a name.
 type Symbols<'s> = dyn FnMut(&str) -> Option<Symbol> + 's;
 
-/// Records operations instead of computing; a value is the number of its node.
+/// An evaluator that records operations instead of computing; its values are numbers of nodes.
 struct Reader<'s> {
     graph: RefCell<Graph>,
     symbol: RefCell<&'s mut Symbols<'s>>,
@@ -387,7 +395,7 @@ impl Evaluator for Reader<'_> {
             (Some(symbol), _) => symbol,
             (None, "pi") => Symbol::Number(PI),
             (None, "tau") => Symbol::Number(TAU),
-            (None, _) => return Err(format!("`{name}` is no name here")),
+            (None, _) => return Err(format!("`{name}` is not a known name here")),
         };
         Ok(self.graph.borrow_mut().push(match symbol {
             Symbol::Number(number) => Node::Number(number.to_bits()),
@@ -417,7 +425,7 @@ impl Evaluator for Reader<'_> {
             None => {
                 let two = FUNCTIONS_OF_TWO.iter().map(|f| f.name);
                 let all: Vec<&str> = FUNCTIONS.iter().map(|f| f.name).chain(two).collect();
-                Err(format!("`{name}` is no function: there are {}", all.join(", ")))
+                Err(format!("`{name}` is not a function: there are {}", all.join(", ")))
             }
         }
     }
@@ -460,7 +468,7 @@ mod tests {
         assert_eq!(read("sin(a*pi)/2 + a"), Formula::number((1.5 * PI).sin() * 0.5 + 1.5));
         let linear = read("a*2*(3*x - sqrt(a)*y) + 1^2");
         assert_eq!(linear.operations.len(), 6);
-        // its derivatives are constants
+        // the derivatives of a linear formula are constants
         assert_eq!(linear.differentiated().formula.operations.len(), 6);
         let mut slopes = [0.0; 2];
         assert_eq!(linear.gradient(&[f64::MAX, f64::MIN], &mut slopes), f64::INFINITY);
@@ -478,7 +486,7 @@ mod tests {
         assert_eq!(slopes, [150.0, 90.0]);
     }
 
-    /// As in `min(x, 1/y)` at `y = 0`.
+    /// An example is `min(x, 1/y)` at `y = 0`.
     #[test]
     fn zero_times_an_infinite_slope_is_zero() {
         let mut slopes = [f64::NAN; 2];

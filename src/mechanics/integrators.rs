@@ -11,10 +11,12 @@
 //! | [`Kick`] | 2, 4, 6 | a body, torques of time and attitude | momentum of symmetries, symplectic form |
 //! | [`MoserVeselov`] | 2 to 10 | a free body | momentum, energy, symplectic form |
 //!
-//! Momentum means the spatial momentum. It is conserved to the last bit on groups of rotations, where it is a part of the state,
-//! and to rounding on others. In reading order: [`runge_kutta`] with its [`tableaux`](crate::numerics::tableaux), [`munthe_kaas`] and [`projected`] are the
-//! methods for any system; [`dense_output`] gives states within steps, a [`Trajectory`] those of a whole run with events.
-//! [`GeneralisedAlpha`] is for constraints, [`IsospectralMidpoint`] for flows of matrices, [`Composed`] raises the order.
+//! Momentum means the spatial momentum. It is conserved exactly on groups of rotations, where it is
+//! a part of the state, and up to rounding errors on others. In reading order: [`runge_kutta`] with
+//! its [`tableaux`](crate::numerics::tableaux), [`munthe_kaas`] and [`projected`] are the methods
+//! for any system. [`dense_output`] gives states within steps, a [`Trajectory`] the states of a
+//! whole run with events. [`GeneralisedAlpha`] is for constraints, [`IsospectralMidpoint`] for
+//! flows of matrices, and [`Composed`] raises the order.
 
 mod adaptive;
 mod commutator_free;
@@ -56,7 +58,7 @@ use crate::mechanics::systems::System;
 
 /// A one-step method for the systems `S`.
 pub trait Integrator<S: System> {
-    /// A step of length `h`, negative backwards in time.
+    /// Advances the state by a step of length `h`, which is negative backwards in time.
     ///
     /// # Errors
     /// [`Error::Integration`] if a value is not finite, or implicit equations have no solution; the state is then unchanged.

@@ -1,15 +1,16 @@
 //! Motions of systems that are chosen at run time, from formulas.
 //!
-//! A [`Motion`] is a system, its state and a method that advances it. This is all that a program needs that writes rows, shows
-//! progress and can be interrupted. In reading order:
+//! A [`Motion`] is a system, its state and the method that advances it. It is sufficient for a
+//! program that writes rows, shows progress and can be interrupted. In reading order:
 //!
 //! - `classes`, one file for each class of problems: [`EulerPoincareSpec`], [`ConstrainedSpec`], [`LiePoissonSpec`],
 //!   [`PrescribedVelocitySpec`] and [`MatrixFlow`] start motions on groups chosen at run time;
-//! - [`Method`]: the methods of integration, one row of a table for each; [`Integration`]: how one motion is integrated;
+//! - [`Method`]: the table of the methods of integration; [`Integration`]: the settings of the
+//!   integration of a motion;
 //! - [`quantities`]: the names that formulas may use; [`Observables`]: their values at a point of a motion;
 //! - [`Forces`] and potentials as formulas, and tables over time ([`ForceTable`]);
 //! - [`Crossings`] finds events along a motion;
-//! - [`SimulationGroup`]: what a group provides for all this.
+//! - [`SimulationGroup`]: the operations that a group must provide for simulations.
 
 mod classes;
 mod crossings;

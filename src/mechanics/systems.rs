@@ -1,8 +1,9 @@
 //! Equations of motion on groups and of matrices.
 //!
-//! In reading order: [`cotangent`] states what systems of an element and its momentum have in common; [`euler_poincare`] are
-//! those of a connection and a metric, [`lie_poisson`] those of a Hamiltonian; [`constrained`] adds holonomic constraints;
-//! [`isospectral`] are flows of matrices that conserve the spectrum.
+//! In reading order: [`cotangent`] is the common interface of systems of an element and its
+//! momentum; [`euler_poincare`] contains the systems of a connection and a metric, [`lie_poisson`]
+//! those of a Hamiltonian; [`constrained`] adds holonomic constraints; [`isospectral`] contains
+//! flows of matrices that conserve the spectrum.
 
 mod bilinear;
 mod centred;

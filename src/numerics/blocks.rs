@@ -1,4 +1,4 @@
-//! Straight-line programs on many rows of floats: blocks of rows side by side.
+//! Straight-line programs on many rows of floats, evaluated for blocks of rows at once.
 
 use super::lanes::{LANES, Lane, Lanes};
 use affinor_tensors::Rational;
@@ -9,8 +9,8 @@ use std::ops::{Add, Mul};
 
 /// A straight-line program in floats, for many rows of inputs.
 ///
-/// The steps are those of a [`StraightLine`], in the same order. A product that one sum alone uses is computed within that
-/// sum. A row of results depends on its row of inputs alone.
+/// The steps are those of a [`StraightLine`], in the same order. A product that is used by a single
+/// sum is computed within that sum. A row of results depends only on its row of inputs.
 ///
 /// ```
 /// use affinor::numerics::blocks::{BlockProgram, Column};
@@ -32,20 +32,20 @@ use std::ops::{Add, Mul};
 pub struct BlockProgram {
     code: Vec<Instruction>,
     terms: Vec<Term>,
-    /// The number of values that are stored at one time.
+    /// The largest number of values that are stored at the same time.
     slots: usize,
-    /// Results that are constants: the place and the value.
+    /// Results that are constants: the position and the value.
     constants: Vec<(usize, f64)>,
 }
 
-/// The numbers of one input in an array: that of the row `k` is at `offset + k step`.
+/// The values of one input in an array: the value for row `k` is at `offset + k step`.
 #[derive(Clone, Copy, Debug)]
 pub struct Column<'a> {
     /// The array.
     pub numbers: &'a [f64],
-    /// The place of the number of the first row.
+    /// The position of the value for the first row.
     pub offset: usize,
-    /// The distance from one row to the next one; 0 for the same number in all rows.
+    /// The distance from one row to the next one; 0 if all rows have the same value.
     pub step: usize,
 }
 
@@ -63,13 +63,14 @@ enum Instruction {
     Product([usize; 2], usize),
     Reciprocal(usize, usize),
     Function(Function, usize, usize),
-    /// The third value if the size of the first one is at least the size of the second one, else the fourth value.
+    /// The third value if the size of the first one is at least that of the second one, otherwise
+    /// the fourth value.
     Select(Box<[(f64, Option<usize>); 4]>, usize),
-    /// Writes a multiple of a value to a place of the results.
+    /// Writes a multiple of a value to a position of the results.
     Store(f64, usize, usize),
 }
 
-/// A multiple of the product of two values, or of the first one alone.
+/// A multiple of the product of two values, or of the first value alone.
 #[derive(Clone, Copy, Debug)]
 struct Term(f64, usize, usize);
 
@@ -79,9 +80,9 @@ trait Value: Copy + Add<Output = Self> + Mul<Output = Self> {
     fn scaled(self, factor: f64) -> Self;
     fn reciprocal(self) -> Self;
     fn function(self, function: Function) -> Self;
-    /// `x` where the size of `self` is at least the size of `other`, else `y`.
+    /// Selects `x` where the size of `self` is at least the size of `other`, otherwise `y`.
     fn select(self, other: Self, x: Self, y: Self) -> Self;
-    /// The numbers that are results.
+    /// The numbers that are written as results.
     fn result(&self) -> &[f64; LANES];
 }
 
@@ -112,7 +113,7 @@ impl Value for Lanes {
     }
 }
 
-/// Values and their rates.
+/// Values and their derivatives along the rates of the inputs.
 #[derive(Clone, Copy)]
 struct Moving(Lanes, Lanes);
 
@@ -163,7 +164,7 @@ impl Value for Moving {
     }
 }
 
-/// The slope of a function at `x`, where it has a value.
+/// The slope of a function at `x`; `value` is the value of the function there.
 fn slope(function: Function, x: f64, value: f64) -> f64 {
     match function {
         Function::Sin => x.cos(),
@@ -178,7 +179,7 @@ fn slope(function: Function, x: f64, value: f64) -> f64 {
     }
 }
 
-/// Slots for the values of steps, of which each is free again after its last use.
+/// Slots for the values of steps; a slot is free again after the last use of its value.
 struct Slots {
     of: Vec<usize>,
     last: Vec<usize>,
@@ -198,7 +199,7 @@ impl Slots {
 
     fn release(&mut self, steps: &[usize], now: usize) {
         for step in steps {
-            // a step that is used twice here is released once
+            // a step that an instruction uses twice is released once
             if self.last[*step] == now {
                 self.last[*step] = usize::MAX;
                 self.free.push(self.of[*step]);
@@ -208,8 +209,9 @@ impl Slots {
 }
 
 impl BlockProgram {
-    /// The program with inputs of these names, whose results are at these places of a row; `None` if an input has no name, or a
-    /// constant is beyond the range of floats.
+    /// The program with inputs of these names, whose results are written to these positions of a
+    /// row. `None` if an input is missing among the names, or a constant is beyond the range of
+    /// floats.
     ///
     /// # Panics
     /// If there are fewer places than outputs.
@@ -230,7 +232,7 @@ impl BlockProgram {
             }
         }
         let is_inner: Vec<bool> = inner(steps, &uses, &stores);
-        // the values that an instruction reads, those of inner products included
+        // the values that an instruction reads, including those of its inner products
         let reads = |at: usize| -> Vec<usize> {
             let operands = steps[at].operands().into_iter();
             operands
@@ -255,14 +257,14 @@ impl BlockProgram {
             own.code.push(instruction.into(to));
             let stores = stores[at].iter();
             own.code.extend(stores.map(|(factor, place)| Instruction::Store(*factor, to, *place)));
-            // a value that only results use
+            // a value that is used by results only
             slots.release(&[at], at);
         }
         own.slots = slots.count;
         Some(own)
     }
 
-    /// The instruction of a step, which writes to a slot that is not known yet.
+    /// The instruction of a step; the slot of its result is not yet known.
     fn instruction(
         &mut self,
         step: &Step,
@@ -304,10 +306,11 @@ impl BlockProgram {
         })
     }
 
-    /// The results of all rows from the index `start` on, `width` for each row; places without a result keep their numbers.
+    /// Writes the results of all rows from the index `start` on, `width` numbers for each row.
+    /// Positions without a result are not changed.
     ///
     /// # Panics
-    /// If a column is shorter than the rows, or a place is not below `width`.
+    /// If a column is shorter than the rows, or a position is not below `width`.
     pub fn evaluate(&self, inputs: &[Column<'_>], start: usize, out: &mut [f64], width: usize) {
         let load = |at: usize, rows: [usize; LANES]| inputs[at].load(rows);
         let mut values = vec![Lanes::splat(0.0); self.slots];
@@ -315,10 +318,11 @@ impl BlockProgram {
         self.write_constants(out, width, false);
     }
 
-    /// The derivatives of the results along given rates of the inputs, as [`evaluate`](Self::evaluate).
+    /// Writes the derivatives of the results along given rates of the inputs, like
+    /// [`evaluate`](Self::evaluate).
     ///
     /// # Panics
-    /// As [`evaluate`](Self::evaluate).
+    /// See [`evaluate`](Self::evaluate).
     pub fn derivative(
         &self,
         inputs: &[Column<'_>],
@@ -342,13 +346,13 @@ impl BlockProgram {
         }
     }
 
-    /// The number of operations on one row, roughly.
+    /// The approximate number of operations for one row.
     pub fn size(&self) -> usize {
         self.code.len() + self.terms.len()
     }
 }
 
-/// Whether each step is a product that one sum alone uses.
+/// Whether each step is a product that is used by a single sum.
 fn inner(steps: &[Step], uses: &[usize], stores: &[Vec<(f64, usize)>]) -> Vec<bool> {
     let mut inner = vec![false; steps.len()];
     for step in steps {
@@ -405,7 +409,7 @@ fn run<V: Value, L: Fn(usize, [usize; LANES]) -> V>(
     for (block, out) in out.chunks_mut(LANES * width.max(1)).enumerate() {
         let begin = block * LANES;
         let here = LANES.min(count - begin);
-        // the last row fills the rest of the lanes
+        // copies of the last row fill unused lanes
         let rows = std::array::from_fn(|t| start + begin + t.min(here - 1));
         for instruction in &program.code {
             match instruction {

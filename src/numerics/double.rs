@@ -1,14 +1,15 @@
 //! Double-double numbers: an unevaluated sum of two floats, with a relative precision of about `2^-104`.
 //!
-//! Error-free sums and products: T. J. Dekker, *Numerische Mathematik* 18 (1971) 224-242. Products are split and not fused, so
-//! that results are the same on every machine.
+//! Error-free sums and products: T. J. Dekker, *Numerische Mathematik* 18 (1971) 224-242. Products
+//! are computed by splitting and not by fused multiply-add, so that results are the same on every
+//! machine.
 
 use affinor_tensors::stop::checkpoint;
 use nalgebra::DMatrix;
 use num_traits::{One, Zero};
 use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
-/// `high + low`, where `high` is the nearest float to the sum.
+/// The sum `high + low`, where `high` is the nearest float to the sum.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Double {
     high: f64,
@@ -24,7 +25,7 @@ impl Double {
         self.high
     }
 
-    /// The number times a power of two, which must not leave the range of floats.
+    /// The number times a power of two; the result must be in the range of floats.
     pub fn scaled(self, power: f64) -> Self {
         Double { high: self.high * power, low: self.low * power }
     }
@@ -36,14 +37,14 @@ impl From<f64> for Double {
     }
 }
 
-/// `a + b` and its rounding error.
+/// The sum `a + b` with its rounding error.
 fn sum(a: f64, b: f64) -> Double {
     let high = a + b;
     let part = high - a;
     Double { high, low: (a - (high - part)) + (b - part) }
 }
 
-/// [`sum`] for `|a| >= |b|`.
+/// Like [`sum`], for `|a| >= |b|`.
 fn ordered_sum(a: f64, b: f64) -> Double {
     let high = a + b;
     Double { high, low: b - (high - a) }
@@ -57,7 +58,7 @@ fn halves(a: f64) -> (f64, f64) {
     (upper, a - upper)
 }
 
-/// `a b` and its rounding error.
+/// The product `a b` with its rounding error.
 fn product(a: f64, b: f64) -> Double {
     let high = a * b;
     let ((a, a_low), (b, b_low)) = (halves(a), halves(b));
@@ -150,7 +151,8 @@ pub(crate) fn rounded(m: &DMatrix<Double>) -> DMatrix<f64> {
     m.map(Double::rounded)
 }
 
-/// A linear map of matrices of floats that has no rounding error, on both parts of the entries.
+/// Applies a linear map of matrices of floats, which must not cause rounding errors, to both parts
+/// of the entries.
 pub(crate) fn mapped(
     m: &DMatrix<Double>,
     map: impl Fn(&DMatrix<f64>) -> DMatrix<f64>,
@@ -158,9 +160,10 @@ pub(crate) fn mapped(
     map(&m.map(|value| value.high)).zip_map(&map(&m.map(|value| value.low)), ordered_sum)
 }
 
-/// `exp(m) - 1`, with all digits where `m` is small: `2^-k m` by the series, then `k` times `x -> 2 x + x^2`.
+/// The matrix `exp(m) - 1`, accurate also for small `m`: the series for `2^-k m`, then `k` times `x
+/// -> 2 x + x^2`.
 pub(crate) fn exp_less_identity(m: &DMatrix<Double>) -> DMatrix<Double> {
-    /// The series has a few terms up to this norm.
+    /// The norm up to which the series needs few terms.
     const SHORT: f64 = 0.0625;
     let size = rounded(m).norm();
     let halvings = (size / SHORT).log2().ceil().clamp(0.0, 1100.0) as i32;
@@ -177,7 +180,7 @@ pub(crate) fn exp_less_identity(m: &DMatrix<Double>) -> DMatrix<Double> {
     (0..halvings).fold(sum, |x, _| &x * &x + x.map(|value| value.scaled(2.0)))
 }
 
-/// The inverse by Gauss and Jordan with partial pivoting. `None` if the matrix is singular.
+/// The inverse by Gauss-Jordan elimination with partial pivoting. `None` if the matrix is singular.
 pub(crate) fn inverse(m: &DMatrix<Double>) -> Option<DMatrix<Double>> {
     let n = m.nrows();
     let (mut m, mut inverse) = (m.clone(), DMatrix::identity(n, n));
@@ -211,7 +214,8 @@ pub(crate) fn inverse(m: &DMatrix<Double>) -> Option<DMatrix<Double>> {
 mod tests {
     use super::*;
 
-    /// Sums and products of integers of 100 bits agree with machine integers of 128 bits; quotients undo products.
+    /// Sums and products of integers of 100 bits agree with machine integers of 128 bits; quotients
+    /// invert products.
     #[test]
     fn doubles_have_a_hundred_digits() {
         let integer = |n: i128| {

@@ -4,11 +4,12 @@ use affinor_tensors::linear::balancing;
 use affinor_tensors::stop::{checkpoint, detached};
 use nalgebra::DMatrix;
 
-/// Matrices with entries up to this size, times their rows, are exponentiated by nalgebra, which forms sixth powers.
+/// The size of entries, times the number of rows, up to which nalgebra computes the exponential;
+/// its algorithm forms sixth powers.
 const LARGE: f64 = 1e8;
 
-/// The exponential of a square matrix, for entries of any size. Results beyond the range of floats are infinite or NaN;
-/// oscillations of more than `1e16` radians are noise.
+/// The exponential of a square matrix, for entries of any size. Results beyond the range of floats
+/// are infinite or NaN. Oscillations of more than `1e16` radians are meaningless.
 ///
 /// ```
 /// use affinor::numerics::exponential::exp;
@@ -20,7 +21,7 @@ pub fn exp(m: &DMatrix<f64>) -> DMatrix<f64> {
     exp_halved_from(m, LARGE)
 }
 
-/// [`exp`], of matrices from the size `large` on by halvings and squarings.
+/// Like [`exp`]; matrices of at least the size `large` are halved and squared.
 fn exp_halved_from(m: &DMatrix<f64>, large: f64) -> DMatrix<f64> {
     let size = m.amax() * m.nrows() as f64;
     if m.is_empty() {
@@ -44,7 +45,7 @@ fn exp_halved_from(m: &DMatrix<f64>, large: f64) -> DMatrix<f64> {
     }
 }
 
-/// The exponential as nalgebra computes it.
+/// The exponential computed by nalgebra.
 fn plain(m: &DMatrix<f64>) -> DMatrix<f64> {
     if m.nrows() < LONG {
         return m.exp();
@@ -53,10 +54,10 @@ fn plain(m: &DMatrix<f64>) -> DMatrix<f64> {
     detached(move || m.exp())
 }
 
-/// The exponential of a matrix of so many rows takes longer than a few milliseconds.
+/// The number of rows above which the exponential takes longer than a few milliseconds.
 const LONG: usize = 100;
 
-/// The entries times powers of two, in parts that are in the range of floats.
+/// The entries times powers of two, in two factors that are each in the range of floats.
 fn scaled(m: &DMatrix<f64>, exponent: impl Fn(usize, usize) -> i32) -> DMatrix<f64> {
     DMatrix::from_fn(m.nrows(), m.ncols(), |i, k| {
         let (all, part) = (exponent(i, k), exponent(i, k) / 4);
@@ -65,8 +66,9 @@ fn scaled(m: &DMatrix<f64>, exponent: impl Fn(usize, usize) -> i32) -> DMatrix<f
     })
 }
 
-/// A similar matrix with small entries off the diagonal, `m_ik 2^(e_k - e_i)`, and the exponents `e`. Functions of matrices
-/// then keep the digits of a rotation beside a long translation.
+/// A similar matrix with small entries off the diagonal, `m_ik 2^(e_k - e_i)`, and the exponents
+/// `e`. Functions of matrices are then accurate even if a rotation is combined with a long
+/// translation.
 pub(crate) fn balanced(m: &DMatrix<f64>) -> (DMatrix<f64>, Vec<i32>) {
     let exponents = balance(m);
     (balanced_by(m, &exponents), exponents)
@@ -84,13 +86,13 @@ pub(crate) fn balanced_by(m: &DMatrix<f64>, exponents: &[i32]) -> DMatrix<f64> {
     scaled(m, |i, k| exponents[k] - exponents[i])
 }
 
-/// The reverse of [`balanced`].
+/// The inverse of [`balanced`].
 pub(crate) fn unbalanced(m: &DMatrix<f64>, exponents: &[i32]) -> DMatrix<f64> {
     scaled(m, |i, k| exponents[i] - exponents[k])
 }
 
-/// `sum M^k/(k+1)! = int_0^1 exp(s M) ds`, as the upper right block of the exponential of
-/// `[[M, 1], [0, 0]]`.
+/// The integral `sum M^k/(k+1)! = int_0^1 exp(s M) ds`, as the upper right block of the exponential
+/// of `[[M, 1], [0, 0]]`.
 ///
 /// C. F. Van Loan, *IEEE Transactions on Automatic Control* 23 (1978) 395-404.
 ///
@@ -108,7 +110,7 @@ pub fn phi1(m: &DMatrix<f64>) -> DMatrix<f64> {
     exp(&block).view((0, n), (n, n)).into_owned()
 }
 
-/// `exp(m) - 1`, with all digits where `m` is small.
+/// The matrix `exp(m) - 1`, accurate also for small `m`.
 pub(crate) fn exp_less_identity(m: &DMatrix<f64>) -> DMatrix<f64> {
     m * phi1(m)
 }
@@ -117,7 +119,8 @@ pub(crate) fn exp_less_identity(m: &DMatrix<f64>) -> DMatrix<f64> {
 mod tests {
     use super::*;
 
-    /// Both paths, by closed forms of rotations and of screws `[[0, -w, 1], [w, 0, 0], [0, 0, 0]]`.
+    /// Both algorithms agree with the closed forms of rotations and of screws `[[0, -w, 1], [w, 0,
+    /// 0], [0, 0, 0]]`.
     #[test]
     fn exponentials_with_and_without_halvings() {
         for turn in [1e-3_f64, 0.7, 3.0, 40.0, 1e3, 1e5, 3e7, 1e8] {
@@ -128,7 +131,7 @@ mod tests {
             let expected = DMatrix::from_row_slice(3, 3, &screw);
             for large in [0.0, LARGE] {
                 let off = (exp_halved_from(&m, large) - &expected).amax();
-                // squarings double a relative error of the angle
+                // squarings double the relative error of the angle
                 assert!(
                     off <= 16.0 * f64::EPSILON * (1.0 + turn),
                     "{turn}, {large}: off by {off:e}"
@@ -137,8 +140,8 @@ mod tests {
         }
     }
 
-    /// A translation of any length does not change the linear part, and keeps its own digits: `[[a, b], [0, 0]]` around the
-    /// size from which matrices are balanced.
+    /// A translation of any length does not change the linear part and is accurate itself: `[[a,
+    /// b], [0, 0]]` around the size from which matrices are balanced.
     #[test]
     fn exponentials_with_long_translations() {
         let a = 0.5_f64;

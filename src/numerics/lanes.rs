@@ -1,10 +1,11 @@
-//! Several floats side by side, so that loops over them become vector instructions.
+//! Several floats that are processed together, so that loops over them become vector instructions.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// A float, or several floats side by side: the arguments of formulas without branches.
+/// A float, or several floats that are processed together: the arguments of branchless formulas.
 ///
-/// Each float rounds alike alone and in a group, so a result depends on its arguments alone.
+/// Each float is rounded in the same way alone and in a group, so a result depends only on its
+/// arguments.
 pub trait Lane:
     Copy
     + Add<Output = Self>
@@ -13,13 +14,13 @@ pub trait Lane:
     + Div<Output = Self>
     + Neg<Output = Self>
 {
-    /// The same value in each place.
+    /// The same value in each lane.
     fn splat(value: f64) -> Self;
-    /// The function of each value.
+    /// Applies a function to each value.
     fn map(self, f: impl Fn(f64) -> f64) -> Self;
-    /// The function of each pair of values.
+    /// Applies a function to each pair of values.
     fn zip(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self;
-    /// `x` where `self > other`, else `y`.
+    /// Selects `x` where `self > other`, otherwise `y`.
     fn if_above(self, other: Self, x: Self, y: Self) -> Self;
 
     /// The absolute value.
@@ -34,19 +35,19 @@ pub trait Lane:
         self.map(f64::sqrt)
     }
 
-    /// The absolute value of `self` with the sign of another number.
+    /// The absolute value of `self` with the sign of another value.
     #[inline(always)]
     fn copysign(self, sign: Self) -> Self {
         self.zip(sign, f64::copysign)
     }
 
-    /// `self` where it is not zero, else the other value.
+    /// Selects `self` where it is not zero, otherwise the other value.
     #[inline(always)]
     fn or(self, other: Self) -> Self {
         self.zip(other, |a, b| if a != 0.0 { a } else { b })
     }
 
-    /// The larger one; NaN if one is NaN.
+    /// The larger value; NaN if one is NaN.
     #[inline(always)]
     fn larger(self, other: Self) -> Self {
         self.zip(other, |a, b| if a > b || a.is_nan() { a } else { b })
@@ -72,10 +73,10 @@ impl Lane for f64 {
     }
 }
 
-/// The number of floats side by side.
+/// The number of lanes.
 pub const LANES: usize = 8;
 
-/// Floats side by side.
+/// A group of floats, one for each lane.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(align(64))]
 pub struct Lanes(pub [f64; LANES]);
@@ -109,7 +110,7 @@ impl Lane for Lanes {
     }
 }
 
-/// Operators place by place.
+/// Operators for each lane.
 macro_rules! operators {
     ($($trait:ident $method:ident $operator:tt;)*) => {
         $(impl $trait for Lanes {

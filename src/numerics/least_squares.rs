@@ -1,14 +1,14 @@
-//! Least squares with dependent columns.
+//! Least squares with linearly dependent columns.
 
 use nalgebra::{DMatrix, DVector};
 
-/// Eigenvalues of `A^T A` below this share of the largest count as zero.
+/// The fraction of the largest eigenvalue of `A^T A` below which eigenvalues count as zero.
 const KERNEL: f64 = 1e-13;
 
-/// The shortest of the vectors `x` for which `|A x - b|` is least. The columns may depend on each other; the others are to be
-/// alike in scale.
+/// The shortest of the vectors `x` that minimize `|A x - b|`. The columns may be linearly
+/// dependent, but should have similar scales.
 pub(crate) fn least_squares(matrix: &DMatrix<f64>, right: &DVector<f64>) -> DVector<f64> {
-    // nalgebra's singular values are not reliable where there are zeros among them
+    // nalgebra's singular values are not reliable if some of them are zero
     let eigen = (matrix.transpose() * matrix).symmetric_eigen();
     let least = KERNEL * eigen.eigenvalues.amax();
     let inverse = eigen.eigenvalues.map(|value| if value > least { 1.0 / value } else { 0.0 });
@@ -18,7 +18,7 @@ pub(crate) fn least_squares(matrix: &DMatrix<f64>, right: &DVector<f64>) -> DVec
         vectors * turned.component_mul(&inverse)
     };
     let first = solved(right);
-    // what squaring the matrix has lost
+    // one step of iterative refinement, because the normal equations square the condition number
     let second = solved(&(right - matrix * &first));
     first + second
 }

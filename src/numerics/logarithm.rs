@@ -1,6 +1,7 @@
 //! Logarithms of matrices by inverse scaling and squaring.
 //!
-//! `log(A) = 2^k log(A^(1/2^k))`: square roots bring the matrix near 1, where a Pade approximant is exact to rounding. N. J. Higham, *Functions of Matrices* (2008), chapter 11.
+//! `log(A) = 2^k log(A^(1/2^k))`: square roots bring the matrix near 1, where a Pade approximant is
+//! accurate up to rounding errors. N. J. Higham, *Functions of Matrices* (2008), chapter 11.
 
 use super::double::{self, Double, mapped, rounded};
 use super::exponential::{balance, balanced, balanced_by, exp, unbalanced};
@@ -10,14 +11,15 @@ use nalgebra::linalg::Schur;
 use nalgebra::{ClosedAddAssign, ClosedMulAssign, ClosedSubAssign, DMatrix, Scalar};
 use num_traits::{One, Zero};
 
-/// The approximant with [`NODES`] nodes is exact to rounding up to this norm (Higham, Table 11.1).
+/// The norm up to which the approximant with [`NODES`] nodes is accurate up to rounding errors
+/// (Higham, Table 11.1).
 const NEAR: f64 = 0.25;
 const NODES: usize = 8;
 /// The largest number of square roots, of iterations for one root, and of corrections of the sum.
 const ROOTS: usize = 64;
 const STEPS: usize = 60;
 const CORRECTIONS: usize = 4;
-/// The relative error of the exponential from which on the sum is corrected.
+/// The relative error of the exponential of the result above which the sum is corrected.
 const COARSE: f64 = 1e-13;
 /// The relative tolerance of the exponential of the result.
 const OFF: f64 = 1e-9;
@@ -29,10 +31,11 @@ pub(crate) fn logarithm(a: &DMatrix<f64>) -> Result<DMatrix<f64>, Error> {
     Ok(unbalanced(&rooted_to(&a, NEAR)?, &exponents))
 }
 
-/// The principal logarithm of `1 + x`, right to rounding errors of the result.
+/// The principal logarithm of `1 + x`, accurate up to rounding errors of the result.
 ///
-/// The condition number of the logarithm is about `|a| |a^-1|` for `a = 1 + x`. Square roots in double-double arithmetic
-/// preserve twice the digits of floats, and the root near 1 is well conditioned.
+/// The condition number of the logarithm is about `|a| |a^-1|` for `a = 1 + x`. Square roots are
+/// computed in double-double arithmetic, with twice the precision of floats, and the root near 1 is
+/// well conditioned.
 pub(crate) fn logarithm_of_double(x: &DMatrix<Double>) -> Result<DMatrix<f64>, Error> {
     let rounded_x = rounded(x);
     expect_finite(&rounded_x)?;
@@ -43,7 +46,7 @@ pub(crate) fn logarithm_of_double(x: &DMatrix<Double>) -> Result<DMatrix<f64>, E
     let exponents = balance(&rounded_x);
     let mut less_one = mapped(x, |x| balanced_by(x, &exponents));
     let a = rounded(&(&less_one + &one));
-    // the rounding error of small eigenvalues may exceed them
+    // small eigenvalues may be smaller than the rounding error
     off_the_negative_axis(&a, rounding(&a))?;
     let mut squarings = 0;
     while rounded(&less_one).norm() > NEAR {
@@ -58,7 +61,8 @@ pub(crate) fn logarithm_of_double(x: &DMatrix<Double>) -> Result<DMatrix<f64>, E
     Ok(unbalanced(&log, &exponents))
 }
 
-/// [`logarithm`], with as many square roots as bring the matrix within the distance `near` of 1.
+/// Like [`logarithm`], with as many square roots as bring the matrix within the distance `near` of
+/// 1.
 fn rooted_to(a: &DMatrix<f64>, near: f64) -> Result<DMatrix<f64>, Error> {
     off_the_negative_axis(a, 0.0)?;
     if let Some(log) = unipotent(a) {
@@ -76,7 +80,8 @@ fn rooted_to(a: &DMatrix<f64>, near: f64) -> Result<DMatrix<f64>, Error> {
     let mut log = near_identity(&less_identity(&root))? * 2.0_f64.powi(squarings as i32);
     let distance = |log: &DMatrix<f64>| (exp(log) - a).norm() / a.norm();
     let mut off = distance(&log);
-    // roots of eigenvalues near the negative axis lose digits: log A = L + log(exp(-L) A), as L commutes with A
+    // roots of eigenvalues near the negative axis are inaccurate: log A = L + log(exp(-L) A),
+    // because L commutes with A
     for _ in 0..CORRECTIONS {
         if off <= COARSE {
             break;
@@ -94,14 +99,14 @@ fn rooted_to(a: &DMatrix<f64>, near: f64) -> Result<DMatrix<f64>, Error> {
             break;
         }
     }
-    // not above: NaN is refused as well
+    // `<=` rejects NaN as well
     if off <= OFF {
         return Ok(log);
     }
     Err(refused(format!("the series does not converge: its exponential is off by {off:e}")))
 }
 
-/// `sum -(-X)^k/k` for `a = 1 + X`, where `X` is nilpotent and the sum ends.
+/// The logarithm `sum -(-X)^k/k` for `a = 1 + X` with nilpotent `X`, for which the sum is finite.
 fn unipotent(a: &DMatrix<f64>) -> Option<DMatrix<f64>> {
     let x = less_identity(a);
     let (mut power, mut sum) = (x.clone(), x.clone());
@@ -136,11 +141,12 @@ fn rounding(a: &DMatrix<f64>) -> f64 {
     a.nrows() as f64 * f64::EPSILON * a.norm()
 }
 
-/// Rejects eigenvalues on the negative axis, from `-known` on.
+/// Returns an error for eigenvalues on the negative axis, from `-known` on.
 fn off_the_negative_axis(a: &DMatrix<f64>, known: f64) -> Result<(), Error> {
     let n = a.nrows();
     let Some(schur) = Schur::try_new(a.clone(), 4.0 * f64::EPSILON, 100 * n) else {
-        // without eigenvalues there is no reason to give, but the roots will not converge either
+        // without eigenvalues there is nothing to report, and the square roots will not converge
+        // either
         return Ok(());
     };
     let rounding = rounding(a);
@@ -164,10 +170,11 @@ trait Entry:
     /// The nearest float.
     fn rounded(&self) -> f64;
 
-    /// A scale of about this size whose square and reciprocal have no rounding error beyond [`EPSILON`](Self::EPSILON).
+    /// A scale of about this size whose square and reciprocal have no rounding errors beyond
+    /// [`EPSILON`](Self::EPSILON).
     fn scale(size: f64) -> f64;
 
-    /// The determinant to a few digits, and the inverse unless the matrix is singular.
+    /// The approximate determinant, and the inverse unless the matrix is singular.
     fn inverse(m: &DMatrix<Self>) -> (f64, Option<DMatrix<Self>>);
 }
 
@@ -204,8 +211,8 @@ impl Entry for Double {
     }
 }
 
-/// The principal square root by the product form of the iteration of Denman and Beavers, scaled by
-/// the determinant: `X -> A^(1/2)`, `M -> 1`. S. H. Cheng, N. J. Higham, C. S. Kenney and A. J. Laub,
+/// The principal square root by the product form of the Denman-Beavers iteration, scaled by the
+/// determinant: `X -> A^(1/2)`, `M -> 1`. S. H. Cheng, N. J. Higham, C. S. Kenney and A. J. Laub,
 /// *SIAM J. Matrix Anal. Appl.* 22 (2001) 1112-1125.
 fn square_root<T: Entry>(a: &DMatrix<T>) -> Result<DMatrix<T>, Error> {
     let n = a.nrows();
@@ -215,7 +222,7 @@ fn square_root<T: Entry>(a: &DMatrix<T>) -> Result<DMatrix<T>, Error> {
     for _ in 0..STEPS {
         let (determinant, inverse) = T::inverse(&m);
         let size = determinant.abs().powf(-0.5 / n as f64);
-        // near the limit the scaling would only disturb
+        // near the limit, scaling would only disturb the convergence
         let scale = if before < 0.01 || !size.is_normal() { 1.0 } else { T::scale(size) };
         let singular = || refused("a square root does not converge".into());
         let square = T::from(scale * scale);
@@ -232,8 +239,9 @@ fn square_root<T: Entry>(a: &DMatrix<T>) -> Result<DMatrix<T>, Error> {
     Err(refused(format!("a square root does not converge: it is off by {before:e}")))
 }
 
-/// `log(1 + X) = int_0^1 X (1 + s X)^-1 ds` by Gauss-Legendre quadrature, which is the diagonal Pade
-/// approximant for `|X| <= 1/4`: L. Dieci, B. Morini and A. Papini, *SIAM J. Matrix Anal. Appl.* 17 (1996) 570-593.
+/// The logarithm `log(1 + X) = int_0^1 X (1 + s X)^-1 ds` by Gauss-Legendre quadrature, which is
+/// the diagonal Pade approximant for `|X| <= 1/4`: L. Dieci, B. Morini and A. Papini, *SIAM J.
+/// Matrix Anal. Appl.* 17 (1996) 570-593.
 pub(crate) fn near_identity(x: &DMatrix<f64>) -> Result<DMatrix<f64>, Error> {
     let n = x.nrows();
     let mut sum = DMatrix::zeros(n, n);
@@ -245,8 +253,8 @@ pub(crate) fn near_identity(x: &DMatrix<f64>) -> Result<DMatrix<f64>, Error> {
     Ok(sum)
 }
 
-/// The nodes and weights of Gauss and Legendre between 0 and 1: the zeros `t` of the Legendre
-/// polynomial `P` by Newton, and `2/((1 - t^2) P'(t)^2)`.
+/// The nodes and weights of Gauss-Legendre quadrature between 0 and 1: the zeros `t` of the
+/// Legendre polynomial `P` by Newton's method, and `2/((1 - t^2) P'(t)^2)`.
 fn nodes() -> [(f64, f64); NODES] {
     let n = NODES as f64;
     std::array::from_fn(|at| {
@@ -269,7 +277,8 @@ fn nodes() -> [(f64, f64); NODES] {
 mod tests {
     use super::*;
 
-    /// Rotations around the distance at which roots begin, and with more roots than needed, by their angle.
+    /// Logarithms of rotations by angles around the threshold for square roots, and with more
+    /// square roots than needed.
     #[test]
     fn logarithms_with_and_without_roots() -> Result<(), Error> {
         // |R - 1| = 2 sqrt(2) sin(angle/2)
@@ -281,14 +290,15 @@ mod tests {
             let exact = DMatrix::from_row_slice(2, 2, &[0.0, -angle, angle, 0.0]);
             for near in [NEAR, 0.1 * NEAR, 1e-3] {
                 let off = (rooted_to(&turn, near)? - &exact).amax() / angle;
-                // a root loses a digit of the distance from 1 as it halves it
+                // each root halves the distance from 1, and so doubles its relative rounding error
                 assert!(off <= 8.0 * f64::EPSILON / near.min(angle), "{angle}, {near}: {off:e}");
             }
         }
         Ok(())
     }
 
-    /// Of `[[exp(a), c], [0, 1]]` with `c` of any size: `[[a, a c/(exp(a) - 1)], [0, 0]]`.
+    /// Logarithms of `[[exp(a), c], [0, 1]]` with `c` of any size: `[[a, a c/(exp(a) - 1)], [0,
+    /// 0]]`.
     #[test]
     fn logarithms_with_long_translations() -> Result<(), Error> {
         let a = 0.5_f64;

@@ -5,13 +5,14 @@ use crate::Error;
 use affinor_tensors::stop::checkpoint;
 use nalgebra::DVector;
 
-/// The smallest step relative to the time: in a shorter one rounding makes the times of the stages coincide.
+/// The smallest step relative to the time. For a shorter step, the times of the stages would
+/// coincide because of rounding.
 pub(crate) const LEAST_STEP: f64 = 16.0 * f64::EPSILON;
 
 /// The largest number of steps between two output times.
 const MAX_STEPS: usize = 50_000;
 
-/// The solution of `y' = f(t, y)`, `y(start) = y0`, at the given times, in their order.
+/// Solves `y' = f(t, y)`, `y(start) = y0`. Returns the solution at the given times, in their order.
 ///
 /// The method is [`DormandPrince8`] with step-size control. `tolerance` bounds the error of a step, relative and
 /// absolute. Each output time ends a step, so no value is interpolated. Times may decrease.
@@ -44,7 +45,7 @@ fn stop(t: f64, reason: &str) -> Error {
     Error::Integration { t, reason: reason.into() }
 }
 
-/// The solution at `end`, by as many steps as the tolerance needs.
+/// Advances the solution to `end`, with as many steps as the tolerance requires.
 fn advance(
     f: &impl Fn(f64, &DVector<f64>) -> DVector<f64>,
     start: f64,
@@ -57,7 +58,7 @@ fn advance(
     if !slope.iter().all(|slope| slope.is_finite()) {
         return Err(stop(t, "the right side is not finite"));
     }
-    // a hundredth of the time in which the slope changes y by its own size
+    // a hundredth of the time in which the slope would change y by its own size
     let [size, speed] = [&y, &slope].map(|v| norm(v, &y, &y, tolerance));
     let mut next = if size > 1e-5 && speed > 1e-5 { 0.01 * size / speed } else { 1e-6 };
     for _ in 0..MAX_STEPS {
@@ -83,7 +84,8 @@ fn advance(
     Err(stop(t, "too many steps: the equations are stiff, or the output times far apart"))
 }
 
-/// The root mean square of components in units of their tolerance, for a solution between `y` and `z`.
+/// The root mean square of the components in units of their tolerance, for a solution between `y`
+/// and `z`.
 fn norm(v: &DVector<f64>, y: &DVector<f64>, z: &DVector<f64>, tolerance: f64) -> f64 {
     let scale = |i: usize| tolerance * (1.0 + y[i].abs().max(z[i].abs()));
     let squares = v.iter().enumerate().map(|(i, v)| (v / scale(i)).powi(2));

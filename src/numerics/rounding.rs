@@ -1,11 +1,12 @@
-//! Results that rounding may change too much are refused.
+//! Rejects results that rounding errors may change too much.
 
 use crate::Error;
 
-/// The largest change of a result by rounding.
+/// The largest accepted relative change of a result by rounding errors.
 const LOST: f64 = 1e-6;
 
-/// Refuses the object `what` if rounding may change it by more than a millionth; `reason` says why, with the change as text.
+/// Returns an error for the object `what` if rounding errors may change it by more than a
+/// millionth; `reason` describes the cause and receives the change as text.
 pub(crate) fn expect_digits(
     what: &'static str,
     lost: f64,
@@ -17,7 +18,7 @@ pub(crate) fn expect_digits(
     Ok(())
 }
 
-/// [`expect_digits`] of `log(exp(x) exp(y))`.
+/// Like [`expect_digits`], for `log(exp(x) exp(y))`.
 pub(crate) fn expect_digits_of_product(lost: f64) -> Result<(), Error> {
     expect_digits("logarithm of the product", lost, |lost| {
         format!("the rounding of exp(x) exp(y) may change it by {lost}: x and y are too large")

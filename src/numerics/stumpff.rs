@@ -2,7 +2,7 @@
 
 use super::lanes::Lane;
 
-/// `c_k(z) = sum (-z)^i/(k + 2i)!` for `k = 0..=5`, for any sign of `z`.
+/// The Stumpff functions `c_k(z) = sum (-z)^i/(k + 2i)!` for `k = 0..=5`, for any sign of `z`.
 ///
 /// `c_0(x^2) = cos x`, `c_1(x^2) = sin x/x`, `c_0(-x^2) = cosh x`, and `c_k = 1/k! - z c_{k+2}`. For a
 /// matrix with `A^3 = -z A`, `exp(A) = 1 + c_1 A + c_2 A^2` and `sum A^k/(k+1)! = 1 + c_2 A + c_3 A^2`.
@@ -11,25 +11,26 @@ use super::lanes::Lane;
 pub(crate) struct Stumpff {
     /// The argument.
     pub z: f64,
-    /// `cos x`.
+    /// The value `cos x`, at `z = x^2`.
     pub c0: f64,
-    /// `sin x / x`.
+    /// The value `sin x / x`.
     pub c1: f64,
-    /// `(1 - cos x)/x^2`.
+    /// The value `(1 - cos x)/x^2`.
     pub c2: f64,
-    /// `(x - sin x)/x^3`.
+    /// The value `(x - sin x)/x^3`.
     pub c3: f64,
-    /// `(x^2/2 - 1 + cos x)/x^4`.
+    /// The value `(x^2/2 - 1 + cos x)/x^4`.
     pub c4: f64,
-    /// `(x^3/6 - x + sin x)/x^5`.
+    /// The value `(x^3/6 - x + sin x)/x^5`.
     pub c5: f64,
 }
 
-/// Beyond this square of an angle, neighbouring floats are many turns apart and `cos` and `sin` are noise. Tangent operators
-/// become their mean over a turn.
+/// The square of an angle beyond which neighbouring floats are many turns apart, so that `cos` and
+/// `sin` are meaningless. Tangent operators are then replaced by their mean over a turn.
 pub(crate) const FAR: f64 = 1e40;
 
-/// Below this modulus of `z` the differences lose digits, and the series have few terms.
+/// The magnitude of `z` below which the closed forms suffer from cancellation, and the series need
+/// few terms.
 pub(crate) const SERIES: f64 = 10.0;
 
 impl Stumpff {
@@ -43,7 +44,7 @@ impl Stumpff {
         Self::by_half_angle(z)
     }
 
-    /// By the series of `c_4` and `c_5`, of eight terms each if `short`.
+    /// Computed by the series of `c_4` and `c_5`, with eight terms each if `short`.
     #[inline(always)]
     fn by_series(z: f64, short: bool) -> Self {
         let (c4, c5) = if short {
@@ -55,27 +56,27 @@ impl Stumpff {
         Stumpff { z, c0: 1.0 - z * c2, c1, c2, c3, c4, c5 }
     }
 
-    /// In closed form, by the cosine and sine of the half angle.
+    /// Computed in closed form, by the cosine and sine of the half angle.
     #[inline(always)]
     fn by_half_angle(z: f64) -> Self {
         let (cos, half) = far(0.25 * z);
-        // no difference: 1 - cos x = 2 sin^2(x/2)
+        // 1 - cos x = 2 sin^2(x/2) avoids cancellation
         let (c0, c1, c2) = (1.0 - 0.5 * z * half * half, half * cos, 0.5 * half * half);
         let c3 = (1.0 - c1) / z;
         Stumpff { z, c0, c1, c2, c3, c4: (0.5 - c2) / z, c5: (1.0 / 6.0 - c3) / z }
     }
 
-    /// `c_2'(z) = c_4 - c_3/2 = (c_1/2 - c_2)/z`.
+    /// The derivative `c_2'(z) = c_4 - c_3/2 = (c_1/2 - c_2)/z`.
     pub(crate) fn slope2(&self) -> f64 {
         if self.z.abs() < SERIES {
             self.c4 - 0.5 * self.c3
         } else {
-            // for large z the first form is a difference of near equals
+            // for large z the first form would suffer from cancellation
             (0.5 * self.c1 - self.c2) / self.z
         }
     }
 
-    /// `c_3'(z) = (3 c_5 - c_4)/2 = (c_2 - 3 c_3)/(2 z)`.
+    /// The derivative `c_3'(z) = (3 c_5 - c_4)/2 = (c_2 - 3 c_3)/(2 z)`.
     pub(crate) fn slope3(&self) -> f64 {
         if self.z.abs() < SERIES {
             1.5 * self.c5 - 0.5 * self.c4
@@ -85,7 +86,8 @@ impl Stumpff {
     }
 }
 
-/// The functions `c_1 .. c_5` by their series, for `|z| <` [`SERIES`] and several arguments side by side.
+/// The functions `c_1 ... c_5` by their series, for `|z| <` [`SERIES`], for one or several
+/// arguments at once.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Series<T> {
     pub c1: T,
@@ -116,8 +118,8 @@ impl<T: Lane> Series<T> {
     }
 }
 
-/// The `d` of [`inverse_tangent`] and its derivative `d'(z)`, for `|z| <` [`SERIES`]:
-/// `d' = (c_1 (c_2' - c_3') - c_1' (c_2 - c_3))/(16 c_1^2)` at `z/4`, where `2 c_1' = c_3 - c_2`.
+/// The `d` of [`inverse_tangent`] and its derivative `d'(z)`, for `|z| <` [`SERIES`]: `d' = (c_1
+/// (c_2' - c_3') - c_1' (c_2 - c_3))/(16 c_1^2)` at `z/4`, where `2 c_1' = c_3 - c_2`.
 #[inline(always)]
 pub(crate) fn inverse_series<T: Lane>(z: T) -> (T, T) {
     let c = Series::at(T::splat(0.25) * z);
@@ -128,7 +130,7 @@ pub(crate) fn inverse_series<T: Lane>(z: T) -> (T, T) {
     (difference / below, above / (below * below))
 }
 
-/// `(c_0(z), c_1(z))` alone, to a rounding or two.
+/// The values `(c_0(z), c_1(z))` only, accurate up to one or two rounding errors.
 #[inline]
 pub(crate) fn first_two(z: f64) -> (f64, f64) {
     if z.abs() < SMALL {
@@ -137,13 +139,13 @@ pub(crate) fn first_two(z: f64) -> (f64, f64) {
     larger(z)
 }
 
-/// [`first_two`] for angles larger than those of a step, kept out of line.
+/// Like [`first_two`], for angles larger than those of a step; it is not inlined.
 #[inline(never)]
 fn larger(z: f64) -> (f64, f64) {
     if z.abs() < NEAR { near(z) } else { far(z) }
 }
 
-/// `(c_1(z), c_2(z))` alone: `R = 1 + c_1 spin(x) + c_2 spin(x)^2` at `z = |x|^2`.
+/// The values `(c_1(z), c_2(z))` only: `R = 1 + c_1 spin(x) + c_2 spin(x)^2` at `z = |x|^2`.
 #[inline]
 pub(crate) fn turning(z: f64) -> (f64, f64) {
     if z.abs() < SMALL {
@@ -158,8 +160,8 @@ fn turning_far(z: f64) -> (f64, f64) {
     (c.c1, c.c2)
 }
 
-/// Below this modulus of `z`, such as half the angle that a body turns in a step, [`TERMS`] of a series are enough:
-/// the next one is below 4e-17.
+/// The magnitude of `z` below which [`TERMS`] terms of a series are enough, because the next one is
+/// below 4e-17. An example is half the rotation angle of a body in a step.
 const SMALL: f64 = 0.4;
 const TERMS: usize = 8;
 
@@ -174,17 +176,17 @@ const fn first<const N: usize>(series: &[f64; N]) -> [f64; TERMS] {
     terms
 }
 
-/// Where [`near`] is taken: up to 1.5 for `x`. At a right angle `z` no longer tells on which side of it
-/// `x` is, but its root does.
+/// The limit for [`near`], which corresponds to `x` up to 1.5. Near a right angle, the rounding of
+/// `z` does not resolve on which side `x` is.
 pub(crate) const NEAR: f64 = 2.25;
 
-/// [`first_two`] for `|z| < NEAR`, without a branch.
+/// Like [`first_two`], for `|z| < NEAR`, without a branch.
 #[inline(always)]
 pub(crate) fn near<T: Lane>(z: T) -> (T, T) {
     (polynomial(&ZEROTH, z), polynomial(&FIRST, z))
 }
 
-/// [`first_two`] where `z` is not small.
+/// Like [`first_two`], for `z` that is not small.
 fn far(z: f64) -> (f64, f64) {
     let root = z.abs().sqrt();
     if z > 0.0 {
@@ -195,7 +197,7 @@ fn far(z: f64) -> (f64, f64) {
     }
 }
 
-/// `(-1)^i/(k + 2i)!`.
+/// The coefficients `(-1)^i/(k + 2i)!`.
 const fn coefficients<const N: usize>(k: usize) -> [f64; N] {
     let mut coefficients = [1.0; N];
     let mut factorial = 1.0;
@@ -211,34 +213,37 @@ const fn coefficients<const N: usize>(k: usize) -> [f64; N] {
     coefficients
 }
 
-// the first term left out is below 1e-16 of the sum up to NEAR, below 1e-18 of it up to SERIES
+// the first omitted term is below 1e-16 of the sum for z up to NEAR, and below 1e-18 of it up to
+// SERIES
 const ZEROTH: [f64; 12] = coefficients(0);
 const FIRST: [f64; 12] = coefficients(1);
 const SECOND: [f64; TERMS] = coefficients(2);
 const FOURTH: [f64; 15] = coefficients(4);
 const FIFTH: [f64; 15] = coefficients(5);
 
-/// What `z` may be off by in units of rounding: the roundings of a square of a length, and of the
-/// components that it is made of.
+/// The error of `z` in units of its rounding error: those of a squared length, and of the
+/// components from which it is computed.
 const ROUNDINGS: f64 = 8.0;
 
-/// `d = (1 - (x/2) cot(x/2))/x^2` at `z = x^2`: `(sum A^k/(k+1)!)^-1 = 1 - A/2 + d A^2` for a matrix with `A^3 = -z A`.
+/// The function `d = (1 - (x/2) cot(x/2))/x^2` at `z = x^2`: `(sum A^k/(k+1)!)^-1 = 1 - A/2 + d
+/// A^2` for a matrix with `A^3 = -z A`.
 ///
-/// With `w = z/4` it is `(c_2(w) - c_3(w))/(4 c_1(w))`, without a difference of near equals up to its first pole
-/// `x = 2 pi`. `size` is the sum of the sizes of the terms of `z`; `None` if their rounding does not tell `z` from a pole
-/// `z = (2 pi k)^2`.
+/// With `w = z/4` it is `(c_2(w) - c_3(w))/(4 c_1(w))`, which does not cancel up to its first pole
+/// `x = 2 pi`. `size` is the sum of the magnitudes of the terms of `z`. `None` if their rounding
+/// errors exceed the distance of `z` from a pole `z = (2 pi k)^2`.
 #[inline]
 pub(crate) fn inverse_tangent(z: f64, size: f64) -> Option<f64> {
     if z.abs() < SMALL {
         return Some(eight_terms(&INVERSE, z));
     }
     let c = Stumpff::at(0.25 * z);
-    // near a pole c_1 = sin(x/2)/(x/2) is half of the relative distance of z from it
+    // near a pole, c_1 = sin(x/2)/(x/2) is half of the relative distance of z from it
     let regular = c.c1.abs() > ROUNDINGS * f64::EPSILON * (size / z.abs());
     regular.then(|| (c.c2 - c.c3) / (4.0 * c.c1)).filter(|d| d.is_finite())
 }
 
-/// `|B_2k|/(2k)!` for `k = 1..=8`, Bernoulli's numbers: the first coefficients of [`inverse_tangent`].
+/// The numbers `|B_2k|/(2k)!` for `k = 1..=8`, with the Bernoulli numbers: the first coefficients
+/// of [`inverse_tangent`].
 const INVERSE: [f64; 8] = [
     1.0 / 12.0,
     1.0 / 720.0,
@@ -250,7 +255,8 @@ const INVERSE: [f64; 8] = [
     3617.0 / 10670622842880000.0,
 ];
 
-/// `c_0 + c_1 z + c_2 z^2 + ..`, in four chains of every fourth term that a processor runs at once.
+/// The polynomial `c_0 + c_1 z + c_2 z^2 + ...`, in four independent chains of every fourth term,
+/// which a processor evaluates in parallel.
 #[inline(always)]
 pub(crate) fn polynomial<T: Lane, const N: usize>(coefficients: &[f64; N], z: T) -> T {
     let square = z * z;
@@ -262,7 +268,7 @@ pub(crate) fn polynomial<T: Lane, const N: usize>(coefficients: &[f64; N], z: T)
     (chains[0] + z * chains[1]) + square * (chains[2] + z * chains[3])
 }
 
-/// The same for eight terms, by Estrin's scheme: the shortest chain of operations.
+/// The same for eight terms, by Estrin's scheme, which has the shortest chain of operations.
 ///
 /// G. Estrin, *Western Joint IRE-AIEE-ACM Computer Conference* (1960) 33-40.
 #[inline(always)]
@@ -292,14 +298,15 @@ mod tests {
         sum
     }
 
-    /// The error of a number, in machine epsilons of the exact one or of a size.
+    /// The error of a number, in machine epsilons relative to the exact number or to a size.
     fn off(found: f64, exact: Rational, size: f64) -> f64 {
         let size = exact.to_f64().abs().max(size);
         let found = Rational::from_f64(found).expect("a finite number");
         (found - exact).to_f64().abs() / size / f64::EPSILON
     }
 
-    /// Fails where the error passes its bound, relative to the size that `c_k` has near `z`, where it oscillates.
+    /// Asserts that the error is within its bound, relative to the size of `c_k` near `z`, where it
+    /// oscillates.
     fn bounded(k: i64, z: f64, found: f64, bound: f64) {
         let largest = 1.0 / (1..=k).map(|n| n as f64).product::<f64>();
         let envelope = [1.0, z.powf(-0.5), 2.0 / z, 1.0 / z, 0.5 / z, 1.0 / (6.0 * z)][k as usize];
@@ -311,7 +318,7 @@ mod tests {
         [c.c0, c.c1, c.c2, c.c3, c.c4, c.c5]
     }
 
-    /// A threshold, its neighbours among the floats, and numbers farther away on both sides.
+    /// A threshold, its neighbouring floats, and numbers farther away on both sides.
     fn around(threshold: f64, farthest: f64) -> impl Iterator<Item = f64> {
         let far = (1..=20).map(move |step| farthest.powf(f64::from(step) / 20.0));
         let near = [1.0, 1.0 + 1e-9, 1.0 + 2.0 * f64::EPSILON].into_iter().chain(far);
@@ -319,7 +326,7 @@ mod tests {
         ratios.flat_map(move |ratio| [threshold * ratio, -threshold * ratio])
     }
 
-    /// As they are taken, on both sides of every threshold.
+    /// Every function is accurate on both sides of every threshold.
     #[test]
     fn every_function_around_every_threshold() {
         let thresholds = [SMALL, NEAR, SERIES, 4.0 * SMALL, 4.0 * NEAR];
@@ -334,7 +341,7 @@ mod tests {
         }
     }
 
-    /// Each path alone, from where it is taken to beyond its threshold.
+    /// Each algorithm on its own is accurate in its range, and somewhat beyond its threshold.
     #[test]
     fn every_path_beyond_its_threshold() {
         let six = |z: f64, c: Stumpff, bound: f64| {
@@ -362,7 +369,7 @@ mod tests {
         }
     }
 
-    /// `c_2'` and `c_3'`, with `2 c_k' = k c_{k+2} - c_{k+1}`.
+    /// The derivatives `c_2'` and `c_3'` satisfy `2 c_k' = k c_{k+2} - c_{k+1}`.
     #[test]
     fn slopes_around_the_threshold() {
         for z in around(SERIES, 8.0) {
@@ -376,7 +383,8 @@ mod tests {
         }
     }
 
-    /// The series of all functions, of their slopes and of the inverse, as far as they are used.
+    /// The series of all functions, of their slopes and of the inverse are accurate within their
+    /// ranges.
     #[test]
     fn series_within_their_range() {
         for z in (0..200).map(|k| 0.05 * f64::from(k)).chain([1e-300, 1e-9, 9.999_999]) {
@@ -391,7 +399,7 @@ mod tests {
             let (d, slope) = inverse_series(z);
             let expected = inverse_tangent(z, z).expect("no pole");
             assert!((d - expected).abs() <= 8e-16 * expected, "d({z:e}) = {d:e}");
-            // a central difference of an odd order that the step and the rounding allow
+            // a central difference of odd order, within the errors of the step and of rounding
             let h = 1e-3;
             let at = |z: f64| inverse_series(z).0;
             let difference =
@@ -400,7 +408,8 @@ mod tests {
         }
     }
 
-    /// `(c_2 - c_3)/(4 c_1)` at a quarter of the argument, on both sides of the first pole.
+    /// The inverse equals `(c_2 - c_3)/(4 c_1)` at a quarter of the argument, on both sides of the
+    /// first pole.
     #[test]
     fn the_inverse_around_its_thresholds() {
         let exact = |z: f64| {
@@ -412,7 +421,7 @@ mod tests {
         for z in points.chain(around(4.0 * SERIES, 2.0)) {
             let expected = exact(z);
             let size = expected.to_f64().abs().max(z.abs().recip().min(1.0 / 12.0));
-            // a rounding of the argument counts more near the pole
+            // near the pole, the rounding of the argument is amplified
             let step = f64::from(1 << 20).recip();
             let change = exact(z * (1.0 + step)) - expected.clone();
             let condition = change.to_f64().abs() / step / size;

@@ -6,32 +6,34 @@ pub trait Tabulated<const STAGES: usize> {
     const TABLEAU: Tableau<STAGES>;
 }
 
-/// Rows below the diagonal, weights and nodes.
+/// The coefficients of a Runge-Kutta method: rows below the diagonal, weights and nodes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tableau<const STAGES: usize> {
     /// The order of convergence.
     pub order: u32,
-    /// The number of stages of a step; its error estimate uses all stages.
+    /// The number of stages that the step needs; its error estimate uses all stages.
     pub needed: usize,
-    /// `a_ij`, the rows.
+    /// The rows of coefficients `a_ij`.
     pub a: [[f64; STAGES]; STAGES],
-    /// `b_j`, the weights of the step.
+    /// The weights `b_j` of the step.
     pub b: [f64; STAGES],
-    /// The differences of `b_j` and the weights of two embedded methods, the higher order first; 0 for none.
+    /// The differences between `b_j` and the weights of two embedded methods, the higher order
+    /// first; 0 for a missing method.
     pub errors: [[f64; STAGES]; 2],
-    /// `c_i`, the times of the stages in the step.
+    /// The nodes `c_i`: the times of the stages within the step.
     pub c: [f64; STAGES],
 }
 
-/// The error estimate of a step from those of its two embedded methods, the higher order first: `a^2/sqrt(a^2 + b^2/100)`.
-/// It is of order 7 where they are of orders 5 and 3, and `a` without a second method.
+/// The error estimate of a step from the estimates of its two embedded methods, the higher order
+/// first: `a^2/sqrt(a^2 + b^2/100)`. It is of order 7 for methods of orders 5 and 3, and equals `a`
+/// without a second method.
 #[inline]
 pub(crate) fn combined_error([a, b]: [f64; 2]) -> f64 {
-    // not below: NaN stays NaN
+    // the comparison `a == 0.0` lets NaN pass through
     if a == 0.0 { 0.0 } else { a * (a / a.hypot(0.1 * b)) }
 }
 
-/// The rows of a strictly lower triangular matrix, given without the zeros at their ends.
+/// The rows of a strictly lower triangular matrix, given without trailing zeros.
 const fn padded<const N: usize>(rows: [&[f64]; N]) -> [[f64; N]; N] {
     let mut matrix = [[0.0; N]; N];
     let mut i = 0;

@@ -60,11 +60,12 @@ use std::borrow::Cow;
 /// The tensor that `expression` describes, with operands found by name.
 ///
 /// # Errors
-/// [`TensorError::Notation`] when the expression is malformed or does not fit the operands;
-/// [`TensorError::Dimension`]; [`TensorError::NotInvertible`] for the denominator of a coefficient;
-/// [`TensorError::TooLarge`] for a result whose keys exceed 64 bits, or whose last two indices take
-/// more than 2^24 values together, or for an operand of more than 2^32 - 1 components. The same
-/// limits hold for the contracted pairs of a longer term.
+/// [`TensorError::Notation`] if the expression is malformed or does not fit the operands;
+/// [`TensorError::Dimension`] if the dimensions differ; [`TensorError::NotInvertible`] if the
+/// denominator of a coefficient has no inverse; [`TensorError::TooLarge`] if the keys of the result
+/// exceed 64 bits, if its last two indices take more than 2^24 values together, or if an operand
+/// has more than 2^32 - 1 components. The same limits hold for the contracted pairs of a longer
+/// term.
 pub fn contract<S: Scalar>(
     expression: &str,
     operands: &[(&str, &Tensor<S>)],
@@ -76,7 +77,7 @@ pub fn contract<S: Scalar>(
 /// path with small tensors.
 ///
 /// # Errors
-/// As [`contract`], with [`KernelThresholds::places`] in place of 2^24.
+/// Those of [`contract`], with [`KernelThresholds::places`] in place of 2^24.
 #[doc(hidden)]
 pub fn contract_by<S: Scalar>(
     paths: &KernelThresholds,
@@ -86,7 +87,7 @@ pub fn contract_by<S: Scalar>(
     S::contracted(paths, expression, operands)
 }
 
-/// [`Scalar::contracted`].
+/// Implements [`Scalar::contracted`]: the contraction over one scalar type.
 pub(crate) fn over<S: Scalar>(
     paths: &KernelThresholds,
     expression: &str,
@@ -98,7 +99,7 @@ pub(crate) fn over<S: Scalar>(
         if operand.dimension() != dimension {
             return Err(TensorError::Dimension(dimension, operand.dimension()));
         }
-        // entries are numbered by 32 bits
+        // the kernel numbers entries by 32 bits
         if u32::try_from(operand.len()).is_err() {
             return Err(TensorError::TooLarge { dimension, rank: operand.rank() });
         }
@@ -123,7 +124,7 @@ pub(crate) fn over<S: Scalar>(
         (!integers.failed()).then_some(found)
     });
     let on_big_integers = || {
-        // for a browser the size of the program counts more
+        // in a browser, a small program matters more than speed
         if cfg!(target_family = "wasm") {
             return None;
         }
@@ -138,7 +139,7 @@ pub(crate) fn over<S: Scalar>(
     Ok(zero.fill(keys, values))
 }
 
-/// Letters with their variances as the notation writes them: `^i_j_k`.
+/// Index letters as the notation writes them, with their variances: `^i_j_k`.
 pub fn indices(letters: impl IntoIterator<Item = (char, Variance)>) -> String {
     let mark = |slot| if slot == Up { '^' } else { '_' };
     letters.into_iter().flat_map(|(letter, slot)| [mark(slot), letter]).collect()
@@ -147,7 +148,8 @@ pub fn indices(letters: impl IntoIterator<Item = (char, Variance)>) -> String {
 /// A term with its operands: `coefficient * factors[0] * factors[1] * ...`.
 struct Product<'a, S: Clone> {
     coefficient: Ratio<i64>,
-    /// The term minus its image under the exchange of the last two indices of the result.
+    /// Whether the image of the term under the exchange of the last two indices of the result is
+    /// subtracted.
     mirrored: bool,
     factors: Vec<(Vec<Role>, Cow<'a, Tensor<S>>)>,
 }
@@ -189,8 +191,8 @@ fn fold_mirrors<S: Clone>(terms: Vec<Product<S>>, pair: Option<(usize, usize)>) 
 }
 
 impl<'a, S: Scalar> Product<'a, S> {
-    /// The product with two factors. A single factor is multiplied by `one`. While there are more
-    /// than two, the pair that leaves the fewest indices is contracted.
+    /// Reduces the product to two factors: contracts the pair that leaves the fewest indices until
+    /// two factors remain. A single factor is multiplied by `one`.
     fn in_pairs(
         mut self,
         paths: &KernelThresholds,
@@ -223,7 +225,7 @@ impl<'a, S: Scalar> Product<'a, S> {
         Ok(self)
     }
 
-    /// The term with its values taken as `V`.
+    /// The term with its components converted by `V`.
     fn with_values<'t, V: Clone>(
         &'t self,
         mut values: impl FnMut(usize, &'t Tensor<S>) -> Cow<'t, [V]>,
@@ -241,7 +243,7 @@ fn slots<S: Scalar>((roles, tensor): &(Vec<Role>, Cow<Tensor<S>>)) -> Vec<(Role,
     roles.iter().copied().zip(tensor.slots().iter().copied()).collect()
 }
 
-/// The slots that are not summed with each other.
+/// The slots that remain after the summation over pairs of slots.
 fn open(slots: &[(Role, Variance)]) -> Vec<(Role, Variance)> {
     let times = |role: Role| slots.iter().filter(|(other, _)| *other == role).count();
     slots.iter().filter(|(role, _)| times(*role) == 1).copied().collect()

@@ -2,7 +2,7 @@
 
 use crate::{Summable, Tensor, TensorError, Variance};
 
-/// The most components of an array.
+/// The largest number of components of an array.
 #[cfg(feature = "ndarray")]
 const MAX_ARRAY: u64 = 1 << 24;
 
@@ -31,7 +31,7 @@ impl<S: Summable> Tensor<S> {
     /// The tensor of a square matrix of nalgebra, with these slots: the row is the first index.
     ///
     /// # Errors
-    /// [`TensorError::NotSquare`].
+    /// [`TensorError::NotSquare`] if the matrix is not square.
     pub fn from_dmatrix(
         matrix: &nalgebra::DMatrix<S>,
         slots: [Variance; 2],
@@ -82,7 +82,7 @@ impl<S: Summable> Tensor<S> {
         if shape.windows(2).any(|pair| pair[0] != pair[1]) {
             return Err(TensorError::NotSquare { shape: shape.to_vec() });
         }
-        // the logical order of an array is the order of indices
+        // an array iterates in the order of the indices, whatever its memory layout
         let row = array.iter().cloned().enumerate().filter(|(_, value)| !value.vanishes());
         Tensor::from_row(shape.first().copied().unwrap_or(0), slots, row)
     }

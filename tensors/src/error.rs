@@ -20,7 +20,7 @@ pub enum TensorError {
         /// The number of indices given.
         given: usize,
     },
-    /// Slots that repeat or that the tensor does not have.
+    /// The slots are not different slots of the tensor.
     #[error("{slots:?} are not different slots, counted from 0, of a tensor of rank {rank}")]
     Slots {
         /// The slots given.
@@ -28,13 +28,13 @@ pub enum TensorError {
         /// The rank of the tensor.
         rank: usize,
     },
-    /// An array or a matrix whose sides differ in length.
+    /// The sides of an array or a matrix differ in length.
     #[error("the sides must have equal lengths, not {shape:?}")]
     NotSquare {
         /// The lengths of the sides.
         shape: Vec<usize>,
     },
-    /// An integer without an inverse in the scalars.
+    /// An integer has no inverse in the scalars.
     #[error("{0} has no inverse in the scalars")]
     NotInvertible(i64),
     /// `dimension^rank` exceeds the 64-bit component keys, or a table of a contraction would be too
@@ -46,15 +46,15 @@ pub enum TensorError {
         /// The rank.
         rank: usize,
     },
-    /// Operands of different dimensions.
-    #[error("operands have dimensions {0} and {1}")]
+    /// The operands have different dimensions.
+    #[error("the operands have different dimensions, {0} and {1}")]
     Dimension(usize, usize),
     /// A contraction that is malformed or does not fit its operands.
     #[error("in `{expression}`: {error}")]
     Notation {
         /// The text of the contraction.
         expression: String,
-        /// What is wrong with it.
+        /// The mistake.
         error: NotationError,
     },
 }
@@ -82,10 +82,10 @@ pub enum NotationError {
     #[error("two operands are called `{0}`")]
     Ambiguous(String),
     /// The variances in the text differ from the slots of the operand.
-    #[error("the indices of `{0}` are not those of its slots")]
+    #[error("the indices of `{0}` do not match its slots")]
     Slots(String),
-    /// A symbol that cannot stand among these indices.
-    #[error("`{0}` in the indices `{1}`")]
+    /// A symbol is not allowed among these indices.
+    #[error("`{0}` is not allowed in the indices `{1}`")]
     Symbol(char, String),
     /// An opening bracket is not closed.
     #[error("`[` without `]`")]
@@ -94,21 +94,21 @@ pub enum NotationError {
     #[error("`]` without `[`")]
     Unopened,
     /// Brackets around indices of a factor.
-    #[error("brackets belong to the result alone")]
+    #[error("brackets are allowed in the result only")]
     Brackets,
     /// A letter occurs twice in the result.
-    #[error("`{0}` stands twice in the result")]
+    #[error("`{0}` occurs twice in the result")]
     Twice(char),
     /// A letter of the result is missing in a term.
     #[error("a term lacks `{0}`")]
     Missing(char),
     /// A letter is upper in a term and lower in the result, or the reverse.
-    #[error("`{0}` changes its variance")]
+    #[error("`{0}` is upper on one side of `->` and lower on the other")]
     Variance(char),
-    /// A summed letter is twice upper or twice lower.
-    #[error("`{0}` is summed on one level")]
+    /// The two slots of a summed letter have the same variance.
+    #[error("`{0}` is summed, but not once upper and once lower")]
     Level(char),
     /// A letter is neither in the result once nor summed in a pair.
-    #[error("`{0}` does not stand once or in a pair")]
+    #[error("`{0}` is neither an index of the result nor summed in a pair")]
     Count(char),
 }

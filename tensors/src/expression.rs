@@ -1,9 +1,10 @@
 //! Expressions: parsing and evaluating written scalars.
 //!
-//! The grammar has `+ - * / ^ ( )`, integers, quotients `p/q`, decimals, `1e-3`, names, and functions
-//! like `sin(x)`. Decimals are exact. White space is that of ASCII. A `*` or a space separates a number from a name; `2x` and
-//! `a b` are errors. The caller gives names and operations their meaning ([`Evaluator`]), so one
-//! grammar serves scalars, vectors written in basis names, and complex numbers.
+//! The grammar has `+ - * / ^ ( )`, integers, quotients `p/q`, decimals, `1e-3`, names, and
+//! functions like `sin(x)`. Decimals are exact. White space is ASCII only. A `*` or a space
+//! separates a number from a name; `2x` and `a b` are errors. The caller gives names and operations
+//! their meaning ([`Evaluator`]), so one grammar serves scalars, vectors written in basis names,
+//! and complex numbers.
 //!
 //! | notation | means |
 //! |---|---|
@@ -35,7 +36,7 @@ use crate::{Notation, Rational};
 use num_traits::One;
 use std::ops::Range;
 
-/// The most digits one number may have.
+/// The largest number of digits of a number.
 pub const MAX_DIGITS: usize = 10_000;
 /// The largest exponent, of a power or of ten.
 pub const MAX_EXPONENT: i64 = 10_000;
@@ -43,9 +44,9 @@ pub const MAX_EXPONENT: i64 = 10_000;
 pub const MAX_DEPTH: usize = 100;
 /// The deepest nesting of powers in exponents.
 pub const MAX_TOWER: usize = 10;
-/// The most signs in front of one value.
+/// The largest number of signs in front of a value.
 pub const MAX_SIGNS: usize = 100;
-/// The largest [`Notation::size`] a value may reach.
+/// The largest [`Notation::size`] of a value.
 pub const MAX_SIZE: usize = 1 << 18;
 
 /// An error in an expression, with its byte range in the text.
@@ -54,7 +55,7 @@ pub const MAX_SIZE: usize = 1 << 18;
 pub struct ExpressionError {
     /// The offending part of the text.
     pub span: Range<usize>,
-    /// What is wrong with it.
+    /// The message.
     pub reason: String,
 }
 
@@ -69,28 +70,28 @@ pub struct Expression {
 enum Node {
     Number(Rational),
     Name(String),
-    /// Terms, each with whether it is subtracted.
+    /// Terms; the flag marks a subtracted term.
     Sum(Vec<(bool, Expression)>),
-    /// Factors, each with whether it divides.
+    /// Factors; the flag marks a divisor.
     Product(Vec<(bool, Expression)>),
-    /// A base and an exponent. An exponent without names and functions is a number.
+    /// A base and an exponent. An exponent without names and functions is folded to a number.
     Power(Box<Expression>, Box<Expression>),
     /// A function and its arguments.
     Call(String, Vec<Expression>),
 }
 
-/// The parts of an expression, to look at.
+/// A view of the parts of an expression, for matching.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum View<'e> {
     /// A number.
     Number(&'e Rational),
     /// A name.
     Name(&'e str),
-    /// Terms, each with whether it is subtracted.
+    /// Terms; the flag marks a subtracted term.
     Sum(&'e [(bool, Expression)]),
-    /// Factors, each with whether it divides the product of those in front of it.
+    /// Factors; the flag marks a factor that divides the product of the factors before it.
     Product(&'e [(bool, Expression)]),
-    /// A base and an exponent; an exponent without names is a number.
+    /// A base and an exponent. An exponent without names is a number.
     Power(&'e Expression, &'e Expression),
     /// A function and its arguments.
     Call(&'e str, &'e [Expression]),
@@ -98,9 +99,9 @@ pub enum View<'e> {
 
 /// An interpretation of expressions: the values of numbers and names, and the operations on values.
 ///
-/// An error is the reason in words; [`Expression::evaluate`] adds the byte range.
+/// An error is a message; [`Expression::evaluate`] adds the byte range.
 pub trait Evaluator {
-    /// The values that expressions take.
+    /// The type of the values of expressions.
     type Value: Clone;
     /// The value of a number.
     fn number(&self, number: &Rational) -> Result<Self::Value, String>;
@@ -114,7 +115,8 @@ pub trait Evaluator {
     fn negate(&self, a: Self::Value) -> Self::Value;
     /// `1 / a`.
     fn reciprocal(&self, a: Self::Value) -> Result<Self::Value, String>;
-    /// `base^exponent`, unless the exponent is an integer: then the power is a product. By default exponents are integers.
+    /// `base^exponent` for an exponent that is not an integer; integer powers are computed as
+    /// products. By default only integers are allowed.
     fn raise(&self, base: Self::Value, exponent: Self::Value) -> Result<Self::Value, String> {
         let _ = (base, exponent);
         Err(NO_INTEGER.into())
@@ -123,11 +125,11 @@ pub trait Evaluator {
     fn divide(&self, a: Self::Value, n: u64) -> Result<Self::Value, String> {
         self.reciprocal(power(self, a, n)?)
     }
-    /// The value of a function at an argument. By default no function is known.
+    /// The value of a function at an argument. By default every function is an error.
     fn function(&self, name: &str, argument: Self::Value) -> Result<Self::Value, String> {
         no_function(name, &argument)
     }
-    /// The value of a function at a list of arguments. By default functions take one.
+    /// The value of a function at a list of arguments. By default functions have one argument.
     fn call(&self, name: &str, arguments: Vec<Self::Value>) -> Result<Self::Value, String> {
         match <[_; 1]>::try_from(arguments) {
             Ok([argument]) => self.function(name, argument),
@@ -139,15 +141,15 @@ pub trait Evaluator {
 /// The name of the function of two arguments that computes `base^exponent` for [`Scalars`].
 pub const POWER: &str = "pow";
 
-/// The reason why a power has no value.
-pub(crate) const NO_INTEGER: &str = "an exponent is an integer";
+/// The message for a power whose exponent must be an integer.
+pub(crate) const NO_INTEGER: &str = "an exponent must be an integer";
 
-/// The value of a function where none is known: an error.
+/// Returns the error for a function, in expressions that have no functions.
 pub fn no_function<V, A: ?Sized>(name: &str, _: &A) -> Result<V, String> {
-    Err(if name == POWER { NO_INTEGER.into() } else { format!("`{name}` is no function here") })
+    Err(if name == POWER { NO_INTEGER.into() } else { format!("`{name}` is not a function here") })
 }
 
-/// The reason why a function of one argument has no value at several.
+/// The message for several arguments of a function of one argument.
 pub(crate) fn several_arguments(name: &str, count: usize) -> String {
     format!("there is no function `{name}` of {count} arguments here")
 }
@@ -156,16 +158,16 @@ impl Expression {
     /// Parses a whole text.
     ///
     /// # Errors
-    /// The first syntax error, or the first excess of a limit of this module.
+    /// The first syntax error, or the first violation of a limit of this module.
     pub fn parse(text: &str) -> Result<Self, ExpressionError> {
         Self::parse_beside(text, &|_| false)
     }
 
-    /// Parses a text in which names like `e1` exist, so that `2e1` is ambiguous: a number directly
+    /// Parses a text in which names like `e1` exist, so that `2e1` is ambiguous. A number directly
     /// followed by a name for which `known` is true is an error.
     ///
     /// # Errors
-    /// As [`parse`](Self::parse).
+    /// Those of [`parse`](Self::parse), and a number that is directly followed by a known name.
     pub fn parse_beside(text: &str, known: &dyn Fn(&str) -> bool) -> Result<Self, ExpressionError> {
         parser::parse(text, known)
     }
@@ -195,10 +197,10 @@ impl Expression {
         }
     }
 
-    /// The value under a meaning.
+    /// The value of the expression under an evaluator.
     ///
     /// # Errors
-    /// The error of the meaning, with the byte range of the part where it occurs.
+    /// The error of the evaluator, with the byte range of the part where it occurs.
     pub fn evaluate<M: Evaluator>(&self, meaning: &M) -> Result<M::Value, ExpressionError> {
         let here = |reason| ExpressionError { span: self.span(), reason };
         match &self.node {
@@ -257,7 +259,7 @@ impl Expression {
         }
     }
 
-    /// Whether the expression is made of numbers and rational operations.
+    /// Whether the expression consists of numbers and rational operations.
     fn is_rational(&self) -> bool {
         match &self.node {
             Node::Number(_) => true,
@@ -278,7 +280,7 @@ impl Expression {
     }
 }
 
-/// The power by repeated squaring.
+/// Computes a power by repeated squaring.
 pub(crate) fn power<M: Evaluator + ?Sized>(
     meaning: &M,
     mut base: M::Value,
@@ -297,8 +299,8 @@ pub(crate) fn power<M: Evaluator + ?Sized>(
     }
 }
 
-/// The meaning of expressions as scalars: one closure gives the values of names, another the values
-/// of functions, like [`Notation::call`] or [`no_function`].
+/// The evaluator for scalars. One closure gives the values of names, another the values of
+/// functions, like [`Notation::call`] or [`no_function`].
 pub struct Scalars<N, F>(pub N, pub F);
 
 impl<S, N, F> Evaluator for Scalars<N, F>
@@ -328,7 +330,8 @@ where
     fn reciprocal(&self, a: S) -> Result<S, String> {
         finite(a.recip().ok_or("division by zero")?)
     }
-    /// The factors of a formula are found in the base, and not in the power.
+    /// Divides by the base repeatedly: the factors of a formula are found in the base, but not in
+    /// the expanded power.
     fn divide(&self, a: S, n: u64) -> Result<S, String> {
         if S::KIND == crate::Kind::Symbolic {
             power(self, self.reciprocal(a)?, n)

@@ -1,4 +1,4 @@
-//! The elementary functions: one table for values, programs and their languages.
+//! The elementary functions: one table for their values, and for their names in generated programs.
 
 use std::fmt;
 
@@ -39,7 +39,7 @@ impl Function {
         Function::Sqrt,
     ];
 
-    /// The name, which most languages share.
+    /// The name of the function, which most programming languages share.
     pub fn name(self) -> &'static str {
         match self {
             Function::Sin => "sin",
@@ -54,12 +54,12 @@ impl Function {
         }
     }
 
-    /// The function of that name.
+    /// The function with this name.
     pub fn from_name(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|function| function.name() == name)
     }
 
-    /// The value in floats.
+    /// The value of the function in floats.
     pub fn value(self, x: f64) -> f64 {
         match self {
             Function::Sin => x.sin(),
@@ -81,7 +81,7 @@ impl fmt::Display for Function {
     }
 }
 
-/// The cotangent, a quotient of functions of the table.
+/// The cotangent, which is computed as a quotient of functions of the table.
 const COTANGENT: &str = "cot";
 
 /// The names of the functions that expressions call, for messages.
@@ -93,7 +93,7 @@ pub(crate) fn names() -> String {
     Function::ALL.into_iter().flat_map(named).collect::<Vec<_>>().join(", ")
 }
 
-/// Whether this is the name of an elementary function, which a free function may not have.
+/// Whether a name is reserved for an elementary function. Free functions may not have it.
 pub(crate) fn is_elementary(name: &str) -> bool {
     name == COTANGENT || Function::from_name(name).is_some()
 }

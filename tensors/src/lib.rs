@@ -1,10 +1,10 @@
 //! Sparse tensors, contraction by index letters and exact linear algebra, over any scalar.
 //!
-//! This package knows no geometry. In reading order:
-//! - [`scalar`]: the traits [`Ring`], [`Field`] and [`Summable`], their laws, and the scalars: exact
-//!   [`Rational`]s, `f64`, [`TrackedFloat`] floats with a rounding error estimate, [`Symbolic`] rational
-//!   functions of parameters, [`Jet`]s, floats with first and second derivatives, and [`Recorded`]
-//!   values, which are programs;
+//! This package does not contain geometry. In reading order:
+//! - [`scalar`]: the traits [`Ring`], [`Field`] and [`Summable`], their laws, and the scalars:
+//!   exact [`Rational`]s, `f64`, [`TrackedFloat`] floats with a rounding error estimate,
+//!   [`Symbolic`] rational functions of parameters, [`Jet`]s, which are floats with first and
+//!   second derivatives, and [`Recorded`] values, which are programs;
 //! - [`expression`]: parsing and evaluating written scalars;
 //! - [`Tensor`]: sorted nonzero components with upper and lower slots;
 //! - [`contract`]: sums of products written with index letters, computed by one kernel;
@@ -15,8 +15,9 @@
 //! # Features
 //! - `parallel` (default): contractions on several threads, by rayon;
 //! - `nalgebra`, `ndarray`: conversions of tensors to and from dense matrices and arrays;
-//! - `num-dual`: `Dual64` as a scalar. `Ratio<i64>` and `BigRational` of num-rational always are;
-//! - `serde`: tensors and scalars are serialised, and checked when they are read.
+//! - `num-dual`: `Dual64` as a scalar. `Ratio<i64>` and `BigRational` of num-rational are always
+//!   scalars;
+//! - `serde`: tensors and scalars are serialized, and checked when they are read.
 
 pub mod contraction;
 #[cfg(any(feature = "nalgebra", feature = "ndarray"))]

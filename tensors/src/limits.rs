@@ -13,7 +13,8 @@ use std::sync::Arc;
 /// The limits under which a thread computes: the number of terms of symbolic values ([`Effort`]), a [`StopToken`], and the
 /// [stage](crate::stop::stage) that the token reports.
 ///
-/// Kernels pass their limits to their worker threads. Code that starts threads of its own passes them in the same way:
+/// Kernels pass their limits to their worker threads. Code that starts its own threads passes them
+/// in the same way:
 ///
 /// ```
 /// use affinor_tensors::Limits;
@@ -47,7 +48,7 @@ impl Limits {
         Self::with(Clone::clone)
     }
 
-    /// Runs work under these limits.
+    /// Runs `work` under these limits.
     pub fn run<T>(&self, work: impl FnOnce() -> T) -> T {
         self.clone().lend(work)
     }
@@ -57,15 +58,15 @@ impl Limits {
         CURRENT.with_borrow(read)
     }
 
-    /// Sets the stage of this thread. Returns the stage before.
+    /// Sets the stage of this thread. Returns the previous stage.
     pub(crate) fn set_stage(stage: &'static str) -> &'static str {
         CURRENT.with_borrow_mut(|limits| std::mem::replace(&mut limits.stage, stage))
     }
 
-    /// [`run`](Self::run) that exchanges the limits of this thread with these and back again. It counts no references, so workers
-    /// call it for each small piece of work.
+    /// Runs `work` with the limits of this thread and these limits exchanged. It counts no
+    /// references, so workers call it for each small piece of work.
     pub(crate) fn lend<T>(&mut self, work: impl FnOnce() -> T) -> T {
-        /// Exchanges the limits back, also when the work unwinds.
+        /// Restores the limits of the thread when it is dropped, also if the work unwinds.
         struct Lent<'l>(&'l mut Limits);
         impl Drop for Lent<'_> {
             fn drop(&mut self) {

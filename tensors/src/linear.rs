@@ -1,13 +1,13 @@
 //! Exact linear algebra over any [`Field`](crate::Field): sparse matrices and their echelon form.
 //!
-//! The same code serves rationals, rational functions and floats. Exact scalars are kept in lowest
-//! terms, so every intermediate number is a quotient of minors of the matrix and its size is bounded
-//! (E. H. Bareiss, *Math. Comp.* 22 (1968) 565-578). A float counts as zero by its [`Sum`] and the
-//! [`Tolerance`] of the matrix.
+//! The same code serves rationals, rational functions and floats. Exact scalars are stored in
+//! lowest terms. Every intermediate number is therefore a quotient of minors of the matrix, and its
+//! size is bounded (E. H. Bareiss, *Math. Comp.* 22 (1968) 565-578). Whether a float counts as zero
+//! is decided by its [`Sum`] and the [`Tolerance`] of the matrix.
 //!
-//! The scalars may have non-units other than zero. Determinants are correct over any commutative
-//! ring, inverses over local rings such as the dual numbers. An elimination that needs the inverse of
-//! a non-unit returns [`LinearError::NotInvertible`].
+//! The ring of scalars may contain non-units other than zero. Determinants are correct over any
+//! commutative ring, inverses over local rings such as the dual numbers. An elimination that needs
+//! the inverse of a non-unit returns [`LinearError::NotInvertible`].
 
 mod balance;
 mod echelon;
@@ -80,8 +80,9 @@ pub enum LinearError {
         /// The number of columns.
         columns: usize,
     },
-    /// No candidate for a pivot is a unit, but not all are zero. Cannot occur in a field.
-    #[error("no entry left in column {column} can be inverted, and they are not all zero")]
+    /// No entry that could be a pivot is a unit, but not all are zero. This cannot occur in a
+    /// field.
+    #[error("none of the nonzero entries left in column {column} can be inverted")]
     NotInvertible {
         /// The column of the missing pivot, from 0.
         column: usize,
@@ -93,7 +94,7 @@ impl<S: Summable> Matrix<S> {
     /// column are added.
     ///
     /// # Errors
-    /// [`LinearError::Column`] when an entry lies outside.
+    /// [`LinearError::Column`] if an entry lies outside the matrix.
     pub fn from_rows<R: IntoIterator<Item = (usize, S)>>(
         columns: usize,
         rows: impl IntoIterator<Item = R>,
@@ -115,7 +116,7 @@ impl<S: Summable> Matrix<S> {
     /// The matrix with the given dense rows. Without rows it is 0x0.
     ///
     /// # Errors
-    /// [`LinearError::Ragged`] when the rows differ in length.
+    /// [`LinearError::Ragged`] if the rows differ in length.
     pub fn from_dense(rows: &[Vec<S>]) -> Result<Self, LinearError> {
         let expected = rows.first().map_or(0, Vec::len);
         if let Some(row) = rows.iter().position(|row| row.len() != expected) {
@@ -143,7 +144,7 @@ impl<S: Summable> Matrix<S> {
         Matrix { columns, rows: vec![vec![]; rows], tolerance: Tolerance::default() }
     }
 
-    /// The same matrix with another tolerance for what is computed from it (floats only).
+    /// The same matrix with another tolerance for computations with it (floats only).
     #[must_use]
     pub fn with_tolerance(mut self, tolerance: Tolerance) -> Self {
         self.tolerance = tolerance;
@@ -170,7 +171,7 @@ impl<S: Summable> Matrix<S> {
         at(self.row(i), j).cloned().unwrap_or_else(S::zero)
     }
 
-    /// The nonzero entries `(column, value)` of row `i`; empty for a row outside the matrix.
+    /// The nonzero entries `(column, value)` of row `i`; empty if the matrix has no such row.
     pub fn row(&self, i: usize) -> &[(usize, S)] {
         self.rows.get(i).map_or(&[], Vec::as_slice)
     }
@@ -201,8 +202,8 @@ impl<S: Summable> Matrix<S> {
         Matrix { columns: self.rows(), rows, tolerance: self.tolerance }
     }
 
-    /// The entries mapped into another ring, with the same tolerance. `f` must map zero to zero; it is
-    /// called for nonzero entries only.
+    /// The matrix with its entries mapped into another ring, and the same tolerance. `f` must map
+    /// zero to zero; it is called for nonzero entries only.
     pub fn map<T: Summable>(&self, f: impl Fn(&S) -> T) -> Matrix<T> {
         let mapped = |row: &Row<S>| {
             let values = row.iter().map(|(j, value)| (*j, f(value)));
@@ -218,7 +219,7 @@ impl<S: Summable> Matrix<S> {
     /// The sum `A + B`.
     ///
     /// # Errors
-    /// [`LinearError::Shape`] unless both have as many rows and columns.
+    /// [`LinearError::Shape`] unless `A` and `B` have the same shape.
     pub fn add(&self, other: &Self) -> Result<Self, LinearError> {
         if (self.rows(), self.columns) != (other.rows(), other.columns) {
             return Err(self.mismatch(other.rows(), other.columns));
@@ -232,7 +233,7 @@ impl<S: Summable> Matrix<S> {
     /// The product `A B`, `(AB)_ij = A_ik B_kj`.
     ///
     /// # Errors
-    /// [`LinearError::Shape`] unless `B` has as many rows as `A` columns.
+    /// [`LinearError::Shape`] unless the number of rows of `B` is the number of columns of `A`.
     pub fn mul(&self, other: &Self) -> Result<Self, LinearError> {
         if self.columns != other.rows() {
             return Err(self.mismatch(other.rows(), other.columns));
@@ -253,7 +254,7 @@ impl<S: Summable> Matrix<S> {
     /// The vector `A x`, `(A x)_i = A_ij x_j`.
     ///
     /// # Errors
-    /// [`LinearError::Shape`] unless `x` has as many components as `A` columns.
+    /// [`LinearError::Shape`] unless `x` has one component for each column of `A`.
     pub fn apply(&self, x: &[S]) -> Result<Vec<S>, LinearError> {
         if self.columns != x.len() {
             return Err(self.mismatch(x.len(), 1));
@@ -266,7 +267,7 @@ impl<S: Summable> Matrix<S> {
         Ok(self.rows.iter().map(component).collect())
     }
 
-    /// The matrix `[A | B]` with a further block of columns.
+    /// The rows of `[A | B]`: this matrix with a further block of columns on its right.
     fn beside(&self, block: impl IntoIterator<Item = Row<S>>) -> impl Iterator<Item = Row<S>> {
         self.rows.iter().zip(block).map(|(row, right)| {
             let shifted = right.into_iter().map(|(j, value)| (j + self.columns, value));
@@ -279,14 +280,14 @@ impl<S: Summable> Matrix<S> {
     }
 }
 
-/// Equal shapes and equal entries; the tolerance does not matter.
+/// Matrices are equal if their shapes and entries are; the tolerance is ignored.
 impl<S: PartialEq> PartialEq for Matrix<S> {
     fn eq(&self, other: &Self) -> bool {
         self.columns == other.columns && self.rows == other.rows
     }
 }
 
-/// One row a line, with all entries: `[1, 0]`.
+/// Writes one row per line, with all entries: `[1, 0]`.
 impl<S: Summable> fmt::Display for Matrix<S> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for (i, row) in self.to_dense().iter().enumerate() {

@@ -1,6 +1,6 @@
-//! Operations on the slots of one tensor: traces, symmetrisers, raising and lowering.
+//! Operations on the slots of one tensor: traces, symmetrization, raising and lowering.
 //!
-//! Slots count from 0. Each operation is a [`contract`] with its notation written out.
+//! Slots count from 0. Each operation is a [`contract`] whose notation is built from the slots.
 
 use crate::contraction::indices;
 use crate::{Down, Field, Scalar, Tensor, TensorError, Up, Variance, contract};
@@ -32,8 +32,8 @@ impl<S: Scalar> Tensor<S> {
         contract(&format!("T{operand} -> {result}"), &[("T", self)])
     }
 
-    /// The tensor with the upper slot `slot` lowered in place: `g_ap T^p`, `g` a metric with the
-    /// slots `[Down, Down]`.
+    /// Lowers the upper slot `slot` in place: `g_ap T^p`, where `g` is a metric with the slots
+    /// `[Down, Down]`.
     ///
     /// # Errors
     /// [`TensorError::Slots`] unless `slot` is one of this tensor; [`TensorError::Notation`]
@@ -42,8 +42,8 @@ impl<S: Scalar> Tensor<S> {
         self.shift(slot, metric, Down)
     }
 
-    /// The tensor with the lower slot `slot` raised in place: `g^ap T_p`, `g` an inverse metric
-    /// with the slots `[Up, Up]`.
+    /// Raises the lower slot `slot` in place: `g^ap T_p`, where `g` is an inverse metric with the
+    /// slots `[Up, Up]`.
     ///
     /// # Errors
     /// [`TensorError::Slots`] unless `slot` is one of this tensor; [`TensorError::Notation`]
@@ -71,7 +71,7 @@ impl<S: Scalar> Tensor<S> {
         contract(&format!("a{own} {sign} b{own} -> {own}"), &[("a", self), ("b", other)])
     }
 
-    /// The letters of the slots with their variances.
+    /// The index letters of the slots with their variances.
     fn letters(&self) -> Vec<(char, Variance)> {
         LETTERS.chars().zip(self.slots().iter().copied()).collect()
     }
@@ -108,7 +108,7 @@ impl<S: Field + Scalar> Tensor<S> {
     /// ```
     ///
     /// # Errors
-    /// As [`symmetrise`](Self::symmetrise).
+    /// Those of [`symmetrise`](Self::symmetrise).
     pub fn antisymmetrise(&self, slots: &[usize]) -> Result<Self, TensorError> {
         self.mean(slots, '-')
     }

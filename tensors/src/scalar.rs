@@ -4,9 +4,9 @@
 //! `Copy` or an order, so that big rationals and rational functions are scalars too. [`Summable`] names the accumulator of
 //! sums of products, [`Notation`] the written form. Tensors are contracted over a [`Scalar`](crate::Scalar).
 //!
-//! *Zero* always means the whole value: the dual number `0 + eps` is not zero
-//! ([`Ring::vanishes`]). The functions in [`laws`] test the laws that every scalar obeys; use them
-//! for a scalar of your own.
+//! *Zero* always means the whole value: the dual number `0 + eps` is not zero ([`Ring::vanishes`]).
+//! The functions in [`laws`] test the laws that every scalar obeys; use them to test a user-defined
+//! scalar.
 
 mod caches;
 mod divisors;
@@ -44,8 +44,8 @@ pub use symbolic::{CommonFactors, FreeFunction, PositiveFactors, Symbolic, Varia
 pub use tabular::Tabular;
 pub use tracked::TrackedFloat;
 
-/// A commutative ring with 1, with operators by value and by reference. Every `x` has its negative: `x - x` vanishes, which it does
-/// not for intervals; brackets over such numbers are refused.
+/// A commutative ring with 1, with operators by value and by reference. Every `x` has a negative:
+/// `x - x` must vanish. Intervals violate this law, and brackets over them are rejected.
 ///
 /// The constants `zero()`, `one()` and [`from_i64`](Ring::from_i64) combine with every value of the
 /// type.
@@ -67,11 +67,11 @@ pub trait Ring:
     /// The integer `n` as an element of this ring: `n` times one.
     fn from_i64(n: i64) -> Self;
 
-    /// Whether the whole value is zero. Sparse storage uses this and not [`Zero::is_zero`], which
-    /// some types define by their leading part alone.
+    /// Whether the whole value is zero. Sparse storage uses this test instead of [`Zero::is_zero`],
+    /// which some types define by their leading part alone.
     fn vanishes(&self) -> bool;
 
-    /// The value `numerator / denominator`; `None` if it does not exist in this ring.
+    /// The value `numerator / denominator`; `None` if this quotient does not exist in the ring.
     fn from_quotient(numerator: i64, denominator: i64) -> Option<Self> {
         (denominator == 1).then(|| Self::from_i64(numerator))
     }
@@ -82,8 +82,8 @@ pub trait Field: Ring {
     /// The multiplicative inverse; `None` exactly for non-units.
     fn recip(&self) -> Option<Self>;
 
-    /// The quality of the value as a pivot of an elimination; larger is better. Floats return the
-    /// magnitude, which is compared relative to rows and columns. Exact scalars prefer short values, so that numbers stay
-    /// small; their weights are not positive.
+    /// The weight of the value as a pivot of an elimination; larger is better. Floats return the
+    /// magnitude, which is compared with the other entries of its row and column. Exact scalars
+    /// prefer short values, so that numbers stay small; their weights are not positive.
     fn pivot_weight(&self) -> f64;
 }

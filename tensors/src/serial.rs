@@ -7,7 +7,7 @@
 //!  "components": [[[1, 2], "-1/2"], ...]}
 //! ```
 //!
-//! with indices from 1. Whatever is read passes the checks of the constructors.
+//! with indices from 1. Every value that is read passes the checks of the constructors.
 
 use crate::{Rational, Summable, Symbolic, Tensor, Tolerance, TrackedFloat, Variance};
 use serde::de::{Deserialize, Deserializer, Error};
@@ -15,7 +15,7 @@ use serde::ser::Error as _;
 use serde::{Serialize, Serializer};
 use std::borrow::Cow;
 
-/// The name and the version of the form in which a tensor is written.
+/// The name and the version of the serialized form of a tensor.
 const SCHEMA: &str = "affinor.tensor/1";
 
 macro_rules! as_text {
@@ -35,7 +35,7 @@ macro_rules! as_text {
 }
 as_text!(Rational, Symbolic);
 
-/// A pair: the value and its error.
+/// A tracked float is serialized as a pair: the value and its error.
 impl Serialize for TrackedFloat {
     fn serialize<W: Serializer>(&self, serializer: W) -> Result<W::Ok, W::Error> {
         (self.value(), self.error()).serialize(serializer)
@@ -49,7 +49,7 @@ impl<'de> Deserialize<'de> for TrackedFloat {
     }
 }
 
-/// A tensor as it is written.
+/// The serialized form of a tensor.
 #[derive(serde::Serialize, serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Written<'t, V> {
@@ -62,7 +62,7 @@ struct Written<'t, V> {
 
 impl<S: Summable + Serialize> Serialize for Tensor<S> {
     /// # Errors
-    /// For a component that is infinite or not a number, which JSON does not have.
+    /// Returns an error for a component that is infinite or NaN, which JSON cannot represent.
     fn serialize<W: Serializer>(&self, serializer: W) -> Result<W::Ok, W::Error> {
         let component =
             |(at, value): (crate::Indices, _)| (at.iter().map(|index| index + 1).collect(), value);

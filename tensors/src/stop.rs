@@ -1,8 +1,9 @@
 //! Computations that can be stopped from outside.
 //!
-//! A [`StopToken`] is a flag. Kernels poll it at [checkpoints](checkpoint), also on their worker threads. Once it is set, the
-//! computation unwinds to [`StopToken::run`], which returns [`Stopped`]. So formulas need no error for it. No result of
-//! a stopped computation is stored, and the next computation starts as in a new process.
+//! A [`StopToken`] is a flag. Kernels poll it at [checkpoints](checkpoint), also on their worker
+//! threads. Once it is set, the computation unwinds to [`StopToken::run`], which returns
+//! [`Stopped`]. Formulas therefore need no error type for stops. No result of a stopped computation
+//! is stored, and the next computation starts as in a new process.
 //!
 //! Unwinding calls no panic hook. Programs that are built with `panic = "abort"` must not use tokens.
 
@@ -21,11 +22,12 @@ impl StopToken {
         Limits::with(|limits| limits.stop.clone())
     }
 
-    /// The result of work that polls this flag, and no other one, at its checkpoints. The work may unwind: values that it
-    /// changes through references may be left as they are in the middle of the work.
+    /// Runs `work` and returns its result. Its checkpoints poll this flag, and no other one. The
+    /// work may unwind: values that it changes through references may be left as they are in the
+    /// middle of the work.
     ///
     /// # Errors
-    /// [`Stopped`].
+    /// [`Stopped`] if the flag was set before the work ended.
     pub fn run<T>(&self, work: impl FnOnce() -> T) -> Result<T, Stopped> {
         let limits = Limits { stop: Some(self.clone()), ..Limits::current() };
         catch_unwind(AssertUnwindSafe(|| limits.run(work))).map_err(|payload| {
@@ -42,7 +44,7 @@ impl StopToken {
 pub struct Stopped {
     /// The reason.
     pub reason: StopReason,
-    /// The stage that was computed; empty if the computation names none.
+    /// The stage during which it was stopped; empty if the computation names no stages.
     pub stage: &'static str,
 }
 
@@ -62,7 +64,8 @@ impl fmt::Display for Stopped {
 
 impl std::error::Error for Stopped {}
 
-/// Ends the computation if the token of this thread is set. Loops whose passes may take longer than a few microseconds call it.
+/// Ends the computation if the token of this thread is set. Loops call it if one pass may take
+/// longer than a few microseconds.
 ///
 /// ```
 /// use affinor_tensors::stop::{StopReason, StopToken, Stopped, checkpoint, stage};
@@ -77,13 +80,13 @@ impl std::error::Error for Stopped {}
 /// ```
 #[inline]
 pub fn checkpoint() {
-    // the page has no token, and one thread
+    // the web page has no token and only one thread
     if !cfg!(target_family = "wasm") && is_any_requested() {
         end();
     }
 }
 
-/// Unwinds if the token of this thread is set.
+/// Unwinds to [`StopToken::run`] if the token of this thread is set.
 #[cold]
 fn end() {
     let found = Limits::with(|limits| Some((limits.stop.as_ref()?.requested()?, limits.stage)));
@@ -94,13 +97,14 @@ fn end() {
     }
 }
 
-/// Names the stage of the computation, for [`Stopped`], until the result is dropped.
+/// Names the current stage of the computation, for [`Stopped`], until the returned value is
+/// dropped.
 #[must_use = "the stage ends when the value is dropped"]
 pub fn stage(name: &'static str) -> Stage {
     Stage { before: Limits::set_stage(name) }
 }
 
-/// A stage that has begun.
+/// A stage of a computation; it ends when this value is dropped.
 #[derive(Debug)]
 pub struct Stage {
     before: &'static str,
@@ -112,11 +116,12 @@ impl Drop for Stage {
     }
 }
 
-/// The time between two looks of a thread that waits for [`detached`] work.
+/// The polling interval of a thread that waits for [`detached`] work.
 const OFTEN: Duration = Duration::from_millis(10);
 
-/// The result of long work without checkpoints, such as a function of another library. Another thread computes it, if this thread has
-/// a token: when the token is set, this thread unwinds, and the other one ends its work in vain.
+/// The result of long work without checkpoints, such as a function of another library. If this
+/// thread has a token, another thread does the work. When the token is set, this thread unwinds,
+/// and the result of the other thread is discarded.
 ///
 /// ```
 /// use affinor_tensors::stop::{StopReason, StopToken, detached};
@@ -140,7 +145,7 @@ pub fn detached<T: Send + 'static>(work: impl FnOnce() -> T + Send + 'static) ->
     let shared = work.clone();
     let thread = thread::Builder::new().spawn(move || {
         if let Some(work) = take(&shared) {
-            // a thread that unwinds has dropped the receiver
+            // sending fails if this thread has unwound and dropped the receiver
             let _ = send.send(catch_unwind(AssertUnwindSafe(work)));
         }
     });

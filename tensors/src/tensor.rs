@@ -9,7 +9,7 @@ use indices::Reader;
 pub use indices::{Components, Indices};
 use std::sync::Arc;
 
-/// Whether a slot takes an upper or a lower index.
+/// The variance of a slot: upper or lower.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
@@ -45,9 +45,10 @@ pub struct Tensor<S> {
     // shared by clones
     keys: Arc<Vec<u64>>,
     values: Arc<Vec<S>>,
-    /// `None` where nobody chose one: the default, unless it meets another in a sum.
+    /// `None` for the default tolerance. In a sum, a tolerance that was chosen takes precedence
+    /// over the default.
     tolerance: Option<Tolerance>,
-    /// The value of every component that is not stored.
+    /// The value of all components that are not stored.
     zero: S,
 }
 
@@ -64,7 +65,7 @@ impl<S: Summable> Tensor<S> {
             .ok_or(TensorError::TooLarge { dimension, rank })
     }
 
-    /// The zero tensor of a shape whose components are known to have keys.
+    /// The zero tensor of a shape whose component keys are known to fit 64 bits.
     fn unchecked(dimension: usize, slots: &[Variance]) -> Self {
         let (keys, values) = Default::default();
         Tensor { dimension, slots: slots.into(), keys, values, tolerance: None, zero: S::zero() }
@@ -152,14 +153,14 @@ impl<S: Summable> Tensor<S> {
         Self::unchecked(n, &[variance]).store(n, (0..).zip(components.iter().cloned()))
     }
 
-    /// The same tensor with another tolerance for what is computed from it (floats only).
+    /// The same tensor with another tolerance for computations with it (floats only).
     #[must_use]
     pub fn with_tolerance(mut self, tolerance: Tolerance) -> Self {
         self.tolerance = Some(tolerance);
         self
     }
 
-    /// The dimension: indices run from 0 to one less.
+    /// The dimension `n`: indices run from 0 to `n - 1`.
     pub fn dimension(&self) -> usize {
         self.dimension
     }
@@ -169,7 +170,7 @@ impl<S: Summable> Tensor<S> {
         self.slots.len()
     }
 
-    /// Upper or lower, slot by slot.
+    /// The variance of each slot.
     pub fn slots(&self) -> &[Variance] {
         &self.slots
     }
@@ -179,7 +180,8 @@ impl<S: Summable> Tensor<S> {
         self.tolerance.unwrap_or_default()
     }
 
-    /// The weakest of the tolerances that were chosen for these tensors, if any was.
+    /// The weakest of the explicitly chosen tolerances of these tensors; `None` if all have the
+    /// default.
     pub(crate) fn common_tolerance<'a>(
         tensors: impl Iterator<Item = &'a Self>,
     ) -> Option<Tolerance> {
@@ -199,7 +201,7 @@ impl<S: Summable> Tensor<S> {
     /// The component with these indices, from 0; zero if it is not stored.
     ///
     /// # Panics
-    /// Like slice indexing: on an index out of range or a wrong number of indices.
+    /// If an index is out of range or the number of indices is wrong, as for slices.
     /// [`try_get`](Self::try_get) returns an error instead.
     pub fn get(&self, indices: &[usize]) -> S {
         self[indices].clone()
@@ -208,7 +210,8 @@ impl<S: Summable> Tensor<S> {
     /// The component with these indices, from 0; zero if it is not stored.
     ///
     /// # Errors
-    /// [`TensorError::Rank`] for a wrong number of indices, [`TensorError::IndexRange`].
+    /// [`TensorError::Rank`] for a wrong number of indices, [`TensorError::IndexRange`] for an
+    /// index out of range.
     pub fn try_get(&self, indices: &[usize]) -> Result<&S, TensorError> {
         let key = self.key(indices)?;
         let found = self.keys.binary_search(&key).ok().map(|at| &self.values[at]);
@@ -269,12 +272,13 @@ impl<S: Summable> Tensor<S> {
         shown.map(|(&key, value)| (key as usize, value.clone())).collect()
     }
 
-    /// The components mapped into another ring, the tolerance kept.
+    /// The tensor with its components mapped into another ring, and the same tolerance.
     pub fn map<T: Summable>(&self, f: impl Fn(&S) -> T) -> Tensor<T> {
         self.filter_map(|_, value| Some(f(value)))
     }
 
-    /// The components mapped by `f`, which also takes the indices; `None` is zero.
+    /// The tensor with its components mapped by `f`, which also receives the indices; `None` means
+    /// zero.
     pub fn filter_map<T: Summable>(&self, f: impl Fn(&[usize], &S) -> Option<T>) -> Tensor<T> {
         let mut tensor = Tensor::unchecked(self.dimension, &self.slots);
         tensor.tolerance = self.tolerance;
@@ -284,8 +288,8 @@ impl<S: Summable> Tensor<S> {
         tensor.store(self.keys.len(), mapped)
     }
 
-    /// The tensor with one more slot in front: component `k` of it is `f(k, v)` for each component `v`, also for those that
-    /// are not shown ([`Summable::is_small`]).
+    /// The tensor with one more slot in front: its component `k` is `f(k, v)` for each component
+    /// `v`. Components that count as zero but are stored ([`Summable::is_small`]) are mapped too.
     ///
     /// # Errors
     /// [`TensorError::TooLarge`].
@@ -306,13 +310,14 @@ impl<S: Summable> Tensor<S> {
         Ok(tensor.store(0, components))
     }
 
-    /// Every component multiplied by `factor`.
+    /// The tensor with every component multiplied by `factor`.
     #[must_use]
     pub fn scale(&self, factor: &S) -> Self {
         self.map(|value| value.clone() * factor)
     }
 
-    /// The slots in another order: slot `a` of the result is slot `order[a]` of this tensor.
+    /// The tensor with its slots in another order: slot `a` of the result is slot `order[a]` of
+    /// this tensor.
     ///
     /// # Errors
     /// [`TensorError::Rank`] or [`TensorError::Slots`] unless `order` is a permutation of the slots.
@@ -361,7 +366,8 @@ impl<S: Summable> Tensor<S> {
         self.store(keyed.len(), components)
     }
 
-    /// Stores components given in the order of their keys, with room for so many; zeros are dropped.
+    /// Stores components given in the order of their keys, and drops zeros. `room` is the expected
+    /// number of components.
     fn store(self, room: usize, components: impl Iterator<Item = (u64, S)>) -> Self {
         let (mut keys, mut values) = (Vec::with_capacity(room), Vec::with_capacity(room));
         for (key, value) in components.filter(|(_, value)| !value.vanishes() || value.is_small()) {
@@ -386,7 +392,7 @@ impl<S: Summable> Tensor<S> {
         &self.values
     }
 
-    /// The position of a component in the order of indices.
+    /// The key of a component: its position in the order of all indices.
     fn key(&self, indices: &[usize]) -> Result<u64, TensorError> {
         let dimension = self.dimension;
         if indices.len() != self.rank() {

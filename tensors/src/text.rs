@@ -6,9 +6,9 @@ pub use decimal::{exact_decimal, rounded};
 
 use std::fmt::Display;
 
-/// A linear combination as text, from its coefficients and labels: `a + 2*b - (p + q)*c`.
+/// Writes a linear combination, from its coefficients and labels: `a + 2*b - (p + q)*c`.
 ///
-/// A sum as a coefficient stands in parentheses; no terms at all are `0`.
+/// A coefficient that is a sum is put in parentheses. A combination without terms is written `0`.
 ///
 /// ```
 /// use affinor_tensors::text::combination;
@@ -24,7 +24,7 @@ pub fn combination<S: Display>(terms: impl IntoIterator<Item = (S, String)>) -> 
     if text.is_empty() { "0".into() } else { text }
 }
 
-/// Appends a term to a combination.
+/// Appends a term to the text of a linear combination.
 fn add_term(text: &mut String, coefficient: String, label: &str) {
     let value = short(coefficient);
     let compound = is_sum(&value);
@@ -44,7 +44,7 @@ fn add_term(text: &mut String, coefficient: String, label: &str) {
     }
 }
 
-/// Whether a written value is a sum of several terms.
+/// Whether the text of a value is a sum of several terms.
 pub fn is_sum(value: &str) -> bool {
     let mut depth = 0i64;
     value.char_indices().any(|(at, c)| {
@@ -53,13 +53,14 @@ pub fn is_sum(value: &str) -> bool {
     })
 }
 
-/// A value in plain text; a float far from 1 with an exponent, in place of its zeros.
+/// The plain text of a value. A very large or very small float is written with an exponent instead
+/// of zeros.
 pub fn written(value: &impl Display) -> String {
     short(value.to_string())
 }
 
 fn short(text: String) -> String {
-    // a point stands in floats only
+    // only floats contain a decimal point
     match text.parse::<f64>() {
         Ok(x) if text.contains('.') && x != 0.0 && x.abs() < 1e-5 => format!("{x:e}"),
         _ => text,

@@ -12,14 +12,15 @@ pub(crate) use one::{count, join, map};
 
 use std::sync::{Mutex, PoisonError};
 
-/// The states of threads. A state may be large, so it is used again by other work, and there are hardly more states than threads.
+/// A pool of working states for threads. A state may be large, so it is reused: there are hardly
+/// more states than threads.
 pub(crate) struct States<W, I> {
     init: I,
     idle: Mutex<Vec<W>>,
 }
 
 impl<W, I: Fn() -> W> States<W, I> {
-    /// No states yet; `init` makes one.
+    /// An empty pool; `init` creates a state.
     pub(crate) fn new(init: I) -> Self {
         States { init, idle: Mutex::default() }
     }
@@ -28,14 +29,14 @@ impl<W, I: Fn() -> W> States<W, I> {
         self.idle.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// A state that no other work uses, until the result is dropped.
+    /// Takes a state out of the pool, until the returned value is dropped.
     fn take(&self) -> Taken<'_, W, I> {
         let idle = self.idle().pop();
         Taken { states: self, state: Some(idle.unwrap_or_else(|| (self.init)())) }
     }
 }
 
-/// A state in use.
+/// A state that is in use; it returns to the pool when it is dropped.
 struct Taken<'s, W, I: Fn() -> W> {
     states: &'s States<W, I>,
     state: Option<W>,
@@ -52,7 +53,8 @@ mod tests {
     use super::*;
     use std::sync::atomic::{AtomicUsize, Ordering};
 
-    /// Many rounds of work make no more states than there are threads, and keep the order.
+    /// Many rounds of work create no more states than there are threads, and preserve the order of
+    /// the results.
     #[test]
     fn states_are_used_again() {
         let made = AtomicUsize::new(0);

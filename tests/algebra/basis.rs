@@ -1,4 +1,4 @@
-//! Changes of basis in floats: an algebra stays one, a metric a metric, in any basis that can be inverted.
+//! Changes of basis in floats: algebras and metrics remain valid in every regular basis.
 
 use crate::common::algebras::catalogued;
 use crate::common::{labels, metrics, property::properties};
@@ -8,7 +8,7 @@ use affinor_tensors::{Down, Rational, Tensor, Up};
 use nalgebra::{DMatrix, DVector};
 use proptest::prelude::*;
 
-/// The largest dimension of the algebras below.
+/// The largest dimension of the tested algebras.
 const MOST: usize = 10;
 
 /// The algebras of the catalogue up to that dimension that have no parameters, and sums of them.
@@ -98,7 +98,7 @@ fn change(matrix: &DMatrix<f64>) -> BasisChange<f64> {
     BasisChange::new(tensor).unwrap()
 }
 
-/// An algebra of the catalogue, the numbers of a basis, and how ill-conditioned it is.
+/// An algebra of the catalogue, the numbers of a basis, and the exponent of its condition number.
 fn cases() -> impl Strategy<Value = (String, Vec<f64>, f64)> {
     let numbers = prop::collection::vec(-1.0..1.0f64, 2 * MOST * MOST);
     (prop::sample::select(names()), numbers, prop_oneof![Just(0.0), 0.0..3.0, 3.0..6.0])
@@ -107,7 +107,7 @@ fn cases() -> impl Strategy<Value = (String, Vec<f64>, f64)> {
 properties! {
     #![cases(512)]
 
-    /// Antisymmetric to the last bit, and so accepted by every constructor.
+    /// Brackets stay antisymmetric to the last bit, as every constructor requires.
     #[test]
     fn every_algebra_in_every_basis((name, numbers, decades) in cases()) {
         let algebra = floats(&name);
@@ -125,7 +125,7 @@ properties! {
         // c' = A^-1 c (A, A), by matrices: ad'_a = A^-1 ad_{A e_a} A
         let inverse = matrix.clone().try_inverse().unwrap();
         let largest = algebra.structure_constants().components().fold(0.0f64, |m, (_, v)| m.max(v.abs()));
-        // the inverse is known to a rounding times the condition of the matrix
+        // the inverse is accurate to the rounding error times the condition number
         let condition = inverse.norm() * matrix.norm();
         let size = largest * inverse.norm() * matrix.norm().powi(2);
         let bound = 4.0 * f64::EPSILON * (n * n) as f64 * size * condition;
@@ -141,7 +141,8 @@ properties! {
         }
     }
 
-    /// Symmetric tensors stay symmetric, antisymmetric ones antisymmetric, as constructors ask for.
+    /// Symmetric tensors remain symmetric and antisymmetric tensors antisymmetric, as constructors
+    /// require.
     #[test]
     fn metrics_and_forms(
         (g, numbers) in (1..6usize).prop_flat_map(|n| {
@@ -156,12 +157,12 @@ properties! {
         for (at, value) in moved.components() {
             prop_assert_eq!(*value, moved.get(&[at[1], at[0]]));
         }
-        // beyond this condition number the determinant is rounding
+        // for larger condition numbers the determinant is a rounding error
         let matrix = DMatrix::from_fn(n, n, |i, k| moved.get(&[i, k]));
         let moments = matrix.symmetric_eigenvalues().abs();
         let is_regular = moments.min() > 1e-13 * moments.max();
         prop_assert!(Metric::new(labels(n), moved).is_ok() || !is_regular);
-        // a form of degree 3 out of the same numbers
+        // a form of degree 3 from the same numbers
         let term = |[i, j, k]: [usize; 3]| {
             let x = |a: usize, i: usize| numbers[(a * n + i) % numbers.len()];
             let minor = |p: usize, q: usize| x(p, j) * x(q, k) - x(p, k) * x(q, j);
@@ -185,7 +186,7 @@ properties! {
     }
 }
 
-/// The names above are of the catalogue, and no family of it is left out.
+/// The names above are in the catalogue, and include every family.
 #[test]
 fn all_families_take_part() {
     let heads: Vec<String> = names()

@@ -22,7 +22,7 @@ fn sum(x: &[Rational], y: &[Rational]) -> Vector {
     x.iter().zip(y).map(|(x, y)| x.clone() + y).collect()
 }
 
-/// `[a, [b, .. c]]` by letters.
+/// The nested bracket `[a, [b, ... c]]` of a word of letters.
 fn word(algebra: &Algebra, letters: &str, x: &[Rational], y: &[Rational]) -> Vector {
     let letter = |letter| if letter == 'x' { x.to_vec() } else { y.to_vec() };
     let mut letters = letters.chars().rev();
@@ -64,7 +64,7 @@ properties! {
             });
             prop_assert_eq!(part, &expected);
         }
-        // of degree 6 and beyond: log(exp(y)^-1 exp(x)^-1) is the negative
+        // in degree 6 and above: log(exp(y)^-1 exp(x)^-1) is the negative
         let (back_x, back_y) = (scaled(&x, integer(-1)), scaled(&y, integer(-1)));
         let forth = algebra.bch(&x, &y, 8).unwrap();
         let back = algebra.bch(&back_y, &back_x, 8).unwrap();
@@ -109,7 +109,7 @@ properties! {
         prop_assert_eq!(product(x, &scaled(x, integer(-1))), vec![integer(0); n]);
     }
 
-    /// Exponentials and logarithms of unitriangular matrices are finite sums.
+    /// Products of unitriangular matrices, whose exponentials and logarithms are finite sums.
     #[test]
     fn products_are_those_of_unitriangular_matrices(
         (size, numbers) in (3..=5usize).prop_flat_map(|size| (Just(size), vec(rationals(), size * (size - 1))))

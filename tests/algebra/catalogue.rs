@@ -1,4 +1,4 @@
-//! The catalogue against closed forms.
+//! The catalogue is compared with closed forms.
 
 mod name;
 mod tables;
@@ -17,7 +17,7 @@ fn exact(value: &Symbolic) -> Result<Rational, Error> {
         .ok_or_else(|| Error::Unsupported("a parameter without a value".into()))
 }
 
-/// The algebra of that name; the Jacobi identity is checked on the way.
+/// The algebra with this name; also checks the Jacobi identity.
 fn algebra(name: &str) -> LieAlgebra<Rational> {
     let entry = catalogue::find(name).unwrap_or_else(|error| panic!("{name}: {error}"));
     entry
@@ -100,7 +100,7 @@ fn inertia(form: &Tensor<Rational>) -> (usize, usize, usize) {
     (plus, minus, n - plus - minus)
 }
 
-/// A symmetric form with these values above and on the diagonal, by label.
+/// A symmetric form with these values on and above the diagonal, by label.
 fn form(algebra: &LieAlgebra<Rational>, values: impl Fn(&str, &str) -> i64) -> Tensor<Rational> {
     let labels = algebra.labels();
     Tensor::from_fn(labels.len(), [Down, Down], |[i, j]| rational(values(&labels[i], &labels[j])))
@@ -171,7 +171,7 @@ fn so_pq_has_the_brackets_of_its_planes() {
         for (x, &(i, j)) in planes.iter().enumerate() {
             for (y, &(k, l)) in planes.iter().enumerate() {
                 let mut expected = vec![rational(0); planes.len()];
-                // turn both planes so that they meet as (a,b), (b,c)
+                // orient both planes so that they are (a,b) and (b,c)
                 let meeting = [(i, j, k, l), (i, j, l, k), (j, i, k, l), (j, i, l, k)];
                 if x != y
                     && let Some(&(a, b, _, c)) = meeting.iter().find(|(_, b, k, _)| b == k)
@@ -248,7 +248,7 @@ fn sl_and_su_have_the_killing_form_of_the_trace() {
         assert_eq!(bracket(&sl, "E12", "E21"), combination(&[("H1", 1)]));
         assert_eq!(bracket(&sl, "H1", "E12"), combination(&[("E12", 2)]));
 
-        // tr of -i/2 (..) squared is -1/2
+        // generators are -i/2 times a matrix; the square has the trace -1/2
         let su = algebra(&format!("su({n})"));
         let expected = Tensor::from_fn(n * n - 1, [Down, Down], |[x, y]| {
             let twice = match (x.checked_sub(units), y.checked_sub(units)) {

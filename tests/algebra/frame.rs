@@ -1,4 +1,4 @@
-//! Frames by closures in floats, against the exact functions evaluated at the same point.
+//! Frames by closures in floats agree with the exact functions at the same point.
 
 use crate::common::charts::{Moved, constant, euler_angles, value};
 use crate::common::labels;
@@ -18,7 +18,7 @@ fn euler(x: &[Jet], at: [usize; 2]) -> Jet {
     rows[at[0]][at[1]].clone()
 }
 
-/// Equal components, up to rounding.
+/// Expects equal components, up to rounding errors.
 fn same(here: &Tensor<Jet>, exact: &Tensor<Symbolic>) {
     let at = |name: &str| ["phi", "theta", "psi"].iter().position(|n| *n == name).map(|a| POINT[a]);
     let all = (0..here.dimension().pow(here.rank() as u32)).map(|key| {
@@ -97,8 +97,8 @@ fn fields_that_meet_at_the_point_are_refused() {
 /// A function of the coordinates.
 type Function = fn(&[Jet]) -> Jet;
 
-/// Of functions two derivatives are known, and the curvature takes both: its own derivatives are unknown also where it
-/// vanishes at the point.
+/// Two derivatives of the functions are known, and the curvature uses both. So its own derivatives
+/// are unknown, even where it vanishes at the point.
 #[test]
 fn derivatives_of_a_curvature_that_vanishes_are_unknown() {
     fn one() -> Jet {
@@ -129,7 +129,7 @@ fn derivatives_of_a_curvature_that_vanishes_are_unknown() {
             assert!(connection.nabla_curvature().get(&[0, 0, 1, 0, 1]).value().is_nan());
             let witness = connection.locally_symmetric().witness().unwrap();
             assert!(witness.residual.value().is_nan(), "{witness}");
-            // zero at the point, and perhaps not beside it
+            // zero at the point, but perhaps not nearby
             for property in
                 [connection.einstein_constant(&metric), connection.constant_curvature(&metric)]
             {
@@ -140,7 +140,7 @@ fn derivatives_of_a_curvature_that_vanishes_are_unknown() {
         assert!(connection.cotton(&metric).unwrap().components().all(|(_, v)| v.value().is_nan()));
         assert!(!connection.cotton(&metric).unwrap().is_empty());
     }
-    // constants are known with all derivatives
+    // all derivatives of constants are known
     let (connection, metric) = at(|_| Jet::constant(2.0), 3);
     assert!(connection.locally_symmetric().holds().is_some());
     assert!(connection.constant_curvature(&metric).unwrap().holds().is_some());

@@ -1,4 +1,5 @@
-//! The Jacobi identity by generators and by all triples of basis vectors: one verdict.
+//! Checking the Jacobi identity on generators gives the same result as on all triples of basis
+//! vectors.
 
 use crate::algebra::structure::scrambled;
 use crate::common::algebras::catalogued;
@@ -13,7 +14,7 @@ fn constants(algebra: &LieAlgebra<Rational>) -> Vec<Constant> {
     pairs.map(|(at, value)| (at[1], at[2], at[0], value.clone())).collect()
 }
 
-/// Whether the identity holds, by all triples; the two verdicts are compared.
+/// Whether the identity holds on all triples; expects the same result on generators.
 fn holds(algebra: &LieAlgebra<Rational>, constants: Vec<Constant>) -> bool {
     let bracket = Bracket::from_constants(algebra.labels(), constants).unwrap();
     let all = bracket.jacobi().is_empty();
@@ -21,7 +22,8 @@ fn holds(algebra: &LieAlgebra<Rational>, constants: Vec<Constant>) -> bool {
     all
 }
 
-/// Each constant in turn, one in `step`, is doubled; how many of these brackets violate the identity.
+/// Doubles every `step`-th constant in turn. Returns the number of brackets that violate the
+/// identity.
 fn violations(algebra: &LieAlgebra<Rational>, step: usize) -> usize {
     let given = constants(algebra);
     assert!(holds(algebra, given.clone()));
@@ -41,12 +43,12 @@ fn every_constant_counts_in_the_basis_of_the_catalogue() {
         let found = violations(&catalogued(name), 1);
         assert!(found > 0, "{name}");
     }
-    // all constants of so(5) belong to some triple that cancels
+    // in so(5) every constant occurs in a triple with cancellation
     let so5 = catalogued("so(5)");
     assert_eq!(violations(&so5, 1), constants(&so5).len());
 }
 
-/// With one constant of eight that is not zero, the matrices are multiplied as dense ones.
+/// With one nonzero constant in eight, the matrices are multiplied as dense ones.
 #[test]
 fn every_constant_counts_in_a_full_table() {
     let dense = scrambled(&catalogued("so(8)"), 1);
@@ -55,7 +57,7 @@ fn every_constant_counts_in_a_full_table() {
     assert!(violations(&dense, 1999) > 0);
 }
 
-/// Dimension 24 and more: combinations of the basis generate; below, all triples are computed.
+/// From dimension 24 on, generators are combinations of the basis; below, all triples are computed.
 #[test]
 fn every_constant_counts_in_a_dense_basis() {
     for (name, step) in [("so(6)", 97), ("sl(5)", 997), ("so(8)", 1999)] {
@@ -69,7 +71,7 @@ fn every_constant_counts_in_a_dense_basis() {
     }
 }
 
-/// An abelian algebra has no fewer generators than its dimension.
+/// An abelian algebra needs as many generators as its dimension.
 #[test]
 fn algebras_without_few_generators() {
     for name in ["R^5", "R^30", "heisenberg(41)"] {

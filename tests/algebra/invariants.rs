@@ -1,4 +1,5 @@
-//! The spaces of bi-invariant connections, and of those that a subalgebra leaves alone.
+//! The spaces of bi-invariant connections, and of connections that are invariant under a
+//! subalgebra.
 
 use crate::common::algebras::{algebras, by_table, catalogued, seeds};
 use crate::common::{fraction, integer, property::properties, rationals, stored};
@@ -29,7 +30,7 @@ fn span(tensors: &[Tensor<Rational>]) -> Echelon<Rational> {
     span
 }
 
-/// The equations `(L_x Lambda)^i_jk = 0`, by plain sums: their rank.
+/// The rank of the equations `(L_x Lambda)^i_jk = 0`, by plain sums.
 fn rank(algebra: &Algebra, directions: &[Vec<Rational>]) -> usize {
     let (n, c) = (algebra.dimension(), algebra.structure_constants());
     let place = |i: usize, j: usize, k: usize| (i * n + j) * n + k;
@@ -57,7 +58,8 @@ fn rank(algebra: &Algebra, directions: &[Vec<Rational>]) -> usize {
 properties! {
     #![cases(24)]
 
-    /// All of them, and nothing else: each is invariant, and there are as many as equations allow.
+    /// The basis spans the whole space: each connection is invariant, and the dimension is that of
+    /// the equations.
     #[test]
     fn the_whole_space((algebra, x) in algebras(4).prop_flat_map(|algebra| {
         let n = algebra.dimension();
@@ -74,7 +76,7 @@ properties! {
             prop_assert!(connection.ad_invariance_defect().unwrap().is_empty());
             prop_assert!(connection.in_right_frame(&algebra).is_ok());
         }
-        // under one direction alone
+        // invariance under one direction only
         let under = algebra.invariant_tensors(&[Up, Down, Down], std::slice::from_ref(&x)).unwrap();
         prop_assert_eq!(under.len(), n.pow(3) - rank(&algebra, std::slice::from_ref(&x)));
         let larger = span(&under);
@@ -113,8 +115,8 @@ fn laquer() {
     }
 }
 
-/// The dimension survives complexification, so other real forms have that of the compact one, and
-/// a complex algebra taken over the reals that of two copies.
+/// The dimension is invariant under complexification. So other real forms have the dimension of the
+/// compact form, and a complex algebra over the reals has the dimension of two copies.
 #[test]
 fn other_real_forms() {
     for (name, expected) in [
@@ -134,7 +136,7 @@ fn other_real_forms() {
     }
 }
 
-/// Without Schur: every connection on R^n; so(3) + R by counting the invariant maps
+/// Cases without Schur's lemma: every connection on R^n; so(3) + R by counting the invariant maps
 /// `V x V -> V, V x V -> R, V x R -> V, R x V -> V, R x R -> R`.
 #[test]
 fn with_a_centre() {
@@ -144,7 +146,7 @@ fn with_a_centre() {
     assert_eq!(dimension("so(3)+R^2"), 2 * 2 + 2 * 2 - 1 + 8);
 }
 
-/// The second one of sl(n) is the symmetric product without trace, `XY + YX - 2/n tr(XY) 1`.
+/// The second connection of sl(n) is the trace-free symmetric product, `XY + YX - 2/n tr(XY) 1`.
 #[test]
 fn the_symmetric_tensor_of_sl() {
     let n = 3;
@@ -178,7 +180,7 @@ fn the_symmetric_tensor_of_sl() {
     assert!(!symmetric.is_empty());
     let space = span(&Connection::bi_invariant(&algebra).unwrap());
     assert!(space.contains(row(&symmetric)));
-    // so zero is not the only bi-invariant connection without torsion
+    // so zero is not the only torsion-free bi-invariant connection
     let operands = [("c", algebra.structure_constants()), ("d", &symmetric)];
     let gamma = contract("c^i_jk + 2 d^i_jk -> ^i_jk", &operands).unwrap().scale(&fraction(1, 2));
     let connection = Connection::new(algebra.left_frame().clone(), gamma).unwrap();
@@ -201,8 +203,8 @@ fn matrix(label: &str, n: usize) -> Vec<i64> {
     entries
 }
 
-/// Invariant bilinear forms: one for each simple ideal, and the Killing form is among them; on the
-/// Heisenberg algebra those on the quotient by the centre.
+/// Invariant bilinear forms: one for each simple ideal, which include the Killing form; on the
+/// Heisenberg algebra the forms on the quotient by the centre.
 #[test]
 fn other_invariant_tensors() {
     let forms = |algebra: &Algebra| {

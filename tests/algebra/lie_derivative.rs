@@ -1,4 +1,4 @@
-//! The Lie derivative: brackets of fields, invariance, and any frame.
+//! The Lie derivative: brackets of fields, invariance, and independence of the frame.
 
 use crate::common::charts::{Moved, affine, constant, heisenberg, special_linear};
 use crate::common::{property::properties, spaces, tensors};
@@ -35,7 +35,7 @@ properties! {
     }
 }
 
-/// Functions as components, without symmetry.
+/// Components that are functions, without symmetry.
 fn functions<const RANK: usize>(
     names: &[&str],
     slots: [affinor_tensors::Variance; RANK],
@@ -48,8 +48,8 @@ fn functions<const RANK: usize>(
     .unwrap()
 }
 
-/// In coordinates `(L_X T)^a_b = X^c d_c T^a_b - d_c X^a T^c_b + d_b X^c T^a_c`, and a tensor of
-/// any other frame.
+/// In coordinates `(L_X T)^a_b = X^c d_c T^a_b - d_c X^a T^c_b + d_b X^c T^a_c`, and the same
+/// tensor in any other frame.
 #[test]
 fn any_frame() {
     for chart in [heisenberg(), affine(), special_linear()] {
@@ -62,7 +62,7 @@ fn any_frame() {
         let moved = contract("X_b^c t^a_c - X_c^a t^c_b -> ^a_b", &operands).unwrap();
         let sum = [("a", &along), ("m", &moved)];
         assert_eq!(here, contract("a^a_b + m^a_b -> ^a_b", &sum).unwrap());
-        // the same field and tensor by their components in the left frame
+        // the same field and tensor by their components in the left-invariant frame
         let left = Moved::new(&chart, Tensor::identity(chart.dimension()));
         let forms = crate::common::inverse(&chart.fields);
         let to_left = |t: &Tensor<Symbolic>| crate::common::transform(t, &chart.fields, &forms);

@@ -88,7 +88,8 @@ properties! {
         prop_assert_eq!(space.hamiltonian_field(&h).unwrap(), euler);
     }
 
-    /// As many as the symmetric tensors that ad leaves alone, and each commutes with everything.
+    /// The Casimir functions of a degree are as many as the ad-invariant symmetric tensors, and
+    /// Poisson-commute with all coordinates.
     #[test]
     fn casimirs_are_invariant_tensors(algebra in algebras(4), values in vec(rationals(), 3)) {
         let space = left(&algebra);
@@ -114,7 +115,7 @@ properties! {
         prop_assert_eq!(space.casimirs(0).unwrap(), [constant(1)]);
     }
 
-    /// Orbits are symplectic; no Casimir is left where one is open.
+    /// Orbits are symplectic; if an orbit is open, there are no Casimir functions.
     #[test]
     fn orbits(algebra in algebras(5), mu in vec(rationals(), 5)) {
         let n = algebra.dimension();
@@ -128,7 +129,7 @@ properties! {
     }
 }
 
-/// How many monomials of a degree there are in generators of these degrees.
+/// The number of monomials of a degree in generators of these degrees.
 fn hilbert(generators: &[u32], degree: u32) -> usize {
     match generators.split_first() {
         None => usize::from(degree == 0),
@@ -177,7 +178,7 @@ fn rings_of_invariants() {
         let found: Vec<_> = generators.iter().map(degree).collect();
         let expected: Vec<_> = degrees.iter().copied().filter(|d| *d <= most).collect();
         assert_eq!(found, expected, "{name}");
-        // a generic orbit lacks one dimension for each
+        // each Casimir function reduces the dimension of a generic orbit by one
         let n = algebra.dimension();
         let mu: Vec<_> = (0..n as i64).map(|i| integer(i * i * i + 3 * i + 7)).collect();
         let orbit = algebra.coadjoint_orbit_dimension(&mu).unwrap();
@@ -200,8 +201,8 @@ fn as_they_are_written() {
     assert_eq!(written("heisenberg(3)", 3), ["mu3^3"]);
 }
 
-/// The quadratic Casimir of a semisimple algebra is that of the inverse Killing form; the free
-/// rigid body keeps its energy and `|H|^2`, and moves by `dH/dt = H x Omega` (15).
+/// The quadratic Casimir of a semisimple algebra is given by the inverse Killing form. The free
+/// rigid body preserves its energy and `|H|^2`, and satisfies `dH/dt = H x Omega` (15).
 #[test]
 fn the_rigid_body() {
     for (name, algebra) in seeds().into_iter().take(3) {
@@ -242,7 +243,7 @@ fn limits_are_named() {
     assert_eq!(line.casimirs(255).unwrap().len(), 1);
     assert_eq!(line.casimir_generators(40).unwrap(), line.coordinates());
     assert!(line.casimir_generators(u32::MAX).is_err());
-    // a parameter is welcome unless it has the name of a coordinate
+    // a parameter is allowed unless it has the name of a coordinate
     let with = |name: &str| {
         let constants = [(0, 1, 1, Symbolic::parameter(name))];
         let bracket = Bracket::from_constants(crate::common::labels(2), constants).unwrap();
@@ -261,7 +262,7 @@ fn limits_are_named() {
     assert!(catalogued("so(3)").coadjoint_orbit_dimension(&[integer(1)]).is_err());
 }
 
-/// A table whose constants are products of a number and a parameter, or the number alone for `""`.
+/// A table whose constants are a number times a parameter, or the number alone for `""`.
 fn with_parameters(n: usize, table: &[(usize, usize, usize, i64, &str)]) -> LieAlgebra<Symbolic> {
     let value = |number: i64, name: &str| match name {
         "" => constant(number),
@@ -310,7 +311,8 @@ fn all_at(algebra: &LieAlgebra<Symbolic>, numbers: &[Rational]) -> BTreeMap<Stri
 properties! {
     #![cases(8)]
 
-    /// Casimir functions with parameters are Casimir functions identically, and at every value of the parameters.
+    /// Casimir functions with parameters Poisson-commute identically, and at every value of the
+    /// parameters.
     #[test]
     fn casimirs_with_parameters(numbers in vec(rationals(), 3)) {
         for (name, algebra, degrees) in families() {
@@ -324,7 +326,7 @@ properties! {
                 let value = generator.substitute(&all_at(&algebra, &numbers)).unwrap();
                 prop_assert!(special.is_casimir(&value), "{}", name);
             }
-            // ranks fall at exceptional values only
+            // ranks are smaller at exceptional values only
             for degree in 0..=3 {
                 let generic = space.casimirs(degree).unwrap().len();
                 prop_assert_eq!(generic, hilbert(&degrees, degree), "{}", name);
@@ -334,7 +336,7 @@ properties! {
     }
 }
 
-/// In any basis and with parameters the coefficients are integers without a common divisor.
+/// In any basis and with parameters the coefficients are coprime integers.
 #[test]
 fn casimirs_are_primitive() {
     let mut checked = 0;

@@ -1,7 +1,8 @@
 //! Bases in which structure constants with square roots are rational.
 //!
-//! An algebra over Q whose basis vectors are multiplied by square roots of rational numbers is isomorphic over R to that
-//! algebra. The invariants of the basis that is found must be those of the algebra before the scaling.
+//! An algebra over Q whose basis vectors are multiplied by square roots of rational numbers is
+//! isomorphic over R to the original algebra. The invariants in the basis that is found must agree
+//! with the invariants before the scaling.
 
 use crate::algebra::structure::invariants;
 use crate::common::algebras::catalogued;
@@ -34,7 +35,8 @@ fn scaled(algebra: &LieAlgebra<Rational>, by: &[(i64, i64)]) -> LieAlgebra<Symbo
     symbolic.change_basis(&diagonal(by.iter().map(|(n, d)| root(*n, *d)))).unwrap()
 }
 
-/// The algebra of three vectors with these brackets `[x, y]`, `[y, z]`, `[z, x]` along `z`, `x`, `y`.
+/// The algebra of three vectors whose brackets `[x, y]`, `[y, z]`, `[z, x]` are multiples of `z`,
+/// `x`, `y`.
 fn three(values: [&str; 3]) -> LieAlgebra<Symbolic> {
     let at = [(0, 1, 2), (1, 2, 0), (2, 0, 1)];
     let constants = at.iter().zip(values).map(|(&(j, k, i), text)| (j, k, i, value(text)));
@@ -134,7 +136,7 @@ fn residues_of_roots_are_roots_of_residues() {
     assert!(PRIMES.iter().any(|prime| power(2, 2).residue(*prime).is_some()));
 }
 
-/// The fewest basis vectors are changed, and rational tables stay as they are.
+/// As few basis vectors as possible are scaled, and rational tables are unchanged.
 #[test]
 fn few_basis_vectors_are_divided() {
     let labels = |algebra: &LieAlgebra<Symbolic>| {
@@ -166,7 +168,7 @@ fn other_numbers_and_contradictions_are_refused_with_the_constant() {
     assert_eq!(refused(["0", "pi", "0"]), "y z x pi");
     assert_eq!(refused(["0", "0", "2^(1/3)"]), "x z y -2^(1/3)");
     assert_eq!(refused(["a", "b + a*sqrt(2)", "1"]), "y z x a*sqrt(2) + b");
-    // d/dt acts on the plane with eigenvalues of the ratio sqrt(2)
+    // d/dt acts on the plane with two eigenvalues of ratio sqrt(2)
     let constants = [(0, 1, 1, value("1")), (0, 2, 2, value("sqrt(2)"))];
     let algebra = Bracket::from_constants(["t", "x", "y"], constants).unwrap().try_into().unwrap();
     let at = ["t", "y", "y"].map(String::from);

@@ -1,5 +1,5 @@
-//! The root systems against Bourbaki's plates, the Chevalley bases against their axioms and
-//! against the tables GAP makes.
+//! The root systems agree with Bourbaki's plates, and the Chevalley bases satisfy their axioms and
+//! agree with GAP's tables.
 
 use affinor::algebra::roots::{
     CartanType, MAX_DIMENSION, RootError, RootSystem, Series, basis_names, chevalley_constants,
@@ -153,8 +153,8 @@ fn simple_in_space(cartan_type: CartanType) -> Vec<Vec<i64>> {
     }
 }
 
-/// Twice all roots in that basis, plates (I); for E6 and E7 those of E8 orthogonal to what the
-/// plates name.
+/// All roots in that basis, plates (I). The roots of E6 and E7 are the roots of E8 that are
+/// orthogonal to the vectors in the plates.
 fn all_in_space(cartan_type: CartanType) -> HashSet<Vec<i64>> {
     let size = simple_in_space(cartan_type)[0].len();
     let vectors = |values: &[i64]| {
@@ -265,7 +265,8 @@ fn the_order_and_the_index() {
         for strange in [vec![], vec![0; n], vec![1; n + 1], vec![i64::MIN; n], vec![i64::MAX; n]] {
             assert!(!roots.is_root(&strange), "{cartan_type}: {strange:?}");
         }
-        // A last coefficient as large as the radix of the keys must not pass for a 1 before it.
+        // A last coefficient as large as the radix of the keys must not be mistaken for a 1 in the
+        // position before.
         for radix in [5, 13] {
             let mut carried = vec![0; n];
             carried[n - 1] = radix;
@@ -419,7 +420,8 @@ fn the_killing_form_and_the_dual_coxeter_number() {
     }
 }
 
-/// What a file of GAP's tells: Cartan matrix, positive roots, constants counted from 0.
+/// The contents of a file written by GAP: Cartan matrix, positive roots, constants with indices
+/// from 0.
 fn gap(text: &str) -> (Vec<Vec<i64>>, Vec<Vec<i64>>, Constants) {
     let numbers = |text: &str| -> Vec<i64> {
         text.split(|c: char| !c.is_ascii_digit() && c != '-')

@@ -1,7 +1,8 @@
-//! The invariants of 140 algebras in `tests/data/structure/invariants.json`: computed from the brackets by a
-//! program of fractions, and compared there with GAP 4.12.1 (series, centre, radical, nilradical, rank of the
-//! Killing form, derivations; types of Levi factors). The invariants of 194 algebras by GAP itself, in `tests/data/structure/gap.json`: each in
-//! its own basis, in a dense one, and in a dense one beside an abelian and a simple summand.
+//! Invariants of algebras are compared with stored ones. `tests/data/structure/invariants.json` has
+//! 140 algebras, computed by an independent program with fractions and compared there with GAP
+//! 4.12.1. `tests/data/structure/gap.json` has 194 algebras, computed by GAP. Each is tested in its
+//! own basis, in a dense basis, and in a dense basis of its sum with an abelian and a simple
+//! algebra.
 
 mod certificates;
 mod decomposition;
@@ -49,7 +50,7 @@ fn rational(text: &str) -> Rational {
     Rational::new(above.parse().unwrap(), below.parse().unwrap()).unwrap()
 }
 
-/// The algebra in a dense basis with small entries, the same in every run.
+/// The algebra in a dense basis with small entries, which is the same in every run.
 pub fn scrambled(algebra: &Algebra, seed: i64) -> Algebra {
     let n = algebra.dimension();
     let entry =
@@ -72,7 +73,7 @@ fn dimensions(series: &[Subspace<Rational>]) -> Vec<usize> {
     series.iter().map(Subspace::dimension).collect()
 }
 
-/// What is compared: the keys of the data that do not depend on the basis.
+/// The compared invariants: the keys of the data that do not depend on the basis.
 pub fn invariants(algebra: Algebra) -> Value {
     let structure = StructureTheory::new(algebra);
     let [plus, minus, zero] = structure.killing().signature().unwrap();
@@ -157,7 +158,7 @@ fn add_up_beside_an_abelian_and_a_simple_summand() {
     }
 }
 
-/// The determinant of a matrix with these rows is not zero.
+/// A matrix with these rows whose determinant is not zero.
 pub fn regular(rows: &[Vec<Rational>]) -> bool {
     Matrix::from_dense(rows).unwrap().rank().unwrap() == rows.len()
 }
@@ -181,7 +182,7 @@ fn levi_type(structure: &StructureTheory<Rational>) -> Vec<String> {
     structure.dynkin_type().unwrap().iter().map(ToString::to_string).collect()
 }
 
-/// Compares all that GAP has answered.
+/// Compares all answers of GAP.
 fn compare(algebra: &Algebra, expected: &Value) {
     let name = &expected["name"];
     let structure = StructureTheory::new(algebra.clone());
@@ -223,7 +224,7 @@ fn gap_in_a_dense_basis() {
     }
 }
 
-/// The answers of a sum follow from those of the summands.
+/// The answers for a sum follow from the answers for its summands.
 #[test]
 fn gap_beside_an_abelian_and_a_simple_summand() {
     let beside = catalogued("R^2+sl(2)");
@@ -236,7 +237,7 @@ fn gap_beside_an_abelian_and_a_simple_summand() {
         assert_eq!(sum.radical().dimension(), number("radical") + 2, "{name}");
         assert_eq!(sum.nilradical().dimension(), number("nilradical") + 2, "{name}");
         assert_eq!(sum.killing().rank(), number("killing_rank") + 3, "{name}");
-        // the derived series of sl(2) is constant, that of R^2 ends at once
+        // the derived series of sl(2) is constant; the derived series of R^2 is zero after one step
         let derived: Vec<u64> = serde_json::from_value(expected["derived_series"].clone()).unwrap();
         let last = dimensions(sum.derived_series()).last().map(|last| *last as u64);
         assert_eq!(last, derived.last().map(|last| last + 3), "{name}");

@@ -56,7 +56,7 @@ fn metrics_by_their_diagonal() {
 fn matrices_of_nalgebra() {
     let half = |n: i64| Rational::new(n, 2).unwrap();
     let [zero, one] = [0, 2].map(half);
-    // halves of the identity and of a nilpotent matrix: [x, y] = y/2
+    // half the identity and half a nilpotent matrix: [x, y] = y/2
     let x = dmatrix![half(1), zero.clone(); zero.clone(), zero.clone()];
     let y = dmatrix![zero.clone(), one; zero.clone(), zero];
     let basis = MatrixBasis::from_dmatrices(["x", "y"], [&x, &y]).unwrap();
@@ -70,7 +70,8 @@ fn matrices_of_nalgebra() {
     assert!(matches!(MatrixBasis::from_dmatrices(["x"], [&x, &y]), Err(Error::Shape { .. })));
 }
 
-/// `tr(A^T B)` of matrices that are not symmetric: `tr(E^T E) = 1`, although `tr(E E) = 0`.
+/// The product is `tr(A^T B)` for matrices that are not symmetric: `tr(E^T E) = 1`, although `tr(E
+/// E) = 0`.
 #[test]
 fn the_frobenius_product_transposes() {
     let [zero, one] = [0, 1].map(Rational::from);
@@ -117,7 +118,7 @@ fn geometries_as_text_and_by_value() {
     assert_eq!(plus.to_string(), text);
     assert_eq!(plus, plus.clone());
     assert_ne!(plus, geometry(ConnectionKind::LeviCivita));
-    // derivations are closures, which are equal to themselves alone
+    // derivations are closures, which are equal only to themselves
     let plane = || Frame::coordinates(["x", "y"]).unwrap();
     let once = plane();
     assert_eq!(once, once.clone());
@@ -129,7 +130,7 @@ fn errors_are_small() {
     assert!(size_of::<Error>() < 128, "{}", size_of::<Error>());
 }
 
-/// Also of frames and coordinates: messages and brackets name vectors by their labels.
+/// Labels of frames and coordinates too: messages and brackets name vectors by their labels.
 #[test]
 fn labels_are_different_and_not_empty() {
     let zero =
@@ -140,9 +141,9 @@ fn labels_are_different_and_not_empty() {
         })
     };
     for (labels, reason) in [
-        (["x", "x"], "no basis: the name `x` stands twice"),
-        (["x", ""], "no basis: a name is empty"),
-        (["", ""], "no basis: a name is empty"),
+        (["x", "x"], "invalid basis: the name `x` occurs twice"),
+        (["x", ""], "invalid basis: a name is empty"),
+        (["", ""], "invalid basis: a name is empty"),
     ] {
         let errors = [
             Bracket::from_constants(labels, [(0, 1, 1, 1.0)]).unwrap_err(),

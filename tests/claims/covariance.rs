@@ -48,7 +48,7 @@ properties! {
         let (old, new) = (&change.old.algebra, &change.new.algebra);
         prop_assert_eq!(new.structure_constants(), &change.moved(old.structure_constants()));
         prop_assert_eq!(new.killing_form(), change.moved(&old.killing_form()));
-        // it is an algebra, and found again by the change back
+        // the result is an algebra, and the inverse change of basis gives the original
         let bracket = affinor::Bracket::new(new.labels(), new.structure_constants().clone());
         prop_assert!(LieAlgebra::try_from(bracket.unwrap()).is_ok());
         let back = BasisChange::new(change.inverse.clone()).unwrap();
@@ -111,7 +111,7 @@ properties! {
         prop_assert_eq!(new.algebra.bracket(&moved(&x), &moved(&y)).unwrap(), bracket);
     }
 
-    /// The program's own change of basis, on tensors with slots in any order.
+    /// The library's change of basis agrees with explicit sums, for slots in any order.
     #[test]
     fn by_hand_and_by_the_program(
         (a, t, s) in (1usize..4).prop_flat_map(|n| {
@@ -134,7 +134,7 @@ fn a_dependent_basis_is_refused() {
     assert!(matches!(BasisChange::new(wrong), Err(Error::Shape { .. })));
 }
 
-/// Connections of different frames do not mix.
+/// Connections of different frames cannot be combined.
 #[test]
 fn dimensions_must_agree() {
     let algebra = |n| crate::common::algebras::by_table(n, &[]);

@@ -1,5 +1,5 @@
-//! What an algebra has, its sum with R^k has too: the tensors are padded by zeros, in any
-//! dimension, and whatever path a size takes.
+//! The tensors of a direct sum with R^k are the tensors of the algebra, padded with zeros, in every
+//! dimension and on every code path.
 //!
 //! Guards `StructureTheory`, `Quantity` and `certificate::certify`, over `direct_sum`.
 
@@ -15,8 +15,8 @@ use std::collections::BTreeMap;
 
 type Components<S> = BTreeMap<Vec<usize>, S>;
 
-/// Where an algebra of dimension `own` stands in a sum of dimension `n`: from index `from` on,
-/// with the other indices those of `R^k`.
+/// The position of an algebra of dimension `own` in a sum of dimension `n`: its indices start at
+/// `from`; the other indices belong to `R^k`.
 #[derive(Clone, Copy, Debug)]
 struct Place {
     n: usize,
@@ -41,14 +41,14 @@ impl Place {
         (0..n).filter(move |at| !(from..from + own).contains(at))
     }
 
-    /// The tensor beside the identity on `R^k`.
+    /// The block matrix of the tensor and the identity on `R^k`.
     fn block<S: Coefficient>(&self, tensor: &Tensor<S>) -> Tensor<S> {
         let ones = self.others().map(|at| (vec![at, at], S::one()));
         let all = stored(&self.pad(tensor)).into_iter().chain(ones);
         Tensor::from_components(self.n, tensor.slots(), all).unwrap()
     }
 
-    /// The geometry of the sum, by its constants.
+    /// The geometry of the sum, from its constants.
     fn sum<S: Coefficient>(&self, space: &Geometry<S>) -> Geometry<S> {
         let structure = self.pad(space.frame().structure_functions());
         let algebra: LieAlgebra<S> =
@@ -65,7 +65,7 @@ impl Place {
     }
 }
 
-/// What is padded by zeros; the metric and its inverse are padded by the identity.
+/// Quantities that are padded with zeros; the metric and its inverse are padded with the identity.
 const PADDED: [Quantity; 12] = [
     Quantity::Structure,
     Quantity::Affinities,
@@ -81,7 +81,8 @@ const PADDED: [Quantity; 12] = [
     Quantity::Kretschmann,
 ];
 
-/// What is not: the formulas speak of the metric or of the dimension.
+/// Quantities that are not padded with zeros, because their formulas contain the metric or the
+/// dimension.
 const DENSE: [Quantity; 5] = [
     Quantity::RicciTraceFree,
     Quantity::Einstein,
@@ -90,7 +91,8 @@ const DENSE: [Quantity; 5] = [
     Quantity::Cotton,
 ];
 
-/// Trace-free Ricci, Einstein, Schouten, Weyl and Cotton of the sum, by nested loops over what is not zero.
+/// Trace-free Ricci, Einstein, Schouten, Weyl and Cotton of the sum, by nested loops over nonzero
+/// components.
 struct Dense<S> {
     n: usize,
     metric: Components<S>,
@@ -102,7 +104,7 @@ struct Dense<S> {
 }
 
 impl<S: Coefficient> Dense<S> {
-    /// From the tensors of the summand.
+    /// Computes the tensors of the sum from the tensors of the summand.
     fn new(place: &Place, space: &Geometry<S>) -> Self {
         let metric = space.metric().unwrap();
         let map = |tensor: Tensor<S>| stored(&tensor).into_iter().collect();
@@ -209,7 +211,8 @@ fn add<S: Coefficient>(sum: &mut Components<S>, at: Vec<usize>, value: S) {
     sum.insert(at, old + &value);
 }
 
-/// Every tensor of the sum against that of the summand, and what must vanish.
+/// Checks every tensor of the sum against the tensor of the summand, and that the other components
+/// vanish.
 fn embedded<S: Coefficient>(space: &Geometry<S>, place: &Place, dense: bool) {
     let n = place.n;
     let sum = place.sum(space);
@@ -247,7 +250,7 @@ fn embedded<S: Coefficient>(space: &Geometry<S>, place: &Place, dense: bool) {
     assert!(sum.connection().bianchi_second().is_empty(), "bianchi_second in dimension {n}");
 }
 
-/// Exactly the same; floats up to rounding.
+/// Expects exact equality; for floats equality up to rounding errors.
 fn close<S: Coefficient>(quantity: Quantity, found: &Tensor<S>, mut expected: Components<S>) {
     let n = found.dimension();
     if S::KIND != Kind::Float {
@@ -263,7 +266,7 @@ fn close<S: Coefficient>(quantity: Quantity, found: &Tensor<S>, mut expected: Co
     assert!(off < 1e-12, "{quantity:?} in dimension {n} is off by {off}");
 }
 
-/// The same in floats.
+/// The same test in floats.
 fn floats(space: &Geometry<Rational>) -> Geometry<f64> {
     let float = |tensor: &Tensor<Rational>| tensor.map(Rational::to_f64);
     let algebra = space.algebra().unwrap().map(Rational::to_f64).unwrap();
@@ -278,7 +281,7 @@ fn floats(space: &Geometry<Rational>) -> Geometry<f64> {
     Geometry::new("floats", algebra, kind, metric).unwrap()
 }
 
-/// Connections of every kind but given affinities.
+/// Connections of every kind except given affinities.
 fn kinds() -> [ConnectionKind<Rational>; 5] {
     [
         ConnectionKind::Canonical(CanonicalConnection::Plus),
@@ -289,7 +292,7 @@ fn kinds() -> [ConnectionKind<Rational>; 5] {
     ]
 }
 
-/// A metric that is not diagonal: 2 on the diagonal, 1 beside it.
+/// A metric that is not diagonal: 2 on the diagonal, 1 next to it.
 fn band(n: usize) -> Tensor<Rational> {
     Tensor::from_fn(n, [Down, Down], |[i, j]| match i.abs_diff(j) {
         0 => integer(2),
@@ -308,7 +311,7 @@ fn geometry(
     Geometry::new("summand", algebra.clone(), kind, Some(metric)).unwrap()
 }
 
-/// Dimensions on both sides of 161, up to which a table takes `n^3` rows, and far beyond.
+/// Dimensions on both sides of 161, the largest with a table of `n^3` rows, and far beyond.
 #[test]
 fn large_sums() {
     let affine = by_table(2, &[(1, 2, 2, 1)]);
@@ -345,7 +348,7 @@ fn large_sums() {
     }
 }
 
-/// Past dimension 2048, up to which a table takes `n^2` groups of rows.
+/// Beyond dimension 2048, the largest with a table of `n^2` groups of rows.
 #[test]
 fn huge_sums() {
     let algebra = catalogued("heisenberg(5)");
@@ -355,7 +358,7 @@ fn huge_sums() {
     }
 }
 
-/// Certificates as the command line gives them, with a metric and without.
+/// Certificates in the order of the command line, with and without a metric.
 #[test]
 fn certificates_of_large_sums() {
     for (space, metric, connection) in [
@@ -395,7 +398,7 @@ fn certificates_of_large_sums() {
 properties! {
     #![cases(40)]
 
-    /// Random algebras, metrics and connections, with some dimensions more.
+    /// Random algebras, metrics and connections, with some additional dimensions.
     #[test]
     fn small_sums(space in spaces(5), k in 1usize..9, from in 0usize..9, kind in 0usize..7) {
         let kind = match kind {

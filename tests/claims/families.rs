@@ -1,4 +1,4 @@
-//! The families of the catalogue, recognised by the structure theory.
+//! The structure theory recognizes the families of the catalogue.
 //!
 //! Guards `algebra::catalogue` and `StructureTheory::{identify, dynkin_type, simple_ideals}`.
 
@@ -92,7 +92,7 @@ fn compact_forms_are_compact() {
     }
 }
 
-/// A table of the literature has the invariants that are stored for it under its own name.
+/// A table of the literature has the invariants that are stored under its name.
 #[test]
 fn tables_have_the_stored_invariants() {
     let mut count = 0;
@@ -116,7 +116,7 @@ fn tables_have_the_stored_invariants() {
     assert_eq!(count, 59);
 }
 
-/// Free nilpotent algebras have the dimensions of Witt's formula, layer by layer.
+/// Free nilpotent algebras have the dimensions of Witt's formula, in every degree.
 #[test]
 fn free_nilpotent_algebras_are_free() {
     for (name, layers) in [
@@ -142,13 +142,14 @@ fn damek_ricci_algebras_are_of_type_h() {
         let sum = (0..n)
             .fold(Rational::from(0), |sum, i| sum + &algebra.structure_constants().get(&[i, 0, i]));
         assert_eq!(sum, Rational::from(trace), "{name}");
-        // [v,w] = z is onto the centre for every v: here for the first
+        // the map v -> [v,w] is onto the centre for every v: here for the first
         let structure = StructureTheory::new(algebra);
         assert_eq!(structure.derived_series().len(), 4, "{name}");
     }
 }
 
-/// Names that are sums of families or have parameters are found by the command line; here their laws.
+/// The laws hold for names that are sums of families or have parameters; the command line resolves
+/// these names.
 #[test]
 fn every_example_satisfies_the_jacobi_identity() {
     for family in catalogue::families() {
@@ -158,7 +159,8 @@ fn every_example_satisfies_the_jacobi_identity() {
     }
 }
 
-/// Derivations and invariant forms of `s + R^z`, by the equations in low dimension and by the theory above it.
+/// Derivations and invariant forms of `s + R^z`, by linear equations in low dimension and by theory
+/// above it.
 #[test]
 fn reductive_algebras_on_both_sides_of_the_largest_dimension() {
     for (name, factors, z) in [
@@ -186,7 +188,8 @@ fn reductive_algebras_on_both_sides_of_the_largest_dimension() {
     assert_eq!(structure("se(8)").invariant_form_dimension(), None);
 }
 
-/// Binomial coefficients of the abelian algebras, up to the whole numbers of a float and beyond.
+/// Betti numbers of the abelian algebras are binomial coefficients, also where floats no longer
+/// represent all integers.
 #[test]
 fn betti_numbers_beyond_the_whole_numbers_of_a_float() {
     let betti = structure("R^56").betti_numbers().unwrap().0;
@@ -196,7 +199,7 @@ fn betti_numbers_beyond_the_whole_numbers_of_a_float() {
     }
 }
 
-/// Members of the tables are indecomposable over the reals, but for those that the summary names.
+/// Members of the tables are indecomposable over the reals, except those that the summary names.
 #[test]
 fn tables_of_indecomposable_algebras() {
     let sums = |name: &str| {

@@ -1,5 +1,5 @@
-//! Floats that track their rounding through all stages: every tensor of a table has the zeros of
-//! the exact one, and its values to the error that they carry.
+//! Floats that track their rounding errors through all stages: every tensor of a table has the
+//! zeros of the exact tensor, and its values within the tracked error.
 //!
 //! Guards `TrackedFloat`, through all tensors of `Quantity`.
 
@@ -21,7 +21,7 @@ fn number(value: &Rational) -> Float {
     TrackedFloat::from_rational(value).unwrap()
 }
 
-/// A geometry as it is given, over any scalar.
+/// The definition of a geometry, over any scalar.
 #[derive(Clone, Debug)]
 struct Given {
     algebra: LieAlgebra<Rational>,
@@ -52,8 +52,8 @@ fn places<S: Scalar>(tensor: &Tensor<S>) -> Vec<Vec<usize>> {
     stored(tensor).into_iter().map(|(at, _)| at).collect()
 }
 
-/// The table in floats has exactly the components of the exact one, with the errors that they carry.
-/// A component may be missing only where plain floats do not get two digits of it right.
+/// The table in floats has exactly the components of the exact table, within the tracked errors. A
+/// component may be missing only if plain floats have fewer than two correct digits of it.
 fn same_tables(given: &Given, quantities: &[Quantity]) -> Result<(), TestCaseError> {
     let (exact, float) = (given.over(Rational::clone), given.over(number));
     let plain = given.over(Rational::to_f64);
@@ -68,7 +68,8 @@ fn same_tables(given: &Given, quantities: &[Quantity]) -> Result<(), TestCaseErr
             let bound = 1e-9 * exact.abs() + 0.1 * value.error().abs();
             prop_assert!(left.abs() <= bound, "{quantity:?}{at:?}: {value:?} for {exact}");
         }
-        // plain floats may take rounding for a nonmetricity, and have no Weyl tensor then
+        // plain floats may find a nonmetricity that is a rounding error, and then have no Weyl
+        // tensor
         let Some(plain) = quantity.of(&plain)? else { continue };
         for (at, value) in expected.components() {
             let (value, plain) = (value.to_f64(), plain.get(&at));
@@ -80,7 +81,7 @@ fn same_tables(given: &Given, quantities: &[Quantity]) -> Result<(), TestCaseErr
     Ok(())
 }
 
-/// What the theory makes zero is empty.
+/// Tensors that vanish in theory have no components.
 fn identities(given: &Given) -> Result<(), TestCaseError> {
     let geometry = given.over(number);
     let (connection, n) = (geometry.connection(), geometry.frame().dimension());
@@ -116,13 +117,13 @@ fn identities(given: &Given) -> Result<(), TestCaseError> {
     Ok(())
 }
 
-/// All quantities but the derivative of the curvature, which has `n^5` components.
+/// All quantities except the derivative of the curvature, which has `n^5` components.
 fn but_the_largest() -> Vec<Quantity> {
     let all = Quantity::ALL.into_iter();
     all.filter(|quantity| *quantity != Quantity::NablaCurvature).collect()
 }
 
-/// The algebras that are named in the catalogue, with parameters where there are any.
+/// The named algebras of the catalogue, with parameters if they have any.
 fn named() -> Vec<(&'static str, LieAlgebra<Rational>)> {
     let bianchi = |h: Rational| {
         let constants = [(0, 2, 0, integer(1)), (1, 2, 1, h)];
@@ -138,14 +139,14 @@ fn named() -> Vec<(&'static str, LieAlgebra<Rational>)> {
     named
 }
 
-/// The condition of a metric, whatever the units: the largest sum of `|g^im| |g_mj|`.
+/// The condition number of a metric, independent of units: the largest sum of `|g^im| |g_mj|`.
 fn condition(metric: &Metric<Rational>) -> f64 {
     let [g, h] = [metric.components(), metric.inverse()].map(|t| t.map(|v| v.to_f64().abs()));
     let sums = contract("h^im g_mj -> ^i_j", &[("g", &g), ("h", &h)]).unwrap();
     sums.components().map(|(_, v)| *v).fold(0.0, f64::max)
 }
 
-/// Metrics whose entries no float holds, of condition at most 1e6.
+/// Metrics whose entries are not exact in floats, with a condition number of at most 1e6.
 fn uneven(n: usize) -> impl Strategy<Value = Tensor<Rational>> {
     let units = prop::collection::vec(prop::sample::select(vec![1i64, 3, 7, 10]), n);
     let metrics = metrics(n).prop_filter("within 1e6", |metric| condition(metric) <= 1e6);
@@ -196,7 +197,7 @@ properties! {
         identities(&given)?;
     }
 
-    /// Connections of every kind: with torsion and nonmetricity as they come.
+    /// Connections of every kind, with any torsion and nonmetricity.
     #[test]
     fn other_connections(space in spaces(4)) {
         let Space { algebra, lambda, metric, affinities } = space;
@@ -214,7 +215,8 @@ properties! {
         }
     }
 
-    /// Units of the basis vectors change no zero, over twenty orders of magnitude.
+    /// Units of the basis vectors do not change which components are zero, over twenty orders of
+    /// magnitude.
     #[test]
     fn units_change_no_zero(
         given in uneven_spaces(4),
@@ -226,7 +228,8 @@ properties! {
         identities(&given)?;
     }
 
-    /// The metric times a power of ten: every component by its power, no zero more or less.
+    /// If the metric is multiplied by a power of ten, every component is multiplied by the
+    /// corresponding power, and the zeros are the same.
     #[test]
     fn one_unit_scales_all(given in uneven_spaces(4), exponent in -12i32..=12) {
         let scaled = Given { metric: given.metric.scale(&scale(exponent)), ..given.clone() };
@@ -240,7 +243,8 @@ properties! {
         identities(&scaled)?;
     }
 
-    /// Diagonal metrics of bodies in all units: what is small beside the rest is no noise.
+    /// Diagonal metrics of bodies in all units: small entries next to large ones are not rounding
+    /// errors.
     #[test]
     fn diagonal_metrics_over_many_scales(
         (_, algebra) in prop::sample::select(named()),
@@ -262,7 +266,7 @@ properties! {
 properties! {
     #![cases(4)]
 
-    /// A2 and B2, dimensions 8 and 10, with metrics that mix neighbours.
+    /// A2 and B2, of dimensions 8 and 10, with metrics that mix neighbouring basis vectors.
     #[test]
     fn larger_algebras(
         name in prop::sample::select(vec!["A2", "B2"]),
@@ -276,7 +280,7 @@ properties! {
     }
 }
 
-/// A metric of thirds and sevenths on the diagonal and beside it.
+/// A metric with thirds and sevenths on the diagonal and next to it.
 fn band(n: usize, entries: &[i64]) -> Tensor<Rational> {
     let entry = |i: usize| entries[i % entries.len()];
     Tensor::from_fn(n, [Down, Down], |[i, j]| match i.abs_diff(j) {
@@ -315,7 +319,7 @@ fn large_algebras() {
     assert_eq!(connection.curvature().len(), exact.connection().curvature().len());
 }
 
-/// A conformally flat space of dimension 4: the hyperbolic one, in an uneven basis.
+/// A conformally flat space of dimension 4: hyperbolic space in a skewed basis.
 #[test]
 fn conformally_flat() {
     let algebra = by_table(4, &[(1, 2, 2, 1), (1, 3, 3, 1), (1, 4, 4, 1)]);
@@ -380,7 +384,7 @@ fn what_is_no_number_is_named() {
             let Error::NotFinite { at, value, .. } = error else { panic!("{error}") };
             assert_eq!((at, value), (vec![2, 2], wild.to_string()));
         }
-        // products that leave the range are no verdict on the identity
+        // products outside the range of floats do not decide the identity
         let large = || S::from(1e200);
         let constants = [(0, 1, 1, large()), (0, 2, 2, -large()), (1, 2, 0, large())];
         let bracket = affinor::Bracket::from_constants(labels(3), constants).unwrap();
@@ -391,7 +395,7 @@ fn what_is_no_number_is_named() {
     all::<TrackedFloat>();
 }
 
-/// The connection that a library user makes directly.
+/// A connection that is built by the library directly.
 #[test]
 fn connections_of_the_library_follow_their_rounding() {
     let algebra = catalogued("sl(2)").map(number).unwrap();

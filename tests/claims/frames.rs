@@ -1,8 +1,8 @@
 //! One geometry in many frames: left-invariant, coordinate and moving ones give the same tensors.
 //!
-//! Constants of the left frame are moved into a frame `e'_a = A^i_a e_i` with functions `A` by the
-//! inhomogeneous law, written out here; what the program then computes there, derivatives and all,
-//! must be the moved constants.
+//! Constants of the left-invariant frame are transformed to a frame `e'_a = A^i_a e_i` with
+//! functions `A` by the inhomogeneous law, which is written out here. The tensors that the library
+//! computes in that frame, including derivatives, must be the transformed constants.
 //!
 //! Guards `Frame::{invariant, coordinates, moving}`, with `Connection` and `Metric` over them.
 
@@ -13,7 +13,7 @@ use crate::common::charts::{
 use affinor::{Connection, Error, Frame, Metric};
 use affinor_tensors::{Down, Field, Rational, Symbolic, Tensor, Up, Variance};
 
-/// Components without symmetry, as constants.
+/// Constant components without symmetry.
 fn constants<const RANK: usize>(n: usize, slots: [Variance; RANK]) -> Tensor<Symbolic> {
     let mut state = 5;
     Tensor::from_fn(n, slots, |_| {
@@ -34,7 +34,7 @@ fn levi_civita(frame: &Frame<Symbolic>, g: &Tensor<Symbolic>) -> Connection<Symb
     Connection::levi_civita(frame, &metric).unwrap()
 }
 
-/// Everything that is computed in `frame` equals the moved constants of the left frame.
+/// All quantities in `frame` equal the transformed constants of the left-invariant frame.
 fn same_geometry(moved: &Moved, frame: &Frame<Symbolic>) {
     let n = moved.chart.dimension();
     let algebra = &moved.chart.algebra;
@@ -61,7 +61,8 @@ fn same_geometry(moved: &Moved, frame: &Frame<Symbolic>) {
     }
 }
 
-/// Koszul with derivatives here, and the moved constants of Koszul without them.
+/// The Koszul formula with derivatives in this frame equals the transformed constants of the
+/// formula without them.
 fn same_levi_civita(moved: &Moved, frame: &Frame<Symbolic>) {
     let g = metric(moved.chart.dimension());
     let left = levi_civita(moved.chart.algebra.left_frame(), &g);
@@ -112,7 +113,8 @@ fn moving_frames() {
     same_levi_civita(&moved, &moved.frame());
 }
 
-/// The left frame itself, with derivations that act on functions: `nabla (f t) = df t + f nabla t`.
+/// In the left-invariant frame with derivations that act on functions: `nabla (f t) = df t + f
+/// nabla t`.
 #[test]
 fn functions_in_the_left_frame() {
     let chart = special_linear();

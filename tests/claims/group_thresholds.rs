@@ -1,5 +1,5 @@
-//! Closed forms and series of the groups on both sides of every threshold between them, against
-//! the series in `ad` in exact fractions.
+//! Closed forms and series of the groups on both sides of every threshold between them, compared
+//! with the series in `ad` in exact fractions.
 //!
 //! Guards `exp`, `log` and tangent operators in `group::groups`, and `numerics::{exponential, stumpff}`.
 
@@ -8,8 +8,9 @@ use affinor::numerics::exponential::{exp, phi1};
 use affinor_tensors::{Rational, Ring};
 use nalgebra::{DMatrix, DVector, Vector3};
 
-/// Squares of angles: where [`Stumpff`](affinor::numerics::stumpff::Stumpff) and its relatives change
-/// from eight terms to more, from these to closed forms, and four times these, for half angles.
+/// Squares of angles at which [`Stumpff`](affinor::numerics::stumpff::Stumpff) and related
+/// functions change from eight terms to more, and from these to closed forms. For half angles there
+/// are four times these squares, too.
 const THRESHOLDS: [f64; 7] = [0.4, 1.6, 2.25, 9.0, 10.0, 36.0, 40.0];
 
 type Exact = Vec<Rational>;
@@ -58,7 +59,8 @@ fn series<G: LieGroup>(group: &G, x: &G::Vector, v: &Exact, s: i64, shift: i64) 
     sum
 }
 
-/// The distance in machine epsilons, times `1 + |x|`, of the size of the result and its argument.
+/// The distance in units of the machine precision, relative to `1 + |x|` and to the size of the
+/// result and its argument.
 fn off<V: Coordinates>(found: &V, expected: &Exact, x: &V, v: &V) -> f64 {
     let floats = expected.iter().map(Rational::to_f64).collect::<Vec<_>>();
     let differences =
@@ -67,12 +69,13 @@ fn off<V: Coordinates>(found: &V, expected: &Exact, x: &V, v: &V) -> f64 {
     DVector::from_vec(differences).norm() / size / (1.0 + norm(x)) / f64::EPSILON
 }
 
-/// A number of few digits, so that the fractions of the series stay short.
+/// A number with few digits, so that the fractions of the series remain short.
 fn rounded(x: f64) -> f64 {
     (x * f64::from(1 << 20)).round() / f64::from(1 << 20)
 }
 
-/// Directions of small integers times lengths around a threshold of `z`, the square of the angle.
+/// Directions of small integers, scaled to lengths around a threshold of `z`, the square of the
+/// angle.
 fn around<G: LieGroup>(
     group: &G,
     z: impl Fn(&G::Vector) -> f64,
@@ -93,7 +96,7 @@ fn around<G: LieGroup>(
     points
 }
 
-/// `off` against a bound.
+/// Compares `off` with a bound.
 fn bounded<V: Coordinates>(name: &str, x: &V, off: f64, bound: f64) {
     assert!(off <= bound, "{name} at {:?} is off by {off} eps", x.components());
 }
@@ -119,7 +122,8 @@ fn on_both_sides<G: LieGroup>(name: &str, group: &G, z: impl Fn(&G::Vector) -> f
             let size = norm(&h) * length.max(norm(&v)) * (1.0 + norm(&x)) * f64::EPSILON;
             let pulled = difference.to_f64().abs() / size;
             bounded(&format!("{name}: Ad*_exp"), &x, pulled, 4.0);
-            // T_left of the inverse is the vector again; near a pole the inverse is large
+            // T_left applied to the result of the inverse is the vector again; near a pole the
+            // inverse is large
             let back = group.tangent_left_inverse(&x, &v).unwrap();
             let again = series(group, &x, &exact(&back), -1, 1);
             let condition = (1.0 + norm(&back) / norm(&v)) * (1.0 + norm(&x));
@@ -140,8 +144,9 @@ fn rotations_and_motions() {
     on_both_sides("SL(2,R)", &Sl2, |x| 4.0 * (-x[2] * x[2] - x[0] * x[1]));
 }
 
-/// Beyond an angle of 1e20 a tangent operator is its mean over a turn. On both sides of the
-/// threshold the operators agree to rounding, for their terms beyond the mean are below 1e-20.
+/// Beyond an angle of 1e20 a tangent operator is replaced by its mean over a turn. On both sides of
+/// the threshold the operators agree to rounding error, because their terms beyond the mean are
+/// below 1e-20.
 #[test]
 fn very_many_turns() {
     let near = |a: &[f64], b: &[f64], size: f64| {
@@ -164,7 +169,7 @@ fn very_many_turns() {
     }
 }
 
-/// Far beyond the entries whose squares overflow, a nilpotent matrix still has its exponential.
+/// A nilpotent matrix has an exponential even if the squares of its entries overflow.
 #[test]
 fn large_nilpotent_matrices() {
     for entry in [1e149, 1e150, 1.1e150, 1e200, 1e300] {
@@ -177,7 +182,8 @@ fn large_nilpotent_matrices() {
     }
 }
 
-/// The exponential of a matrix is scaled by hand from a size of 1e8 on: a rotation on both sides.
+/// Above a size of 1e8 the matrix is scaled before its exponential is computed: a rotation on both
+/// sides of this size.
 #[test]
 fn exponentials_of_large_matrices() {
     for angle in [4.9e7, 4.999_999e7, 5.000_001e7, 5.1e7, 3e8] {

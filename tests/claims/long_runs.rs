@@ -31,8 +31,9 @@ fn system<M: Torque<So3>>(metric: &Metric<f64>, torque: M) -> EulerPoincare<So3,
     EulerPoincare::new(So3, &connection, metric, torque).unwrap()
 }
 
-/// Largest deviations of a run: relative error of the energy up to step 20 000 (`early`) and in all (`most`), of the
-/// length of the quaternion, and of the vertical component of the spatial momentum, relative.
+/// The largest deviations of a run. For the energy: the relative error up to step 20 000 (`early`)
+/// and in all (`most`). Then the deviation of the length of the quaternion, and the relative error
+/// of the vertical spatial momentum.
 #[derive(Debug)]
 struct Strayed {
     early: f64,
@@ -87,7 +88,8 @@ fn a_free_body_keeps_energy_and_momentum() {
     }
 }
 
-/// Methods for any group stay on it and keep the momentum; their energy drifts.
+/// Elements remain on the group and the momentum is conserved for methods that work on any group;
+/// the energy drifts.
 #[test]
 #[ignore = "long: up to a million steps"]
 fn methods_of_any_group_keep_the_momentum() {
@@ -123,7 +125,7 @@ fn a_body_in_a_potential() {
         assert!(most < bound && vertical < 1e-14, "{order:?} {motion:?}: {strayed:?}");
         assert!(most < 1.1 * early + 5e-13, "{order:?} {motion:?}: {strayed:?}");
     }
-    // symmetric and not symplectic: it wanders
+    // symmetric but not symplectic: the energy performs a random walk
     let strayed = run(&SimoWong::new(&inertia), &system, potential, MILLION / 5);
     assert!(strayed.most < 1e-3 && strayed.vertical < 1e-14, "{strayed:?}");
 }
@@ -166,7 +168,7 @@ fn elements_stay_on_the_group() {
     }
 }
 
-/// Sums carry their rounding errors along. Without this compensation both errors are 1e-13 to 2e-13.
+/// Sums are compensated for rounding errors. Without this both errors would be 1e-13 to 2e-13.
 #[test]
 #[ignore = "long: up to a million steps"]
 fn compensated_sums() {

@@ -21,7 +21,7 @@ fn diagonal(values: [Symbolic; 3]) -> Tensor<Symbolic> {
     Tensor::from_fn(3, [Down, Down], entry).unwrap()
 }
 
-/// Theorem 4.3: `mu_i = (l1 + l2 + l3)/2 - l_i`, `Ric(e_1) = 2 mu_2 mu_3` and so on around.
+/// Theorem 4.3: `mu_i = (l1 + l2 + l3)/2 - l_i`, `Ric(e_1) = 2 mu_2 mu_3`, and cyclically.
 #[test]
 fn unimodular_groups() {
     let space = symbolic("milnor_unimodular.toml");
@@ -32,7 +32,7 @@ fn unimodular_groups() {
     let twice = |i: usize, j: usize| constant(2) * &mu[i] * &mu[j];
     let [r1, r2, r3] = [twice(1, 2), twice(2, 0), twice(0, 1)];
     assert_eq!(connection.ricci(), diagonal([r1.clone(), r2.clone(), r3.clone()]));
-    // before it: the affinities are nabla_{e_1} e_2 = mu_1 e_3 and so on
+    // before the theorem: the affinities are nabla_{e_1} e_2 = mu_1 e_3, and cyclically
     for (i, mu) in mu.iter().enumerate() {
         let (j, k) = ((i + 1) % 3, (i + 2) % 3);
         assert_eq!(connection.affinities().get(&[k, i, j]), *mu);
@@ -76,8 +76,8 @@ fn unit_metric(algebra: &LieAlgebra<Rational>) -> Metric<Rational> {
     Metric::new(algebra.labels(), unit.unwrap()).unwrap()
 }
 
-/// Section 4: the signatures of the Ricci form that occur on each of the six groups,
-/// which the signs of `l1, l2, l3` tell apart up to their common sign.
+/// Section 4: the signatures of the Ricci form that occur on each of the six groups. The groups are
+/// distinguished by the signs of `l1, l2, l3` up to a common sign.
 #[test]
 fn signatures() {
     let mut found: BTreeMap<(usize, usize), BTreeSet<String>> = BTreeMap::new();

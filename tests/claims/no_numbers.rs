@@ -1,4 +1,4 @@
-//! NaN and infinity are named as such, with the component, by every constructor that takes floats.
+//! Every constructor that accepts floats reports NaN and infinity, with the component.
 //!
 //! Guards `frame::expect_numbers` and the constructors that call it.
 
@@ -9,7 +9,7 @@ use affinor::geometry::metric_affine::{contorsion, disformation};
 use affinor::{BasisChange, Bracket, Connection, Error, Frame, MatrixBasis, Metric};
 use affinor_tensors::{Down, Tensor, Tolerance, Up, Variance};
 
-/// The tensor with `value` at the place and at those in the cyclic order behind it, 1 or 0 elsewhere.
+/// The tensor with `value` at an index and at its cyclic successors, and 1 or 0 elsewhere.
 fn with<const RANK: usize>(slots: [Variance; RANK], at: [usize; RANK], value: f64) -> Tensor<f64> {
     Tensor::from_fn(3, slots, |place| match place == at {
         true => value,

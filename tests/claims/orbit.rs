@@ -18,7 +18,7 @@ impl Reference {
         value.as_array().unwrap().iter().map(Self::number).collect()
     }
 
-    /// The problem with these keys of the integrator.
+    /// The problem with these integrator keys.
     fn problem(&self, integrator: &str) -> String {
         let [position, velocity, spin, moments] =
             ["position", "velocity", "spin", "moments"].map(|key| Self::list(&self.0[key]));
@@ -62,13 +62,13 @@ columns = ["t", "Omega", "g", "x", "y", "z"]
     }
 }
 
-/// The largest difference over the largest of the numbers that are expected.
+/// The largest difference, relative to the largest expected number.
 fn off(found: &[f64], expected: &[f64]) -> f64 {
     let size = expected.iter().fold(0.0_f64, |size, x| size.max(x.abs()));
     found.iter().zip(expected).map(|(x, y)| (x - y).abs() / size).fold(0.0, f64::max)
 }
 
-/// Spin, attitude and position over two orbits, each relative to its own size.
+/// Spin, attitude and position over two orbits; each error is relative to the size of its vector.
 #[test]
 fn two_orbits_with_the_gravity_gradient() {
     let reference = Reference(serde_json::from_str(REFERENCE).unwrap());

@@ -1,5 +1,5 @@
-//! The power of a connection: with the canonical connections torques alone do work, though `plus` does not preserve the metric;
-//! after (109) of the paper and its closing claim.
+//! The power of a connection: with the canonical connections only torques do work, although `plus`
+//! does not preserve the metric. See the text after (109) of the paper, and its closing claim.
 //!
 //! Guards `Connection::{canonical, levi_civita}` and `geometry::conditions`.
 
@@ -10,12 +10,12 @@ use affinor::{Bracket, CanonicalConnection, Connection, LieAlgebra, Metric};
 use affinor_tensors::{Down, Indices, Rational, Symbolic, Tensor, Up, contract};
 use proptest::prelude::*;
 
-/// The parameters `x1 .. xn` of a letter.
+/// The parameters `x1`, `x2`, ... for a letter `x`.
 fn parameters(letter: &str, n: usize) -> Vec<Symbolic> {
     (1..=n).map(|i| Symbolic::parameter(&format!("{letter}{i}"))).collect()
 }
 
-/// `J_ij`, every entry a symbol.
+/// The symbolic inertia `J_ij`.
 fn inertia(n: usize) -> Tensor<Symbolic> {
     let name = |[i, j]: [usize; 2]| format!("J{}{}", i.min(j) + 1, i.max(j) + 1);
     Tensor::from_fn(n, [Down, Down], |at| Symbolic::parameter(&name(at))).unwrap()
@@ -25,7 +25,7 @@ fn zero() -> Symbolic {
     Symbolic::constant(integer(0))
 }
 
-/// A tensor on vectors, each a list of components: a loop.
+/// Evaluates a tensor on vectors by a loop; each vector is a list of components.
 fn on(tensor: &Tensor<Symbolic>, vectors: &[&[Symbolic]]) -> Symbolic {
     let term = |(at, value): (Indices, &Symbolic)| {
         let factors = at.iter().zip(vectors).map(|(&i, v)| v[i].clone());
@@ -87,7 +87,8 @@ fn torques_alone_do_work_on_any_algebra() {
     }
 }
 
-/// What is left of `dT/dt` is the symmetric part of the affinities, and as much of the nonmetricity.
+/// The rest of `dT/dt` is the symmetric part of the affinities, and equals a contraction of the
+/// nonmetricity.
 fn only_the_symmetric_part_does_work(
     algebra: &LieAlgebra<Rational>,
     affinities: &Tensor<Rational>,
@@ -105,7 +106,7 @@ fn only_the_symmetric_part_does_work(
     assert_eq!(work, of_nonmetricity(&connection, &j));
 }
 
-/// A basis of so(3) with large constants, and no affinities at all.
+/// The motion without any affinities in a basis of so(3) with large structure constants.
 #[test]
 fn no_affinities_do_no_work_in_a_skew_basis() {
     let constants = [
@@ -132,7 +133,7 @@ properties! {
         no_work(&algebra);
     }
 
-    /// Of any connection.
+    /// Affinities of any connection.
     #[test]
     fn affinities_with_a_symmetric_part_do_work(
         (algebra, affinities) in random(4).prop_flat_map(|algebra| {
@@ -145,7 +146,7 @@ properties! {
     }
 }
 
-/// A symmetric part may still do no work for one `J`: that of its Levi-Civita connection.
+/// A symmetric part may do no work for one `J`: the Levi-Civita connection of `J`.
 #[test]
 fn levi_civita_does_no_work_for_its_own_metric() {
     let own = Metric::diagonal(parameters("J", 3)).unwrap();
@@ -155,9 +156,10 @@ fn levi_civita_does_no_work_for_its_own_metric() {
     assert_ne!(unexplained(&body, &inertia(3)), zero());
 }
 
-/// The closing claim: `plus` keeps no inertia but an ad-invariant one. The numbers are the dimensions of the spaces of
-/// ad-invariant symmetric forms, found by hand: multiples of the Killing form on simple algebras, all forms on `g/[g,g]` on
-/// the solvable ones here, and `w.w` and `w.v` on se(3). Only where they are not degenerate is one an inertia.
+/// The closing claim: `plus` preserves an inertia exactly if the inertia is ad-invariant. The
+/// dimensions of the spaces of ad-invariant symmetric forms are computed by hand. The forms are
+/// multiples of the Killing form on simple algebras, all forms on `g/[g,g]` on the solvable ones
+/// here, `w.w` and `w.v` on se(3). Only nondegenerate forms are inertias.
 #[test]
 fn plus_preserves_ad_invariant_inertias_only() {
     let cases = [

@@ -49,7 +49,7 @@ impl Nabla<'_> {
         minus(commutator, &self.along(&self.algebra.bracket(x, y).unwrap(), z))
     }
 
-    /// The component that a witness names, by the rule of Leibniz.
+    /// The component that a witness names, by the Leibniz rule.
     fn component(&self, witness: &Witness<Rational>) -> Rational {
         let n = self.algebra.dimension();
         let e = |position: usize| unit(n, witness.indices[position]);
@@ -77,7 +77,7 @@ impl Nabla<'_> {
         image[witness.indices[0]].clone()
     }
 
-    /// The witness of each property that fails; how many of them there are.
+    /// Checks the witness of each property that fails. Returns the number of witnesses.
     fn multiply_out(&self, connection: &Connection<Rational>) -> usize {
         let found = [
             connection.torsion_free(),
@@ -118,7 +118,7 @@ fn of_metrics_that_are_not_symmetric() {
 properties! {
     #![cases(16)]
 
-    /// Random affinities: torsion and its derivative too.
+    /// Random affinities, including torsion and its derivative.
     #[test]
     fn of_random_connections(space in spaces(4)) {
         let Space { algebra, affinities, .. } = &space;
@@ -180,7 +180,7 @@ fn solvable(equations: &[&(Vector, Rational)]) -> bool {
     Matrix::from_dense(&rows).unwrap().solve(&right).unwrap().is_some()
 }
 
-/// The equations before the witness have a solution, with the witness they have none.
+/// The equations before the witness have a solution; together with the witness they have none.
 #[test]
 fn of_metrics_that_are_not_naturally_reductive() {
     let mut failures = 0;
@@ -210,7 +210,7 @@ fn of_metrics_that_are_not_naturally_reductive() {
         assert!(solvable(&before) && !solvable(&with), "{name}: {witness}");
     }
     assert!(failures >= 3, "{failures}");
-    // a solution that the search finds solves these equations too
+    // a solution that the search finds satisfies these equations too
     let space = named("so3", "diag(1,1,2)");
     let (algebra, metric) = (space.algebra().unwrap(), space.metric().unwrap());
     let phi = metric.naturally_reductive(algebra).unwrap().holds().unwrap();

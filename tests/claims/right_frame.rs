@@ -1,4 +1,5 @@
-//! The two invariant frames: what a connection is in the right one, and when it is constant there.
+//! The two invariant frames: the components of a connection in the right one, and when they are
+//! constant.
 //!
 //! Guards `Connection::in_right_frame`, `Geometry::in_right_frame`, and reports about the right frame.
 
@@ -19,8 +20,8 @@ fn inverted(algebra: &LieAlgebra<Rational>) -> LieAlgebra<Rational> {
     Bracket::new(algebra.labels(), opposite).unwrap().try_into().unwrap()
 }
 
-/// Both frames know the same torsion and curvature: the tensors of a connection that is invariant
-/// under ad have equal components in the two.
+/// Torsion and curvature are the same in both frames: the tensors of an ad-invariant connection
+/// have equal components in the two.
 fn same_tensors(
     left: &Connection<Rational>,
     right: &Connection<Rational>,
@@ -41,7 +42,8 @@ fn variation(space: &Space, gamma: &Tensor<Rational>, [i, m, j, k]: [usize; 4]) 
     })
 }
 
-/// Either the components are constant in the right frame, or a component says why not.
+/// Either the components are constant in the right-invariant frame, or the error names a component
+/// that is not.
 fn constant_or_refused(space: &Space, left: &Connection<Rational>) -> Result<bool, TestCaseError> {
     let n = space.dimension();
     let places = (0..n.pow(4)).map(|key| [3, 2, 1, 0].map(|place| key / n.pow(place) % n));
@@ -83,7 +85,7 @@ properties! {
         prop_assert_eq!(right.affinities(), mirrored.affinities());
         prop_assert_eq!(right.frame().structure_functions(), mirrored.frame().structure_functions());
         same_tensors(&left, &right)?;
-        // and back again
+        // and back again to the left-invariant frame
         let back = right.in_right_frame(&group).unwrap();
         prop_assert_eq!(back.affinities(), left.affinities());
         prop_assert_eq!(back.frame().structure_functions(), left.frame().structure_functions());
@@ -95,7 +97,7 @@ properties! {
         constant_or_refused(&space, &space.levi_civita())?;
     }
 
-    /// A frame that is not that of the algebra has no business here.
+    /// A frame of another algebra is an error.
     #[test]
     fn another_algebra_is_refused(space in spaces(4)) {
         let group = inverted(&space.algebra);
@@ -104,7 +106,8 @@ properties! {
     }
 }
 
-/// Different factors on different ideals: invariant under ad, and not a multiple of `c`.
+/// Different factors on different ideals: the connection is invariant under ad, but not a multiple
+/// of `c`.
 #[test]
 fn ideals_may_have_their_own_lambda() {
     let so3 = by_table(3, &[(1, 2, 3, 1), (2, 3, 1, 1), (3, 1, 2, 1)]);
@@ -121,7 +124,8 @@ fn ideals_may_have_their_own_lambda() {
     same_tensors(&left, &right).unwrap();
 }
 
-/// Levi-Civita is constant in the right frame for a bi-invariant metric and refused for another.
+/// Levi-Civita is constant in the right-invariant frame for a bi-invariant metric; other metrics
+/// are an error.
 #[test]
 fn levi_civita_of_an_inertia() {
     let so3 = by_table(3, &[(1, 2, 3, 1), (2, 3, 1, 1), (3, 1, 2, 1)]);
@@ -141,8 +145,7 @@ fn levi_civita_of_an_inertia() {
     assert!(refused.to_string().contains("no constant components in the right-invariant frame"));
 }
 
-/// A geometry says in which frame its components are, in whatever is written of it, and by whatever its
-/// connection was chosen.
+/// All output of a geometry names the frame of its components, however the connection was chosen.
 #[test]
 fn the_frame_is_named_as_it_is() {
     let algebra = by_table(3, &[(1, 2, 3, 1), (2, 3, 1, 1), (3, 1, 2, 1)]);
@@ -178,7 +181,7 @@ fn the_frame_is_named_as_it_is() {
             let mut text = vec![];
             system.write(Format::Text, &mut text).unwrap();
             let text = String::from_utf8(text).unwrap();
-            // lines are filled
+            // line breaks depend on the width
             let words = text.split_whitespace().collect::<Vec<_>>().join(" ");
             assert!(words.contains(&format!("in the {name} frame")), "{text}");
         }

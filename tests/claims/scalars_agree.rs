@@ -1,5 +1,5 @@
-//! One implementation, three scalars: floats follow the exact values, and parameters that are set
-//! give the same numbers as numbers from the start.
+//! One implementation for three scalars: floats agree with exact values, and parameters that are
+//! set later give the same values as numbers from the start.
 //!
 //! Guards `Connection`, `Metric` and `MatrixBasis` over `Rational`, `Symbolic` and `f64`.
 
@@ -27,7 +27,7 @@ fn largest(tensor: &Tensor<f64>) -> f64 {
     tensor.components().fold(0.0, |largest, (_, value)| value.abs().max(largest))
 }
 
-/// Component by component, within `error` of what the terms may amount to.
+/// Compares component by component, within `error` relative to the possible size of the terms.
 fn near(float: &Tensor<f64>, exact: &Tensor<Rational>, error: f64) -> Result<(), TestCaseError> {
     prop_assert_eq!(float.slots(), exact.slots());
     let expected = exact.map(Rational::to_f64);
@@ -50,7 +50,7 @@ properties! {
         prop_assert_eq!(connections[0].frame().labels(), space.algebra.labels());
         let c = largest(algebra.structure_constants());
         near(&algebra.killing_form(), &space.algebra.killing_form(), 1e-12 * (1.0 + c * c))?;
-        // a metric that is nearly degenerate makes its own errors
+        // a metric that is nearly degenerate has additional errors
         let condition = 1.0 + largest(metric.inverse()) * largest(metric.components());
         near(metric.inverse(), space.metric.inverse(), 1e-12 * condition * condition)?;
         for (float, exact) in connections.iter().zip(&space.connections()) {
@@ -103,7 +103,7 @@ fn zeros_agree_where_all_is_well_scaled() {
 properties! {
     #![cases(16)]
 
-    /// A metric `diag(J1, J2, ...)` with parameters, set afterwards.
+    /// A metric `diag(J1, J2, ...)` with parameters that are set afterwards.
     #[test]
     fn parameters_may_be_set_late(
         (name, algebra) in prop::sample::select(seeds()).prop_filter("small", |(_, a)| a.dimension() <= 4),
@@ -151,7 +151,7 @@ properties! {
 properties! {
     #![cases(48)]
 
-    /// The torsion-free connection has no torsion in floats either: not even rounding is shown.
+    /// The Levi-Civita connection has no torsion in floats either, not even rounding errors.
     #[test]
     fn levi_civita_in_floats_has_no_torsion(space in spaces(6)) {
         let (_, metric, [_, _, levi_civita]) = floats(&space);
@@ -160,8 +160,8 @@ properties! {
         prop_assert_eq!(metric.inverse(), &mirrored);
     }
 
-    /// Matrices whose zeros are only nearly zero: so(3), sl(2) and sl(3) conjugated by rotations
-    /// in every plane. The constants do not change.
+    /// Matrices whose zeros are only approximate: so(3), sl(2) and sl(3) conjugated by rotations in
+    /// every plane. The structure constants do not change.
     #[test]
     fn rotated_matrices_close_in_floats(
         angles in prop::collection::vec(-3.0..3.0f64, 3),

@@ -1,5 +1,5 @@
-//! Every long computation ends soon after its token is set, and the next computations are right: `tensors::stop`, and the checkpoints
-//! of the kernels.
+//! Every long computation ends soon after its token is set, and later computations are right:
+//! `tensors::stop`, and the checkpoints of the kernels.
 
 use crate::common::labels;
 use affinor::algebra::catalogue;
@@ -22,7 +22,8 @@ use std::sync::mpsc;
 use std::thread;
 use std::time::Duration;
 
-/// A computation that takes more than ten seconds if it is not stopped. It calls its argument when its data are ready.
+/// A computation that runs for more than ten seconds if it is not stopped. It calls its argument
+/// when its data are ready.
 type Long = (&'static str, fn(&dyn Fn()));
 
 /// Irregular integers from -3 to 3, always the same.
@@ -34,7 +35,7 @@ fn integers() -> impl FnMut() -> i64 {
     }
 }
 
-/// A positive definite matrix of integers without zeros in a pattern.
+/// A dense positive definite matrix of integers.
 fn dense(n: usize) -> Vec<Vec<i64>> {
     let mut next = integers();
     let m: Vec<Vec<i64>> = (0..n).map(|_| (0..n).map(|_| next()).collect()).collect();
@@ -48,7 +49,7 @@ fn metric<S: Field + Scalar>(n: usize, entry: impl Fn(usize, usize) -> S) -> Met
     Metric::new(labels(n), components).unwrap()
 }
 
-/// A metric whose components are all different symbols.
+/// A metric whose components are distinct symbols.
 fn full<S: Field + Scalar + Notation>(n: usize) -> Metric<S> {
     metric(n, |i, j| S::parameter(&format!("g{}_{}", i.min(j), i.max(j))).unwrap())
 }
@@ -181,7 +182,7 @@ const LONG: [Long; 18] = [
     }),
 ];
 
-/// Texts of computations of several kinds.
+/// The results of computations of several kinds, as text.
 fn results() -> Vec<String> {
     let symbolic = levi_civita("so(3)", &full::<Symbolic>(3));
     let exact = levi_civita("so(4)", &numeric(6));
@@ -198,7 +199,8 @@ fn results() -> Vec<String> {
     ]
 }
 
-/// Sets a token 0.3 s after the work has begun. The work ends before it is done, or its result would be a value.
+/// Sets a token 0.3 s after the work has begun. The work must end early; a finished result would be
+/// returned as a value.
 fn stopped((name, work): Long) {
     let (token, (begun, wait)) = (StopToken::new(), mpsc::channel());
     let watcher = {
@@ -216,7 +218,8 @@ fn stopped((name, work): Long) {
     watcher.join().unwrap();
 }
 
-/// Each of the computations is stopped on one thread and on several, and results afterwards are those of before.
+/// Each of the computations is stopped on one thread and on several; afterwards the results are the
+/// same as before.
 #[test]
 fn long_computations_stop_and_leave_no_trace() {
     let expected = thread::spawn(results).join().unwrap();

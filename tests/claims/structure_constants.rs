@@ -1,4 +1,5 @@
-//! Structure constants mean the same at every door: constructors, definition files, the command line.
+//! Structure constants have the same meaning in every interface: constructors, definition files,
+//! the command line.
 //!
 //! Guards `Bracket`, `Definition` and `Space`.
 
@@ -12,10 +13,10 @@ use proptest::prelude::*;
 use std::collections::BTreeSet;
 use std::fmt::Display;
 
-/// `(j, k, i, v)`: `[e_j, e_k] = .. + v e_i`, from 0.
+/// `(j, k, i, v)`: `[e_j, e_k] = ... + v e_i`, with indices from 0.
 type Constant<S> = (usize, usize, usize, S);
 
-/// What a door makes of constants: the structure, or what it says.
+/// The result of reading constants through an interface: the structure, or the error message.
 type Read<S> = Result<Tensor<S>, String>;
 
 fn of_bracket<S: Scalar>(bracket: Result<Bracket<S>, Error>) -> Read<S> {
@@ -37,7 +38,7 @@ fn rows<S: Display>(constants: &[Constant<S>]) -> String {
     constants.iter().map(row).collect::<Vec<_>>().join(", ")
 }
 
-/// The constants as statements, one for each pair in order.
+/// The constants as statements, one for each ordered pair.
 fn statements(constants: &[Constant<Rational>]) -> Vec<String> {
     let pairs: BTreeSet<_> = constants.iter().map(|(j, k, ..)| (*j, *k)).collect();
     let statement = |(j, k): &(usize, usize)| {
@@ -48,7 +49,7 @@ fn statements(constants: &[Constant<Rational>]) -> Vec<String> {
     pairs.iter().map(statement).collect()
 }
 
-/// The constants at every door that takes them in any order.
+/// The constants read through every interface that accepts them in any order.
 fn doors(n: usize, constants: &[Constant<Rational>]) -> Vec<(&'static str, Read<Rational>)> {
     let quoted: Vec<_> = statements(constants).iter().map(|line| format!("{line:?}")).collect();
     let (rows, quoted) = (rows(constants), quoted.join(", "));
@@ -70,7 +71,7 @@ fn doors(n: usize, constants: &[Constant<Rational>]) -> Vec<(&'static str, Read<
     ]
 }
 
-/// In which orders each pair of an algebra is given, and how the rows are shuffled.
+/// The orders in which the pairs of an algebra are given, and a shuffle of the rows.
 fn tables() -> impl Strategy<Value = (Tensor<Rational>, Vec<Constant<Rational>>)> {
     let raw = algebras(5).prop_flat_map(|algebra| {
         let n = algebra.dimension();
@@ -94,28 +95,28 @@ fn tables() -> impl Strategy<Value = (Tensor<Rational>, Vec<Constant<Rational>>)
 properties! {
     #![cases(128)]
 
-    /// Half a table, the full one, and any mixture of both, in any order of rows.
+    /// Half a table, a full table, or a mixture of both, with rows in any order.
     #[test]
     fn every_door_reads_the_same((structure, constants) in tables()) {
         let n = structure.dimension();
         for (door, read) in doors(n, &constants) {
             prop_assert_eq!(read.as_ref(), Ok(&structure), "{}", door);
         }
-        // doors with an order of their own
+        // interfaces that require an order
         let full = Bracket::new(labels(n), structure.clone());
         prop_assert_eq!(&of_bracket(full), &Ok(structure.clone()));
         let names = labels(n);
         let names: Vec<&str> = names.iter().map(String::as_str).collect();
         let half = |j, k| (0..n).map(|i| (i, structure.get(&[i, j, k]))).collect();
         prop_assert_eq!(&of_bracket(Bracket::from_fn(&names, half)), &Ok(structure.clone()));
-        // and in floats
+        // the same in floats
         let floats = constants.iter().map(|(j, k, i, v)| (*j, *k, *i, v.to_f64()));
         let floats = Bracket::from_constants(labels(n), floats.collect::<Vec<_>>());
         prop_assert_eq!(of_bracket(floats), Ok(structure.map(Rational::to_f64)));
     }
 
-    /// A pair in both orders whose values are not opposite, in one component that both have or
-    /// that one of them has.
+    /// A pair of indices is given in two orders, but the values are not opposite: a component is
+    /// given in both orders or in only one.
     #[test]
     fn a_pair_that_disagrees_is_refused((structure, _) in tables(), pick in any::<prop::sample::Index>(), new in any::<bool>()) {
         let n = structure.dimension();
@@ -153,14 +154,14 @@ fn what_a_disagreeing_pair_says() {
     let said = "the bracket is not antisymmetric: [e1, e2] + [e2, e1] = 2*e3, \
                 for [e1, e2] = e3 and [e2, e1] = e3";
     assert_eq!(refused.to_string(), said);
-    // zero is a value
+    // zero is a value too
     let given = [(0, 1, 2, integer(1)), (1, 0, 2, integer(0))];
     let refused = Bracket::from_constants(labels(3), given).unwrap_err().to_string();
     assert_eq!(
         refused,
         "the bracket is not antisymmetric: [e1, e2] + [e2, e1] = e3, for [e1, e2] = e3 and [e2, e1] = 0"
     );
-    // rounding is no disagreement
+    // rounding errors are not a disagreement
     let given = [(0, 1, 2, 0.1 + 0.2), (1, 0, 2, -0.3)];
     let bracket = Bracket::from_constants(labels(3), given).unwrap();
     assert_eq!(
@@ -169,7 +170,7 @@ fn what_a_disagreeing_pair_says() {
     );
 }
 
-/// A row that stands twice is refused where rows are given, equal or not.
+/// A repeated row is an error where rows are given, even if the values are equal.
 #[test]
 fn a_component_given_twice_is_refused() {
     for second in [1, 2] {
@@ -194,7 +195,7 @@ fn a_component_given_twice_is_refused() {
     }
 }
 
-/// The bracket of a vector with itself, and indices that are no labels.
+/// The bracket of a vector with itself, and indices without a label.
 #[test]
 fn what_is_no_bracket_is_refused() {
     let same = Bracket::from_constants(labels(2), [(1, 1, 0, integer(1))]).unwrap_err();

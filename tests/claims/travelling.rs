@@ -1,7 +1,8 @@
-//! Motions of bodies that travel: far from the origin, in a fast frame, in other units, turned, and backwards.
+//! Motions of bodies that travel: far from the origin, in a fast frame, in other units, rotated,
+//! and backwards.
 //!
-//! A force field that moves with the frame makes one motion of all of these, so each is compared with the motion at
-//! the origin. None of them may cost more than the rounding of the numbers that it is written in.
+//! The force field moves with the frame, so all cases describe the same motion. Each must agree
+//! with the case at the origin up to the rounding error of its coordinates.
 //!
 //! Guards `Problem`, `mechanics::systems::centred` and the integrators on SE(3).
 
@@ -11,14 +12,14 @@ use nalgebra::{Matrix3, Matrix6, Rotation3, Vector3, Vector6};
 use proptest::prelude::*;
 use std::fmt::Write;
 
-/// The group of rotations and translations, in four guises.
+/// The group of rotations and translations, in four forms.
 const SPACES: [&str; 4] =
     ["se3", "se3 by matrices", "SO(3) x R^3 by matrices", "se3 in another basis"];
 
 const FIXED: [&str; 3] = ["rkmk4", "cf4", "projected4"];
 const CONTROLLED: [&str; 4] = ["rkmk54", "rkmk853", "projected54", "projected853"];
 
-/// A body, and where it starts.
+/// A body with its initial condition.
 #[derive(Clone, Debug)]
 struct Body {
     /// The inertia about the centre of mass, the mass, and the centre in the body.
@@ -30,13 +31,13 @@ struct Body {
     attitude: Vector3<f64>,
 }
 
-/// The frame in which it is described.
+/// The frame of the description.
 #[derive(Clone, Debug)]
 struct Frame {
     shift: Vector3<f64>,
     boost: Vector3<f64>,
     turn: Rotation3<f64>,
-    /// Units of length, mass and time, in those of the description.
+    /// The units of length, mass and time, relative to those of the body.
     units: [f64; 3],
 }
 
@@ -47,7 +48,7 @@ impl Frame {
     }
 }
 
-/// How far along, and how.
+/// Parameters of a run: space, method, step size, tolerance and final time.
 #[derive(Clone, Copy, Debug)]
 struct How {
     space: &'static str,
@@ -63,7 +64,7 @@ impl How {
     }
 }
 
-/// Spin, attitude and place at the end, in the units of the body and as seen in its own frame.
+/// Spin, attitude and position at the end, in the units and the frame of the body's description.
 #[derive(Clone, Debug)]
 struct End {
     spin: Vector3<f64>,
@@ -102,8 +103,9 @@ fn metric(body: &Body, [length, mass, _]: [f64; 3]) -> Matrix6<f64> {
     all
 }
 
-/// A change of the basis of se(3) with determinant 1, the same one in every unit of length: 0.5 km in the place of 0.5 m would
-/// put moments of inertia below the rounding of the mass.
+/// A change of the basis of se(3) with determinant 1, the same one in every unit of length. With
+/// 0.5 km instead of 0.5 m the moments of inertia would be smaller than the rounding error of the
+/// mass.
 fn change(length: f64) -> Matrix6<f64> {
     let mut there = Matrix6::identity();
     for (i, j, share) in [(3, 0, 0.5 * length), (4, 2, -0.25 * length), (1, 0, 1.0), (5, 4, 0.5)] {
@@ -113,8 +115,8 @@ fn change(length: f64) -> Matrix6<f64> {
     there
 }
 
-/// The problem of a body in a frame, from a time to another. In its own frame a spring pulls it to the place `0.3 sin t` along
-/// the first axis, and a torque turns it.
+/// The problem of a body in a frame, between two times. In its own frame a spring pulls the body to
+/// the position `0.3 sin t` along the first axis, and a torque rotates it.
 fn problem(body: &Body, frame: &Frame, how: How) -> String {
     let How { space, method, step, tolerance, end } = how;
     let [length, mass, time] = frame.units;
@@ -123,7 +125,7 @@ fn problem(body: &Body, frame: &Frame, how: How) -> String {
     let is_mixed = space == "se3 in another basis";
     let is_product = space == "SO(3) x R^3 by matrices";
     if is_product {
-        // no lever: the position is that of the centre
+        // no lever: the position is the position of the centre
         let zero = Matrix3::zeros();
         all.fixed_view_mut::<3, 3>(0, 3).copy_from(&zero);
         all.fixed_view_mut::<3, 3>(3, 0).copy_from(&zero);
@@ -131,7 +133,7 @@ fn problem(body: &Body, frame: &Frame, how: How) -> String {
     }
     if is_mixed {
         all = there.transpose() * all * there;
-        // rounding beside large moments is no asymmetry
+        // rounding errors of large moments are not an asymmetry
         all = (all + all.transpose()) * 0.5;
     }
     let mut text = String::new();
@@ -151,7 +153,7 @@ fn problem(body: &Body, frame: &Frame, how: How) -> String {
             .collect(),
         _ => places("g", 4),
     };
-    // seen in the frame: the spring follows it, and the time is in other units
+    // in the frame: the spring moves with the frame, and the time is in other units
     let follow = |axis: usize| {
         let pull = frame.turn * Vector3::x();
         format!(
@@ -180,7 +182,7 @@ fn problem(body: &Body, frame: &Frame, how: How) -> String {
     let zero = "0".to_string();
     let all_forces = [&moments[0], &moments[1], &moments[2], &zero, &zero, &zero];
     let forces: Vec<String> = if is_mixed {
-        // covectors change by the transpose
+        // covectors are transformed by the transpose
         let share = |i: usize| {
             (0..6).map(|k| format!("({:e})*({})", there[(k, i)], all_forces[k])).collect::<Vec<_>>()
         };
@@ -189,14 +191,14 @@ fn problem(body: &Body, frame: &Frame, how: How) -> String {
         all_forces.iter().map(|force| format!("\"{force}\"")).collect()
     };
     writeln!(text, "body = [{}]", forces.join(", ")).unwrap();
-    // where and how fast the origin of the body is
+    // position and velocity of the body's origin
     let origin = frame.shift;
     let space_velocity = Rotation3::new(body.attitude) * body.velocity;
     let velocity = attitude.inverse() * (frame.turn * space_velocity + frame.boost);
     let spin = body.spin / time;
     let mut twist = [spin.as_slice(), (velocity * (length / time)).as_slice()].concat();
     if is_product {
-        // g' = g Omega: the velocity is that in space
+        // g' = g Omega: the velocity in space
         twist[3..].copy_from_slice((attitude * velocity * (length / time)).as_slice());
     }
     if is_mixed {
@@ -261,7 +263,7 @@ fn problem(body: &Body, frame: &Frame, how: How) -> String {
     text
 }
 
-/// The end of the motion, taken back to the frame and the units of the body.
+/// The end of the motion, transformed back to the frame and the units of the body.
 fn end(body: &Body, frame: &Frame, how: How) -> End {
     let text = problem(body, frame, how);
     let problem = Problem::parse("body.toml", &text).unwrap_or_else(|e| panic!("{text}: {e}"));
@@ -319,15 +321,16 @@ fn method() -> impl Strategy<Value = (&'static str, &'static str)> {
     })
 }
 
-/// What a motion may lose in a frame: the rounding of the numbers in it, or for methods with control the tolerance as well.
+/// The allowed error in a frame: the rounding error of its coordinates, plus the tolerance for
+/// adaptive methods.
 fn allowed(frame: &Frame, how: How) -> f64 {
-    // the position and the momentum are as large as these
+    // the size of the position and of the momentum
     let rounding = 4e-15 * (1.0 + frame.shift.norm() + frame.boost.norm() * (how.end + 10.0));
     1e-12 + 30.0 * rounding + if how.is_fixed() { 0.0 } else { 2e3 * how.tolerance }
 }
 
 fn same(body: &Body, frame: &Frame, how: How) -> Result<(), TestCaseError> {
-    // on the product a lever of the centre would be another problem
+    // on the direct product a lever of the centre would define another problem
     let centre = if how.space == SPACES[2] { Vector3::zeros() } else { body.centre };
     let body = &Body { centre, ..body.clone() };
     let off = end(body, frame, how).off(&end(body, &Frame::own(), how));

@@ -1,4 +1,5 @@
-//! Inputs made to hit the choices by trial: primes that divide structure constants, elements that are tried first.
+//! Inputs for which the first trial fails: primes that divide structure constants, and elements
+//! that are tried first.
 //!
 //! Guards `linear::modular` and the choices of elements in `algebra::structure`.
 
@@ -13,12 +14,12 @@ use affinor_tensors::{Field, Ring};
 
 type Algebra = LieAlgebra<Rational>;
 
-/// The same algebra in a basis of multiples.
+/// The same algebra in a basis of multiples of the basis vectors.
 fn scaled(algebra: &Algebra, factor: &Rational) -> Algebra {
     algebra.map(|value| value.clone() * factor).unwrap()
 }
 
-/// A prime, two primes, and all primes of a list, that are tried first.
+/// Factors: a prime, a product of two primes, and the product of all primes that are tried first.
 fn factors() -> Vec<Rational> {
     let product = |count: usize| {
         let primes = PRIMES[..count].iter().map(|prime| Rational::from(prime.get() as i64));
@@ -33,7 +34,8 @@ fn factors() -> Vec<Rational> {
     ]
 }
 
-/// Constants that are multiples of the primes, or have them as denominators, leave all invariants and proofs.
+/// Structure constants that are multiples of the primes, or have them as denominators, do not
+/// change invariants and proofs.
 #[test]
 fn primes_that_divide_all_constants() {
     let names = [
@@ -91,7 +93,8 @@ fn primes_that_divide_a_minor() {
     }
 }
 
-/// A torus acts on planes by opposite weights, one of which vanishes on each of the elements that are tried first.
+/// A torus acts on planes by opposite weights. One weight vanishes on each of the elements that are
+/// tried first.
 #[test]
 fn weights_that_vanish_on_the_elements_tried_first() {
     let (torus, planes) = (12, 6);
@@ -122,7 +125,7 @@ fn weights_that_vanish_on_the_elements_tried_first() {
     assert!(structure.subalgebra(&nilradical).unwrap().is_nilpotent());
 }
 
-/// More ideals than numbers modulo 11.
+/// An algebra with more ideals than there are numbers modulo 11.
 #[test]
 fn many_equal_simple_ideals() {
     for (real, split) in [(7, 0), (5, 4), (12, 0)] {
@@ -135,8 +138,8 @@ fn many_equal_simple_ideals() {
     }
 }
 
-/// Algebras without an invariant of degree 4 satisfy `2 (n + 2) tr X^4 = 5 (tr X^2)^2`, those of types B6 and C6 do not: the
-/// identity that tells E6 from them.
+/// Algebras without an invariant of degree 4 satisfy `2 (n + 2) tr X^4 = 5 (tr X^2)^2`; types B6
+/// and C6 do not. This identity distinguishes E6 from them.
 #[test]
 fn types_of_dimension_78() {
     for (name, wanted) in

@@ -1,4 +1,4 @@
-//! Lie algebras: hand-given ones in random bases, two-step nilpotent and semidirect ones.
+//! Lie algebras: explicit ones in random bases, two-step nilpotent and semidirect ones.
 
 use super::{integer, invertible, labels, rationals, tensors};
 use affinor::algebra::catalogue;
@@ -9,13 +9,13 @@ use proptest::prelude::*;
 
 type Algebra = LieAlgebra<Rational>;
 
-/// The algebra with `[e_j, e_k] = ... + v e_i` for each `(j, k, i, v)`, from 1 as on paper.
+/// The algebra with `[e_j, e_k] = ... + v e_i` for each `(j, k, i, v)`, with indices from 1.
 pub fn by_table(n: usize, table: &[(usize, usize, usize, i64)]) -> Algebra {
     let constants = table.iter().map(|&(j, k, i, v)| (j - 1, k - 1, i - 1, integer(v)));
     Bracket::from_constants(labels(n), constants).unwrap().try_into().unwrap()
 }
 
-/// An algebra of the catalogue without parameters, or a sum of such: `so(3)+R^1`.
+/// An algebra of the catalogue without parameters, or a sum of such algebras: `so(3)+R^1`.
 pub fn catalogued(name: &str) -> Algebra {
     let summand = |name: &str| -> Algebra {
         let entry = catalogue::find(name).unwrap();
@@ -62,8 +62,8 @@ pub fn seeds() -> Vec<(&'static str, Algebra)> {
     ]
 }
 
-/// Algebras of dimension 3 up to `most`: all but three of the seeds are not semisimple, and most
-/// of the others are not unimodular.
+/// Algebras of dimension 3 up to `most`. All but three of the seeds are not semisimple, and most of
+/// the remaining ones are not unimodular.
 pub fn algebras(most: usize) -> impl Strategy<Value = Algebra> {
     let fits = move |n: &usize| (3..=most).contains(n);
     let seeds: Vec<_> = seeds().into_iter().filter(|(_, a)| fits(&a.dimension())).collect();
@@ -81,7 +81,7 @@ pub fn algebras(most: usize) -> impl Strategy<Value = Algebra> {
     })
 }
 
-/// `[V, V]` in the centre `Z` by a random skew map.
+/// A two-step nilpotent algebra: a random skew map gives `[V, V]` in the centre `Z`.
 fn nilpotent(most: usize) -> impl Strategy<Value = Algebra> {
     let sizes = (2..=4usize).prop_flat_map(|v| (Just(v), 1..=3usize));
     sizes.prop_filter("within the dimension", move |(v, z)| v + z <= most).prop_flat_map(
@@ -96,12 +96,12 @@ fn nilpotent(most: usize) -> impl Strategy<Value = Algebra> {
     )
 }
 
-/// `R^n` acted on by the last basis vector: `[e_n+1, e_j] = A^i_j e_i`.
+/// The last basis vector acts on `R^n`: `[e_n+1, e_j] = A^i_j e_i`.
 fn semidirect(most: usize) -> impl Strategy<Value = Algebra> {
     (2..most).prop_flat_map(|n| tensors(n, [Up, Down])).prop_map(|a| acting(a.dimension(), &[a]))
 }
 
-/// `R^n` acted on by two vectors, with `A` and `A^2 + A + 1`, which commute.
+/// Two vectors act on `R^n` by `A` and `A^2 + A + 1`, which commute.
 fn by_commuting_family(most: usize) -> impl Strategy<Value = Algebra> {
     (2..=most - 2).prop_flat_map(|n| tensors(n, [Up, Down])).prop_map(|a| {
         let n = a.dimension();
@@ -113,7 +113,7 @@ fn by_commuting_family(most: usize) -> impl Strategy<Value = Algebra> {
     })
 }
 
-/// `R^n` with further basis vectors that act on it by commuting matrices.
+/// Additional basis vectors act on `R^n` by commuting matrices.
 fn acting(n: usize, matrices: &[Tensor<Rational>]) -> Algebra {
     let constants = matrices.iter().enumerate().flat_map(|(at, a)| {
         a.components().map(move |(ij, value)| (n + at, ij[1], ij[0], value.clone()))

@@ -112,7 +112,7 @@ pub fn euler_angles() -> Chart {
     )
 }
 
-/// A value as a definition file has it.
+/// A value in the notation of definition files.
 pub fn value(text: &str) -> Symbolic {
     let names = |name: &str| Ok(Symbolic::parameter(name));
     let expression = Expression::parse(text).unwrap();
@@ -146,7 +146,7 @@ impl<'c> Moved<'c> {
         Moved { chart, a, inverse }
     }
 
-    /// `e'_b = f_b e_b`, and a function times `e_1` added to `e_2`.
+    /// The frame `e'_b = f_b e_b`, with a function times `e_1` added to `e_2`.
     pub fn scaled(chart: &'c Chart, functions: &[Symbolic], mixed: Symbolic) -> Self {
         let entry = |[i, b]: [usize; 2]| match (i, b) {
             (i, b) if i == b => functions[b].clone(),

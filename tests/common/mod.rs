@@ -1,4 +1,5 @@
-//! Random Lie algebras, metrics and affinities over the rationals, and tensors moved by hand.
+//! Random Lie algebras, metrics and affinities over the rationals, and explicit transformations of
+//! tensors.
 #![allow(dead_code, reason = "each test takes what it needs")]
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
@@ -34,12 +35,12 @@ pub fn labels(n: usize) -> Vec<String> {
     (1..=n).map(|at| format!("e{at}")).collect()
 }
 
-/// The components in order, zeros left out.
+/// The nonzero components in order.
 pub fn stored<S: Scalar>(tensor: &Tensor<S>) -> Vec<(Vec<usize>, S)> {
     tensor.components().map(|(at, value)| (at.to_vec(), value.clone())).collect()
 }
 
-/// Small rationals, a good part of them zero.
+/// Small rationals, many of them zero.
 pub fn rationals() -> impl Strategy<Value = Rational> {
     prop_oneof![
         2 => Just(integer(0)),
@@ -59,7 +60,7 @@ pub fn tensors<const RANK: usize>(
     })
 }
 
-/// Invertible matrices `A^i_a` without a pattern: lower times upper triangular.
+/// Dense invertible matrices `A^i_a`: lower times upper triangular.
 pub fn invertible(n: usize) -> impl Strategy<Value = Tensor<Rational>> {
     tensors(n, [Up, Down]).prop_map(move |entries| {
         let unit = |at: [usize; 2]| {
@@ -80,7 +81,7 @@ pub fn invertible(n: usize) -> impl Strategy<Value = Tensor<Rational>> {
     })
 }
 
-/// Symmetric, non-degenerate, of any signature: `A^T D A`.
+/// Symmetric, nondegenerate matrices of any signature: `A^T D A`.
 pub fn metrics(n: usize) -> impl Strategy<Value = Metric<Rational>> {
     let diagonal = vec(prop::sample::select(vec![1, -1, 2, -3]), n);
     (invertible(n), diagonal).prop_map(move |(a, d)| {
@@ -92,7 +93,7 @@ pub fn metrics(n: usize) -> impl Strategy<Value = Metric<Rational>> {
     })
 }
 
-/// A Lie algebra with what one may put on it.
+/// A Lie algebra with a metric and affinities.
 #[derive(Clone, Debug)]
 pub struct Space {
     pub algebra: LieAlgebra<Rational>,
@@ -106,7 +107,7 @@ impl Space {
         self.algebra.dimension()
     }
 
-    /// The connection with the random affinities: torsion and nonmetricity as they come.
+    /// The connection with the random affinities, which have any torsion and nonmetricity.
     pub fn connection(&self) -> Connection<Rational> {
         Connection::new(self.algebra.left_frame().clone(), self.affinities.clone()).unwrap()
     }
@@ -136,7 +137,7 @@ pub fn spaces(most: usize) -> impl Strategy<Value = Space> {
     })
 }
 
-/// The components in the basis `e'_a = A^i_a e_i` (`inverse` is that of `A`), slot by slot.
+/// The components in the basis `e'_a = A^i_a e_i`, slot by slot; `inverse` is the inverse of `A`.
 pub fn transform<S: Scalar>(tensor: &Tensor<S>, a: &Tensor<S>, inverse: &Tensor<S>) -> Tensor<S> {
     let n = tensor.dimension();
     let mut result = tensor.clone();

@@ -3,7 +3,8 @@
 use differential_equations::prelude::{ExplicitRungeKutta, IVP};
 use nalgebra::DVector;
 
-/// The solution of `y' = f(t, y)`, `y(start) = y0`, at the given times; each ends a step.
+/// The solution of `y' = f(t, y)`, `y(start) = y0`, at the given times. Each of the times ends a
+/// step.
 pub fn solve(
     f: impl Fn(f64, &DVector<f64>) -> DVector<f64>,
     start: f64,

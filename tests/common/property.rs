@@ -1,9 +1,9 @@
 //! Properties of random values: how they are tested, on how many cases, and from which seed.
 //!
-//! A plain `cargo test` draws the same cases on every machine and writes no file.
-//! `AFFINOR_FRESH=20 cargo test --release` draws twenty times as many, from a fresh seed for each test.
-//! A failure then prints its smallest input, which becomes a test of its own, and the seed, which
-//! `PROPTEST_RNG_SEED` takes beside the same `AFFINOR_FRESH`.
+//! A plain `cargo test` draws the same cases on every machine and writes no file. `AFFINOR_FRESH=20
+//! cargo test --release` draws twenty times as many, from a new seed for each test. A failure then
+//! prints its smallest input, which becomes a separate test, and the seed. `PROPTEST_RNG_SEED` with
+//! the same `AFFINOR_FRESH` repeats the failure.
 
 use proptest::prelude::{BoxedStrategy, ProptestConfig, Strategy};
 use proptest::test_runner::{RngSeed, TestCaseResult, TestRunner};
@@ -20,7 +20,7 @@ pub fn cases(n: u32) -> ProptestConfig {
     let given = ProptestConfig::default();
     let fresh = std::env::var("AFFINOR_FRESH").ok().map(|times| {
         let parsed = times.parse().ok().filter(|times| *times > 0);
-        parsed.unwrap_or_else(|| panic!("AFFINOR_FRESH={times} is no positive integer"))
+        parsed.unwrap_or_else(|| panic!("AFFINOR_FRESH={times} is not a positive integer"))
     });
     let times: u32 = fresh.unwrap_or(1);
     let rng_seed = match (given.rng_seed, fresh) {
@@ -28,7 +28,7 @@ pub fn cases(n: u32) -> ProptestConfig {
         (RngSeed::Random, None) => RngSeed::Fixed(SEED),
         (RngSeed::Random, Some(_)) => {
             let seed = RandomState::new().hash_one(n);
-            // shown when the test fails
+            // printed if the test fails
             eprintln!("repeat these cases: AFFINOR_FRESH={times} PROPTEST_RNG_SEED={seed}");
             RngSeed::Fixed(seed)
         }
@@ -44,7 +44,8 @@ pub fn cases(n: u32) -> ProptestConfig {
 
 /// Tests for random values, written as in `proptest!`.
 ///
-/// That macro compiles the code that draws, runs and shrinks again for every test. Here it is compiled once.
+/// The macro `proptest!` compiles the code that draws, runs and shrinks for every test. Here it is
+/// compiled once.
 macro_rules! properties {
     (
         #![cases($cases:expr)]
@@ -76,7 +77,7 @@ impl<T: Any + Debug> Value for T {}
 /// Tests a property on a number of [`cases`] of random values.
 ///
 /// # Panics
-/// If a case fails; the message has the smallest values that were found.
+/// If a case fails; the message contains the smallest failing values.
 pub fn check<S: Strategy<Value: 'static> + 'static>(
     number: u32,
     names: &str,

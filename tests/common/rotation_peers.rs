@@ -1,4 +1,5 @@
-//! Rotations by others: nalgebra and glam as they are, the formulas of Sophus and manif restated.
+//! Rotations by other libraries: nalgebra and glam, and the formulas of Sophus and manif rewritten
+//! here.
 //!
 //! - Sophus (H. Strasdat), `sophus/so3.hpp`: thresholds on angles at `epsilon = 1e-10`.
 //! - manif (J. Deray, J. Sola), `impl/so3/SO3_base.h` and `SO3Tangent_base.h`: thresholds on squares at `eps = 1e-14`.
@@ -14,7 +15,7 @@ use nalgebra::{Matrix3, Quaternion, Rotation3, UnitQuaternion, Vector3};
 type Three = [f64; 3];
 type Four = [f64; 4];
 
-/// A method by its functions of plain numbers; quaternions are `w, x, y, z`.
+/// The functions of a library on plain numbers; quaternions are `w, x, y, z`.
 pub struct Peer {
     pub name: &'static str,
     pub exp: Option<fn(Three) -> Four>,
@@ -154,7 +155,7 @@ fn glam_four(q: DQuat) -> Four {
     [q.w, q.x, q.y, q.z]
 }
 
-/// The shorter way round, for a fair comparison: glam's angle is up to `2 pi`.
+/// The rotation by the smaller angle, for a fair comparison: glam's angle is up to `2 pi`.
 fn glam_log(q: DQuat) -> Three {
     (if q.w < 0.0 { -q } else { q }).to_scaled_axis().into()
 }

@@ -1,4 +1,4 @@
-//! Spaces as a person names them: definition files and catalogue names.
+//! Spaces as users name them: definition files and catalogue names.
 
 use affinor::Geometry;
 use affinor_documents::Coefficient;
@@ -18,7 +18,7 @@ fn path(file: &str) -> String {
     folder.join(file).to_str().unwrap().to_string()
 }
 
-/// A file of `examples/definitions`, its parameters left as they are.
+/// A file of `examples/definitions` without values for its parameters.
 pub fn symbolic(file: &str) -> Geometry<Symbolic> {
     open(path(file), None, None)
 }

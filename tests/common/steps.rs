@@ -1,10 +1,10 @@
-//! Runs of integrators, and the orders that they show.
+//! Runs of integrators, and their observed orders.
 #![allow(dead_code, reason = "each test takes what it needs")]
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use affinor::mechanics::{Integrator, System};
 
-/// The state after a time, in equal steps.
+/// The state after a time, by equal steps.
 pub fn run<S: System>(
     method: &impl Integrator<S>,
     system: &S,
@@ -19,7 +19,7 @@ pub fn run<S: System>(
     state
 }
 
-/// The order observed over each of some halvings is the nominal one, within a tenth.
+/// Checks that the observed order over each of some halvings is the nominal one, within a tenth.
 pub fn expect_order(
     name: &str,
     order: u32,

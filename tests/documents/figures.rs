@@ -1,4 +1,4 @@
-//! The scenes of the figures against matrices and closed forms of rotations.
+//! The scenes of the figures agree with matrices and closed forms of rotations.
 
 use crate::common::property::properties;
 use affinor::group::transport::ParallelTranslation;
@@ -23,14 +23,14 @@ fn all(panel: &Panel, role: Role) -> Vec<&Arrow> {
     panel.arrows.iter().filter(|arrow| arrow.role == role).collect()
 }
 
-/// The only arrow of a role, from its foot.
+/// The only arrow with this role, from its start.
 fn the(panel: &Panel, role: Role) -> Vector3<f64> {
     let found = all(panel, role);
     assert_eq!(found.len(), 1, "{role:?}");
     found[0].ends[1] - found[0].ends[0]
 }
 
-/// The exponential of a matrix, by its series: no code of the group.
+/// The exponential of a matrix by its series, independent of the group.
 fn exp(x: &Vector3<f64>) -> Matrix3<f64> {
     x.cross_matrix().exp()
 }
@@ -51,7 +51,7 @@ fn close(a: &Vector3<f64>, b: &Vector3<f64>, tolerance: f64) -> bool {
     (a - b).norm() <= tolerance * (1.0 + b.norm())
 }
 
-/// Everything drawn is finite.
+/// Checks that all coordinates of a figure are finite.
 fn finite(figure: &Figure) -> bool {
     figure.panels.iter().all(|panel| {
         let curves = panel.curves.iter().flat_map(|curve| &curve.points);
@@ -72,7 +72,7 @@ properties! {
         prop_assert!((spin - path.velocity(t).cross_matrix()).norm() < 1e-6);
     }
 
-    /// (57): `omega = R Omega`, and `w` is the derivative of the curve on which it stands.
+    /// (57): `omega = R Omega`, and `w` is the derivative of its curve.
     #[test]
     fn images_are_translates_of_the_tangent(path in path(), t in 0.1..0.9f64) {
         let x = So3.log(&path.element(t)).unwrap();
@@ -82,7 +82,7 @@ properties! {
         let (left, right) = (the(panel, Role::Left), the(panel, Role::Right));
         prop_assume!(left.norm() > 1e-3);
         prop_assert!(close(&(rotation(&path, t) * left), &right, 1e-12));
-        // arrows are as much longer than the vectors, all of them
+        // all arrows are scaled by the same factor
         let scale = left.norm() / path.velocity(t).norm();
         let h = 1e-5;
         let at = |t: f64| So3.log_near(&path.element(t), &x).unwrap();
@@ -113,7 +113,8 @@ properties! {
         prop_assert!(close(&the(&figure.panels[0], Role::Carried), &the(&figure.panels[0], Role::Right), 1e-12));
     }
 
-    /// Points of the curve are rotations of the motion, all in the ball, and pieces meet at opposite points.
+    /// Points of the curve are rotations of the motion in the ball, and consecutive pieces meet at
+    /// opposite points.
     #[test]
     fn curves_lie_on_the_motion(path in path(), t in 0.1..0.9f64) {
         let figure = figures::motion(&path, t).unwrap();
@@ -135,7 +136,8 @@ properties! {
         }
     }
 
-    /// `Phi`: the triad is the rotation, its velocities are `omega cross` each vector (66).
+    /// `Phi`: the triad is the rotation matrix; the velocities are `omega` times each vector, as a
+    /// cross product (66).
     #[test]
     fn the_body_turns_as_the_motion_says(path in path(), t in 0.1..0.9f64) {
         let figure = figures::motion(&path, t).unwrap();
@@ -154,7 +156,8 @@ properties! {
         }
     }
 
-    /// The frames are left translates: pulled back by the matrix they are the basis. `minus` carries just these.
+    /// The frames are left translates: pulled back by the matrix they are the basis. Transport by
+    /// `minus` gives the same frames.
     #[test]
     fn frames_are_left_translates(path in path(), t in 0.1..0.9f64) {
         prop_assume!(So3.log(&path.element(t)).unwrap().norm() < 3.0);

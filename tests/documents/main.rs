@@ -1,4 +1,5 @@
-//! Tests of `affinor-documents`: files follow `documents/src/`, and `claims/` holds claims that span files.
+//! Tests of `affinor-documents`: files follow `documents/src/`, and `claims/` contains claims about
+//! several files.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 #[path = "../common/mod.rs"]

@@ -1,4 +1,4 @@
-//! A table says the same in every format, and what it says can be read back.
+//! A table has the same contents in every format, and can be read back.
 
 mod claims;
 mod statements;
@@ -49,14 +49,14 @@ fn so3<S: Coefficient>() -> Table<S> {
     Table::new(&geometry("SO(3)", zero, delta), &Quantity::ALL).unwrap()
 }
 
-/// Inertia `J`, all six of its components free.
+/// The inertia `J` with six free components.
 fn m3(kind: ConnectionKind<Symbolic>) -> Table<Symbolic> {
     let inertia =
         |i: usize, j: usize| Symbolic::parameter(&format!("J{}{}", i.min(j) + 1, i.max(j) + 1));
     Table::new(&geometry("M(3)", kind, inertia), &Quantity::ALL).unwrap()
 }
 
-/// A table of one tensor in the given dimension, with made-up components.
+/// A table of one tensor in the given dimension, with arbitrary components.
 fn single<S: Coefficient>(quantity: Quantity, tensor: Tensor<S>) -> Table<S> {
     let labels = (1..=tensor.dimension()).map(|i| format!("e{i}")).collect();
     Table {
@@ -84,7 +84,7 @@ fn render<S: Coefficient>(table: &Table<S>, format: Format) -> String {
     String::from_utf8(out).unwrap()
 }
 
-/// Lines joined again, so that a search does not depend on where they were broken.
+/// The text with its line breaks removed, so that a search does not depend on them.
 fn unwrapped(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
@@ -126,7 +126,7 @@ fn from_json(json: &str) -> BTreeMap<String, Components> {
         .collect()
 }
 
-/// CSV and JSON read back are the tensors.
+/// CSV and JSON are read back as the same tensors.
 fn round_trip<S: Coefficient>(table: &Table<S>) {
     let expected: BTreeMap<String, Components> = table
         .tensors
@@ -175,7 +175,7 @@ fn latex_of_a_value_wider_than_the_page() {
         let tensor = Tensor::from_components(3, &[], [([], value)]).unwrap();
         render(&single(Quantity::ScalarCurvature, tensor), Format::Latex)
     };
-    // a bar cannot be broken over lines, a slash can
+    // a fraction bar does not allow a line break, a slash does
     let latex = of(-(sum.clone() * &below));
     let line = format!("$S = -({})/(x + y)$\\par\n", sum.latex());
     assert!(latex.contains(&line), "{latex}");
@@ -306,7 +306,7 @@ fn a_closed_pipe_is_known_as_one() {
             Ok(())
         }
     }
-    // long enough to pass every buffer
+    // long enough to exceed every buffer
     let tensor = Tensor::from_fn(70, [Down, Down], |[i, j]| Rational::from((i + j + 1) as i64));
     let table = single(Quantity::Killing, tensor.unwrap());
     for format in Format::ALL {
@@ -337,7 +337,7 @@ fn lines_stay_within_eighty_columns() {
 fn wrapping_loses_nothing() {
     let table = m3(ConnectionKind::LeviCivita);
     let text = unwrapped(&render(&table, Format::Text)) + " ";
-    // with the common factor in the place of its name
+    // with the common factor instead of its name
     let (_, rest) = text.split_once("D = det g = ").unwrap();
     let factor = format!("({})", rest.split_once(" Structure").unwrap().0);
     let text = text.replace("/D", &format!("/{factor}")).replace("*D", &format!("*{factor}"));
@@ -456,7 +456,7 @@ fn tensors() -> impl Strategy<Value = Tensor<Rational>> {
     )
 }
 
-/// The permutations of slots that carry the tensor into itself or its negative, with the sign.
+/// The permutations of slots that map the tensor to itself or its negative, with the sign.
 fn symmetries(tensor: &Tensor<Rational>) -> Vec<(Vec<usize>, i64)> {
     let slots: &[Variance] = tensor.slots();
     let mut orders = vec![vec![]];
@@ -481,7 +481,7 @@ fn symmetries(tensor: &Tensor<Rational>) -> Vec<(Vec<usize>, i64)> {
 
 properties! {
     #![cases(256)]
-    /// Whatever stands in names and values, the page is well-formed.
+    /// The page is well-formed, whatever names and values contain.
     #[test]
     fn pages_are_well_formed(
         name in r#"[-a-zA-Z0-9^_{}()\[\]/*+=<>&"' ~°Ω]{1,20}"#,
@@ -531,7 +531,7 @@ properties! {
                 let moved: Vec<usize> = order.iter().map(|&slot| at[slot]).collect();
                 rebuilt.insert(moved, value.clone() * &Rational::from(*sign));
             }
-            // and none of the others of its set is kept with it
+            // and no other component of its set is stored with it
             for (order, _) in &symmetries {
                 let moved: Vec<usize> = order.iter().map(|&slot| at[slot]).collect();
                 let swaps = order.iter().enumerate().filter(|(a, b)| a != *b).count();
@@ -545,7 +545,7 @@ properties! {
 
     #[test]
     fn tables_are_read_back(tensor in tensors()) {
-        // any quantity will do: formats follow the slots of the tensor
+        // any quantity works: formats depend on the slots of the tensor
         round_trip(&single(Quantity::Curvature, tensor.clone()));
         let half = tensor.map(|value| value.to_f64() / 3.0);
         round_trip(&single(Quantity::Curvature, half));

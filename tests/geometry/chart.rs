@@ -1,5 +1,5 @@
-//! Frames over charts: brackets of their fields, Lie derivatives, and the laws under which
-//! connections move between them, against laws written out in `common`.
+//! Frames over charts: brackets of their fields, Lie derivatives, and the transformation laws of
+//! connections, compared with the laws as written out in `common`.
 
 mod at_point;
 mod canonical;
@@ -27,7 +27,7 @@ fn column(matrix: &Tensor<Symbolic>, j: usize) -> Vec<Symbolic> {
     (0..matrix.dimension()).map(|i| matrix.get(&[i, j])).collect()
 }
 
-/// The right-invariant fields through the same basis.
+/// The right-invariant fields of the same basis of the algebra.
 fn right_fields(group: &Group) -> Tensor<Symbolic> {
     match group.names {
         ["x", "y", "z"] => values([["1", "0", "0"], ["0", "1", "0"], ["y", "0", "1"]]),
@@ -108,7 +108,8 @@ fn metric(n: usize) -> Tensor<Symbolic> {
     Tensor::from_fn(n, [Down, Down], |[i, j]| constant(rows[i][j])).unwrap()
 }
 
-/// Constants of a left frame, and the same geometry computed in coordinates.
+/// The constants of a left-invariant frame and the computation in coordinates give the same
+/// geometry.
 #[test]
 fn two_ways_agree() {
     for group in groups() {
@@ -124,7 +125,7 @@ fn two_ways_agree() {
             [CanonicalConnection::Plus, CanonicalConnection::Zero, CanonicalConnection::Minus]
                 .map(|which| Connection::canonical(&group.algebra, which));
         for (at, constants) in canonical.into_iter().chain([levi_civita]).enumerate() {
-            // the derivatives along the fields do not see constants
+            // the derivatives along the fields of constants are zero
             let moving =
                 Connection::new(left.frame().clone(), constants.affinities().clone()).unwrap();
             assert_eq!(moving.curvature(), constants.curvature());
@@ -147,7 +148,7 @@ fn two_ways_agree() {
     }
 }
 
-/// A frame without constants, moved there and back, against the law written out.
+/// Random functions in a frame, transformed there and back, agree with the explicit law.
 #[test]
 fn frames_of_functions_move_there_and_back() {
     let group = euclidean();
@@ -173,7 +174,7 @@ fn frames_of_functions_move_there_and_back() {
     assert!((0..3).all(|k| back.frame().derive(k, &f) == start.derive(k, &f)));
 }
 
-/// A tensor and two fields of functions.
+/// A tensor and two fields whose components are functions.
 fn samples<const RANK: usize>(slots: [Variance; RANK]) -> Tensor<Symbolic> {
     let functions = ["x", "sin(theta)*y", "0", "cos(theta)", "x*y + 1", "exp(y)", "2"];
     Tensor::from_fn(3, slots, |at| {
@@ -248,7 +249,7 @@ fn frames_that_are_none_are_refused() {
     }
 }
 
-/// Numbers have no derivatives: over them every chart is flat, and nothing fails.
+/// Numbers have zero derivatives: over numbers every chart is flat, and nothing fails.
 #[test]
 fn charts_over_numbers() {
     let chart = Chart::new(&["x", "y"]).unwrap();
@@ -258,7 +259,7 @@ fn charts_over_numbers() {
     assert_eq!(fields.written(), ["d_x + 2*d_y", "3*d_x + 4*d_y"]);
 }
 
-/// Christoffel symbols as every textbook has them, and the curvature (B12) in a natural basis.
+/// The textbook formula of Christoffel symbols, and the curvature (B12) in a coordinate basis.
 #[test]
 fn the_classical_formulas_of_coordinates() {
     let names = ["x", "y", "z"];
@@ -322,8 +323,8 @@ fn rotation_vectors() -> (Fields<Symbolic>, BasisChange<Symbolic>) {
 }
 
 /// (75): in canonical coordinates the symmetric part of the affinities vanishes at the pole, and
-/// the antisymmetric part is half the torsion; after (75): off the pole it does not vanish, though
-/// its contraction with `q^j q^k` does, for rays are autoparallel.
+/// the antisymmetric part is half the torsion. After (75): elsewhere the symmetric part does not
+/// vanish, but its contraction with `q^j q^k` does, because rays are autoparallel.
 #[test]
 fn eq_75_affinities_in_canonical_coordinates() {
     let (fields, change) = rotation_vectors();
@@ -364,6 +365,6 @@ fn eq_75_affinities_in_canonical_coordinates() {
         assert!(size(1.0) > 1e-2);
         symmetric_parts.push(symmetric);
     }
-    // torsion aside, the three canonical connections are one
+    // up to torsion, the three canonical connections are equal
     assert!(symmetric_parts.windows(2).all(|pair| pair[0] == pair[1]));
 }

@@ -1,4 +1,5 @@
-//! The covariant derivative is a derivation: products, contractions, and its value on tensors.
+//! The covariant derivative is a derivation for products and contractions, and has the right value
+//! on tensors.
 
 mod canonical;
 
@@ -9,7 +10,7 @@ use proptest::prelude::*;
 
 type Mixed = Tensor<Rational>;
 
-/// A space with `s^i_j` and `t^i_jk`.
+/// A space with random tensors `s^i_j` and `t^i_jk`.
 fn with_tensors(most: usize) -> impl Strategy<Value = (Space, Mixed, Mixed)> {
     spaces(most).prop_flat_map(|space| {
         let n = space.dimension();
@@ -20,7 +21,7 @@ fn with_tensors(most: usize) -> impl Strategy<Value = (Space, Mixed, Mixed)> {
 properties! {
     #![cases(64)]
 
-    /// Component by component, as the conventions write it.
+    /// The covariant derivative by components, as in the conventions.
     #[test]
     fn by_components((space, s, _) in with_tensors(4)) {
         let n = space.dimension();
@@ -72,21 +73,21 @@ properties! {
         prop_assert!(connection.nabla(&s.trace(0, 1)?)?.is_empty());
     }
 
-    /// Lower slots first, upper slots between: the direction is the first lower index.
+    /// With lower slots first and upper slots between, the direction is the first lower index.
     #[test]
     fn any_order_of_slots((space, _, t) in with_tensors(3)) {
         let connection = space.connection();
         let nabla = connection.nabla(&t)?;
         for order in [[1, 0, 2], [1, 2, 0], [2, 1, 0]] {
             let moved = connection.nabla(&t.permute(&order)?)?;
-            // here the direction comes before all of them, there behind the upper slot
+            // here the direction is before all of them, there after the upper slot
             let places = order.map(|slot| if slot == 0 { 0 } else { slot + 1 });
             prop_assert_eq!(moved, nabla.permute(&[&[1], &places[..]].concat())?);
         }
     }
 }
 
-/// The largest ranks end in an answer or an error.
+/// The largest ranks give a result or an error.
 #[test]
 fn ranks_have_a_limit() {
     let frame = Frame::invariant(labels(2), Tensor::zero(2, &[Up, Down, Down]).unwrap()).unwrap();
@@ -96,7 +97,7 @@ fn ranks_have_a_limit() {
     assert_eq!(connection.nabla(&seven).unwrap().get(&[0; 8]), integer(-14));
     let eight = Tensor::<Rational>::from_fn(2, [Down; 8], |_| integer(1)).unwrap();
     assert!(matches!(connection.nabla(&eight), Err(Error::Tensor(_))));
-    // and in a frame that differentiates
+    // and in a frame with derivations
     let plane = Frame::coordinates(&["x", "y"]).unwrap();
     let flat = Connection::new(plane, Tensor::zero(2, &[Up, Down, Down]).unwrap()).unwrap();
     let eight = Tensor::<Symbolic>::from_fn(2, [Up; 8], |_| Symbolic::parameter("x")).unwrap();

@@ -22,7 +22,7 @@ fn minus(a: &[Rational], b: &[Rational]) -> Vec<Rational> {
     a.iter().zip(b).map(|(a, b)| a.clone() - b).collect()
 }
 
-/// (B9) and (B13), written with operators and with every bracket and derivative spelt out.
+/// (B9) and (B13), with operators and with explicit brackets and derivatives.
 fn agrees_with_operators(
     space: &Space,
     connection: &Connection<Rational>,
@@ -160,8 +160,8 @@ fn jacobiator(c: &Tensor<Rational>, [i, j, k, l]: [usize; 4]) -> Rational {
 properties! {
     #![cases(48)]
 
-    /// Without the Jacobi identity `plus` is curved, by exactly the failure of it; Bianchi fails
-    /// too; and the algebra is refused with the first triple and what it leaves.
+    /// If the Jacobi identity fails, the curvature of `plus` is the Jacobiator, and the Bianchi
+    /// identities fail too. The algebra is rejected with the first triple and its Jacobiator.
     #[test]
     fn a_false_bracket_shows(b in (3usize..=4).prop_flat_map(|n| tensors(n, [Up, Down, Down]))) {
         let n = b.dimension();
@@ -201,7 +201,7 @@ properties! {
 properties! {
     #![cases(24)]
 
-    /// The residual is that of the identity as it is stated, also where it does not vanish: over a
+    /// The residual equals the left side of the identity, also where it does not vanish: over a
     /// bracket that violates the Jacobi identity.
     #[test]
     fn the_second_identity_is_the_cyclic_sum_of_nabla_r_and_torsion(

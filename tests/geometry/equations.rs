@@ -1,4 +1,4 @@
-//! Equations of motion against formulas written down otherwise: Euler's, Kirchhoff's, geodesics.
+//! Equations of motion agree with formulas in other forms: Euler's, Kirchhoff's, geodesics.
 
 use crate::common::algebras::seeds;
 use crate::common::{integer, property::properties, spaces};
@@ -131,7 +131,7 @@ properties! {
         }
     }
 
-    /// The rows say what `rate` computes, for every motion and connection.
+    /// The printed rows agree with `rate`, for every motion and connection.
     #[test]
     fn rows_are_the_rates(space in spaces(4), seed in 1..50i64) {
         let n = space.dimension();

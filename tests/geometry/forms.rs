@@ -50,7 +50,7 @@ fn sign(degree: usize) -> i64 {
     if degree.is_multiple_of(2) { 1 } else { -1 }
 }
 
-/// What holds for two forms and a field in any frame of a manifold.
+/// Laws for two forms and a field in any frame of a manifold.
 fn laws<S: Scalar>(frame: &Frame<S>, a: &Form<S>, b: &Form<S>, x: &Tensor<S>) {
     let d = |form: &Form<S>| frame.exterior_derivative(form).unwrap();
     let lie =
@@ -95,7 +95,7 @@ properties! {
         laws(algebra.left_frame(), &a, &b, &x);
     }
 
-    /// `dw(x,y) = -w([x,y])`, and `dd = 0` for nothing but a Lie bracket: `dd e^i` is the Jacobi
+    /// `dw(x,y) = -w([x,y])`. `dd = 0` holds for Lie brackets only: `dd e^i` is the Jacobi
     /// residual.
     #[test]
     fn maurer_cartan(n in 3..=5usize, values in vec(rationals(), 60)) {
@@ -154,7 +154,7 @@ properties! {
     }
 }
 
-/// Functions as components, in coordinates and in moving frames.
+/// Components that are functions, in coordinates and in moving frames.
 #[test]
 fn any_frame() {
     for chart in [heisenberg(), affine(), special_linear()] {
@@ -186,7 +186,7 @@ fn any_frame() {
     }
 }
 
-/// The structure equations with derivatives of the affinities.
+/// The structure equations in frames with derivatives of the affinities.
 #[test]
 fn structure_equations_in_a_moving_frame() {
     let chart = affine();
@@ -253,7 +253,7 @@ fn what_is_no_form_is_refused() {
         "the form is not antisymmetric in the slots 1 and 2: component 1,2 is off by 2"
     );
     assert!(matches!(Form::new(Tensor::<Rational>::identity(2)), Err(Error::Shape { .. })));
-    // degrees have a limit
+    // the degree of a form is limited
     let line = form(9, 8, &[integer(1)]);
     let frame =
         Frame::invariant(crate::common::labels(9), Tensor::zero(9, &[Up, Down, Down]).unwrap());

@@ -103,7 +103,7 @@ fn span_of_derivatives(connection: &Connection<Rational>, order: usize) -> usize
     let mut rows = vec![];
     let mut tensor = connection.curvature().clone();
     for step in 0..=order {
-        // slots ^i_{m..}jkl: the matrix is (i, j), everything else tells the rows apart
+        // slots ^i_{m..}jkl: the matrix is (i, j), the other indices enumerate the rows
         let j = 1 + step;
         let mut matrices = std::collections::BTreeMap::<_, Vec<_>>::new();
         for (at, value) in tensor.components() {
@@ -123,7 +123,8 @@ fn span_of_derivatives(connection: &Connection<Rational>, order: usize) -> usize
 properties! {
     #![cases(24)]
 
-    /// Closed under the commutator and under every `Lambda_m`, and within so(g) for Levi-Civita.
+    /// The algebra is closed under the commutator and under every `Lambda_m`, and within so(g) for
+    /// Levi-Civita.
     #[test]
     fn a_subalgebra(space in spaces(4)) {
         for connection in space.connections() {
@@ -135,7 +136,7 @@ properties! {
                 let commutator = contract("a^i_m b^m_j - b^i_m a^m_j -> ^i_j", &operands)?;
                 prop_assert!(holonomy.contains(&commutator));
             }
-            // the search that ends with all skew matrices finds the same algebra
+            // the search that ends early with all skew matrices finds the same algebra
             let beside = connection.holonomy_beside(&space.metric).unwrap();
             prop_assert_eq!(beside.basis().unwrap(), basis);
         }
@@ -156,7 +157,7 @@ properties! {
             let ranks = [1, 2, 3].map(|order| span_of_derivatives(&connection, order));
             let rank = rank(&connection);
             prop_assert!(ranks[2] <= rank);
-            // what has stopped growing never grows again
+            // once the span stops growing, it does not grow again
             if ranks[0] == ranks[1] {
                 prop_assert_eq!(ranks[1], rank);
             }

@@ -1,5 +1,5 @@
-//! Connections with given torsion and nonmetricity: contorsion and disformation; the Levi-Civita connection by what defines it,
-//! and its curvature.
+//! Connections with given torsion and nonmetricity: contorsion and disformation. The Levi-Civita
+//! connection by its defining properties, and its curvature.
 
 use crate::common::algebras::{by_table, seeds};
 use crate::common::charts::{Moved, affine, constant, heisenberg, special_linear};
@@ -41,7 +41,7 @@ properties! {
         let metric = Connection::with_torsion(frame, g, &torsion).unwrap();
         prop_assert_eq!(metric.torsion(), torsion.clone());
         prop_assert!(metric.nonmetricity(g).unwrap().is_empty());
-        // and the pieces alone
+        // and with each of the two alone
         let zero = Tensor::zero(space.dimension(), &[Up, Down, Down])?;
         let levi_civita = Connection::with_torsion(frame, g, &zero).unwrap();
         let koszul = space.levi_civita();
@@ -52,7 +52,7 @@ properties! {
         prop_assert_eq!(both.affinities(), &sum(metric.affinities(), &l));
     }
 
-    /// Every connection is the sum of the three, so nothing else can have the same two tensors.
+    /// Every connection is the sum of the three parts, so torsion and nonmetricity determine it.
     #[test]
     fn the_pieces_add_up(space in spaces(5)) {
         for connection in space.connections() {
@@ -173,7 +173,7 @@ fn any_frame() {
     }
 }
 
-/// In floats, an asymmetry within the tolerance is none.
+/// In floats, an asymmetry within the tolerance counts as zero.
 #[test]
 fn floats() {
     let third = 1.0 / 3.0;
@@ -215,7 +215,7 @@ properties! {
         }
     }
 
-    /// Whatever is added brings torsion or nonmetricity.
+    /// Every change of the Levi-Civita connection adds torsion or nonmetricity.
     #[test]
     fn the_only_one(
         (space, added) in spaces(4).prop_flat_map(|space| {
@@ -233,7 +233,7 @@ properties! {
             prop_assert!(plus(&symmetric).torsion().is_empty());
             prop_assert!(!plus(&symmetric).nonmetricity(&space.metric)?.is_empty());
         }
-        // a part that keeps the metric: antisymmetric in its first two slots, when lowered
+        // a part that preserves the metric: antisymmetric in its first two slots, when lowered
         let lowered = added.lower(0, space.metric.components())?.antisymmetrise(&[0, 2])?;
         let skew = lowered.raise(0, space.metric.inverse())?;
         if !skew.is_empty() {
@@ -269,7 +269,7 @@ properties! {
         prop_assert!(nabla.trace(0, 1)?.is_empty());
     }
 
-    /// The sectional curvature is that of the plane, and comes from the curvature tensor.
+    /// The sectional curvature depends on the plane only, and agrees with the curvature tensor.
     #[test]
     fn sectional_curvature(
         (space, v) in spaces(4).prop_flat_map(|space| {

@@ -133,7 +133,7 @@ fn nilsolitons() {
     assert_eq!(filiform.constant, fraction(-3, 2));
     assert_eq!(diagonal(&filiform.derivation), ["1/2", "1", "3/2", "2"]);
     assert_eq!(einstein(&space), None, "no nilpotent group but the abelian one is Einstein");
-    // another metric on the same group is none
+    // another metric on the same group is not a nilsoliton
     let algebra = space.algebra().unwrap();
     let witness = metric(algebra, &[1, 1, 1, 2]).ricci_soliton(algebra).unwrap().witness().unwrap();
     assert_eq!(witness.letters, "ijk");
@@ -160,7 +160,7 @@ fn second_einstein_metrics() {
         assert_eq!(symmetric(&space), at == "1", "{at}");
         naturally_reductive(&space);
     }
-    // no other: the difference is a multiple of (t - 1)(3t - 1)/t
+    // no other root: the difference is a multiple of (t - 1)(3t - 1)/t
     let product = (t.clone() - &one) * &(constant(3) * &t - &one) / &t;
     assert!((difference / &product).as_constant().is_some());
     assert_eq!(einstein(&family), None);
@@ -181,7 +181,7 @@ fn second_einstein_metrics() {
     }
 }
 
-/// The conditions on `phi`, with brackets of vectors.
+/// The conditions on `phi`, by brackets of vectors.
 fn naturally_reductive<S: Notation + Scalar>(space: &Geometry<S>) {
     let (algebra, metric) = (space.algebra().unwrap(), space.metric().unwrap());
     let phi = reductive(space).holds().unwrap();
@@ -249,7 +249,7 @@ fn metrics_on_the_rotations() {
         }
     }
     naturally_reductive(&named("so3", "diag(1,1,2)"));
-    // right translations by the centre are all there are, and they do not suffice
+    // right translations by the centre are the only additional isometries here, and do not suffice
     let nil = rational("heisenberg.toml", "");
     let fields = nil.metric().unwrap().killing_fields(nil.algebra().unwrap()).unwrap();
     assert_eq!(fields, [[0, 0, 1].map(integer)]);
@@ -320,7 +320,7 @@ fn shapes() {
     assert!(shape(wrong.bi_invariant(&so3).unwrap_err()));
     assert!(shape(wrong.killing_fields(&so3).unwrap_err()));
     assert!(shape(wrong.naturally_reductive(&so3).unwrap_err()));
-    // dimension 0 and 1: nothing is curved
+    // in dimension 0 and 1 the curvature is zero
     for n in [0, 1] {
         let line = by_table(n, &[]);
         let unit = metric(&line, &vec![1; n]);
@@ -332,7 +332,7 @@ fn shapes() {
     }
 }
 
-/// Floats answer as the exact scalars do where all is well scaled.
+/// Floats give the same answers as exact scalars for well-scaled values.
 #[test]
 fn floats() {
     let so3 = rotations().map(Rational::to_f64).unwrap();
@@ -345,7 +345,7 @@ fn floats() {
     assert_eq!(metric.killing_fields(&so3).unwrap().len(), 3);
 }
 
-/// Whether `a` is a multiple of `b`, and of which, by a linear system.
+/// The factor if `a` is a multiple of `b`, by a linear system.
 fn multiple(a: &Tensor<Rational>, b: &Tensor<Rational>) -> Option<Rational> {
     let n = a.dimension();
     let places = (0..n.pow(a.rank() as u32)).map(|mut key| {
@@ -380,7 +380,7 @@ fn killing_by_nabla(space: &Space) -> usize {
 properties! {
     #![cases(32)]
 
-    /// On random metrics the answers are those of a linear system, and witnesses do not lie.
+    /// On random metrics the answers agree with a linear system, and witnesses are right.
     #[test]
     fn answers(space in spaces(4)) {
         let (connection, metric) = (space.levi_civita(), &space.metric);

@@ -29,8 +29,8 @@ fn delta(n: usize) -> Tensor<Rational> {
     Tensor::from_fn(n, [Down, Down], |[i, j]| integer((i == j) as i64)).unwrap()
 }
 
-/// so of the form `diag(eta)`, by `E_ij = e_i eta_j e_j^T - e_j eta_i e_i^T` for `i < j`:
-/// `[E_ij, E_kl] = eta_jk E_il - eta_jl E_ik - eta_ik E_jl + eta_il E_jk`.
+/// The algebra so of the form `diag(eta)`, by `E_ij = e_i eta_j e_j^T - e_j eta_i e_i^T` for `i <
+/// j`: `[E_ij, E_kl] = eta_jk E_il - eta_jl E_ik - eta_ik E_jl + eta_il E_jk`.
 fn orthogonal(eta: &[i64]) -> (Algebra, Vec<(usize, usize)>) {
     let n = eta.len();
     let places: Vec<_> = (0..n).flat_map(|i| (i + 1..n).map(move |j| (i, j))).collect();
@@ -56,8 +56,8 @@ fn constant_curvature(k: i64, g: &Tensor<Rational>) -> Tensor<Rational> {
     contract("d^i_k g_jl - d^i_l g_jk -> ^i_jkl", &operands).unwrap().scale(&integer(k))
 }
 
-/// Both Bianchi identities, torsion and curvature by Nomizu's formulas in plain sums, parallel
-/// tensors: what holds for every invariant connection.
+/// Laws of every invariant connection: both Bianchi identities, torsion and curvature by Nomizu's
+/// formulas in plain sums, parallel tensors.
 fn laws(pair: &Pair, connection: &Connection<Rational>) {
     let (r, c) = (pair.dimension(), pair.algebra().structure_constants());
     let n = pair.algebra().dimension();
@@ -84,8 +84,8 @@ fn laws(pair: &Pair, connection: &Connection<Rational>) {
     }
 }
 
-/// The two canonical connections, Levi-Civita of every metric that a combination of invariant
-/// forms gives, and a combination of all invariant connections.
+/// The two canonical connections, the Levi-Civita connection of a combination of the invariant
+/// forms, and a combination of all invariant connections.
 fn all_connections(pair: &Pair, coefficients: &[Rational]) {
     let natural = pair.natural().unwrap();
     assert!(natural.torsion().is_empty());
@@ -126,8 +126,8 @@ fn add(a: &Tensor<Rational>, b: &Tensor<Rational>) -> Tensor<Rational> {
     Tensor::from_components(a.dimension(), a.slots(), both).unwrap()
 }
 
-/// S^n = SO(n+1)/SO(n) has K = 1 for the metric of the frame, H^n = SO(n,1)/SO(n) has K = -1; de
-/// Sitter and anti-de Sitter space likewise, of indefinite metric.
+/// S^n = SO(n+1)/SO(n) has K = 1 for the metric of the frame, and H^n = SO(n,1)/SO(n) has K = -1.
+/// The same holds for de Sitter and anti-de Sitter space, with indefinite metrics.
 #[test]
 fn spaces_of_constant_curvature() {
     for (eta, curvature) in [
@@ -153,7 +153,7 @@ fn spaces_of_constant_curvature() {
         let g =
             Tensor::from_fn(last, [Down, Down], |[i, j]| integer(if i == j { eta[i] } else { 0 }));
         let g = g.unwrap();
-        // on S^2 there is the area, too
+        // on S^2 the area form is invariant too
         assert_eq!(forms.len(), if last == 2 { 2 } else { 1 });
         let levi_civita = pair.levi_civita(&metric(g.clone())).unwrap();
         assert_eq!(*levi_civita.curvature(), constant_curvature(curvature, &g), "{eta:?}");
@@ -282,15 +282,16 @@ fn flags() {
     let normal = pair.levi_civita(&killing).unwrap();
     assert_eq!(normal.affinities(), pair.natural().unwrap().affinities());
     assert_eq!(normal.ricci(), killing.components().scale(&fraction(5, 12)));
-    // but not of the Kähler ones
+    // but not of the Kähler metrics
     let other = pair.levi_civita(&scaled([1, 1, 2].map(integer))).unwrap();
     assert_ne!(other.affinities(), pair.natural().unwrap().affinities());
     all_connections(&pair, &[integer(1), fraction(-1, 2), integer(3)]);
 }
 
-/// G x G over the diagonal is G, by `(x, y) -> x - y`: the three complements that `x -> (x, 0)`,
-/// `(0, -x)` and `(x/2, -x/2)` span have minus, plus and zero as canonical connections; the natural
-/// one is zero for all of them (K. Nomizu, *Amer. J. Math.* 76 (1954) 33-65, for E. Cartan's three).
+/// G x G over the diagonal is G, by `(x, y) -> x - y`. The three complements that `x -> (x, 0)`,
+/// `(0, -x)` and `(x/2, -x/2)` span have the canonical connections minus, plus and zero. The
+/// natural connection is zero for all of them (K. Nomizu, *Amer. J. Math.* 76 (1954) 33-65, on E.
+/// Cartan's three connections).
 #[test]
 fn groups_as_homogeneous_spaces() {
     for (name, algebra) in seeds().into_iter().filter(|(_, algebra)| algebra.dimension() < 5) {
@@ -331,7 +332,7 @@ fn groups_as_homogeneous_spaces() {
     }
 }
 
-/// Over the trivial subgroup a group is itself.
+/// The quotient by the trivial subgroup is the group.
 #[test]
 fn the_trivial_subgroup() {
     for (name, algebra) in seeds().into_iter().filter(|(_, algebra)| algebra.dimension() < 6) {
@@ -346,7 +347,7 @@ fn the_trivial_subgroup() {
     }
 }
 
-/// Over itself a group is a point.
+/// The quotient of a group by itself is a point.
 #[test]
 fn a_point() {
     let so3 = catalogued("so(3)");
@@ -361,7 +362,7 @@ fn a_point() {
     }
 }
 
-/// Floats and parameters like exact numbers.
+/// Floats and parameters give the same results as exact numbers.
 #[test]
 fn other_scalars() {
     let so4 = catalogued("so(4)");
@@ -386,8 +387,9 @@ fn other_scalars() {
     assert_eq!(scalar.to_string(), "2/a^2");
 }
 
-/// Not of a semisimple group: the Heisenberg group over its centre is a flat plane, the Euclidean
-/// group over the rotations Euclidean space, and aff(1) over the dilations a line.
+/// Quotients of groups that are not semisimple. The Heisenberg group over its centre is a flat
+/// plane, the Euclidean group over the rotations is Euclidean space, and aff(1) over the dilations
+/// is a line.
 #[test]
 fn other_groups() {
     let heisenberg = by_table(3, &[(1, 2, 3, 1)]);
@@ -410,7 +412,8 @@ fn other_groups() {
 properties! {
     #![cases(24)]
 
-    /// One-parameter subgroups of semisimple groups: never symmetric beyond dimension 3.
+    /// Quotients of semisimple groups by one-parameter subgroups are not symmetric beyond dimension
+    /// 3.
     #[test]
     fn over_one_direction(
         name in prop::sample::select(vec!["so(3)", "sl(2)", "so(2,1)", "so(4)", "so(3,1)"]),
@@ -435,7 +438,8 @@ properties! {
     }
 }
 
-/// Another basis of `m` moves torsion and curvature as tensors, the part of `h` in them too.
+/// A change of the basis of `m` transforms torsion and curvature as tensors, including the part in
+/// `h`.
 #[test]
 fn another_basis_of_the_tangent_space() {
     let (so4, _) = orthogonal(&[1; 4]);
@@ -477,7 +481,7 @@ fn what_is_no_pair_is_refused() {
     assert!(matches!(refused, Err(Error::Shape { .. })));
     let refused = ReductivePair::orthogonal(&so3, &units(4, [0]));
     assert!(matches!(refused, Err(Error::Shape { .. })));
-    // a metric and affinities that the isotropy moves
+    // a metric and affinities that are not invariant under the isotropy
     let sphere = ReductivePair::orthogonal(&so3, &units(3, [2])).unwrap();
     let g = Tensor::from_fn(2, [Down, Down], |[i, j]| integer(((i == j) as i64) << i)).unwrap();
     let refused = sphere.levi_civita(&metric(g)).unwrap_err();
@@ -490,19 +494,19 @@ fn what_is_no_pair_is_refused() {
         sphere.connection(gamma),
         Err(Error::Broken { law: Law::IsotropyInvariance, .. })
     ));
-    // nor by way of the frame
+    // nor through a frame
     let ellipse = Metric::diagonal([1, 2].map(integer)).unwrap();
     for refused in [sphere.levi_civita(&ellipse), Connection::levi_civita(sphere.frame(), &ellipse)]
     {
         assert!(matches!(refused, Err(Error::Broken { law: Law::IsotropyInvariance, .. })));
     }
     assert!(matches!(sphere.levi_civita(&metric(delta(3))), Err(Error::Shape { .. })));
-    // questions for a group
+    // quantities that exist for groups only
     assert!(matches!(sphere.canonical().ad_invariance_defect(), Err(Error::Unsupported(_))));
     assert!(matches!(sphere.canonical().curvature_forms(), Err(Error::Unsupported(_))));
 }
 
-/// Dependent vectors of `h` are not a degenerate Killing form.
+/// Dependent vectors of `h` are reported as such, not as a degenerate Killing form.
 #[test]
 fn dependent_vectors_of_the_subalgebra_are_refused() {
     let [once, twice] = [1, 2].map(|k| vec![integer(0), integer(0), integer(k)]);

@@ -14,7 +14,7 @@ use nalgebra::{Isometry3, Matrix3, Matrix6, Point3, Quaternion, UnitQuaternion, 
 use std::array::from_fn;
 use std::f64::consts::{PI, TAU};
 
-/// Rotation vectors of all angles, with another vector for each.
+/// Rotation vectors of all angles, each with a second vector.
 fn twists() -> Vec<[f64; 6]> {
     let angles = [0.0, 1e-300, 1e-170, 1e-9, 1e-4, 0.1, 0.7, 1.5, 2.9, 2.999, 3.0, 3.001, 3.1, PI];
     let more = [PI - 1e-9, 3.1622, 3.1623, 3.3, 4.0, 6.0, 6.25, 7.0, 30.0, 1e5];
@@ -58,7 +58,8 @@ fn close<const N: usize>(what: &str, found: [f64; N], expected: [f64; N], tolera
     }
 }
 
-/// A kernel on all rows at once, on parts of any length, and on single rows: the same floats, near the expected ones.
+/// A kernel gives the same floats on all rows at once, on parts of any length, and on single rows,
+/// close to the expected ones.
 fn check<const A: usize, const B: usize, const O: usize>(
     what: &str,
     kernel: impl Kernel<A, B, O>,
@@ -175,7 +176,7 @@ fn adjoint_by_jacobians() {
     }
 }
 
-/// The row of an error is the first one without a result, in blocks and alone.
+/// An error names the first row without a result, in blocks and for single rows.
 #[test]
 fn errors_name_their_row() {
     let fails = |rows: usize, bad: usize| {

@@ -1,4 +1,4 @@
-//! Elements as numbers, elements brought back to the group, and `Ad*`, on every group.
+//! Embedding coordinates, projection to the group, and `Ad*`, on every group.
 
 use affinor::group::{
     AnyGroup, Coordinates, Embedded, Heisenberg, LieGroup, MatrixGroup, Opposite, Product, Se2,
@@ -8,7 +8,7 @@ use nalgebra::{
     Const, DMatrix, DVector, Isometry3, SVector, UnitQuaternion, Vector2, Vector3, Vector6,
 };
 
-/// The covector that a group's own `Ad*` gives is that of `Ad`; elements that are off the group come back.
+/// The group's `Ad*` agrees with the transpose of `Ad`; elements off the group are projected back.
 #[test]
 fn coadjoint_and_restored() {
     fn check<G: LieGroup>(group: G, x: &G::Vector, grown: impl Fn(G::Element) -> G::Element) {
@@ -22,7 +22,7 @@ fn coadjoint_and_restored() {
                 );
             assert!((DVector::from_vec(h) - expected).amax() < 1e-14);
         }
-        // up to where the series of small angles end, and beyond
+        // angles up to the end of the series for small angles, and beyond
         for size in [1e-3, 0.3, 1.0, 30.0] {
             let (x, h) = (x.clone() * size, group.basis_vector(0) * 2.0 + x.clone());
             let off = group.coadjoint_exp(&x, &h) - group.coadjoint(&group.exp(&x), &h);
@@ -57,7 +57,8 @@ fn coadjoint_and_restored() {
     });
 }
 
-/// `exp(ad_x)` of boosts is known; of small vectors it is `Ad` of the exponential, on every group of the registry.
+/// `exp(ad_x)` of boosts has a closed form; for small vectors it is `Ad` of the exponential, on
+/// every group of the registry.
 #[test]
 fn adjoint_of_an_exponential() {
     let lorentz = AnyGroup::named("so(2,1)+se3").unwrap();
@@ -83,8 +84,8 @@ fn adjoint_of_an_exponential() {
     }
 }
 
-/// Groups that preserve a form, in a basis of other lengths too, invert elements by it: `Ad` of a large element has the rounding of
-/// its terms, `eps |g|^2`.
+/// Groups that preserve a form, also in a basis of other lengths, invert elements by the form. So
+/// `Ad` of a large element has the rounding error of its terms, `eps |g|^2`.
 #[test]
 fn inverses_by_a_form() {
     let stretched = |lengths: [f64; 3]| {
@@ -111,7 +112,7 @@ fn inverses_by_a_form() {
     }
 }
 
-/// `exp(x) exp(-x) = 1` for every size of `x`, or it is refused.
+/// `exp(x) exp(-x) = 1` for every size of `x`, or the product is an error.
 #[test]
 fn products_that_lose_their_digits() {
     let x = DVector::from_vec(vec![6.0, 16.0, 8.0, -4.0]);
@@ -130,7 +131,8 @@ fn products_that_lose_their_digits() {
     assert!((20..30).contains(&refused), "{refused}");
 }
 
-/// Products of small vectors keep their digits: the series of Baker, Campbell and Hausdorff up to the third order.
+/// Products of small vectors are accurate: compared with the Baker-Campbell-Hausdorff series up to
+/// third order.
 #[test]
 fn products_of_small_vectors() {
     for name in ["so3", "se3", "sl2", "gl(2)", "so(4)", "so(2,1)", "sim(2)", "hom(2)", "aff(1)+sl2"]
@@ -148,7 +150,7 @@ fn products_of_small_vectors() {
             assert!(off < 8.0 * f64::EPSILON + 4.0 * size.powi(3), "{name}, {size:e}: {off:e}");
         }
     }
-    // around the size up to which factors are taken less 1
+    // near the size up to which factors are computed minus 1
     let group = AnyGroup::named("gl(2)").unwrap();
     for norm in [0.1, 0.499, 0.501, 0.9] {
         let [x, y] = [[0.5, 0.1, -0.7, 0.5], [0.1, 0.7, 0.5, -0.5]]
@@ -159,7 +161,7 @@ fn products_of_small_vectors() {
     }
 }
 
-/// `exp(s x) exp(t x) = exp((s + t) x)` on SL(2), or it is refused.
+/// `exp(s x) exp(t x) = exp((s + t) x)` on SL(2), or the product is an error.
 #[test]
 fn products_along_subgroups() {
     let directions = [
@@ -171,7 +173,7 @@ fn products_along_subgroups() {
     ];
     let (mut refused, mut right) = (0, 0);
     for x in directions {
-        // of angles at most pi
+        // with angles of at most pi
         let angle = f64::max(-x[2] * x[2] - x[0] * x[1], 0.0).sqrt();
         for s in [-30.0, -17.0, -3.0, -1e-9, 0.5, 2.9, 3.0, 16.0, 31.0] {
             for t in [-31.0, -16.0, -2.9, 0.3, 1e-7, 17.0, 29.0] {
@@ -195,14 +197,15 @@ fn products_along_subgroups() {
         }
     }
     assert!(refused > 20 && right > 150, "{refused} {right}");
-    // a sum of large vectors loses no more than a sum does
+    // the error for a sum of large vectors is not larger than the rounding error of the sum
     for size in [1e9, 1e11, 1e200] {
         let x = Vector3::new(size, 0.0, 0.0);
         assert_eq!(Sl2.log_product(&x, &-x).unwrap(), Vector3::zeros(), "{size:e}");
     }
 }
 
-/// Numbers of elements make them again, and change as differences say, of right-invariant systems as well.
+/// Embedding coordinates round-trip, and `rate` agrees with finite differences, on left- and
+/// right-invariant groups.
 #[test]
 fn numbers_of_elements() {
     fn check<G: Embedded>(group: G) {
@@ -231,8 +234,8 @@ fn numbers_of_elements() {
     check(Opposite(Sl2));
 }
 
-/// A basis that mixes rotations with translations: the coordinates of a matrix keep the digits of rotations, in any unit
-/// of length.
+/// In a basis that mixes rotations with translations, the coordinates of a matrix are accurate for
+/// rotations, in any unit of length.
 #[test]
 fn rotations_beside_long_translations() {
     for length in [1e-6, 1.0, 1e3, 1e6] {
@@ -255,7 +258,7 @@ fn rotations_beside_long_translations() {
     }
 }
 
-/// Elements that nearly coincide have a mean, near 1 and far from it.
+/// Elements that nearly coincide have a mean, near the identity and far from it.
 #[test]
 fn means_of_close_elements() {
     let g = So3.exp(&Vector3::new(0.3, -0.7, 0.4));

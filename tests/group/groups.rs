@@ -1,4 +1,5 @@
-//! Every group obeys the laws of a Lie group: axioms, exp and log, Ad and ad, tangent operators.
+//! Every group satisfies the laws of a Lie group: axioms, exp and log, Ad and ad, tangent
+//! operators.
 
 mod matrix_group;
 mod so3;
@@ -23,7 +24,7 @@ fn norm<V: Coordinates>(x: &V) -> f64 {
     DVector::from_column_slice(x.components()).norm()
 }
 
-/// `exp(x) exp(y)`-sized numbers are compared beside their own size.
+/// Compares numbers relative to their own size, which may be as large as that of `exp(x) exp(y)`.
 fn close<V: Coordinates>(x: &V, y: &V, tolerance: f64) {
     let (off, size) = (norm(&(x.clone() - y.clone())), 1.0 + norm(x) + norm(y));
     assert!(off <= tolerance * size, "{x:?} and {y:?} differ by {off:e}");
@@ -38,7 +39,8 @@ fn ad<G: LieGroup>(group: &G, x: &G::Vector) -> DMatrix<f64> {
     group.operator_matrix(|v| group.bracket(x, v))
 }
 
-/// Along the flows of `X` and `Y` there and back lies the bracket: `s^2 [X, Y]` and what is odd beyond.
+/// The commutator of the flows of `X` and `Y` is `s^2 [X, Y] + O(s^3)`; the mean over `s` and `-s`
+/// cancels the odd orders.
 fn commutator_of_flows<G: LieGroup>(
     group: &G,
     g: &G::Element,
@@ -70,7 +72,7 @@ fn fields<G: LieGroup>(group: &G, [x, y, v]: [&G::Vector; 3]) {
         };
         close(&((step(s) - step(-s)) * (0.5 / s)), &y.at(group, &g), 1e-6);
     }
-    // right translation of a curve through g along v, by h
+    // right translation by h of a curve through g with the velocity v
     let (h, s) = (group.exp(x), 1e-4);
     let gh = group.compose(&g, &h);
     let curve = |s: f64| {
@@ -168,13 +170,13 @@ fn matrices(basis: &[DMatrix<f64>]) -> MatrixGroup {
     MatrixGroup::new(basis).unwrap()
 }
 
-/// `E_ij`, row by row.
+/// The matrices `E_ij`, row by row.
 fn units(n: usize) -> Vec<DMatrix<f64>> {
     let unit = |at: usize| DMatrix::from_fn(n, n, |i, j| f64::from(u8::from(i * n + j == at)));
     (0..n * n).map(unit).collect()
 }
 
-/// `-i/2` times the matrices of Pauli.
+/// The Pauli matrices times `-i/2`.
 fn pauli() -> MatrixBasis<f64> {
     let real = |re| Complex { re, im: 0.0 };
     let imaginary = |im| Complex { re: 0.0, im };
@@ -238,11 +240,11 @@ fn brackets_are_those_of_the_catalogue() {
     }
 }
 
-/// Matrices of an algebra in any basis have that algebra, its zeros too.
+/// A group of matrices in any basis has the structure constants of its algebra, including zeros.
 #[test]
 fn matrix_groups_know_their_algebra() {
     assert_eq!(matrices(&spins()).algebra().unwrap().structure_constants().len(), 6);
-    // 27 products E_ij E_jl, in both orders, less the squares E_ii E_ii
+    // 27 products E_ij E_jl, in both orders, without the squares E_ii E_ii
     assert_eq!(matrices(&units(3)).algebra().unwrap().structure_constants().len(), 2 * 27 - 2 * 3);
     let mixed: Vec<_> = (0..3)
         .map(|a| {
@@ -260,7 +262,7 @@ fn matrix_groups_know_their_algebra() {
     }
 }
 
-/// Closed forms and matrices know nothing of each other.
+/// Closed forms agree with the independent code for matrices.
 #[test]
 fn closed_forms_agree_with_matrix_groups() {
     fn agree<G: LieGroup>(group: &G, numbers: &[f64]) {
@@ -272,7 +274,7 @@ fn closed_forms_agree_with_matrix_groups() {
                 let part = |t: f64| group.matrix(&group.exp(&(e.clone() * t)));
                 let difference = |h: f64| (part(h) - part(-h)) / (2.0 * h);
                 let h = 1e-2;
-                // exact to h^4/480, then rounded to the integers that they are
+                // accurate to h^4/480, then rounded to integers
                 ((difference(h) * 4.0 - difference(2.0 * h)) / 3.0).map(f64::round)
             })
             .collect();
@@ -301,7 +303,8 @@ fn closed_forms_agree_with_matrix_groups() {
 properties! {
     #![cases(256)]
 
-    /// Principal logarithms of matrices come back; other matrices have one or say why not.
+    /// Principal logarithms of matrices are found; for other matrices the result is a logarithm or
+    /// an error.
     #[test]
     fn logarithms_of_matrices(numbers in vec(-0.75..0.75f64, 16), entries in vec(-3.0..3.0f64, 16)) {
         let group = matrices(&units(4));
@@ -318,29 +321,30 @@ properties! {
         }
     }
 
-    /// What has no logarithm in SL(2,R) has a trace of -2 or less. Near -2 a rounding of the logarithm
-    /// moves its exponential far.
+    /// Elements of SL(2,R) without a logarithm have a trace of -2 or less. Near -2 a rounding error
+    /// of the logarithm changes its exponential a lot.
     #[test]
     fn logarithms_in_sl2(x in vec(-3.0..3.0f64, 3), y in vec(-3.0..3.0f64, 3)) {
         let [x, y] = [x, y].map(|x| Sl2.exp(&Vector3::from_vec(x)));
-        // a product of large factors that is small is off the group by their roundings
+        // a small product of large factors is off the group by their rounding errors
         let g = Sl2.project(Sl2.compose(&x, &y));
         match Sl2.log(&g) {
             Ok(log) => {
-                // d exp along e is g T_left(log) e
+                // the differential of exp along e is g T_left(log) e
                 let moved = |e: &Vector3<f64>| Sl2.rate(&g, &Sl2.tangent_left(&log, e)).norm();
                 let moved = Sl2.basis().iter().map(moved).fold(0.0, f64::hypot);
                 let condition = moved * log.norm() / g.norm();
                 let bound = 64.0 * f64::EPSILON * (1.0 + condition) * (1.0 + g.norm());
                 prop_assert!((Sl2.exp(&log) - g).norm() <= bound);
             }
-            // the determinant of the traceless part is of the size of the squares of the entries
+            // the determinant of the trace-free part has the size of the squares of the entries
             Err(_) => prop_assert!(g.trace() <= -2.0 + 8.0 * f64::EPSILON * g.norm_squared()),
         }
     }
 }
 
-/// A pair of eigenvalues within 0.7 degrees of the negative axis: square roots lose digits, which a correction restores.
+/// A pair of eigenvalues within 0.7 degrees of the negative axis: square roots lose accuracy, which
+/// a correction restores.
 #[test]
 fn a_logarithm_near_the_negative_axis() {
     let a = DMatrix::from_column_slice(
@@ -369,14 +373,15 @@ fn a_logarithm_near_the_negative_axis() {
     near(&group.exp(&group.log(&a).unwrap()), &a, 1e-9);
 }
 
-/// Ill-conditioned: to round the exact logarithm moves its exponential by 1.3e-11 of its size already.
+/// Ill-conditioned: rounding the exact logarithm already changes its exponential by a relative
+/// 1.3e-11.
 #[test]
 fn a_logarithm_near_the_trace_minus_2() {
     let x = Sl2.exp(&Vector3::new(-1.9349925814404887, 0.9088266813485224, -2.727862405312867));
     let y = Sl2.exp(&Vector3::new(2.324467052592795, -2.67600688487578, 2.859412346957492));
     let g = Sl2.compose(&x, &y);
     let log = Sl2.log(&g).unwrap();
-    // of the entries as they are, in 60 digits
+    // of the entries as given, in 60 digits
     let exact = Vector3::new(122.80288518851135, -676.483023261402, 288.2100236673953);
     assert!((log - exact).norm() <= 1e-11 * exact.norm(), "{log}");
     assert!((Sl2.exp(&log) - g).norm() <= 1e-10 * g.norm());
@@ -391,7 +396,7 @@ fn elements_without_a_logarithm_are_refused() {
     // hyperbolic and parabolic with a negative trace
     assert!(reason(Sl2.log(&Matrix2::new(-2.0, 0.0, 0.0, -0.5))).contains("-2.5"));
     assert!(reason(Sl2.log(&Matrix2::new(-1.0, 1.0, 0.0, -1.0))).contains("trace is -2,"));
-    // -1 has many
+    // -1 has many logarithms
     let half_turn = Sl2.log(&-Matrix2::identity()).unwrap();
     assert!((Sl2.exp(&half_turn) + Matrix2::identity()).norm() < 1e-15);
 
@@ -410,7 +415,7 @@ fn elements_without_a_logarithm_are_refused() {
     assert!(matches!(gl2.log(&DMatrix::zeros(2, 3)), Err(Error::Shape { .. })));
     assert!(refused([f64::NAN, 0.0, 0.0, 1.0]).contains("NaN"));
     assert!(refused([f64::INFINITY, 0.0, 0.0, 1.0]).contains("inf"));
-    // a matrix of GL(3) near SO(3) that is no rotation
+    // a matrix of GL(3) near SO(3) that is not a rotation
     let stretched = DMatrix::from_diagonal(&DVector::from_vec(vec![1.0, 1.0, 2.0]));
     let outside = matrices(&spins()).log(&stretched).unwrap_err().to_string();
     assert!(outside.contains("leaves the algebra by 6.93"), "{outside}");
@@ -469,7 +474,7 @@ fn huge_and_tiny_vectors_give_no_nan() {
     for turn in sizes.iter().chain(&[1e154, 1e200, 1e300, 1.7e308]) {
         finite(&So2, &SVector::from([*turn]));
         finite(&So3, &Vector3::new(*turn, -turn, turn * 0.3));
-        // on the line of E - F, a rotation
+        // along E - F, which generates rotations
         finite(&Sl2, &Vector3::new(*turn, -turn * 0.9, turn * 0.1));
         for shift in &sizes {
             finite(&Se2, &Vector3::new(*turn, *shift, -shift));
@@ -487,7 +492,7 @@ fn huge_and_tiny_vectors_give_no_nan() {
     }
 }
 
-/// The tangent operator of SE(3) keeps its digits through many turns.
+/// The tangent operator of SE(3) is accurate after many turns.
 #[test]
 fn many_turns_of_a_screw() {
     for turn in [3.0, 3.2, 10.0, 50.0, 300.0] {
@@ -556,7 +561,7 @@ fn means_commute_with_translations() {
     assert!(reason.starts_with("after 1 iterations"), "{reason}");
 }
 
-/// Of rotations, on both sides; their type has a fixed size.
+/// Jacobians of rotations, on both sides; their type has a fixed size.
 #[test]
 fn jacobians_are_derivatives_of_exp() {
     let (x, v) = (Vector3::new(0.4, -1.0, 0.3), Vector3::new(1.0, 0.2, -0.5) * 1e-6);

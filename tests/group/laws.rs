@@ -1,4 +1,4 @@
-//! The laws of groups blame a mistake on the function that has it.
+//! The laws of groups attribute a mistake to the function that contains it.
 
 use affinor::Error;
 use affinor::group::{LieGroup, laws};
@@ -50,7 +50,7 @@ impl LieGroup for Mistaken {
     }
 }
 
-/// A mistake breaks a law about the function that has it.
+/// A mistake in a function violates a law of this function.
 #[test]
 fn a_mistake_is_blamed_on_its_law() {
     let [x, y, z] = [[0.3, -0.7], [-0.4, 0.5], [0.2, 0.9]].map(Vector2::from);

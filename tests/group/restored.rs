@@ -1,4 +1,5 @@
-//! Nearest elements of groups, against the polar decomposition, near the origin of space and far from it.
+//! The nearest elements of groups agree with the polar decomposition, near the origin of space and
+//! far from it.
 
 use crate::common::property::properties;
 use affinor::group::{LieGroup, MatrixNotation, Se3, So3, restored};
@@ -29,7 +30,8 @@ properties! {
         prop_assert!((distance - (nearest - m).amax()).abs() < 1e-14);
     }
 
-    /// The rotation is that of the block, and the translation stays, wherever the body is and whatever the unit of length.
+    /// The rotation is the nearest one to the block, and the translation does not change, wherever
+    /// the body is and in any unit of length.
     #[test]
     fn of_poses_keeps_the_translation(
         x in proptest::array::uniform3(-2.0..2.0f64),
@@ -45,7 +47,7 @@ properties! {
         m.fixed_view_mut::<3, 1>(0, 3).copy_from(&p);
         let nearest = Se3.write(&restored(&Se3, &m).unwrap().0);
         let off = (nearest.fixed_view::<3, 3>(0, 0) - polar(&block)).amax();
-        // derivatives by differences lose digits beside large translations
+        // finite differences lose accuracy next to large translations
         prop_assert!(off < 1e-9, "{power}: {off:e}");
         prop_assert!((nearest.fixed_view::<3, 1>(0, 3) - p).norm() < 1e-9 * p.norm().max(1.0));
     }

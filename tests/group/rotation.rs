@@ -34,7 +34,7 @@ properties! {
         prop_assert!(distance(&from_matrix(&r, 4.0 * EPS).unwrap(), &g) <= 4.0 * EPS);
     }
 
-    /// A quaternion whose length strayed still has an orthogonal matrix.
+    /// A quaternion of length other than 1 still has an orthogonal matrix.
     #[test]
     fn matrices_of_strayed_quaternions(g in rotations(), scale in 0.5..2.0f64) {
         let r = matrix(&UnitQuaternion::new_unchecked(g.into_inner() * scale));
@@ -52,7 +52,8 @@ properties! {
         }
     }
 
-    /// In lock, the combination that is said to be determined is that of the angles put in.
+    /// In gimbal lock, the combination of angles that is reported as determined equals that of the
+    /// given angles.
     #[test]
     fn gimbal_lock(a in -3.0..3.0f64, c in -3.0..3.0f64, upper in any::<bool>()) {
         for sequence in Sequence::all() {
@@ -87,7 +88,7 @@ properties! {
         }
     }
 
-    /// Between any two kinds, by way of the rotation vector.
+    /// Conversions between any two kinds agree with conversions through the rotation vector.
     #[test]
     fn rotation_vectors_agree(x in [-1.8..1.8f64, -1.8..1.8, -1.8..1.8].prop_map(Vector3::from)) {
         let g = So3.exp(&x);
@@ -100,7 +101,7 @@ properties! {
         }
     }
 
-    /// Any finite numbers make a rotation, or are refused.
+    /// Any finite numbers give a rotation or an error.
     #[test]
     fn nothing_finite_makes_a_nan(bits in any::<[u64; 4]>()) {
         let [a, b, c, d] = bits.map(f64::from_bits);
@@ -143,7 +144,7 @@ fn known_values() {
     assert_eq!(modified_rodrigues(&half), Vector3::y());
     assert_eq!(So3.log(&half).unwrap(), Vector3::y() * PI);
     let refused = rodrigues(&half).unwrap_err().to_string();
-    assert_eq!(refused, "no Gibbs vector: the angle is pi");
+    assert_eq!(refused, "invalid Gibbs vector: the angle is pi");
 }
 
 #[test]
@@ -151,7 +152,7 @@ fn what_is_no_rotation_is_refused() {
     let mut r = Matrix3::identity();
     r[(0, 1)] = 1e-3;
     let refused = from_matrix(&r, 1e-6).unwrap_err().to_string();
-    assert_eq!(refused, "no rotation: R^T R differs from 1 by 1e-3");
+    assert_eq!(refused, "invalid rotation: R^T R differs from 1 by 1e-3");
     assert!(from_matrix(&r, 1e-2).is_ok());
     assert!(from_matrix(&-Matrix3::identity(), 1e-6).is_err());
     for value in [f64::NAN, f64::INFINITY, 1e300] {
@@ -163,7 +164,7 @@ fn what_is_no_rotation_is_refused() {
     assert!(from_wxyz([f64::NAN, 1.0, 0.0, 0.0]).is_err());
 }
 
-/// `tests/references/rotation_scipy.py`.
+/// The stored results of SciPy, from `tests/references/rotation_scipy.py`.
 #[test]
 fn scipy_agrees() {
     let mut lines = 0;

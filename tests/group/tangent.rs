@@ -1,4 +1,4 @@
-//! The tangent operators of exp at one turn and at several: singular there, and exact beside it.
+//! The tangent operators of exp at one turn and at several turns: singular there, and exact nearby.
 
 use crate::common::{algebras::catalogued, property::properties};
 use affinor::group::{
@@ -15,7 +15,7 @@ fn norm<V: Coordinates>(x: &V) -> f64 {
     DVector::from_column_slice(x.components()).norm()
 }
 
-/// At `x`, where `ad_x` has the eigenvalue `2 pi i k`: both inverses are refused, along any vector.
+/// At `x`, where `ad_x` has the eigenvalue `2 pi i k`, both inverses are errors, along any vector.
 fn singular<G: LieGroup>(group: &G, x: &[f64], v: &[f64]) {
     let [x, v] = [x, v].map(|v| G::Vector::from_components(&v[..group.dimension()]));
     for vector in [&v, &x] {
@@ -30,17 +30,17 @@ fn singular<G: LieGroup>(group: &G, x: &[f64], v: &[f64]) {
     }
 }
 
-/// At `x`, a relative distance away from there: both inverses are inverses, up to their condition.
+/// Near `x`, at a relative distance, both inverses are inverses, up to their condition number.
 fn regular<G: LieGroup>(group: &G, x: &[f64], v: &[f64]) {
     let [x, v] = [x, v].map(|v| G::Vector::from_components(&v[..group.dimension()]));
     type Inverse<'i, V> = &'i dyn Fn(&V, &V) -> Result<V, Error>;
     let check = |of: &DMatrix<f64>, image: &G::Vector, inverse: Inverse<G::Vector>| {
         let back = of.clone().try_inverse().unwrap();
         let n = group.dimension() as f64;
-        // each entry of the operator is known to a rounding
+        // each entry of the operator has a relative rounding error
         let condition = of.norm() * back.norm() * (1.0 + norm(&x)) * n;
         let found = inverse(&x, image).unwrap();
-        // and so is x itself
+        // and x has one too
         let moved = [-4.0, 4.0].map(|ulps| {
             let near = inverse(&(x.clone() * (1.0 + ulps * f64::EPSILON)), image).unwrap();
             norm(&(near - found.clone()))
@@ -56,13 +56,14 @@ fn regular<G: LieGroup>(group: &G, x: &[f64], v: &[f64]) {
     check(&of, &group.tangent_right(&x, &v), &|x, v| group.tangent_right_inverse(x, v));
 }
 
-/// On the groups with rotations: `turn` is the rotation vector, `rest` translations and the like.
+/// Applies a test to groups with rotations: `turn` is the rotation vector, `rest` contains
+/// translations and other components.
 fn on_each(turn: &Vector3<f64>, rest: &[f64], v: &[f64], at: &dyn Fn(&dyn Check)) {
     let of = |numbers: &[&[f64]]| numbers.concat();
     let (w, angle) = (turn.as_slice(), [turn.norm()]);
     let spin = |e: Vector3<f64>| DMatrix::from_column_slice(3, 3, e.cross_matrix().as_slice());
     let spins = MatrixGroup::new(&[Vector3::x(), Vector3::y(), Vector3::z()].map(spin)).unwrap();
-    // E - F generates the rotations of the plane, by half the angle in ad
+    // E - F generates the rotations of the plane, with half the angle in ad
     let boost = Sl2.exp(&Vector3::new(0.3 * rest[0], 0.3 * rest[1], 0.3 * rest[2]));
     let elliptic = Sl2.adjoint(&boost, &Vector3::new(0.5 * angle[0], -0.5 * angle[0], 0.0));
     at(&On(So3, w.to_vec(), v));
@@ -81,7 +82,7 @@ fn on_each(turn: &Vector3<f64>, rest: &[f64], v: &[f64], at: &dyn Fn(&dyn Check)
     }
 }
 
-/// A group, a vector, and another one.
+/// A group and two vectors.
 struct On<'v, G>(G, Vec<f64>, &'v [f64]);
 
 trait Check {
@@ -131,19 +132,19 @@ properties! {
     }
 }
 
-/// A turn about a coordinate axis, in each of the groups, has the same answer.
+/// A rotation about a coordinate axis by a full turn has the same answer in each of the groups.
 #[test]
 fn one_turn_about_an_axis() {
     let (rest, v) = ([0.0, 1.0, 0.0, 0.5, 0.0, 0.0, 0.0, 0.0], [1.0; 12]);
     for turn in [Vector3::x(), Vector3::y(), Vector3::z()] {
         on_each(&(turn * TAU), &rest, &v, &|on| on.singular());
-        // half a turn is regular, and so is none
+        // half a turn is regular, and so is zero
         on_each(&(turn * (0.5 * TAU)), &rest, &v, &|on| on.regular());
         on_each(&(turn * 0.0), &rest, &v, &|on| on.regular());
     }
 }
 
-/// Groups without rotations, or with commuting ones, are never singular.
+/// Groups without rotations, or with commuting ones, do not have singular vectors.
 #[test]
 fn what_does_not_turn_is_never_singular() {
     let x = [TAU, -TAU, 2.0 * TAU, TAU, 0.5, -TAU];

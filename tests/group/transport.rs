@@ -40,8 +40,9 @@ fn full<G: LieGroup + Clone>(group: &G) -> ParallelTranslation<G> {
     ParallelTranslation::new(group.clone(), connection).unwrap()
 }
 
-/// Along `exp(s x)`, in left components: plus is right translation, zero `L_sqrt(p) R_sqrt(p)`, minus left
-/// translation; and for every connection, there and back is the identity.
+/// Along `exp(s x)`, in left-invariant components: plus is right translation, zero `L_sqrt(p)
+/// R_sqrt(p)`, minus left translation. For every connection, transport there and back is the
+/// identity.
 fn laws<G: LieGroup + Clone>(group: G, numbers: &[f64; 6]) {
     let x = G::Vector::from_components(&numbers[..group.dimension()]);
     let algebra = group.algebra().unwrap();
@@ -73,7 +74,7 @@ fn laws<G: LieGroup + Clone>(group: G, numbers: &[f64; 6]) {
     }
 }
 
-/// Whether the loops of an arc of this length and of two such arcs are not refused.
+/// Whether the loops of an arc of this length and of two such arcs are computed without an error.
 fn there_and_back_far<G: LieGroup + Clone>(group: G, numbers: &[f64; 6], length: f64) -> bool {
     let n = group.dimension();
     let vector = |at: usize| {
@@ -89,7 +90,7 @@ fn there_and_back_far<G: LieGroup + Clone>(group: G, numbers: &[f64; 6], length:
                 let off = (around - DMatrix::identity(n, n)).amax();
                 assert!(off < 1e-4, "{length}: {off:e}");
             }
-            // out of range
+            // outside the range of floats
             Ok(_) => all = false,
             Err(Error::Invalid { .. }) => all = false,
             Err(error) => panic!("{error}"),
@@ -98,7 +99,7 @@ fn there_and_back_far<G: LieGroup + Clone>(group: G, numbers: &[f64; 6], length:
     all
 }
 
-/// Refused where rounding is all that is left, and not before.
+/// Transport is an error if only rounding errors are left, and not before.
 #[test]
 fn rounding_of_long_arcs() {
     let algebra = Sl2.algebra().unwrap();
@@ -112,7 +113,8 @@ fn rounding_of_long_arcs() {
     assert!(off < 1e-6, "{off:e}");
     let reason = there_and_back(10.0).unwrap_err().to_string();
     assert!(reason.contains("the rounding of the arcs"), "{reason}");
-    // eigenvectors of ad with the values 2 and -2: the one that shrinks has lost its digits when the other has grown by 1e8
+    // eigenvectors of ad with the values 2 and -2: the shrinking one has no correct digits when the
+    // other has grown by 1e8
     let boost = |length: f64| on_group.along_arcs(&[Vector3::new(length, length, 0.0)]).unwrap();
     let shrinks = Vector3::new(1.0, -1.0, -1.0);
     let carried = on_group.carry(&boost(2.0), &shrinks).unwrap();
@@ -120,7 +122,7 @@ fn rounding_of_long_arcs() {
     assert!((&carried - &expected).amax() < 1e-13, "{carried}");
     assert!(on_group.carry(&boost(9.0), &shrinks).is_err());
     assert!(on_group.carry(&boost(9.0), &Vector3::new(1.0, -1.0, 1.0)).is_ok());
-    // ten thousand arcs of rotations
+    // ten thousand rotation arcs
     let turn = |k: i32| Vector3::new(f64::from(k).sin(), f64::from(k).cos(), 0.3);
     let many: Vec<_> = (0..10_000).map(turn).collect();
     let matrix = canonical(CanonicalConnection::Zero).along_arcs(&many).unwrap();
@@ -140,7 +142,8 @@ fn curve(t: f64) -> UnitQuaternion<f64> {
     )
 }
 
-/// Its velocity `g^-1 g'` from the product rule, with the tangent operator of each factor.
+/// The velocity `g^-1 g'` of the curve by the product rule, with the tangent operator of each
+/// factor.
 fn velocity(t: f64) -> Vector3<f64> {
     let (x, y) = (Vector3::new(t.sin(), t, -t * t), Vector3::new(0.0, t.cos() - 1.0, 2.0 * t));
     let (dx, dy) = (Vector3::new(t.cos(), 1.0, -2.0 * t), Vector3::new(0.0, -t.sin(), 2.0));
@@ -163,7 +166,7 @@ properties! {
         laws(Heisenberg::<Const<5>>::new(), &numbers);
     }
 
-    /// Along long arcs and back, what is not refused is right.
+    /// Along long arcs and back, results are right unless they are errors.
     #[test]
     fn long_arcs(numbers in proptest::array::uniform6(-1.5..1.5f64), length in 0.0..4.0f64) {
         let length = 10f64.powf(length);
@@ -172,12 +175,12 @@ properties! {
         there_and_back_far(MatrixGroup::new(&[stretch, shift]).unwrap(), &numbers, length);
         there_and_back_far(Sl2, &numbers, length);
         there_and_back_far(Se3, &numbers, length);
-        // no length is too long on a compact group
+        // on a compact group every length is allowed
         prop_assert!(there_and_back_far(So3, &numbers, length));
     }
 
-    /// Plus is right translation, minus left translation, zero `L_sqrt(p) R_sqrt(p)`: all in left
-    /// components at `p = exp(x)`.
+    /// Plus is right translation, minus left translation, zero `L_sqrt(p) R_sqrt(p)`: all in
+    /// left-invariant components at `p = exp(x)`.
     #[test]
     fn canonical_translations_are_those_of_the_group(x in vector(), u in vector()) {
         let u_dynamic = DVector::from_column_slice(u.as_slice());
@@ -191,7 +194,7 @@ properties! {
         prop_assert!((carried(CanonicalConnection::Zero) - DVector::from_column_slice(half.as_slice())).amax() < 1e-14);
     }
 
-    /// For every connection: along an arc and back is the identity.
+    /// For every connection, transport along an arc and back is the identity.
     #[test]
     fn there_and_back(x in vector(), j in vector()) {
         let inertia = Matrix3::from_diagonal(&Vector3::new(2.0, 3.0, 4.0)) + j * j.transpose();
@@ -201,7 +204,7 @@ properties! {
         }
     }
 
-    /// Levi-Civita keeps lengths and angles: `B^T g B = g`.
+    /// Levi-Civita preserves lengths and angles: `B^T g B = g`.
     #[test]
     fn levi_civita_keeps_the_metric(j in vector()) {
         let inertia = Matrix3::from_diagonal(&Vector3::new(2.0, 3.0, 4.0)) + j * j.transpose();
@@ -212,7 +215,8 @@ properties! {
     }
 }
 
-/// On M(3) the end points decide: `B = Ad_{q^-1 p}` whatever the curve. On SO(3) they do not.
+/// On M(3) transport depends on the end points only: `B = Ad_{q^-1 p}`. On SO(3) it depends on the
+/// curve.
 #[test]
 fn translation_is_path_independent_on_m3_alone() {
     let (start, end) = (curve(0.0), curve(2.0));
@@ -229,7 +233,7 @@ fn translation_is_path_independent_on_m3_alone() {
     assert!((&along[1] - straight).amax() > 0.1);
 }
 
-/// Samples come to the curve as the square of their distance.
+/// The error of transport along samples is of second order in their distance.
 #[test]
 fn samples_are_of_second_order() {
     let zero = canonical(CanonicalConnection::Zero);
@@ -242,8 +246,8 @@ fn samples_are_of_second_order() {
     assert!((order - 2.0).abs() < 0.05, "{order}");
 }
 
-/// The closed subgroup of full turns: the identity on M(3), a half turn on SO(3) (after (71)), and a
-/// small loop turns by curvature times area.
+/// Transport around the closed subgroup of full turns is the identity on M(3) and a half turn on
+/// SO(3) (after (71)). Transport around a small loop is a rotation by curvature times area.
 #[test]
 fn holonomy_of_loops() {
     let turn = Vector3::new(0.0, TAU, 0.0);
@@ -253,8 +257,8 @@ fn holonomy_of_loops() {
     let half_turn = rotation(&So3.exp(&Vector3::new(0.0, PI, 0.0)));
     assert!((zero - half_turn).amax() < 1e-14);
 
-    // R(e1, e2) e2 = e1/4 along the square of side h in the plane of e1 and e2; the bracket of the
-    // sides closes it
+    // R(e1, e2) e2 = e1/4 along the square with side h in the plane of e1 and e2; the bracket of
+    // the sides closes the loop
     let h = 1e-3;
     let sides =
         [Vector3::x(), Vector3::y(), -Vector3::x(), -Vector3::y()].map(|e| So3.exp(&(e * h)));
@@ -274,8 +278,8 @@ fn holonomy_of_loops() {
     }
 }
 
-/// Geodesics of the inertia are free bodies: R H and the energy are constant, the velocity obeys
-/// Euler's equations, also for an inertia that is not diagonal.
+/// Geodesics of the inertia are motions of free bodies: R H and the energy are constant, and the
+/// velocity satisfies Euler's equations, also for an inertia that is not diagonal.
 #[test]
 fn geodesics_are_free_bodies() {
     let inertia = Matrix3::new(2.0, 0.3, -0.2, 0.3, 3.0, 0.5, -0.2, 0.5, 4.0);
@@ -290,16 +294,16 @@ fn geodesics_are_free_bodies() {
         assert!((w.dot(&(inertia * w)) - w0.dot(&(inertia * w0))).abs() < 1e-9);
         assert!((g.norm() - 1.0).abs() < 1e-13);
     }
-    // and it moves: not a fixed point that keeps everything
+    // the motion is not a fixed point, which would conserve everything
     assert!((motion[2].left - w0).norm() > 0.1);
-    // backwards from the end is the start
+    // the motion backwards from the end leads to the start
     let TangentVector { base: g, left: w } = &motion[2];
     let back = on_group.autoparallel(g, &-w, &[10.0], 1e-12).unwrap();
     assert!(So3.log(&So3.compose(&So3.inverse(&g0), &back[0].base)).unwrap().norm() < 1e-8);
 }
 
-/// On the motions of a plane the geodesics of a metric obey the Euler-Poincare equations of `plus`, and the spatial momentum
-/// `Ad*_{g^-1} H` is constant.
+/// On the motions of the plane, geodesics of a metric satisfy the Euler-Poincare equations of
+/// `plus`, and the spatial momentum `Ad*_{g^-1} H` is constant.
 #[test]
 fn geodesics_of_the_motions_of_a_plane_are_free_bodies() {
     let algebra = Se2.algebra().unwrap();
@@ -332,7 +336,8 @@ fn geodesics_of_the_motions_of_a_plane_are_free_bodies() {
     assert!((end.left - omega).norm() > 0.05);
 }
 
-/// The covariant derivative along a curve, `vdot + Lambda(w, v)`, is the derivative of the vectors carried back in parallel.
+/// The covariant derivative along a curve, `vdot + Lambda(w, v)`, is the time derivative of the
+/// vectors transported back to one point.
 #[test]
 fn covariant_derivatives_are_rates_of_vectors_carried_back() {
     let (x, y, t) = (Vector3::new(0.3, -0.8, 0.5), Vector3::new(-0.6, 0.2, 0.9), 0.8_f64);
@@ -380,7 +385,7 @@ fn a_geodesic_between_two_points() {
     assert!(So3.log(&So3.compose(&So3.inverse(&q), end)).unwrap().norm() < 1e-9);
     // it is not the one-parameter group
     assert!((n - So3.log(&So3.compose(&So3.inverse(&p), &q)).unwrap()).norm() > 1e-2);
-    // from a point to itself
+    // from a point to the same point
     assert!(on_group.autoparallel_between(&p, &p, 1e-10).unwrap().norm() < 1e-16);
 }
 

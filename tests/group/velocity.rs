@@ -1,4 +1,4 @@
-//! Body and spatial velocity of paths, against matrices differentiated by hand.
+//! Body and spatial velocity of paths agree with differentiated matrices.
 
 use affinor::Error;
 use affinor::group::{Coordinates, LieGroup, MatrixGroup, Se3, Sl2, So3, Velocity};
@@ -15,7 +15,7 @@ fn turned(t: f64) -> UnitQuaternion<f64> {
         * UnitQuaternion::from_axis_angle(&Vector3::x_axis(), b)
 }
 
-/// `R` and `dR/dt`, entry by entry.
+/// The matrices `R` and `dR/dt`, entry by entry.
 fn matrices(t: f64) -> [Matrix3<f64>; 2] {
     let ([a, b], [da, db]) = angles(t);
     let ((sa, ca), (sb, cb)) = (a.sin_cos(), b.sin_cos());
@@ -31,7 +31,7 @@ fn vect(m: Matrix3<f64>) -> Vector3<f64> {
     Vector3::new(m[(2, 1)], m[(0, 2)], m[(1, 0)])
 }
 
-/// `Omega` and `omega` by (5) and (7).
+/// The velocities `Omega` and `omega` by (5) and (7).
 fn rotating(t: f64) -> Velocity<Vector3<f64>> {
     let [r, dr] = matrices(t);
     Velocity { body: vect(r.transpose() * dr), spatial: vect(dr * r.transpose()) }
@@ -60,7 +60,7 @@ fn error<V: Coordinates>(found: &Velocity<V>, expected: &Velocity<V>) -> f64 {
     off(&found.body, &expected.body).max(off(&found.spatial, &expected.spatial))
 }
 
-/// Times from 0.3 to 2.3 whose distances differ by a factor of 3.
+/// Times from 0.3 to 2.3 whose distances differ by factors of up to 3.
 fn uneven(n: usize) -> Vec<f64> {
     let at = |i: usize| 0.3 + 2.0 * i as f64 / n as f64;
     (0..=n).map(|i| at(i) + 0.25 * (std::f64::consts::PI * at(i)).sin() / 2.0).collect()
@@ -76,7 +76,7 @@ fn orders<G: LieGroup>(
     let order = (of_path(0.4) / of_path(0.2)).log2();
     assert!((order - 6.0).abs() < 0.3, "paths: {order}");
     assert!(of_path(0.02) < 1e-11, "{}", of_path(0.02));
-    // samples: order 4, within and at both ends, for equal and unequal distances
+    // samples: order 4, in the interior and at both ends, for equal and unequal distances
     let even = |n: usize| (0..=n).map(|i| 0.3 + 2.0 * i as f64 / n as f64).collect::<Vec<_>>();
     for spaced in [&even as &dyn Fn(usize) -> Vec<f64>, &uneven] {
         let of_samples = |n: usize| -> [f64; 3] {
@@ -118,7 +118,7 @@ fn matrices_of_size_two() {
         spatial: Vector3::new(t.sin().exp() * (2.0 * t - t * t * t.cos()), 0.0, t.cos()),
     };
     orders(&Sl2, path, exact);
-    // the same matrices as a group of matrices
+    // the same matrices in a matrix group
     let unit = |i, j| DMatrix::from_fn(2, 2, |r, c| f64::from(u8::from((r, c) == (i, j))));
     let triangular = MatrixGroup::new(&[unit(0, 1), unit(0, 0) - unit(1, 1)]).unwrap();
     let path = |t: f64| DMatrix::from_column_slice(2, 2, path(t).as_slice());
@@ -128,7 +128,7 @@ fn matrices_of_size_two() {
     assert!(error(&found, &exact(0.7)) < 1e-11);
 }
 
-/// From coordinates and their rates, and from either image to the other.
+/// The velocities from coordinates and their time derivatives, and from either image to the other.
 #[test]
 fn given_derivatives() {
     let coordinates = |t: f64| Vector6::new(t, t * t, 0.3, -t, 1.0, t.sin());
@@ -143,8 +143,8 @@ fn given_derivatives() {
     assert!(error(&Velocity::from_spatial(&Se3, &g, exact.spatial), &exact) < 1e-14);
 }
 
-/// Coordinates are continued past half a turn, where logarithms jump: five samples a turn are enough for a
-/// steady spin, also at the ends, four steps from the last sample used.
+/// Coordinates are continued past half a turn, where logarithms jump. Five samples per turn are
+/// enough for a steady rotation, also at the ends, four steps from the last sample used.
 #[test]
 fn fast_spins() {
     let spin = Vector3::new(1.0, -2.0, 2.0) / 3.0;
@@ -164,7 +164,7 @@ fn few_samples() {
     for velocity in two.unwrap() {
         assert!((velocity.body - Vector3::x() * 2.0).norm() < 1e-15);
     }
-    // three: exact for coordinates of second degree around the middle
+    // three samples: exact for quadratic coordinates near the middle
     let x = |t: f64| Vector3::new(t + t * t, 0.0, -t);
     let times = [-0.3, 0.0, 0.5];
     let found = Velocity::of_samples(&So3, &times, &times.map(|t| So3.exp(&x(t)))).unwrap();
@@ -183,7 +183,7 @@ fn what_is_no_path_is_refused() {
     assert!(message(&[0.0, 1.0, 1.0], 3).contains("1 after 1"));
     assert!(message(&[0.0, f64::NAN], 2).contains("NaN after 0"));
     assert!(message(&[f64::NEG_INFINITY, 0.0], 2).contains("0 after -inf"));
-    // elements of SL(2,R) with no logarithm between them
+    // elements of SL(2,R) such that the element between them has no logarithm
     let far = [Matrix2::identity(), Matrix2::new(-2.0, 0.0, 0.0, -0.5)];
     let refused = Velocity::of_samples(&Sl2, &[0.0, 1.0], &far).unwrap_err();
     assert!(matches!(refused, Error::Invalid { what: "logarithm", .. }), "{refused}");

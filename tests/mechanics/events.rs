@@ -1,4 +1,5 @@
-//! Events: each is found once, at its time, and the state within a step is as good as at its end.
+//! Events: each is found once, at its time, and the state within a step is as accurate as at its
+//! end.
 
 use crate::common::property::properties;
 use affinor::group::{LieGroup, So3};
@@ -16,7 +17,7 @@ use nalgebra::Vector3;
 use proptest::prelude::*;
 use std::cell::Cell;
 
-/// Nothing moves but time.
+/// A system in which only time changes.
 struct Clock;
 
 impl System for Clock {
@@ -27,7 +28,7 @@ impl System for Clock {
     }
 }
 
-/// Time in units of a power of 2.
+/// Time as its state, in units of a power of 2.
 struct Tick;
 
 impl Integrator<Clock> for Tick {
@@ -37,7 +38,7 @@ impl Integrator<Clock> for Tick {
     }
 }
 
-/// The events of a clock: their number and time.
+/// The events of a clock: their numbers and times.
 fn events(
     watched: Vec<Event<f64>>,
     start: f64,
@@ -68,12 +69,12 @@ fn a_zero_at_the_end_of_a_step_counts_once() {
     assert_eq!(events(zero(Direction::Both), 0.0, 0.25, 20).0, [(0, 1.0)]);
     assert_eq!(events(zero(Direction::Rising), 0.0, 0.25, 20).0, [(0, 1.0)]);
     assert_eq!(events(zero(Direction::Falling), 0.0, 0.25, 20).0, []);
-    // backwards it still rises with time
+    // backwards in time, the function still rises with time
     assert_eq!(events(zero(Direction::Rising), 3.0, -0.25, 20).0, [(0, 1.0)]);
-    // a run from there, forwards or backwards, has not crossed it
+    // a run that starts there, forwards or backwards, has not crossed it
     assert_eq!(events(zero(Direction::Both), 1.0, 0.25, 20).0, []);
     assert_eq!(events(zero(Direction::Both), 1.0, -0.25, 20).0, []);
-    // also at the last step
+    // also in the last step
     assert_eq!(events(zero(Direction::Both), 0.0, 0.25, 4).0, [(0, 1.0)]);
 }
 
@@ -89,7 +90,8 @@ fn directions_and_ends() {
     }
     let (rising, _) = events(vec![sine(Direction::Rising, AfterEvent::GoOn)], 0.5, 0.1, 200);
     assert_eq!(rising.len(), 3);
-    // the first that stops ends the run; what comes later in the step is left for a run that goes on
+    // the first event that stops ends the run; later events of the step remain for a run that
+    // continues
     let watched = || {
         vec![
             at(|t: f64| t - 1.03, Direction::Both, AfterEvent::GoOn),
@@ -113,7 +115,7 @@ fn directions_and_ends() {
         let step = DenseStep { system: &Clock, method: &Tick, start: state, length: 0.25 };
         numbers.extend(watch.advance(&step, &mut state).unwrap().iter().map(|c| c.event));
     }
-    // a zero where the run stopped is behind it
+    // a zero at the time at which the run stopped has been passed
     assert_eq!(numbers, [0]);
 }
 
@@ -177,7 +179,7 @@ fn poles_are_no_zeros() {
             1
         );
     }
-    // zeros at multiples of pi, poles between
+    // zeros at multiples of pi, with poles between them
     let found = events(vec![at(f64::tan, Direction::Both, AfterEvent::GoOn)], 0.5, 0.25, 80).0;
     let zeros: Vec<f64> = found.iter().map(|(_, t)| t / std::f64::consts::PI).collect();
     assert_eq!(zeros.len(), 6, "{zeros:?}");
@@ -189,7 +191,8 @@ fn poles_are_no_zeros() {
     assert!(turns.iter().enumerate().all(|(k, turn)| (turn - k as f64).abs() < 1e-14));
 }
 
-/// The event is where the function becomes zero, whatever the steps; where it leaves zero there is none.
+/// The event is where the function becomes zero, whatever the steps; where it stops being zero
+/// there is no event.
 #[test]
 fn functions_that_stay_zero() {
     let start = std::f64::consts::FRAC_PI_3;
@@ -227,7 +230,8 @@ fn what_is_no_number_is_refused() {
 properties! {
     #![cases(256)]
 
-    /// Steep, flat and one-sided functions: each change of sign once, to the rounding of time.
+    /// Steep, flat and one-sided functions: each sign change is found once, to the rounding error
+    /// of time.
     #[test]
     fn times_are_exact(place in 0.01..9.99_f64, power in 0_i32..4, scale in -12..12_i32, lean in -3.0..3.0_f64) {
         let function = |t: f64| {
@@ -254,7 +258,7 @@ fn body() -> (Inertia, EulerPoincare<So3, Free>, State<So3>) {
     (Inertia::diagonal(&moments).unwrap(), system, start)
 }
 
-/// The momentum passes a plane once a period, that of the elliptic functions.
+/// The momentum crosses a plane once per period, which is known by elliptic functions.
 #[test]
 fn a_section_is_crossed_once_a_period() {
     let (inertia, system, start) = body();
@@ -285,7 +289,7 @@ fn a_section_is_crossed_once_a_period() {
     let trajectory = run(10.0 * period, vec![section()]);
     let found = trajectory.events().iter().map(|crossing| crossing.state.clone());
     check(&found.collect::<Vec<_>>(), 1e-11);
-    // between its steps it is as good as at their ends, in both directions of time
+    // between steps the momentum is as accurate as at their ends, in both directions of time
     for (trajectory, period) in [(trajectory, period), (run(-10.0 * period, vec![]), -period)] {
         for k in 0..=100 {
             let state = trajectory.at(0.1 * f64::from(k) * period).unwrap();

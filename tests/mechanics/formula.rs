@@ -1,4 +1,5 @@
-//! Derivatives of formulas with corners and jumps: exact where they are smooth, the mean of both sides at a corner.
+//! Derivatives of formulas with kinks and discontinuities: exact at smooth points, the mean of both
+//! sides at a kink.
 
 use crate::common::property::properties;
 use affinor::mechanics::formula::{Formula, Symbol, Workspace};
@@ -15,7 +16,7 @@ const TEXTS: [&str; 12] = [
     "abs(max(x, -y))^2",
     "step(x - y)*sin(x - y)^2",
     "exp(x)/(2 + y^2) - tan(x/2)*log(3 + y)",
-    // with parts that repeat
+    // with repeated subexpressions
     "sin(x*y)/(1 + x^2 + y^2) + sin(y*x)*min(x*y, y*x) - exp(y^2 + x^2)*(1 + x^2 + y^2)*x*x",
     "sqrt(5 + x*y)*atan(x) - tanh(y)/(x^2 + cos(1))^2",
 ];
@@ -27,7 +28,7 @@ fn formula(text: &str) -> Formula {
 properties! {
     #![cases(64)]
 
-    /// Central differences, where two step sizes agree.
+    /// Central differences, if two step sizes agree.
     #[test]
     fn slopes_are_those_of_the_values(x in -2.0..2.0_f64, y in -2.0..2.0_f64) {
         for text in TEXTS {
@@ -41,7 +42,7 @@ properties! {
                     (at(h) - at(-h)) / (2.0 * h)
                 };
                 let smooth = quotient(1e-4);
-                // at a corner or a jump the quotients differ
+                // at a kink or a discontinuity the quotients differ
                 if (smooth - quotient(1e-5)).abs() < 1e-6 * (1.0 + smooth.abs()) {
                     prop_assert!((slope - smooth).abs() < 1e-5 * (1.0 + smooth.abs()), "{}: {} {}", text, slope, smooth);
                 }
@@ -49,7 +50,7 @@ properties! {
         }
     }
 
-    /// A name may be a constant or a variable: value and derivatives are the same.
+    /// A name may be a constant or a variable: values and derivatives are the same.
     #[test]
     fn constants_are_variables_that_do_not_change(x in -2.0..2.0_f64, y in -2.0..2.0_f64) {
         for text in TEXTS {
@@ -95,7 +96,7 @@ fn corners_have_the_mean_slope() {
         ("step(x) + 2*step(-y)", [0.0, 1.0], 1.0, [0.0, 0.0]),
         ("floor(x) - floor(-y)", [-0.5, 2.0], 1.0, [0.0, 0.0]),
         ("atan2(x, y)", [0.0, -1.0], std::f64::consts::PI, [-1.0, 0.0]),
-        // no infinity times zero: the other branch does not count
+        // no infinity times zero: the other branch is not used
         ("min(x, 1/y)", [1.0, 0.0], 1.0, [1.0, 0.0]),
     ];
     for (text, at, value, slopes) in cases {

@@ -1,5 +1,5 @@
-//! Orders of the integrators, on groups of several kinds, against solutions that share no code with them; and what
-//! they keep.
+//! Orders of the integrators, on groups of several kinds, compared with independent solutions; and
+//! their conserved quantities.
 
 mod adaptive;
 mod compensated;
@@ -27,7 +27,7 @@ use affinor::{CanonicalConnection, Connection, Error, Metric};
 use affinor_tensors::{Down, Tensor};
 use nalgebra::{Const, DMatrix, DVector, Matrix3, UnitQuaternion, Vector3, Vector6, dmatrix};
 
-/// Inner products of a basis that is neither orthogonal nor of length 1.
+/// The inner products of a basis that is neither orthogonal nor normalized.
 pub fn full<G: TranslationSplit>(group: &G) -> Metric<f64> {
     let entry = |[i, j]: [usize; 2]| match i.abs_diff(j) {
         0 => 1.0 + 0.5 * i as f64,
@@ -38,7 +38,7 @@ pub fn full<G: TranslationSplit>(group: &G) -> Metric<f64> {
     Metric::new(group.algebra().unwrap().labels(), metric).unwrap()
 }
 
-/// The basis of the algebra as matrices, which are of whole numbers here.
+/// The basis of the algebra as matrices, which have integer entries here.
 fn generators<G: TranslationSplit>(group: &G) -> Vec<DMatrix<f64>> {
     let step = 1e-5;
     let slope = |x: &G::Vector| {
@@ -52,7 +52,8 @@ fn generators<G: TranslationSplit>(group: &G) -> Vec<DMatrix<f64>> {
     slopes.iter().map(|slope| slope.map(f64::round)).collect()
 }
 
-/// `g' = g Omega` for the entries of a matrix, after other unknowns `x` with `x' = rates(t, g, x)`.
+/// The equation `g' = g Omega` for the entries of a matrix, after other unknowns `x` with `x' =
+/// rates(t, g, x)`.
 fn entries<G: TranslationSplit>(
     group: &G,
     start: (f64, &G::Element, &[f64]),
@@ -78,19 +79,19 @@ fn entries<G: TranslationSplit>(
     (split(&y), y.as_slice()[..n].to_vec())
 }
 
-/// A torque that depends on everything it may.
+/// A torque that depends on all its arguments.
 fn moment(time: f64, matrix: &DMatrix<f64>, omega: &[f64]) -> Vec<f64> {
     let n = omega.len();
     let place = |i: usize| matrix[(0, 1)] * (1.0 + i as f64) - matrix[(0, matrix.ncols() - 1)];
     (0..n).map(|i| 0.2 * (time + i as f64).sin() - 0.1 * omega[i] + 0.1 * place(i)).collect()
 }
 
-/// The same, four times as fast.
+/// The same torque, four times as fast.
 fn fast(time: f64, matrix: &DMatrix<f64>, omega: &[f64]) -> Vec<f64> {
     moment(4.0 * time, matrix, omega).iter().map(|m| 4.0 * m).collect()
 }
 
-/// A torque by the matrix of the element.
+/// A torque that depends on the matrix of the element.
 struct Load<G, F> {
     group: G,
     moment: F,
@@ -111,12 +112,12 @@ struct Case<G: TranslationSplit, M> {
 }
 
 impl<G: TranslationSplit, M: Torque<G>> Case<G, M> {
-    /// How far the end is from that of the oracle.
+    /// The distance of the final state from the reference.
     fn error(&self, method: &impl Integrator<EulerPoincare<G, M>>, steps: usize) -> f64 {
         self.errors(method, steps).amax()
     }
 
-    /// Of each entry of the element, and of the velocity.
+    /// The errors of each entry of the element, and of the velocity.
     fn errors(&self, method: &impl Integrator<EulerPoincare<G, M>>, steps: usize) -> DVector<f64> {
         let end = run(method, &self.system, &self.start, self.span, steps);
         let off = self.system.group().matrix(&end.element) - &self.end.0;
@@ -126,7 +127,7 @@ impl<G: TranslationSplit, M: Torque<G>> Case<G, M> {
     }
 }
 
-/// A system and where the matrix entries and the velocity are after a time, by the equations (106).
+/// A system, and the matrix entries and the velocity at a time by the equations (106).
 fn case<G: TranslationSplit + Clone, F: Fn(f64, &DMatrix<f64>, &[f64]) -> Vec<f64> + Clone>(
     group: G,
     which: CanonicalConnection,
@@ -153,7 +154,8 @@ fn case<G: TranslationSplit + Clone, F: Fn(f64, &DMatrix<f64>, &[f64]) -> Vec<f6
 
 type Moment = fn(f64, &DMatrix<f64>, &[f64]) -> Vec<f64>;
 
-/// Motions of one time unit, and of three with forces four times as fast, in two connections.
+/// Motions of one time unit, and of three units with forces four times as fast, for two
+/// connections.
 fn each_motion<G: TranslationSplit + Clone>(
     group: G,
     velocity: &G::Vector,
@@ -166,7 +168,7 @@ fn each_motion<G: TranslationSplit + Clone>(
     }
 }
 
-/// In steps at first, and so many for order 5.
+/// The first numbers of steps, and the numbers of steps for order 5.
 fn orders<G: TranslationSplit + Clone>(
     name: &str,
     group: G,
@@ -183,7 +185,7 @@ fn orders<G: TranslationSplit + Clone>(
     });
 }
 
-/// Of methods in stored numbers.
+/// The orders of methods in embedding coordinates.
 fn projected_orders<G: Embedded + TranslationSplit + Clone>(
     name: &str,
     group: G,
@@ -197,14 +199,14 @@ fn projected_orders<G: Embedded + TranslationSplit + Clone>(
     });
 }
 
-/// The error constants of order 5 are so small that the sixth power of a step shows, so it is taken out:
-/// `e(h) = a h^5 + b h^6 + c h^7` leaves `64 e(h/2) - e(h) = a h^5 - c h^7/2`.
+/// The error constants of order 5 are so small that the sixth power of a step is visible, so it is
+/// eliminated: `e(h) = a h^5 + b h^6 + c h^7` gives `64 e(h/2) - e(h) = a h^5 - c h^7/2`.
 fn order_of_five(method: &str, name: &str, steps: usize, errors: impl Fn(usize) -> DVector<f64>) {
     let fifth = |steps: usize| (errors(2 * steps) * 64.0 - errors(steps)).amax();
     expect_order(&format!("{method} on {name}"), 5, steps, 1, fifth);
 }
 
-/// The group of `x -> a x + b`, which is not unimodular.
+/// The group of maps `x -> a x + b`, which is not unimodular.
 pub fn affine_line() -> MatrixGroup {
     MatrixGroup::new(&[dmatrix![1.0, 0.0; 0.0, 0.0], dmatrix![0.0, 1.0; 0.0, 0.0]]).unwrap()
 }
@@ -249,7 +251,7 @@ fn orders_on_the_affine_line() {
     orders("the affine line", affine_line(), &DVector::from_vec(vec![0.6, 0.8]), [10, 64]);
 }
 
-/// Magnus methods against the entries of the matrix.
+/// Magnus methods agree with the equations of the matrix entries.
 fn magnus<G: TranslationSplit<Element: PartialEq> + Clone>(name: &str, group: G, steps: usize) {
     let n = group.dimension();
     let velocity = move |t: f64| -> Vec<f64> {
@@ -308,7 +310,7 @@ fn coning() {
     assert!(error(Magnus::Six, 2000) < 1e-12, "{:e}", error(Magnus::Six, 2000));
 }
 
-/// A body whose inertia is dense.
+/// A body with a dense inertia.
 fn inertia() -> (Inertia, Metric<f64>) {
     let matrix = Matrix3::new(1.0, 0.1, -0.05, 0.1, 0.8, 0.1, -0.05, 0.1, 0.7);
     let metric = Tensor::from_fn(3, [Down, Down], |[i, j]| matrix[(i, j)]).unwrap();
@@ -318,7 +320,7 @@ fn inertia() -> (Inertia, Metric<f64>) {
 
 const VELOCITY: Vector3<f64> = Vector3::new(1.9, -0.7, 1.2);
 
-/// Of `R` and the velocity after one unit of time, against elliptic functions.
+/// The error of `R` and the velocity after one unit of time, compared with elliptic functions.
 fn free_error(method: &impl Integrator<EulerPoincare<So3, Free>>, steps: usize) -> f64 {
     free_error_at(1.0, method, steps)
 }
@@ -357,7 +359,7 @@ fn orders_of_the_free_body() {
         assert_eq!(method.order(), nominal);
         expect_order(&format!("{order:?}"), nominal, steps, halvings, |n| free_error(&method, n));
     }
-    // a longer step shows the next power, a shorter one is rounding
+    // for longer steps the next power is visible, for shorter ones rounding errors
     let ten = MoserVeselov::new(&inertia, MoserVeselovOrder::Ten);
     expect_order("Ten", 10, 15, 1, |n| free_error_at(3.0, &ten, n));
     for order in [KickOrder::Two, KickOrder::Six] {
@@ -366,7 +368,7 @@ fn orders_of_the_free_body() {
     }
 }
 
-/// In time, place and velocity.
+/// The torque depends on time, position and velocity.
 #[test]
 fn order_of_simo_wong_with_a_torque() {
     let (inertia, metric) = inertia();
@@ -374,7 +376,7 @@ fn order_of_simo_wong_with_a_torque() {
     expect_order("Simo-Wong", 2, 32, 4, |n| case.error(&SimoWong::new(&inertia), n));
 }
 
-/// In time and place.
+/// The potential depends on time and position.
 fn potential(time: f64, matrix: &DMatrix<f64>, _: &[f64]) -> Vec<f64> {
     let down = Vector3::new(matrix[(2, 0)], matrix[(2, 1)], matrix[(2, 2)]);
     let pull = Vector3::new(0.3, -0.2, 1.0).cross(&down) * (-2.0 + time.sin());
@@ -395,7 +397,7 @@ fn orders_of_kicks() {
             let name = format!("{order:?} {motion:?}");
             expect_order(&name, nominal, steps, halvings, |n| case.error(&method, n));
         }
-        // against compositions of as many steps of order 2: the triple jump, and five of Suzuki
+        // agrees with compositions of steps of order 2: the triple jump, and Suzuki's five steps
         let composed = |shares: &[f64], steps: usize| {
             let (mut state, two) = (case.start.clone(), of(KickOrder::Two));
             for _ in 0..steps {
@@ -416,7 +418,8 @@ fn orders_of_kicks() {
     }
 }
 
-/// The state and the next length are all that an adaptive run depends on: it goes on from there to the last bit.
+/// An adaptive run depends only on its state and its next step size: it continues from them to the
+/// last bit.
 #[test]
 fn an_adaptive_run_goes_on() {
     let (_, metric) = inertia();
@@ -442,7 +445,7 @@ fn an_adaptive_run_goes_on() {
     assert!((system.velocity(&state) - end).norm() < 1e-8);
 }
 
-/// Methods for a free body refuse a torque and leave the state unchanged.
+/// Methods for a free body reject a torque and leave the state unchanged.
 #[test]
 fn methods_for_a_free_body_refuse_a_torque() {
     let (inertia, metric) = inertia();
@@ -458,7 +461,7 @@ fn methods_for_a_free_body_refuse_a_torque() {
     assert_eq!((state.time, state.element), (start.time, start.element));
 }
 
-/// The first step is a share of the time scale of the state, whatever the unit of time.
+/// The first step is proportional to the time scale of the state, in any unit of time.
 #[test]
 fn a_first_step_by_the_time_scale() {
     let (_, metric) = inertia();
@@ -471,9 +474,9 @@ fn a_first_step_by_the_time_scale() {
     };
     assert!((first(1.0) * VELOCITY.amax() - 0.1).abs() < 1e-15);
     assert!((first(3600.0) / first(1.0) - 3600.0).abs() < 1e-9);
-    // at rest there is no scale
+    // at rest there is no time scale
     assert_eq!(first(f64::INFINITY), method.first_step());
-    // a torque that changes the momentum faster than the body turns
+    // a torque that changes the momentum faster than the body rotates
     let torque = |_: f64, _: &UnitQuaternion<f64>, _: &Vector3<f64>| Vector3::x() * 1e3;
     let pushed = EulerPoincare::new(So3, &connection, &metric, torque).unwrap();
     let state = pushed.state(0.0, So3.identity(), &VELOCITY);
@@ -483,7 +486,7 @@ fn a_first_step_by_the_time_scale() {
     assert_eq!(longest.first_step_from(&pushed, &state), 1e-9);
 }
 
-/// The velocity at the time 5, by Euler's equations.
+/// The velocity at time 5, by Euler's equations.
 fn ode_end<M: Torque<So3>>(
     system: &EulerPoincare<So3, M>,
     metric: &Metric<f64>,
@@ -501,7 +504,7 @@ fn ode_end<M: Torque<So3>>(
     Vector3::from_column_slice(end.as_slice())
 }
 
-/// Integrators of a body refuse what is not that body; kicks, a torque that asks for the velocity.
+/// Integrators of a body reject other systems; kicks reject a torque that depends on the velocity.
 #[test]
 fn what_is_not_meant_is_refused() {
     let (inertia, metric) = inertia();
@@ -554,7 +557,7 @@ fn steps_without_a_solution_are_refused() {
     }
 }
 
-/// Steps that are not positive are refused, and do not run for ever.
+/// Steps that are not positive are errors, and do not run for ever.
 #[test]
 fn tolerances_and_steps_are_positive() {
     let plus = Connection::canonical(&So3.algebra().unwrap(), CanonicalConnection::Plus);
@@ -571,7 +574,7 @@ fn tolerances_and_steps_are_positive() {
         assert!(refused.contains("are positive"), "{tolerance} {longest}: {refused}");
     }
     for end in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
-        let message = format!("the end is {end}, no finite time");
+        let message = format!("the end is {end}, which is not finite");
         let control = Adaptive::new(1e-9);
         let refused = control.states(&body, &start, &[0.5, end]).unwrap_err().to_string();
         assert!(refused.contains("t = 0.5") && refused.contains(&message), "{refused}");

@@ -6,7 +6,7 @@ use affinor_tensors::scalar::{Function, StraightLine, derivatives};
 use affinor_tensors::{Down, Notation, Recorded};
 use nalgebra::{DMatrix, Matrix3};
 
-/// Numbers between -1 and 1 that look random.
+/// Pseudorandom numbers between -1 and 1.
 fn number(seed: usize) -> f64 {
     ((seed as f64 * 12.9898).sin() * 43_758.545_3).fract()
 }
@@ -46,7 +46,7 @@ fn inverses_of_metrics_and_their_derivatives() {
                 (Matrix3::from_row_slice(&rate[at * 9..at * 9 + 9]), -(expected * h * expected));
             assert!((found - slope).amax() <= 1e-11 * size.powi(4), "{found}{slope}");
         }
-        // a part of the rows, from any one on, is the same floats
+        // a part of the rows, from any row on, has the same floats
         let start = count / 2;
         let mut part = vec![f64::NAN; (count - start) * 9];
         program.evaluate(&columns(&numbers, 6), start, &mut part, 9);

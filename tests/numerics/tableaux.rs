@@ -8,7 +8,7 @@ use affinor::numerics::tableaux::{Classical, DormandPrince, DormandPrince8, Tabl
 use affinor::{CanonicalConnection, Connection, Metric};
 use affinor_tensors::{Down, Tensor};
 
-/// A rooted tree: those above its root, in descending order.
+/// A rooted tree: the subtrees at its root, in descending order.
 #[derive(Clone, Debug, PartialEq, PartialOrd)]
 struct Tree(Vec<Tree>);
 
@@ -17,7 +17,7 @@ impl Tree {
         1 + self.0.iter().map(Tree::order).sum::<u32>()
     }
 
-    /// The density: the order times the densities above.
+    /// The density: the order times the densities of the subtrees.
     fn density(&self) -> f64 {
         f64::from(self.order()) * self.0.iter().map(Tree::density).product::<f64>()
     }
@@ -35,7 +35,7 @@ impl Tree {
     }
 }
 
-/// All of an order: forests whose trees descend from a bound.
+/// All forests of an order whose trees are at most a bound, in descending order.
 fn trees(order: u32) -> Vec<Tree> {
     fn forests(nodes: u32, below: Option<&Tree>) -> Vec<Vec<Tree>> {
         if nodes == 0 {
@@ -62,8 +62,9 @@ fn trees_are_all() {
     assert_eq!(counts, [1, 1, 2, 4, 9, 20, 48, 115, 286]);
 }
 
-/// `sum_i b_i phi_i(t) = 1/gamma(t)` up to the order and not beyond it, `c` the sums of rows, and differences of weights
-/// that vanish up to the orders of the embedded methods and not beyond.
+/// Checks `sum_i b_i phi_i(t) = 1/gamma(t)` up to the order and not beyond it, and that `c`
+/// contains the row sums. Differences of the weights vanish up to the orders of the embedded
+/// methods and not beyond.
 fn check<const S: usize, T: Tabulated<S>>(_: T, embedded: [u32; 2]) {
     let Tableau { a, b, c, errors, order, .. } = &T::TABLEAU;
     let order = *order;
@@ -95,8 +96,9 @@ fn conditions_hold() {
     check(DormandPrince8, [5, 3]);
 }
 
-/// With a metric that is not diagonal, a connection that does not keep the spatial momentum, and a torque that depends on
-/// time and velocity: a step of half the length has a 2^8th of the error; with step control it is the one of order 5.
+/// The metric is not diagonal, the connection does not preserve the spatial momentum, and the
+/// torque depends on time and velocity. A step of half the length has 2^-8 of the error; with step
+/// control the embedded method of order 5 is used.
 fn order_on<G: Embedded + TranslationSplit + Clone, C: LocalCoordinates<G>>(
     group: G,
     method: RungeKutta<12, DormandPrince8, C>,

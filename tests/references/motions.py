@@ -378,7 +378,7 @@ case("so(4)", "SO(4)", diagonal(*[a[i] + a[j] for i, j in pairs]), [".5", "-.3",
      integrals=[lambda s: dot(s[1], s[1]), pfaffian, manakov])
 
 
-# a state a line
+# one state per line
 print('{"motions": [')
 for at, data in enumerate(cases):
     states = data.pop("states")

@@ -22,7 +22,7 @@ from mpmath import mp, mpf
 from charts import RANKS, Definition, Domain, Geometry, Point, components, random_point
 
 SEED, CHARTS = 19160225, 245
-# Charts whose exact curvature takes more than seconds, and those for which it does once values are set.
+# OMITTED: charts whose exact curvature takes too long. UNSET: charts where it does so once values are set.
 OMITTED = {2, 64, 84, 123, 188}
 UNSET = {6, 10, 22, 41, 74, 83, 96, 132, 209, 217, 219}
 NAMES = {2: ["x", "y"], 3: ["t", "r", "phi"], 4: ["t", "r", "theta", "phi"], 5: ["t", "x", "y", "z", "w"]}

@@ -1,5 +1,5 @@
-//! The kernel computes what the notation says, over every kind of scalar, up to the edge of machine integers,
-//! with threads, and for wide sparse tensors.
+//! The kernel evaluates the notation, over every kind of scalar, up to the limit of machine
+//! integers, with threads, and for wide sparse tensors.
 
 mod notation;
 mod paths;
@@ -17,7 +17,7 @@ use proptest::prelude::*;
 
 type Test = Result<(), TensorError>;
 
-/// The kernel and the oracle agree to the last bit, in order, and no zero is stored.
+/// The kernel and the oracle agree to the last bit, including the order, and no zero is stored.
 fn agrees<S: Scalar>(case: &Case<S>) -> Result<Tensor<S>, TestCaseError> {
     let result = contract(&case.text, &case.operands())?;
     let expected: Vec<_> = oracle(&case.text, &case.operands()).into_iter().collect();
@@ -28,7 +28,7 @@ fn agrees<S: Scalar>(case: &Case<S>) -> Result<Tensor<S>, TestCaseError> {
 properties! {
     #![cases(500)]
 
-    /// Small integers are exact in floats, so even the zeros agree.
+    /// Small integers are exact in floats, so the zeros agree too.
     #[test]
     fn floats_of_integers(case in cases(Values::Integers)) {
         let exact = contract(&case.text, &case.operands())?.map(Rational::to_f64);
@@ -39,7 +39,7 @@ properties! {
 properties! {
     #![cases(100)]
 
-    /// Parameters, constants and fractions of parameters side by side.
+    /// Parameters, constants and fractions of parameters together.
     #[test]
     fn symbols(case in cases(Values::Fractions)) {
         let [a, b] = ["a", "b"].map(Symbolic::parameter);
@@ -64,7 +64,7 @@ properties! {
     }
 }
 
-/// Every component filled, by no rule that a symmetry could share.
+/// A tensor whose components are all nonzero and without symmetries.
 fn full(rank: usize) -> Tensor<Rational> {
     let slots = [[Up].as_slice(), &[Down; 8]].concat();
     let indices = (0..4usize.pow(rank as u32))
@@ -76,7 +76,7 @@ fn full(rank: usize) -> Tensor<Rational> {
     Tensor::from_components(4, &slots[..rank], components).unwrap()
 }
 
-/// Brackets at every place, over operands that are antisymmetric themselves.
+/// Brackets at every position, over operands that are antisymmetric themselves.
 #[test]
 fn brackets_keep_the_promise() -> Test {
     let v = full(1);
@@ -135,7 +135,7 @@ fn agrees_exactly(text: &str, operands: &[(&str, &Tensor<Rational>)]) {
     assert_eq!(stored(&contract(text, operands).unwrap()), expected, "{text}");
 }
 
-/// Words around the square root of 2^62 and 2^63, and around 2^63 itself.
+/// Integers around the square roots of 2^62 and 2^63, and around 2^63.
 fn edge() -> impl Strategy<Value = i64> {
     let corners = [1i64 << 31, 3_037_000_499, 1 << 32, i64::MAX, i64::MIN, 1];
     (prop::sample::select(corners.to_vec()), -2i64..=2, any::<bool>()).prop_map(
@@ -149,7 +149,7 @@ fn edge() -> impl Strategy<Value = i64> {
 properties! {
     #![cases(300)]
 
-    /// Every way in which few products add up: one term, mirrored terms, sums, coefficients.
+    /// Every way in which few products are added: one term, mirrored terms, sums, coefficients.
     #[test]
     fn no_sum_wraps(a in vec(edge(), 3), b in vec(edge(), 3), d in 1i64..4) {
         let d = Rational::new(1, d).unwrap();
@@ -186,7 +186,7 @@ fn the_last_sum_that_fits_and_the_first_that_does_not() {
     }
 }
 
-/// The same, to the last bit of a float, whatever the number of threads.
+/// The result is the same, to the last bit of a float, for any number of threads.
 #[test]
 fn threads_change_nothing() -> Test {
     let n = 30;
@@ -229,7 +229,8 @@ fn threads_change_nothing() -> Test {
     Ok(())
 }
 
-/// Time and memory follow the components: a loop over all `2000^4` places would not end.
+/// Time and memory depend on the number of components: a loop over all `2000^4` index combinations
+/// would not end.
 #[test]
 fn wide_tensors_cost_what_their_components_cost() -> Test {
     let n = 2000;
@@ -249,7 +250,7 @@ fn wide_tensors_cost_what_their_components_cost() -> Test {
     Ok(())
 }
 
-/// A tensor of constants and one parameter cannot go by machine integers.
+/// A tensor of constants and one parameter cannot use machine integers.
 #[test]
 fn one_parameter_among_constants() -> Test {
     let parameter = Symbolic::parameter("a");

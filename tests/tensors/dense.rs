@@ -1,4 +1,4 @@
-//! Tensors to and from nalgebra, ndarray and serde: the same numbers in the same places.
+//! Conversions of tensors to and from nalgebra, ndarray and serde preserve numbers and positions.
 
 use crate::common::property::properties;
 use crate::common::tensors::tensors;
@@ -46,7 +46,7 @@ properties! {
             prop_assert_eq!(value, &tensor[[at[0], at[1], at[2]]]);
         }
         prop_assert_eq!(&Tensor::from_array(&array, tensor.slots())?, &tensor);
-        // in another order of memory
+        // with another memory order
         let transposed = Tensor::from_array(&array.t().to_owned(), &[Down, Down, Up])?;
         prop_assert_eq!(&transposed, &tensor.permute(&[2, 1, 0])?);
 
@@ -98,7 +98,7 @@ fn what_is_read_is_checked() {
         let error = read(dimension, slots, tolerance, at, value).unwrap_err();
         assert!(error.contains(message), "{error}");
     }
-    // a place that stands twice is no sum
+    // a repeated index is an error, not a sum
     let twice = r#"{"schema": "affinor.tensor/1", "dimension": 2, "slots": ["up", "down"], "tolerance": 0,
         "components": [[[2, 1], "1"], [[1, 1], "1"], [[2, 1], "1"]]}"#;
     let error = serde_json::from_str::<Tensor<Rational>>(twice).unwrap_err().to_string();
@@ -108,7 +108,7 @@ fn what_is_read_is_checked() {
     assert!(error.contains("expected schema affinor.tensor/1, got affinor.tensor/2"), "{error}");
 }
 
-/// JSON would write null for them.
+/// NaN and infinity are not written: JSON would write null for them.
 #[test]
 fn what_is_no_number_is_not_written() {
     for wild in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {

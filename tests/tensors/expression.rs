@@ -1,4 +1,4 @@
-//! The grammar of expressions: what is read, what is refused and where, and how soon.
+//! The grammar of expressions: valid input, errors with their location, and bounded work.
 
 use crate::common::property::properties;
 use affinor_tensors::expression::{
@@ -9,7 +9,7 @@ use proptest::prelude::*;
 use std::cell::Cell;
 use std::fmt::Write;
 
-/// The value over any parameters.
+/// The value of the text over any parameters.
 fn symbolic(text: &str) -> Result<Symbolic, ExpressionError> {
     let parameter = |name: &str| Ok(Symbolic::parameter(name));
     Expression::parse(text)?.evaluate(&Scalars(parameter, no_function))
@@ -156,18 +156,18 @@ fn what_is_refused_is_underlined() {
         ("2\u{b2} a", "a", "`*` is missing: write `2\u{b2}*a`"),
         ("sin x", "x", "parentheses are missing: write `sin(x)`"),
         ("2*sin^2 x", "x", "parentheses are missing: write `sin^2(x)`"),
-        ("sin (x)", "(", "a space is before the parenthesis: write `sin(x)`"),
+        ("sin (x)", "(", "remove the space before the parenthesis: write `sin(x)`"),
         ("sin 2", "2", "parentheses are missing: write `sin(2)`"),
         ("2^a", "a", "`a` is not a number"),
         ("2^", "", "the expression ends where a value is expected"),
         ("2^1/2)", ")", "`)` is not expected here"),
-        ("2^(1/2)", "(1/2)", "an exponent is an integer"),
-        ("2^0.5", "0.5", "an exponent is an integer"),
+        ("2^(1/2)", "(1/2)", "an exponent must be an integer"),
+        ("2^0.5", "0.5", "an exponent must be an integer"),
         ("2^(1/0)", "0", "division by zero"),
-        ("2^-10001", "10001", "an exponent is at most 10000"),
-        ("2^(10^10)", "(10^10)", "an exponent is at most 10000"),
-        ("2^10001.5", "10001.5", "an exponent is at most 10000"),
-        ("9^9^9", "9^9", "an exponent is at most 10000"),
+        ("2^-10001", "10001", "an exponent must be at most 10000"),
+        ("2^(10^10)", "(10^10)", "an exponent must be at most 10000"),
+        ("2^10001.5", "10001.5", "an exponent must be at most 10000"),
+        ("9^9^9", "9^9", "an exponent must be at most 10000"),
         ("2\u{b2}^3", "^", "write parentheses around a power of a power"),
         (
             "sin^-1(0)",
@@ -226,7 +226,7 @@ fn floats_stay_finite() {
     }
 }
 
-/// Hostile texts are refused, or answered, at once.
+/// Malicious texts are rejected, or evaluated, at once.
 #[test]
 fn work_is_bounded() {
     let many = |text: &str, count: usize| text.repeat(count);
@@ -310,7 +310,7 @@ impl Evaluator for Counted {
     }
 }
 
-/// Texts that are nearly right.
+/// Texts that are nearly valid.
 fn texts() -> impl Strategy<Value = String> {
     let leaf = prop_oneof!["[0-9]{1,3}", "[a-c]", "[0-9]\\.[0-9]", "[0-9]e-?[0-9]", "[ (.^*]"];
     leaf.prop_recursive(4, 24, 3, |inner| {
@@ -322,7 +322,7 @@ fn texts() -> impl Strategy<Value = String> {
     })
 }
 
-/// Texts that are nearly right, with typographic signs and letters of other scripts.
+/// Texts that are nearly valid, with typographic signs and letters of other scripts.
 fn typographic_texts() -> impl Strategy<Value = String> {
     let sign = "[-+*/^()., 0-9xe\u{3b8}\u{e9}\u{301}\u{2126}\u{b5}\u{2212}\u{b7}\u{d7}\u{b2}\u{2070}\u{207b}\u{207f}\u{2081}'_]|sin|log|sec|\\*\\*";
     prop::collection::vec(sign, 0..12).prop_map(|signs| signs.concat())
@@ -353,7 +353,7 @@ fn functions() -> impl Strategy<Value = Symbolic> {
     })
 }
 
-/// An expression as a tree, with its value where it has one.
+/// An expression as a tree, with its value if it has one.
 #[derive(Clone, Debug)]
 enum Tree {
     Number(i64),
@@ -375,7 +375,7 @@ fn trees() -> impl Strategy<Value = Tree> {
     })
 }
 
-/// How signs and powers are written.
+/// The style of signs and powers.
 #[derive(Clone, Copy, Debug)]
 struct Style {
     minus: &'static str,
@@ -412,7 +412,7 @@ impl Tree {
         })
     }
 
-    /// Writes the tree with all parentheses that could matter.
+    /// Writes the tree with all parentheses that are necessary, and some others.
     fn write(&self, style: Style) -> String {
         match self {
             Tree::Number(n) => n.to_string(),
@@ -450,7 +450,7 @@ impl Tree {
     }
 }
 
-/// Values of names at which an error of a sign or an order shows.
+/// Values of names at which a wrong sign or a wrong precedence changes the result.
 fn at_point(name: &str) -> Rational {
     let sum: u32 = name.chars().map(u32::from).sum();
     Rational::new(i64::from(sum % 97) - 40, 7).unwrap()
@@ -490,7 +490,7 @@ properties! {
         prop_assert!((quotient - a.powf(exponent)).abs() <= 1e-14 * quotient, "{}/{}", p, q);
     }
 
-    /// Other names of functions have the values of the quotients that they stand for.
+    /// Other function names have the values of the quotients that they abbreviate.
     #[test]
     fn abbreviations_are_quotients(x in 0.1f64..1.5, n in 2i32..5) {
         let values = Scalars(|_: &str| Ok(x), |name: &str, arguments: &[f64]| match (name, arguments) {
@@ -547,7 +547,7 @@ properties! {
         for text in [text, near, typographic] {
             match symbolic(&text) {
                 Err(error) => prop_assert!(text.get(error.span.clone()).is_some(), "{error:?}"),
-                // a power may have more digits than are read
+                // a power may have more digits than numbers in the input
                 Ok(value) if value.to_string().len() > MAX_DIGITS => {}
                 Ok(value) => prop_assert_eq!(symbolic(&value.to_string())?, value),
             }
@@ -558,7 +558,7 @@ properties! {
         }
     }
 
-    /// A name that scalars take as a parameter is one that the grammar reads.
+    /// Every name that scalars accept as a parameter can be parsed.
     #[test]
     fn every_parameter_can_be_written(name in "[a-z\u{3b1}\u{2126}_][a-z0-9\u{3b1}\u{e9}\u{b2}\u{2081}\u{445}_]{0,3}") {
         if let Some(value) = <Symbolic as Notation>::parameter(&name) {

@@ -1,5 +1,5 @@
-//! Linear algebra against closed forms and another algorithm, down to the smallest cases; its laws over
-//! rationals, rational functions and floats.
+//! Linear algebra is compared with closed forms and another algorithm, down to the smallest cases;
+//! its laws over rationals, rational functions and floats.
 
 use crate::common::dual;
 use crate::common::matrices;
@@ -136,14 +136,14 @@ fn digits() -> impl FnMut() -> i64 {
     }
 }
 
-/// n x n quotients of numbers up to 9, the denominators positive.
+/// A matrix of n x n quotients of numbers up to 9, with positive denominators.
 fn random_quotients(n: usize) -> Vec<Vec<(i64, i64)>> {
     let mut digit = digits();
     let mut quotient = || (digit(), digit().abs().max(1));
     (0..n).map(|_| (0..n).map(|_| quotient()).collect()).collect()
 }
 
-/// The fraction-free elimination of Bareiss on big integers, pivots on the diagonal.
+/// Bareiss' fraction-free elimination on big integers, with pivots on the diagonal.
 fn bareiss(mut a: Vec<Vec<BigInt>>) -> BigInt {
     let mut previous = BigInt::one();
     for k in 0..a.len() - 1 {
@@ -370,7 +370,8 @@ fn rational() -> impl Strategy<Value = Rational> {
     (-9i64..=9, 1i64..=9).prop_map(|(n, d)| Rational::new(n, d).unwrap())
 }
 
-/// A matrix of low rank: the product of a tall and a wide one, sparse every other time.
+/// A matrix of low rank: the product of a tall and a wide matrix, which are sparse every other
+/// time.
 fn low_rank() -> impl Strategy<Value = (Matrix<Rational>, Vec<Rational>)> {
     (1usize..6, 0usize..4, 1usize..6, any::<bool>()).prop_flat_map(|(m, r, n, sparse)| {
         let entry = move || {
@@ -420,7 +421,7 @@ properties! {
         rectangle_laws(&a, &x)?;
     }
 
-    /// Equal subspaces have equal bases, whichever way they were built.
+    /// Equal subspaces have equal bases, however they were built.
     #[test]
     fn the_echelon_form_is_canonical((a, _) in low_rank(), start in 0usize..6) {
         let mut one_by_one = Echelon::new();
@@ -460,7 +461,8 @@ properties! {
         prop_assert_eq!(permuted.determinant()?, sign);
     }
 
-    /// Strictly dominant diagonals, exchanged rows: condition numbers below about 20.
+    /// Matrices with strictly dominant diagonals and permuted rows: condition numbers below about
+    /// 20.
     #[test]
     fn well_conditioned_floats(
         (a, b, x) in (1usize..9).prop_flat_map(|n| square_of(n, || -1.0..1.0f64)),
@@ -476,8 +478,9 @@ properties! {
         rectangle_laws(&dominant(&a), &x)?;
     }
 
-    /// Units of a basis do not matter: the inverse of `D A D` is `D^-1 A^-1 D^-1` to rounding, for a symmetric `A` near a diagonal of
-    /// signs. Its other entries are of many sizes; units can make them the largest of their columns.
+    /// The inverse is accurate whatever the units of the basis: the inverse of `D A D` is `D^-1
+    /// A^-1 D^-1` to rounding errors, for a symmetric `A` near a diagonal of signs. The other
+    /// entries of `A` have various sizes; units can make them the largest of their columns.
     #[test]
     fn units_do_not_matter(
         words in (1usize..8).prop_flat_map(square),
@@ -501,7 +504,7 @@ properties! {
         }
     }
 
-    /// The tolerance tells rounding from rank.
+    /// The tolerance distinguishes rounding errors from rank.
     #[test]
     fn floats_have_the_rank_of_the_integers(
         (a, b) in (1usize..7, 1usize..4, 1usize..7)

@@ -1,4 +1,4 @@
-//! Traces, symmetrisers, raising and lowering, against the same written by hand.
+//! Traces, symmetrizers, raising and lowering agree with explicit sums.
 
 use crate::common::oracle;
 use crate::common::property::properties;
@@ -39,7 +39,7 @@ fn operations_refuse_what_is_no_slot() -> Test {
     Ok(())
 }
 
-/// `g` of signature (2,1) with its inverse.
+/// A metric `g` of signature (2,1) with its inverse.
 fn metric() -> (Tensor<Rational>, Tensor<Rational>) {
     let rows = |rows: [[i64; 3]; 3], slots| {
         Tensor::from_fn(3, slots, |[i, j]| integer(rows[i][j])).unwrap()
@@ -89,7 +89,7 @@ properties! {
             let (even, odd) = (t.symmetrise(slots)?, t.antisymmetrise(slots)?);
             prop_assert_eq!(&even, &sum_over_orders(&t, slots, 1));
             prop_assert_eq!(&odd, &sum_over_orders(&t, slots, -1));
-            // projections
+            // symmetrizers are projections
             prop_assert_eq!(&even.symmetrise(slots)?, &even);
             prop_assert_eq!(&odd.antisymmetrise(slots)?, &odd);
             if slots.len() > 1 {

@@ -1,4 +1,4 @@
-//! The scalars obey the laws, and rationals agree with another implementation of them.
+//! The scalars satisfy the laws, and rationals agree with another implementation.
 
 mod effort;
 mod float;
@@ -24,7 +24,7 @@ use std::ops::{Add, Div, DivAssign, Mul, SubAssign};
 
 type Test = Result<(), Box<dyn std::error::Error>>;
 
-/// Words where 64-bit arithmetic goes wrong first, small ones and any.
+/// Integers near the limits of 64-bit arithmetic, small ones and random ones.
 fn word() -> impl Strategy<Value = i64> {
     let corner = prop::sample::select(vec![i64::MIN, i64::MAX, 1 << 32, 1 << 53, 3_037_000_500]);
     prop_oneof![
@@ -42,7 +42,7 @@ fn oracle(n: i64, d: i64) -> BigRational {
     BigRational::new(n.into(), d.into())
 }
 
-/// A rational beside the same number in the other implementation; now and then beyond words.
+/// A rational and the same number in the other implementation; sometimes beyond 64 bits.
 fn pair() -> impl Strategy<Value = (Rational, BigRational)> {
     let quotient = (word(), denominator());
     let small = quotient.prop_map(|(n, d)| (Rational::new(n, d).unwrap(), oracle(n, d)));
@@ -59,7 +59,7 @@ fn rational() -> impl Strategy<Value = Rational> {
     pair().prop_map(|(value, _)| value)
 }
 
-/// Floats over many magnitudes whose products of three stay far from the ends of the range.
+/// Floats of many magnitudes such that products of three stay within the range.
 fn float() -> impl Strategy<Value = f64> {
     prop_oneof![
         1 => prop::sample::select(vec![0.0, -0.0, 1.0, -1.0, 0.1, 1e-20]),
@@ -85,8 +85,8 @@ fn symbolic() -> impl Strategy<Value = Symbolic> {
     })
 }
 
-/// Dual numbers with short binary fractions, so that sums and products are exact and an
-/// infinitesimal part that cancels leaves no rounding behind.
+/// Dual numbers with short binary fractions: sums and products are exact, so an infinitesimal part
+/// that cancels leaves no rounding error.
 fn dual_number() -> impl Strategy<Value = Dual<true>> {
     let part = || prop_oneof![1 => Just(0.0), 3 => (-64i32..64).prop_map(|n| f64::from(n) / 8.0)];
     (part(), part()).prop_map(|(re, eps)| Dual::new(re, eps))
@@ -97,7 +97,7 @@ properties! {
 
     #[test]
     fn rationals_are_a_field([a, b, c] in [rational(), rational(), rational()]) {
-        // no tolerance: exact means exact
+        // zero tolerance, because the scalar is exact
         laws::field(&a, &b, &c, Tolerance::new(0.0).unwrap())?;
     }
 
@@ -113,7 +113,7 @@ properties! {
 
     #[test]
     fn dual_numbers_of_num_dual_obey_the_laws(
-        // num-dual's `==` compares real parts, so these differ there, also up to sign
+        // num-dual's `==` compares real parts only, so these compare both parts, also up to sign
         parts in prop::array::uniform3((1i32..8, -64i32..64)),
     ) {
         let mut offset = -16;
@@ -216,7 +216,7 @@ properties! {
     }
 }
 
-/// `a + b` and the others by value, by reference and by assignment.
+/// `a + b` and the other operations by value, by reference and by assignment.
 fn forms<S>(a: &S, b: &S) -> Result<(), TestCaseError>
 where
     S: Field + Scalar + Hash + Eq + Default + for<'s> DivAssign<&'s S> + for<'s> SubAssign<&'s S>,
@@ -241,7 +241,8 @@ where
     Ok(())
 }
 
-/// Neither neighbour is closer; of two equally close floats the even one.
+/// Checks that neither neighbour is closer, and that of two equally close floats the even one is
+/// chosen.
 fn nearest(value: &Rational, exact: &BigRational) -> Result<(), TestCaseError> {
     let float = value.to_f64();
     if float.is_infinite() {
@@ -267,7 +268,7 @@ fn a_sum_of_word_rationals_panics_rather_than_wraps() {
     let largest = Ratio::from_integer(i64::MAX);
     let mut sum = <Ratio<i64> as Summable>::Sum::product(&largest, &largest);
     sum.add_product(&-largest, &(largest - 1));
-    // the products are far beyond 64 bits, their sum is not
+    // the products far exceed 64 bits, but their sum does not
     assert_eq!(sum.finish(Tolerance::default()), Some(largest));
     sum.add_term(&largest);
     let _: Option<Ratio<i64>> = sum.finish(Tolerance::default());
@@ -326,7 +327,7 @@ fn a_float_sum_that_overflows_is_not_zero() {
     let finish = |sum: FloatSum| sum.finish(Tolerance::default());
     assert_eq!(finish(FloatSum::product(&1e200, &-1e200)), Some(f64::NEG_INFINITY));
     assert!(finish(FloatSum::term(&f64::NAN)).is_some_and(f64::is_nan));
-    // finite, though the magnitudes of its terms add up to infinity
+    // finite, although the sum of the magnitudes of its terms overflows
     let mut sum = FloatSum::term(&1.5e308);
     sum.add_term(&-1e308);
     assert_eq!(finish(sum), Some(0.5e308));
@@ -348,7 +349,7 @@ fn the_ends_of_the_words() -> Test {
     assert!(Rational::new(3, 0).is_none());
     assert!(Ratio::<i64>::try_from(&-min.clone()).is_err());
     assert_eq!(Notation::to_f64(&max), Some(2f64.powi(63)));
-    // a sum of words at the least number of 128 bits, and one below
+    // a sum of integers that equals the least number of 128 bits, and one below
     let half = Rational::from(1i64 << 32);
     let mut sum = <Rational as Summable>::Sum::product(&min, &max);
     sum.add_product(&min, &max);
@@ -372,7 +373,8 @@ fn only_digits_are_digits() {
 properties! {
     #![cases(256)]
 
-    /// Sums that are reduced at their end are those of the field, at the ends of the words, too.
+    /// Sums that are reduced once at their end equal the sums in the field, also near the limits of
+    /// machine integers.
     #[test]
     fn long_sums_agree_with_num(
         terms in prop::collection::vec((pair(), pair(), any::<bool>()), 1..12),
@@ -393,7 +395,7 @@ properties! {
         prop_assert_eq!(value.unwrap_or_else(|| Rational::from(0)), Rational::from(expected));
     }
 
-    /// Terms that cancel, with their own mirror images in any order.
+    /// Terms and their negatives in any order have the sum zero.
     #[test]
     fn sums_that_cancel_vanish(terms in prop::collection::vec(pair(), 1..8)) {
         let mut sum = <Rational as Summable>::Sum::term(&Rational::from(0));

@@ -21,7 +21,7 @@ fn the_first_reason_counts() {
     assert_eq!(StopToken::new().requested(), None);
 }
 
-/// A checkpoint stops the work of its own token only, and only while that runs.
+/// A checkpoint stops only the work of its own token, and only while the work runs.
 #[test]
 fn tokens_nest_and_end() {
     let (outer, inner) = (StopToken::new(), set(StopReason::Timeout));
@@ -34,7 +34,7 @@ fn tokens_nest_and_end() {
         });
         checkpoint();
         outer.request(StopReason::Interrupted);
-        // the token in force is the innermost one
+        // the innermost token is in force
         StopToken::new().run(checkpoint).unwrap();
         inside
     });
@@ -44,7 +44,7 @@ fn tokens_nest_and_end() {
     checkpoint();
 }
 
-/// Stages nest, also where the work unwinds.
+/// Stages nest, also if the work unwinds.
 #[test]
 fn stages_nest() {
     let token = set(StopReason::Interrupted);
@@ -62,7 +62,7 @@ fn stages_nest() {
     assert_eq!(stopped.unwrap_err().to_string(), "interrupted, in the stage `outer`");
 }
 
-/// Other panics pass a token.
+/// Other panics are passed through a token.
 #[test]
 fn panics_are_no_stops() {
     let token = StopToken::new();
@@ -76,7 +76,7 @@ fn panics_are_no_stops() {
     assert_eq!(caught.unwrap_err().downcast_ref::<u8>(), Some(&5));
 }
 
-/// A checkpoint in a destructor of work that unwinds does not unwind again.
+/// A checkpoint in a destructor does not unwind again while the work unwinds.
 #[test]
 fn destructors_are_not_stopped() {
     struct Polls<'c>(&'c AtomicUsize);
@@ -95,7 +95,8 @@ fn destructors_are_not_stopped() {
     assert_eq!(count.into_inner(), 1);
 }
 
-/// Workers of a contraction have the token of the caller, and threads with [`Limits`] too; the limit on terms holds beside it.
+/// Workers of a contraction use the token of the caller, also threads with [`Limits`]; the limit on
+/// terms applies in addition.
 #[test]
 fn all_threads_stop() {
     let vector = |letter: char| {

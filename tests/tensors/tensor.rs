@@ -1,4 +1,4 @@
-//! Tensors hold what they were given, in order, and keep it through maps and permutations.
+//! Tensors contain their given components in order, also after maps and permutations.
 
 use crate::common::oracle::oracle;
 use crate::common::property::properties;
@@ -12,7 +12,7 @@ use tensors::tensors;
 
 type Test = Result<(), TensorError>;
 
-/// The components as they are stored.
+/// The stored components.
 fn stored<S: Scalar>(tensor: &Tensor<S>) -> Vec<(Vec<usize>, S)> {
     let components = tensor.components();
     components.map(|(at, value)| (at.to_vec(), value.clone())).collect()
@@ -113,7 +113,7 @@ fn sizes_have_limits() {
     assert_eq!(zero(0, 300), too_large(0, 300));
     assert_eq!(zero(usize::MAX, 1), too_large(usize::MAX, 1));
     assert_eq!(zero(usize::MAX, 0), Ok(0));
-    // the last component of the largest tensor finds its key
+    // the key of the last component of the largest tensor is found
     let last = [254; Indices::MAX];
     let t = Tensor::from_components(255, &[Up; Indices::MAX], [(last, integer(1))]).unwrap();
     assert_eq!(stored(&t), [(last.to_vec(), integer(1))]);
@@ -127,9 +127,9 @@ fn symmetries_of_pairs() -> Test {
     assert_eq!(by(|i, j, k| (i + 1) * (j + k))?.pair_symmetry(1, 2), Some(1));
     assert_eq!(by(|i, j, k| (i + 1) * (j - k))?.pair_symmetry(1, 2), Some(-1));
     assert_eq!(by(|i, j, k| i + j - k)?.pair_symmetry(1, 2), None);
-    // the component across is not stored at all
+    // the transposed component is not stored at all
     assert_eq!(by(|_, j, k| (j == 0 && k == 2) as i64)?.pair_symmetry(1, 2), None);
-    // unlike slots have no symmetry, and zero has no sign
+    // slots of different variance have no symmetry, and zero has no sign
     assert_eq!(by(|i, j, _| i * j)?.pair_symmetry(0, 1), None);
     assert_eq!(by(|_, _, _| 0)?.pair_symmetry(1, 2), None);
     // floats are symmetric up to the tolerance
@@ -227,13 +227,13 @@ properties! {
         prop_assert_eq!(above.len(), by_hand.keys().filter(|at| at[0] < at[1]).count());
         prop_assert_eq!(above.slots(), t.slots());
         prop_assert!(above.components().all(|(at, v)| v.as_constant() == Some(&t.get(&at))));
-        // a map that has zeros stores none
+        // a map does not store zeros
         let floor = t.map(|v| if v.is_negative() { integer(0) } else { v.clone() });
         prop_assert_eq!(floor.len(), by_hand.values().filter(|v| !v.is_negative()).count());
     }
 }
 
-/// Sums of floats are judged by the tolerance of the operands, and results hand it on.
+/// Sums of floats use the tolerance of the operands, and results have this tolerance too.
 #[test]
 fn tolerance_travels() -> Test {
     let strict = Tensor::vector(&[1.0, 2.0], Up);

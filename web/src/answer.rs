@@ -1,4 +1,4 @@
-//! What the page gets.
+//! The answers to requests of the page.
 
 use affinor::Error;
 use affinor_documents::input::{InputError, Place};
@@ -7,7 +7,7 @@ use affinor_documents::report::{Format, Report};
 use serde_json::{Value, json};
 use std::io::{self, Write};
 
-/// A longer report would be too much for a page.
+/// The largest size of a report for the page.
 const LONGEST: usize = 16 << 20;
 
 /// A report in a format.
@@ -18,7 +18,7 @@ pub struct Answer {
     pictures: Vec<Picture>,
 }
 
-/// What was refused.
+/// An error message for the page.
 #[derive(Clone, Debug)]
 pub struct Refusal {
     message: String,
@@ -27,18 +27,18 @@ pub struct Refusal {
 }
 
 impl Answer {
-    /// A report, written.
+    /// The answer with a written report.
     ///
     /// # Errors
-    /// A report that is too long for a page.
+    /// An error for a report that is too long for the page.
     pub fn new(report: &dyn Report, format: Format, notes: Vec<String>) -> Result<Self, Refusal> {
         Self::written(notes, |out| report.write(format, out))
     }
 
-    /// Whatever a function writes.
+    /// The answer with the output of a function.
     ///
     /// # Errors
-    /// As [`new`](Self::new).
+    /// Those of [`new`](Self::new).
     pub fn written(
         notes: Vec<String>,
         write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
@@ -62,7 +62,7 @@ impl Answer {
         }
     }
 
-    /// The answer with pictures beside it.
+    /// The same answer with pictures.
     #[must_use]
     pub fn with(self, pictures: Vec<Picture>) -> Self {
         Answer { pictures, ..self }
@@ -76,7 +76,7 @@ impl Answer {
 }
 
 impl Refusal {
-    /// A message.
+    /// An error with this message.
     pub fn new(message: impl Into<String>) -> Self {
         Refusal { message: message.into(), place: None, help: None }
     }
@@ -99,7 +99,8 @@ impl From<Error> for Refusal {
     }
 }
 
-/// The source of a place, its line, from 1, the text of the line, and the part of it in units of UTF-16, in which scripts count.
+/// The source of a location, its line, from 1, the text of the line, and the range in it in units
+/// of UTF-16, in which scripts count.
 fn place(place: &Place) -> Value {
     let (source, text) = (&place.source.name, &*place.source.text);
     let Some(span) = place.span.clone().filter(|span| text.get(span.clone()).is_some()) else {
@@ -118,7 +119,7 @@ fn place(place: &Place) -> Value {
     })
 }
 
-/// Bytes up to a limit.
+/// A buffer of bytes with a limit.
 struct Limited(Vec<u8>);
 
 impl Write for Limited {

@@ -1,7 +1,7 @@
-//! affinor in the browser: [`call`] takes a request of the page to a report.
+//! affinor in the browser: [`call`] answers a request of the page with a report.
 //!
-//! Both are JSON. A request has the words of the command line; an answer is the report in a format, or the message of what was
-//! refused. The page restarts the module after a panic.
+//! Requests and answers are JSON. A request has the options of the command line; an answer is the
+//! report in a format, or an error message. The page restarts the module after a panic.
 
 mod answer;
 mod motion;
@@ -14,7 +14,8 @@ pub use request::Request;
 
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// Answers a request: `{"report": "table", "space": "so3", "connection": "zero"}`. `Err` has the message of a [`Refusal`].
+/// Answers a request: `{"report": "table", "space": "so3", "connection": "zero"}`. `Err` contains a
+/// [`Refusal`] as JSON.
 ///
 /// ```
 /// let answer = affinor_web::call(r#"{"report": "table", "space": "so3@zero", "show": "ricci", "format": "text"}"#);
@@ -24,30 +25,30 @@ use wasm_bindgen::prelude::wasm_bindgen;
 /// ```
 ///
 /// # Errors
-/// What is refused, as JSON.
+/// The error message, as JSON.
 #[wasm_bindgen]
 pub fn call(request: &str) -> Result<String, String> {
     let answer = serde_json::from_str::<Request>(request)
         .map_err(|error| Refusal::new(format!("the request cannot be read: {error}")))
         .and_then(|request| request.answer());
-    // plain data
+    // plain data cannot fail to serialize
     let written = |value: &serde_json::Value| value.to_string();
     answer.map(|answer| written(&answer.json())).map_err(|refusal| written(&refusal.json()))
 }
 
-/// What the page shows while it waits: the stage that begins.
+/// Functions of the page; `stage` shows the current stage while the page waits.
 #[cfg(target_arch = "wasm32")]
 #[wasm_bindgen]
 extern "C" {
-    /// Of the worker.
+    /// Shows the current stage; implemented by the worker.
     fn stage(name: &str);
 }
 
-/// Elsewhere nobody waits.
+/// Outside the browser, stages are not shown.
 #[cfg(not(target_arch = "wasm32"))]
 fn stage(_: &str) {}
 
-/// Sends the place and the message of a panic to the console.
+/// Sends the location and the message of a panic to the console.
 #[cfg(target_arch = "wasm32")]
 #[wasm_bindgen(start)]
 pub fn start() {

@@ -21,7 +21,7 @@ struct Run {
     watched: Vec<String>,
 }
 
-/// The motion of a problem, and the drift by its own method and by others, separated by commas.
+/// The motion of a problem, and the drift with its own method and with others, separated by commas.
 pub(super) fn motion(text: &str, methods: &str) -> Result<Box<dyn Report>, Refusal> {
     let problem = Problem::parse("problem.toml", text)?;
     if problem.times(0)?.len() > ROWS {
@@ -34,7 +34,7 @@ pub(super) fn motion(text: &str, methods: &str) -> Result<Box<dyn Report>, Refus
     let mut drifts = drifts(&own);
     for name in methods.split(',').map(str::trim).filter(|name| !name.is_empty()) {
         let method = Method::from_name(name)
-            .ok_or_else(|| Refusal::new(format!("`{name}` is no method")))?;
+            .ok_or_else(|| Refusal::new(format!("`{name}` is not a method")))?;
         if method.name() == own.method {
             continue;
         }

@@ -1,4 +1,4 @@
-//! What the page asks for, in the words of the command line.
+//! Requests of the page, as arguments of the command line.
 
 use super::source::{self, Copy};
 use super::{Answer, Refusal, motion, transport};
@@ -16,7 +16,7 @@ use affinor_documents::space::{self, ScalarChoice, Space};
 use affinor_tensors::Tolerance;
 use serde::Deserialize;
 
-/// Tensors of higher dimension have no heat maps.
+/// The largest dimension of tensors that are shown as heat maps.
 const HEAT: usize = 32;
 
 /// A request of the page.
@@ -28,13 +28,13 @@ pub struct Request {
     pub report: String,
     /// A SPACE.
     pub space: String,
-    /// The second SPACE of a comparison.
+    /// The second SPACE, for a comparison.
     pub other: String,
-    /// Instead of a SPACE, the text of a definition file; JSON if it begins with a brace.
+    /// The text of a definition file, instead of a SPACE; JSON if it begins with a brace.
     pub definition: String,
-    /// A connection, or nothing for that of the space.
+    /// A connection; if empty, that of the space.
     pub connection: String,
-    /// A metric, or nothing for that of the space.
+    /// A metric; if empty, that of the space.
     pub metric: String,
     /// Values of parameters.
     pub set: String,
@@ -48,17 +48,17 @@ pub struct Request {
     pub vector: String,
     /// The text of a problem of motion.
     pub problem: String,
-    /// Methods that are compared with that of the problem.
+    /// Methods to compare with that of the problem.
     pub methods: String,
     /// The format, by default `html`; or `toml`, `command`, `python`.
     pub format: String,
 }
 
 impl Request {
-    /// The report that is asked for.
+    /// Answers the request with its report.
     ///
     /// # Errors
-    /// Whatever is refused.
+    /// Any error of the request.
     pub fn answer(&self) -> Result<Answer, Refusal> {
         if let Some(copy) = Copy::from_name(&self.format) {
             return self.copied(copy);
@@ -92,7 +92,7 @@ impl Request {
                 let space = self.open()?;
                 (Box::new(Properties::of(&space.definition)?), notes(&space))
             }
-            other => return Err(Refusal::new(format!("`{other}` is no report"))),
+            other => return Err(Refusal::new(format!("`{other}` is not a report"))),
         };
         let answer = Answer::new(&*report, format, notes)?;
         Ok(match format {
@@ -105,7 +105,7 @@ impl Request {
         match self.format.as_str() {
             "" => Ok(Format::Html),
             name => Format::from_name(name)
-                .ok_or_else(|| Refusal::new(format!("`{name}` is no format"))),
+                .ok_or_else(|| Refusal::new(format!("`{name}` is not a format"))),
         }
     }
 
@@ -124,7 +124,7 @@ impl Request {
                 _ => Ok(vec![]),
             }
         };
-        // the report itself stands without them
+        // errors of pictures are ignored, because the report is complete without them
         drawn().unwrap_or_default()
     }
 
@@ -136,7 +136,7 @@ impl Request {
                 (self.problem.clone(), vec![])
             }
             report @ ("table" | "check" | "info" | "properties" | "equations") => {
-                // both are quoted in the copy
+                // checked, because both are quoted in the copy
                 self.quantities()?;
                 self.kind()?;
                 let space = self.open()?;
@@ -192,7 +192,7 @@ impl Request {
         match self.motion.as_str() {
             "" => Ok(EquationKind::EulerPoincare),
             name => EquationKind::from_name(name)
-                .ok_or_else(|| Refusal::new(format!("`{name}` is no motion"))),
+                .ok_or_else(|| Refusal::new(format!("`{name}` is not a motion"))),
         }
     }
 

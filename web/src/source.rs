@@ -1,4 +1,5 @@
-//! Copies that compute a report anew: the space as a definition file, and the lines that load the file.
+//! Copies that recompute a report: the space as a definition file, and the lines that load the
+//! file.
 
 use super::Refusal;
 use affinor::geometry::ConnectionKind;
@@ -9,7 +10,7 @@ use affinor_tensors::text::combination;
 use affinor_tensors::{Tensor, Tolerance};
 use std::fmt::Write;
 
-/// A kind of copy that computes the report anew.
+/// A kind of copy that recomputes the report.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Copy {
     /// The definition, or the problem of a motion, as a file.
@@ -134,6 +135,6 @@ fn affinities<S: Coefficient>(text: &mut String, labels: &[String], gamma: &Tens
 
 /// A string of TOML, in which control characters are escaped.
 fn toml_string(text: &str) -> String {
-    // JSON escapes a part of what TOML does, in the same way, but not the last control character
+    // JSON escapes are valid in TOML, but JSON does not escape the last control character
     serde_json::Value::from(text).to_string().replace('\u{7f}', "\\u007f")
 }

@@ -18,7 +18,7 @@ const RAY: u32 = 72;
 /// The number of transported vectors in a picture, unless the path has more points.
 const STOPS: usize = 12;
 const TOLERANCE: f64 = 1e-9;
-/// The path and the vector of an empty form.
+/// The default path and vector.
 const PATH: &str = "0, 0, 0; 1.5, 0, 0; 0, 1.5, 0.6; 0, 0, 0";
 const VECTOR: &str = "0, 0, 1";
 
@@ -31,13 +31,14 @@ struct Journey {
     vector: Vector3<f64>,
 }
 
-/// A stop of the transported vector: its point, and the left components there.
+/// A position on the path: its point, and the left components of the transported vector.
 struct Stop {
     at: Vector3<f64>,
     left: Vector3<f64>,
 }
 
-/// The report of a path, points separated by semicolons, and a vector; with a metric also by its Levi-Civita connection.
+/// The report for a path, given by points separated by semicolons, and a vector; with a metric, its
+/// Levi-Civita connection is added.
 pub(super) fn transport(
     path: &str,
     vector: &str,
@@ -89,7 +90,7 @@ impl Journey {
         let given = |text: &str, default: &str| {
             if text.trim().is_empty() { default.to_string() } else { text.to_string() }
         };
-        // the numbers from a place in the text on
+        // parses three numbers from a position in the text on
         let three = |name: &str, text: &str, from: usize, part: &str| {
             let moved = |mut error: InputError| {
                 if let Some(Place { source, span: Some(span) }) = error.at.as_deref_mut() {
@@ -175,12 +176,12 @@ impl Journey {
         ball::curve(&curve.into_iter().map(|tangent| tangent.base).collect::<Vec<_>>())
     }
 
-    /// What there is to be seen, in words.
+    /// A description of the picture in words.
     fn words(&self, title: &str, stops: &[Stop]) -> String {
         let [start, end] = [0, stops.len() - 1].map(|at| &stops[at]);
         let closed = (end.at - start.at).norm() < 1e-9;
         let (from, to) = (start.left, end.left);
-        // a connection that keeps lengths turns the vector
+        // a connection that preserves lengths rotates the vector
         let kept = (from.norm() - to.norm()).abs() <= 1e-9 * from.norm();
         let turn = from.angle(&to).to_degrees();
         let turned = if kept { format!(", turned by {turn:.2} degrees") } else { String::new() };
@@ -200,7 +201,7 @@ fn written(x: &Vector3<f64>) -> String {
     format!("({})", numbers.collect::<Vec<_>>().join(", "))
 }
 
-/// Rounded for a picture.
+/// A vector rounded for a picture.
 pub(super) fn short(x: &Vector3<f64>) -> Value {
     json!([x.x, x.y, x.z].map(|x| (x * 1e5).round() / 1e5))
 }

@@ -40,7 +40,7 @@ fn copy(request: &Value, format: &str) -> String {
     answer(request)
 }
 
-/// The table of the copied file is that of the space, to the letter below its name.
+/// The table of the copied file equals the table of the space, except for the name.
 #[test]
 fn files_are_read_back() {
     let own = "basis = [\"x\", \"y\"]\nparameters = [\"a\"]\nbrackets = \"[x, y] = a*y\"\naffinities = \"nabla[x, y] = 1/2*x - (a + 1)*y\"\nname = \"mine \\\"quoted\\\"\"";

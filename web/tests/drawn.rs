@@ -1,4 +1,4 @@
-//! What the page draws: transport, motions.
+//! Pictures of the page: transport and motions.
 
 use super::{answer, refused};
 use affinor::group::transport::ParallelTranslation;

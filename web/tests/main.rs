@@ -1,4 +1,4 @@
-//! Answers of the engine against the reports of the library.
+//! Answers of the engine agree with the reports of the library.
 
 mod copies;
 mod drawn;

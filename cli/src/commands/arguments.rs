@@ -1,4 +1,4 @@
-//! The arguments of the program, before clap parses them.
+//! Preprocessing of the arguments of the program, before clap parses them.
 
 use clap::{ArgMatches, Command, Error};
 use std::ffi::OsString;
@@ -36,7 +36,7 @@ fn shielded(argument: &OsString) -> OsString {
     let number = |text: &&str| {
         let constant = text.starts_with("pi") || text.starts_with("tau");
         let digit = text.starts_with(|c: char| c.is_ascii_digit() || c == '.');
-        // clap accepts a single negative number as it is
+        // clap accepts a single negative number, so it is not changed
         constant || (digit && text.contains([',', ' ', '/', '*']))
     };
     match argument.to_str().and_then(|text| text.strip_prefix('-')).filter(number) {

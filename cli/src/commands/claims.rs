@@ -13,7 +13,7 @@ pub struct Arguments {
     /// The space (see `affinor --help`) and files of claims, one per line: "Ric_11 = (a - b)/2", "torsion = 0", "flat"
     #[arg(num_args = 0.., value_names = ["SPACE", "FILE"])]
     pub arguments: Vec<String>,
-    /// A claim beside those of files; may be repeated
+    /// A claim, in addition to those of files; may be repeated
     #[arg(long, value_name = "CLAIM", allow_hyphen_values = true)]
     pub claim: Vec<String>,
     #[command(flatten)]

@@ -22,12 +22,12 @@ pub struct CodeOptions {
 }
 
 impl CodeOptions {
-    /// The language, if source code is asked for. Programs are written from exact formulas.
+    /// The language, if source code is requested. Programs are written from exact formulas.
     pub fn language(&self, shared: &Shared) -> Result<Option<Language>, InputError> {
         match self.code {
             Some(_) if shared.scalar == Scalar::Float => {
                 Err(InputError::usage("--code writes the exact formulas, not floats")
-                    .help("leave --scalar float away: the program computes in double precision"))
+                    .help("leave --scalar float out: the program computes in double precision"))
             }
             language => Ok(language),
         }
@@ -41,7 +41,7 @@ impl CodeOptions {
         let mut names: Vec<String> = Vec::new();
         for name in self.derivatives.iter().map(|name| name.trim()) {
             if !known.iter().any(|own| own == name) {
-                let message = format!("no parameter is called `{}`", name.escape_debug());
+                let message = format!("there is no parameter `{}`", name.escape_debug());
                 return Err(InputError::usage(message).help(match known.as_slice() {
                     [] => "this space has no parameters".into(),
                     known => format!("the parameters are {}", known.join(", ")),
@@ -56,7 +56,7 @@ impl CodeOptions {
     }
 }
 
-/// Delivers source code.
+/// Prints source code, or writes it to the file.
 pub fn print(code: &str, space: &Space, shared: &Shared, stages: &Stages) -> Result<(), Failure> {
     stages.begin_output();
     let file = shared.output.file.as_deref();

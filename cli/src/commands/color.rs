@@ -2,7 +2,7 @@
 
 use clap::{ArgMatches, Args, ValueEnum};
 
-/// When messages are coloured.
+/// The option whether messages are coloured.
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum Color {
     Auto,
@@ -17,7 +17,7 @@ pub struct ColorOption {
     _color: Color,
 }
 
-/// The colours chosen for a command; a command without the option leaves them to the terminal.
+/// The colour option of a command; if the command has no such option, the terminal decides.
 pub fn chosen(matches: &ArgMatches) -> Color {
     match matches.subcommand() {
         Some((_, inner)) => chosen(inner),

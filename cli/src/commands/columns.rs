@@ -1,4 +1,4 @@
-//! The columns of rows of input, named by a head line.
+//! The columns of input rows, as named by a header.
 
 use affinor_documents::input::InputError;
 
@@ -6,22 +6,25 @@ use affinor_documents::input::InputError;
 pub struct Expected {
     pub numbers: usize,
     pub what: String,
-    /// Names of the columns in the order of the numbers; each list is one choice. The first is shown in messages.
+    /// Names of the columns in the order of the numbers; each list is an alternative. The first one
+    /// is shown in messages.
     names: Vec<Vec<String>>,
-    /// Rows and columns, if one letter with numbers names all entries: `x1`, `x2`, or `g11`, `g12`.
+    /// The numbers of rows and columns, if one letter with numbers names all entries: `x1`, `x2`,
+    /// or `g11`, `g12`.
     shape: Option<(usize, usize)>,
-    /// The position in the rows of each number without a head, if not in order.
+    /// The position of each number in rows without a header, if not in order.
     pub unnamed: Option<Vec<usize>>,
 }
 
 impl Expected {
-    /// A vector, whose columns may be one letter with numbers from 1.
+    /// A vector, whose columns may be named by one letter with numbers from 1.
     pub fn vector(numbers: usize, what: impl Into<String>) -> Self {
         let names = vec![(1..=numbers).map(|at| format!("x{at}")).collect()];
         Expected { numbers, what: what.into(), names, shape: Some((1, numbers)), unnamed: None }
     }
 
-    /// A matrix row by row, whose columns are one letter with the numbers of row and column.
+    /// A matrix in row-major order, whose columns are named by one letter with the numbers of row
+    /// and column.
     pub fn matrix((rows, columns): (usize, usize), what: impl Into<String>) -> Self {
         let between = if rows.max(columns) < 10 { "" } else { "_" };
         let name = |at: usize| format!("g{}{between}{}", at / columns + 1, at % columns + 1);
@@ -30,7 +33,7 @@ impl Expected {
         Expected { numbers: rows * columns, what: what.into(), names, shape, unnamed: None }
     }
 
-    /// Columns with these names only.
+    /// Columns with exactly these names.
     pub fn named(names: &[&str], what: impl Into<String>) -> Self {
         let expected = Expected {
             numbers: names.len(),
@@ -42,7 +45,7 @@ impl Expected {
         expected.or(names)
     }
 
-    /// With another choice of names.
+    /// Adds an alternative list of names.
     #[must_use]
     pub fn or<S: AsRef<str>>(mut self, names: &[S]) -> Self {
         let names: Vec<String> = names.iter().map(|name| name.as_ref().to_string()).collect();
@@ -52,17 +55,17 @@ impl Expected {
         self
     }
 
-    /// With the position in the rows of each number if no head names the columns.
+    /// Sets the position of each number in rows without a header.
     #[must_use]
     pub fn without_head<const N: usize>(mut self, order: [usize; N]) -> Self {
         self.unnamed = Some(order.to_vec());
         self
     }
 
-    /// The position in the rows of each number, by the names of a head.
+    /// The position of each number in the rows, from the names in a header.
     ///
     /// # Errors
-    /// A head with other names.
+    /// An error for a header with other names.
     pub fn order(&self, place: &str, head: &[&str]) -> Result<Vec<usize>, InputError> {
         let lower = |name: &str| name.trim().trim_matches('"').trim().to_lowercase();
         let head: Vec<String> = head.iter().map(|name| lower(name)).collect();
@@ -86,7 +89,7 @@ impl Expected {
         })
     }
 
-    /// The positions by the numbers behind one letter.
+    /// The positions, if the names are one letter with numbers.
     fn numbered(&self, head: &[String]) -> Option<Vec<usize>> {
         let (rows, columns) = self.shape?;
         let numbers = |c: char| c.is_ascii_digit() || c == '_';
@@ -115,7 +118,8 @@ impl Expected {
 mod tests {
     use super::Expected;
 
-    /// Heads that name every `step`-th column, for all steps without a common divisor with their number, are put in order.
+    /// Headers that permute the columns, by taking every `step`-th one with `step` coprime to their
+    /// number, are put in order.
     #[test]
     fn permuted_heads_are_put_in_order() {
         let quaternion =

@@ -1,4 +1,4 @@
-//! `affinor compare`: two spaces side by side.
+//! `affinor compare`: a comparison of two spaces.
 
 use super::failure::Failure;
 use super::options::Shared;
@@ -23,7 +23,7 @@ impl Arguments {
             [] => ["M(3)", "SO(3)"],
             [left, right] => [left.as_str(), right.as_str()],
             _ => {
-                return Err(InputError::usage("compare takes two spaces, or none")
+                return Err(InputError::usage("give two spaces, or none")
                     .help("affinor compare M3 SO3")
                     .into());
             }

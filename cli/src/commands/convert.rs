@@ -1,4 +1,4 @@
-//! `affinor convert`: coordinates of rotations, converted into one another.
+//! `affinor convert`: conversion between coordinates of rotations.
 
 use super::columns::Expected;
 use super::failure::Failure;
@@ -18,12 +18,12 @@ const TOLERANCE: f64 = 1e-6;
 
 #[derive(Args)]
 pub struct Arguments {
-    /// The coordinates read: vector (a rotation vector), quaternion (w,x,y,z or --order), matrix, gibbs or
-    /// modified (Rodrigues vectors), or Euler angles such as ZYX, about axes of the body, or zyx,
-    /// about axes of space
+    /// The input coordinates: vector (a rotation vector), quaternion (w,x,y,z or --order), matrix,
+    /// gibbs or modified (Rodrigues vectors), or Euler angles such as ZYX, about axes of the body,
+    /// or zyx, about axes of space
     #[arg(long, value_name = "KIND", value_parser = kind)]
     pub from: Kind,
-    /// The coordinates written, one of the same
+    /// The output coordinates: one of the same kinds
     #[arg(long, value_name = "KIND", value_parser = kind)]
     pub to: Kind,
     /// Input rows, one argument each; by default the lines of standard input, as CSV or JSON
@@ -32,7 +32,7 @@ pub struct Arguments {
     /// Read and write rotation vectors and Euler angles in degrees
     #[arg(long)]
     pub degrees: bool,
-    /// The order of the components of quaternions, read without a head and written
+    /// The order of the components of quaternions in the output, and in input without a header
     #[arg(long, value_enum, value_name = "ORDER", default_value_t = Order::Wxyz)]
     pub order: Order,
     #[command(flatten)]
@@ -56,7 +56,7 @@ pub enum Kind {
     Matrix,
     Gibbs,
     Modified,
-    /// With the axes, as letters.
+    /// Euler angles, with the axes as letters.
     Euler(Sequence, [char; 3]),
 }
 
@@ -81,7 +81,7 @@ impl Kind {
                     _ => "yaw",
                 };
                 let names = axes.map(name);
-                // an axis that occurs twice has two angles
+                // if an axis occurs twice, its name does not identify an angle
                 if names[0] == names[2] { expected } else { expected.or(&names) }
             }
         }
@@ -178,7 +178,8 @@ fn kind(name: &str) -> Result<Kind, String> {
         "gibbs" => Kind::Gibbs,
         "modified" => Kind::Modified,
         _ => {
-            let unknown = "the kinds are vector, quaternion, matrix, gibbs, modified, and Euler angles such as ZYX";
+            let unknown =
+                "choose vector, quaternion, matrix, gibbs, modified, and Euler angles such as ZYX";
             let axes: Vec<char> = name.chars().collect();
             let axes = axes.try_into().map_err(|_| unknown)?;
             Kind::Euler(name.parse().map_err(|_| unknown)?, axes)

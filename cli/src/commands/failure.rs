@@ -12,11 +12,11 @@ use std::ops::Range;
 pub enum Failure {
     /// An error of the input, or of the mathematics.
     Input(Box<InputError>),
-    /// An error of writing the results to the target named.
+    /// An error while writing the results to the named target.
     Output(io::Error, String),
-    /// Results that say themselves what the mathematics refuses.
+    /// The results themselves report a mathematical failure.
     Refuted,
-    /// A signal, by its number, with the message if there is still one to report.
+    /// A signal, by its number, with a message if one must still be reported.
     Signal(u8, Option<String>),
 }
 
@@ -33,12 +33,13 @@ impl From<Error> for Failure {
 }
 
 impl Failure {
-    /// Reports the failure on standard error; its exit status. A closed pipe ends the program with success.
+    /// Reports the failure on standard error. Returns its exit status. A closed pipe ends the
+    /// program with success.
     pub fn report(self, color: Color) -> u8 {
         match self {
             Failure::Output(error, _) if error.kind() == io::ErrorKind::BrokenPipe => 0,
             Failure::Refuted => 1,
-            // the exit status that shells use
+            // the exit status that shells use for signals
             Failure::Signal(signal, message) => {
                 message.iter().for_each(|message| line(message));
                 128 + signal
@@ -86,11 +87,11 @@ fn show(error: &InputError, color: Color) {
         report = report.element(Level::HELP.message(help));
     }
     let text = renderer.term_width(WIDTH).render(&[report]);
-    // if standard error is closed, nobody reads it
+    // if standard error is closed, nobody can read the message
     let _ = writeln!(io::stderr(), "{text}");
 }
 
-/// The lines of a span: the number of the first, their text, and the span in it.
+/// The lines that contain a span: the number of the first line, their text, and the span within it.
 fn excerpt(text: &str, span: Range<usize>) -> (usize, &str, Range<usize>) {
     let (start, end) = (span.start.min(text.len()), span.end.min(text.len()));
     let from = text[..start].rfind('\n').map_or(0, |at| at + 1);

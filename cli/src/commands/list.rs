@@ -8,7 +8,7 @@ use clap::Args;
 
 #[derive(Args)]
 pub struct Arguments {
-    /// Only entries that contain this text, in upper or lower case
+    /// Only entries that contain this text, ignoring case
     pub pattern: Option<String>,
     /// Algebras up to dimension 6 with properties, as in "dimension=4, nilpotent, not abelian"
     #[arg(long = "where", value_name = "CONDITION", conflicts_with = "pattern")]

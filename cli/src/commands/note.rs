@@ -1,4 +1,4 @@
-//! Notes on standard error, beside the results.
+//! Notes on standard error, in addition to the results.
 
 use affinor_documents::space::Definition;
 use std::io::{self, Write};
@@ -8,12 +8,12 @@ pub fn note(text: &str) {
     line(&format!("note: {text}"));
 }
 
-/// Prints a line on standard error. If that is closed, nobody reads it.
+/// Prints a line on standard error; errors are ignored.
 pub fn line(text: &str) {
     let _ = writeln!(io::stderr(), "{text}");
 }
 
-/// A count and its noun, in the plural where it needs one: `1 row`, `2 rows`.
+/// A count with its noun, which is in the plural if needed: `1 row`, `2 rows`.
 pub fn counted(count: u64, noun: &str) -> String {
     match count {
         1 => format!("1 {noun}"),
@@ -21,7 +21,7 @@ pub fn counted(count: u64, noun: &str) -> String {
     }
 }
 
-/// Notes the default connection where no connection is named.
+/// Prints a note on the default connection if no connection is named.
 pub fn note_default_connection(definition: &Definition) {
     if !definition.connection_is_default() {
         return;

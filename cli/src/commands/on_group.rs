@@ -1,4 +1,4 @@
-//! `affinor exp`, `log`, `compose`, `adjoint`: operations of the group of a space.
+//! `affinor exp`, `log`, `compose`, `adjoint`: operations in the group of a space.
 
 use super::columns::Expected;
 use super::failure::Failure;
@@ -10,7 +10,7 @@ use affinor::group::{AnyGroup, LieGroup, MatrixNotation};
 use clap::Args;
 use nalgebra::{DMatrix, DVector};
 
-/// A group and its rows of input.
+/// A group, and its input rows.
 #[derive(Args)]
 pub struct Arguments {
     /// The space of the group; see `affinor --help`
@@ -46,13 +46,13 @@ impl LogArguments {
 /// The operation on each row.
 #[derive(Clone, Copy)]
 pub enum Operation<'r> {
-    /// From coordinates to the element.
+    /// Maps coordinates to the element.
     Exp,
-    /// From an element to its coordinates.
+    /// Maps an element to its coordinates.
     Log(&'r Restore),
-    /// From two coordinate vectors, concatenated, to the coordinates of the product.
+    /// Maps two coordinate vectors, concatenated, to the coordinates of the product.
     Compose,
-    /// From coordinates to the matrix of `Ad`.
+    /// Maps coordinates to the matrix of `Ad`.
     Adjoint,
 }
 
@@ -117,7 +117,7 @@ impl Arguments {
     }
 }
 
-/// The logarithms of which rounded entries determine few digits.
+/// Statistics of ill-conditioned logarithms, which rounded entries determine to few digits only.
 #[derive(Default)]
 struct Coarse {
     rows: u64,
@@ -126,20 +126,20 @@ struct Coarse {
 }
 
 impl Coarse {
-    /// The relative error that is not worth a note: twelve digits are printed.
+    /// The relative error below which no note is printed, because twelve digits are printed.
     const FINE: f64 = 1e-12;
 
     /// Counts a logarithm of this size with this error.
     fn add(&mut self, error: Option<f64>, size: f64) {
         let error = error.unwrap_or(0.0);
-        // the logarithm 0 has no digits
+        // a zero logarithm has no relative error
         if size > 0.0 && error > Self::FINE * size {
             self.rows += 1;
             self.error = self.error.max(error / size);
         }
     }
 
-    /// Notes how many digits of the worst logarithm are right.
+    /// Prints a note on the number of correct digits of the worst logarithm.
     fn note(&self) {
         if self.rows > 0 {
             let digits = (-self.error.log10()).floor().max(0.0);
@@ -165,12 +165,12 @@ impl Angles {
         Angles(units)
     }
 
-    /// The components with angles in radians.
+    /// The components, with angles converted to radians.
     pub fn read(&self, x: &[f64]) -> DVector<f64> {
         DVector::from_iterator(x.len(), x.iter().zip(&self.0).map(|(x, unit)| x * unit))
     }
 
-    /// The components with angles in these units.
+    /// The components, with angles converted to these units.
     pub fn written(&self, x: DVector<f64>) -> Vec<f64> {
         x.iter().zip(&self.0).map(|(x, unit)| x / unit).collect()
     }

@@ -1,4 +1,4 @@
-//! The options that several commands share.
+//! Options that several commands share.
 
 use super::color::ColorOption;
 use super::failure::Failure;
@@ -59,19 +59,19 @@ pub struct ProblemOptions {
     /// The problem, a TOML file; - for standard input
     #[arg(value_name = "FILE")]
     pub problem: String,
-    /// New values of parameters of the problem, as in "m=15,g=9.81"; may be repeated
-    #[arg(long, value_name = "NAME=VALUE,..", allow_hyphen_values = true)]
+    /// Override values of parameters of the problem, as in "m=15,g=9.81"; may be repeated
+    #[arg(long, value_name = "NAME=VALUE,...", allow_hyphen_values = true)]
     pub set: Vec<String>,
-    /// The step size, instead of that of the file: like T and DT a number, or a formula in the parameters
+    /// Override the step size of the file: a number, or a formula in its parameters
     #[arg(long, value_name = "H", allow_hyphen_values = true)]
     pub step: Option<String>,
-    /// The tolerance of step-size control, instead of that of the file
+    /// Override the relative tolerance of the file: a number, or a formula in its parameters
     #[arg(long, value_name = "T", allow_hyphen_values = true)]
     pub tolerance: Option<String>,
-    /// The final time, instead of that of the file
+    /// Override the final time of the file: a number, or a formula in its parameters
     #[arg(long, value_name = "T", allow_hyphen_values = true)]
     pub end: Option<String>,
-    /// The time between rows, instead of that of the file
+    /// Override the time between rows of the file: a number, or a formula in its parameters
     #[arg(long, value_name = "DT", allow_hyphen_values = true)]
     pub every: Option<String>,
 }
@@ -84,7 +84,7 @@ pub struct Shared {
     /// Scalars: exact (rational numbers, or rational functions of the parameters) or float (f64)
     #[arg(long, value_enum, default_value_t = Scalar::Exact)]
     pub scalar: Scalar,
-    /// The largest number of terms of formulas, of all values together [default: 20000000, about 3 GB]
+    /// The largest number of terms of all formulas together [default: 20000000, about 3 GB]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     pub max_terms: Option<u64>,
     /// Print the seconds of each stage on standard error
@@ -100,7 +100,7 @@ pub struct Output {
     /// The format: text, markdown, latex, html, csv or json
     #[arg(long, default_value = "text", value_parser = format)]
     pub format: OutputFormat,
-    /// Write to this file; a failed run leaves it as it was
+    /// Write to this file, which is unchanged if the run fails
     #[arg(short = 'o', long = "output", value_name = "FILE")]
     pub file: Option<PathBuf>,
     #[command(flatten)]
@@ -135,7 +135,7 @@ impl Settings {
         })
     }
 
-    /// Sets the number of threads for everything that follows.
+    /// Sets the number of threads for all following computations.
     pub fn start_threads(&self) -> Result<(), Failure> {
         let Some(given) = self.threads else { return Ok(()) };
         let Some(threads) = usize::try_from(given).ok().filter(|n| (1..=1024).contains(n)) else {
@@ -143,10 +143,10 @@ impl Settings {
             return Err(InputError::usage(message).into());
         };
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build_global();
-        pool.map_err(|error| InputError::usage(format!("cannot start threads: {error}")).into())
+        pool.map_err(|error| InputError::usage(format!("cannot start the threads: {error}")).into())
     }
 
-    /// Opens a space, and notes its new parameters.
+    /// Opens a space, and prints a note on its new parameters.
     pub fn open(&self, space: Option<&str>, options: &SpaceOptions) -> Result<Space, Failure> {
         let space = Space::open(&Request {
             space: space.map(str::to_string),
@@ -163,14 +163,15 @@ impl Settings {
 }
 
 impl ProblemOptions {
-    /// Reads the problem, with the values of the options; `method` replaces the method of the file.
+    /// Reads the problem, and applies the options; `method` replaces the method of the file.
     pub fn open(&self, method: Option<&str>) -> Result<Problem, Failure> {
         let mut problem = self.with_own_integration()?;
         problem.replace_integration(method, self.step.as_deref(), self.tolerance.as_deref())?;
         Ok(problem)
     }
 
-    /// Reads the problem, with the values and times of the options, to be integrated as the file says.
+    /// Reads the problem, and applies the values and times of the options; the integration settings
+    /// are those of the file.
     pub fn with_own_integration(&self) -> Result<Problem, Failure> {
         let mut problem = Problem::read(&self.problem)?;
         for set in &self.set {
@@ -180,7 +181,7 @@ impl ProblemOptions {
         Ok(problem)
     }
 
-    /// The options by name, as they are given.
+    /// The names of the options, with the given values.
     pub fn given(&self) -> Vec<(String, Option<String>)> {
         let ProblemOptions { set, step, tolerance, end, every, .. } = self;
         let set = (!set.is_empty()).then(|| set.join(","));
@@ -201,7 +202,7 @@ impl Output {
         self.print_with(inputs, |format, out| report.write(format, out))
     }
 
-    /// Writes what a function writes in the format.
+    /// Writes the output of a function in the format.
     fn print_with(
         &self,
         inputs: &[PathBuf],
@@ -221,7 +222,7 @@ impl Output {
 }
 
 impl Shared {
-    /// Begins a command with its first stage, the input.
+    /// Starts a command with its first stage, reading the input.
     pub fn start(&self) -> Result<Stages, Failure> {
         self.settings.start_threads()?;
         let stages = Stages::new(self.timings, self.max_terms.unwrap_or(Effort::DEFAULT));
@@ -247,7 +248,7 @@ impl Shared {
         (self.scalar == Scalar::Float).then(|| self.settings.tolerance()).transpose()
     }
 
-    /// Opens a space, and notes its new parameters.
+    /// Opens a space, and prints a note on its new parameters.
     pub fn open(&self, space: Option<&str>, options: &SpaceOptions) -> Result<Space, Failure> {
         self.settings.open(space, options)
     }
@@ -260,7 +261,7 @@ impl Shared {
         report: &dyn Report,
     ) -> Result<(), Failure> {
         stages.begin_output();
-        // formulas are put in order as they are written, which has its terms too
+        // writing simplifies formulas, and this counts towards the limit on terms
         let write = |format, out: &mut dyn Write| report.write(format, &mut stages.within(out));
         stages.bound(|| self.output.print_with(inputs, write))?
     }
@@ -281,7 +282,8 @@ impl Shared {
     }
 }
 
-/// Notes how open conventions of the space are understood, and the parameters that occur on the command line alone.
+/// Prints notes on how conventions of the space are interpreted, and on the parameters that occur
+/// only on the command line.
 fn note_parameters(space: &Space) {
     space.definition.notes().iter().for_each(|text| note(text));
     if !space.introduced.is_empty() {

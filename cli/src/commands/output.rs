@@ -1,4 +1,5 @@
-//! Output of results: standard output, or a file that is replaced once all is written.
+//! Output of results: to standard output, or to a file that is replaced once the output is
+//! complete.
 
 use super::failure::Failure;
 use affinor_documents::input::InputError;
@@ -10,8 +11,9 @@ use tempfile::NamedTempFile;
 
 /// Runs `write` on standard output or into `file`.
 ///
-/// A regular file is written beside its place and renamed, so a failed run leaves the old one; a
-/// device or a pipe is written as it is. `inputs` are files that must not be overwritten.
+/// A regular file is written under a temporary name in the same folder and renamed, so that a
+/// failed run leaves the old file; a device or a pipe is written directly. `inputs` are files that
+/// must not be overwritten.
 pub fn deliver(
     file: Option<&Path>,
     inputs: &[PathBuf],
@@ -36,7 +38,7 @@ pub fn deliver(
     done.map_err(|error| Failure::Output(error, shown))
 }
 
-/// A writer with a checkpoint before each piece.
+/// A writer with a checkpoint before each write.
 struct Polled<'w>(&'w mut dyn Write);
 
 impl Write for Polled<'_> {
@@ -50,22 +52,22 @@ impl Write for Polled<'_> {
     }
 }
 
-/// Refuses, before any work, a file that cannot be written: one of `inputs`, a folder, or a file in a folder
-/// without write permission.
+/// Returns an error, before any computation, for a file that cannot be written: one of `inputs`, a
+/// folder, or a file in a folder without write permission.
 pub fn expect_place(path: &Path, inputs: &[PathBuf]) -> Result<(), Failure> {
     let (shown, target) = expect_other(path, inputs)?;
     if fs::metadata(&target).is_ok_and(|meta| !meta.is_file() && !meta.is_dir()) {
         return Ok(());
     }
-    // deleted at once
+    // the temporary file is deleted at once
     temporary(&target).map(drop).map_err(|error| Failure::Output(error, shown))
 }
 
-/// A path as shown, and the file behind it, which must not be one of `inputs`.
+/// The path for messages, and the resolved path, after checking that it is not one of `inputs`.
 fn expect_other(path: &Path, inputs: &[PathBuf]) -> Result<(String, PathBuf), Failure> {
     let shown = path.display().to_string().escape_debug().to_string();
     if inputs.iter().any(|input| is_same(input, path)) {
-        let message = format!("{shown} is the input; writing there would lose it");
+        let message = format!("{shown} is the input; the output would overwrite it");
         return Err(InputError::usage(message).help("give -o another name").into());
     }
     Ok((shown, resolved(path)))
@@ -104,11 +106,11 @@ fn temporary(target: &Path) -> io::Result<NamedTempFile> {
     #[cfg(unix)]
     {
         use std::os::unix::fs::PermissionsExt;
-        // the permissions of the file it replaces, or else those of the umask
+        // the permissions of the replaced file, or the default ones of the umask
         let mode = fs::metadata(target).map_or(0o666, |meta| meta.permissions().mode());
         builder.permissions(fs::Permissions::from_mode(mode));
     }
-    // here, so that the message does not name the temporary file
+    // checked here, so that the message does not name the temporary file
     if !fs::metadata(folder)?.is_dir() {
         return Err(io::ErrorKind::NotADirectory.into());
     }

@@ -1,4 +1,4 @@
-//! `affinor paper`: the paper equation by equation, computed.
+//! `affinor paper`: the paper, recomputed equation by equation.
 
 use super::color::ColorOption;
 use super::failure::Failure;
@@ -26,7 +26,7 @@ pub struct Arguments {
 enum Format {
     /// One file without scripts: formulas in MathML, figures in SVG
     Html,
-    /// Tables as GitHub renders them
+    /// Markdown with tables, as rendered by GitHub
     Markdown,
     /// A document for pdfLaTeX
     Latex,
@@ -84,7 +84,7 @@ fn figures() -> Result<Vec<PaperFigure>, Failure> {
     Ok(drawn.into())
 }
 
-/// The element of a picture, without the head of a file.
+/// The SVG element of a picture, without the XML declaration of a file.
 fn element(svg: &str) -> String {
     svg.find("<svg").map_or(svg, |start| &svg[start..]).trim_end().into()
 }

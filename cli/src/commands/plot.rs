@@ -71,19 +71,20 @@ enum Kind {
     Attitude(OnTrajectory),
     /// Problem of mechanics: body momentum on its sphere, and the energy ellipsoid
     Momentum(OnTrajectory),
-    /// Problem of mechanics: film of the body as a box with its axes of inertia, as animated SVG
+    /// Problem of mechanics: animation of the body as a box with its axes of inertia, as animated
+    /// SVG
     Animation {
         #[command(flatten)]
         on: OnTrajectory,
-        /// The duration of the film in seconds
+        /// The duration of the animation in seconds
         #[arg(long, value_name = "S", default_value_t = 10.0)]
         seconds: f64,
     },
     /// Problem of mechanics: columns over time
     Series(OnColumns),
-    /// Problem of mechanics: one column over another, as a curve
+    /// Problem of mechanics: one column against another, as a curve
     Phase(OnColumns),
-    /// Problem of mechanics: one column over another, as points at the section of the problem
+    /// Problem of mechanics: one column against another, as points at the section of the problem
     Section(OnColumns),
     /// Problem of mechanics: drift of the conserved quantities over time, by one or several methods
     Drift {
@@ -161,7 +162,7 @@ struct Connections {
     /// The connection of a panel: plus, zero, minus, lambda=1/3, or levi-civita; may be repeated
     #[arg(long = "connection", value_name = "NAME", allow_hyphen_values = true)]
     names: Vec<String>,
-    /// The metric of levi-civita: identity, "diag(1,2,3)", or rows "[[1,0,0],..]"
+    /// The metric of levi-civita: identity, "diag(1,2,3)", or rows "[[1,0,0],...]"
     #[arg(long, value_name = "METRIC", allow_hyphen_values = true)]
     metric: Option<String>,
 }
@@ -277,7 +278,7 @@ pub fn precession() -> Path {
 }
 
 impl Connections {
-    /// The connections given, or the default ones.
+    /// The given connections, or the default ones.
     fn or(&self, default: &[&str]) -> Result<Vec<Connected>, Failure> {
         let names: Vec<&str> = match self.names.as_slice() {
             [] => default.to_vec(),
@@ -309,7 +310,7 @@ impl Scene {
 impl Image {
     fn print_diagram(&self, diagram: &Diagram) -> Result<(), Failure> {
         if let Some((axis, value)) = diagram.beyond() {
-            let message = format!("{axis} reaches {value:e}, which is too large to be drawn");
+            let message = format!("{axis} reaches {value:e}, which is too large for a plot");
             return Err(InputError::mathematics(message).into());
         }
         self.print(&picture::diagram(diagram))
@@ -320,7 +321,7 @@ impl Image {
         deliver(self.file.as_deref(), &[], |out| out.write_all(&bytes))
     }
 
-    /// The picture in the format of the file, by its ending.
+    /// The picture in the format that the extension of the file name selects.
     fn encoded(&self, picture: &Picture) -> Result<Vec<u8>, Failure> {
         if !(1..=MAX_WIDTH).contains(&self.width) {
             let message = format!("--width {} is not between 1 and {MAX_WIDTH}", self.width);

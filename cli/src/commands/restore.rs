@@ -1,4 +1,4 @@
-//! `--restore`: matrices that are rounded to few digits, replaced by the nearest elements of the group.
+//! `--restore`: matrices with few digits, replaced by the nearest elements of the group.
 
 use super::failure::Failure;
 use super::note::{counted, note};
@@ -8,10 +8,10 @@ use affinor_documents::input::InputError;
 use clap::Args;
 use nalgebra::DMatrix;
 
-/// Advice where a matrix is not an element.
-const ADVICE: &str = "--restore takes the nearest element of the group";
+/// Advice for a matrix that is not an element.
+const ADVICE: &str = "--restore replaces it by the nearest element of the group";
 
-/// Whether matrices off the group are accepted.
+/// The option whether matrices that are not on the group are accepted.
 #[derive(Args)]
 pub struct Restore {
     /// Replace each matrix by the nearest element of the group, if no entry changes by more than 0.1
@@ -20,7 +20,7 @@ pub struct Restore {
     restore: bool,
 }
 
-/// The matrices that were restored.
+/// Statistics of the restored matrices.
 #[derive(Default)]
 pub struct Restored {
     rows: u64,
@@ -29,7 +29,8 @@ pub struct Restored {
 }
 
 impl Restored {
-    /// The element of a matrix: the nearest one with `--restore`, else that of `strict`.
+    /// The element of a matrix: the nearest one with `--restore`, otherwise the one that `strict`
+    /// returns.
     pub fn read<G: MatrixNotation>(
         &mut self,
         option: &Restore,
@@ -53,7 +54,7 @@ impl Restored {
         })
     }
 
-    /// The error of a logarithm, with advice if the nearest element has one.
+    /// The error of a logarithm, with advice if the nearest element has a logarithm.
     pub fn refused<G: MatrixNotation>(
         &self,
         option: &Restore,
@@ -68,7 +69,7 @@ impl Restored {
         }
     }
 
-    /// Notes the largest change.
+    /// Prints a note on the largest change.
     pub fn note(&self) {
         if self.rows > 0 {
             let (rows, distance) = (counted(self.rows, "row"), self.distance);

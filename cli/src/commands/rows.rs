@@ -1,4 +1,4 @@
-//! Rows of numbers, read from arguments or from lines of standard input, and written as text, CSV or JSON lines.
+//! Rows of numbers, read from arguments or standard input, and written as text, CSV or JSON lines.
 
 use super::color::ColorOption;
 use super::columns::Expected;
@@ -17,10 +17,10 @@ pub struct RowOutput {
     /// The format of the rows
     #[arg(long, value_enum, default_value_t = RowFormat::Text)]
     format: RowFormat,
-    /// Write to this file; a failed run leaves it as it was
+    /// Write to this file, which is unchanged if the run fails
     #[arg(short = 'o', long = "output", value_name = "FILE")]
     file: Option<PathBuf>,
-    /// At a row that is refused: stop, or skip it with a note of its place and reason
+    /// How to treat an invalid input row: stop, or skip it and report its line and the reason
     #[arg(long, value_enum, default_value_t = OnError::Stop)]
     on_error: OnError,
     #[command(flatten)]
@@ -40,7 +40,7 @@ enum RowFormat {
     Json,
 }
 
-/// A vector as a matrix of one row.
+/// A vector as a matrix with one row.
 pub fn vector(values: &[f64]) -> DMatrix<f64> {
     DMatrix::from_row_slice(1, values.len(), values)
 }
@@ -94,9 +94,10 @@ pub fn map_rows(
     Ok(())
 }
 
-/// Writes each matrix as soon as `rows` passes it on.
+/// Writes each matrix as soon as `rows` passes it.
 ///
-/// `head` names the columns of CSV: a list such as `w,x,y,z`, or a letter to be followed by the numbers of row and column.
+/// `head` names the columns of CSV: a list such as `w,x,y,z`, or a letter, to which the numbers of
+/// row and column are appended.
 pub fn write_rows(
     output: &RowOutput,
     head: &str,
@@ -125,7 +126,7 @@ pub fn write_rows(
             }
         }
     });
-    // a refused row is an error of the input, not of the output
+    // an invalid row is an error of the input, not of the output
     refused.map_or(done, Err)
 }
 
@@ -141,7 +142,8 @@ fn finite(values: &DMatrix<f64>) -> Result<(), Failure> {
     }
 }
 
-/// Whether a line has the names of columns: words that begin with a letter, and none that stands for a number or for a missing one.
+/// Whether a line is a header: all words begin with a letter, and none of them is a number or a
+/// missing value.
 fn is_header(line: &str) -> bool {
     let no_names = ["nan", "inf", "infinity", "null", "none", "na", "n/a", "pi", "tau"];
     let is_name = |word: &str| {
@@ -152,7 +154,7 @@ fn is_header(line: &str) -> bool {
     numbers(&Source::new("", line)).is_err() && fields(line).into_iter().all(is_name)
 }
 
-/// The fields of a line between commas, semicolons and tabs, or else between spaces.
+/// The fields of a line between commas, semicolons and tabs; if there are none, between spaces.
 fn fields(line: &str) -> Vec<&str> {
     let signs = [',', ';', '\t'];
     match line.contains(signs) {
@@ -161,7 +163,8 @@ fn fields(line: &str) -> Vec<&str> {
     }
 }
 
-/// Calls `each` with the number and text of every line of standard input that is neither empty nor a comment.
+/// Calls `each` with the number and text of every line of standard input that is neither empty nor
+/// a comment.
 fn lines(mut each: impl FnMut(usize, &str) -> Result<(), Failure>) -> Result<(), Failure> {
     for (at, line) in io::stdin().lock().lines().enumerate() {
         let line = line.map_err(|error| {
@@ -189,7 +192,7 @@ pub fn read(name: &str, line: &str, expected: &Expected) -> Result<Vec<f64>, Fai
     Err(InputError::usage(message).help(format!("it reads `{}`", line.escape_debug())).into())
 }
 
-/// Twelve digits: a vector on one line, a matrix in aligned rows and an empty line.
+/// Writes twelve digits: a vector on one line, a matrix in aligned rows followed by an empty line.
 fn text(out: &mut dyn Write, values: &DMatrix<f64>) -> io::Result<()> {
     let cells = cells(values, briefly);
     let width = cells.iter().map(String::len).max().unwrap_or(0);
@@ -218,12 +221,12 @@ fn columns(head: &str, values: &DMatrix<f64>) -> String {
     (0..rows * columns).map(name).collect::<Vec<_>>().join(",")
 }
 
-/// All numbers on one line, a matrix row by row.
+/// Writes all numbers on one line, a matrix in row-major order.
 fn csv(out: &mut dyn Write, values: &DMatrix<f64>) -> io::Result<()> {
     writeln!(out, "{}", cells(values, exactly).join(","))
 }
 
-/// An array on one line; a matrix is an array of its rows.
+/// Writes an array on one line; a matrix is an array of its rows.
 fn json(out: &mut dyn Write, values: &DMatrix<f64>) -> io::Result<()> {
     let cells = cells(values, exactly);
     let lines = cells.chunks(values.ncols().max(1)).map(|line| format!("[{}]", line.join(",")));
@@ -240,7 +243,8 @@ fn cells(values: &DMatrix<f64>, write: fn(f64) -> String) -> Vec<String> {
     rows.flat_map(|row| row.iter().map(|value| write(*value)).collect::<Vec<_>>()).collect()
 }
 
-/// The shortest digits that read back to the same number, without negative zero and without a final `.0`.
+/// The shortest digits that parse to the same number, without negative zero and without a final
+/// `.0`.
 fn exactly(value: f64) -> String {
     let written = format!("{:?}", value + 0.0);
     written.strip_suffix(".0").map(str::to_string).unwrap_or(written)

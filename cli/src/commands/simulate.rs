@@ -23,8 +23,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-/// The most members of an ensemble whose rows are computed before they are stored, and the time that they should take, so that
-/// checkpoints are on time.
+/// The largest number of members of an ensemble whose rows are computed before they are stored, and
+/// the target time for this, so that checkpoints are on time.
 const CHUNK: u64 = 128;
 const CHUNK_TIME: Duration = Duration::from_secs(1);
 
@@ -33,7 +33,7 @@ const CHUNK_TIME: Duration = Duration::from_secs(1);
 pub struct Arguments {
     #[command(flatten)]
     pub problem: ProblemOptions,
-    /// The method of integration, instead of that of the file
+    /// Override the method of integration of the file
     #[arg(long, value_name = "M")]
     pub method: Option<String>,
     /// Integrate every member of the ensemble of the problem, in parallel
@@ -78,9 +78,9 @@ fn format(name: &str) -> Result<RunFormat, String> {
     })
 }
 
-/// The format that is a feature of the build.
+/// The name of the format that needs a build feature.
 const PARQUET: &str = "parquet";
-const WITHOUT_PARQUET: &str = "this program was built without Parquet";
+const WITHOUT_PARQUET: &str = "this program was built without the feature `parquet`";
 const WITH_PARQUET: &str =
     "choose csv or json, or build it with `cargo install --path cli --features parquet`";
 
@@ -166,7 +166,7 @@ impl Arguments {
         if let Some(file) = self.file.as_deref().filter(|_| store.resumed().is_some()) {
             let incomplete = partial(file);
             if incomplete != file {
-                // what an earlier part of the run wrote; a file that remains does no harm
+                // the rows of an interrupted earlier run; failure to delete them does no harm
                 let _ = fs::remove_file(incomplete);
             }
         }
@@ -174,7 +174,8 @@ impl Arguments {
         Ok(())
     }
 
-    /// The format of the rows: of `--format`, or by the ending of the file, or CSV.
+    /// The format of the rows: from `--format`, otherwise from the extension of the file name,
+    /// otherwise CSV.
     fn format(&self) -> Result<RunFormat, Failure> {
         let ending = self.file.as_ref().and_then(|file| file.extension());
         let ending = ending.map(|ending| ending.to_string_lossy().to_lowercase());
@@ -198,7 +199,7 @@ impl Arguments {
         let threads = self.threads.map_or(0, usize::from);
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
         let pool =
-            pool.map_err(|error| InputError::usage(format!("cannot start threads: {error}")))?;
+            pool.map_err(|error| InputError::usage(format!("cannot start the threads: {error}")))?;
         let mut done = store.resumed().map_or(0, |checkpoint| checkpoint.done);
         let progress = Progress::from(done as f64 / size as f64);
         let least = pool.current_num_threads() as u64;
@@ -213,7 +214,8 @@ impl Arguments {
             for (member, (rows, end)) in chunk.iter().zip(found) {
                 match end {
                     End::Early(ending) if interrupted.is_none() => {
-                        // the members from here on are computed again, though their rows are written
+                        // members from here on will be computed again, although their rows are
+                        // already written
                         store.save(*member)?;
                         interrupted = Some(ending);
                     }
@@ -242,13 +244,13 @@ impl Arguments {
     }
 }
 
-/// The end of a run.
+/// The way in which a run ended.
 enum End {
-    /// At its end time, or at a terminal event.
+    /// It reached its end time, or a terminal event.
     Reached,
-    /// By an error.
+    /// It failed with an error.
     Error(InputError),
-    /// By a signal, or by a limit of the command.
+    /// It was ended by a signal, or by a limit of the command.
     Early(Ending),
 }
 
@@ -268,7 +270,7 @@ fn one(problem: &Problem, ready: Ready, store: &mut Store, watch: &Watch) -> Res
     })
 }
 
-/// Integrates a member of an ensemble: its rows and its end.
+/// Integrates a member of an ensemble. Returns its rows and how it ended.
 fn all_rows(problem: &Problem, member: u64, watch: &Watch) -> (Vec<Vec<f64>>, End) {
     if let Some(ending) = watch.ending() {
         return (vec![], End::Early(ending));
@@ -287,7 +289,7 @@ fn all_rows(problem: &Problem, member: u64, watch: &Watch) -> (Vec<Vec<f64>>, En
     (rows, end)
 }
 
-/// Integrates a motion to its end, or up to a signal or a limit; `each` is called after every step.
+/// Integrates a motion to its end, or until a signal or a limit; `each` is called after every step.
 fn follow<E>(
     integration: &mut Integration,
     watch: &Watch,
@@ -309,7 +311,7 @@ fn follow<E>(
     }
 }
 
-/// Notes the peculiarities of the problem, and the method if it was chosen automatically.
+/// Prints notes on the problem, and on the method if it was chosen automatically.
 fn note_method(problem: &Problem, ready: &Ready, member: &str) {
     ready.notes.iter().for_each(|text| note(&format!("{member}{text}")));
     if problem.method().is_none() {
@@ -318,7 +320,8 @@ fn note_method(problem: &Problem, ready: &Ready, member: &str) {
     }
 }
 
-/// The file for an incomplete run: `run.partial.csv` for `run.csv`; a device or a pipe keeps its name.
+/// The file for an incomplete run: `run.partial.csv` for `run.csv`; a device or a pipe is used
+/// directly.
 fn partial(file: &Path) -> PathBuf {
     if fs::metadata(file).is_ok_and(|meta| !meta.is_file()) {
         return file.to_path_buf();

@@ -1,4 +1,4 @@
-//! The stages of a computation: a spinner on a terminal, and `--timings`.
+//! The stages of a computation, shown by a spinner on a terminal and by `--timings`.
 
 use super::note::line;
 use affinor_documents::input::InputError;
@@ -9,7 +9,7 @@ use std::io::{self, Write};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-/// Stages, one after the other, with the time that each takes.
+/// Consecutive stages, and the time that each takes.
 pub struct Stages {
     timings: bool,
     spinner: ProgressBar,
@@ -22,16 +22,16 @@ const TICK: Duration = Duration::from_millis(120);
 /// The time before the spinner appears.
 const PATIENCE: Duration = Duration::from_millis(600);
 
-/// The name of the stage that began last.
+/// The name of the current stage.
 static CURRENT: Mutex<String> = Mutex::new(String::new());
 
-/// The name of the stage that began last; empty for a command without stages.
+/// The name of the current stage; empty for a command without stages.
 pub fn current() -> String {
     CURRENT.lock().unwrap_or_else(PoisonError::into_inner).clone()
 }
 
 impl Stages {
-    /// The stages of a command whose formulas may have `limit` terms.
+    /// The stages of a command whose formulas may have at most `limit` terms.
     pub fn new(timings: bool, limit: u64) -> Self {
         let spinner = ProgressBar::with_draw_target(None, ProgressDrawTarget::hidden());
         if let Ok(style) = ProgressStyle::with_template("{spinner} {msg} {elapsed}{prefix}") {
@@ -43,7 +43,7 @@ impl Stages {
         std::thread::spawn(move || {
             std::thread::sleep(PATIENCE);
             if !late.is_finished() {
-                // it stays hidden unless standard error is a terminal
+                // indicatif hides it unless standard error is a terminal
                 late.set_draw_target(ProgressDrawTarget::stderr());
                 late.enable_steady_tick(TICK);
             }
@@ -58,10 +58,10 @@ impl Stages {
         Stages { timings, spinner, current: RefCell::new(None), effort }
     }
 
-    /// The result of work within the limit on the terms of formulas.
+    /// Runs work within the limit on the terms of formulas.
     ///
     /// # Errors
-    /// A limit that is passed, with the stage where, and what to do.
+    /// An error if the limit is exceeded, with the stage and advice.
     pub fn bound<T>(&self, work: impl FnOnce() -> T) -> Result<T, InputError> {
         self.effort.bound(work).map_err(|exceeded| {
             let stage = self.current.borrow().as_ref().map(|(stage, _)| stage.clone());
@@ -75,7 +75,8 @@ impl Stages {
         })
     }
 
-    /// A writer that writes nothing once the limit is passed: what was formed afterwards are no results.
+    /// A writer that writes nothing once the limit is exceeded, because values formed afterwards
+    /// are meaningless.
     pub fn within<'s>(&'s self, out: &'s mut dyn Write) -> impl Write + 's {
         Within { out, effort: &self.effort }
     }

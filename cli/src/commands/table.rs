@@ -1,4 +1,4 @@
-//! `affinor table`: the tensors of one space.
+//! `affinor table`: the tensors of a space.
 
 use super::code::{self, CodeOptions};
 use super::failure::Failure;
@@ -20,7 +20,8 @@ pub struct Arguments {
     /// In JSON, write common factors of denominators once, under `where`, as the other formats do
     #[arg(long)]
     pub common_factors: bool,
-    /// Write the indices of components as numbers, or as names: of the coordinates, or else of the basis vectors
+    /// Write the indices of components as numbers, or as names: of the coordinates, otherwise of
+    /// the basis vectors
     #[arg(long, value_enum, default_value_t = Labels::Numbers)]
     pub labels: Labels,
     #[command(flatten)]
@@ -29,7 +30,7 @@ pub struct Arguments {
     pub shared: Shared,
 }
 
-/// The tensors shown, and their components.
+/// The choice of tensors and components.
 #[derive(Args)]
 pub struct Choice {
     #[arg(long, value_name = "TENSORS", value_parser = quantities, help = tensors_to_show())]
@@ -54,7 +55,7 @@ pub enum Frame {
     Right,
 }
 
-/// A list of different tensors.
+/// A list of distinct tensors.
 #[derive(Clone)]
 pub struct Quantities(pub Vec<Quantity>);
 
@@ -69,13 +70,15 @@ impl Arguments {
         let selection = Selection { common_factors: self.common_factors, named_indices, ..chosen };
         let numbered = [Format::Csv, Format::Json].map(OutputFormat::Report);
         if named_indices && numbered.contains(&self.shared.output.format) {
-            let error = InputError::usage("CSV and JSON number the indices of components");
+            let error = InputError::usage(
+                "names of basis vectors are not possible in CSV and JSON, which number the indices",
+            );
             return Err(error
-                .help("leave --labels names away, or write text, markdown, latex or html")
+                .help("leave --labels names out, or write text, markdown, latex or html")
                 .into());
         }
         if self.common_factors && self.shared.output.format == OutputFormat::Report(Format::Csv) {
-            let error = InputError::usage("CSV has no names for common factors");
+            let error = InputError::usage("names for common factors are not possible in CSV");
             return Err(error.help("--format json has").into());
         }
         if let OutputFormat::Program(program) = self.shared.output.format
@@ -88,8 +91,8 @@ impl Arguments {
         note_default_connection(&space.definition);
         if let Some(language) = self.code.language(&self.shared)? {
             if selection.independent {
-                let message = "--code assigns all components, and computes equal ones once";
-                return Err(InputError::usage(message).help("leave --independent away").into());
+                let message = "--independent cannot be combined with --code, which always writes all components";
+                return Err(InputError::usage(message).help("leave --independent out").into());
             }
             let by = self.code.derivatives(&space.definition)?;
             let code = computation.table_as_code(&selection, language, &by)?;
@@ -103,7 +106,7 @@ impl Arguments {
             let metric = space.definition.has_metric();
             let help = match (metric, selection.right_frame) {
                 (true, true) => {
-                    "the metric has no constant components in the right-invariant frame: leave --frame right away"
+                    "the metric has no constant components in the right-invariant frame: leave --frame right out"
                 }
                 (true, false) => "show tensors of this connection: --show torsion,curvature",
                 (false, _) => "give a metric, as in --metric identity",
@@ -121,7 +124,8 @@ impl Arguments {
 }
 
 impl Choice {
-    /// The tensors chosen; by default all basic ones but the inverse metric and the Killing form.
+    /// The chosen tensors; by default all basic ones except the inverse metric and the Killing
+    /// form.
     pub fn quantities(&self) -> Vec<Quantity> {
         match &self.show {
             Some(Quantities(chosen)) => chosen.clone(),
@@ -129,7 +133,7 @@ impl Choice {
         }
     }
 
-    /// These tensors, shown as chosen.
+    /// The selection of these tensors, with the other options.
     pub fn of(&self, quantities: Vec<Quantity>) -> Selection {
         let right_frame = self.frame == Frame::Right;
         Selection { quantities, right_frame, independent: self.independent, ..Selection::default() }

@@ -1,4 +1,4 @@
-//! `affinor transport`: parallel translation along arcs of a group.
+//! `affinor transport`: parallel transport along arcs of a group.
 
 use super::columns::Expected;
 use super::failure::Failure;

@@ -11,7 +11,8 @@ use std::path::{Path, PathBuf};
 
 #[derive(Args)]
 pub struct Arguments {
-    /// The space (see `affinor --help`) and stored tables, JSON or CSV; of a folder all its .json and .csv files
+    /// The space (see `affinor --help`) and stored tables, JSON or CSV; a folder means all its
+    /// .json and .csv files
     #[arg(num_args = 1.., required = true, value_names = ["SPACE", "FILE"])]
     pub arguments: Vec<String>,
     #[command(flatten)]
@@ -81,7 +82,8 @@ impl Arguments {
     }
 }
 
-/// The tables that a path names: a file itself, and of a folder its `.json` and `.csv` files in the order of their names.
+/// The tables for a path: a file itself, or the `.json` and `.csv` files of a folder, in the order
+/// of their names.
 fn tables(path: &str) -> Result<Vec<String>, InputError> {
     if !Path::new(path).is_dir() {
         return Ok(vec![path.into()]);

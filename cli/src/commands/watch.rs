@@ -1,8 +1,8 @@
-//! The watch over a command: signals, and limits on its time and memory.
+//! Monitoring of a command: signals, and limits on its time and memory.
 //!
-//! A thread looks for them. The first one sets the token of the command, which unwinds at its next checkpoint. A command that
-//! does not end soon, because it reads a file or computes without checkpoints, is ended with the process. A simulation
-//! asks for itself, and ends with its rows.
+//! A thread polls for them. The first one sets the token of the command, which unwinds at its next
+//! checkpoint. If a command does not end soon, because it reads a file or computes without
+//! checkpoints, the process is ended. A simulation polls by itself, and ends with its rows written.
 
 use super::color::Color;
 use super::failure::Failure;
@@ -29,23 +29,24 @@ pub struct LimitOptions {
     pub memory: Option<u64>,
 }
 
-/// A program and its process group may each get a signal for one stop; signals within this time count as one.
+/// The interval within which signals count as one, because a program and its process group may each
+/// get a signal.
 const ONE: Duration = Duration::from_millis(300);
-/// The time between two looks.
+/// The polling interval.
 const OFTEN: Duration = Duration::from_millis(20);
-/// The time that a command has to unwind.
+/// The time that a command has for unwinding.
 const GRACE: Duration = Duration::from_millis(100);
 
-/// The reason why a command ends before its end.
+/// The reason for a premature end of a command.
 #[derive(Clone, Copy, Debug)]
 pub enum Ending {
     /// A signal, by its number.
     Signal(u8),
-    /// A limit.
+    /// A limit was exceeded.
     Limit(StopReason),
 }
 
-/// The watch over the command of this process.
+/// The monitor of the command of this process.
 #[derive(Clone)]
 pub struct Watch(Arc<State>);
 
@@ -55,13 +56,13 @@ struct State {
     color: Color,
     /// The last signal.
     arrived: Arc<AtomicUsize>,
-    /// Whether the next signal kills.
+    /// Whether the next signal kills the process.
     armed: Arc<AtomicBool>,
-    /// The limit that was passed.
+    /// The exceeded limit.
     passed: OnceLock<StopReason>,
-    /// Whether the command asks for itself.
+    /// Whether the command polls by itself.
     asks: AtomicBool,
-    /// Locked by the thread that reports the end.
+    /// The lock of the thread that reports the end.
     reports: Mutex<()>,
 }
 
@@ -69,7 +70,8 @@ impl Watch {
     /// Begins the watch.
     ///
     /// # Errors
-    /// Limits that are refused; a system that does not tell of signals or has no thread for the watch.
+    /// An error for invalid limits, and for a system that does not deliver signals or cannot start
+    /// a thread.
     pub fn begin(limits: &LimitOptions, color: Color) -> Result<Self, Failure> {
         let watch = Watch(Arc::new(State {
             token: StopToken::new(),
@@ -97,7 +99,7 @@ impl Watch {
         }
     }
 
-    /// The result of a command, or the failure by which the watch ended it.
+    /// Runs a command. Returns its result, or the failure with which the monitor ended it.
     pub fn run(&self, command: impl FnOnce() -> Result<(), Failure>) -> Result<(), Failure> {
         self.0.token.run(command).unwrap_or_else(|stopped| Err(self.failure(stopped.stage)))
     }
@@ -107,24 +109,25 @@ impl Watch {
         self.0.reports.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// From now on the command calls [`ending`](Self::ending), and nothing else ends it but a second signal.
+    /// From now on the command calls [`ending`](Self::ending) itself, and only a second signal ends
+    /// it otherwise.
     pub fn ask(&self) {
         self.0.asks.store(true, Ordering::Relaxed);
     }
 
-    /// Lets the first signal kill from now on: the motion is complete.
+    /// From now on the first signal kills the process, because the motion is complete.
     pub fn let_through(&self) {
         self.0.armed.store(true, Ordering::Relaxed);
     }
 
-    /// The last signal received, or the limit that was passed.
+    /// The last signal received, or the exceeded limit.
     pub fn ending(&self) -> Option<Ending> {
         let signal = u8::try_from(self.0.arrived.load(Ordering::Relaxed)).ok();
         let signal = signal.filter(|signal| *signal > 0).map(Ending::Signal);
         signal.or_else(|| self.0.passed.get().copied().map(Ending::Limit))
     }
 
-    /// The failure for an end in a stage. `stage` is used where the command names none.
+    /// The failure for an end during a stage. `stage` is used if the command has no stages.
     pub fn failure(&self, stage: &str) -> Failure {
         let current = stages::current();
         let stage = if current.is_empty() { stage } else { &current };
@@ -146,7 +149,7 @@ impl Watch {
         }
     }
 
-    /// Looks for signals and limits until there is one.
+    /// Polls for signals and limits until there is one.
     fn look(&self) {
         let ending = loop {
             if let Some(ending) = self.ending() {

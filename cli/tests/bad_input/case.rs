@@ -1,17 +1,17 @@
-//! A row of the tables of malformed inputs.
+//! The cases of malformed input, and their checks.
 
 use crate::program::{Outcome, run};
 use std::path::Path;
 use tempfile::TempDir;
 
-/// The mathematics refuses.
+/// Exit status for valid input without a mathematical answer.
 pub const MATHEMATICS: i32 = 1;
 /// Wrong usage, or input that cannot be read.
 pub const USAGE: i32 = 2;
 
-/// A command that has to be refused.
+/// A command that must fail.
 pub struct Case<'c> {
-    /// What is wrong.
+    /// A description of the fault.
     pub name: &'c str,
     /// The arguments.
     pub arguments: &'c [&'c str],
@@ -21,12 +21,12 @@ pub struct Case<'c> {
     pub input: &'c [u8],
     /// The exit status.
     pub status: i32,
-    /// What standard error says: the place and the witness.
+    /// Texts that standard error must contain: the location and the witness.
     pub says: &'c [&'c str],
 }
 
 impl Case<'_> {
-    /// Runs the case; returns what failed about it.
+    /// Runs the case. Returns the checks that failed.
     pub fn failures(&self) -> Vec<String> {
         let folder = TempDir::new().unwrap();
         if let Some((name, content)) = self.file {
@@ -46,21 +46,21 @@ impl Case<'_> {
     }
 }
 
-/// Rows `(what is wrong, what is said)`.
+/// Rows `(fault, expected texts)`.
 pub type Rows<'c> = [(&'c str, &'c [&'c str])];
 
-/// Inputs that are alike but for the text of a row.
+/// Inputs that differ only in the text of a row.
 pub struct Inputs<'c> {
     arguments: Vec<&'c str>,
-    /// The words of the text are further arguments.
+    /// The words of the text are appended to the arguments.
     words: bool,
-    /// The name of a file, and its content for a text.
+    /// The name of the file, and its content for a text.
     file: Option<(&'c str, Content<'c>)>,
 }
 
 type Content<'c> = Box<dyn Fn(&str) -> String + 'c>;
 
-/// Definitions in `file`, given to `affinor table`: `content` makes them of the texts.
+/// Definitions in `file`, given to `affinor table`; `content` builds them from the texts.
 pub fn definitions<'c>(file: &'c str, content: impl Fn(&str) -> String + 'c) -> Inputs<'c> {
     Inputs { arguments: vec!["table", file], words: false, file: Some((file, Box::new(content))) }
 }
@@ -75,29 +75,29 @@ pub fn stored<'c>(file: &'c str, content: impl Fn(&str) -> String + 'c) -> Input
     Inputs { arguments: vec!["verify", "so3", file], ..definitions(file, content) }
 }
 
-/// Commands that begin with `arguments` and go on with the words of the texts.
+/// Commands of `arguments` and the words of the texts.
 pub fn commands<'c>(arguments: &[&'c str]) -> Inputs<'c> {
     Inputs { arguments: arguments.to_vec(), words: true, file: None }
 }
 
 impl<'c> Inputs<'c> {
-    /// With these arguments too.
+    /// Adds these arguments.
     pub fn with(mut self, arguments: &[&'c str]) -> Self {
         self.arguments.extend(arguments);
         self
     }
 
-    /// Beside a file.
+    /// Adds a second file.
     pub fn beside(self, file: &'c str, content: &'c str) -> Self {
         Self { file: Some((file, Box::new(move |_| content.to_string()))), ..self }
     }
 
-    /// Each is wrong usage, or cannot be read.
+    /// Expects every command to fail with wrong usage or unreadable input.
     pub fn usage(&self, rows: &Rows) {
         self.refused(USAGE, rows);
     }
 
-    /// Each is refused by the mathematics.
+    /// Expects every command to fail with a mathematical error.
     pub fn mathematics(&self, rows: &Rows) {
         self.refused(MATHEMATICS, rows);
     }
@@ -115,7 +115,7 @@ impl<'c> Inputs<'c> {
     }
 }
 
-/// Runs cases, and fails with all that is wrong.
+/// Runs cases, and fails with a list of all defects.
 pub fn refuse<'c>(cases: impl IntoIterator<Item = Case<'c>>) {
     assert_none(cases.into_iter().flat_map(|case| case.failures()).collect());
 }
@@ -124,7 +124,7 @@ fn assert_none(failures: Vec<String>) {
     assert!(failures.is_empty(), "{}", failures.join("\n"));
 }
 
-/// What no refusal may do.
+/// The defects that no error may have.
 fn defects(outcome: &Outcome, status: i32) -> Vec<String> {
     let Outcome { status: found, out, err } = outcome;
     let mut failures = Vec::new();

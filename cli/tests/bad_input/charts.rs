@@ -1,19 +1,19 @@
-//! Charts, frames and functions that cannot be understood, or make no geometry.
+//! Charts, frames and functions that cannot be parsed, or do not define a geometry.
 
 use crate::bad_input::case::{commands, definitions};
 
-/// The plane `x, y` with the parameter `a`; `keys` stand on line 3, `tables` from line 6.
+/// The plane `x, y` with the parameter `a`; `keys` are on line 3, `tables` begin on line 6.
 fn chart(keys: &str, tables: &str) -> String {
     let head = format!("name = \"plane\"\nparameters = [\"a\"]\n{keys}");
     format!("{head}\n[chart]\ncoordinates = [\"x\", \"y\"]\n{tables}\n")
 }
 
-/// The same with keys alone.
+/// The same chart with keys only.
 fn with_keys(keys: &str) -> String {
     chart(keys, "")
 }
 
-/// The same with a metric of these components on the diagonal.
+/// The same chart with these diagonal components of the metric.
 fn with_metric(entry: &str) -> String {
     chart(&format!("metric = \"diag(1, {entry})\""), "")
 }
@@ -26,7 +26,7 @@ fn charts() {
     )]);
     definitions("a.toml", |tables: &str| chart("", tables)).usage(&[
         ("more = 1", &["a.toml:6:1", "unknown key `more`"]),
-        ("[frame]\ny = \"d_x\"\nz = \"d_y\"", &["a.toml:5:22", "`y` is already the name"]),
+        ("[frame]\ny = \"d_x\"\nz = \"d_y\"", &["a.toml:5:22", "is already in use"]),
     ]);
     definitions("a.toml", str::to_string).usage(&[
         ("[chart]\nname = \"x\"", &["a.toml:2:1", "unknown key `name`"]),
@@ -34,15 +34,15 @@ fn charts() {
         ("chart = 3", &["a.toml:1:9", "integer `3`"]),
         ("[chart]\ncoordinates = [\"x\", \"x\"]", &["a.toml:2:22", "`x` is named twice"]),
         ("[chart]\ncoordinates = [\"x\", \"2\"]", &["a.toml:2:22", "`2` is not a name"]),
-        (&chart("", "").replace("[\"a\"]", "[\"x\"]"), &["a.toml:2:16", "`x` is already the name"]),
+        (&chart("", "").replace("[\"a\"]", "[\"x\"]"), &["a.toml:2:16", "is already in use"]),
         (
             &chart("", "").replace("[\"a\"]", "[\"d_y\"]"),
-            &["a.toml:2:16", "the parameter `d_y` is already the name of something"],
+            &["a.toml:2:16", "the name `d_y` of the parameter is already in use"],
         ),
     ]);
     definitions("a.toml", with_keys).usage(&[
-        ("brackets = \"[d_x, d_y] = 0\"", &["a.toml:4:2", "a chart defines the brackets"]),
-        ("structure_constants = []", &["a chart defines the brackets by its fields"]),
+        ("brackets = \"[d_x, d_y] = 0\"", &["a.toml:4:2", "brackets are given twice"]),
+        ("structure_constants = []", &["brackets are given twice"]),
         ("basis = [\"u\", \"v\"]", &["a.toml:4:2", "the basis of a chart is its frame"]),
         ("dimension = 2", &["the basis of a chart"]),
     ]);
@@ -60,9 +60,12 @@ fn frames() {
     definitions("a.toml", frame).usage(&[
         ("u = \"d_x\"", &["a.toml:6:2", "the frame has 1 fields for 2 coordinates"]),
         ("u = \"d_x\"\nv = \"d_z\"", &["a.toml:8:6", "`d_z` is neither"]),
-        ("u = \"x\"\nv = \"d_y\"", &["a.toml:7:6", "the part x has no basis vector"]),
+        ("u = \"x\"\nv = \"d_y\"", &["a.toml:7:6", "the term x does not contain a basis vector"]),
         ("u = \"d_x*d_y\"\nv = \"d_y\"", &["a.toml:7:6", "the product of two basis vectors"]),
-        ("u = \"sin(d_x)*d_x\"\nv = \"d_y\"", &["a.toml:7:6", "a basis vector is no argument"]),
+        (
+            "u = \"sin(d_x)*d_x\"\nv = \"d_y\"",
+            &["a.toml:7:6", "a basis vector cannot be an argument"],
+        ),
         ("u = \"d_x\"\nu = \"d_y\"", &["a.toml:8:1", "duplicate key"]),
         ("u = 1\nv = \"d_y\"", &["a.toml:7:5", "integer `1`"]),
     ]);
@@ -103,16 +106,16 @@ fn functions() {
     ]);
     let free = |list: &str| chart("metric = \"identity\"", &format!("functions = [{list}]"));
     definitions("a.toml", free).usage(&[
-        ("\"f\"", &["a.toml:6:15", "`f` is no function like a(t)"]),
+        ("\"f\"", &["a.toml:6:15", "`f` is not a function of the form a(t)"]),
         ("\"f(x, x)\"", &["a.toml:6:15", "`f` has the argument `x` twice"]),
-        ("\"f(z)\"", &["`f` takes coordinates, and `z` is none"]),
-        ("\"f(a)\"", &["`f` takes coordinates, and `a` is none"]),
+        ("\"f(z)\"", &["`f` has the argument `z`, which is not a coordinate"]),
+        ("\"f(a)\"", &["`f` has the argument `a`, which is not a coordinate"]),
         ("\"f_x(x)\"", &["the name of a function has no `_`: f_x(x)"]),
-        ("\"f_z(x)\"", &["`f_z` is no derivative of a function of x: f_x"]),
+        ("\"f_z(x)\"", &["`f_z` is not a derivative of a function of x: f_x"]),
         ("\"sin(x)\"", &["`sin` is another function"]),
-        ("\"x(y)\"", &["the function `x` is already the name of something"]),
+        ("\"x(y)\"", &["the function name `x` is already in use"]),
         ("\"sec(x)\"", &["`sec` is another function"]),
-        ("\"f(x)\", \"f(x, y)\"", &["a.toml:6:23", "the function `f` is already the name"]),
+        ("\"f(x)\", \"f(x, y)\"", &["a.toml:6:23", "the function name `f` is already in use"]),
         ("\"f(x + y)\"", &["the arguments of `f` are names"]),
     ]);
     let with_free =
@@ -120,7 +123,7 @@ fn functions() {
     definitions("a.toml", with_free).usage(&[
         ("f(x)", &["a.toml:3:19", "it is declared as f(x,y)"]),
         ("f(1, 2)", &["the value of `f` at a number is not known"]),
-        ("f_z(x, y)", &["`f_z` is no derivative of a function of x, y: f_x"]),
+        ("f_z(x, y)", &["`f_z` is not a derivative of a function of x, y: f_x"]),
         ("f", &["`f` is neither a basis vector here nor a coordinate"]),
         ("g(x, y)", &["there is no function `g` of 2 arguments here"]),
         ("sqrt(f(x, y))*sqrt(x*f(x, y))", &["declare which are positive, of x, f(x,y)"]),
@@ -131,14 +134,14 @@ fn functions() {
     )]);
     definitions("a.toml", str::to_string).usage(&[(
         "dimension = 2\nparameters = [\"x\"]\nbrackets = \"[e1, e2] = cos(x)*e1\"",
-        &["a.toml:3:24", "`cos` is no function here: only a chart has some"],
+        &["a.toml:3:24", "`cos` is not a function here: only charts allow functions"],
     )]);
 }
 
 #[test]
 fn metrics_and_connections() {
     definitions("a.toml", with_keys).usage(&[
-        ("metric = \"diag(1)\"", &["diag has 1 entry, the dimension is 2"]),
+        ("metric = \"diag(1)\"", &["diag has 1 entry, but the dimension is 2"]),
         ("affinities = \"nabla[x, d_y] = d_x\"", &["a.toml:3:21", "`x` is not", "is d_x, d_y"]),
     ]);
     definitions("a.toml", |tables: &str| chart("", tables)).usage(&[
@@ -187,8 +190,8 @@ fn options() {
     commands(&[]).beside("a.toml", &file).usage(&[
         ("table a.toml --scalar float", &["functions on a chart", "exact"]),
         ("table a.toml --set x=1", &["`x` is a coordinate, not a parameter"]),
-        ("table a.toml --set b=1", &["`b` is no parameter here", "the parameters are a"]),
-        ("table so3 --metric diag(1,1,sin(q))", &["--metric:1:10", "only a chart has some"]),
+        ("table a.toml --set b=1", &["`b` is not a parameter here", "the parameters are a"]),
+        ("table so3 --metric diag(1,1,sin(q))", &["--metric:1:10", "only charts allow functions"]),
     ]);
     commands(&[]).beside("a.toml", &file).mathematics(&[
         ("table a.toml --frame right", &["no right-invariant frame"]),

@@ -1,8 +1,8 @@
-//! Definition files that cannot be understood, or define nothing.
+//! Definition files that cannot be parsed, or are empty.
 
 use crate::bad_input::case::definitions;
 
-/// A definition of the plane over the basis `x, y`, with more keys.
+/// A definition of the plane with the basis `x, y` and more keys.
 fn with(keys: &str) -> String {
     format!("basis = [\"x\", \"y\"]\nbrackets = \"[x, y] = x\"\n{keys}\n")
 }
@@ -44,10 +44,10 @@ fn keys_are_checked() {
     definitions("a.toml", str::to_string).usage(&[
         ("dimension = 3", &["a.toml", "defines no bracket"]),
         ("# nothing\nbrackets = \"[x, y] = x\"", &["a.toml has no basis"]),
-        ("", &["a.toml is empty", "a definition has a basis and brackets"]),
+        ("", &["a.toml is empty", "give a basis and brackets"]),
         (" \n\t\n", &["a.toml is empty"]),
         ("# nothing\n", &["a.toml has no basis"]),
-        ("dimension = 2\nbrackets = 7", &["a.toml:2:12", "integer `7`", "one statement a line"]),
+        ("dimension = 2\nbrackets = 7", &["a.toml:2:12", "integer `7`", "one statement per line"]),
         ("dimension = 2\nbrackets = [[\"\"]]", &["a.toml:2:13", "expected a string"]),
         ("basis = [1, 2]\nbrackets = \"\"", &["a.toml:1:10", "integer `1`"]),
         ("dimension = 2.5\nbrackets = \"\"", &["a.toml:1:13", "`2.5`, expected an integer"]),
@@ -66,7 +66,7 @@ fn keys_are_checked() {
 
 #[test]
 fn brackets_are_checked() {
-    // the same words stand in a comment and in the name, where they are not meant
+    // the same words occur in a comment and in the name, which must not be reported
     let head = "# [x, w] = q\nname = \"[x, w] = q\"\nbasis = [\"x\", \"y\", \"z\"]\nparameters = [\"h\"]\n";
     let content = |statements: &str| format!("{head}brackets = \"\"\"\n{statements}\n\"\"\"");
     definitions("a.toml", content).usage(&[
@@ -75,9 +75,9 @@ fn brackets_are_checked() {
         ("[x, y] = 2*x*y", &["a.toml:6:10", "the product of two basis vectors"]),
         ("[x, y] = 1/x", &["a.toml:6:12", "a basis vector cannot divide"]),
         ("[x, y] = x^2", &["a.toml:6:10", "the product of two basis vectors"]),
-        ("[x, y] = z + 3*h", &["a.toml:6:10", "the part 3*h has no basis vector"]),
+        ("[x, y] = z + 3*h", &["a.toml:6:10", "the term 3*h does not contain a basis vector"]),
         ("[x y] = z", &["a.toml:6:2", "separated by a comma", "write [x, y] = ..."]),
-        ("[x, y, z] = z", &["a.toml:6:2", "a bracket has two basis vectors"]),
+        ("[x, y, z] = z", &["a.toml:6:2", "write two basis vectors in the bracket"]),
         ("[x, ] = z", &["a.toml:6:4", "`` is not a basis vector"]),
         ("[x, y] z", &["a.toml:6:1", "`=` is missing"]),
         ("[x, y] =", &["a.toml:6:9", "the expression ends"]),
@@ -182,7 +182,7 @@ fn matrices_are_checked() {
             "basis = ['x']\nmatrices = [{name = 'y', rows = [['1']]}]",
             &["a.toml:2:22", "the matrix of `x` is named `y`"],
         ),
-        ("parameters = ['i']\nmatrices = [[['i']]]", &["a.toml:1:16", "already the name"]),
+        ("parameters = ['i']\nmatrices = [[['i']]]", &["a.toml:1:16", "is already in use"]),
     ]);
 }
 
@@ -190,13 +190,13 @@ fn matrices_are_checked() {
 fn metrics_are_checked() {
     let content = |value: &str| with(&format!("metric = {value}"));
     definitions("a.toml", content).usage(&[
-        ("'diag(1)'", &["a.toml:3:11", "diag has 1 entry, the dimension is 2"]),
+        ("'diag(1)'", &["a.toml:3:11", "diag has 1 entry, but the dimension is 2"]),
         ("'diag(1, 2, 3)'", &["a.toml:3:11", "diag has 3 entries"]),
         ("[[1, 0], [0, 1], [0, 0]]", &["a.toml:3:1", "3 rows of 2 entries"]),
         ("[[1, 0], [0]]", &["a.toml:3:1", "2 rows of 1 or 2 entries"]),
         ("[]", &["a.toml:3:1", "the metric has no rows"]),
         ("'[[1, 0]]'", &["a.toml:3:11", "1 row of 2 entries"]),
-        ("'[1, 2]'", &["a.toml:3:12", "a row of the metric is `[a, b, ...]`"]),
+        ("'[1, 2]'", &["a.toml:3:12", "write each row of the metric as `[a, b, ...]`"]),
         ("'euclid'", &["a.toml:3:11", "`euclid` is not a metric", "identity, killing, diag"]),
         ("''", &["a.toml:3:11", "`` is not a metric"]),
         ("[[0.5, 0], [0, 1]]", &["a.toml:3:12", "0.5"]),

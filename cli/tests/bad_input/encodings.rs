@@ -1,4 +1,4 @@
-//! Files that are no text, or text of another kind; and files that are not there.
+//! Files that are not text or have another encoding, and missing files.
 
 use crate::bad_input::case::{Case, USAGE, commands, refuse};
 use crate::program::run;
@@ -11,7 +11,7 @@ fn refuse_bytes(name: &str, content: &[u8], says: &[&str]) {
     let arguments = ["table", "a.toml"];
     let file = Some(("a.toml", content));
     refuse([Case { name, arguments: &arguments, file, input: b"", status: USAGE, says }]);
-    // standard input is read alike
+    // standard input is read in the same way
     let says: Vec<String> = says.iter().map(|s| s.replace("a.toml", "<standard input>")).collect();
     let says: Vec<&str> = says.iter().map(String::as_str).collect();
     let arguments = ["check", "-"];
@@ -87,7 +87,7 @@ fn links_and_permissions() {
 
     fs::write(at("secret.toml"), PLANE).unwrap();
     fs::set_permissions(at("secret.toml"), fs::Permissions::from_mode(0o000)).unwrap();
-    // root reads everything
+    // the user root can read every file
     if fs::read(at("secret.toml")).is_err() {
         let outcome = run(folder.path(), &["table", "secret.toml"], b"");
         assert_eq!(outcome.status, 2);

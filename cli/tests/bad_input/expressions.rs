@@ -1,4 +1,4 @@
-//! Expressions that mean nothing, or too much.
+//! Expressions that are meaningless, or too large.
 
 use crate::bad_input::case::definitions;
 
@@ -36,17 +36,17 @@ fn the_grammar_is_kept() {
         ("1.2.3", 3, &["`.` is not expected here"]),
         ("1,2", 1, &["`,` is not expected here"]),
         (".", 0, &["a number needs a digit"]),
-        ("x^y", 2, &["an exponent is an integer"]),
+        ("x^y", 2, &["an exponent must be an integer"]),
         ("x^1/2*q", 6, &["`q` is neither"]),
-        ("x^0.5", 2, &["an exponent is an integer"]),
-        ("x^(1/2)", 2, &["an exponent is an integer"]),
-        ("x^(2 x)", 2, &["an exponent is an integer"]),
-        ("9^9^9", 2, &["an exponent is at most 10000"]),
+        ("x^0.5", 2, &["an exponent must be an integer"]),
+        ("x^(1/2)", 2, &["an exponent must be an integer"]),
+        ("x^(2 x)", 2, &["an exponent must be an integer"]),
+        ("9^9^9", 2, &["an exponent must be at most 10000"]),
         ("x***2", 3, &["`*` is not expected here"]),
         ("sqrt(-2)", 0, &["the argument of sqrt is negative: -2"]),
         ("sqrt(-1)", 0, &["the argument of sqrt is negative: -1"]),
-        ("log(2)", 0, &["`log` is no function here"]),
-        ("2 e1(1)", 2, &["`e1` is no function here"]),
+        ("log(2)", 0, &["`log` is not a function here"]),
+        ("2 e1(1)", 2, &["`e1` is not a function here"]),
         ("0x10", 1, &["`*` is missing: write `e1*0*x10`"]),
         ("1_000", 1, &["`*` is missing: write `e1*1*_000`"]),
         ("x=1", 1, &["`=` is not expected here"]),
@@ -74,12 +74,12 @@ fn values_exist() {
 #[test]
 fn values_have_a_limit() {
     refuse_expressions(&[
-        ("x^99999", 2, &["an exponent is at most 10000"]),
-        ("x^99999999999999999999", 2, &["an exponent is at most 10000"]),
-        ("x^-99999", 3, &["an exponent is at most 10000"]),
-        ("1e99999", 1, &["an exponent is at most 10000"]),
-        ("1e-99999", 1, &["an exponent is at most 10000"]),
-        ("1e9999999999999999999999", 1, &["an exponent is at most 10000"]),
+        ("x^99999", 2, &["an exponent must be at most 10000"]),
+        ("x^99999999999999999999", 2, &["an exponent must be at most 10000"]),
+        ("x^-99999", 3, &["an exponent must be at most 10000"]),
+        ("1e99999", 1, &["an exponent must be at most 10000"]),
+        ("1e-99999", 1, &["an exponent must be at most 10000"]),
+        ("1e9999999999999999999999", 1, &["an exponent must be at most 10000"]),
         ("(9^9999)^9999", 0, &["grows beyond the limit"]),
         ("(x + y)^9999", 0, &["grows beyond the limit"]),
         ("1/(x + y)^9999", 2, &["grows beyond the limit"]),

@@ -1,4 +1,4 @@
-//! Names that are none, that mean something else, or that would act on a terminal.
+//! Names that are unknown, ambiguous, or contain control characters.
 
 use crate::bad_input::case::{commands, definitions};
 
@@ -22,11 +22,11 @@ fn names_in_files() {
         ("basis = ['x']\n'nаme' = 'x'\nbrackets = ''", &["a.toml:2:1", "unknown key"]),
         (
             "basis = ['x', 'y']\nparameters = ['y']\nbrackets = ''",
-            &["a.toml:2:16", "the parameter `y` is already the name of something"],
+            &["a.toml:2:16", "the name `y` of the parameter is already in use"],
         ),
         (
             "basis = ['x']\nparameters = ['a', 'a']\nbrackets = ''",
-            &["a.toml:2:21", "`a` is already the name"],
+            &["a.toml:2:21", "the name `a` of the parameter is already in use"],
         ),
         (
             "basis = ['x', 'y']\nparameters = ['NaN']\nbrackets = '[x, y] = NaN*x'",
@@ -77,10 +77,10 @@ fn spaces_without_an_algebra() {
         ("@plus", &["the name of an algebra is missing here"]),
         ("bianchi(VI,h=1/0)", &["SPACE:1:16", "division by zero"]),
         ("bianchi(VI,h=)", &["SPACE:1:", "bianchi"]),
-        ("sо(3)", &["names of algebras are ASCII; this is not: \\u{43e}"]),
+        ("sо(3)", &["names of algebras must be ASCII, but this one contains \\u{43e}"]),
         ("\u{1b}[31mred", &["no algebra named `\\u{1b}[31mred`"]),
-        ("so3@plus;zero", &["SPACE:1:10", "named twice"]),
-        ("so3@metric=diag(1)", &["@metric:1:1", "diag has 1 entry, the dimension is 3"]),
+        ("so3@plus;zero", &["SPACE:1:10", "given twice"]),
+        ("so3@metric=diag(1)", &["@metric:1:1", "diag has 1 entry, but the dimension is 3"]),
         ("so3@metrik=identity", &["@connection:1:1", "`metrik=identity` is not a connection"]),
         ("so3@lambda=1/0", &["@connection:1:10", "division by zero"]),
         ("so3@lambda=inf", &["@connection:1:8", "`inf` is not a number"]),
@@ -98,7 +98,7 @@ fn inline_brackets() {
     commands(&["table", "--basis", "", "--bracket"]).usage(&[("", &["the dimension 0 is not"])]);
     commands(&["table", "--basis", "x y", "--bracket"]).usage(&[
         ("[x,z]=x", &["--bracket:1:4", "`z` is not a basis vector"]),
-        ("[x,y]=q", &["--bracket:1:7", "the part q has no basis vector"]),
+        ("[x,y]=q", &["--bracket:1:7", "the term q does not contain a basis vector"]),
     ]);
     commands(&["table", "--basis", "x y", "--bracket"])
         .mathematics(&[("[x,y]=x;[y,x]=x", &["--bracket:1:9", "[x, y] + [y, x] = 2*x"])]);

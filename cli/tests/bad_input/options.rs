@@ -1,4 +1,4 @@
-//! Options that make no sense, or that the mathematics refuses.
+//! Options that are invalid, or have no mathematical answer.
 
 use crate::bad_input::case::{commands, definitions};
 
@@ -7,7 +7,7 @@ fn arguments() {
     commands(&[]).usage(&[
         ("tabel", &["tabel", "table"]),
         ("table", &["no SPACE is given", "--basis and --bracket"]),
-        ("compare so3", &["compare takes two spaces, or none"]),
+        ("compare so3", &["give two spaces, or none"]),
         ("compare so3 so3 so3", &["so3"]),
         ("verify", &["SPACE"]),
         ("compare M3 SO3 --metric identity", &["--metric"]),
@@ -56,7 +56,7 @@ fn values() {
     commands(&["table", "so3", "--metric"]).usage(&[
         ("diag(1,2)", &["--metric:1:1", "diag has 2 entries"]),
         ("diag(1)", &["--metric:1:1", "diag has 1 entry,"]),
-        ("[[1]]", &["the metric has 1 row of 1 entry, the dimension is 3"]),
+        ("[[1]]", &["the metric has 1 row of 1 entry, but the dimension is 3"]),
         ("[[],[],[]]", &["the metric has 3 rows of 0 entries"]),
         ("[]", &["the metric has no rows"]),
         ("diag(2e1,1,1)", &["--metric:1:6", "write `*` or a space between the number and `e1`"]),
@@ -67,7 +67,7 @@ fn values() {
         ("diag(1,2,1/0)", &["--metric:1:12", "division by zero"]),
         ("[[1,0],[0,1]]", &["--metric:1:1", "2 rows of 2 entries"]),
         ("[[1,0,0],[0,1],[0,0,1]]", &["3 rows of 2 or 3 entries"]),
-        ("[1,2,3]", &["--metric:1:2", "a row of the metric"]),
+        ("[1,2,3]", &["--metric:1:2", "each row of the metric"]),
         ("round", &["`round` is not a metric"]),
         ("", &["`` is not a metric"]),
     ]);
@@ -76,20 +76,20 @@ fn values() {
 #[test]
 fn settings() {
     commands(&["table", "M3", "--set"]).usage(&[
-        ("J44=1", &["--set:1:1", "`J44` is no parameter here", "the parameters are J11, J12"]),
-        ("J11", &["--set:1:1", "a setting is name=value"]),
+        ("J44=1", &["--set:1:1", "`J44` is not a parameter here", "the parameters are J11, J12"]),
+        ("J11", &["--set:1:1", "this is not of the form name=value"]),
         ("J11=1,J11=2", &["--set:1:7", "`J11` is set twice"]),
         ("J11=", &["--set:1:5", "the expression ends"]),
         ("J11=1/0", &["--set:1:7", "division by zero"]),
         ("J11=1,J12=nan", &["--set:1:11", "`nan` is not a number"]),
-        ("", &["a setting is name=value"]),
+        ("", &["this is not of the form name=value"]),
         ("J11=1 --set J11=2", &["`J11` is set twice"]),
         ("J11=2e1", &["write `*` or a space between the number and `e1`"]),
         ("1=1", &["--set:1:1", "`1` is not a name"]),
         ("J11=1=2", &["--set:1:6", "`=` is not expected here"]),
     ]);
     commands(&["table", "so3"])
-        .usage(&[("--set a=1", &["--set:1:1", "`a` is no parameter here", "there are none"])]);
+        .usage(&[("--set a=1", &["--set:1:1", "`a` is not a parameter here", "there are none"])]);
     commands(&[]).mathematics(&[
         ("table so3@metric=diag(1,1,1/m) --set m=0", &["--set:1:1", "1/m becomes zero"]),
         ("table so3@metric=diag(1,1,m) --set m=0", &["@metric:1:1", "e3 is orthogonal"]),
@@ -111,7 +111,7 @@ fn geometries() {
         ("table R^2 --metric killing", &["is orthogonal to every vector"]),
         (
             "table heisenberg3 --metric identity --frame right",
-            &["(L_x1 Lambda)^1_22 = -1", "take --frame left"],
+            &["(L_x1 Lambda)^1_22 = -1", "write --frame left"],
         ),
         ("compare so3 so3@levi-civita", &["none is given"]),
     ]);
@@ -127,7 +127,7 @@ fn floats() {
     ]);
     let content =
         |constant: &str| format!("basis = ['x', 'y']\nbrackets = '[x, y] = {constant}*x'");
-    let says = &["R^1_212", "left the range of f64", "without --scalar float"];
+    let says = &["R^1_212", "left the range of f64", "leave --scalar float out"];
     definitions("a.toml", content).with(&["--scalar", "float"]).mathematics(&[("1e300", says)]);
 }
 
@@ -136,7 +136,7 @@ fn spaces() {
     let many = vec!["R"; 15_000].join("+").replace('R', "R^1");
     commands(&["table"]).usage(&[
         ("so3@", &["SPACE:1:4", "the connection is missing", "write so3@plus"]),
-        ("so3@plus@zero", &["SPACE:1:4", "a space has one connection"]),
+        ("so3@plus@zero", &["SPACE:1:4", "more than one `@`"]),
         ("so3;", &["SPACE:1:4", "the connection is missing"]),
         (&many, &["the dimension 15000 is not between 1 and 2048"]),
     ]);

@@ -1,4 +1,4 @@
-//! Results that cannot be written: the old file stays, and a closed pipe is no failure.
+//! Results that cannot be written: the old file is preserved. A closed pipe is not a failure.
 
 use crate::bad_input::case::listing;
 use crate::program::{program, run, wait};
@@ -8,10 +8,10 @@ use std::process::Stdio;
 use tempfile::TempDir;
 
 const PLANE: &str = "basis = ['x', 'y']\nbrackets = '[x, y] = x'\n";
-/// Basis vectors that violate Jacobi.
+/// Brackets that violate the Jacobi identity.
 const BROKEN: &str = "dimension = 3\nbrackets = '[e1, e2] = e3; [e2, e3] = e2'\n";
 
-/// A folder with `a.toml` (good), `b.toml` (refused), and `old`.
+/// A folder with `a.toml` (valid), `b.toml` (invalid), and `old`.
 fn folder() -> TempDir {
     let folder = TempDir::new().unwrap();
     fs::write(folder.path().join("a.toml"), PLANE).unwrap();
@@ -112,7 +112,7 @@ fn folders_without_permission() {
     let folder = folder();
     let sub = folder.path().join("sub");
     fs::set_permissions(&sub, fs::Permissions::from_mode(0o500)).unwrap();
-    // root writes everywhere
+    // the user root can write everywhere
     if fs::write(sub.join("probe"), "").is_err() {
         let outcome = run(folder.path(), &["table", "a.toml", "-o", "sub/file"], b"");
         assert_eq!(outcome.status, 2);

@@ -1,4 +1,4 @@
-//! Problems of motion that are none.
+//! Invalid problems of motion.
 
 use crate::bad_input::case::problems;
 
@@ -13,18 +13,18 @@ pub const METRIC: &str = "metric = \"diag(1, 2, 3)\"\n";
 const INITIAL: &str = "initial.velocity = [1, 2, 3]\n";
 const OUTPUT: &str = "output = { end = 1, every = 0.5 }\n";
 
-/// The good problem with other lines instead of one of its own.
+/// The valid problem with one of its lines replaced.
 pub fn instead_of(line: &'static str) -> impl Fn(&str) -> String {
     assert!(GOOD.contains(line), "{line}");
     move |by| GOOD.replace(line, &format!("{by}\n"))
 }
 
-/// The good problem with more lines behind one of its own.
+/// The valid problem with lines inserted after one of its own.
 fn after(line: &'static str) -> impl Fn(&str) -> String {
     move |lines| instead_of(line)(&format!("{line}{lines}"))
 }
 
-/// The good problem with its end alone as output, and more lines from line 5.
+/// The valid problem with `end` as its only output key, and more lines from line 5 on.
 pub fn with(lines: &str) -> String {
     instead_of(OUTPUT)(&format!("output.end = 1\n{lines}"))
 }
@@ -43,17 +43,17 @@ fn keys() {
     problems("a.toml", with)
         .usage(&[("forces.wind = [1, 0, 0]", &["a.toml:5:", "`wind`", "the keys are body"])]);
     problems("a.toml", instead_of(SPACE)).usage(&[
-        ("", &["names no space", "give space"]),
+        ("", &["the space is missing", "give space"]),
         ("space = 'so(3'", &["a.toml:1:12", "not closed"]),
         ("space = 'none.toml'", &["a.toml:1:10", "cannot read none.toml"]),
     ]);
     problems("a.toml", instead_of(METRIC)).mathematics(&[
-        ("", &["needs the metric of its kinetic energy", "give metric ="]),
+        ("", &["the metric of the kinetic energy is missing", "give metric ="]),
         ("metric = 'diag(1, 0, 3)'", &["degenerate", "a metric has an inverse"]),
         ("metric = [['1', '2', '0'], ['0', '1', '0'], ['0', '0', '1']]", &["symmetric"]),
     ]);
     problems("a.toml", instead_of(INITIAL))
-        .usage(&[("", &["no velocity at the start", "give one of velocity, momentum"])]);
+        .usage(&[("", &["the initial velocity is missing", "give one of velocity, momentum"])]);
     problems("a.toml", after(INITIAL)).usage(&[
         ("initial.momentum = [1, 2, 3]", &["the velocity is given more than once"]),
         ("invariance = 'both'", &["a.toml:4:1", "`both` is neither left nor right"]),
@@ -64,14 +64,17 @@ fn keys() {
 #[test]
 fn numbers() {
     problems("a.toml", instead_of(INITIAL)).usage(&[
-        ("initial.velocity = [1, 'speed', 3]", &["a.toml:3:25", "no name here", "only pi and tau"]),
+        (
+            "initial.velocity = [1, 'speed', 3]",
+            &["a.toml:3:25", "not a known name here", "only pi and tau"],
+        ),
         ("initial.velocity = [1, '2*sin(speed)', 3]", &["a.toml:3:31", "^^^^^"]),
-        ("initial.velocity = [1, 'sine(2)', 3]", &["a.toml:3:25", "`sine` is no function"]),
+        ("initial.velocity = [1, 'sine(2)', 3]", &["a.toml:3:25", "`sine` is not a function"]),
         ("initial.velocity = [1, nan, 3]", &["a.toml:3", "NaN"]),
         ("initial.velocity = [1, inf, 3]", &["a.toml:3", "inf"]),
-        ("initial.velocity = [1, 2]", &["a.toml:3:9", "2 components, the dimension is 3"]),
-        ("initial.velocity = [1, 2, 3, 4]", &["4 components, the dimension is 3"]),
-        ("initial.velocity = []", &["0 components, the dimension is 3"]),
+        ("initial.velocity = [1, 2]", &["a.toml:3:9", "2 components, but the dimension is 3"]),
+        ("initial.velocity = [1, 2, 3, 4]", &["4 components, but the dimension is 3"]),
+        ("initial.velocity = []", &["0 components, but the dimension is 3"]),
         ("initial.velocity = 1", &["a.toml:3:20"]),
     ]);
     problems("a.toml", instead_of(INITIAL)).mathematics(&[
@@ -79,10 +82,10 @@ fn numbers() {
         ("initial.velocity = [1, '10^400', 3]", &["a.toml:3:25", "`10^400` is inf"]),
     ]);
     problems("a.toml", after(INITIAL)).usage(&[
-        ("parameters = { a = 'b', b = 'a' }", &["a.toml:4:21", "`b` is no name here"]),
-        ("parameters = { a = 'a + 1' }", &["a.toml:4:21", "`a` is no name here"]),
-        ("parameters = { pi = 3 }", &["a.toml:4:16", "`pi` has a meaning already"]),
-        ("parameters = { H1 = 3 }", &["a.toml:4:", "has a meaning", "take another name"]),
+        ("parameters = { a = 'b', b = 'a' }", &["a.toml:4:21", "`b` is not a known name here"]),
+        ("parameters = { a = 'a + 1' }", &["a.toml:4:21", "`a` is not a known name here"]),
+        ("parameters = { pi = 3 }", &["a.toml:4:16", "the name `pi` is already in use"]),
+        ("parameters = { H1 = 3 }", &["a.toml:4:", "is already in use", "take another name"]),
         ("parameters = { 'a b' = 3 }", &["a.toml:4:"]),
     ]);
     let deep = format!("initial.velocity = [1, 2, '{}1{}']\n", "(".repeat(5000), ")".repeat(5000));
@@ -95,14 +98,14 @@ fn numbers() {
 fn starts() {
     problems("a.toml", instead_of(SPACE)).usage(&[(
         "space = 'se2'\ninitial.quaternion = [1, 0, 0, 0]",
-        &["a.toml:2:", "a quaternion is for so(3)"],
+        &["a.toml:2:", "`quaternion` is allowed on so(3) only"],
     )]);
     problems("a.toml", after(SPACE)).usage(&[
-        ("initial.quaternion = [1, 0, 0]", &["a quaternion is four numbers"]),
+        ("initial.quaternion = [1, 0, 0]", &["`quaternion` must be four numbers"]),
         ("initial.position = [0, 0, 1]", &["a.toml:2:", "three numbers x, y, z"]),
         (
             "initial.quaternion = [1, 0, 0, 0]\ninitial.position = [0, 0, 1]",
-            &["a quaternion is for so(3), and with a position for se(3)"],
+            &["`quaternion` is allowed on so(3) only, and with `position` on se(3)"],
         ),
         ("initial.element = [[1, 0, 0], [0, 1], [0, 0, 1]]", &["different lengths"]),
         ("initial.coordinates = [1, 2]", &["coordinates has 2 components"]),
@@ -119,7 +122,7 @@ fn starts() {
     ]);
 }
 
-/// Keys with new names are refused by these.
+/// An error for a renamed key gives the new name.
 #[test]
 fn renamed_keys() {
     let part = "inertia.parts = [{ shape = 'ball', radius = 1, mass = 1, ";
@@ -138,13 +141,13 @@ fn renamed_keys() {
 #[test]
 fn methods() {
     problems("a.toml", after(OUTPUT)).usage(&[
-        ("integrator.method = 'rk4'", &["a.toml:5:22", "`rk4` is no method", "rkmk54"]),
-        ("integrator.method = 'cg3'", &["a.toml:5:22", "`cg3` does not exist any more", "use cf4"]),
+        ("integrator.method = 'rk4'", &["a.toml:5:22", "`rk4` is not a method", "rkmk54"]),
+        ("integrator.method = 'cg3'", &["a.toml:5:22", "`cg3` was removed", "use cf4"]),
         ("integrator.method = 'kick6'", &["use kick4"]),
-        ("integrator = { method = 'rkmk4', step = 0 }", &["a.toml:5:", "0 is not above zero"]),
-        ("integrator = { method = 'rkmk4', step = -0.1 }", &["-0.1 is not above zero"]),
+        ("integrator = { method = 'rkmk4', step = 0 }", &["a.toml:5:", "0 is not positive"]),
+        ("integrator = { method = 'rkmk4', step = -0.1 }", &["-0.1 is not positive"]),
         ("integrator = { method = 'rkmk4', step = inf }", &["inf"]),
-        ("integrator.tolerance = 0\nforces.potential = 'R33'", &["0 is not above zero"]),
+        ("integrator.tolerance = 0\nforces.potential = 'R33'", &["0 is not positive"]),
     ]);
     problems("a.toml", after(OUTPUT)).mathematics(&[
         ("integrator.method = 'rkmk4'", &["rkmk4", "it needs a step"]),
@@ -166,22 +169,28 @@ fn methods() {
 #[test]
 fn outputs() {
     problems("a.toml", instead_of(OUTPUT)).usage(&[
-        ("output = { end = 1, every = 0 }", &["a.toml:4:", "never come to the end"]),
-        ("output = { end = 1, every = -1 }", &["a.toml:4:", "never come to the end"]),
-        ("output = { every = 1 }", &["a.toml:4:1", "the output has an end"]),
-        ("output = { end = 1, times = [1] }", &["a.toml:4:1", "the output has an end"]),
-        ("output = { times = [1, 3, 2] }", &["a.toml:4:", "neither increase nor decrease"]),
-        ("output = { end = 1, every = 1e-12 }", &["a.toml:4:", "rows are too many"]),
-        ("output = { end = 1e300, every = 1e-300 }", &["rows are too many"]),
+        ("output = { end = 1, every = 0 }", &["a.toml:4:", "never reach the end"]),
+        ("output = { end = 1, every = -1 }", &["a.toml:4:", "never reach the end"]),
+        ("output = { every = 1 }", &["a.toml:4:1", "give `end` and optionally `every`"]),
+        ("output = { end = 1, times = [1] }", &["a.toml:4:1", "give `end` and optionally `every`"]),
+        ("output = { times = [1, 3, 2] }", &["a.toml:4:", "must increase or decrease"]),
+        ("output = { end = 1, every = 1e-12 }", &["a.toml:4:", "rows exceed the limit"]),
+        ("output = { end = 1e300, every = 1e-300 }", &["rows exceed the limit"]),
         (
             "output = { end = 1, columns = ['t', 'speed'] }",
-            &["a.toml:4:38", "`speed` is no quantity", "the names here are t, Omega1..Omega3"],
+            &["a.toml:4:38", "`speed` is not a quantity", "the names here are t, Omega1..Omega3"],
         ),
-        ("output = { end = 1, columns = ['H', 'H1'] }", &["a.toml:4:", "two columns `H1`"]),
+        (
+            "output = { end = 1, columns = ['H', 'H1'] }",
+            &["a.toml:4:", "the column name `H1` occurs twice"],
+        ),
         (
             "output = { end = 1 }\nquantities.k = 'H1 + 2*H9'",
-            &["a.toml:5:24", "^^", "`H9` is no name here"],
+            &["a.toml:5:24", "^^", "`H9` is not a known name here"],
         ),
-        ("output = { end = 1 }\nquantities.energy = 'H1'", &["two columns `energy`"]),
+        (
+            "output = { end = 1 }\nquantities.energy = 'H1'",
+            &["the column name `energy` occurs twice"],
+        ),
     ]);
 }

@@ -1,4 +1,4 @@
-//! Stored tables that cannot be read, or are of something else.
+//! Stored tables that cannot be read, or belong to another space.
 
 use crate::bad_input::case::stored;
 use crate::program::run;
@@ -19,15 +19,15 @@ fn json() {
         ("{\"schema\": \"affinor.table/1\"}", &["a.json", "no object `tensors`"]),
     ]);
     stored("a.json", table).usage(&[
-        ("\"bach\": {}", &["a.json", "`bach` is no tensor"]),
+        ("\"bach\": {}", &["a.json", "`bach` is not a tensor"]),
         ("\"ricci\": {}", &["a.json", "ricci has no components"]),
     ]);
     stored("a.json", components).usage(&[
-        ("7", &["a.json", "ricci: 7 is no component"]),
-        ("[[0, 1], \"1\"]", &["a.json", "is no component"]),
-        ("[[\"1\", 1], \"1\"]", &["a.json", "is no component"]),
-        ("[[1.5, 1], \"1\"]", &["a.json", "is no component"]),
-        ("[[1, 1], []]", &["a.json", "is no component"]),
+        ("7", &["a.json", "ricci: 7 is not a component"]),
+        ("[[0, 1], \"1\"]", &["a.json", "is not a component"]),
+        ("[[\"1\", 1], \"1\"]", &["a.json", "is not a component"]),
+        ("[[1.5, 1], \"1\"]", &["a.json", "is not a component"]),
+        ("[[1, 1], []]", &["a.json", "is not a component"]),
         ("[[1], \"1\"]", &["a.json", "ricci"]),
         ("[[1, 1, 1], \"1\"]", &["a.json", "ricci"]),
         ("[[1, 1], \"1/0\"]", &["a.json", "`1/0`: division by zero"]),
@@ -52,13 +52,13 @@ fn csv() {
     stored("a.csv", below).usage(&[
         ("ricci,1,1,,,\"1\nricci,2,2,,,1\n", &["a.csv", "a quote `\"` is not closed"]),
         ("ricci,1,1\n", &["a.csv", "3"]),
-        ("bach,1,1,,,1\n", &["a.csv", "row 2: `bach` is no tensor"]),
-        ("ricci,1,1,,,1\nricci,x,1,,,1\n", &["a.csv", "row 3: an index is no number"]),
-        ("ricci,0,1,,,1\n", &["a.csv", "row 2: an index is no number"]),
+        ("bach,1,1,,,1\n", &["a.csv", "row 2: `bach` is not a tensor"]),
+        ("ricci,1,1,,,1\nricci,x,1,,,1\n", &["a.csv", "row 3: an index is not an integer"]),
+        ("ricci,0,1,,,1\n", &["a.csv", "row 2: an index is not an integer"]),
         ("ricci,1,1,,,\n", &["a.csv", "ricci: ``"]),
         ("ricci,1,1,,,1/0\n", &["a.csv", "`1/0`: division by zero"]),
         ("metric,1,1,,,1\n", &["a.csv", "metric is stored"]),
-        ("\u{1b}[31m,1,1,,,1\n", &["a.csv", "`\\u{1b}[31m` is no tensor"]),
+        ("\u{1b}[31m,1,1,,,1\n", &["a.csv", "`\\u{1b}[31m` is not a tensor"]),
     ]);
 }
 

@@ -92,11 +92,11 @@ fn run(program: &StraightLine, input: &dyn Fn(&str) -> f64) -> Vec<f64> {
     outputs.map(|o| number(&o.factor) * o.step.map_or(1.0, |at| values[at])).collect()
 }
 
-/// Violations of the bound, in words.
+/// Descriptions of components that violate the bound.
 fn violations(chart: &Chart, point: &Point, found: &[f64]) -> Vec<String> {
     let mut all = Vec::new();
     for ((component, text), found) in chart.components.iter().zip(&point.values).zip(found) {
-        // singular, or beyond the range of doubles
+        // singular, or outside the range of doubles
         let Some((value, size)) = text.split_once(' ') else { continue };
         let [value, size] = [value, size].map(|text| text.parse::<f64>().unwrap());
         let units = (found - value).abs() / size / f64::EPSILON;
@@ -110,8 +110,8 @@ fn violations(chart: &Chart, point: &Point, found: &[f64]) -> Vec<String> {
     all
 }
 
-/// Charts whose programs lose their digits where exponentials come near the ends of the range of doubles, and in the third near
-/// the tip of a cone.
+/// Charts whose programs lose accuracy: near the largest and smallest doubles because of
+/// exponentials, and in the third chart near the tip of a cone.
 const BEYOND: [&str; 3] = ["one_plus_tanh", "difference_of_exponentials", "tanh_radius"];
 
 #[test]
@@ -130,7 +130,7 @@ fn programs_on_charts_are_accurate() {
     assert!(all.is_empty(), "{} violations:\n{}", all.len(), all.join("\n"));
 }
 
-/// The compiled programs have the accuracy of the steps, in every language.
+/// The compiled programs are as accurate as the recorded steps, in every language.
 #[test]
 fn compiled_programs_on_charts_are_accurate() {
     let folder = tempfile::tempdir().unwrap();

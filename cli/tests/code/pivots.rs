@@ -1,4 +1,5 @@
-//! Programs of metrics whose leading minors nearly vanish: compiled, against exact values at the same numbers.
+//! Programs of metrics whose leading minors nearly vanish: compiled, and compared with exact values
+//! at the same numbers.
 
 use crate::common::root;
 use crate::compiled;
@@ -93,7 +94,8 @@ fn dense(tensor: &Tensor<Rational>, n: usize) -> Vec<Vec<f64>> {
     (0..n).map(|i| (0..n).map(|j| tensor.get(&[i, j]).to_f64()).collect()).collect()
 }
 
-/// `|S|` and the largest change of `S` for relative changes of the metric, `sum |dS/dg_ij| max |g|`, by exact differences.
+/// `|S|`, and the largest change of `S` for relative changes of the metric, `sum |dS/dg_ij| max
+/// |g|`, by exact differentiation.
 fn condition(space: &str, numbers: &Numbers, exact: &Rational) -> f64 {
     let step = Rational::from_f64(1e-40).unwrap();
     let mut sum = 0.0;
@@ -128,11 +130,12 @@ fn run(
     Some(found.chunks(found.len() / metrics.len()).map(<[f64]>::to_vec).collect())
 }
 
-/// The largest error of a scalar curvature, in units of the machine precision and the condition number. Its formula has large
-/// terms that cancel, if the inverse metric is large.
+/// The largest error of a scalar curvature, in units of the machine precision and the condition
+/// number. The terms of its formula are large and cancel if the inverse metric is large.
 const LARGEST: f64 = 1000.0;
 
-/// Inverse metrics and scalar curvatures have the digits that their condition numbers leave, alone and beside other tensors.
+/// Inverse metrics and scalar curvatures are as accurate as their condition numbers allow, in
+/// programs of one tensor and of several.
 #[test]
 fn tensors_are_accurate_for_indefinite_metrics() {
     let folder = tempfile::tempdir().unwrap();
@@ -177,7 +180,7 @@ fn tensors_are_accurate_for_indefinite_metrics() {
     }
 }
 
-/// Rates of equations of motion solve a system with the metric.
+/// The accelerations of equations of motion solve a linear system with the metric.
 #[test]
 fn rates_are_accurate_for_indefinite_metrics() {
     let folder = tempfile::tempdir().unwrap();
@@ -212,7 +215,8 @@ fn rates_are_accurate_for_indefinite_metrics() {
     }
 }
 
-/// A value is the same beside other tensors, for a metric with formulas as entries.
+/// A value does not depend on the other tensors of the program, for a metric with formulas as
+/// entries.
 #[test]
 fn scalar_curvature_does_not_depend_on_other_tensors() {
     let folder = tempfile::tempdir().unwrap();

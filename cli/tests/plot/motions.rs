@@ -1,4 +1,5 @@
-//! Pictures of trajectories: curves, ends and directions, captions and colours, drift, slopes, films.
+//! Plots of trajectories: curves, ends and directions, captions and colours, drift, slopes,
+//! animations.
 
 use crate::plot::{affinor, texts};
 use crate::program::{root, run};
@@ -7,10 +8,10 @@ use std::collections::BTreeSet;
 use std::fs;
 use tempfile::TempDir;
 
-/// A turn about the third axis in space and body, with one row at its end.
+/// A rotation about the third axis in space and body, with one row at its end.
 const WHEEL: &str = "space = \"so3\"\nmetric = \"diag(1, 2, 2.5)\"\ninitial.velocity = [0, 0, 1]\n\
                      output = { end = 6.283185307179586 }\n";
-/// A ball that is thrown to the right, in steps that meet only seven points of its path.
+/// A ball that is thrown to the right; its few steps reach only seven points of the path.
 const BALL: &str = "space = \"R^2\"\nmetric = \"diag(2, 2)\"\ninitial.velocity = [3, 12]\n\
                     forces.potential = \"12*x2\"\nintegrator.step = 0.5\noutput = { end = 3 }\n";
 
@@ -45,7 +46,7 @@ fn distance(a: &[f64; 2], b: &[f64; 2]) -> f64 {
     (a[0] - b[0]).hypot(a[1] - b[1])
 }
 
-/// The elements of a name.
+/// The elements with this tag.
 fn all<'a>(svg: &'a Document, name: &'a str) -> impl Iterator<Item = Node<'a, 'a>> {
     svg.descendants().filter(move |node| node.tag_name().name() == name)
 }
@@ -67,7 +68,7 @@ fn curves_are_smooth_whatever_the_rows() {
     ] {
         let folder = folder(&[("wheel.toml", &format!("{WHEEL}{integrator}"))]);
         let svg = drawn(&folder, &["attitude", "wheel.toml"]);
-        // the first axis, on both sides of the sphere: of a radius of 249
+        // the curves of the first axis on both sides of the sphere, of radius 249
         for stroke in ["#a3173f", "#daa2b2"] {
             let path = lines(&svg, stroke).into_iter().max_by_key(Vec::len).unwrap();
             assert!(path.len() > 12, "{name} {stroke}: {}", path.len());
@@ -76,7 +77,7 @@ fn curves_are_smooth_whatever_the_rows() {
             assert!(longest < 40.0, "{name} {stroke}: {longest}");
         }
     }
-    // five rows of a top that turns three hundred radians
+    // five rows of a top that rotates by three hundred radians
     let folder = TempDir::new().unwrap();
     let svg = drawn(&folder, &["attitude", &example("heavy_top")]);
     let count: usize = lines(&svg, "#1f4e9c").iter().map(Vec::len).sum();
@@ -99,7 +100,8 @@ fn both_sides_of_the_sphere_and_both_ends_differ() {
     assert!(height("#a3173f") > height("#daa2b2") + 100.0);
 }
 
-/// The arrowheads of a ball that is thrown to the right point right; its parabola is no polygon of its steps.
+/// The arrowheads of a ball that is thrown to the right point right. Its parabola is smooth, not a
+/// polygon of its steps.
 #[test]
 fn a_phase_plot_has_a_direction_a_start_and_an_end() {
     let folder = folder(&[("ball.toml", BALL)]);
@@ -112,13 +114,13 @@ fn a_phase_plot_has_a_direction_a_start_and_an_end() {
     assert_eq!(heads.len(), 3);
     for head in heads {
         let corners = points(head.attribute("points").unwrap());
-        // from the neck to the tip
+        // from the base of the arrowhead to its tip
         assert!(corners[2][0] < corners[0][0], "{corners:?}");
     }
     let discs: Vec<[f64; 2]> = all(&document, "circle")
         .map(|disc| ["cx", "cy"].map(|key| disc.attribute(key).unwrap().parse().unwrap()))
         .collect();
-    // a disc at the end, a ring at the start
+    // a disc marks the end, a ring the start
     assert_eq!(discs, [path[path.len() - 1], path[0], path[0]]);
 }
 
@@ -153,7 +155,8 @@ fn a_section_has_a_point_for_each_row() {
     }
 }
 
-/// Columns of the output, of the problem, and named quantities; each line has its caption in its own colour.
+/// Columns of the output and of the problem, and named quantities; each line has its caption in its
+/// own colour.
 #[test]
 fn no_colour_is_used_twice() {
     let folder = folder(&[("wheel.toml", &format!("{WHEEL}quantities.half = \"H3/2\"\n"))]);
@@ -195,8 +198,8 @@ fn the_drift_of_methods_is_compared() {
     // the height of the end of a line is the logarithm of its largest change: relative to an energy of 4.205
     assert_ne!(absolute, relative);
     let cases: [(&[&str], i32, &str); 4] = [
-        (&["--set", "q=1"], 2, "`q` is no parameter"),
-        (&["--method", "euler"], 2, "there is no method `euler`"),
+        (&["--set", "q=1"], 2, "`q` is not a parameter"),
+        (&["--method", "euler"], 2, "unknown method `euler`"),
         (&["--method", "rkmk4"], 1, "--step H gives the step"),
         (&["--method", "rkmk54", "--method", "rkmk54"], 2, "is given twice"),
     ];
@@ -207,7 +210,7 @@ fn the_drift_of_methods_is_compared() {
     }
 }
 
-/// The slope in a caption is the median of the observed orders, and lines of whole slopes stand beside.
+/// The slope in a caption is the median of the observed orders, next to lines with integer slopes.
 #[test]
 fn convergence_has_slopes() {
     let folder = TempDir::new().unwrap();
@@ -227,7 +230,7 @@ fn convergence_has_slopes() {
     }
 }
 
-/// The frames of the polygons of a film.
+/// The frames of the polygons of an animation.
 fn frames(svg: &str) -> Vec<(String, Vec<Vec<[f64; 2]>>)> {
     let document = Document::parse(svg).unwrap();
     let films =
@@ -256,7 +259,7 @@ fn a_film_shows_the_body_turn() {
     let axis = |stroke: &str| {
         &films.iter().find(|(found, frames)| found == stroke && frames[0].len() == 2).unwrap().1
     };
-    // the axis of the rotation stands still; the first axis points the other way after half a turn
+    // the axis of the rotation is at rest; the first axis points the other way after half a turn
     let (first, third) = (axis("#a3173f"), axis("#1f4e9c"));
     assert_eq!(first.len(), 101);
     assert!(third.iter().all(|frame| distance(&frame[1], &third[0][1]) < 0.02));
@@ -275,7 +278,7 @@ fn a_film_shows_the_body_turn() {
         let values = node.attribute("values").unwrap().split(';').count();
         assert!(values == times.len() && times[values - 1] < 1.0);
     }
-    // of two opposite faces one is visible
+    // of two opposite faces one is visible at a time
     let faces: Vec<_> = all(&document, "polygon")
         .filter(|node| node.attribute("stroke") == Some("#111111"))
         .collect();
@@ -337,7 +340,7 @@ fn a_picture_ends_at_the_terminal_event() {
     assert!((10.0..13.0).contains(&last), "{last}");
 }
 
-/// Labels of an axis are the values at equal distances, for every size of the values.
+/// The labels of an axis have equal distances, for values of every size.
 #[test]
 fn labels_at_every_scale() {
     for size in ["1e-300", "1e-30", "1e-10", "2e-5", "0.03", "1", "7e5", "3e12", "1e300"] {
@@ -346,7 +349,7 @@ fn labels_at_every_scale() {
         let svg = drawn(&folder, &["series", "ball.toml", "--columns", "x1"]);
         let size: f64 = size.parse().unwrap();
         let numbers = texts(&svg).into_iter().filter_map(|text| text.parse::<f64>().ok());
-        // those of time are the same in every picture
+        // the labels of the time axis are the same in every picture
         let time = |x: &f64| size != 1.0 && (*x * 10.0).fract() == 0.0 && (0.1..=1.0).contains(x);
         let mut labels: Vec<f64> = numbers.filter(|x| !time(x)).collect();
         labels.sort_by(f64::total_cmp);
@@ -397,15 +400,15 @@ fn components_of_one_quantity_have_equal_units() {
         values.clone().fold(f64::MIN, f64::max) - values.fold(f64::MAX, f64::min)
     };
     assert!(width(0) > 300.0 && (width(0) - width(1)).abs() < 3.0, "{} {}", width(0), width(1));
-    // the angle of the rotation and its cosine have units of their own
+    // the angle of the rotation and its cosine have different units
     let svg = drawn(&folder, &["phase", "wheel.toml", "--columns", "t,g11"]);
     let path = lines(&svg, "#111111").into_iter().max_by_key(Vec::len).unwrap();
     let end = path[path.len() - 1];
     assert!(end[0] - path[0][0] > 400.0 && (end[1] - path[0][1]).abs() < 0.1);
 }
 
-/// Values so large that the ticks of a small range would be the same floats have a wider one; those near the end of the range of
-/// floats are refused.
+/// If the ticks of a small range of large values would be equal floats, the range is widened.
+/// Values near the largest float are an error.
 #[test]
 fn large_values() {
     let line = |from: &str, rate: &str, rest: &str| {
@@ -424,10 +427,10 @@ fn large_values() {
     let refused =
         affinor(&line("-1.7e308", "1.7e308", ""), &["series", "a.toml", "--columns", "x1"]);
     assert_eq!(refused.status, 1, "{}", refused.err);
-    assert!(refused.err.contains("too large to be drawn"), "{}", refused.err);
+    assert!(refused.err.contains("too large for a plot"), "{}", refused.err);
 }
 
-/// Rows with gaps are read, and those of several members are not joined into a line.
+/// Rows with gaps are read, and rows of different members are not joined by a line.
 #[test]
 fn rows_of_a_file() {
     let folder = folder(&[("wheel.toml", WHEEL)]);

@@ -32,7 +32,7 @@ fn an_ensemble_depends_on_no_threads_and_no_kills() {
     for other in ["2.csv", "3.csv", "killed.csv"] {
         assert!(rows == fs::read_to_string(folder.join(other)).unwrap(), "{other}");
     }
-    // nothing is left behind
+    // no temporary file remains
     assert!(!folder.join("c").exists() && !folder.join("c.rows").exists());
 }
 
@@ -53,7 +53,7 @@ fn a_checkpoint_is_of_one_problem() {
     fs::write(folder.join("top.toml"), many().replace("every = 3", "every = 2")).unwrap();
     let message = refused(simulate(folder).args(resume), 2);
     assert!(message.contains("a different problem"), "{message}");
-    // nothing is written over, neither a checkpoint nor the problem
+    // neither a checkpoint nor the problem file is overwritten
     for file in ["c", "top.toml"] {
         let message = refused(simulate(folder).args(["--ensemble", "--checkpoint", file]), 2);
         assert!(message.contains("exists already"), "{message}");
@@ -63,7 +63,7 @@ fn a_checkpoint_is_of_one_problem() {
     assert!(message.contains("c is not a checkpoint"), "{message}");
 }
 
-/// The error of a member is reported though the run was killed after it.
+/// The error of a member is reported, even if the run was killed after the error.
 #[test]
 fn a_stopped_member_is_not_forgotten() {
     let problem = TOP.replace("-0.001*Omega1", "sqrt(0.2 - w)").replace("end = 400", "end = 3");
@@ -85,7 +85,8 @@ fn a_stopped_member_is_not_forgotten() {
     );
 }
 
-/// A damaged checkpoint makes the program neither panic nor hang: each number is replaced by others in turn.
+/// A damaged checkpoint does not make the program panic or hang: each number is replaced by others
+/// in turn.
 #[ignore = "long: runs the program some 20 times"]
 #[test]
 fn checkpoints_that_were_changed_do_no_harm() {
@@ -165,7 +166,7 @@ fn a_checkpoint_is_of_the_files_of_its_problem() {
         let folder = folder.path();
         fs::write(folder.join(file), content).unwrap();
         let message = refused(simulate(folder).args(["-o", file]), 2);
-        assert!(message.contains("would lose it"), "{message}");
+        assert!(message.contains("would overwrite it"), "{message}");
         let mut run = simulate(folder);
         run.args(["--ensemble", "--checkpoint", "c", "--checkpoint-every", "0", "-o", "rows.csv"]);
         let (status, message) = interrupted(&mut run, "INT", || saved_rows(folder) > 0);
@@ -180,7 +181,7 @@ fn a_checkpoint_is_of_the_files_of_its_problem() {
     }
 }
 
-/// A file that happens to have the name of the rows is left alone.
+/// An unrelated file with the name of the rows is left unchanged.
 #[test]
 fn rows_of_a_checkpoint_take_no_place_of_others() {
     let folder = folder(&TOP.replace("end = 400", "end = 1"));

@@ -2,7 +2,8 @@
 
 use super::{folder, times};
 
-/// Sections of a free body come once a period, known to 12 digits; the run ends at an event if so asked.
+/// Sections of a free body occur once per period, to 12 digits; the run ends at an event on
+/// request.
 #[test]
 fn events_are_located() {
     const PERIOD: f64 = 6.862_616_178_058_116;
@@ -27,8 +28,8 @@ fn events_are_located() {
     }
 }
 
-/// However far apart rows are, no event is passed over: of a body that flips, and of uniform turns, whose steps under control
-/// have no error that would keep them short.
+/// Events between output rows far apart are found: for a body that flips, and for uniform
+/// rotations, whose step-size control alone would allow long steps.
 #[test]
 fn events_are_seen_between_rows_far_apart() {
     let flips = "space = \"so3\"\nmetric = \"diag(1, 2, 3)\"\ninitial.velocity = [0.1, 2, 0.1]\n\
@@ -47,7 +48,7 @@ fn events_are_seen_between_rows_far_apart() {
         same(&section(flips, "method = \"exact\"", every), &all);
     }
     same(&section(flips, "method = \"rkmk853\"\ntolerance = 1e-14", 100.0), &all);
-    // a stop at the first, and backwards, where the last one is as near
+    // a run stops at the first event, also backwards, where the last event is equally close
     for (end, first) in [(100.0, all[0]), (-100.0, all[0] - (all[1] - all[0]))] {
         let output = format!("[output]\nend = {end}\nstop = \"turn\"\n");
         let found = times(folder(&format!("{flips}{output}")).path());

@@ -3,8 +3,8 @@
 use super::{TOP, columns, done, folder, refused, simulate, times};
 use std::fs;
 
-/// A potential conserves the energy on every group, in both invariances, and its power is the rate of the kinetic
-/// energy (109).
+/// A potential conserves the energy on every group, for both invariances. Its power is the time
+/// derivative of the kinetic energy (109).
 #[test]
 fn potentials_conserve_the_energy_on_every_group() {
     let cases = [
@@ -61,7 +61,8 @@ fn potentials_conserve_the_energy_on_every_group() {
     }
 }
 
-/// A table acts between rows far apart, and its corners cost no digits: the impulse is its integral.
+/// A force table with kinks between two output rows is integrated without loss of accuracy: the
+/// impulse is its integral.
 #[test]
 fn a_table_is_not_passed_over() {
     let thruster = "t,M1,M2,M3\n20,0,0,0\n20.25,0.5,0,0\n20.75,0.5,0,0\n21,0,0,0\n";
@@ -90,16 +91,16 @@ fn a_table_is_not_passed_over() {
     }
 }
 
-/// A table of forces says where it is wrong, and a first row is not taken for names.
+/// An error in a table of forces has its location, and a first row of numbers is not read as names.
 #[test]
 fn tables_have_names_and_numbers() {
     let folder = folder(&TOP.replace("[forces]", "[forces]\ntable = \"pulse.csv\""));
     let folder = folder.path();
     let cases = [
-        ("0,0,0,0\n1,5,0,0\n", "names its columns", "pulse.csv:1:1"),
-        ("\u{feff}0, 1/2, -1e3, pi\n1,5,0,0\n", "names its columns", "pulse.csv:1:1"),
-        ("# c\nt,M1,M2,M3\n0,1,2,3\n", "`t` is no number", "pulse.csv:2:1"),
-        ("t,M1,M2,M3\n\n0,0,0,0\n1,5,x,0\n", "`x` is no number", "pulse.csv:4:5"),
+        ("0,0,0,0\n1,5,0,0\n", "must name its columns", "pulse.csv:1:1"),
+        ("\u{feff}0, 1/2, -1e3, pi\n1,5,0,0\n", "must name its columns", "pulse.csv:1:1"),
+        ("# c\nt,M1,M2,M3\n0,1,2,3\n", "`t` is not a number", "pulse.csv:2:1"),
+        ("t,M1,M2,M3\n\n0,0,0,0\n1,5,x,0\n", "`x` is not a number", "pulse.csv:4:5"),
         ("t,M1,M2,M3\n0,0,0,0\n1,5,0\n", "a row of 3 numbers", "pulse.csv:3:1"),
         ("t,M1,M2,M3\n0,1,,0,0\n", "a value is missing", "pulse.csv:2:1"),
         ("t,M1,M2,M3\n0,1 2,0,0\n", "is not one number", "pulse.csv:2:1"),
@@ -116,8 +117,9 @@ fn tables_have_names_and_numbers() {
     }
 }
 
-/// Steps under control end at the jumps of a table, and a stage there takes the value on its own side: the impulse is exact at
-/// a tolerance that would allow a large error, in both directions of time. So is that of fixed steps that end there.
+/// Adaptive steps end at the discontinuities of a table, and a stage there uses the value on its
+/// own side. So the impulse is exact at a tolerance that would allow a large error, in both
+/// directions of time. The impulse of fixed steps that end at the discontinuities is exact too.
 #[test]
 fn tables_jump_and_hold() {
     // pairs of a table and its impulse
@@ -152,7 +154,7 @@ fn tables_jump_and_hold() {
     }
 }
 
-/// A row at a jump has the value after it, also where the run resumes there.
+/// A row at a discontinuity has the value after it, also if the run resumes there.
 #[test]
 fn rows_at_a_jump_have_the_value_after_it() {
     let problem = "space = \"so2\"\nmetric = \"identity\"\ninitial.velocity = [1]\n\
@@ -167,7 +169,8 @@ fn rows_at_a_jump_have_the_value_after_it() {
     }
 }
 
-/// Functions that jump or have corners: their values, and a potential with them that conserves the energy.
+/// Functions with discontinuities or kinks: their values, and a potential with them that conserves
+/// the energy.
 #[test]
 fn formulas_with_corners() {
     type Function = fn(f64) -> f64;
@@ -197,7 +200,8 @@ fn formulas_with_corners() {
     }
 }
 
-/// A point that bounces on a spring, and one that slides down a corner: potentials that are smooth but at one place.
+/// A point that bounces on a spring, and a point that slides over a kink: potentials that are
+/// smooth except at one position.
 #[test]
 fn potentials_with_corners_conserve_the_energy() {
     for potential in [
@@ -223,7 +227,7 @@ fn potentials_with_corners_conserve_the_energy() {
     }
 }
 
-/// A function says how many arguments it takes.
+/// An error names the number of arguments of a function.
 #[test]
 fn functions_take_their_arguments() {
     let cases = [
@@ -231,7 +235,7 @@ fn functions_take_their_arguments() {
         ("atan2(t)", "`atan2` takes two arguments, not 1"),
         ("atan2(t, 1, 2)", "`atan2` takes two arguments, not 3"),
         ("sin(t, 1)", "`sin` takes one argument, not 2"),
-        ("wind(t, 1)", "`wind` is no function: there are sin, cos"),
+        ("wind(t, 1)", "`wind` is not a function: there are sin, cos"),
         ("hold(t)", "sign, step, floor, min, max, atan2"),
         ("min(t, )", "`)` is not expected here"),
         ("(t, 1)", "`,` is not expected here"),
@@ -257,8 +261,8 @@ fn columns_of_a_table_in_another_order() {
     assert!(rows("t,M2,M1,M3\n0,1,2,3\n5,0,1,-1\n") != expected);
 }
 
-/// A table with other names of columns gives the same rows as the table with the names of components; components that are not
-/// named are zero, and further columns do nothing.
+/// A table with other names of columns gives the same rows as the table with the names of
+/// components. Missing components are zero, and additional columns are ignored.
 #[test]
 fn mapped_columns_of_a_table() {
     let rows = |columns: &str, table: &str| {
@@ -281,9 +285,9 @@ fn mapped_columns_of_a_table() {
         ),
         ("{ t = 'time', M0 = 'yaw' }", "`M0` is neither t nor a component"),
         ("{ t = 'time', roll = 'M1' }", "the table has no column `M1`"),
-        ("{ t = 'time', M4 = 'yaw' }", "the table has 4 components, the dimension is 3"),
+        ("{ t = 'time', M4 = 'yaw' }", "the table has 4 components, but the dimension is 3"),
         ("{ M1 = 'roll' }", "no column has the time"),
-        ("{ t = 'time' }", "no column has a component"),
+        ("{ t = 'time' }", "no column with a component"),
     ] {
         let forces = format!("[forces]\ntable = \"log.csv\"\ncolumns = {columns}");
         let folder = folder(&TOP.replace("[forces]", &forces));
@@ -293,7 +297,8 @@ fn mapped_columns_of_a_table() {
     }
 }
 
-/// A rounded initial element is refused with advice, and restored on request: the motion starts at the nearest rotation.
+/// A rounded initial element is an error with advice. On request it is restored: the motion starts
+/// at the nearest rotation.
 #[test]
 fn a_rounded_initial_element_is_restored() {
     let rounded = "element = [[0.866, -0.5, 0], [0.5, 0.866, 0], [0, 0, 1]]";
@@ -322,7 +327,8 @@ fn a_rounded_initial_element_is_restored() {
     }
 }
 
-/// Logs have quoted names and columns of words; only the columns that are named have to be numbers.
+/// Log files may have quoted names and columns of words; only the columns that are used must be
+/// numbers.
 #[test]
 fn columns_that_are_not_named_may_have_words() {
     let problem = "space = \"so3\"\nmetric = \"identity\"\ninitial.velocity = [0, 0, 0]\n\

@@ -1,4 +1,4 @@
-//! What a run says about names, connections and constraints.
+//! Messages of a run about names, connections and constraints.
 
 use super::{columns, done, folder, refused, simulate};
 
@@ -6,7 +6,7 @@ const BODY: &str = "space = \"so3\"\nmetric = \"diag(1, 2, 3)\"\n\
                     initial = { velocity = [1, 2, 3], coordinates = [1, 2, 3] }\n\
                     output = { end = 1, every = 0.5 }\n";
 
-/// The help lists the names that are allowed at the place, and not the refused one.
+/// The help lists the names that are allowed at the location, without the rejected one.
 #[test]
 fn a_refused_name_is_not_in_the_help() {
     let given =
@@ -19,16 +19,16 @@ fn a_refused_name_is_not_in_the_help() {
     ];
     for (problem, name, allowed) in cases {
         let message = refused(&mut simulate(folder(&problem).path()), 2);
-        assert!(message.contains(&format!("`{name}` is no name here")), "{message}");
+        assert!(message.contains(&format!("`{name}` is not a known name here")), "{message}");
         let (_, help) = message.split_once("the names here are").unwrap();
         assert!(help.contains(allowed) && !help.contains(name), "{message}");
     }
-    // where they are allowed, they are listed
+    // if the names are allowed, they are listed
     let message = refused(&mut simulate(folder(&format!("{BODY}events.k = \"wind\"")).path()), 2);
     assert!(message.contains("kinetic, potential, energy, power"), "{message}");
 }
 
-/// `R` stands for the entries of the matrix as `g` does; a parameter of this name goes before.
+/// `R` means the entries of the matrix, as `g` does; a parameter of this name takes precedence.
 #[test]
 fn columns_of_the_matrix_have_two_names() {
     let of = |name: &str, lines: &str| {
@@ -45,7 +45,7 @@ fn columns_of_the_matrix_have_two_names() {
     assert_eq!(parameter[0], ("R".to_string(), vec![5.0; 3]));
 }
 
-/// A position without a quaternion is that of a body in the standard attitude.
+/// A position without a quaternion means a body in the standard attitude.
 #[test]
 fn a_position_stands_alone() {
     let of = |initial: &str| {
@@ -69,11 +69,16 @@ fn a_position_stands_alone() {
             vec!["0"; n].join(", ")
         );
         let message = refused(&mut simulate(folder(&problem).path()), 2);
-        assert!(message.contains("a position is three numbers x, y, z, for se(3)"), "{message}");
+        assert!(
+            message
+                .contains("`position` must be three numbers x, y, z, and is allowed on se(3) only"),
+            "{message}"
+        );
     }
 }
 
-/// The equations of another connection are said, also where the file names it: half the rate, half the precession.
+/// A message names the equations of a connection other than `plus`, even if the file chooses it:
+/// the precession has half the rate.
 #[test]
 fn a_connection_that_is_not_plus_is_said() {
     let momentum = |connection: &str, end: &str| {
@@ -95,7 +100,7 @@ fn a_connection_that_is_not_plus_is_said() {
     }
 }
 
-/// Constraints that depend on each other, and forces that are not finite, are told apart.
+/// Dependent constraints and forces that are not finite have different messages.
 #[test]
 fn constraints_that_repeat_themselves_are_named() {
     let problem = |constraints: &str, force: &str| {

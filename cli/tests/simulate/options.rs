@@ -1,4 +1,4 @@
-//! Options that replace keys of the file.
+//! Options that override keys of the file.
 
 use super::running::{interrupted, saved_rows};
 use super::{TOP, done, folder, refused, simulate};
@@ -11,7 +11,7 @@ fn rows(folder: &Path, options: &[&str]) -> String {
     String::from_utf8(done(simulate(folder).args(options)).stdout).unwrap()
 }
 
-/// The rows are those of a file with the same values.
+/// Options give the rows of a file with the same values.
 #[test]
 fn options_are_keys_of_the_file() {
     let top = TOP.replace("end = 400", SHORT);
@@ -44,7 +44,8 @@ fn options_are_keys_of_the_file() {
     assert_eq!(rows(listed.path(), &["--end", "4", "--every", "0.25"]), whole);
 }
 
-/// A method leaves out the keys of the file that serve the other way to choose steps, and only these.
+/// If an option chooses a method, the keys for the other kind of step size are ignored, and only
+/// these.
 #[test]
 fn methods_are_compared_without_editing_the_file() {
     let fixed = TOP.replace("end = 400", SHORT).replace("tolerance = 1e-12", "step = 0.01");
@@ -63,15 +64,15 @@ fn methods_are_compared_without_editing_the_file() {
     assert!(message.contains("cf4") && message.contains("it needs a step"), "{message}");
 }
 
-/// The checks and messages of the file, at the option.
+/// Options have the checks and messages of the keys, with the option as location.
 #[test]
 fn options_are_checked_as_keys_are() {
     let folder = folder(&TOP.replace("end = 400", SHORT));
     let cases: [(&[&str], &str, &str, i32); 10] = [
-        (&["--method", "rk4"], "--method:1:1", "`rk4` is no method", 2),
-        (&["--step", "0"], "--step:1:1", "0 is not above zero", 2),
-        (&["--step", "2*x"], "--step:1:3", "`x` is no name here", 2),
-        (&["--step", "inf"], "--step:1:1", "`inf` is no name here", 2),
+        (&["--method", "rk4"], "--method:1:1", "`rk4` is not a method", 2),
+        (&["--step", "0"], "--step:1:1", "0 is not positive", 2),
+        (&["--step", "2*x"], "--step:1:3", "`x` is not a known name here", 2),
+        (&["--step", "inf"], "--step:1:1", "`inf` is not a known name here", 2),
         (&["--tolerance", "1/0"], "--tolerance:1:1", "`1/0` is inf", 1),
         (&["--tolerance", "1e-20"], "", "floats do not resolve the tolerance", 1),
         (&["--method", "rkmk853", "--step", "1"], "--step:1:1", "has no `step`", 2),
@@ -81,8 +82,8 @@ fn options_are_checked_as_keys_are() {
             "has no `tolerance`",
             2,
         ),
-        (&["--every=-1"], "--every:1:1", "never come to the end", 2),
-        (&["--end", "1e300"], "top.toml:15:9", "rows are too many", 2),
+        (&["--every=-1"], "--every:1:1", "never reach the end", 2),
+        (&["--end", "1e300"], "top.toml:15:9", "rows exceed the limit", 2),
     ];
     for (options, place, what, status) in cases {
         let message = refused(simulate(folder.path()).args(options), status);
@@ -90,7 +91,8 @@ fn options_are_checked_as_keys_are() {
     }
 }
 
-/// A checkpoint belongs to the options; the file of an incomplete run goes when the run is complete.
+/// A checkpoint is valid for the same options only. The file of an incomplete run is removed when
+/// the run is complete.
 #[test]
 fn a_checkpoint_is_of_its_options() {
     let folder =

@@ -8,7 +8,7 @@ use std::process::{Child, Command, Stdio};
 use std::thread;
 use std::time::Duration;
 
-/// Kills the run a few times, each time once it has saved something new, then lets it come to its end.
+/// Kills the run a few times, each time after it has saved new rows, then lets it finish.
 pub fn killed_and_resumed(folder: &Path) {
     let saved = || fs::read(folder.join("c")).ok();
     let start = |seconds: &str| {
@@ -25,11 +25,11 @@ pub fn killed_and_resumed(folder: &Path) {
         }
         kill(child);
     }
-    // a checkpoint at every step would wait for the disk
+    // a checkpoint at every step would be limited by the disk
     assert!(start("1").wait().unwrap().success());
 }
 
-/// Waits until a run has reached a state, true, or has ended before, false.
+/// Waits until a run reaches a state (true), or ends before (false).
 pub fn reaches(child: &mut Child, state: impl Fn() -> bool) -> bool {
     while !state() {
         if child.try_wait().unwrap().is_some() {
@@ -41,17 +41,17 @@ pub fn reaches(child: &mut Child, state: impl Fn() -> bool) -> bool {
     true
 }
 
-/// Kills a run; one that has ended already is as good.
+/// Kills a run, unless it has already ended.
 pub fn kill(mut child: Child) {
     child.kill().unwrap();
     child.wait().unwrap();
 }
 
-/// Sends a signal to a run as soon as `begun`; its status and its messages.
+/// Sends a signal to a run as soon as `begun` holds. Returns its status and its messages.
 pub fn interrupted(command: &mut Command, signal: &str, begun: impl Fn() -> bool) -> (i32, String) {
     let mut child = command.stderr(Stdio::piped()).spawn().unwrap();
     reaches(&mut child, begun);
-    // twice, as a program that stops a whole group does
+    // twice, like a program that stops a process group
     for _ in 0..2 {
         send(signal, &child);
     }
@@ -73,7 +73,7 @@ pub fn saved(folder: &Path) -> serde_json::Value {
     serde_json::from_str(&saved).unwrap_or_default()
 }
 
-/// How many rows the checkpoint counts.
+/// The number of rows that the checkpoint counts.
 pub fn saved_rows(folder: &Path) -> u64 {
     saved(folder)["rows"].as_u64().unwrap_or(0)
 }

@@ -8,7 +8,7 @@ use std::io::{BufRead, BufReader, Lines, Read};
 use std::process::{Child, ChildStderr, Command, Stdio};
 use std::thread;
 
-/// Starts a run with events, and waits for the first.
+/// Starts a run with events, and waits for the first event.
 fn at_an_event(run: &mut Command) -> (Child, Lines<BufReader<ChildStderr>>) {
     let mut child = run.stderr(Stdio::piped()).spawn().unwrap();
     let mut messages = BufReader::new(child.stderr.take().unwrap()).lines();
@@ -16,7 +16,7 @@ fn at_an_event(run: &mut Command) -> (Child, Lines<BufReader<ChildStderr>>) {
     (child, messages)
 }
 
-/// A signal ends a run, also between two rows, and loses none of them.
+/// A signal ends a run, also between two output rows, without losing rows.
 #[test]
 fn a_signal_leaves_the_rows() {
     let fixed = TOP.replace("tolerance = 1e-12", "method = \"rkmk4\"\nstep = 0.005");
@@ -63,7 +63,7 @@ fn a_signal_keeps_the_members_that_are_done() {
     );
 }
 
-/// The first byte on standard output. Nobody reads the others, so that a long run cannot end.
+/// The first byte on standard output. The rest is not read, so that a long run cannot end.
 fn first_byte(child: &mut Child) {
     child.stdout.as_mut().unwrap().read_exact(&mut [0]).unwrap();
 }
@@ -75,14 +75,14 @@ fn a_second_signal_kills() {
     let mut run = simulate(folder.path());
     let mut child = run.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
     let mut messages = BufReader::new(child.stderr.take().unwrap()).lines();
-    // two events lie a thousand rows apart, more than a pipe holds
+    // two events are a thousand rows apart, more than the buffer of a pipe
     let mut flip = || assert!(messages.any(|line| line.unwrap().starts_with("flip at t = ")));
     flip();
     flip();
     send("INT", &child);
     first_byte(&mut child);
     assert!(child.try_wait().unwrap().is_none());
-    // signals that follow the first at once belong to it
+    // further signals that follow at once are treated as the same signal
     while child.try_wait().unwrap().is_none() {
         send("INT", &child);
         thread::yield_now();
@@ -90,7 +90,7 @@ fn a_second_signal_kills() {
     assert_eq!(wait(&mut child), 130);
 }
 
-/// A computed run that only waits for its reader is killed by the first signal.
+/// If a run has computed all rows and waits for its reader, the first signal kills it.
 #[test]
 fn a_signal_kills_what_is_written_out() {
     let folder = folder(&TOP.replace("0.25", "0.0005").replace("end = 400", "end = 5"));

@@ -1,9 +1,9 @@
-//! Runs that end before their end time, with a message.
+//! Runs that end before their end time, with an error message.
 
 use super::{TOP, done, folder, refused, simulate, times};
 use std::fs;
 
-/// The rows before the error are kept in a file of their own; the old file stays.
+/// The rows before the error are written to a separate file; the old file is unchanged.
 #[test]
 fn what_is_no_number_is_told_with_time_and_state() {
     let problem = TOP.replace("-0.001*Omega1", "sqrt(3 - t)");
@@ -20,7 +20,7 @@ fn what_is_no_number_is_told_with_time_and_state() {
     assert!(rows.lines().last().unwrap().starts_with("3,"));
 }
 
-/// A potential or a Hamiltonian that is not a number is refused, though its derivatives are numbers.
+/// A potential or a Hamiltonian that is NaN is an error, even if its derivatives are numbers.
 #[test]
 fn a_potential_is_a_number() {
     for integrator in ["tolerance = 1e-8", "step = 0.1", "step = 0.1\nmethod = \"rkmk4\""] {
@@ -66,7 +66,8 @@ fn what_blows_up_or_is_stiff_ends_with_a_word() {
     assert!(message.contains("t = "), "{message}");
 }
 
-/// A run that grows beyond floats, needs more digits than they have or is stiff ends with a message.
+/// A run ends with a message if its values overflow, if the tolerance is below the accuracy of
+/// floats, or if it is stiff.
 #[test]
 fn nothing_is_waited_for_without_end() {
     let line = "space = \"R^1\"\nmetric = \"identity\"\ninitial.velocity = [0.3]\noutput.end = 1\n";
@@ -95,7 +96,8 @@ fn nothing_is_waited_for_without_end() {
     }
 }
 
-/// A time whose rounding error rotates the body by a turn is refused: the attitude is undefined.
+/// If the rounding error of the time rotates the body by a full turn, the run fails: the attitude
+/// is undefined.
 #[test]
 fn a_phase_without_meaning_is_refused() {
     let body = |end: &str| {
@@ -106,17 +108,17 @@ fn a_phase_without_meaning_is_refused() {
     };
     for end in ["1e13", "1e15", "-1e15", "1e300"] {
         let message = refused(&mut simulate(body(end).path()), 1);
-        assert!(message.contains("its rounding alone turns the body"), "{end}: {message}");
+        assert!(message.contains("its rounding error alone rotates the body"), "{end}: {message}");
     }
     assert_eq!(times(body("1e9").path()), [0.0, 1e9]);
-    // it does not turn
+    // the body is at rest
     let still = body("1e300");
     let text = fs::read_to_string(still.path().join("top.toml")).unwrap();
     fs::write(still.path().join("top.toml"), text.replace("[0.1, 2, 0.1]", "[0, 0, 0]")).unwrap();
     assert_eq!(times(still.path()), [0.0, 1e300]);
 }
 
-/// The potential `|x|` has the derivative 0 at its corner.
+/// The potential `|x|` has the derivative 0 at its kink.
 #[test]
 fn a_corner_is_a_place_of_rest() {
     let problem = "space = \"R^1\"\nmetric = \"identity\"\ninitial.velocity = [0]\n\

@@ -1,9 +1,9 @@
-//! Motions on sums of groups: every summand moves as it does alone.
+//! Motions on sums of groups: every summand moves as it does on its own group.
 
 use super::{columns, folder};
 use std::collections::BTreeMap;
 
-/// A body that is a summand of a problem. In its potential `_` stands for the number of the summand.
+/// A body that is a summand of a problem. In its potential `_` means the number of the summand.
 #[derive(Clone, Copy)]
 struct Summand {
     space: &'static str,
@@ -63,7 +63,8 @@ fn run(summands: &[Summand], integrator: &str) -> BTreeMap<String, Vec<f64>> {
     columns(folder(&problem).path()).into_iter().collect()
 }
 
-/// The name that a column of summand `k` (from 1) has in a sum, behind `offset` basis vectors.
+/// The name of a column of summand `k` (from 1) in a sum; `offset` basis vectors precede the
+/// summand.
 fn in_sum(name: &str, k: usize, offset: usize) -> String {
     for letter in ["Omega", "H", "h"] {
         if let Some(Ok(index)) = name.strip_prefix(letter).map(str::parse::<usize>) {
@@ -73,13 +74,13 @@ fn in_sum(name: &str, k: usize, offset: usize) -> String {
     format!("{name}_{k}")
 }
 
-/// With fixed steps and with step-size control, along the algebra and in embedding coordinates.
+/// With fixed steps and with step-size control, in the algebra and in embedding coordinates.
 #[test]
 fn a_sum_moves_as_its_summands_alone() {
     for summands in [[TOP, POINT], [VEHICLE, BUOY]] {
         for (integrator, bound) in [
             ("method = 'rkmk4'\nstep = 0.01", 1e-13),
-            // its stages lie off the group, and there a sum is not evaluated as its summands are
+            // its stages are off the group, where a sum is evaluated differently from its summands
             ("method = 'projected4'\nstep = 0.01", 1e-9),
             ("method = 'rkmk853'\ntolerance = 1e-13", 1e-11),
             ("method = 'projected853'\ntolerance = 1e-13", 1e-11),
@@ -112,7 +113,7 @@ fn a_sum_moves_as_its_summands_alone() {
     }
 }
 
-/// With a fixed step, what one summand does changes no digit of the other.
+/// With a fixed step, a change of one summand does not change any digit of the other.
 #[test]
 fn a_summand_does_not_change_the_other() {
     let heavy = Summand { metric: "3, 5, 6, 2, 7, 4", velocity: "1, 0, 3, 0, -2, 0", ..BUOY };

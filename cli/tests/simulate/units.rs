@@ -1,8 +1,9 @@
-//! What must not matter: units of length, time and mass, and the origin of time.
+//! Results do not depend on the units of length, time and mass, or on the origin of time.
 
 use super::{columns, done, folder, refused, simulate, times};
 
-/// A pendulum of length `l`, mass `m` and gravity `9.81 l`: its angle depends on neither.
+/// A pendulum of length `l`, mass `m` and gravity `9.81 l`: its angle is independent of `l` and
+/// `m`.
 const PENDULUM: &str = r#"
 space = "R^2"
 metric = "diag(m, m)"
@@ -55,7 +56,8 @@ fn violations_are_found_in_all_units() {
     }
 }
 
-/// A constraint that does not act leaves the motion as it is, from rest too: forces before the start are not asked for.
+/// A constraint without forces does not change the motion, from rest too; forces before the start
+/// are not evaluated.
 #[test]
 fn a_constrained_motion_starts_from_rest() {
     for (force, tolerance) in [("6*t*exp(-t/0.04)", 1e-6), ("6*sqrt(t)*exp(-t/0.04)", 3e-5)] {
@@ -72,7 +74,8 @@ fn a_constrained_motion_starts_from_rest() {
     }
 }
 
-/// A body at rest by a formula whose value is rounded, `sin(pi) = 1.2e-16`, satisfies the constraints; one that moves does not.
+/// A velocity that is zero up to rounding, such as `sin(pi) = 1.2e-16`, satisfies the constraints;
+/// a larger one does not.
 #[test]
 fn rest_may_be_rounded() {
     let hanging = |speed: &str| {
@@ -88,7 +91,7 @@ fn rest_may_be_rounded() {
     assert!(refused(&mut simulate(moving.path()), 1).contains("changes at the rate"));
 }
 
-/// Forces of constraints change the coadjoint orbit like other forces.
+/// Constraint forces change the coadjoint orbit like other forces.
 #[test]
 fn constrained_motions_have_no_casimir_functions() {
     let output = done(&mut simulate(folder(&pendulum(1.0, 1.0, 1.0)).path()));
@@ -96,7 +99,8 @@ fn constrained_motions_have_no_casimir_functions() {
     assert!(text.contains("violation") && !text.contains("casimir"), "{text}");
 }
 
-/// From rest at the acceleration `a` a body turns by a quarter at `sqrt(pi/a)`, in any unit of time.
+/// From rest with the acceleration `a`, a body rotates by a quarter turn in the time `sqrt(pi/a)`,
+/// in any unit of time.
 #[test]
 fn events_from_rest_do_not_depend_on_the_unit_of_time() {
     for acceleration in [1.0_f64, 3600.0, 1e6, 1e-4] {
@@ -115,7 +119,7 @@ fn events_from_rest_do_not_depend_on_the_unit_of_time() {
     }
 }
 
-/// Rows neither appear twice nor are lost where times are rounded.
+/// Rounding errors of times do not duplicate or lose rows.
 #[test]
 fn rows_do_not_depend_on_the_origin_of_time() {
     for start in [0.0, 1e5, 2_460_000.5, 1e7, 1.7e9, -1e7] {
@@ -132,7 +136,8 @@ fn rows_do_not_depend_on_the_origin_of_time() {
     }
 }
 
-/// A torque that jumps at the end of a step, whose time is rounded: fixed steps keep their order.
+/// A torque with a discontinuity at the end of a step, whose time is rounded: fixed steps keep
+/// their order.
 #[test]
 fn steps_end_at_jumps_up_to_rounding() {
     let table = "t,M1,M2,M3\n0,0,0,0\n1,0,0,0\n1,0,0,0.6\n2,0,0,0.6\n2,0,0,0\n";
@@ -151,7 +156,8 @@ fn steps_end_at_jumps_up_to_rounding() {
     }
 }
 
-/// Differences stay where a constraint is defined, also along directions in which its gradient is constant.
+/// Finite differences stay in the domain of a constraint, also along directions in which its
+/// gradient is constant.
 #[test]
 fn constraints_of_a_limited_domain() {
     let problem = "space = \"R^2\"\nmetric = \"identity\"\nconstraints = [\"log(exp(x2)) - 1\"]\n\
@@ -188,5 +194,5 @@ fn columns_of_quantities_and_of_constraints() {
     let free = "space = \"R^2\"\nmetric = \"identity\"\ninitial.velocity = [1, 0]\n\
                 output = { end = 1, columns = [\"violation\"] }\n";
     let message = refused(&mut simulate(folder(free).path()), 2);
-    assert!(message.contains("`violation` is no quantity of this motion"), "{message}");
+    assert!(message.contains("`violation` is not a quantity of this motion"), "{message}");
 }

@@ -5,7 +5,7 @@ use crate::program::root;
 use std::fs;
 use std::path::Path;
 
-/// The rows of an incomplete run are written to a pipe as well.
+/// The rows of an incomplete run are also written to a pipe.
 #[test]
 fn part_of_a_run_goes_to_a_pipe() {
     let folder = folder(&TOP.replace("-0.001*Omega1", "sqrt(3 - t)"));
@@ -61,7 +61,8 @@ fn formats_agree() {
     }
 }
 
-/// Without the feature, Parquet is refused before the run, by its name and by the ending of a file.
+/// Without the feature, Parquet output is an error before the run, by format name or by file
+/// extension.
 #[cfg(not(feature = "parquet"))]
 #[test]
 fn parquet_needs_a_build_with_it() {
@@ -69,16 +70,16 @@ fn parquet_needs_a_build_with_it() {
     let folder = folder.path();
     for options in [["-o", "rows.parquet"], ["--format", "parquet"], ["-o", "rows.PARQUET"]] {
         let message = refused(simulate(folder).args(options), 2);
-        assert!(message.contains("built without Parquet"), "{message}");
+        assert!(message.contains("built without the feature `parquet`"), "{message}");
         assert!(message.contains("cargo install --path cli --features parquet"), "{message}");
         assert_eq!(fs::read_dir(folder).unwrap().count(), 1, "{options:?}");
     }
-    // the ending does not matter where the format is given
+    // the file extension is ignored if the format is given
     fs::write(folder.join("top.toml"), TOP.replace("end = 400", "end = 1")).unwrap();
     done(simulate(folder).args(["-o", "rows.parquet", "--format", "csv"]));
 }
 
-/// A file that cannot be written is refused before the run, whose rows would be lost.
+/// An output file that cannot be written is an error before the run, so that no rows are lost.
 #[test]
 fn places_are_looked_at_first() {
     let folder = folder(&TOP.replace("end = 400", "end = 1e6"));
@@ -113,7 +114,8 @@ fn an_ensemble_says_its_method_and_notes() {
     }
 }
 
-/// The momentum in the frame that the equations do not use is the conserved one.
+/// The summary reports the momentum in the frame that the equations do not use, which is the
+/// conserved one.
 #[test]
 fn the_summary_of_a_right_invariant_system() {
     let fluid = fs::read_to_string(root().join("examples/motions/fluid_se2.toml")).unwrap();
@@ -129,7 +131,7 @@ fn the_summary_of_a_right_invariant_system() {
     }
 }
 
-/// Formulas of quantities and large numbers leave the summary within 80 columns.
+/// The summary is at most 80 columns wide, with formulas of quantities and large numbers too.
 #[test]
 fn the_summary_is_as_wide_as_a_terminal() {
     let long = ["2.5*Omega1"; 9].join(" + ");
@@ -143,7 +145,7 @@ fn the_summary_is_as_wide_as_a_terminal() {
         let table = message.split_once("top: method").unwrap().1;
         assert!(table.lines().all(|line| line.len() <= 80), "{message}");
         let words = |text: &str| text.split_whitespace().map(String::from).collect::<Vec<_>>();
-        // nothing of a formula is lost, though numbers stand between its lines
+        // the formula is complete, although numbers are between its lines
         let mut found = words(table).into_iter();
         assert!(
             words(expected).iter().all(|word| found.any(|other| other.contains(word))),

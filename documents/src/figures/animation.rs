@@ -1,4 +1,4 @@
-//! Bodies in motion: boxes with their axes of inertia, or the parts of which the problem makes them.
+//! Animated bodies: boxes with their axes of inertia, or the parts that a problem defines.
 
 use super::{Body, Figure, Look, Panel, Role};
 use crate::problem::Solid;
@@ -7,44 +7,46 @@ use affinor::Error;
 use affinor::mechanics::Inertia;
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
 
-/// Frames in a second of the film.
+/// The number of frames per second.
 const RATE: f64 = 25.0;
 /// The largest number of frames.
 const FRAMES: f64 = 2400.0;
-/// The largest number of corners in all frames of parts: about 2 MB of a picture.
+/// The largest number of corners in all frames of parts, which limits a picture to about 2 MB.
 const CORNERS: usize = 120_000;
-/// The rotation between two frames, in radians, unless there would be too many.
+/// The rotation between two frames, in radians, unless the number of frames exceeds its limit.
 const TURN: f64 = 0.25;
 /// Half the diagonal of the box, in radii of the picture: on the sphere of the axes, and along a path.
 const SIZES: [f64; 2] = [0.62, 0.2];
-/// The least edge of the box, relative to its diagonal.
+/// The smallest edge of the box, relative to its diagonal.
 const THINNEST: f64 = 0.06;
-/// The distance of the farthest corner of parts on the sphere of the axes, in radii.
+/// The distance of the farthest corner of the parts on the sphere of the axes, in radii.
 const PARTS: f64 = 0.9;
-/// The roles whose colours tell bodies apart.
+/// The roles whose colours distinguish bodies.
 const COLORS: [Role; 6] =
     [Role::Left, Role::Velocity, Role::Right, Role::Carried, Role::Direction, Role::Frame(0)];
 
 /// A body that moves in a trajectory.
 #[derive(Clone, Debug)]
 pub struct Moving {
-    /// The number of its factor in a product.
+    /// The number of its factor in a product of groups.
     pub factor: Option<usize>,
     /// Its inertia.
     pub inertia: Inertia,
-    /// Its parts; without them it is drawn as a homogeneous box with the same axes and ratios of inertia.
+    /// The parts of the body. If the list is empty, the body is drawn as a homogeneous box with the
+    /// same axes and ratios of inertia.
     pub solids: Vec<Solid>,
 }
 
-/// A body with its attitudes, and its places if it has a position.
+/// A body with its attitudes, and its positions if it has any.
 struct Track<'m> {
     moving: &'m Moving,
     attitudes: Vec<Matrix3<f64>>,
     places: Option<Vec<Vector3<f64>>>,
 }
 
-/// The bodies of rows, in a film of some seconds. Bodies with a position move along their paths in one panel. Each other body
-/// turns about its fixed point, with the path of the axis of inertia that moves least.
+/// Animates the bodies in rows, with a duration in seconds. Bodies with a position move along their
+/// paths in one panel. Each other body rotates about its fixed point, with the path of the axis of
+/// inertia that moves least.
 ///
 /// # Errors
 /// [`Error::Name`] for a trajectory without an attitude; [`Error::Invalid`] for elements that are not rotations.
@@ -62,7 +64,7 @@ pub fn animation(run: &RunRows, bodies: &[Moving], seconds: f64) -> Result<Figur
     let whole = tracks.iter().map(Track::turn).fold(0.0, f64::max);
     let corners = |solid: &Solid| solid.faces.iter().map(Vec::len).sum::<usize>();
     let solids = || bodies.iter().flat_map(|moving| &moving.solids);
-    // a part that passes another is drawn in two layers or more
+    // a part that overlaps with others in depth is drawn in several layers
     let drawn = solids().map(corners).sum::<usize>() * solids().count().clamp(1, 3);
     let most = FRAMES.min((CORNERS / drawn.max(1)) as f64);
     let count = (whole / TURN).max(RATE * seconds).min(most).max(1.0).ceil() as u32;
@@ -83,7 +85,7 @@ pub fn animation(run: &RunRows, bodies: &[Moving], seconds: f64) -> Result<Figur
     Ok(Figure { title: format!("{}: {bodies} in motion", run.name), panels })
 }
 
-/// The times of a film.
+/// The times of an animation.
 struct Film<'t> {
     /// The times of the rows.
     times: &'t [f64],
@@ -95,7 +97,8 @@ struct Film<'t> {
 }
 
 impl Film<'_> {
-    /// The body of a track, in a frame in which its axes are the columns of `axes`, with its places from `centre`.
+    /// The body of a track, in a frame whose axes are the columns of `axes`, with its positions
+    /// relative to `centre`.
     fn body(&self, track: &Track, look: Look, axes: &Matrix3<f64>, centre: &Vector3<f64>) -> Body {
         let [first, last] = self.span;
         let pose = |k: u32| {
@@ -118,7 +121,7 @@ impl Track<'_> {
         self.moving.factor.map_or("the body".into(), |number| format!("body {number}"))
     }
 
-    /// The angle through which the body turns.
+    /// The angle through which the body rotates.
     fn turn(&self) -> f64 {
         self.attitudes.windows(2).map(|pair| angle(&pair[0], &pair[1])).sum()
     }
@@ -128,7 +131,7 @@ impl Track<'_> {
         self.attitudes.iter().map(|r| r * self.moving.inertia.axes()).collect()
     }
 
-    /// A homogeneous box with the same ratios of inertia, of half this diagonal.
+    /// A homogeneous box with the same ratios of inertia and half this diagonal.
     fn cuboid(&self, diagonal: f64, reach: f64) -> Look {
         let moments = self.moving.inertia.principal_moments();
         let captions = [0, 1, 2].map(|i| {
@@ -140,7 +143,7 @@ impl Track<'_> {
         Look::Box { half: (edges * (diagonal / edges.norm())).into(), reach, captions }
     }
 
-    /// The distance of its farthest corner from its origin; 0 without parts.
+    /// The largest distance of a corner of the body from its origin; 0 for a body without parts.
     fn reach(&self) -> f64 {
         self.moving.solids.iter().map(Solid::reach).fold(0.0, f64::max)
     }
@@ -155,7 +158,7 @@ impl Track<'_> {
     }
 }
 
-/// A body that turns about a point.
+/// The panel of a body that rotates about a point.
 fn sphere(track: &Track, title: String, film: &Film) -> Panel {
     let mut panel = Panel::new(title, 1.0, ["X", "Y", "Z"]);
     let (i, path) = calmest(&track.axes());
@@ -170,14 +173,14 @@ fn sphere(track: &Track, title: String, film: &Film) -> Panel {
     panel
 }
 
-/// Bodies along their paths in space, with room around them.
+/// The panel of bodies that move along their paths in space, with a margin around them.
 fn space(tracks: &[Track], film: &Film) -> Panel {
     let places = || tracks.iter().flat_map(|track| track.places.iter().flatten());
     let start = places().next().copied().unwrap_or_default();
     let corners = places().fold((start, start), |(low, high), x| (low.inf(x), high.sup(x)));
     let center = (corners.0 + corners.1) * 0.5;
     let farthest = places().map(|x| (x - center).norm()).fold(0.0, f64::max);
-    // boxes have no size of their own
+    // boxes have no given size
     let has_boxes = tracks.iter().any(|track| track.moving.solids.is_empty());
     let mut radius = if has_boxes { farthest / (1.0 - SIZES[1]) } else { 0.0 };
     for track in tracks {
@@ -225,14 +228,14 @@ fn angle(a: &Matrix3<f64>, b: &Matrix3<f64>) -> f64 {
     rotation(a).angle_to(&rotation(b))
 }
 
-/// The rotation at a share of the way between two.
+/// The rotation at a fraction of the way between two rotations.
 fn turned(a: &Matrix3<f64>, b: &Matrix3<f64>, share: f64) -> Matrix3<f64> {
     let (a, b) = (rotation(a), rotation(b));
     let between = a.try_slerp(&b, share, 1e-9).unwrap_or(a);
     between.to_rotation_matrix().into_inner()
 }
 
-/// The last row before a time, and the share of the way to the next row.
+/// The last row before a time, and the fraction of the interval to the next row.
 fn between(times: &[f64], time: f64) -> (usize, f64) {
     let forwards = times[times.len() - 1] >= times[0];
     let passed = times.partition_point(|t| if forwards { *t <= time } else { *t >= time });

@@ -14,7 +14,7 @@ const TOLERANCE: f64 = 1e-10;
 /// frame, (43).
 ///
 /// # Errors
-/// As [`autoparallel`](affinor::group::transport::ParallelTranslation::autoparallel).
+/// Those of [`autoparallel`](affinor::group::transport::ParallelTranslation::autoparallel).
 pub fn autoparallels(connections: &[Connected], axis: &Vector3<f64>) -> Result<Figure, Error> {
     let panels = connections.iter().map(|connected| panel(connected, axis));
     let title = "Autoparallels through the identity, canonical coordinates".into();
@@ -48,7 +48,7 @@ fn panel(connected: &Connected, axis: &Vector3<f64>) -> Result<Panel, Error> {
     Ok(panel)
 }
 
-/// Unit vectors to the vertices of an icosahedron, none of them along an axis.
+/// Unit vectors to the vertices of an icosahedron; none is along an axis.
 fn fan() -> Vec<Vector3<f64>> {
     let golden = 0.5 * (1.0 + 5f64.sqrt());
     let signs = [[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]];

@@ -12,11 +12,12 @@ use std::f64::consts::PI;
 /// The radius of the ball: the largest angle of a rotation.
 pub const RADIUS: f64 = PI;
 
-/// Parallel translation on the rotation group by a connection of this name, and its title; the metric is that of
-/// `levi-civita`.
+/// Parallel transport on the rotation group by the connection with this name, and its title.
+/// `metric` is the metric of `levi-civita`.
 ///
 /// # Errors
-/// A connection or a metric that is not understood; a parameter without a value.
+/// An error for a connection or a metric that cannot be parsed, and for a parameter without a
+/// value.
 pub fn connected(
     name: &str,
     metric: Option<&str>,
@@ -50,11 +51,11 @@ pub fn arrow(x: &Vector3<f64>, u: &Vector3<f64>, scale: f64) -> Result<[Vector3<
     Ok([*x, x + So3.tangent_left_inverse(x, u)? * scale])
 }
 
-/// The curve through closely spaced elements, in pieces: where it leaves the ball, the next piece begins at the opposite
-/// point of the sphere.
+/// The curve through closely spaced elements, in pieces. Where it leaves the ball, the next piece
+/// begins at the opposite point of the sphere.
 ///
 /// # Errors
-/// [`Error::Invalid`], never for rotations.
+/// [`Error::Invalid`], which cannot occur for rotations.
 pub fn curve(elements: &[UnitQuaternion<f64>]) -> Result<Vec<Vec<Vector3<f64>>>, Error> {
     let mut pieces: Vec<Vec<Vector3<f64>>> = vec![];
     for g in elements {
@@ -76,7 +77,7 @@ pub fn curve(elements: &[UnitQuaternion<f64>]) -> Result<Vec<Vec<Vector3<f64>>>,
     Ok(pieces)
 }
 
-/// The point of the sphere between a point inside and a point outside.
+/// The intersection of the sphere with the line between a point inside and a point outside.
 fn onto_sphere(inside: &Vector3<f64>, outside: &Vector3<f64>) -> Vector3<f64> {
     let (near, far) = (inside.norm(), outside.norm());
     let share = ((RADIUS - near) / (far - near)).clamp(0.0, 1.0);

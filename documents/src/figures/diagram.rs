@@ -1,6 +1,6 @@
-//! Diagrams: graphs above each other.
+//! Diagrams: one or several graphs, one above the other.
 
-/// Graphs above each other.
+/// One or several graphs, one above the other.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Diagram {
     /// The title.
@@ -38,11 +38,11 @@ pub struct Line {
     pub caption: String,
     /// The values on the two axes.
     pub points: Vec<[f64; 2]>,
-    /// The way in which it is drawn.
+    /// The style of the line.
     pub drawn: Drawn,
 }
 
-/// The ways in which a line is drawn.
+/// The styles of a line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Drawn {
     /// A line.
@@ -69,11 +69,11 @@ impl Scale {
     }
 }
 
-/// The largest values that a linear axis has room for.
+/// The largest value that a linear axis can show.
 pub const LARGEST: f64 = 1e300;
 
 impl Diagram {
-    /// An axis with finite values beyond the range that can be drawn, and one of them.
+    /// The label of an axis with values that are finite but cannot be shown, and one such value.
     pub fn beyond(&self) -> Option<(&str, f64)> {
         self.graphs.iter().find_map(|graph| {
             let mut points = graph.lines.iter().flat_map(|line| &line.points);

@@ -4,17 +4,17 @@ use super::diagram::{Diagram, Drawn, Graph, Line, Scale};
 use crate::rows::RunRows;
 use affinor::Error;
 
-/// The least change drawn; smaller ones, also zero, are drawn here.
+/// The smallest change that is shown; smaller ones, also zero, are shown as this value.
 const ROUNDING: f64 = 1e-17;
 /// The largest number of points of a line.
 const POINTS: f64 = 2000.0;
 
-/// The way in which a change is measured.
+/// The measure of a change.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Change {
-    /// `|q(t) - q(0)|`.
+    /// The absolute change `|q(t) - q(0)|`.
     Absolute,
-    /// `|q(t) - q(0)| / |q(0)|`; absolute for a quantity that starts at zero.
+    /// The relative change `|q(t) - q(0)| / |q(0)|`; absolute for a quantity that starts at zero.
     Relative,
 }
 
@@ -28,19 +28,19 @@ pub struct Drift {
     least: f64,
     first: Vec<f64>,
     largest: Vec<f64>,
-    /// The time of the last values, unless it has a point.
+    /// The time of the last values, unless a point already contains them.
     pending: Option<f64>,
     points: Vec<(f64, Vec<f64>)>,
 }
 
 impl Drift {
-    /// No changes yet, of quantities over a time span.
+    /// An empty record of the drift of quantities over a time span.
     pub fn new(names: Vec<String>, method: String, span: f64) -> Self {
         let (first, largest, points) = (vec![], vec![0.0; names.len()], vec![]);
         Drift { names, method, least: span.abs() / POINTS, first, largest, pending: None, points }
     }
 
-    /// The changes of columns of rows.
+    /// The changes of columns in rows.
     ///
     /// # Errors
     /// [`Error::Name`].
@@ -55,7 +55,7 @@ impl Drift {
         Ok(drift)
     }
 
-    /// The values at the next time; the first ones are those that changes are measured from.
+    /// Adds the values at the next time. Changes are relative to the first values.
     pub fn add(&mut self, time: f64, values: &[f64]) {
         if self.first.is_empty() {
             self.first = values.to_vec();
@@ -88,7 +88,7 @@ impl Drift {
             let method = if self.method.is_empty() { "" } else { &format!(", {}", self.method) };
             let kind = if change == Change::Relative && !is_relative { " (absolute)" } else { "" };
             let at = |(time, largest): &(f64, Vec<f64>)| [*time, (largest[k] / unit).max(ROUNDING)];
-            // at the start nothing has changed
+            // the first point, without changes, is left out
             let points = self.points.iter().skip(1).map(at).collect();
             Line { caption: format!("{name}{method}{kind}"), points, drawn: Drawn::Line }
         })

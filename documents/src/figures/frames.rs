@@ -12,8 +12,8 @@ const FRAMES: u32 = 3;
 const LENGTH: f64 = 0.75;
 const TOLERANCE: f64 = 1e-10;
 
-/// The motion, and the frame `e_i` along it up to the time `t`: by left translation (22), (76), and by parallel
-/// translation with each connection (42).
+/// The motion, and the frame `e_i` along it up to the time `t`: by left translation (22), (76), and
+/// by parallel transport with each connection (42).
 ///
 /// # Errors
 /// [`Error::Integration`].

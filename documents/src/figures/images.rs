@@ -15,7 +15,7 @@ const LONGEST: f64 = 1.5;
 /// tangents `n` and `n_p`.
 ///
 /// # Errors
-/// None for rotations.
+/// None occur for rotations.
 pub fn images(path: &Path, t: f64) -> Result<Figure, Error> {
     let mut panel = Panel::ball("");
     let Moment { x, velocity, scale } = with_motion(&mut panel, path, t)?;
@@ -44,7 +44,8 @@ pub(super) struct Moment {
     pub scale: f64,
 }
 
-/// Adds to a panel the motion, its point and velocity at the time `t`, and the autoparallel to that point.
+/// Adds to a panel the motion, its position and velocity at the time `t`, and the autoparallel to
+/// this position.
 pub(super) fn with_motion(panel: &mut Panel, path: &Path, t: f64) -> Result<Moment, Error> {
     let p = path.element(t);
     let (x, velocity) = (So3.log(&p)?, Velocity::from_body(&So3, &p, path.velocity(t)));

@@ -6,11 +6,12 @@ use affinor::Error;
 use affinor::group::rotation;
 use nalgebra::{Matrix3, Vector3};
 
-/// Left, the motion in canonical coordinates with its tangent `X` at `q`. Right, their images under `Phi` (77): the
-/// columns of the matrix `Q = exp(Psi)` on the unit sphere, and the columns of `Y = Q spin(Omega)` (66).
+/// The left panel shows the motion in canonical coordinates with its tangent `X` at `q`. The right
+/// panel shows their images under `Phi` (77): the columns of the matrix `Q = exp(Psi)` on the unit
+/// sphere, and the columns of `Y = Q spin(Omega)` (66).
 ///
 /// # Errors
-/// None for rotations.
+/// None occur for rotations.
 pub fn motion(path: &Path, t: f64) -> Result<Figure, Error> {
     let mut points = Panel::ball("γ in canonical coordinates");
     with_motion(&mut points, path, t)?;

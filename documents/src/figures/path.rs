@@ -3,24 +3,24 @@
 use affinor::group::{LieGroup, So3};
 use nalgebra::{UnitQuaternion, Vector3};
 
-/// The motion `g(t) = exp(t x_1) exp(t x_2) ..` from the identity, `0 <= t <= 1`.
+/// The motion `g(t) = exp(t x_1) exp(t x_2) ...` from the identity, `0 <= t <= 1`.
 ///
-/// Two factors are a steady precession: about `x_1` in space, and `x_2` in the body.
+/// Two factors give a steady precession: about `x_1` in space, and about `x_2` in the body.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Path {
-    /// The rotation vectors `x_1, x_2, ..`, from space to body.
+    /// The rotation vectors `x_1, x_2, ...`, from space to body.
     pub factors: Vec<Vector3<f64>>,
 }
 
 impl Path {
-    /// `g(t)`.
+    /// The element `g(t)`.
     pub fn element(&self, t: f64) -> UnitQuaternion<f64> {
         let factors = self.factors.iter().map(|x| So3.exp(&(x * t)));
         factors.fold(So3.identity(), |g, h| So3.compose(&g, &h))
     }
 
-    /// `Omega(t) = g^-1 g'`, the angular velocity in the body: `Ad_h^-1 Omega + x` for each factor
-    /// `h = exp(t x)`.
+    /// The angular velocity `Omega(t) = g^-1 g'` in the body, computed by `Ad_h^-1 Omega + x` for
+    /// each factor `h = exp(t x)`.
     pub fn velocity(&self, t: f64) -> Vector3<f64> {
         let carry =
             |omega: Vector3<f64>, x: &Vector3<f64>| So3.adjoint(&So3.exp(&(x * -t)), &omega) + x;

@@ -1,10 +1,10 @@
-//! Columns of a trajectory: over time, and one over the other.
+//! Columns of a trajectory, plotted over time or against each other.
 
 use super::diagram::{Diagram, Drawn, Graph, Line, Scale};
 use crate::rows::RunRows;
 use affinor::Error;
 
-/// The largest ratio of the ranges of two columns on axes of equal units.
+/// The largest ratio of the ranges of two columns that are drawn with equal units.
 const SIMILAR: f64 = 4.0;
 
 /// Columns over time.
@@ -48,7 +48,8 @@ pub fn section(run: &RunRows, names: &[String; 2], event: &str) -> Result<Diagra
     plane(run, names, Drawn::Points, title)
 }
 
-/// Components of one quantity, such as `x1` and `x2`, have axes of equal units, unless one hardly changes.
+/// Chooses the axes: components of one quantity, such as `x1` and `x2`, get equal units, unless one
+/// of them hardly changes.
 fn plane(
     run: &RunRows,
     [x, y]: &[String; 2],

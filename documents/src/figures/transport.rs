@@ -13,7 +13,7 @@ const STOPS: u32 = 5;
 /// `minus`.
 ///
 /// # Errors
-/// None for rotations.
+/// None occur for rotations.
 pub fn transport(connections: &[Connected], path: &Path, t: f64) -> Result<Figure, Error> {
     let panels = connections.iter().map(|connected| panel(connected, path, t));
     let title = "Parallel transport of the angular velocity w to the identity".into();

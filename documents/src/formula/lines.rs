@@ -1,8 +1,8 @@
-//! Widths of formulas, and formulas in lines.
+//! Widths of formulas, and line breaks in formulas.
 
 use super::{Node, Row, is_prefix};
 
-/// The approximate width of a row in letters, spaces included.
+/// The approximate width of a row in characters, including spaces.
 pub(crate) fn width(row: &[Node]) -> usize {
     let glued = |at: usize| at == 0 || is_prefix(row, at - 1) || row[at].is_separator();
     row.iter().enumerate().map(|(at, node)| usize::from(!glued(at)) + piece(node)).sum()
@@ -16,7 +16,7 @@ fn piece(node: &Node) -> usize {
         | Node::Number(text)
         | Node::Indices(text)
         | Node::Text(text) => text.chars().count(),
-        // brackets of a sum have gaps around them, and so has a bar
+        // brackets of a sum and fraction bars have gaps around them
         Node::Group(_, row) => {
             width(row) + if row.iter().any(Node::is_sign_of_term) { 4 } else { 2 }
         }
@@ -33,7 +33,8 @@ fn piece(node: &Node) -> usize {
     }
 }
 
-/// The pieces between which a line may be broken: in front of relations and of signs between terms, behind commas.
+/// The pieces between which a line may be broken: before relations and signs between terms, and
+/// after commas.
 pub(crate) fn pieces(row: &[Node]) -> Vec<&[Node]> {
     let mut cuts: Vec<usize> = (1..row.len())
         .filter(|&at| {
@@ -46,14 +47,14 @@ pub(crate) fn pieces(row: &[Node]) -> Vec<&[Node]> {
     cuts.windows(2).map(|cut| &row[cut[0]..cut[1]]).collect()
 }
 
-/// A line is not broken behind so few letters, which would save little.
+/// The number of characters at the beginning of a line within which no break is made.
 const SHORT: usize = 10;
 
-/// The row in lines of about so many letters, where it has such pieces.
+/// The row, broken into lines of about `most` characters if it has pieces.
 pub(crate) fn lines(row: &[Node], most: usize) -> Vec<&[Node]> {
     let (mut lines, mut start, mut end, mut column): (Vec<&[Node]>, _, _, _) = (vec![], 0, 0, 0);
     for piece in pieces(row) {
-        // a gap in front of the piece and one behind its sign
+        // a gap before the piece, and one after its sign
         let more = width(piece) + 2;
         if column > SHORT && column + more > most {
             lines.push(&row[start..end]);
@@ -65,7 +66,7 @@ pub(crate) fn lines(row: &[Node], most: usize) -> Vec<&[Node]> {
     lines
 }
 
-/// An equation of several sides.
+/// An equation with several sides.
 pub(crate) fn chain(sides: impl IntoIterator<Item = Row>) -> Row {
     sides.into_iter().collect::<Vec<_>>().join(&Node::Sign("="))
 }

@@ -1,27 +1,27 @@
-//! The writer of formulas as MathML, which browsers draw without a script.
+//! The writer of formulas as MathML, which browsers render without scripts.
 
 use super::lines::lines;
 use super::{Accent, Brackets, Node, is_prefix, text};
 use std::fmt::Write;
 
-/// The letters of a line within text.
+/// The maximal number of characters of a formula within a line of text.
 const INLINE: usize = 44;
-/// The letters of a line on its own.
+/// The maximal number of characters of a displayed line.
 pub const WIDE: usize = 64;
-/// The letters of a line in a cell of a table.
+/// The maximal number of characters of a line in a table cell.
 pub(crate) const NARROW: usize = 26;
 
-/// A formula within a line of text: an element `math` for each piece between which the line may be broken.
+/// A formula within a line of text: one `math` element for each piece between possible line breaks.
 pub fn inline(formula: &[Node]) -> String {
     math(formula, INLINE, "").join("<wbr/>")
 }
 
-/// A formula that stands alone behind a mark: as within text, in display style.
+/// A formula that stands alone after a label: as within text, but in display style.
 pub fn alone(formula: &[Node]) -> String {
     math(formula, INLINE, " displaystyle=\"true\"").join("<wbr/>")
 }
 
-/// A formula on lines of its own, each an element `math` in display style.
+/// A displayed formula: one `math` element in display style for each line.
 pub fn block(formula: &[Node], most: usize) -> String {
     math(formula, most, " display=\"block\"").concat()
 }
@@ -33,7 +33,7 @@ fn math(formula: &[Node], most: usize, attributes: &str) -> Vec<String> {
         let (mut alternative, mut content) = (text(line), String::new());
         for (at, node) in line.iter().enumerate() {
             match node {
-                // a sign at a break is one between terms
+                // a sign at the beginning of a new line is an operator between terms
                 Node::Sign(sign) if at == 0 && number > 0 && node.is_sign_of_term() => {
                     content = format!("<mo form=\"infix\">{sign}</mo>");
                     alternative = format!("{} {}", text(&line[..1]), text(&line[1..]));
@@ -50,7 +50,7 @@ fn math(formula: &[Node], most: usize, attributes: &str) -> Vec<String> {
     lines(formula, most).into_iter().enumerate().map(element).collect()
 }
 
-/// Pieces in a row; a single piece needs none.
+/// A sequence of elements, wrapped in `mrow` unless there is only one.
 fn row(nodes: &[Node]) -> String {
     match nodes {
         [node] => piece(node),
@@ -62,13 +62,13 @@ fn pieces(nodes: &[Node]) -> String {
     (0..nodes.len()).map(|at| piece_of_row(nodes, at)).collect()
 }
 
-/// A piece, with a gap between a word and its neighbour, and the form of a sign.
+/// The element of a node, with a gap between a word and its neighbour, and with the form of a sign.
 fn piece_of_row(nodes: &[Node], at: usize) -> String {
     let node = &nodes[at];
     if node.is_sign_of_term()
         && let Node::Sign(sign) = node
     {
-        // the position in an element gives the form of others
+        // the position within an `mrow` would otherwise determine the form
         let form = if is_prefix(nodes, at) { "prefix" } else { "infix" };
         return format!("<mo form=\"{form}\">{sign}</mo>");
     }
@@ -142,7 +142,7 @@ fn piece(node: &Node) -> String {
 
 fn scripts(base: &Node, scripts: &[(bool, Vec<Node>)]) -> String {
     match (base, scripts) {
-        // a power stands above the index of its base
+        // a power is written above the index of its base
         (Node::Scripts(inner, indices), [(true, power)])
             if matches!(&indices[..], [(false, _)]) =>
         {
@@ -156,7 +156,7 @@ fn scripts(base: &Node, scripts: &[(bool, Vec<Node>)]) -> String {
                 let script = row(script);
                 let empty = "<mrow></mrow>".to_string();
                 let [below, above] = if *above { [empty, script] } else { [script, empty] };
-                // a string takes every text
+                // writing to a string cannot fail
                 let _ = write!(text, "{below}{above}");
             }
             text + "</mmultiscripts>"
@@ -164,7 +164,7 @@ fn scripts(base: &Node, scripts: &[(bool, Vec<Node>)]) -> String {
     }
 }
 
-/// Text as it stands in an element or an attribute.
+/// Text escaped for an element or an attribute.
 pub fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }

@@ -1,17 +1,17 @@
-//! The reader of the notation.
+//! The parser of the notation.
 
 use super::{
     ACCENTS, Accent, Brackets, DIFFERENTIALS, LETTERS, Node, Row, SIGNS, fraction, is_function,
     symbol,
 };
 
-/// Formulas with more open brackets are not read.
+/// The deepest nesting of brackets.
 const DEEPEST: usize = 64;
 
-/// The tree of a formula.
+/// Parses a formula.
 ///
 /// # Errors
-/// The rest of the text in front of which the formula must end.
+/// The rest of the text, from the position at which parsing failed.
 pub(crate) fn notation(text: &str) -> Result<Row, String> {
     let mut reader = Reader { rest: text, depth: 0 };
     let row = reader.row("");
@@ -21,7 +21,7 @@ pub(crate) fn notation(text: &str) -> Result<Row, String> {
     }
 }
 
-/// The tree of a formula. A formula outside the grammar becomes words.
+/// Parses a formula. A text outside the grammar becomes words.
 ///
 /// ```
 /// use affinor_documents::formula::{Node, formula};
@@ -40,12 +40,12 @@ struct Reader<'a> {
 }
 
 impl<'a> Reader<'a> {
-    /// Takes a text that begins here.
+    /// Consumes a text if it begins here.
     fn take(&mut self, text: &str) -> bool {
         self.rest.strip_prefix(text).map(|rest| self.rest = rest).is_some()
     }
 
-    /// The longest run of such characters, which may be empty.
+    /// Consumes the longest run of these characters, which may be empty.
     fn run(&mut self, of: impl Fn(char) -> bool) -> &'a str {
         let end = self.rest.find(|c| !of(c)).unwrap_or(self.rest.len());
         let (run, rest) = self.rest.split_at(end);
@@ -59,7 +59,7 @@ impl<'a> Reader<'a> {
             && !self.rest.starts_with("<=")
     }
 
-    /// Signs and products up to a closing bracket.
+    /// Parses signs and products up to a closing bracket.
     fn row(&mut self, end: &str) -> Option<Row> {
         let mut row = vec![];
         loop {
@@ -85,7 +85,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// A row in brackets, behind the opening one.
+    /// Parses a row in brackets, after the opening one.
     fn inside(&mut self, end: &str) -> Option<Row> {
         self.depth += 1;
         let row = (self.depth <= DEEPEST).then(|| self.row(end)).flatten();
@@ -93,7 +93,7 @@ impl<'a> Reader<'a> {
         row
     }
 
-    /// Factors with `*` and `/` between them.
+    /// Parses factors with `*` and `/` between them.
     fn quotient(&mut self) -> Option<Row> {
         let mut row = self.factor()?;
         loop {
@@ -111,7 +111,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// A piece with its scripts and its argument; braces may have several pieces.
+    /// Parses a node with its scripts and its argument; braces may contain several nodes.
     fn factor(&mut self) -> Option<Row> {
         if self.take("{") {
             let mut row = self.inside("}")?;
@@ -173,7 +173,8 @@ impl<'a> Reader<'a> {
         Some(Node::Group(kind, self.inside(close)?))
     }
 
-    /// A letter, a function or a name, with an accent and digits; or a differential of one.
+    /// A letter, a function or a name, with an accent and digits; or a differential of one of
+    /// these.
     fn word(&mut self, word: &str) -> Option<Node> {
         if is_function(word) {
             return Some(Node::Function(word.into()));
@@ -215,7 +216,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// The piece with the indices and powers that follow it.
+    /// Parses the indices and powers after a node.
     fn scripts(&mut self, base: Node) -> Option<Node> {
         let mut scripts = vec![];
         loop {
@@ -243,7 +244,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Letters and digits, each an index; `-1` and `*` may stand alone.
+    /// Parses indices of one character each; `-1` and `*` may occur alone.
     fn indices(&mut self) -> Option<Row> {
         let sign = SIGNS.iter().find(|(sign, _)| self.rest.starts_with(sign));
         let sign = sign.filter(|(sign, _)| ["-", "+", "*"].contains(sign));
@@ -254,7 +255,7 @@ impl<'a> Reader<'a> {
         }
         let run = self.run(|c| c.is_ascii_alphanumeric());
         if sign.is_some() && run.bytes().all(|b| b.is_ascii_digit()) && !run.is_empty() {
-            // a power such as -12 is one number
+            // a power such as -12 is a single number
             row.push(Node::Number(run.into()));
             return Some(row);
         }

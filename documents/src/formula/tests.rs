@@ -1,4 +1,5 @@
-//! Tests of formulas: text reads back to the same tree, and every bar has its numerator and its denominator.
+//! Tests of formulas: the text of a tree parses to the same tree, and every fraction has the right
+//! numerator and denominator.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use super::*;
@@ -35,7 +36,7 @@ fn fractions(row: &[Node], found: &mut Vec<[Row; 2]>) {
     }
 }
 
-/// The same by searching the text to both sides of each slash for the end of a factor.
+/// The same, found in the text by searching on both sides of each slash for the end of a factor.
 fn around_slashes(text: &str) -> Vec<[Row; 2]> {
     let chars: Vec<char> = text.chars().collect();
     let string = |range: std::ops::Range<usize>| chars[range].iter().collect::<String>();
@@ -56,7 +57,7 @@ fn around_slashes(text: &str) -> Vec<[Row; 2]> {
             at
         };
         let mut start = end(slash - 1, -1, " =,+-", [")]}", "([{"]).wrapping_add(1);
-        // the argument of a function in front of a space
+        // a space before the argument of a function
         if start > 0 && chars[start - 1] == ' ' {
             let word = end(start - 2, -1, " =,+-", [")]}", "([{"]).wrapping_add(1);
             let name = string(word..start - 1);
@@ -71,7 +72,8 @@ fn around_slashes(text: &str) -> Vec<[Row; 2]> {
     parts.collect()
 }
 
-/// Reads a formula, and checks that its text reads back to the same tree, and what stands above and below its bars.
+/// Parses a formula, and checks that its text parses to the same tree, and the numerators and
+/// denominators of its fractions.
 fn check(formula: &str) {
     let tree = read(formula);
     let written = text(&tree);
@@ -81,17 +83,18 @@ fn check(formula: &str) {
     assert_eq!(found, around_slashes(formula), "{formula}");
 }
 
-/// The formulas of a text between backticks.
+/// The formulas between backticks in a text.
 fn quoted(text: &str) -> impl Iterator<Item = String> {
     text.split('`').skip(1).step_by(2).map(str::to_string)
 }
 
-/// The formulas of `docs/paper.md`, which the package of the paper compares with its rows.
+/// The formulas of `docs/paper.md`, which the package of the paper compares with its rows, are
+/// parsed.
 #[test]
 fn every_formula_of_the_paper_is_read_back() {
     let page = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/paper.md");
     let page = std::fs::read_to_string(page).unwrap();
-    // the last cell has names of functions
+    // the last cell contains names of functions in the code
     let cells = page.lines().map(|line| line.rsplit_once(" | ").map_or(line, |(cells, _)| cells));
     let mut formulas: BTreeSet<String> = cells.flat_map(quoted).collect();
     let connections = ["plus", "zero", "minus"];
@@ -99,7 +102,7 @@ fn every_formula_of_the_paper_is_read_back() {
     assert!(formulas.len() > 200, "{}", formulas.len());
     for formula in &formulas {
         check(formula);
-        // a misspelled word would be the name of a quantity
+        // a misspelled word would become the name of a quantity
         let names = words(&read(formula));
         assert!(names.iter().all(|name| name == "Ric"), "{formula}: {names:?}");
     }
@@ -123,7 +126,8 @@ fn every_symbol_and_convention_is_read_back() {
     check("[e_j, e_k] = c^i_jk e_i");
 }
 
-/// The formulas of a page are those of their alternative texts, so nothing is lost between tree, text and MathML.
+/// The formulas of a page equal their alternative texts, so nothing is lost between tree, text and
+/// MathML.
 #[test]
 fn every_formula_of_a_page_is_read_back() {
     let mut pages: Vec<String> = vec![];
@@ -258,7 +262,7 @@ fn values_follow_the_grammar_of_expressions() {
     assert_eq!(text(&sum), "e1 - 2/3 e2 + (p - q) e3 - (p + q)/2 e4");
 }
 
-/// The value of a tree in which letters are numbers.
+/// The value of a tree whose letters are numbers.
 fn number(row: &[Node]) -> f64 {
     let mut terms = vec![(1.0, 1.0)];
     for node in row {
@@ -268,7 +272,7 @@ fn number(row: &[Node]) -> f64 {
             node => terms.last_mut().unwrap().1 *= factor_of(node),
         }
     }
-    // a sign in front leaves an empty term
+    // a leading sign leaves an empty term
     let skipped = usize::from(matches!(row.first(), Some(Node::Sign(_))));
     terms[skipped..].iter().map(|(sign, value)| sign * value).sum()
 }
@@ -288,7 +292,7 @@ fn factor_of(node: &Node) -> f64 {
     }
 }
 
-/// The tree of a random expression has the value of the expression.
+/// The tree of a random expression has the same value as the expression.
 #[test]
 fn trees_have_the_values_of_their_expressions() {
     let mut seed = 7_u64;

@@ -1,18 +1,18 @@
-//! The writer of formulas in LaTeX's mathematics mode.
+//! The writer of formulas in the mathematics mode of LaTeX.
 
 use super::{Accent, Brackets, DIFFERENTIALS, LETTERS, Node, is_prefix};
 
-/// The row, with brackets that grow.
+/// The row, with brackets of variable size.
 pub fn formula(row: &[Node]) -> String {
     Writer { grows: true }.row(row, " ")
 }
 
-/// The row with plain brackets, between which TeX breaks lines.
+/// The row with plain brackets, within which TeX can break lines.
 pub fn breakable(row: &[Node]) -> String {
     Writer { grows: false }.row(row, " ")
 }
 
-/// A piece of a sum, whose first sign stands between terms unless it is the first piece.
+/// A term of a sum. Unless it is the first one, its sign is an operator.
 pub(crate) fn term(row: &[Node], first: bool) -> String {
     match row {
         [Node::Sign(sign), rest @ ..] if !first && row[0].is_sign_of_term() => {
@@ -22,9 +22,9 @@ pub(crate) fn term(row: &[Node], first: bool) -> String {
     }
 }
 
-/// Names of tensors and groups, set upright.
+/// Names of tensors and groups that are set upright.
 const UPRIGHT: [&str; 6] = ["Ric", "symRic", "altRic", "tfRic", "Kr", "SO"];
-/// Functions that LaTeX knows.
+/// Functions that have LaTeX commands.
 const COMMANDS: [&str; 10] =
     ["exp", "log", "sin", "cos", "tan", "cot", "sinh", "cosh", "tanh", "det"];
 
@@ -35,7 +35,7 @@ struct Writer {
 }
 
 impl Writer {
-    /// Pieces, with a gap between them; `behind` follows a separator.
+    /// A sequence of nodes with gaps between them; `behind` is written after a separator.
     fn row(self, row: &[Node], behind: &str) -> String {
         let mut text = String::new();
         for (at, node) in row.iter().enumerate() {
@@ -113,7 +113,7 @@ impl Writer {
 
     fn scripts(self, base: &Node, scripts: &[(bool, Vec<Node>)]) -> String {
         let mut text = self.piece(base);
-        // a power stands above the index of its base, other scripts side by side
+        // a power is written above the index of its base, other scripts next to each other
         if let Node::Scripts(_, inner) = base
             && !matches!((&inner[..], scripts), ([(false, _)], [(true, _)]))
         {
@@ -123,7 +123,7 @@ impl Writer {
             text += if at > 0 { "{}" } else { "" };
             text += &match (above, &row[..]) {
                 (true, [Node::Sign("′")]) => "'".into(),
-                // a digit behind plain brackets
+                // a digit after plain brackets
                 (true, [Node::Number(n)])
                     if scripts.len() == 1 && text.ends_with(')') && !text.ends_with("\\right)") =>
                 {
@@ -174,7 +174,7 @@ fn in_tex(sign: &'static str) -> &'static str {
     }
 }
 
-/// Text in which no character is a command of LaTeX.
+/// Text in which all special characters of LaTeX are escaped.
 ///
 /// ```
 /// use affinor_documents::formula::tex::escaped;

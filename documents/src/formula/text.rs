@@ -1,4 +1,4 @@
-//! The writer of formulas as text, in the notation that is read back.
+//! The writer of formulas as text, in the notation of the parser.
 
 use super::{ACCENTS, Brackets, DIFFERENTIALS, LETTERS, Node, SIGNS, is_prefix};
 
@@ -47,7 +47,7 @@ fn piece(node: &Node) -> String {
         }
         Node::Scripts(base, scripts) => {
             let start = match &**base {
-                // the index of a name stands below its power
+                // the index of a name is written below its power
                 inner @ Node::Scripts(..) if numbered(inner).is_none() => {
                     format!("{{{}}}", piece(inner))
                 }
@@ -69,7 +69,7 @@ fn is_symbol(node: &Node) -> bool {
     }
 }
 
-/// `J11`: a letter or a name with a number as its only index.
+/// The text `J11` of a letter or a name whose only index is a number.
 fn numbered(node: &Node) -> Option<String> {
     let Node::Scripts(base, scripts) = node else { return None };
     match (&**base, scripts.as_slice()) {

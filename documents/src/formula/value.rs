@@ -1,4 +1,4 @@
-//! Values that the engine computed, read by the grammar of expressions.
+//! Trees of computed values, which are written in the grammar of expressions.
 
 use super::{Brackets, Node, Row, bare, fraction, is_function, symbol};
 use affinor_tensors::expression::{Expression, View, is_name};
@@ -12,7 +12,8 @@ pub(crate) fn value(text: &str) -> Row {
     }
 }
 
-/// The combination of terms, each a coefficient and what it stands in front of: `a + 2 b - (p + q) c`. No terms are zero.
+/// A linear combination, from pairs of coefficient and label: `a + 2 b - (p + q) c`. Without terms
+/// it is zero.
 pub(crate) fn sum(terms: impl IntoIterator<Item = (Row, Row)>) -> Row {
     let mut row: Row = vec![];
     for (coefficient, factor) in terms {
@@ -35,7 +36,7 @@ pub(crate) fn sum(terms: impl IntoIterator<Item = (Row, Row)>) -> Row {
     if row.is_empty() { vec![Node::Number("0".into())] } else { row }
 }
 
-/// A label of a basis vector: a name, or else words.
+/// The label of a basis vector: a name, otherwise words.
 pub(crate) fn label(label: &str) -> Node {
     if is_name(label) { name(label) } else { Node::Text(label.into()) }
 }
@@ -80,7 +81,7 @@ fn read(expression: &Expression, text: &str) -> Row {
     }
 }
 
-/// A part of a product or of a sum; a sum gets brackets.
+/// A part of a product or of a sum, in brackets if it is a sum.
 fn factor(expression: &Expression, text: &str) -> Row {
     let row = read(expression, text);
     match expression.view() {
@@ -89,7 +90,7 @@ fn factor(expression: &Expression, text: &str) -> Row {
     }
 }
 
-/// `12`, `0.5`, or `1.5e-7` as a product with a power of ten.
+/// A number: `12`, `0.5`, or `1.5e-7` as a product with a power of ten.
 fn number(text: &str) -> Row {
     let text = text.trim_matches(['(', ')', ' ']);
     let Some((mantissa, exponent)) = text.split_once(['e', 'E']) else {
@@ -100,7 +101,7 @@ fn number(text: &str) -> Row {
     vec![Node::Number(mantissa.into()), Node::Sign("×"), power]
 }
 
-/// An integer with its sign.
+/// An integer, with its sign as a separate node.
 fn signed(text: &str) -> Row {
     let size = Node::Number(text.trim_start_matches(['-', '+']).into());
     if text.starts_with('-') { vec![Node::Sign("−"), size] } else { vec![size] }
@@ -138,8 +139,8 @@ fn raised(base: Node, exponent: Option<Row>) -> Node {
     }
 }
 
-/// A function to a power: `sin^2 x`. An undetermined function is written without its arguments, and its derivatives are indices behind a
-/// comma, `f_{,r}`.
+/// A power of a function: `sin^2 x`. An undetermined function is written without its arguments, and
+/// its derivatives are indices after a comma, `f_{,r}`.
 fn call(head: &str, arguments: &[Expression], exponent: Option<Row>, text: &str) -> Row {
     let rows: Vec<Row> = arguments.iter().map(|argument| read(argument, text)).collect();
     let names: Vec<&str> = arguments.iter().map(|argument| &text[argument.span()]).collect();

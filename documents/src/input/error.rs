@@ -1,4 +1,4 @@
-//! Errors of the input: what is wrong, where, and what to write instead.
+//! Errors of the input: the fault, its location, and advice.
 
 use super::{Place, Source};
 use affinor::{Error, Law};
@@ -10,7 +10,7 @@ use std::sync::Arc;
 /// The kind of an error, which decides the exit status of the command line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Refusal {
-    /// The mathematics refuses: exit status 1.
+    /// Valid input without a mathematical answer: exit status 1.
     Mathematics,
     /// Wrong usage or unreadable input: exit status 2.
     Usage,
@@ -21,43 +21,43 @@ pub enum Refusal {
 pub struct InputError {
     /// The kind.
     pub refusal: Refusal,
-    /// What is wrong, in one sentence, with the witness.
+    /// The fault in one sentence, with the witness.
     pub message: String,
-    /// The text it stands in, and where.
+    /// The location of the fault.
     pub at: Option<Box<Place>>,
-    /// What to write instead.
+    /// Advice on what to write instead.
     pub help: Option<String>,
-    /// The refusal of the library that it reports.
+    /// The error of the library that is reported.
     pub cause: Option<Arc<Error>>,
 }
 
 impl InputError {
-    /// Wrong usage or unreadable input.
+    /// An error of wrong usage or unreadable input.
     pub fn usage(message: impl Into<String>) -> Self {
         let message = message.into();
         InputError { refusal: Refusal::Usage, message, at: None, help: None, cause: None }
     }
 
-    /// A refusal of the mathematics.
+    /// A mathematical error.
     pub fn mathematics(message: impl Into<String>) -> Self {
         InputError { refusal: Refusal::Mathematics, ..Self::usage(message) }
     }
 
-    /// With advice.
+    /// Adds advice.
     #[must_use]
     pub fn help(mut self, help: impl Into<String>) -> Self {
         self.help = Some(help.into());
         self
     }
 
-    /// With a place.
+    /// Adds a location.
     #[must_use]
     pub(crate) fn at(mut self, place: &Place) -> Self {
         self.at = Some(Box::new(place.clone()));
         self
     }
 
-    /// With a place that may be unknown, unless it has one.
+    /// Adds a location, which may be unknown, unless the error already has one.
     #[must_use]
     pub(crate) fn or_at<'p>(self, place: impl Into<Option<&'p Place>>) -> Self {
         match place.into() {
@@ -66,7 +66,7 @@ impl InputError {
         }
     }
 
-    /// With the place of a part of a file, if its own place is in a copy of that part.
+    /// Maps a location in an extracted copy back to the file that it came from.
     #[must_use]
     pub(crate) fn moved(mut self, copy: &str, part: &Place) -> Self {
         if let (Some(at), Some(whole)) = (&mut self.at, &part.span)
@@ -81,7 +81,7 @@ impl InputError {
 }
 
 impl Source {
-    /// An error at the place of a key, by its dotted path.
+    /// An error at the location of a key, given by its dotted path.
     pub(crate) fn refused(&self, path: &str, message: impl Into<String>) -> InputError {
         InputError::usage(message).at(&self.key(path))
     }
@@ -94,7 +94,8 @@ impl fmt::Display for InputError {
 }
 
 impl std::error::Error for InputError {
-    /// The source of the [`cause`](Self::cause), whose own message is repeated here.
+    /// The source of the [`cause`](Self::cause); the message of the cause itself is already part of
+    /// this error.
     fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
         self.cause.as_ref()?.source()
     }
@@ -114,22 +115,22 @@ impl From<TensorError> for InputError {
     }
 }
 
-/// Advice in the words of the command line, or else of the library.
+/// Advice in terms of the command line if there is any, otherwise the advice of the library.
 fn advice(error: &Error) -> Option<&'static str> {
     match error {
         Error::NoMetric => Some("give a metric, for instance --metric identity"),
         Error::Broken { law: Law::AdInvariance, .. } => {
-            Some("take --frame left, or a canonical connection")
+            Some("write --frame left, or choose a canonical connection")
         }
         Error::Overflow { .. } | Error::NotFinite { .. } => {
-            Some("compute exactly: without --scalar float")
+            Some("compute exactly: leave --scalar float out")
         }
         other => other.advice(),
     }
 }
 
-/// A name for a message: control characters are escaped, and all letters outside ASCII if the name looks like one in ASCII.
-/// Long names are truncated.
+/// A name for a message: control characters are escaped, and so are all non-ASCII letters if the
+/// name looks like an ASCII name. Long names are truncated.
 pub(crate) fn shown(name: &str) -> String {
     const LONGEST: usize = 64;
     let latin = looks_latin(name);

@@ -1,4 +1,4 @@
-//! The texts of files.
+//! Reading of files.
 
 use super::{InputError, Place, Source};
 use std::fs::File;
@@ -34,11 +34,11 @@ pub(crate) fn bytes(path: &str, limit: u64) -> Result<(String, Vec<u8>), InputEr
     Ok((name, bytes))
 }
 
-/// A hash of the content of a file (FNV-1a), which shows accidental changes. It is 0 for a pipe or another file that is
-/// not regular.
+/// A hash of the content of a file (FNV-1a), which detects accidental changes. It is 0 for a pipe
+/// or another special file.
 ///
 /// # Errors
-/// A file that cannot be read.
+/// An error for a file that cannot be read.
 pub fn fingerprint(path: &str) -> Result<u64, InputError> {
     if !Path::new(path).is_file() {
         return Ok(0);

@@ -1,14 +1,14 @@
-//! Files that were read.
+//! Cache of files: each file that a definition names is read once.
 
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// The contents of files by their paths. A file is read once.
+/// The contents of files, by their paths.
 #[derive(Clone, Debug, Default)]
 pub struct Files(Arc<Mutex<BTreeMap<String, Arc<str>>>>);
 
 impl Files {
-    /// Files with these contents.
+    /// A cache with these contents.
     pub fn new(contents: BTreeMap<String, Arc<str>>) -> Self {
         Files(Arc::new(Mutex::new(contents)))
     }
@@ -23,7 +23,7 @@ impl Files {
         self.0.lock().unwrap_or_else(PoisonError::into_inner).get(path).cloned()
     }
 
-    /// Keeps the content of a file that was read.
+    /// Stores the content of a file that was read.
     pub(crate) fn keep(&self, path: &str, content: &Arc<str>) {
         let mut contents = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         contents.insert(path.into(), content.clone());

@@ -1,4 +1,5 @@
-//! The values of a definition file as they are written, in TOML or JSON, each with its place.
+//! The forms in which values of a definition file are written, in TOML or JSON, with their
+//! locations.
 
 use affinor_tensors::expression::canonical_name;
 use serde::de::{self, Deserialize, Deserializer, MapAccess, SeqAccess, Unexpected, Visitor};
@@ -10,9 +11,9 @@ use toml::Spanned;
 /// A string or a number of a file.
 #[derive(Clone, Debug)]
 pub(crate) struct Text {
-    /// The string, its escapes resolved, or the number in digits.
+    /// The string with escapes resolved, or the digits of the number.
     pub content: String,
-    /// The bytes of the file that it stands in, quotes included.
+    /// The byte range in the file, including quotes.
     pub span: Range<usize>,
 }
 
@@ -24,14 +25,14 @@ impl Deref for Text {
     }
 }
 
-/// Names, in their canonical form.
+/// Deserializes names in their canonical form.
 pub(crate) fn canonical_names<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<Text>, D::Error> {
     let mut names = Vec::<Text>::deserialize(from)?;
     names.iter_mut().for_each(|name| name.content = canonical_name(&name.content).into_owned());
     Ok(names)
 }
 
-/// Names that a key may give, in their canonical form.
+/// Deserializes the optional names of a key in their canonical form.
 pub(crate) fn optional_names<'de, D: Deserializer<'de>>(
     from: D,
 ) -> Result<Option<Vec<Text>>, D::Error> {
@@ -44,10 +45,10 @@ pub(crate) struct Cell(pub Text);
 /// A structure constant `[i, j, k, "v"]`.
 pub(crate) struct Row(pub [i64; 3], pub Cell);
 
-/// A block of statements: one string with a line each, or an array of such strings.
+/// A block of statements: one string with one statement per line, or an array of such strings.
 pub(crate) struct Block(pub Vec<Text>);
 
-/// A metric in words, or its rows; either may stand in a table as its `components`.
+/// A metric as text, or its rows. A table may contain either as its `components`.
 pub(crate) enum MetricText {
     Word(Text),
     Rows(Vec<Vec<Cell>>),
@@ -59,7 +60,7 @@ pub(crate) struct ConnectionText {
     pub affinities: Option<Block>,
 }
 
-/// A chart by its coordinates, free functions, and functions that are positive on it.
+/// A chart: its coordinates, free functions, and functions that are positive on it.
 #[derive(serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct ChartText {
@@ -95,7 +96,7 @@ pub(crate) enum OneOrEach<T> {
 /// The names and values of a table, in order.
 pub(crate) struct Entries<K, V>(pub Vec<(K, V)>);
 
-/// Formulas by their names.
+/// Formulas with their names.
 pub(crate) type Formulas = Entries<Text, Text>;
 
 /// A matrix: `{name, rows}`, or its rows alone.
@@ -104,19 +105,19 @@ pub(crate) struct MatrixRows {
     pub rows: Vec<Vec<Cell>>,
 }
 
-/// An action by its name, or by its matrices.
+/// An action: its name, or its matrices.
 pub(crate) enum ActionText {
     Word(Text),
     Matrices(Vec<MatrixRows>),
 }
 
-/// The algebra that a construction starts from: a name or a file, or a document in its place.
+/// The algebra from which a construction starts: a name, a file, or an inline document.
 pub(crate) enum Part<D> {
     Name(Text),
     Nested(Box<D>),
 }
 
-/// How a string or a number is written.
+/// The way in which a string or a number is written.
 #[derive(Clone, Copy, PartialEq)]
 enum Kind {
     Text,
@@ -124,7 +125,7 @@ enum Kind {
     Decimal,
 }
 
-/// A type of values that are written in one of several ways; each way is refused unless it is overridden.
+/// A type of values that can be written in several ways; by default each way is an error.
 trait Form: Sized {
     const EXPECTED: &'static str;
 
@@ -141,13 +142,13 @@ trait Form: Sized {
     }
 }
 
-/// A value whose place is not known yet.
+/// A value whose location is not yet known.
 enum Value<F> {
     Scalar(Kind, String),
     Whole(F),
 }
 
-/// Reads a [`Form`] in whichever way it is written.
+/// Deserializes a [`Form`] in any of its ways.
 fn read<'de, F: Form, D: Deserializer<'de>>(deserializer: D) -> Result<F, D::Error> {
     let value = Spanned::<Value<F>>::deserialize(deserializer)?;
     let span = value.span();
@@ -159,7 +160,7 @@ fn read<'de, F: Form, D: Deserializer<'de>>(deserializer: D) -> Result<F, D::Err
     }
 }
 
-/// A scalar, refused while the parser knows its place.
+/// Converts a scalar, so that an error is raised while the parser knows its location.
 fn scalar<F: Form, E: de::Error>(kind: Kind, content: String) -> Result<Value<F>, E> {
     if F::scalar(kind, Text { content: String::new(), span: 0..0 }).is_some() {
         return Ok(Value::Scalar(kind, content));
@@ -242,7 +243,7 @@ impl Form for Row {
             *index = items.next_element()?.ok_or_else(|| short(at))?;
         }
         let value = items.next_element()?.ok_or_else(|| short(3))?;
-        // a parser may not mind what is left
+        // otherwise a parser may ignore the remaining items
         match items.next_element::<de::IgnoredAny>()? {
             None => Ok(Row(indices, value)),
             Some(_) => Err(short(5)),
@@ -252,7 +253,7 @@ impl Form for Row {
 
 impl Form for Block {
     const EXPECTED: &'static str =
-        "a string with one statement a line, or an array of such strings";
+        "a string with one statement per line, or an array of such strings";
 
     fn scalar(kind: Kind, text: Text) -> Option<Self> {
         (kind == Kind::Text).then(|| Block(vec![text]))
@@ -418,7 +419,7 @@ impl<'de, K: Deserialize<'de>, V: Deserialize<'de>> Deserialize<'de> for Entries
     }
 }
 
-/// Each [`Form`] is deserialised by [`read`].
+/// Deserializes each [`Form`] by [`read`].
 macro_rules! deserialize {
     ($($form:ty),*) => {
         $(impl<'de> Deserialize<'de> for $form {

@@ -1,4 +1,4 @@
-//! JSON as a table of the TOML parser, with the place of every key and value.
+//! JSON as a table of the TOML parser, with the location of every key and value.
 
 use super::forms::Entries;
 use serde::de::Deserialize;
@@ -8,19 +8,20 @@ use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeArray, DeTable, DeValue};
 
-/// The message of the parser about a number that no float holds.
+/// The message of the parser for a number beyond the range of floats.
 const OUT_OF_RANGE: &str = "number out of range";
-/// The deepest nesting, that of the parser.
+/// The deepest nesting, equal to that of the parser.
 const MAX_DEPTH: usize = 128;
 
-/// What is wrong, and where.
+/// A message, and its location.
 type Refused = (String, Range<usize>);
 
-/// The table that an object of JSON holds. A key with the value `null` counts as absent.
+/// The table of a JSON object. A key with the value `null` counts as absent.
 pub(crate) fn table(text: &str) -> Result<Spanned<DeTable<'_>>, Refused> {
-    // raw values are read without limits of numbers and nesting, and with vaguer messages
+    // parse with serde_json first: it limits nesting and number size and gives better messages than
+    // the raw reader
     match serde_json::from_str::<Value>(text) {
-        // an integer that no float holds is one of ours
+        // this may be an integer that is beyond floats, which is allowed here
         Err(error) if error.to_string().starts_with(OUT_OF_RANGE) => {}
         checked => drop(checked.map_err(|error| refused(&error, text, 0))?),
     }
@@ -43,7 +44,7 @@ impl<'t> Json<'t> {
         start..start + raw.get().len()
     }
 
-    /// The value; nothing for `null`.
+    /// The value; `None` for `null`.
     fn value(
         self,
         raw: &'t RawValue,
@@ -81,7 +82,7 @@ impl<'t> Json<'t> {
             Some(b'"') => DeValue::String(Cow::Owned(self.parse(raw)?)),
             Some(b't' | b'f') => DeValue::Boolean(self.parse(raw)?),
             Some(b'n') => return Ok(None),
-            // every number of JSON is one of TOML
+            // the syntax of every JSON number is also valid in TOML
             _ => {
                 let number = DeValue::parse(written);
                 let number = number.map_err(|error| (error.message().into(), span.clone()))?;
@@ -105,7 +106,7 @@ impl<'t> Json<'t> {
     }
 }
 
-/// An error in the part of `text` from `start` on. Columns of JSON errors count bytes.
+/// Converts an error in the part of `text` from `start` on. Columns of JSON errors count bytes.
 fn refused(error: &serde_json::Error, text: &str, start: usize) -> Refused {
     let lines = text[start..].split_inclusive('\n').take(error.line().saturating_sub(1));
     let before: usize = lines.map(str::len).sum();

@@ -1,10 +1,11 @@
-//! The keys of a file: TOML, or JSON with the same keys.
+//! The keys of a file in TOML, or in JSON with the same keys.
 
 use super::{InputError, Place, Source, json};
 use serde::de::DeserializeOwned;
 use toml::de::{DeTable, DeValue};
 
-/// The keys of a file, and the file with their places: JSON if the text begins with `{`, else TOML.
+/// Parses the keys of a file: JSON if the text begins with `{`, otherwise TOML. Returns also the
+/// file with the locations of its keys.
 pub(crate) fn parse_keys<T: DeserializeOwned>(
     source: &Source,
     content: &str,
@@ -37,15 +38,15 @@ pub(crate) fn parse_keys<T: DeserializeOwned>(
             let written = error.span().and_then(|span| text.get(span)).unwrap_or_default();
             let digits =
                 written.trim_start_matches(['+', '-']).starts_with(|c: char| c.is_ascii_digit());
-            // an integer of which `quote_huge` made a string
+            // `quote_huge` made a string of this integer
             let overflow = digits && error.message().starts_with("invalid type: string");
-            let message = if overflow { "the integer overflows 64 bits" } else { error.message() };
+            let message = if overflow { "the integer exceeds 64 bits" } else { error.message() };
             refused(message, error.span())
         }
     }
 }
 
-/// Makes strings of the decimal integers beyond 64 bits, which the parser would refuse.
+/// Converts decimal integers beyond 64 bits to strings, because the parser would reject them.
 fn quote_huge(value: &mut DeValue) {
     match value {
         DeValue::Integer(number)
@@ -63,7 +64,7 @@ fn quote_huge(value: &mut DeValue) {
     }
 }
 
-/// Keys of problem files that have new names.
+/// Keys of problem files that were renamed.
 const RENAMED: [(&str, &str); 6] = [
     ("space_velocity", "spatial_velocity"),
     ("space_momentum", "spatial_momentum"),
@@ -73,7 +74,7 @@ const RENAMED: [(&str, &str); 6] = [
     ("turn", "rotation"),
 ];
 
-/// An error of the parser in the terms of definition files, without a place.
+/// Translates an error of the parser to the terms of definition files, without a location.
 fn syntax(message: &str) -> InputError {
     let message = message.split(" at line ").next().unwrap_or(message);
     if let Some((what, keys)) = message.split_once(", expected ")
@@ -93,7 +94,7 @@ fn syntax(message: &str) -> InputError {
             let keys = keys.replace('`', "");
             let unknown = what.split('`').nth(1).unwrap_or("");
             let distance = |key: &&str| strsim::damerau_levenshtein(key, unknown);
-            // a longer word is not a misspelt key
+            // a longer word is not a misspelled key
             let nearest = keys.split(", ").filter(|key| unknown.len() < 32 && distance(key) < 3);
             let help = match nearest.min_by_key(distance) {
                 Some(key) => format!("did you mean `{key}`?"),

@@ -1,17 +1,17 @@
-//! String literals of TOML and JSON: where each byte of their content stands.
+//! String literals of TOML and JSON: the position of each byte of their content.
 
-/// The place of each byte of `content` in the literal that it was read from, and that of its end; quotes belong to the
-/// literal. `None` if the literal does not read as `content`.
+/// The position in the literal of each byte of `content`, and of its end; quotes belong to the
+/// literal. `None` if the value of the literal is not `content`.
 pub(crate) fn places(literal: &str, content: &str) -> Option<Vec<usize>> {
     let quote = ["\"\"\"", "'''", "\"", "'"].into_iter().find(|quote| literal.starts_with(quote));
     let Some(quote) = quote else {
-        // a key without quotes, or a number
+        // a key without quotes, or a number, is its own content
         return (literal == content).then(|| (0..=content.len()).collect());
     };
     let escaped = quote.starts_with('"');
     let mut places = Vec::with_capacity(content.len() + 1);
     let mut at = quote.len();
-    // TOML drops a line end directly after the opening quotes of a block
+    // TOML ignores a line end directly after the opening quotes of a block
     if quote.len() == 3 {
         let rest = &literal[at..];
         let kept = rest.strip_prefix("\r\n").or_else(|| rest.strip_prefix('\n'));
@@ -35,7 +35,7 @@ pub(crate) fn places(literal: &str, content: &str) -> Option<Vec<usize>> {
     literal[at..].starts_with(quote).then_some(places)
 }
 
-/// The length of a backslash at the end of a line with the white space that it removes.
+/// The length of a backslash at the end of a line, with the white space that it removes.
 fn continuation(rest: &str) -> usize {
     let Some(behind) = rest.strip_prefix('\\') else {
         return 0;
@@ -47,7 +47,7 @@ fn continuation(rest: &str) -> usize {
     }
 }
 
-/// How many bytes at the start of `rest` stand for `symbol`, if they do.
+/// The number of bytes at the start of `rest` that represent `symbol`, if they do.
 fn written(rest: &str, symbol: char) -> Option<usize> {
     let Some(escape) = rest.strip_prefix('\\') else {
         return rest.starts_with(symbol).then_some(symbol.len_utf8());

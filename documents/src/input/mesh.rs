@@ -9,23 +9,25 @@ use std::io::Cursor;
 
 type Corners = Vec<[Vector3<f64>; 3]>;
 
-/// The size in bytes of the head of a binary STL, which ends with the number of triangles, and of one triangle.
+/// The size in bytes of the header of a binary STL, which ends with the number of triangles, and of
+/// one triangle.
 const HEAD: usize = 84;
 const TRIANGLE: usize = 50;
 
 /// Reads a closed mesh from a file whose name ends in `.stl` or `.obj`, or from standard input for `-`.
 ///
 /// # Errors
-/// As [`mesh`]; a file that cannot be read.
+/// Those of [`mesh`]; an error for a file that cannot be read.
 pub fn read_mesh(path: &str) -> Result<Mesh, InputError> {
     let (name, bytes) = bytes(path, MAX_BYTES)?;
     mesh(&name, &bytes)
 }
 
-/// The closed mesh in the bytes of a file; the ending of its name gives the format.
+/// Reads a closed mesh from the bytes of a file; the file name extension determines the format.
 ///
-/// Vertices with equal coordinates are identified. All solids of an STL, and all objects of an OBJ, form one mesh.
-/// Polygons are divided into triangles. Coordinates of a binary STL have the precision of `f32`, those of text that of `f64`.
+/// Vertices with equal coordinates are identified. All solids of an STL file, and all objects of an
+/// OBJ file, form one mesh. Polygons are divided into triangles. Coordinates of a binary STL have
+/// the precision of `f32`, text coordinates that of `f64`.
 ///
 /// ```
 /// use affinor_documents::input::mesh;
@@ -33,32 +35,34 @@ pub fn read_mesh(path: &str) -> Result<Mesh, InputError> {
 /// assert!((mesh("pyramid.obj", pyramid.as_bytes())?.mass_properties().mass() - 1.0 / 6.0).abs() < 1e-16);
 ///
 /// let error = mesh("pyramid.obj", pyramid.replace("2 4", "2 5").as_bytes()).unwrap_err();
-/// assert_eq!(error.to_string(), "no OBJ: the file has no vertex 5");
+/// assert_eq!(error.to_string(), "not a valid OBJ file: the file has no vertex 5");
 /// assert_eq!(error.at.unwrap().text(), Some("f 1 2 5"));
 /// # Ok::<(), affinor_documents::input::InputError>(())
 /// ```
 ///
 /// # Errors
-/// A file that is no STL or OBJ, with the place; otherwise as [`Mesh::new`].
+/// An error with its location for a file that is neither STL nor OBJ; otherwise those of
+/// [`Mesh::new`].
 pub fn mesh(name: &str, bytes: &[u8]) -> Result<Mesh, InputError> {
     let ending = name.rsplit('.').next().unwrap_or_default().to_ascii_lowercase();
     let corners = match ending.as_str() {
         "stl" => stl(name, bytes)?,
         "obj" => obj(&Source::new(name, &String::from_utf8_lossy(bytes)))?,
         _ => {
-            let error = InputError::usage(format!("{} is no mesh by its name", shown(name)));
-            return Err(error.help("names of meshes end in .stl or .obj"));
+            let error =
+                InputError::usage(format!("{} does not have the name of a mesh file", shown(name)));
+            return Err(error.help("the name of a mesh file must end in .stl or .obj"));
         }
     };
     Mesh::from_triangles(corners).map_err(|error| {
         let error = InputError::from(error).at(&Place::within(Source::new(name, "")));
-        error
-            .help("a body is bounded by a closed mesh, its triangles counterclockwise from outside")
+        error.help("the mesh must be closed, with triangles counterclockwise as seen from outside")
     })
 }
 
 fn stl(name: &str, bytes: &[u8]) -> Result<Corners, InputError> {
-    // a binary file may begin with the same word, but its number of triangles contains a zero byte
+    // a binary file may begin with the word `solid`, but then its number of triangles contains a
+    // zero byte
     let begins = bytes.trim_ascii_start().get(..5);
     if begins.is_some_and(|word| word.eq_ignore_ascii_case(b"solid")) && !bytes.contains(&0) {
         return text_stl(&Source::new(name, &String::from_utf8_lossy(bytes)));
@@ -69,21 +73,24 @@ fn stl(name: &str, bytes: &[u8]) -> Result<Corners, InputError> {
     let refused =
         |message: String| Err(InputError::usage(message).at(&Place::within(Source::new(name, ""))));
     let (Some(count), Some(size)) = (count, size) else {
-        return refused("no STL: it neither begins with `solid` nor has a binary head".into());
+        return refused(
+            "not a valid STL file: it neither begins with `solid` nor has a binary head".into(),
+        );
     };
     if bytes.len() < size {
         let length = bytes.len();
         return refused(format!(
-            "no STL: its {count} triangles should have {size} bytes, and it has {length}"
+            "not a valid STL file: {count} triangles need {size} bytes, but the file has {length}"
         ));
     }
-    // the reader must not take it for text
+    // changes the header so that the reader does not take the file for text
     let mut bytes = bytes.to_vec();
     bytes[0] = 0;
-    triangles(bytes).or_else(|(at, reason)| refused(format!("no STL: triangle {at}: {reason}")))
+    triangles(bytes)
+        .or_else(|(at, reason)| refused(format!("not a valid STL file: triangle {at}: {reason}")))
 }
 
-/// The triangles, or the number of the first that is refused, with the reason.
+/// The triangles, or the number of the first invalid one with the reason.
 fn triangles(bytes: Vec<u8>) -> Result<Corners, (usize, String)> {
     let mut bytes = Cursor::new(bytes);
     let reader = stl_io::create_stl_reader(&mut bytes).map_err(|error| (1, error.to_string()))?;
@@ -109,22 +116,24 @@ fn text_stl(source: &Source) -> Result<Corners, InputError> {
         let (head, body) = start.split_once('\n').unwrap_or((start, ""));
         if !begins(head, "solid") {
             let place = source.find(head, 0..head.trim_end().len());
-            return Err(InputError::usage("no STL: a solid begins with `solid`").at(&place));
+            return Err(
+                InputError::usage("not a valid STL file: `solid` is expected here").at(&place)
+            );
         }
         let mut lines = body.split_inclusive('\n');
         let before: usize =
             lines.by_ref().take_while(|l| !begins(l, "endsolid")).map(str::len).sum();
         let end = body.len() - lines.map(str::len).sum::<usize>();
         let (solid, after) = body.split_at(end);
-        // the name of a solid is optional, and ignored
+        // the name of a solid is optional and ignored, so it is removed
         let normal = format!("solid \n{}", solid.to_ascii_lowercase());
         let rounded = triangles(normal.into_bytes()).map_err(|(at, reason)| {
             let mut facets = solid[..before].lines().filter(|line| begins(line, "facet"));
             let line = facets.nth(at - 1).or_else(|| solid.lines().last()).unwrap_or(head);
             let place = source.find(line, 0..line.len());
-            InputError::usage(format!("no STL: triangle {at}: {reason}")).at(&place)
+            InputError::usage(format!("not a valid STL file: triangle {at}: {reason}")).at(&place)
         })?;
-        // the reader rounds coordinates to `f32`
+        // the reader rounds coordinates to `f32`, so they are parsed again
         let vertices = solid.lines().filter(|line| begins(line, "vertex")).filter_map(position);
         let vertices: Vec<Vector3<f64>> = vertices.collect();
         match vertices.as_chunks::<3>() {
@@ -146,7 +155,7 @@ fn position(line: &str) -> Option<Vector3<f64>> {
 /// The faces of an OBJ, divided into triangles. Colours, textures, normals and materials are ignored.
 fn obj(source: &Source) -> Result<Corners, InputError> {
     let refused = |line: &str, reason: &str| {
-        InputError::usage(format!("no OBJ: {reason}")).at(&source.whole(line))
+        InputError::usage(format!("not a valid OBJ file: {reason}")).at(&source.whole(line))
     };
     let (mut vertices, mut faces) = (vec![], vec![]);
     for line in source.text.lines() {
@@ -176,7 +185,7 @@ fn obj(source: &Source) -> Result<Corners, InputError> {
     }
     let mut corners = vec![];
     for (line, before, indices) in faces {
-        // they count from 1, or backwards from the face
+        // indices count from 1, or backwards from the face if negative
         let vertex = |index: &i64| {
             let at = if *index < 0 { before + index } else { index - 1 };
             let found = usize::try_from(at).ok().and_then(|at| vertices.get(at).copied());

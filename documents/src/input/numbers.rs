@@ -1,4 +1,4 @@
-//! Floats in a text: vectors, matrices row by row, lines of CSV and JSON.
+//! Floats in a text: vectors, matrices in row-major order, lines of CSV and JSON.
 
 use super::Source;
 use super::{InputError, shown};
@@ -17,7 +17,8 @@ use std::f64::consts::{PI, TAU};
 /// ```
 ///
 /// # Errors
-/// A word that is not a finite number, or so near zero that a float would lose its digits, with its place.
+/// An error with its location, for a word that is not a finite number, or is so near zero that a
+/// float would lose accuracy.
 pub fn numbers(source: &Source) -> Result<Vec<f64>, InputError> {
     numbers_in(source.content(), source)
 }
@@ -30,7 +31,8 @@ pub(crate) fn numbers_in(text: &str, source: &Source) -> Result<Vec<f64>, InputE
     words.map(|word| number(word, source)).collect()
 }
 
-/// Refuses two commas with nothing between them, and a comma at the beginning: what is missing there is not zero.
+/// Returns an error for two commas with nothing between them, and for a comma at the beginning: a
+/// missing number is not zero.
 fn expect_values(text: &str, source: &Source) -> Result<(), InputError> {
     let mut before = ',';
     for (at, sign) in text.char_indices().filter(|(_, sign)| !sign.is_ascii_whitespace()) {
@@ -44,7 +46,7 @@ fn expect_values(text: &str, source: &Source) -> Result<(), InputError> {
 }
 
 fn number(word: &str, source: &Source) -> Result<f64, InputError> {
-    // `inf`, `nan` and numbers that underflow parse, but are refused below
+    // `inf`, `nan` and numbers that underflow are parsed here, but rejected below
     let digits = word.split(['e', 'E']).next().unwrap_or(word);
     let is_zero = !digits.contains(|c: char| ('1'..='9').contains(&c));
     let kept = |value: &f64| value.is_normal() || (*value == 0.0 && is_zero);
@@ -54,7 +56,7 @@ fn number(word: &str, source: &Source) -> Result<f64, InputError> {
     let value = Expression::parse(word).and_then(|number| number.evaluate(&Floats));
     let value = value.map_err(|error| {
         let place = source.find(word, error.span.clone());
-        InputError::usage(format!("`{}` is no number: {}", shown(word), error.reason)).at(&place)
+        InputError::usage(format!("`{}` is not a number: {}", shown(word), error.reason)).at(&place)
     })?;
     if value.is_finite() {
         return Ok(value);
@@ -63,7 +65,7 @@ fn number(word: &str, source: &Source) -> Result<f64, InputError> {
     Err(InputError::usage(message).at(&source.whole(word)))
 }
 
-/// Numbers, `pi` and `tau`, in floats.
+/// The evaluator of numbers, `pi` and `tau` in floats.
 struct Floats;
 
 impl Evaluator for Floats {

@@ -4,16 +4,16 @@ use super::file::read;
 use super::numbers::numbers_in;
 use super::{InputError, Source, shown};
 
-/// The names and the rows of a table in CSV. Its values are numbers, `NaN`, `inf` and `-inf`.
+/// The names and the rows of a CSV table. Its values are numbers, `NaN`, `inf` and `-inf`.
 ///
 /// # Errors
-/// With the place: a file that cannot be read, a head of numbers, two columns of one name, a missing value, and a value that is not
-/// a number.
+/// An error with its location: a file that cannot be read, a header of numbers, duplicate column
+/// names, a missing value, or a value that is not a number.
 pub fn read_rows(path: &str) -> Result<(Vec<String>, Vec<Vec<f64>>), InputError> {
     read_columns(path, |_| true)
 }
 
-/// The same, where columns that are not used may have values of any kind; their numbers are NaN.
+/// The same, but unused columns may have values of any kind, which become NaN.
 pub(crate) fn read_columns(
     path: &str,
     is_used: impl Fn(&str) -> bool,
@@ -22,8 +22,8 @@ pub(crate) fn read_columns(
     let mut lines = file.text.lines();
     let first = lines.next().unwrap_or("");
     if numbers_in(first, &file).is_ok_and(|row| !row.is_empty()) {
-        let message = "the first line of a table names its columns, and this one has numbers";
-        let help = "put a line of names before it, as `t,a,b,c`";
+        let message = "the first line of the table must name its columns, but it has numbers";
+        let help = "add a first line with names, such as `t,a,b,c`";
         return Err(InputError::usage(message).at(&file.whole(first)).help(help));
     }
     let names: Vec<String> =
@@ -44,7 +44,9 @@ pub(crate) fn read_columns(
         let row = row.collect::<Result<Vec<_>, _>>()?;
         if row.len() != names.len() {
             let (found, expected) = (row.len(), names.len());
-            let message = format!("a row of {found} numbers stands below {expected} names");
+            let message = format!(
+                "a row of {found} numbers does not match the {expected} names of the header"
+            );
             return Err(InputError::usage(message).at(&file.whole(line)));
         }
         rows.push(row);
@@ -52,7 +54,7 @@ pub(crate) fn read_columns(
     Ok((names, rows))
 }
 
-/// A value in a line of CSV.
+/// Parses a value in a line of CSV.
 fn value(word: &str, line: &str, file: &Source) -> Result<f64, InputError> {
     match word {
         "NaN" => Ok(f64::NAN),

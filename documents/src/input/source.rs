@@ -1,4 +1,4 @@
-//! Texts that were read, and places in them.
+//! Texts that were read, and locations in them.
 
 use super::Files;
 use super::forms::Text;
@@ -8,22 +8,22 @@ use std::ops::Range;
 use std::sync::Arc;
 use toml::de::{DeTable, DeValue};
 
-/// A text that was read, with the name it goes by in messages.
+/// A text that was read, with its name for messages.
 #[derive(Clone, Debug)]
 pub struct Source {
     /// The file's path, or `<standard input>`, `--metric`, ...
     pub name: String,
     /// The text.
     pub text: Arc<str>,
-    /// Where the keys of a file stand, by their dotted paths.
+    /// The byte ranges of the keys of a file, by their dotted paths.
     keys: Arc<BTreeMap<String, Range<usize>>>,
-    /// The dotted path, with its last dot, of the table that keys are sought in.
+    /// The dotted path, with a final dot, of the table in which keys are looked up.
     table: Arc<str>,
-    /// The string of the file that is being read, if it is not the whole text.
+    /// The string of the file that is being read; `None` for the whole text.
     excerpt: Option<Arc<Excerpt>>,
-    /// How many files led to this one.
+    /// The number of files through which this one was included.
     pub(crate) depth: usize,
-    /// The files that were read.
+    /// The cache of files.
     pub(crate) files: Files,
 }
 
@@ -31,12 +31,12 @@ pub struct Source {
 #[derive(Debug)]
 struct Excerpt {
     text: Text,
-    /// The places of its bytes in its literal; none for a number that is written in another way.
+    /// The positions of its bytes in its literal; `None` for a number that is written differently.
     places: Option<Vec<usize>>,
 }
 
 impl Excerpt {
-    /// Bytes of the excerpt as bytes of the file.
+    /// Converts a byte range of the excerpt to a byte range of the file.
     fn span(&self, inside: Range<usize>) -> Range<usize> {
         let Some(places) = &self.places else { return self.text.span.clone() };
         let at = |byte: usize| self.text.span.start + places[byte.min(places.len() - 1)];
@@ -58,24 +58,25 @@ impl Source {
         }
     }
 
-    /// The same text, `depth` files below the first, with the files that were read.
+    /// The same text, included through `depth` files, with a cache of files.
     pub(crate) fn below(self, depth: usize, files: &Files) -> Self {
         Source { depth, files: files.clone(), ..self }
     }
 
-    /// The same text with the places of its keys, as the parser found them.
+    /// The same text with the locations of its keys, as found by the parser.
     pub(crate) fn with_keys(&self, table: &DeTable) -> Self {
         let mut keys = BTreeMap::new();
         collect(table, "", &mut keys);
         Source { keys: Arc::new(keys), ..self.clone() }
     }
 
-    /// The same source, keys of which are sought in the table of a key.
+    /// The same source, with keys looked up in the table of a key.
     pub(crate) fn table(&self, key: &str) -> Self {
         Source { table: format!("{}{key}.", self.table).into(), ..self.clone() }
     }
 
-    /// A string of this file as a source of its own: pieces of its [`content`](Self::content) have places in the file.
+    /// A string of this file as a separate source: pieces of its [`content`](Self::content) have
+    /// locations in the file.
     pub(crate) fn excerpt(&self, text: &Text) -> Self {
         let literal = self.text.get(text.span.clone()).unwrap_or_default();
         let places = literal::places(literal, &text.content);
@@ -83,14 +84,15 @@ impl Source {
         Source { excerpt: Some(Arc::new(excerpt)), ..self.clone() }
     }
 
-    /// The text whose pieces have places: the excerpt, or all of it.
+    /// The text whose pieces have locations: the excerpt, or the whole text.
     pub(crate) fn content(&self) -> &str {
         self.excerpt.as_ref().map_or(&self.text, |excerpt| &excerpt.text.content)
     }
 
-    /// The place of `part`, a piece of the [`content`](Self::content), with `inside` relative to it.
+    /// The location of `part`, a piece of the [`content`](Self::content), with the byte range
+    /// `inside` relative to it.
     ///
-    /// A piece is known by its address; a copy has no place, only a source.
+    /// A piece is identified by its address; a copy has no byte range, only a source.
     pub(crate) fn find(&self, part: &str, inside: Range<usize>) -> Place {
         let span = offset(self.content(), part)
             .map(|start| start + inside.start..start + inside.end)
@@ -101,18 +103,19 @@ impl Source {
         self.place(span)
     }
 
-    /// The place of the whole of `part`.
+    /// The location of the whole of `part`.
     pub(crate) fn whole(&self, part: &str) -> Place {
         self.find(part, 0..part.len())
     }
 
-    /// The place of a string or a number of this file, without its quotes.
+    /// The location of a string or a number of this file, without its quotes.
     pub(crate) fn at(&self, text: &Text) -> Place {
         let excerpt = self.excerpt(text);
         excerpt.whole(excerpt.content())
     }
 
-    /// The place of a key by its dotted path, such as `initial.velocity`, or of the table around it.
+    /// The location of a key, given by its dotted path, such as `initial.velocity`; or of the table
+    /// around it.
     pub(crate) fn key(&self, path: &str) -> Place {
         let mut path = format!("{}{path}", self.table);
         loop {
@@ -134,7 +137,7 @@ impl Source {
     }
 }
 
-/// Takes up the keys of a table and of the tables in it; items of lists count from 0.
+/// Collects the keys of a table and of its nested tables; items of lists count from 0.
 fn collect(table: &DeTable, path: &str, keys: &mut BTreeMap<String, Range<usize>>) {
     for (key, value) in table {
         let path = format!("{path}{}", key.get_ref());
@@ -154,28 +157,28 @@ fn collect(table: &DeTable, path: &str, keys: &mut BTreeMap<String, Range<usize>
     }
 }
 
-/// Where `part` begins in `text`, if it is a piece of it and not only equal to one.
+/// The offset of `part` in `text`, if it is a slice of the text and not only an equal string.
 fn offset(text: &str, part: &str) -> Option<usize> {
     let start = (part.as_ptr() as usize).checked_sub(text.as_ptr() as usize)?;
     (start + part.len() <= text.len()).then_some(start)
 }
 
-/// Where in a source something stands.
+/// A location in a source.
 #[derive(Clone, Debug)]
 pub struct Place {
     /// The source.
     pub source: Source,
-    /// The bytes of its text, where they are known.
+    /// The byte range in the text, if it is known.
     pub span: Option<Range<usize>>,
 }
 
 impl Place {
-    /// Somewhere in a source.
+    /// A location without a byte range.
     pub fn within(source: Source) -> Self {
         Place { source, span: None }
     }
 
-    /// The text at the place.
+    /// The text at the location.
     pub fn text(&self) -> Option<&str> {
         self.source.text.get(self.span.clone()?)
     }

@@ -4,10 +4,10 @@ use super::{Ink, Point, Shape, Stroke, style};
 
 /// The length of an arrowhead.
 const HEAD: f64 = 11.0;
-/// The places of arrowheads along a path, as shares of its length.
+/// The positions of arrowheads along a path, as fractions of its length.
 const PLACES: [f64; 3] = [0.16, 0.5, 0.84];
 
-/// An arrow: a shaft on a white edge, and a head; a disc where it is shorter than a pixel.
+/// An arrow: a shaft with a white edge, and a head. It is a disc if it is shorter than a pixel.
 pub(super) fn arrow(from: Point, to: Point, stroke: Stroke) -> Vec<Shape> {
     let [x, y] = [to[0] - from[0], to[1] - from[1]];
     let length = x.hypot(y);
@@ -16,12 +16,12 @@ pub(super) fn arrow(from: Point, to: Point, stroke: Stroke) -> Vec<Shape> {
     }
     let (head, neck) = head(to, [x / length, y / length], HEAD.min(0.6 * length), stroke.ink);
     let shaft = |stroke| Shape::Line { points: vec![from, neck], stroke };
-    // a dashed arrow has no edge: what lies behind it shows through its gaps
+    // a dashed arrow has no edge, because shapes behind it should be visible through its gaps
     let edge = stroke.dash.is_empty().then(|| shaft(edge(stroke)));
     edge.into_iter().chain([shaft(stroke), head]).collect()
 }
 
-/// The white edge that sets a line apart from the lines behind it.
+/// The white edge that separates a line from the lines behind it.
 pub(super) fn edge(stroke: Stroke) -> Stroke {
     Stroke { ink: style::WHITE, width: stroke.width + 2.4, dash: &[] }
 }
@@ -36,7 +36,7 @@ fn head(to: Point, [x, y]: Point, size: f64, ink: Ink) -> (Shape, Point) {
     (Shape::Area { points: vec![to, corner(1.0), neck, corner(-1.0)], ink }, neck)
 }
 
-/// Arrowheads along a path, where its length is divided into equal parts.
+/// Arrowheads along a path at fixed fractions of its length.
 pub(super) fn heads(path: &[Point], ink: Ink) -> Vec<Shape> {
     let length = |pair: &[Point]| (pair[1][0] - pair[0][0]).hypot(pair[1][1] - pair[0][1]);
     let whole: f64 = path.windows(2).map(length).sum();
@@ -50,7 +50,7 @@ pub(super) fn heads(path: &[Point], ink: Ink) -> Vec<Shape> {
         while let Some(at) = next.next_if(|at| *at <= passed + here) {
             let share = (at - passed) / here;
             let [x, y] = [pair[1][0] - pair[0][0], pair[1][1] - pair[0][1]];
-            // the middle of the head is at the place
+            // the middle of the head is at the position
             let tip = |k: usize, step: f64| pair[0][k] + share * step + 0.5 * HEAD * step / here;
             found.push(head([tip(0, x), tip(1, y)], [x / here, y / here], HEAD, ink).0);
         }

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-/// The least margin of a range, relative to its values.
+/// The smallest margin of a range, relative to its values.
 const NARROW: f64 = 64.0 * f64::EPSILON;
 /// The largest numbers of intervals between ticks, in the order of preference.
 const INTERVALS: [f64; 4] = [11.0, 8.0, 5.0, 3.0];
@@ -25,7 +25,7 @@ impl Axis {
             return Axis { range: 0.0..1.0, logarithmic };
         }
         let margin = if high > low { 0.04 * (high - low) } else { 0.5 };
-        // ticks of a narrower range would be the same floats
+        // in a narrower range, different ticks would be equal floats
         let margin = margin.max(NARROW * low.abs().max(high.abs()));
         Axis { range: low - margin..high + margin, logarithmic }
     }
@@ -34,19 +34,19 @@ impl Axis {
         self.range.end - self.range.start
     }
 
-    /// The axis with a range of some length and the same middle.
+    /// The axis with a range of the given length and the same middle.
     pub(super) fn widened(self, length: f64) -> Self {
         let middle = 0.5 * (self.range.start + self.range.end);
         Axis { range: middle - 0.5 * length..middle + 0.5 * length, ..self }
     }
 
-    /// The part of the range below a value.
+    /// The position of a value as a fraction of the range.
     pub(super) fn share(&self, value: f64) -> f64 {
         let value = if self.logarithmic { value.log10() } else { value };
         (value - self.range.start) / self.length()
     }
 
-    /// The ticks, as many as `fit` accepts: their parts of the range, and their labels.
+    /// The ticks that `fit` accepts: their positions as fractions of the range, and their labels.
     pub(super) fn ticks(&self, fit: impl Fn(&[(f64, String)]) -> bool) -> Vec<(f64, String)> {
         let share = |value: f64| (value - self.range.start) / self.length();
         let mut ticks = vec![];
@@ -60,7 +60,7 @@ impl Axis {
         ticks
     }
 
-    /// The multiples of 1, 2 or 5 times a power of ten that lie in the range.
+    /// The multiples of 1, 2 or 5 times a power of ten in the range.
     fn multiples(&self, intervals: f64) -> Vec<f64> {
         let least = self.length() / intervals;
         let power = 10_f64.powf(least.log10().floor());
@@ -71,7 +71,8 @@ impl Axis {
         (0..=count).map(|k| (first + f64::from(k)) * step).collect()
     }
 
-    /// The exponents of powers of ten in the range, about eight of them; where there are few also twice and five times these.
+    /// The exponents of powers of ten in the range, about eight of them. If there are few, also
+    /// twice and five times these powers.
     fn powers(&self) -> Vec<f64> {
         let (low, high) = (self.range.start.ceil() as i64, self.range.end.floor() as i64);
         if high - low < 2 {
@@ -83,7 +84,8 @@ impl Axis {
         (low..=high).filter(|k| k.rem_euclid(every) == 0).map(|k| k as f64).collect()
     }
 
-    /// A value, rounded to a millionth of the range. Very small and very large ranges have exponents.
+    /// The label of a value, rounded to a millionth of the range. Very small and very large ranges
+    /// use exponents.
     fn label(&self, value: f64) -> String {
         if self.logarithmic {
             let power = (value + 1e-9).floor();

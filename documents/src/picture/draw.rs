@@ -1,4 +1,4 @@
-//! Figures as pictures: panels side by side, each in its ball, above a legend.
+//! Figures as pictures: panels next to each other, each with its ball, above a legend.
 
 use super::arrow::{arrow, edge, ends, heads};
 use super::film;
@@ -11,18 +11,18 @@ use std::cmp::Ordering;
 use std::f64::consts::{PI, TAU};
 
 const WIDTH: f64 = 800.0;
-/// The largest number of panels side by side.
+/// The largest number of panels in a row.
 const COLUMNS: usize = 2;
-/// The heights of the title and of the head of a panel.
+/// The heights of the title and of the header of a panel.
 const HEADS: [f64; 2] = [44.0, 26.0];
 /// The margin around a panel.
 const MARGIN: f64 = 22.0;
-/// The length from which a path in time is thin, in radii.
+/// The length above which a path in time is drawn thin, in radii.
 const LONG: f64 = 60.0;
 /// The length of the axes, in radii.
 const AXES: f64 = 1.12;
 
-/// Draws a figure as seen from a direction.
+/// Draws a figure, viewed from a direction.
 ///
 /// ```
 /// use affinor_documents::figures::{Path, images};
@@ -36,7 +36,7 @@ const AXES: f64 = 1.12;
 pub fn draw(figure: &Figure, view: &View) -> Picture {
     let columns = figure.panels.len().clamp(1, COLUMNS);
     let width = WIDTH / columns as f64;
-    // one panel alone need not be a square
+    // a single panel need not be square
     let height = if columns == 1 { 0.75 * width } else { width };
     let has_heads = figure.panels.iter().any(|panel| !panel.title.is_empty());
     let row = height + if has_heads { HEADS[1] } else { 0.0 };
@@ -65,7 +65,8 @@ pub fn draw(figure: &Figure, view: &View) -> Picture {
     Picture { title: figure.title.clone(), width: WIDTH, height: top + legend.height(), shapes }
 }
 
-/// The largest distance of a point of the panel from its centre, along an axis of the picture, in radii.
+/// The largest distance of a point of the panel from its centre, along an axis of the picture, in
+/// radii.
 fn reach(panel: &Panel, view: &View) -> f64 {
     let curves = panel.curves.iter().flat_map(|curve| &curve.points);
     let points = curves.chain(panel.arrows.iter().flat_map(|arrow| &arrow.ends));
@@ -77,7 +78,7 @@ fn text(at: Point, text: &str, font: Font) -> Shape {
     Shape::Text { at, text: text.into(), font }
 }
 
-/// The plane of a panel.
+/// The drawing plane of a panel.
 struct Plane<'v> {
     view: &'v View,
     center: Point,
@@ -137,7 +138,8 @@ impl Plane<'_> {
         self.scale * points.windows(2).map(|pair| (pair[1] - pair[0]).norm()).sum::<f64>()
     }
 
-    /// A path in time: the far side of a sphere paler, arrowheads along it, and marks at its ends.
+    /// Draws a path in time: paler on the far side of a sphere, with arrowheads along it, and marks
+    /// at its ends.
     fn path(&mut self, Curve { points, .. }: &Curve, sphere: bool, stroke: Stroke) {
         for (near, stroke) in [(false, style::far(stroke)), (true, stroke)] {
             for arc in arcs(points, |x| (!sphere || self.view.depth(x) >= 0.0) == near) {
@@ -152,13 +154,13 @@ impl Plane<'_> {
     fn contents(&mut self, panel: &Panel) {
         let background = self.shapes.len();
         let mut curves: Vec<&Curve> = panel.curves.iter().collect();
-        // longer paths are below shorter ones
+        // longer paths are drawn below shorter ones
         let layer = |curve: &Curve| (style::stroke(curve.role).1, -self.length(curve));
         curves.sort_by(|a, b| layer(a).partial_cmp(&layer(b)).unwrap_or(Ordering::Equal));
         for curve in curves {
             let (stroke, _) = style::stroke(curve.role);
             if curve.directed {
-                // a path that fills the sphere is thin
+                // a path that fills the sphere is drawn thin
                 let thin = self.length(curve) > LONG * panel.radius * self.scale;
                 let width = if thin { 0.5 * stroke.width } else { stroke.width };
                 self.path(curve, panel.sphere, Stroke { width, ..stroke });
@@ -216,7 +218,7 @@ fn ring(axis: Vector3<f64>, angle: f64, radius: f64) -> Vec<Vector3<f64>> {
     (0..=96).map(at).collect()
 }
 
-/// The stretches of a line whose points are kept, each to its next point.
+/// Splits a polyline into maximal runs of segments whose midpoints satisfy `keep`.
 fn arcs(line: &[Vector3<f64>], keep: impl Fn(&Vector3<f64>) -> bool) -> Vec<Vec<Vector3<f64>>> {
     let mut arcs: Vec<Vec<Vector3<f64>>> = vec![];
     let mut open = false;

@@ -1,11 +1,11 @@
-//! Bodies in motion, as polygons with a frame for each pose.
+//! Animated bodies, as polygons with a frame for each pose.
 
 use super::{Anchor, Font, Ink, Point, Shape, Stroke, View, style};
 use crate::figures::{Body, Look, Role};
 use crate::problem::Solid;
 use nalgebra::{Matrix3, Vector3};
 
-/// Bodies, the nearer in front. A face is visible while it is turned to the eye.
+/// Draws bodies, the nearer ones in front. A face is visible while it faces the viewer.
 pub(super) fn bodies(
     bodies: &[Body],
     view: &View,
@@ -26,7 +26,8 @@ pub(super) fn bodies(
     shapes
 }
 
-/// Parts in as many layers, from back to front. In each frame a part is shown in the layer of its distance from the eye.
+/// Draws parts in as many layers as there are parts, from back to front. In each frame, a part is
+/// shown in the layer that corresponds to its distance.
 fn layered<P: Fn(&Vector3<f64>) -> Point>(parts: &[Part<P>]) -> Vec<Shape> {
     // the layer of a part in a frame is the number of parts behind it
     let is_behind = |other: usize, part: usize, frame: usize| {
@@ -50,7 +51,7 @@ fn layered<P: Fn(&Vector3<f64>) -> Point>(parts: &[Part<P>]) -> Vec<Shape> {
     (0..parts.len()).flat_map(in_layer).collect()
 }
 
-/// The film of a body.
+/// The animation of a body.
 struct Film<'b, P> {
     body: &'b Body,
     view: &'b View,
@@ -66,7 +67,7 @@ impl<P> Clone for Film<'_, P> {
 impl<P> Copy for Film<'_, P> {}
 
 impl<P: Fn(&Vector3<f64>) -> Point> Film<'_, P> {
-    /// Whether a direction of the body points to the eye, frame by frame.
+    /// For each frame, whether a direction of the body points to the viewer.
     fn towards(&self, direction: &Vector3<f64>) -> Vec<bool> {
         let points =
             |(r, _): &(Matrix3<f64>, Vector3<f64>)| self.view.depth(&(r * direction)) >= 0.0;
@@ -87,7 +88,8 @@ impl<P: Fn(&Vector3<f64>) -> Point> Film<'_, P> {
         Shape::Film { frames, shown, fill, stroke, seconds: self.body.seconds }
     }
 
-    /// A box and its axes of inertia. An axis that points away begins behind the box.
+    /// Draws a box and its axes of inertia. An axis that points away from the viewer begins behind
+    /// the box.
     fn cuboid(&self, half: &[f64; 3], reach: f64) -> Vec<Shape> {
         let towards = |i: usize, sign: f64| self.towards(&Vector3::ith(i, sign));
         let axis = |i: usize, sign: f64| {
@@ -117,12 +119,12 @@ const EDGE: Stroke = Stroke { ink: style::BLACK, width: 1.0, dash: style::SOLID 
 /// The edges of the faces of parts.
 const THIN: Stroke = Stroke { width: 0.5, ..EDGE };
 
-/// A part of a body in its film.
+/// A part of an animated body.
 struct Part<'b, P> {
     film: Film<'b, P>,
     solid: &'b Solid,
     role: Role,
-    /// How near its middle is to the eye, frame by frame.
+    /// For each frame, the coordinate of its middle towards the viewer.
     depths: Vec<f64>,
 }
 
@@ -146,7 +148,7 @@ impl<'b, P: Fn(&Vector3<f64>) -> Point> Part<'b, P> {
             let normal = a.cross(&b);
             let towards = self.film.towards(&normal);
             let shown = towards.iter().zip(here).map(|(towards, here)| *towards && *here).collect();
-            // faces of one body differ in shade by their direction
+            // faces of one body have different shades, depending on their direction
             let share = normal.try_normalize(0.0).map_or(0.0, |n| n.dot(&LIGHT));
             self.film.polygon(&corners, shown, Some(style::tint(ink, 0.5 + 0.25 * share)), THIN)
         };
@@ -154,10 +156,10 @@ impl<'b, P: Fn(&Vector3<f64>) -> Point> Part<'b, P> {
     }
 }
 
-/// The direction of the body from which its faces are lightest.
+/// The direction, in the body, of the lightest faces.
 const LIGHT: Vector3<f64> = Vector3::new(0.36, 0.48, 0.8);
 
-/// A bar that grows with the time, between the first and the last time.
+/// A bar that grows with time, between the first and the last time.
 pub(super) fn clock(body: &Body, [left, right]: [f64; 2], y: f64) -> Vec<Shape> {
     let (seconds, shown) = (body.seconds, vec![true, true]);
     let whole = Stroke { ink: Ink::opaque(0xd8d8d8), width: 3.0, dash: style::SOLID };

@@ -1,22 +1,22 @@
-//! Places of symbols: near their point, away from lines and from each other.
+//! Placement of symbols: near their point, away from lines and from each other.
 
 use super::{Font, Ink, Point, Shape, width};
 use std::f64::consts::TAU;
 
 const SIZE: f64 = 18.0;
-/// The distance of the points by which a line repels symbols.
+/// The distance of the sample points of lines that repel symbols.
 const STEP: f64 = 4.0;
 
-/// Symbols are placed one after the other.
+/// The placement of symbols, one after the other.
 pub(super) struct Labels {
-    /// Points of lines.
+    /// Sample points of lines.
     lines: Vec<Point>,
-    /// The lower and upper corners of discs and symbols.
+    /// The lower and upper corners of the boxes of discs and symbols.
     boxes: Vec<[Point; 2]>,
 }
 
 impl Labels {
-    /// Places around shapes.
+    /// The placement around the given shapes.
     pub(super) fn new(shapes: &[Shape]) -> Self {
         let (mut lines, mut boxes) = (vec![], vec![]);
         for shape in shapes {
@@ -33,7 +33,8 @@ impl Labels {
         Labels { lines, boxes }
     }
 
-    /// The symbol near a point, preferably ahead of it in a direction; none for an empty text.
+    /// Places a symbol near a point, preferably ahead of it in a direction; `None` for an empty
+    /// text.
     pub(super) fn put(
         &mut self,
         text: &str,
@@ -74,7 +75,7 @@ fn overlap(a: &[Point; 2], b: &[Point; 2]) -> f64 {
     side(0) * side(1)
 }
 
-/// Points along a line.
+/// Sample points along a line.
 fn dense(from: Point, to: Point) -> impl Iterator<Item = Point> {
     let length = (to[0] - from[0]).hypot(to[1] - from[1]);
     let count = (length / STEP).ceil().clamp(1.0, 1e3) as u32;

@@ -9,15 +9,16 @@ const MARGIN: f64 = 30.0;
 const TITLE: f64 = 48.0;
 const RAY: Stroke = Stroke { ink: Ink::opaque(0xb4b4b4), width: 0.8, dash: SOLID };
 const SHORT: Ink = Ink::opaque(0xa3173f);
-/// Steps of the iteration of von Mises; the ratio of its eigenvalues is far from 1.
+/// The number of steps of the power iteration; the ratio of its eigenvalues is far from 1.
 const STEPS: usize = 2000;
 
-/// The roots of simple factors below each other, projected to the Coxeter plane; in rank 2 it is the plane of the roots.
-/// Short roots are smaller and red.
+/// The roots of simple factors below each other, projected onto the Coxeter plane; in rank 2 it is
+/// the plane of the roots. Short roots are smaller and red.
 ///
-/// The plane is spanned by `u = sum x_i e_i*` over the black and `v = sum x_i e_i*` over the white nodes of the diagram, where
-/// `e_i*` is dual to the unit vectors along the simple roots and `x` the positive eigenvector of the bonds; `u` and `v` are at
-/// the angle `pi/h`. J. E. Humphreys, *Reflection Groups and Coxeter Groups* (1990), 3.17.
+/// The plane is spanned by `u = sum x_i e_i*` over the black and `v = sum x_i e_i*` over the white
+/// nodes of the diagram. Here `e_i*` is dual to the unit vectors along the simple roots, and `x` is
+/// the positive eigenvector of the bonds. The angle between `u` and `v` is `pi/h`. J. E. Humphreys,
+/// *Reflection Groups and Coxeter Groups* (1990), 3.17.
 ///
 /// ```
 /// use affinor::algebra::roots::{CartanType, Series};
@@ -69,7 +70,7 @@ fn projected(cartan_type: CartanType) -> Vec<(Point, bool)> {
     let mut x = vec![1.0; rank];
     let mut cosine = 0.0;
     for _ in 0..STEPS {
-        // 2 more than the bonds, so that the largest eigenvalue is alone
+        // adding 2 to the eigenvalues makes the largest one dominant
         let next: Vec<f64> = (0..rank)
             .map(|i| 2.0 * x[i] + (0..rank).map(|j| bond(i, j) * x[j]).sum::<f64>())
             .collect();
@@ -96,7 +97,7 @@ fn projected(cartan_type: CartanType) -> Vec<(Point, bool)> {
     both.collect()
 }
 
-/// A colouring of the nodes of a tree in which neighbours differ.
+/// A two-colouring of the nodes of a tree: neighbours have different colours.
 fn colours(rank: usize, bond: &dyn Fn(usize, usize) -> f64) -> Vec<bool> {
     let mut found: Vec<Option<bool>> = vec![None; rank];
     let mut open = vec![0];
@@ -117,7 +118,8 @@ mod tests {
     use super::projected;
     use affinor::algebra::roots::{CartanType, Series};
 
-    /// The picture has the symmetry of the Coxeter number: h = 6 of G2, 12 of F4, 30 of E8; Humphreys (1990), table 3.2.
+    /// The picture has the symmetry of order h, the Coxeter number: 6 for G2, 12 for F4, 30 for E8;
+    /// Humphreys (1990), table 3.2.
     #[test]
     fn a_coxeter_element_turns_it() {
         for (series, rank, h) in [
@@ -141,7 +143,8 @@ mod tests {
         }
     }
 
-    /// Rank 2 is drawn without distortion: the angles between neighbours of B2 are 45 degrees.
+    /// Rank 2 is drawn without distortion: the angles between neighbouring roots of B2 are 45
+    /// degrees.
     #[test]
     fn rank_two_is_itself() {
         let places = projected(CartanType::new(Series::B, 2).expect("a type"));

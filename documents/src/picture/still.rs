@@ -1,9 +1,9 @@
-//! One moment of a film.
+//! Still pictures of an animation.
 
 use super::{Picture, Point, Shape};
 
 impl Picture {
-    /// The duration of its films in seconds; `None` if nothing moves.
+    /// The duration of the animation in seconds; `None` if nothing moves.
     pub fn seconds(&self) -> Option<f64> {
         let seconds = |shape: &Shape| match shape {
             Shape::Film { seconds, .. } => Some(*seconds),
@@ -12,7 +12,7 @@ impl Picture {
         self.shapes.iter().find_map(seconds)
     }
 
-    /// The picture at a share of the duration of its films, from 0 to 1.
+    /// The picture at a fraction of the duration, from 0 to 1.
     pub fn still(&self, share: f64) -> Self {
         let shapes = self.shapes.iter().map(|shape| match shape {
             Shape::Film { frames, shown, fill, stroke, seconds } => Shape::Film {
@@ -28,13 +28,14 @@ impl Picture {
     }
 }
 
-/// The last frame at a share of the duration, and the share of the way to the next one.
+/// The last frame at a fraction of the duration, and the fraction of the interval to the next
+/// frame.
 fn last(frames: usize, share: f64) -> (usize, f64) {
     let at = share.clamp(0.0, 1.0) * frames.saturating_sub(1) as f64;
     (at as usize, at.fract())
 }
 
-/// The vertices at a share of the duration, between those of two frames.
+/// The vertices at a fraction of the duration, interpolated between two frames.
 fn moment(frames: &[Vec<Point>], share: f64) -> Vec<Point> {
     let (at, share) = last(frames.len(), share);
     let (Some(before), Some(after)) = (frames.get(at), frames.get(at + 1)) else {

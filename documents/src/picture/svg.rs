@@ -2,7 +2,8 @@
 
 use super::{Anchor, EDGE, Ink, Picture, Point, Shape, Stroke, WHITE};
 
-/// The picture as SVG, `width` pixels wide. Texts stay texts, in the fonts `sans-serif` and `serif` of the viewer.
+/// The picture as SVG, `width` pixels wide. Texts remain texts, in the fonts `sans-serif` and
+/// `serif` of the viewer.
 pub fn svg(picture: &Picture, width: u32) -> String {
     let (right, down) = (short(picture.width), short(picture.height));
     let height = (f64::from(width) * picture.height / picture.width).round().max(1.0);
@@ -72,7 +73,7 @@ fn element(shape: &Shape) -> String {
     }
 }
 
-/// The animation of an attribute, repeated without end.
+/// The animation of an attribute, repeated forever.
 fn animated(attribute: &str, seconds: f64, timing: &str, values: &[String]) -> String {
     let values = values.join(";");
     format!(
@@ -80,10 +81,11 @@ fn animated(attribute: &str, seconds: f64, timing: &str, values: &[String]) -> S
     )
 }
 
-/// The animation of the visibility, from the frames at which the polygon appears or disappears; empty if it never does.
+/// The animation of the visibility, from the frames at which the polygon appears or disappears;
+/// empty if there are none.
 fn appearance(shown: &[bool], seconds: f64) -> String {
     let last = shown.len().saturating_sub(1);
-    // a change in the last frame would be at the end of the film
+    // a change in the last frame would occur at the end of the animation
     let turns: Vec<usize> = (0..last).filter(|k| *k == 0 || shown[*k] != shown[k - 1]).collect();
     if turns.len() < 2 {
         return String::new();
@@ -109,7 +111,7 @@ fn stroked(stroke: &Stroke) -> String {
     format!("{ink} stroke-width=\"{}\" stroke-linejoin=\"round\"{dash}", stroke.width)
 }
 
-/// The attribute `fill` or `stroke` in a colour.
+/// The attribute `fill` or `stroke` with a colour.
 fn painted(attribute: &str, ink: Ink) -> String {
     let color = hex(ink);
     match ink.opacity {
@@ -130,12 +132,12 @@ fn written(points: &[Point]) -> String {
     points.iter().map(pair).collect::<Vec<_>>().join(" ")
 }
 
-/// Rounded to hundredths of the unit of the picture.
+/// A number rounded to hundredths of the unit of the picture.
 fn short(x: f64) -> f64 {
     (x * 100.0).round() / 100.0 + 0.0
 }
 
-/// Text of an element: without control characters, which XML cannot have.
+/// Escaped text of an element, without control characters, which XML does not allow.
 fn escaped(text: &str) -> String {
     let mut escaped = String::new();
     for c in text.chars() {

@@ -1,4 +1,4 @@
-//! Bodies by their parts: simple shapes, meshes, masses at points, holes; several bodies; wheels.
+//! Bodies given by their parts: simple shapes, meshes, point masses, holes; several bodies; wheels.
 
 use super::reader::{Reader, Value};
 use super::solid::Solid;
@@ -14,7 +14,7 @@ use affinor_tensors::{Down, Tensor};
 use nalgebra::{DMatrix, Isometry3, Matrix3, Vector3};
 use serde::Deserialize;
 
-/// The table `[inertia]`: a rigid body, or what one factor of a group moves.
+/// The table `[inertia]`: a rigid body, or the body of one factor of a group.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct InertiaKeys {
@@ -45,7 +45,7 @@ pub(super) struct PartKeys {
     pub hole: bool,
 }
 
-/// The radius with which a mass at a point is drawn, relative to the distance of the farthest.
+/// The radius with which a point mass is drawn, relative to the distance of the farthest one.
 const POINT: f64 = 0.08;
 
 /// The shapes, with the keys of their sizes.
@@ -58,7 +58,7 @@ const SHAPES: [(&str, &[&str]); 6] = [
     ("points", &["points"]),
 ];
 
-/// The body that moves, or one body for each factor of a group.
+/// The moving body, or one body for each factor of a group.
 #[derive(Clone, Debug)]
 pub(super) enum Bodies {
     One(Body),
@@ -84,14 +84,14 @@ enum About {
 #[derive(Clone, Debug)]
 enum Content {
     Parts(Vec<Part>),
-    /// Rows of the inertia itself.
+    /// The rows of the inertia matrix itself.
     Matrix(Vec<Vec<Value>>),
 }
 
 #[derive(Clone, Debug)]
 struct Part {
     shape: Shape,
-    /// At most one of both is given; points have masses of their own.
+    /// At most one of mass and density is given; points have their own masses.
     mass: Option<Value>,
     density: Option<Value>,
     position: Option<Vec<Value>>,
@@ -102,9 +102,9 @@ struct Part {
 
 #[derive(Clone, Debug)]
 enum Shape {
-    /// By its name and its sizes.
+    /// A shape with its name and its sizes.
     Named(&'static str, Vec<Vec<Value>>),
-    /// At density 1, with its surface.
+    /// A mesh: its mass properties at density 1, and its surface.
     Mesh(MassProperties, Solid),
 }
 
@@ -124,11 +124,13 @@ impl Bodies {
         }
     }
 
-    /// The metric on the group, and the parameters `mass`, `centre1`, `centre2`, `centre3` of each body of parts. In a product
-    /// their names end in the number of the factor: `mass_2`.
+    /// The metric on the group, and the parameters `mass`, `centre1`, `centre2`, `centre3` of each
+    /// body that is given by parts. In a product their names end in the number of the factor:
+    /// `mass_2`.
     ///
-    /// A wheel of moment `I` turns in the first body, whose inertia `J` is that of all but this moment, with the velocity `rho`
-    /// about the axis `a`: the kinetic energy is `(J(Omega, Omega) + I (a . Omega + rho)^2)/2`.
+    /// A wheel of moment `I` rotates in the first body about the axis `a`, with the relative
+    /// velocity `rho`. The inertia `J` of the first body includes everything except this moment.
+    /// The kinetic energy is `(J(Omega, Omega) + I (a . Omega + rho)^2)/2`.
     pub fn metric(
         &self,
         group: &AnyGroup,
@@ -163,16 +165,18 @@ impl Bodies {
                 let refused = |message: &str| Err(InputError::usage(message).at(&body.place));
                 if at == 0 || size != 1 || !turns(factors[0]) {
                     return refused(
-                        "an axis is that of a wheel on R^1 or so(2), in a first part so(3) or se(3)",
+                        "`axis` is allowed for a wheel on R^1 or so(2) only, with so(3) or se(3) as the first part",
                     );
                 }
                 let axis = three("`axis`", axis, values)?;
-                // of any length, without overflow
+                // scaled first, so that an axis of any length does not overflow
                 let axis = axis / axis.amax();
                 let Some(axis) =
                     axis.try_normalize(0.0).filter(|a| a.iter().all(|x| x.is_finite()))
                 else {
-                    return refused("the axis of a wheel has a direction");
+                    return refused(
+                        "the axis of the wheel has no direction: its components are zero or not finite",
+                    );
                 };
                 let moment = block[(0, 0)];
                 for i in 0..3 {
@@ -193,7 +197,7 @@ impl Bodies {
     }
 }
 
-/// Whether a group has rotations of a body, as SO(3) and SE(3).
+/// Whether a group contains rotations of a body, like SO(3) and SE(3).
 fn turns(group: &AnyGroup) -> bool {
     let is_opposite = group.downcast_ref::<Opposite<AnyGroup>>().is_some();
     group.names().first() == Some(&"qw") && !is_opposite && matches!(group.dimension(), 3 | 6)
@@ -227,14 +231,14 @@ impl Body {
             Some(PointText::Numbers(point)) => Some(About::Point(reader.values(point)?)),
             Some(PointText::Word(word)) if &**word == "centre" => Some(About::Centre),
             Some(PointText::Word(word)) => {
-                let message = format!("`{}` is no point", shown(word));
-                let help = "a point is \"centre\" or [x, y, z]";
+                let message = format!("`{}` is not a point", shown(word));
+                let help = "write a point as \"centre\" or [x, y, z]";
                 return Err(InputError::usage(message).at(&reader.source.at(word)).help(help));
             }
         };
         if about.is_some() && matches!(content, Content::Matrix(_)) {
-            let error = InputError::usage("a point goes with parts").at(&place);
-            return Err(error.help("moments and matrix are about the point that stays"));
+            let error = InputError::usage("`about` is allowed with `parts` only").at(&place);
+            return Err(error.help("moments and matrix refer to the fixed point"));
         }
         let axis = reader.optional_values(&keys.axis)?;
         Ok(Body { about, content, axis, place })
@@ -253,7 +257,7 @@ impl PartKeys {
                 let found = SHAPES.iter().find(|(shape, _)| *shape == &**name);
                 let (name, needed) = found.ok_or_else(|| {
                     let all = SHAPES.map(|(name, keys)| format!("{name} ({})", keys.join(", ")));
-                    refused(format!("`{}` is no shape", shown(name)))
+                    refused(format!("`{}` is not a known shape", shown(name)))
                         .help(format!("the shapes are {}", all.join(", ")))
                 })?;
                 (Shape::Named(name, sizes), *needed)
@@ -266,16 +270,17 @@ impl PartKeys {
                 };
                 (Shape::Mesh(mesh.mass_properties(), surface), &[][..])
             }
-            _ => return Err(refused("a part has a shape or a mesh".into())),
+            _ => return Err(refused("give the part either a shape or a mesh".into())),
         };
         if keys != needed {
             let sizes = if needed.is_empty() { "no sizes".into() } else { needed.join(", ") };
-            return Err(refused(format!("the part has {sizes}")));
+            return Err(refused(format!("the keys of sizes do not fit the shape: give {sizes}")));
         }
         let (mass, density) = (reader.optional(&self.mass)?, reader.optional(&self.density)?);
         let given = mass.iter().chain(&density).count();
         if given != usize::from(!matches!(shape, Shape::Named("points", _))) {
-            let message = "a part has a mass or a density; points have their own";
+            let message =
+                "give the part either a mass or a density; the masses of points are in their list";
             return Err(refused(message.into()));
         }
         let position = reader.optional_values(&self.position)?;
@@ -283,7 +288,7 @@ impl PartKeys {
         Ok(Part { shape, mass, density, position, rotation, hole: self.hole, place })
     }
 
-    /// The keys of the sizes that are given, and their values.
+    /// The keys of the given sizes, and their values.
     fn sizes(&self, reader: &Reader) -> Result<(Vec<&str>, Vec<Vec<Value>>), InputError> {
         let (mut keys, mut sizes) = (vec![], vec![]);
         for (key, list) in [("edges", &self.edges), ("half_axes", &self.half_axes)] {
@@ -307,18 +312,19 @@ impl PartKeys {
     }
 }
 
-/// A kinetic energy, and what formulas and pictures take from the bodies.
+/// A kinetic energy, and data of the bodies for formulas and pictures.
 pub(super) struct Moved<M> {
     /// The metric, or the matrix of one factor.
     pub metric: M,
-    /// The parameters that bodies of parts add: the mass, and the centre from the point that stays.
+    /// The parameters that bodies with parts define: the mass, and the centre relative to the fixed
+    /// point.
     pub names: Vec<(String, f64)>,
-    /// The parts of each body, from the point that stays.
+    /// The parts of each body, relative to the fixed point.
     pub solids: Vec<Vec<Solid>>,
 }
 
 impl Body {
-    /// The inner products of a basis of one factor, and the parameters that the body adds.
+    /// The inner products of a basis of one factor, and the parameters that the body defines.
     fn block(&self, group: &AnyGroup, values: &[f64]) -> Result<Moved<DMatrix<f64>>, InputError> {
         let refused = |message: &str| Err(InputError::usage(message).at(&self.place));
         let failed = |error: affinor::Error| InputError::from(error).at(&self.place);
@@ -333,24 +339,31 @@ impl Body {
                     }
                     let is_positive = matrix.is_square() && matrix.clone().cholesky().is_some();
                     if matrix != matrix.transpose() || !is_positive {
-                        return refused("masses and moments are positive, and a matrix symmetric");
+                        return refused(
+                            "masses and moments must be positive, and a matrix must be symmetric",
+                        );
                     }
                     of_moments(matrix)
                 }
-                _ => refused("an inertia is that of bodies: so(3) and se(3), left-invariant"),
+                _ => refused(
+                    "an inertia is allowed for bodies only: so(3) and se(3), left-invariant",
+                ),
             };
         }
         let whole = n == 6;
         let dense = |matrix: &Matrix3<f64>| DMatrix::from_fn(3, 3, |i, j| matrix[(i, j)]);
         let parts = match &self.content {
             Content::Matrix(_) if whole => {
-                return refused("on se(3) a body has a mass and a centre: give its parts");
+                return refused("an inertia on se(3) includes a mass and a centre: give `parts`");
             }
             Content::Matrix(rows) => {
                 let rows = rows.iter().map(|row| three("a row of the inertia", row, values));
                 let rows: Vec<Vector3<f64>> = rows.collect::<Result<_, _>>()?;
                 let &[a, b, c] = rows.as_slice() else {
-                    return refused(&format!("{} rows are no inertia, which has 3", rows.len()));
+                    return refused(&format!(
+                        "the inertia matrix has {} rows instead of 3",
+                        rows.len()
+                    ));
                 };
                 let matrix = Matrix3::from_columns(&[a, b, c]).transpose();
                 let inertia = Inertia::new(&matrix).and_then(|inertia| inertia.require_physical());
@@ -362,7 +375,9 @@ impl Body {
         let body = self.joined(parts, values)?;
         let point = match &self.about {
             Some(_) if whole => {
-                return refused("on se(3) a body is about its origin: leave `about` out");
+                return refused(
+                    "on se(3) the inertia refers to the origin of the body: leave `about` out",
+                );
             }
             Some(About::Point(point)) => three("the point", point, values)?,
             None if whole => Vector3::zeros(),
@@ -386,7 +401,7 @@ impl Body {
         Ok(Moved { metric: matrix, names, solids: vec![solids] })
     }
 
-    /// All parts, then without the holes.
+    /// Joins all parts, and subtracts the holes.
     fn joined(&self, parts: &[Part], values: &[f64]) -> Result<MassProperties, InputError> {
         let (holes, solids): (Vec<&Part>, Vec<&Part>) = parts.iter().partition(|part| part.hole);
         let mut body: Option<MassProperties> = None;
@@ -395,7 +410,7 @@ impl Body {
             body = Some(body.map_or(part, |body| body + part));
         }
         let Some(mut body) = body else {
-            let error = InputError::usage("the body has no part but holes");
+            let error = InputError::usage("all parts of the body are holes");
             return Err(error.at(&self.place));
         };
         for hole in holes {
@@ -422,12 +437,14 @@ impl Part {
                 }
                 ("rod", [length]) => MassProperties::rod(length[0].at(values)?),
                 (_, points) => {
-                    let point = |point: &Vec<Value>| match point.as_slice() {
-                        [mass, at @ ..] => {
-                            Ok((mass.at(values)?, three("the place of a point", at, values)?))
-                        }
-                        [] => Err(InputError::usage("a point is [mass, x, y, z]").at(&self.place)),
-                    };
+                    let point =
+                        |point: &Vec<Value>| match point.as_slice() {
+                            [mass, at @ ..] => {
+                                Ok((mass.at(values)?, three("the place of a point", at, values)?))
+                            }
+                            [] => Err(InputError::usage("write a point as [mass, x, y, z]")
+                                .at(&self.place)),
+                        };
                     let points = points.iter().map(point).collect::<Result<Vec<_>, _>>()?;
                     MassProperties::points(&points)
                 }
@@ -442,7 +459,7 @@ impl Part {
         Ok(part.map_err(refused)?.moved(&self.pose(values)?))
     }
 
-    /// The motion from the frame of the shape to that of the body.
+    /// The rigid motion from the frame of the shape to the frame of the body.
     fn pose(&self, values: &[f64]) -> Result<Isometry3<f64>, InputError> {
         let vector = |what: &str, list: &Option<Vec<Value>>| match list {
             Some(list) => three(what, list, values),

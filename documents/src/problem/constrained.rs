@@ -40,17 +40,18 @@ impl Constrained {
             self.dynamics.system(start)?;
         let method = member.method().unwrap_or(Method::GeneralisedAlpha);
         if method.class() != Class::Constrained {
-            let message = format!("the method {method} is not for constraints");
+            let message = format!("the method {method} does not support constraints");
             let names = Method::names_of(&[Class::Constrained]);
-            return Err(InputError::mathematics(message)
-                .help(format!("the method for constraints is {names}")));
+            return Err(
+                InputError::mathematics(message).help(format!("methods for constraints: {names}"))
+            );
         }
         let step = member.needed_step("a system with constraints")?;
         let mut constraints = Constraints::default();
         for written in &self.constraints {
             let added = constraints.add(written.text(), forces.names());
             let entries = forces.names().entries();
-            let help = format!("a constraint is a formula of the entries {entries} and parameters");
+            let help = format!("a constraint may contain the entries {entries} and parameters");
             added.map_err(|error| written.refused(error, help))?;
         }
         let mut columns = rows.columns;

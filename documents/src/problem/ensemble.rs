@@ -1,4 +1,4 @@
-//! Ensembles: parameters over a grid and at random.
+//! Ensembles: parameters on a grid and random parameters.
 
 use super::reader::{Reader, Written};
 use crate::input::{
@@ -27,14 +27,14 @@ const MAX_MEMBERS: u64 = 1_000_000_000;
 /// The largest number of values of one parameter of a grid.
 const MAX_POINTS: u32 = 1_000_000;
 
-/// The parameters that the members of an ensemble vary: every point of a grid, with random samples at each.
+/// The parameters that an ensemble varies: every point of a grid, with random samples at each.
 #[derive(Clone, Debug)]
 pub(super) struct Ensemble {
-    /// Values by name; the last name runs fastest.
+    /// The values for each name; the last name varies fastest.
     grid: Vec<(String, Vec<f64>)>,
-    /// Distributions by name.
+    /// The distribution for each name.
     random: Vec<(String, Distribution)>,
-    /// Samples at each point of the grid.
+    /// The number of samples at each point of the grid.
     samples: u64,
     seed: u64,
 }
@@ -42,14 +42,14 @@ pub(super) struct Ensemble {
 /// A distribution of random numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Distribution {
-    /// Between two bounds.
+    /// A uniform distribution between two bounds.
     Uniform(f64, f64),
-    /// By mean and standard deviation.
+    /// A normal distribution with mean and standard deviation.
     Normal(f64, f64),
 }
 
 impl Ensemble {
-    /// Reads an ensemble, and declares the parameters that it brings in.
+    /// Reads an ensemble, and declares the parameters that only it defines.
     pub fn read(keys: &EnsembleKeys, reader: &mut Reader) -> Result<Self, InputError> {
         let source = reader.source;
         let all: Vec<_> = keys.grid.iter().chain(&keys.random).flat_map(|table| &table.0).collect();
@@ -73,7 +73,7 @@ impl Ensemble {
         let (samples, seed) = (keys.samples.unwrap_or(1), keys.seed.unwrap_or(0));
         let ensemble = Ensemble { grid, random, samples, seed };
         if ensemble.checked_size().is_none() {
-            let message = format!("an ensemble has between 1 and {MAX_MEMBERS} members");
+            let message = format!("the number of members must be from 1 to {MAX_MEMBERS}");
             return Err(source.refused("ensemble", message));
         }
         Ok(ensemble)
@@ -91,7 +91,7 @@ impl Ensemble {
         grid.chain(self.random.iter().map(|(name, _)| name.as_str()))
     }
 
-    /// Removes a parameter from those that vary.
+    /// Removes a parameter from the varied ones.
     pub fn leave_out(&mut self, name: &str) {
         self.grid.retain(|(other, _)| other != name);
         self.random.retain(|(other, _)| other != name);
@@ -121,7 +121,7 @@ impl Ensemble {
     }
 }
 
-/// `from .. to in n`, or a list of values.
+/// Parses `from .. to in n`, or a list of values.
 fn points(text: &Text, reader: &Reader) -> Result<Vec<f64>, InputError> {
     let written = reader.written(text);
     let refused = |message: String| Err(InputError::usage(message).at(&written.place()));
@@ -131,25 +131,25 @@ fn points(text: &Text, reader: &Reader) -> Result<Vec<f64>, InputError> {
     });
     match range {
         Some((_, _, count)) if count > MAX_POINTS => {
-            refused(format!("{count} points are too many, the limit is {MAX_POINTS}"))
+            refused(format!("{count} points exceed the limit of {MAX_POINTS}"))
         }
         Some((from, to, count)) if count > 0 => {
             let [from, to] = [numbers(from, &written)?, numbers(to, &written)?].map(|[x]| x);
             let last = f64::from(count.max(2) - 1);
             Ok((0..count).map(|k| from + (to - from) * (f64::from(k) / last)).collect())
         }
-        Some(_) => refused("a grid has at least one point".into()),
+        Some(_) => refused("the grid has no points: give at least one".into()),
         None => {
             let all = numbers_in(written.text(), written.source())?;
             if all.is_empty() {
-                return refused("a grid is \"0 .. 1 in 11\", or a list of numbers".into());
+                return refused("write a grid as \"0 .. 1 in 11\", or as a list of numbers".into());
             }
             Ok(all)
         }
     }
 }
 
-/// `normal(mean, deviation)` or `uniform(from, to)`.
+/// Parses `normal(mean, deviation)` or `uniform(from, to)`.
 fn distribution(text: &Text, reader: &Reader) -> Result<Distribution, InputError> {
     let written = reader.written(text);
     let inside = |name: &str| {
@@ -160,7 +160,7 @@ fn distribution(text: &Text, reader: &Reader) -> Result<Distribution, InputError
     if let Some(inside) = inside("normal") {
         let [mean, deviation] = numbers(inside, &written)?;
         if deviation < 0.0 {
-            return refused(format!("a deviation is not negative, as {deviation} is"));
+            return refused(format!("the deviation {deviation} is negative"));
         }
         return Ok(Distribution::Normal(mean, deviation));
     }
@@ -168,14 +168,14 @@ fn distribution(text: &Text, reader: &Reader) -> Result<Distribution, InputError
         let [low, high] = numbers(inside, &written)?;
         return Ok(Distribution::Uniform(low, high));
     }
-    refused("this is neither normal(mean, deviation) nor uniform(from, to)".into())
+    refused("write the law as normal(mean, deviation) or uniform(from, to)".into())
 }
 
-/// A fixed count of numbers in a piece of a text.
+/// Parses a fixed number of numbers in a piece of a text.
 fn numbers<const N: usize>(text: &str, written: &Written) -> Result<[f64; N], InputError> {
     let found = numbers_in(text, written.source())?;
     <[f64; N]>::try_from(found).map_err(|found| {
-        let message = format!("{} numbers stand here instead of {N}", found.len());
+        let message = format!("{} numbers are given instead of {N}", found.len());
         InputError::usage(message).at(&written.place())
     })
 }

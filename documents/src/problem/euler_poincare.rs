@@ -1,4 +1,4 @@
-//! Equations of motion of a kinetic energy and of forces, with or without constraints.
+//! Equations of motion of a kinetic energy and forces, with or without constraints.
 
 use super::body::{Bodies, Moved};
 use super::forces::ForceFormulas;
@@ -21,18 +21,18 @@ use nalgebra::{DMatrix, DVector};
 use std::borrow::Cow;
 use std::sync::OnceLock;
 
-/// The metric of a kinetic energy, a connection, forces, and an initial velocity or momentum: equations of motion
-/// `DH/Dt = M`.
+/// The data of the equations of motion `DH/Dt = M`: the metric of a kinetic energy, a connection,
+/// forces, and an initial velocity or momentum.
 #[derive(Clone, Debug)]
 pub(super) struct EulerPoincare {
-    /// The bodies that move, instead of a metric.
+    /// The moving bodies, which define the metric.
     bodies: Option<Bodies>,
     initial: InitialMomentum,
     forces: ForceFormulas,
     casimirs: Vec<Symbolic>,
-    /// Whether constraint forces act as well.
+    /// Whether there are constraint forces too.
     is_constrained: bool,
-    /// The kinetic energy of all members of an ensemble, if it depends on no parameter.
+    /// The kinetic energy of all members of an ensemble, if it does not depend on parameters.
     shared: OnceLock<KineticEnergy>,
 }
 
@@ -41,7 +41,7 @@ pub(super) struct EulerPoincare {
 pub(super) struct KineticEnergy {
     pub metric: Metric<f64>,
     pub connection: Connection<f64>,
-    /// The names that a body adds, with their values.
+    /// The names that bodies define, with their values.
     of_body: Vec<(String, f64)>,
     /// The parts of each body.
     pub solids: Vec<Vec<Solid>>,
@@ -83,7 +83,8 @@ impl EulerPoincare {
         self.forces.add(side, function);
     }
 
-    /// The same with constraint forces, which change the Casimir functions and the momentum.
+    /// Whether there are also constraint forces, which change the Casimir functions and the
+    /// momentum.
     pub fn constrained(self) -> Self {
         EulerPoincare { casimirs: vec![], is_constrained: true, ..self }
     }
@@ -123,13 +124,13 @@ impl EulerPoincare {
             None => (start.definition.metric(&ground, tolerance)?, vec![], vec![]),
         };
         let metric = metric.ok_or_else(|| {
-            let error = InputError::mathematics("a motion needs the metric of its kinetic energy");
-            error.help("give metric = \"diag(..)\", or rows; on so(3) and se(3) also [inertia]")
+            let error = InputError::mathematics("the metric of the kinetic energy is missing");
+            error.help("give metric = \"diag(...)\", or rows; on so(3) and se(3) also [inertia]")
         })?;
         let connection = if start.definition.connection_is_default() {
             Connection::canonical(&group.algebra()?, CanonicalConnection::Plus)
         } else if group.is_right() {
-            let message = "right-invariant equations have the connection plus of their own frame";
+            let message = "right-invariant equations always use the connection plus of the right-invariant frame";
             return Err(InputError::usage(message).help("name no connection"));
         } else {
             start.definition.geometry_over(ground, tolerance)?.connection().clone()
@@ -156,14 +157,14 @@ impl EulerPoincare {
                 format!(": without forces, H' is {share} times that of theirs")
             });
             let not =
-                "the connection is not plus, so the equations are not those of Euler and Poincare";
+                "the connection is not plus, so the equations are not the Euler-Poincare equations";
             notes.push(format!("{not}{rate}"));
         }
         start.expect_new_names(&energy.of_body)?;
         let parameters = [&member.parameters[..], &energy.of_body].concat();
         let mut forces = Forces::none(group, inertia.clone(), parameters);
         self.forces.apply(&mut forces, start.definition.dimension())?;
-        // forces change the coadjoint orbit
+        // forces change the coadjoint orbit, so Casimir functions are columns only without forces
         let casimirs = if forces.is_empty() { &self.casimirs[..] } else { &[] };
         let kept = Kept {
             energy: forces.are_conservative() && is_plus(&energy.connection),
@@ -177,14 +178,14 @@ impl EulerPoincare {
     }
 }
 
-/// Warnings about a metric that no rigid body has.
+/// Warnings about a metric that no rigid body can have.
 fn notes(group: &AnyGroup, inertia: &DMatrix<f64>) -> Vec<String> {
     let eigenvalues = inertia.symmetric_eigenvalues();
     if eigenvalues.max() < 0.0 {
-        return vec!["the metric is negative: so is the kinetic energy".into()];
+        return vec!["the metric is negative definite, so the kinetic energy is negative".into()];
     }
     if eigenvalues.min() <= 0.0 {
-        return vec!["the metric is indefinite: no energy bounds the velocity".into()];
+        return vec!["the metric is indefinite, so the energy does not bound the velocity".into()];
     }
     let Some(Ok(body)) = group.downcast_ref::<So3>().and_then(|so3| so3.body(inertia)) else {
         return vec![];

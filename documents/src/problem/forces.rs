@@ -30,7 +30,8 @@ pub(super) struct ForceFormulas {
     components: [(ForceFrame, Vec<Written>); 2],
     potential: Option<Written>,
     table: Option<(ForceFrame, ForceTable)>,
-    /// Whether the columns of the table have been named, so that components without a column are zero.
+    /// Whether `columns` names the columns of the table, so that components without a column are
+    /// zero.
     is_mapped: bool,
     functions: Vec<(ForceFrame, ForceFunction)>,
     place: Place,
@@ -109,10 +110,11 @@ impl ForceFormulas {
         self.functions.push((side, function));
     }
 
-    /// Adds the forces to those of a motion on a group of this dimension.
+    /// Adds the forces to the forces of a motion on a group of this dimension.
     pub fn apply(&self, forces: &mut Forces, dimension: usize) -> Result<(), InputError> {
         let refused = |what: &str, found: usize, place: &Place| {
-            let message = format!("{what} has {found} components, the dimension is {dimension}");
+            let message =
+                format!("{what} has {found} components, but the dimension is {dimension}");
             Err(InputError::usage(message).at(place))
         };
         for (_, components) in &self.components {
@@ -136,8 +138,7 @@ impl ForceFormulas {
         }
         if let Some(potential) = &self.potential {
             let entries = forces.names().entries();
-            let help =
-                format!("a potential is a formula of t, the entries {entries} and parameters");
+            let help = format!("a potential may contain t, the entries {entries} and parameters");
             let set = forces.set_potential(potential.text());
             set.map_err(|error| potential.refused(error, help))?;
         }
@@ -151,7 +152,7 @@ impl ForceFormulas {
     }
 }
 
-/// The time and the components `M1`, `M2`, .. of each row, in this order.
+/// The time and the components `M1`, `M2`, ... of each row, in this order.
 fn force_rows(names: &[String], rows: Vec<Vec<f64>>) -> Result<Vec<Vec<f64>>, InputError> {
     let wanted = (0..names.len()).map(|k| if k == 0 { "t".into() } else { format!("M{k}") });
     let wanted: Vec<String> = wanted.collect();
@@ -166,8 +167,8 @@ fn force_rows(names: &[String], rows: Vec<Vec<f64>>) -> Result<Vec<Vec<f64>>, In
     finite(rows.iter().map(ordered).collect())
 }
 
-/// The rows of a table whose columns have been named, `{ t = "time", M1 = "roll" }`: the time, and the components up to the
-/// last one named; those without a column are zero.
+/// The rows of a table whose columns are named by `{ t = "time", M1 = "roll" }`: the time, and the
+/// components up to the last named one. Components without a column are zero.
 fn mapped_rows(
     columns: &Formulas,
     names: &[String],
@@ -202,7 +203,7 @@ fn mapped_rows(
         return Err(InputError::usage(message).at(&place).help(format!("write {FORM}")));
     };
     let Some(width) = components.iter().map(|(component, _)| component + 1).max() else {
-        let message = "no column has a component of the force";
+        let message = "the table has no column with a component of the force";
         return Err(InputError::usage(message).at(&place).help(format!("write {FORM}")));
     };
     let ordered = |row: &Vec<f64>| {
@@ -214,10 +215,10 @@ fn mapped_rows(
     finite(rows.iter().map(ordered).collect()).map_err(|error| error.at(&place))
 }
 
-/// The largest number of components that a table may name.
+/// The largest number of components that the names of columns may define.
 const MAX_COMPONENTS: usize = 1000;
 
-/// The rows, if all numbers are finite.
+/// Returns the rows, after checking that all numbers are finite.
 fn finite(rows: Vec<Vec<f64>>) -> Result<Vec<Vec<f64>>, InputError> {
     match rows.iter().position(|row| row.iter().any(|value| !value.is_finite())) {
         Some(at) => Err(InputError::usage(format!("row {} of the table is not finite", at + 1))),

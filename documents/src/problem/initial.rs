@@ -27,7 +27,7 @@ pub(super) struct InitialKeys {
 }
 
 impl InitialKeys {
-    /// The keys of an element that is given at once.
+    /// The keys of an element that is given directly, not by parts.
     fn element(&self) -> ElementKeys {
         let Self { element, restore, coordinates, quaternion, position, .. } = self;
         ElementKeys {
@@ -57,7 +57,7 @@ pub(super) enum InitialElement {
     Identity,
     /// Canonical coordinates `x` of `exp(x)`.
     Coordinates(Vec<Value>, Place),
-    /// The rows of its matrix, and whether the nearest element is taken.
+    /// The rows of its matrix, and whether the nearest element is used.
     Rows(Vec<Vec<Value>>, Place, bool),
     /// A quaternion `w, x, y, z`, by default 1, and the position of the body.
     Pose(Option<Vec<Value>>, Vec<Value>, Place),
@@ -79,14 +79,15 @@ impl InitialElement {
         Ok(Self::Parts(parts.collect::<Result<_, _>>()?, reader.source.key("initial.parts")))
     }
 
-    /// The element that the table `path` gives at once.
+    /// The element that the table `path` gives directly.
     fn of_one(keys: &ElementKeys, path: &str, reader: &Reader) -> Result<Self, InputError> {
         let source = reader.source;
         let key = |name: &str| source.key(&format!("{path}.{name}"));
         let pose = keys.quaternion.as_ref().map(|_| "quaternion");
         let pose = pose.or(keys.position.as_ref().map(|_| "position"));
         if keys.restore == Some(true) && keys.element.is_none() {
-            let error = source.refused(&format!("{path}.restore"), "there is no matrix to restore");
+            let error = source
+                .refused(&format!("{path}.restore"), "`restore` needs a matrix, but none is given");
             return Err(error.help("give element = [[...], ...], the rows of a matrix"));
         }
         let restore = keys.restore.unwrap_or(false);
@@ -101,13 +102,13 @@ impl InitialElement {
             }
             _ => {
                 let error = source.refused(path, "the element is given more than once");
-                let help = "give one of element, coordinates, quaternion; a position stands beside a quaternion or alone";
+                let help = "give one of element, coordinates, quaternion; give a position alone or with a quaternion";
                 return Err(error.help(help));
             }
         })
     }
 
-    /// The element at these values of the parameters.
+    /// The element for these values of the parameters.
     pub fn at(&self, group: &AnyGroup, values: &[f64]) -> Result<DVector<f64>, InputError> {
         let (matrix, place) = match self {
             Self::Identity => return Ok(group.identity()),
@@ -151,13 +152,17 @@ impl InitialElement {
                 let of_rotations = group.names().first() == Some(&"qw");
                 if !(of_rotations && matches!((size, along), ((3, 3), 0) | ((4, 4), 0 | 3))) {
                     return Err(refused(match quaternion {
-                        Some(_) => "a quaternion is for so(3), and with a position for se(3)",
-                        None => "a position is three numbers x, y, z, for se(3)",
+                        Some(_) => {
+                            "`quaternion` is allowed on so(3) only, and with `position` on se(3)"
+                        }
+                        None => {
+                            "`position` must be three numbers x, y, z, and is allowed on se(3) only"
+                        }
                     }));
                 }
                 if let Some(quaternion) = quaternion {
                     let Ok(q) = <[f64; 4]>::try_from(Value::all(quaternion, values)?) else {
-                        return Err(refused("a quaternion is four numbers w, x, y, z"));
+                        return Err(refused("`quaternion` must be four numbers w, x, y, z"));
                     };
                     let rotation = rotation::from_wxyz(q);
                     let rotation = rotation.map_err(|error| InputError::from(error).at(place))?;
@@ -172,7 +177,7 @@ impl InitialElement {
         group.read(&matrix).map_err(|error| InputError::from(error).at(place))
     }
 
-    /// A note with the distance, if the element is the nearest one to a matrix.
+    /// A note with the distance, if the element is the nearest one to a given matrix.
     pub fn note(&self, group: &AnyGroup, values: &[f64]) -> Option<String> {
         let distance = self.distance(group, values)?;
         Some(format!(
@@ -180,7 +185,8 @@ impl InitialElement {
         ))
     }
 
-    /// The largest change of an entry by which matrices become elements; `None` if none is restored.
+    /// The largest change of an entry when matrices are replaced by their nearest elements; `None`
+    /// if no matrix is.
     fn distance(&self, group: &AnyGroup, values: &[f64]) -> Option<f64> {
         match self {
             Self::Rows(rows, place, true) => {
@@ -196,8 +202,8 @@ impl InitialElement {
     }
 }
 
-/// Advice where a matrix is not an element.
-const ADVICE: &str = "restore = true in [initial] takes the nearest element of the group";
+/// Advice for a matrix that is not an element.
+const ADVICE: &str = "restore = true in [initial] replaces it by the nearest element of the group";
 
 /// The initial velocity or momentum.
 #[derive(Clone, Debug)]
@@ -229,7 +235,7 @@ impl InitialMomentum {
                 let (values, place) = (reader.values(list)?, source.key(&format!("initial.{key}")));
                 Ok(InitialMomentum { is_velocity, side, values, place })
             }
-            (None, _) => refused("there is no velocity at the start"),
+            (None, _) => refused("the initial velocity is missing"),
             (Some(_), Some(_)) => refused("the velocity is given more than once"),
         }
     }

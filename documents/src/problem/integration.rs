@@ -4,12 +4,12 @@ use super::ready::Ready;
 use affinor::Error;
 use affinor::mechanics::simulation::{Crossings, RecordedCrossing};
 
-/// A motion that is integrated through the times of its problem, with the rows and events on its way.
+/// The integration of a motion through the times of its problem; it produces rows and events.
 pub struct Integration {
     ready: Ready,
     /// The terminal event.
     stop: Option<String>,
-    /// The event that rows are written at, instead of times.
+    /// The event at which rows are written, instead of times.
     section: Option<String>,
     crossings: Crossings,
     /// The index of the next time.
@@ -34,7 +34,7 @@ impl Integration {
         Integration { ready, stop, section, crossings, next: 0 }
     }
 
-    /// The share of the whole time that is passed, from 0 to 1.
+    /// The fraction of the total time that has passed, from 0 to 1.
     pub fn progress(&self) -> f64 {
         let (Some(first), Some(last)) = (self.ready.times.first(), self.ready.times.last()) else {
             return 1.0;
@@ -46,7 +46,7 @@ impl Integration {
     /// One step of the motion.
     ///
     /// # Errors
-    /// The reason why the motion cannot go on. Earlier rows stay valid.
+    /// The reason why the motion cannot be continued. Earlier rows remain valid.
     pub fn step(&mut self) -> Result<Progress, Error> {
         let mut progress = Progress::default();
         let Some(&time) = self.ready.times.get(self.next) else {
@@ -83,7 +83,7 @@ impl Integration {
     }
 }
 
-/// The events of a motion: their values follow those of the columns.
+/// The events of a motion; their values are after those of the columns.
 fn crossings(ready: &Ready) -> Crossings {
     let width = ready.columns.len();
     Crossings::new(ready.motion.as_ref(), width..width + ready.events.len())

@@ -1,4 +1,4 @@
-//! How one motion of a problem is integrated: its method, time step, and step-size control.
+//! The integration settings of a problem: method, time step, and step-size control.
 
 use super::keys::IntegratorKeys;
 use super::output::Output;
@@ -7,14 +7,14 @@ use crate::input::{InputError, Place, Source, forms::OneOrMore, shown};
 use affinor::mechanics::Adaptive;
 use affinor::mechanics::simulation::{Integration, Method};
 
-/// The relative tolerance and the largest number of steps, unless the file gives them.
+/// The default relative tolerance and the default limit on the number of steps.
 const TOLERANCE: f64 = 1e-10;
 const MAX_STEPS: usize = 1_000_000;
 
 /// The method, the step and the tolerances of a problem.
 #[derive(Clone, Debug)]
 pub(super) struct Integrator {
-    /// The method, unless the problem takes that of its class.
+    /// The method; `None` for the default of the class of problems.
     pub method: Option<Method>,
     step: Option<Value>,
     tolerance: Option<Value>,
@@ -52,8 +52,8 @@ impl Integrator {
         })
     }
 
-    /// The same for another method, with steps of this length, or with this relative tolerance; without them those of the
-    /// file remain, if the method has them.
+    /// The same settings with another method, and with this step size or relative tolerance.
+    /// Without a value, that of the file is used if the method needs it.
     pub fn with_method(
         &self,
         method: Method,
@@ -75,8 +75,8 @@ impl Integrator {
         }
     }
 
-    /// The same with another method, step, or tolerance, instead of those of the file. Keys of the file that serve the other way
-    /// to choose steps, fixed or controlled, are left out.
+    /// The same settings with another method, step, or tolerance, instead of those of the file.
+    /// Keys of the file for the other way to choose steps (fixed or controlled) are ignored.
     pub fn replaced(
         &self,
         method: Option<Method>,
@@ -95,7 +95,7 @@ impl Integrator {
         }
     }
 
-    /// Refuses keys that the method ignores.
+    /// Returns an error for keys that the method ignores.
     pub fn expect_no_ignored_keys(
         &self,
         method: Method,
@@ -122,16 +122,16 @@ impl Integrator {
     }
 }
 
-/// The method of a name.
+/// The method with this name.
 pub(super) fn method_of(name: &str, place: &Place) -> Result<Method, InputError> {
     Method::from_name(name).ok_or_else(|| {
         if let Some(instead) = Method::instead_of(name) {
-            let error = InputError::usage(format!("the method `{name}` does not exist any more"));
+            let error = InputError::usage(format!("the method `{name}` was removed"));
             return error.at(place).help(format!("use {instead}"));
         }
         let all: Vec<_> = Method::ALL.iter().map(|method| method.name()).collect();
         let all = all.join(", ");
-        let error = InputError::usage(format!("`{}` is no method", shown(name)));
+        let error = InputError::usage(format!("`{}` is not a method", shown(name)));
         error.at(place).help(format!("the methods are {all}"))
     })
 }
@@ -153,27 +153,27 @@ impl Member<'_> {
         values_of(&self.parameters)
     }
 
-    /// The method that the file names.
+    /// The method in the file.
     pub fn method(&self) -> Option<Method> {
         self.integrator.method
     }
 
-    /// How the motion is integrated; step and tolerances must be positive.
+    /// The settings of the integration; step and tolerances must be positive.
     pub fn integration(&self) -> Result<Integration, InputError> {
         Ok(Integration { method: self.method(), step: self.step()?, control: self.control()? })
     }
 
-    /// The time step, where there is one.
+    /// The time step, if there is one.
     fn step(&self) -> Result<Option<f64>, InputError> {
         self.positive(&self.integrator.step)
     }
 
-    /// The time step of a class of problems that needs one; `what` names the class.
+    /// The time step of a class of problems that needs one; `what` is the class in the message.
     pub fn needed_step(&self, what: &str) -> Result<f64, InputError> {
         self.step()?.ok_or_else(|| InputError::mathematics(format!("{what} needs a step")))
     }
 
-    /// The step-size control through the times of the rows.
+    /// The step-size control between the times of the rows.
     fn control(&self) -> Result<Adaptive, InputError> {
         let Integrator { tolerance, absolute, max_step, max_steps, .. } = self.integrator;
         let values = self.values();
@@ -198,7 +198,7 @@ impl Member<'_> {
     }
 }
 
-/// Values without their names.
+/// The values without their names.
 pub(super) fn values_of(parameters: &[(String, f64)]) -> Vec<f64> {
     parameters.iter().map(|(_, value)| *value).collect()
 }

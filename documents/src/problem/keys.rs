@@ -8,7 +8,7 @@ use crate::input::forms::{Entries, Formulas, MetricText, Number, OneOrEach, OneO
 use crate::space::document::Document;
 use serde::Deserialize;
 
-/// The dotted paths of the keys that only problems on a group have.
+/// The dotted paths of keys that are allowed only in problems on a group.
 pub(super) const OF_GROUPS: [&str; 13] = [
     "space",
     "definition",
@@ -25,7 +25,7 @@ pub(super) const OF_GROUPS: [&str; 13] = [
     "events",
 ];
 
-/// The dotted paths of the keys that only problems with equations of motion on a group have.
+/// The dotted paths of keys that are allowed only with equations of motion on a group.
 pub(super) const OF_DYNAMICS: [&str; 10] = [
     "metric",
     "inertia",
@@ -106,7 +106,7 @@ pub(super) struct OutputKeys {
     pub section: Option<Text>,
 }
 
-/// The table `[prescribed]`: a velocity over time.
+/// The table `[prescribed]`: a prescribed velocity.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct PrescribedKeys {

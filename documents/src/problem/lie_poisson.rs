@@ -30,17 +30,19 @@ impl LiePoisson {
         let forces = &keys.forces;
         let forced = forces.body.is_some() || forces.spatial.is_some() || forces.table.is_some();
         if forced || forces.potential.is_some() || keys.constraints.is_some() {
-            return refused("a Hamiltonian allows no forces and no constraints");
+            return refused("forces and constraints cannot be combined with a Hamiltonian");
         }
         let initial = InitialMomentum::read(&keys.initial, reader)?;
         if keys.inertia.is_some() || on_group.definition().has_metric() {
-            return refused("a Hamiltonian replaces the metric: give one of them");
+            return refused("give either a Hamiltonian or a metric, not both");
         }
         if !on_group.definition().connection_is_default() {
-            return refused("a Hamiltonian gives Lie-Poisson equations, which have no connection");
+            return refused(
+                "a connection cannot be combined with a Hamiltonian, whose equations are Lie-Poisson equations",
+            );
         }
         if !initial.is_momentum() {
-            return refused("a Hamiltonian needs an initial momentum, not a velocity");
+            return refused("with a Hamiltonian, give the initial momentum instead of a velocity");
         }
         Ok(LiePoisson { hamiltonian, initial, casimirs: on_group.casimirs() })
     }
@@ -54,8 +56,7 @@ impl LiePoisson {
         let hamiltonian =
             Hamiltonian::read(self.hamiltonian.text(), &observables).map_err(|error| {
                 let momentum = names.momentum();
-                let help =
-                    format!("it is a formula of {momentum}1..{momentum}{n} and the parameters");
+                let help = format!("it may contain {momentum}1..{momentum}{n} and the parameters");
                 self.hamiltonian.refused(error, help)
             })?;
         let kept = Kept { energy: true, momentum: true };

@@ -1,4 +1,4 @@
-//! Problems of isospectral flows: matrices that move by similarity.
+//! Problems of isospectral flows of matrices.
 
 use super::integrator::Member;
 use super::keys::{FlowKeys, OF_DYNAMICS, OF_GROUPS};
@@ -14,7 +14,7 @@ pub(super) struct MatrixFlow {
     place: Place,
 }
 
-/// The kind of a flow, its numbers as formulas.
+/// The kind of a flow, with its numbers as formulas.
 #[derive(Clone, Debug)]
 enum Flow {
     Toda { positions: Vec<Value>, momenta: Vec<Value> },
@@ -43,7 +43,7 @@ impl MatrixFlow {
     pub fn motion(&self, member: &Member) -> Result<Ready, InputError> {
         let method = member.method().unwrap_or(Method::Isospectral2);
         if method.class() != Class::MatrixFlow {
-            let message = format!("the method {method} is not for flows of matrices");
+            let message = format!("the method {method} does not support flows of matrices");
             let names = Method::names_of(&[Class::MatrixFlow]);
             let help = format!("the methods for flows are {}", names.replace(", ", " and "));
             return Err(InputError::mathematics(message).at(&self.place).help(help));
@@ -75,7 +75,7 @@ impl MatrixFlow {
                     let numbers = Value::all(mode, values)?;
                     let whole = |x: f64| x.fract() == 0.0 && x.abs() < 1e6;
                     let &[l, m, w] = numbers.as_slice() else {
-                        let error = InputError::usage("a mode is [l, m, coefficient]");
+                        let error = InputError::usage("write a mode as [l, m, coefficient]");
                         return Err(error.at(&self.place));
                     };
                     if !(whole(l) && whole(m) && l >= 0.0) {
@@ -97,11 +97,11 @@ impl Flow {
     fn read(keys: &FlowKeys, reader: &Reader) -> Result<Self, InputError> {
         let kind = &*keys.kind;
         let Some((_, own, needed)) = KINDS.iter().find(|(name, ..)| *name == kind) else {
-            let error = InputError::usage(format!("`{}` is no flow", shown(kind)));
-            let help = "the flows are toda, manakov, zeitlin";
+            let error = InputError::usage(format!("`{}` is not a flow", shown(kind)));
+            let help = "choose toda, manakov or zeitlin";
             return Err(error.at(&reader.source.at(&keys.kind)).help(help));
         };
-        // modes leave nothing random
+        // if modes are given, seed and degree are not allowed
         let own = if keys.modes.is_some() { &own[..own.len().min(3)] } else { own };
         for key in KINDS.iter().flat_map(|(_, keys, _)| *keys).filter(|key| !own.contains(key)) {
             reader.refuse(&format!("the flow {kind}"), &[&format!("flow.{key}")])?;

@@ -14,7 +14,7 @@ use affinor_tensors::{Rational, Symbolic, Tolerance};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
-/// Casimir functions are computed of algebras up to this dimension, up to the second degree.
+/// The largest dimension of algebras whose Casimir functions are computed, up to the second degree.
 const CASIMIRS: usize = 6;
 
 /// The group of a problem.
@@ -33,7 +33,7 @@ pub(super) struct Start<'s> {
     /// The group; its opposite for right-invariant equations.
     pub group: &'s AnyGroup,
     pub member: &'s Member<'s>,
-    /// The definition of the space, its parameters replaced by their values.
+    /// The definition of the space, with parameters replaced by their values.
     pub definition: &'s Definition,
 }
 
@@ -62,11 +62,12 @@ impl OnGroup {
                 Space::of(definition)
             }
             (None, None) => {
-                let error = InputError::usage("the problem names no space");
+                let error = InputError::usage("the space is missing");
                 return Err(error.help("give space = \"so3\", a file, or a table [definition]"));
             }
             (Some(_), Some(_)) => {
-                let error = source.refused("space", "the space is named and defined as well");
+                let error = source
+                    .refused("space", "the space is given twice, by name and by a definition");
                 return Err(error.help("give one of space, definition"));
             }
         };
@@ -88,7 +89,7 @@ impl OnGroup {
         &self.element
     }
 
-    /// The space with the values of its parameters for a member.
+    /// The space, with the values of its parameters for a member.
     fn valued(&self, member: &Member) -> Result<Cow<'_, Space>, InputError> {
         let mut values = BTreeMap::new();
         for name in self.space.definition.parameters() {
@@ -126,8 +127,9 @@ impl OnGroup {
         Ok(ready)
     }
 
-    /// The Casimir functions of the algebra up to the second degree, if it is small and without parameters: polynomials
-    /// in the components `mu1`, `mu2`, ... of the momentum.
+    /// The Casimir functions of the algebra up to the second degree, as polynomials in the
+    /// components `mu1`, `mu2`, ... of the momentum. Empty if the algebra is large or has
+    /// parameters.
     pub fn casimirs(&self) -> Vec<Symbolic> {
         if self.definition().dimension() > CASIMIRS || self.definition().is_on_chart() {
             return vec![];
@@ -145,7 +147,7 @@ impl Start<'_> {
         let names = SymbolTable::new(self.group, of_body.to_vec());
         let taken = self.member.parameters.iter().find(|(name, _)| names.find(name).is_some());
         taken.map_or(Ok(()), |(name, _)| {
-            let message = format!("`{name}` has a meaning already");
+            let message = format!("the name `{name}` is already in use");
             let error = self.member.source.refused(&format!("parameters.{name}"), message);
             Err(error.help(format!("take another name than {}", names.all(&|_| true))))
         })

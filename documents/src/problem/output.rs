@@ -11,7 +11,7 @@ use affinor_tensors::Symbolic;
 /// The largest number of rows of one motion.
 const MAX_ROWS: f64 = 1e7;
 
-/// The columns of a file that names none; a motion with a prescribed velocity has the first three.
+/// The default columns; a motion with a prescribed velocity has the first three.
 const COLUMNS: [&str; 6] = ["t", "element", "Omega", "H", "h", "energy"];
 
 /// The table `[output]`, with the named quantities and events.
@@ -23,13 +23,13 @@ pub(super) struct Output {
     events: Vec<(String, Written)>,
     /// The terminal event.
     pub stop: Option<String>,
-    /// The event that rows are written at, instead of times.
+    /// The event at which rows are written, instead of times.
     pub section: Option<String>,
-    /// The names of columns that follow the others in any case: those of constraints.
+    /// The names of columns that are always appended: those of constraints.
     following: Vec<String>,
 }
 
-/// The columns and events of a motion, with their formulas: those of the events follow those of the columns.
+/// The columns and events of a motion with their formulas; those of the events are last.
 pub(super) struct RowFormulas {
     pub columns: Vec<Column>,
     pub events: Vec<String>,
@@ -53,8 +53,8 @@ impl Output {
             if events.iter().any(|(event, _)| *event == name.content) {
                 return Ok(Some(name.to_string()));
             }
-            let error = InputError::usage(format!("`{}` is no event", shown(name)));
-            let help = "events are named in a table [events], by formulas that change their sign";
+            let error = InputError::usage(format!("`{}` is not an event", shown(name)));
+            let help = "define events in a table [events], each as NAME = \"formula that changes its sign\"";
             Err(error.at(&source.at(name)).help(help))
         };
         let (stop, section) = (event(&output.stop)?, event(&output.section)?);
@@ -66,7 +66,8 @@ impl Output {
         Ok(Output { times, columns, quantities, events, stop, section, following })
     }
 
-    /// The same with other columns; a named quantity gives way to a column of its name.
+    /// The same output with other columns. A column of the motion takes precedence over a quantity
+    /// with the same name.
     pub fn with_columns(&self, names: &[&str], source: &Source) -> Self {
         let columns = names.iter().map(|name| Written::beside(source, *name)).collect();
         let mut output = Output { columns, ..self.clone() };
@@ -74,8 +75,9 @@ impl Output {
         output
     }
 
-    /// The columns and events in the names of a motion. Formulas use only quantities that are `allowed`; `casimirs` are
-    /// polynomials in `mu1`, `mu2`, ..., the components of the momentum.
+    /// The columns and events, in terms of the names of a motion. Formulas may use only quantities
+    /// that are `allowed`; `casimirs` are polynomials in `mu1`, `mu2`, ..., the components of the
+    /// momentum.
     pub fn formulas(
         &self,
         names: &SymbolTable,
@@ -91,7 +93,7 @@ impl Output {
             formulas.push(formula.map_err(|error| written.refused(error, help()))?);
             Ok::<_, InputError>(())
         };
-        // the momentum in the other frame than that of the equations
+        // the momentum in the other frame than that of the equations is conserved
         let conserved = if names.momentum() == "h" { "H" } else { "h" };
         for stem in &self.columns {
             let expanded = names.expand(stem.text());
@@ -106,7 +108,7 @@ impl Output {
                 continue;
             }
             if expanded.is_empty() {
-                let message = format!("`{}` is no quantity of this motion", shown(stem.text()));
+                let message = format!("`{}` is not a quantity of this motion", shown(stem.text()));
                 return Err(InputError::usage(message).at(&stem.place()).help(help()));
             }
             let watched = ["energy", conserved].contains(&stem.text());
@@ -150,8 +152,8 @@ impl Column {
     }
 }
 
-/// Checks that columns have distinct names, also beside those of an ensemble. A Casimir function, a multiplier or a
-/// parameter of an ensemble may have the name of a quantity.
+/// Checks that columns have distinct names, which also differ from those of an ensemble. Casimir
+/// functions, multipliers and parameters of an ensemble may have the name of a quantity.
 pub(super) fn expect_distinct(
     columns: &[Column],
     of_ensemble: &[&str],
@@ -164,7 +166,7 @@ pub(super) fn expect_distinct(
     Ok(())
 }
 
-/// Checks that no column has the name yet.
+/// Checks that no column has this name yet.
 fn expect_new(
     columns: &[Column],
     others: &[&str],
@@ -174,7 +176,7 @@ fn expect_new(
     if columns.iter().all(|column| column.name != name) && !others.contains(&name) {
         return Ok(());
     }
-    Err(InputError::usage(format!("there are two columns `{}`", shown(name))).at(place))
+    Err(InputError::usage(format!("the column name `{}` occurs twice", shown(name))).at(place))
 }
 
 /// The times of rows, as formulas in the parameters.
@@ -186,14 +188,14 @@ pub(super) struct Times {
 
 #[derive(Clone, Debug)]
 enum Rows {
-    /// At these times.
+    /// A list of times.
     Listed(Vec<Value>),
     /// The end, and the interval between rows.
     Spaced(Box<(Value, Option<Value>)>),
 }
 
 impl Times {
-    /// The times of an output; the initial time is 0 unless `start` gives it.
+    /// Reads the times of an output; the initial time is `start`, or 0 if it is `None`.
     fn read(keys: &OutputKeys, start: Option<Value>, reader: &Reader) -> Result<Self, InputError> {
         let rows = match (&keys.times, &keys.end, &keys.every) {
             (Some(times), None, None) => Rows::Listed(reader.values(times)?),
@@ -201,20 +203,20 @@ impl Times {
                 Rows::Spaced(Box::new((reader.value(end)?, reader.optional(every)?)))
             }
             _ => {
-                let message = "the output has an end and optionally every, or times";
+                let message = "give `end` and optionally `every`, or `times`";
                 return Err(reader.source.refused("output", message));
             }
         };
         Ok(Times { start, rows })
     }
 
-    /// The same start and these times.
+    /// The same start, with these times.
     pub fn listed(&self, times: &[f64], source: &Source) -> Self {
         let times = times.iter().map(|time| Value::constant(source, *time)).collect();
         Times { start: self.start.clone(), rows: Rows::Listed(times) }
     }
 
-    /// The times at these values of the parameters, the start first.
+    /// The times for these values of the parameters, beginning with the start.
     pub fn at(&self, source: &Source, parameters: &[f64]) -> Result<Vec<f64>, InputError> {
         let start = self.start.as_ref().map_or(Ok(0.0), |start| start.at(parameters))?;
         match &self.rows {
@@ -230,7 +232,7 @@ impl Times {
                 if forwards || all.windows(2).all(|pair| pair[0] > pair[1]) {
                     return Ok(all);
                 }
-                let message = "the times neither increase nor decrease from the start";
+                let message = "the times must increase or decrease from the start";
                 Err(source.refused("output.times", message))
             }
             Rows::Spaced(spaced) => {
@@ -244,7 +246,7 @@ impl Times {
         }
     }
 
-    /// The start and the end alone.
+    /// The start and the end only.
     pub fn to_the_end(&self) -> Self {
         let rows = match &self.rows {
             Rows::Listed(times) => Rows::Listed(times.last().into_iter().cloned().collect()),
@@ -267,20 +269,20 @@ impl Times {
     }
 }
 
-/// Times from a start to an end at intervals of `every`.
+/// Equidistant times from a start to an end, at intervals of `every`.
 fn equally(start: f64, end: f64, every: f64) -> Result<Vec<f64>, InputError> {
     if every.is_nan() || every <= 0.0 && end != start {
-        return Err(InputError::usage(format!("rows every {every} never come to the end")));
+        return Err(InputError::usage(format!("rows every {every} never reach the end")));
     }
     if end == start {
         return Ok(vec![start]);
     }
     let count = (end - start).abs() / every;
     if count > MAX_ROWS {
-        let message = format!("{count:.0} rows are too many, the limit is {MAX_ROWS}");
+        let message = format!("{count:.0} rows exceed the limit of {MAX_ROWS}");
         return Err(InputError::usage(message));
     }
-    // rounding must not add or lose a row
+    // rounding errors must not add or remove a row
     let rounding = f64::EPSILON * start.abs().max(end.abs()) / every;
     let slack = (1e-9 + 4.0 * rounding).min(0.25);
     let whole = (count + slack).floor() as u64;

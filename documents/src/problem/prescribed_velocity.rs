@@ -1,4 +1,4 @@
-//! Problems of kinematics: a velocity that is given over time.
+//! Problems of kinematics: a prescribed velocity.
 
 use super::keys::{OF_DYNAMICS, PrescribedKeys};
 use super::on_group::Start;
@@ -12,7 +12,7 @@ use affinor::mechanics::simulation::{
     VelocityFormulas,
 };
 
-/// The element that moves with a prescribed velocity.
+/// The data of a motion with a prescribed velocity.
 #[derive(Clone, Debug)]
 pub(super) struct PrescribedVelocity {
     side: ForceFrame,
@@ -22,7 +22,7 @@ pub(super) struct PrescribedVelocity {
 
 impl PrescribedVelocity {
     pub fn read(keys: &PrescribedKeys, reader: &Reader) -> Result<Self, InputError> {
-        reader.refuse("a velocity given over time", &OF_DYNAMICS)?;
+        reader.refuse("a prescribed velocity", &OF_DYNAMICS)?;
         let (side, list) = match (&keys.velocity, &keys.spatial_velocity) {
             (Some(list), None) => (ForceFrame::Body, list),
             (None, Some(list)) => (ForceFrame::Spatial, list),
@@ -40,22 +40,21 @@ impl PrescribedVelocity {
         let (group, member, values) = (start.group, start.member, start.member.values());
         let n = group.dimension();
         if (self.side == ForceFrame::Spatial) != group.is_right() {
-            let message =
-                "a given velocity is in the body frame; with invariance = \"right\" it is in space";
+            let message = "give `velocity` in the body frame, or `spatial_velocity` with invariance = \"right\"";
             let place = self.velocity.first().map(Written::place);
             return Err(InputError::usage(message).or_at(place.as_ref()));
         }
         if self.velocity.len() != n {
             let found = self.velocity.len();
-            let message = format!("the velocity has {found} components, the dimension is {n}");
+            let message = format!("the velocity has {found} components, but the dimension is {n}");
             return Err(member.source.refused("prescribed", message));
         }
         let method = member.method().unwrap_or(Method::Magnus6);
         if method.class() != Class::PrescribedVelocity {
-            let message = format!("the method {method} is not for a velocity over time");
+            let message = format!("the method {method} does not support a prescribed velocity");
             let names = Method::names_of(&[Class::PrescribedVelocity]);
             return Err(InputError::mathematics(message)
-                .help(format!("the method for a velocity over time is {names}")));
+                .help(format!("methods for a prescribed velocity: {names}")));
         }
         let step = member.needed_step("a velocity over time")?;
         start.expect_new_names(&[])?;
@@ -64,10 +63,10 @@ impl PrescribedVelocity {
         let mut velocity = VelocityFormulas::default();
         for formula in &self.velocity {
             let added = velocity.add(formula.text(), names);
-            let help = "the velocity is a formula of t and the parameters";
+            let help = "the velocity may contain t and the parameters";
             added.map_err(|error| formula.refused(error, help))?;
         }
-        // there is no inertia
+        // quantities that need an inertia are not allowed
         let kinematic = |quantity: MotionQuantity| {
             use MotionQuantity::{Energy, Kinetic, Momentum, OtherMomentum, Potential, Power};
             !matches!(

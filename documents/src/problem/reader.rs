@@ -12,20 +12,20 @@ use nalgebra::DMatrix;
 use std::cell::RefCell;
 use std::path::Path;
 
-/// Names of numbers, which no parameter takes.
+/// Names of constants, which a parameter may not have.
 const NUMBERS: [&str; 2] = ["pi", "tau"];
 
-/// A formula as it is written, with its place.
+/// The text of a formula, with its location.
 #[derive(Clone, Debug)]
 pub(super) struct Written {
-    /// The file; its excerpt is the formula, unless that does not come from a file.
+    /// The file; its excerpt is the formula, unless the formula does not come from a file.
     source: Source,
     /// The formula, if it does not come from a file.
     own: Option<String>,
 }
 
 impl Written {
-    /// A formula that stands in no file; messages name `source`.
+    /// A formula that does not come from a file; messages name `source`.
     pub fn beside(source: &Source, text: impl Into<String>) -> Self {
         Written { source: source.clone(), own: Some(text.into()) }
     }
@@ -38,12 +38,12 @@ impl Written {
         self.source.whole(self.text())
     }
 
-    /// The formula as a source, the pieces of which have places.
+    /// The formula as a source whose pieces have locations.
     pub fn source(&self) -> &Source {
         &self.source
     }
 
-    /// An error in the formula, at its place.
+    /// An error in the formula, with its location.
     pub fn refused(&self, error: ExpressionError, help: impl Into<String>) -> InputError {
         let place = self.source.find(self.text(), error.span);
         InputError::usage(error.reason).at(&place).help(help)
@@ -58,7 +58,7 @@ pub(super) struct Value {
 }
 
 impl Value {
-    /// A constant that stands in no file.
+    /// A constant that does not come from a file.
     pub fn constant(source: &Source, number: f64) -> Self {
         let written = Written::beside(source, number.to_string());
         Value { formula: Formula::number(number), written }
@@ -68,7 +68,7 @@ impl Value {
         self.written.place()
     }
 
-    /// The number at these values of the parameters.
+    /// The number for these values of the parameters.
     pub fn at(&self, parameters: &[f64]) -> Result<f64, InputError> {
         let value = self.formula.value(parameters);
         if value.is_finite() {
@@ -84,7 +84,7 @@ impl Value {
         if value > 0.0 {
             return Ok(value);
         }
-        Err(InputError::usage(format!("{value} is not above zero")).at(&self.place()))
+        Err(InputError::usage(format!("{value} is not positive")).at(&self.place()))
     }
 
     /// The numbers of a list.
@@ -92,7 +92,7 @@ impl Value {
         list.iter().map(|value| value.at(parameters)).collect()
     }
 
-    /// The matrix with these rows; `what` names it.
+    /// The matrix with these rows; `what` is its name in messages.
     pub fn matrix(
         what: &str,
         rows: &[Vec<Value>],
@@ -109,7 +109,8 @@ impl Value {
         Ok(DMatrix::from_row_slice(rows.len(), width, &entries?))
     }
 
-    /// The numbers of a list that must have as many components as the algebra has dimensions; `what` names the list.
+    /// The numbers of a list, which must have one component for each dimension of the algebra;
+    /// `what` is the name of the list in messages.
     pub fn vector(
         what: &str,
         list: &[Value],
@@ -119,7 +120,8 @@ impl Value {
     ) -> Result<Vec<f64>, InputError> {
         if list.len() != dimension {
             let found = list.len();
-            let message = format!("{what} has {found} components, the dimension is {dimension}");
+            let message =
+                format!("{what} has {found} components, but the dimension is {dimension}");
             return Err(InputError::usage(message).at(place));
         }
         Value::all(list, parameters)
@@ -136,19 +138,19 @@ pub(super) struct Reader<'s> {
 }
 
 impl<'s> Reader<'s> {
-    /// A reader of a file; `folder` is that of the file.
+    /// A reader of a file, which is in `folder`.
     pub fn new(source: &'s Source, folder: &'s Path) -> Self {
         Reader { source, names: vec![], folder, files: RefCell::default() }
     }
 
-    /// The path of another file that the problem names.
+    /// The path of another file that the problem refers to.
     pub fn file(&self, name: &str) -> String {
         let path = self.folder.join(name).to_string_lossy().into_owned();
         self.files.borrow_mut().push(path.clone());
         path
     }
 
-    /// The paths of all other files, once everything is read.
+    /// The paths of all other files, after everything has been read.
     pub fn into_files(self) -> Vec<String> {
         self.files.into_inner()
     }
@@ -161,7 +163,7 @@ impl<'s> Reader<'s> {
         self.value_of(self.written(text))
     }
 
-    /// A number of the source that is read as a whole.
+    /// The whole source as a number.
     pub fn whole(&self) -> Result<Value, InputError> {
         self.value_of(Written { source: self.source.clone(), own: None })
     }
@@ -211,14 +213,15 @@ impl<'s> Reader<'s> {
         let place = self.source.at(name);
         check_name(name).map_err(|error| error.at(&place))?;
         if NUMBERS.contains(&&**name) || self.names.contains(&name.content) {
-            let message = format!("`{}` has a meaning already", &**name);
+            let message = format!("the name `{}` is already in use", &**name);
             return Err(InputError::usage(message).at(&place).help("take another name"));
         }
         self.names.push(name.to_string());
         Ok(())
     }
 
-    /// Refuses keys that a class of problems ignores, by their dotted paths; `what` names the class.
+    /// Returns an error for keys that a class of problems ignores, given by their dotted paths;
+    /// `what` names the class.
     pub fn refuse(&self, what: &str, keys: &[&str]) -> Result<(), InputError> {
         let Some(path) = keys.iter().find(|path| self.source.has_key(path)) else { return Ok(()) };
         let key = path.rsplit('.').next().unwrap_or(path);
@@ -226,7 +229,7 @@ impl<'s> Reader<'s> {
         Err(error.help("leave the key out"))
     }
 
-    /// Refuses a key with nothing in it.
+    /// Returns an error for a key with an empty value.
     pub fn refuse_empty(&self, path: &str, is_empty: bool) -> Result<(), InputError> {
         if !is_empty {
             return Ok(());

@@ -1,4 +1,4 @@
-//! A motion that is ready to start, and the columns of its rows.
+//! A motion that is ready to start, with the columns of its rows.
 
 use super::solid::Solid;
 use affinor::group::{AnyGroup, LieGroup, MatrixNotation, Opposite};
@@ -15,13 +15,14 @@ pub struct Ready {
     pub times: Vec<f64>,
     /// The columns of its rows.
     pub columns: Vec<Column>,
-    /// The names of its events; in a row, their values follow those of the columns.
+    /// The names of its events; in a row, their values are after those of the columns.
     pub events: Vec<String>,
     /// The matrix of the metric, for equations of motion with a kinetic energy.
     pub inertia: Option<DMatrix<f64>>,
-    /// The factors of its group; none for a flow of matrices.
+    /// The factors of its group; empty for a flow of matrices.
     pub factors: Vec<Factor>,
-    /// For each factor the parts of its body without holes; none if the bodies are given by moments, or by a metric.
+    /// For each factor the parts of its body without holes; empty if the bodies are given by
+    /// moments, or by a metric.
     pub solids: Vec<Vec<Solid>>,
     /// Warnings about the problem.
     pub notes: Vec<String>,
@@ -30,16 +31,16 @@ pub struct Ready {
 /// A factor of the group of a motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Factor {
-    /// Its number from 1; none if the group has no other factor.
+    /// Its number from 1; `None` if there is only one factor.
     pub number: Option<usize>,
     /// The index of its first component in vectors.
     pub first: usize,
-    /// Whether it rotates a body: its elements have a quaternion.
+    /// Whether it rotates a body, so that its elements have a quaternion.
     pub rotates: bool,
 }
 
 impl Factor {
-    /// The factors of a group; those of a group and its opposite are the same.
+    /// The factors of a group; the opposite of a group has the same factors.
     pub(super) fn all(group: &AnyGroup) -> Vec<Self> {
         let factors = factors(group);
         let is_product = factors.len() > 1;
@@ -54,7 +55,8 @@ impl Factor {
     }
 }
 
-/// The factors of a group, or of the group of which it is the opposite: their elements are the same.
+/// The factors of a group. For the opposite of a group, the factors of this group, whose elements
+/// are the same.
 pub(super) fn factors(group: &AnyGroup) -> Vec<&AnyGroup> {
     let opposite = group.downcast_ref::<Opposite<AnyGroup>>();
     opposite.map_or(group, |opposite| &opposite.0).factors()
@@ -92,7 +94,7 @@ pub struct Column {
     pub formula: Option<String>,
     /// Whether its change is reported.
     pub watched: bool,
-    /// Whether the equations conserve it, by what is known of the forces.
+    /// Whether the equations conserve it, as far as the forces tell.
     pub conserved: bool,
 }
 
@@ -106,7 +108,7 @@ pub(super) struct Kept {
 }
 
 impl Column {
-    /// A column without a formula; one that is watched is conserved.
+    /// A column without a formula; if it is watched, it is conserved.
     pub fn new(name: impl Into<String>, watched: bool) -> Self {
         Column { name: name.into(), formula: None, watched, conserved: watched }
     }

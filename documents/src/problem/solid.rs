@@ -1,14 +1,14 @@
-//! Solids as polygons, to be drawn.
+//! Polyhedra that approximate solids, for pictures.
 
 use nalgebra::{Isometry3, Vector3};
 use std::f64::consts::{PI, TAU};
 
-/// The corners around a round part.
+/// The number of corners around a round part.
 const AROUND: usize = 10;
-/// The rings between the poles of a ball.
+/// The number of rings between the poles of a ball.
 const RINGS: usize = 3;
 
-/// A convex solid, or a closed surface, by its faces.
+/// A convex solid, or a closed surface, given by its faces.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solid {
     /// Its corners, in the frame of the body.
@@ -18,7 +18,7 @@ pub struct Solid {
 }
 
 impl Solid {
-    /// A box of three edges.
+    /// A box with three edge lengths.
     pub(super) fn cuboid(edges: &Vector3<f64>) -> Self {
         let sign = |at: usize, bit: usize| if at >> bit & 1 == 1 { 0.5 } else { -0.5 };
         let corner =
@@ -45,7 +45,7 @@ impl Solid {
         Solid { corners: ring(-0.5 * height).chain(ring(0.5 * height)).collect(), faces }
     }
 
-    /// An ellipsoid of three half axes.
+    /// An ellipsoid with three half axes.
     pub(super) fn ellipsoid(half_axes: &Vector3<f64>) -> Self {
         let mut corners = vec![];
         for ring in 1..=RINGS {
@@ -80,7 +80,7 @@ impl Solid {
         Solid { corners: vec![-end, end], faces: vec![vec![0, 1]] }
     }
 
-    /// The solid, moved.
+    /// The solid after a rigid motion.
     pub(super) fn moved(&self, motion: &Isometry3<f64>) -> Self {
         let corners = self.corners.iter().map(|x| motion.rotation * x + motion.translation.vector);
         Solid { corners: corners.collect(), faces: self.faces.clone() }
@@ -96,7 +96,8 @@ impl Solid {
 mod tests {
     use super::*;
 
-    /// By the divergence theorem the faces, seen from outside, bound the volume of the shape.
+    /// By the divergence theorem, the faces, which are counterclockwise from outside, enclose the
+    /// volume of the shape.
     #[test]
     fn faces_are_counterclockwise_from_outside() {
         let volume = |solid: &Solid| -> f64 {
@@ -108,7 +109,7 @@ mod tests {
         };
         let axes = Vector3::new(1.0, 2.0, 3.0);
         assert!((volume(&Solid::cuboid(&axes)) - 6.0).abs() < 1e-12);
-        // inscribed polygons and polyhedra
+        // the ratio of the areas of inscribed polygons and of the volumes of polyhedra
         let disc = 0.5 * AROUND as f64 * (TAU / AROUND as f64).sin();
         assert!((volume(&Solid::cylinder(2.0, 5.0)) - 4.0 * disc * 5.0).abs() < 1e-12);
         let share = volume(&Solid::ellipsoid(&axes)) / (4.0 / 3.0 * PI * 6.0);

@@ -18,15 +18,15 @@ use affinor_tensors::{Recorded, Symbolic, Up};
 use num_traits::Zero;
 use routine::{Array, Routine};
 
-/// A scalar whose values are programs, or become such.
+/// A scalar whose values are programs, or can be converted to programs.
 pub trait Programmed: Coefficient {
     /// The program of a value.
     ///
     /// # Errors
-    /// In words: a function without a counterpart in programs.
+    /// A message: a function does not exist in programs.
     fn program(&self) -> Result<Recorded, String>;
 
-    /// The partial derivatives of values by the parameter of that name.
+    /// The partial derivatives of values with respect to the parameter of that name.
     fn rates(values: &[Self], name: &str) -> Vec<Self>;
 }
 
@@ -67,7 +67,8 @@ impl<S: Programmed> Values<S> {
     }
 }
 
-/// The most components of one array. All are written, with their indices as in the formula.
+/// The largest number of components of one array. All components are written, with the indices of
+/// the formula.
 const MAX_COMPONENTS: usize = 100_000;
 
 /// A programming language.
@@ -77,7 +78,7 @@ pub enum Language {
     Rust,
     /// C99.
     C,
-    /// Python 3 with NumPy, vectorised.
+    /// Python 3 with NumPy, vectorized.
     Python,
 }
 
@@ -85,7 +86,7 @@ impl Language {
     /// All languages.
     pub const ALL: [Language; 3] = [Language::Rust, Language::C, Language::Python];
 
-    /// The name in options.
+    /// The name of the language in options.
     pub fn name(self) -> &'static str {
         match self {
             Language::Rust => "rust",
@@ -94,7 +95,7 @@ impl Language {
         }
     }
 
-    /// The language of that name.
+    /// The language with this name.
     pub fn from_name(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|language| language.name() == name)
     }
@@ -110,13 +111,15 @@ impl Language {
 
 /// Source code of a function that computes tensors of a geometry, each as an array with the indices of its formula.
 ///
-/// Its arguments are the coordinates of the chart, as an array `x`, and the parameters that the components depend on,
-/// sorted. The name of a parameter begins with `p_`, so that it is no reserved word. The names in `by` are parameters or
-/// coordinates: for every tensor `t` an array `d_t` of its partial derivatives follows, the number of the name first.
-/// Tensors that do not apply to the geometry are left out.
+/// Its arguments are the coordinates of the chart, as an array `x`, and the parameters of the
+/// components, sorted. The name of a parameter begins with `p_`, so that it is not a reserved word.
+/// The names in `by` are parameters or coordinates: every tensor `t` is followed by an array `d_t`
+/// of its partial derivatives, whose first index is the number of the name. Tensors that do not
+/// apply to the geometry are left out.
 ///
 /// # Errors
-/// A tensor of more than 100,000 components; a constant beyond the range of floats; no tensor that applies.
+/// An error for a tensor of more than 100,000 components, for a constant beyond the range of
+/// floats, and if no tensor applies.
 pub fn tensors_as_code<S: Programmed>(
     geometry: &Geometry<S>,
     quantities: &[Quantity],
@@ -126,7 +129,7 @@ pub fn tensors_as_code<S: Programmed>(
     let mut arrays = Vec::new();
     let n = geometry.frame().dimension();
     for &quantity in quantities {
-        // before the tensor is computed, which may take long
+        // checked before the tensor is computed, which may take long
         expect_size(quantity.key(), n, quantity.slots().len())?;
         if let Some(tensor) = quantity.of(geometry)? {
             let entries = tensor.components().map(|(at, value)| (at.to_vec(), value.clone()));
@@ -165,15 +168,17 @@ pub fn tensors_as_code<S: Programmed>(
 }
 
 impl EquationReport<Recorded> {
-    /// Source code of a function that returns the rates.
+    /// Source code of a function that returns the time derivatives.
     ///
-    /// Its arguments are the state, the external covector or the velocity of the curve, and the parameters, as in
-    /// [`tensors_as_code`]. Over a chart the position is the first argument, and its rates come first. The matrix of the
-    /// rates is eliminated, and not inverted. The names in `by` are parameters or coordinates: an array `d_rate` with
-    /// the partial derivatives of the rates follows, the number of the name first.
+    /// Its arguments are the state, the external covector or the velocity of the curve, and the
+    /// parameters, as in [`tensors_as_code`]. Over a chart the position is the first argument, and
+    /// its time derivatives come first. The linear system for the time derivatives is solved by
+    /// elimination, not by an inverse. The names in `by` are parameters or coordinates: an array
+    /// `d_rate` follows with the partial derivatives of the time derivatives, whose first index is
+    /// the number of the name.
     ///
     /// # Errors
-    /// A constant beyond the range of floats.
+    /// An error for a constant beyond the range of floats.
     pub fn code(&self, language: Language, by: &[String]) -> Result<String, InputError> {
         let motion = self.equations.kind();
         let n = self.equations.dimension();
@@ -219,14 +224,14 @@ impl EquationReport<Recorded> {
     }
 }
 
-/// Refuses an array that is too large to be written out.
+/// Returns an error for an array that is too large to be written out.
 fn expect_size(name: &str, dimension: usize, rank: usize) -> Result<(), InputError> {
     let size = u32::try_from(rank).ok().and_then(|rank| dimension.checked_pow(rank));
     if size.is_some_and(|size| size <= MAX_COMPONENTS) {
         return Ok(());
     }
     let message = format!(
-        "{name} has {dimension}^{rank} components, and a program writes at most {MAX_COMPONENTS}"
+        "{name} has {dimension}^{rank} components, but a program can have at most {MAX_COMPONENTS}"
     );
     Err(InputError::usage(message).help("choose smaller tensors with --show"))
 }
@@ -244,7 +249,7 @@ fn with_derivatives<S: Programmed>(
         let size = array.shape.iter().product::<usize>().saturating_mul(by.len());
         if size > MAX_COMPONENTS {
             let message = format!(
-                "the derivatives of {} have {size} components, and a program writes at most {MAX_COMPONENTS}",
+                "the derivatives of {} have {size} components, but a program can have at most {MAX_COMPONENTS}",
                 array.name
             );
             return Err(InputError::usage(message).help("choose fewer --derivatives"));

@@ -1,4 +1,4 @@
-//! Two geometries side by side.
+//! Comparisons of two geometries.
 
 use super::claims::Claim;
 use super::components::groups;
@@ -23,12 +23,12 @@ const LISTED: usize = 24;
 /// A basis with more vectors than this is shown by its first and its last vector.
 const LABELLED: usize = 12;
 
-/// Whether a claim holds; `None` if it is about a metric and there is none.
+/// The outcome of a claim; `None` if the claim is about a metric and there is none.
 type Verdict = Option<Property<String>>;
-/// Why a claim does not apply.
+/// The reason why a claim does not apply.
 const NO_METRIC: &str = "no metric";
 
-/// One side of a comparison: a geometry, ready to be printed.
+/// One side of a comparison: a geometry, ready for output.
 #[derive(Clone, Debug)]
 pub struct ComparedSide {
     name: String,
@@ -39,7 +39,7 @@ pub struct ComparedSide {
     zero: Option<String>,
 }
 
-/// Two geometries side by side.
+/// A comparison of two geometries.
 #[derive(Clone, Debug)]
 pub struct Comparison {
     sides: [ComparedSide; 2],
@@ -81,7 +81,8 @@ impl ComparedSide {
 }
 
 impl Comparison {
-    /// The comparison of two sides. Sides of one name are distinguished by their connections, or else by numbers.
+    /// Compares two sides. Sides with equal names are distinguished by their connections, otherwise
+    /// by numbers.
     pub fn new(mut left: ComparedSide, mut right: ComparedSide) -> Self {
         if left.name == right.name {
             for side in [&mut left, &mut right] {
@@ -120,7 +121,7 @@ impl Comparison {
         Grid::new(title, &header, rows.collect(), Value::Null)
     }
 
-    /// Tensors and claims under one header.
+    /// Tensors and claims in one grid.
     fn one_grid(&self) -> Grid {
         let mut grid = self.tensors();
         grid.rows.iter_mut().for_each(|row| row.insert(1, "".into()));
@@ -195,7 +196,7 @@ fn written(verdict: &Verdict) -> Cell {
         Some(Property::Fails(witness)) => witness,
     };
     let text = format!("no: {witness}");
-    // a witness that is not an equation stays text
+    // a witness that is not an equation is written as text
     let Ok(left) = notation(&witness.equation) else { return text.into() };
     let (right, n) = match witness.residual.split_once(" for n = ") {
         Some((right, n)) => (right, Some(n)),
@@ -234,7 +235,7 @@ fn listed<S: Coefficient>(quantity: Quantity, tensor: &Tensor<S>) -> Cell {
     let formulas =
         groups.iter().map(|group| typeset::equation(quantity, tensor, group, &none, None));
     let formulas: Vec<Row> = formulas.collect();
-    // paragraphs, so that each has a hanging indent of its own
+    // separate paragraphs, so that each has its own hanging indent
     let latex: Vec<String> = formulas.iter().map(|formula| latex::paragraph(formula)).collect();
     Cell {
         text: text.collect(),
@@ -244,7 +245,8 @@ fn listed<S: Coefficient>(quantity: Quantity, tensor: &Tensor<S>) -> Cell {
     }
 }
 
-/// Whether the connection preserves the metric, or the conditions on the parameters.
+/// Whether the connection preserves the metric; if not, the conditions on the parameters under
+/// which it does.
 fn compatibility<S: Coefficient>(geometry: &Geometry<S>) -> Result<Cell, Error> {
     let Some(metric) = geometry.metric() else {
         return Ok("no metric".into());
@@ -271,7 +273,7 @@ fn compatibility<S: Coefficient>(geometry: &Geometry<S>) -> Result<Cell, Error> 
     Ok(line(&format!("nabla g{count}"), vec![formula, Part::Words(&count)]))
 }
 
-/// The generator of transport along an autoparallel, as a multiple of `ad_n` where it is one.
+/// The generator of transport along an autoparallel, as a multiple of `ad_n` if it is one.
 fn transport<S: Coefficient>(geometry: &Geometry<S>, algebra: &LieAlgebra<S>) -> Cell {
     let (c, gamma) = (algebra.structure_constants(), geometry.connection().affinities());
     let generator = |text: &str, parts: Vec<Part>| {
@@ -306,7 +308,7 @@ enum Part<'a> {
     Formula(Row),
 }
 
-/// One line of text, and the same with formulas.
+/// A line as text, and as formulas.
 fn line(text: &str, parts: Vec<Part>) -> Cell {
     Cell { text: vec![text.into()], ..typeset(&[parts]) }
 }

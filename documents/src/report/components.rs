@@ -12,14 +12,14 @@ pub const GROUPED: usize = 60;
 /// Components that are equal up to sign.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Group<S> {
-    /// The common value. It begins with a minus sign only if every member does.
+    /// The common value. It begins with a minus sign only if the values of all members do.
     pub value: S,
     /// The indices, from 0, and whether the component is minus the value.
     pub members: Vec<(Vec<usize>, bool)>,
 }
 
 impl<S> Group<S> {
-    /// The members by their names and signs.
+    /// The members, written as names with signs.
     pub(super) fn names(&self, name: impl Fn(&[usize]) -> String) -> Vec<String> {
         let sign = |negative: bool| if negative { "-" } else { "" };
         let members = self.members.iter();
@@ -29,14 +29,14 @@ impl<S> Group<S> {
 
 /// The nonzero components grouped by value up to sign, in the order of first appearance.
 ///
-/// The members stand in the order of their indices. Where the tensor is antisymmetric in two slots,
-/// a component and its mirror image stand side by side, the positive one first, as in
-/// `R^1_212 = -R^1_221 = ... = R^2_121 = -R^2_112 = ... = 1/4`.
+/// The members are in the order of their indices. If the tensor is antisymmetric in two slots, a
+/// component and its mirror image are next to each other, the positive one first, as in `R^1_212 =
+/// -R^1_221 = ... = R^2_121 = -R^2_112 = ... = 1/4`.
 pub fn groups<S: Coefficient>(tensor: &Tensor<S>) -> Vec<Group<S>> {
     groups_with(tensor, &CommonFactors::default())
 }
 
-/// As [`groups`]; signs are those of the texts with these factors.
+/// Like [`groups`]; signs are determined from the texts with these factors.
 pub(super) fn groups_with<S: Coefficient>(
     tensor: &Tensor<S>,
     factors: &CommonFactors,
@@ -65,15 +65,15 @@ pub(super) fn groups_with<S: Coefficient>(
     groups
 }
 
-/// One component for each set that is equal, up to sign, by the symmetries of the tensor.
+/// One component of each set that is equal, up to sign, by the symmetries of the tensor.
 ///
-/// Slots are symmetric or antisymmetric as [`Tensor::pair_symmetry`] finds them; of each set the
-/// component with rising indices is kept: `k < l` for a curvature, `i <= j` for a metric.
+/// The symmetries are those that [`Tensor::pair_symmetry`] finds. The component with ascending
+/// indices represents a set: `k < l` for a curvature, `i <= j` for a metric.
 pub fn independent<S: Coefficient>(tensor: &Tensor<S>) -> Tensor<S> {
     representatives(tensor, &BTreeSet::new())
 }
 
-/// As [`independent`], but of a set with components in `listed` these are kept.
+/// Like [`independent`], but sets with components in `listed` are represented by these.
 pub(super) fn representatives<S: Coefficient>(
     tensor: &Tensor<S>,
     listed: &BTreeSet<Vec<usize>>,
@@ -96,7 +96,7 @@ pub(super) fn representatives<S: Coefficient>(
     tensor.filter_map(|at, value| is_kept(at).then(|| value.clone()))
 }
 
-/// A statement about the components that are not printed, if there are any.
+/// A statement about the components that are not printed; empty if all are.
 pub(super) fn others<S: Scalar>(tensor: &Tensor<S>, shown: &Tensor<S>) -> Option<&'static str> {
     let all = (tensor.dimension() as u64).pow(tensor.rank() as u32);
     match (tensor.len() as u64 == all, shown.len() == tensor.len()) {
@@ -107,7 +107,7 @@ pub(super) fn others<S: Scalar>(tensor: &Tensor<S>, shown: &Tensor<S>) -> Option
     }
 }
 
-/// `12 nonzero components, 6 shown`; nothing for a tensor of rank 0.
+/// The text `12 nonzero components, 6 shown`; empty for a tensor of rank 0.
 pub(super) fn count<S: Scalar>(tensor: &Tensor<S>, shown: &Tensor<S>) -> Option<String> {
     let components = if tensor.len() == 1 { "component" } else { "components" };
     let all = format!("{} nonzero {components}", tensor.len());
@@ -116,7 +116,7 @@ pub(super) fn count<S: Scalar>(tensor: &Tensor<S>, shown: &Tensor<S>) -> Option<
     (tensor.rank() > 0).then_some(text)
 }
 
-/// [`count`] and [`others`] as a sentence.
+/// The texts of [`count`] and [`others`] as a sentence.
 pub(super) fn summary<S: Scalar>(tensor: &Tensor<S>, shown: &Tensor<S>) -> Option<String> {
     let count = count(tensor, shown)?;
     Some(match others(tensor, shown) {
@@ -125,7 +125,7 @@ pub(super) fn summary<S: Scalar>(tensor: &Tensor<S>, shown: &Tensor<S>) -> Optio
     })
 }
 
-/// The indices of a component, as numbers from 1 or by names.
+/// The indices of a component, as numbers from 1 or as names.
 pub(super) fn index_names(at: &[usize], names: Option<&[String]>) -> Vec<String> {
     let written = |index: &usize| match names.and_then(|names| names.get(*index)) {
         Some(name) => printable(name),
@@ -134,7 +134,7 @@ pub(super) fn index_names(at: &[usize], names: Option<&[String]>) -> Vec<String>
     at.iter().map(written).collect()
 }
 
-/// Indices in runs of one variance: `^1`, `_212`.
+/// The indices grouped in runs of equal variance: `^1`, `_212`.
 pub(super) fn runs(
     slots: &[Variance],
     indices: impl IntoIterator<Item = String>,
@@ -149,12 +149,13 @@ pub(super) fn runs(
     runs
 }
 
-/// Whether commas separate the indices of a run: beyond dimension 9, and between names of several characters.
+/// Whether commas separate the indices of a run: above dimension 9, and between names of several
+/// characters.
 pub(super) fn needs_commas(dimension: usize, run: &[String]) -> bool {
     dimension > 9 || run.iter().any(|index| index.chars().nth(1).is_some())
 }
 
-/// The [`runs`] as text: `212`, `10,2,10`, `theta,r`, and in braces where a name contains `_`.
+/// The [`runs`] as text: `212`, `10,2,10`, `theta,r`, in braces if a name contains `_`.
 pub(super) fn scripts(
     dimension: usize,
     slots: &[Variance],
@@ -192,7 +193,8 @@ pub(super) fn with_names<S: Coefficient>(value: &S, factors: &CommonFactors) -> 
     value.text_with(factors)
 }
 
-/// The components in order, but mirror images in an antisymmetric pair of slots side by side.
+/// The components in order, except that mirror images in an antisymmetric pair of slots are next to
+/// each other.
 fn mirrored<S: Coefficient>(
     tensor: &Tensor<S>,
     negative: &impl Fn(&S) -> bool,
@@ -217,7 +219,7 @@ fn mirrored<S: Coefficient>(
     listed
 }
 
-/// The slots in classes that are symmetric, or antisymmetric, pair by pair.
+/// Groups the slots into classes that are pairwise symmetric, or pairwise antisymmetric.
 fn classes<S: Scalar>(tensor: &Tensor<S>) -> Vec<Vec<usize>> {
     let mut classes: Vec<Vec<usize>> = Vec::new();
     for slot in 0..tensor.rank() {

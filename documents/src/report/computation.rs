@@ -1,7 +1,7 @@
 //! Reports of a space over the scalar that it needs.
 //!
-//! The formulas are generic over the scalar, and a report is not: here each is compiled once for every scalar, and the
-//! command line, the page and Python share it.
+//! The formulas are generic over the scalar, but a report is not. Here each formula is compiled
+//! once for every scalar, for the command line, the web page and Python.
 
 use super::{
     ComparedSide, Convention, Differences, EquationReport, Language, Program, Programmed, Quantity,
@@ -15,7 +15,7 @@ use affinor::geometry::equations::{EquationKind, Equations};
 use affinor::{Error, Geometry};
 use affinor_tensors::{Effort, Kind, Recorded, Symbolic, Tolerance};
 
-/// A space to be computed with, and how.
+/// A space, and the settings of a computation with it.
 ///
 /// ```
 /// use affinor_documents::space::{Request, Space};
@@ -31,7 +31,7 @@ use affinor_tensors::{Effort, Kind, Recorded, Symbolic, Tolerance};
 pub struct Computation<'a> {
     /// The space.
     pub space: &'a Space,
-    /// Its scalars.
+    /// The choice of scalars.
     pub scalar: ScalarChoice,
     /// The tolerance below which a float counts as zero.
     pub tolerance: Tolerance,
@@ -39,31 +39,31 @@ pub struct Computation<'a> {
     pub stage: &'a dyn Fn(&str),
 }
 
-/// What a table shows.
+/// The contents of a table.
 #[derive(Clone, Debug, Default)]
 pub struct Selection {
     /// The tensors.
     pub quantities: Vec<Quantity>,
-    /// Whether the components are those in the right-invariant frame.
+    /// Whether the components refer to the right-invariant frame.
     pub right_frame: bool,
     /// Whether one component of each set that is equal by symmetry is shown.
     pub independent: bool,
-    /// Whether JSON too has names for common factors; see [`Table::common_factors`].
+    /// Whether JSON uses names for common factors; see [`Table::common_factors`].
     pub common_factors: bool,
-    /// Whether the indices of components are the names of coordinates or basis vectors; see [`Table::index_names`].
+    /// Whether indices are names of coordinates or basis vectors; see [`Table::index_names`].
     pub named_indices: bool,
 }
 
-/// A table, and what it lacks.
+/// A table, and the tensors that it lacks.
 pub struct TableReport {
     /// The table.
     pub report: Box<dyn Report>,
-    /// The tensors selected that are not defined for this space and frame.
+    /// The selected tensors that are not defined for this space and frame.
     pub absent: Vec<Quantity>,
 }
 
-/// The terms that the simplification of the components of a program may form. Beyond, the program computes as the formulas
-/// do.
+/// The limit on terms for the simplification of the components of a program. If it is exceeded, the
+/// program computes by the formulas.
 const SIMPLIFIED: u64 = 3_000_000;
 
 impl<'a> Computation<'a> {
@@ -81,7 +81,7 @@ impl<'a> Computation<'a> {
     /// The table of tensors.
     ///
     /// # Errors
-    /// A space that is refused; floats beyond their range.
+    /// An error for an invalid space, and for floats beyond their range.
     pub fn table(&self, selection: &Selection) -> Result<TableReport, InputError> {
         over_kind!(self.kind()?, S => {
             let table = self.tensors::<S>(&self.geometry(selection)?, selection)?;
@@ -91,17 +91,19 @@ impl<'a> Computation<'a> {
         })
     }
 
-    /// The components of tensors as source code, with their partial derivatives by these parameters or coordinates.
+    /// The components of tensors as source code, with their partial derivatives with respect to
+    /// these parameters or coordinates.
     ///
     /// # Errors
-    /// As [`table`](Self::table).
+    /// Those of [`table`](Self::table).
     pub fn table_as_code(
         &self,
         selection: &Selection,
         language: Language,
         by: &[String],
     ) -> Result<String, InputError> {
-        // on a chart the components are simplified first, so that terms that cancel are not computed
+        // on a chart the components are simplified first, so that terms that cancel are not
+        // computed
         if self.space.definition.is_on_chart() {
             let simplified =
                 Effort::new(SIMPLIFIED).bound(|| self.code::<Symbolic>(selection, language, by));
@@ -126,7 +128,7 @@ impl<'a> Computation<'a> {
     /// The structure constants as input of another program.
     ///
     /// # Errors
-    /// A space that is refused.
+    /// An error for an invalid space.
     pub fn structure(&self, program: Program) -> Result<String, InputError> {
         let definition = &self.space.definition;
         over_kind!(self.kind()?, S => {
@@ -135,18 +137,19 @@ impl<'a> Computation<'a> {
         })
     }
 
-    /// The checks of a certificate, as [`certify`] makes them.
+    /// The checks of a certificate, by [`certify`].
     ///
     /// # Errors
-    /// As [`certify`].
+    /// Those of [`certify`].
     pub fn checks(&self) -> Result<Vec<Check>, InputError> {
         over_kind!(self.kind()?, S => certify::<S>(&self.space.definition, self.tolerance, self.stage))
     }
 
-    /// Equations of motion; `solved` for the time derivatives.
+    /// Equations of motion; with `solved`, solved for the time derivatives.
     ///
     /// # Errors
-    /// A space that is refused, or without the metric that the equations need; floats beyond their range.
+    /// An error for an invalid space, for one without the metric that the equations need, and for
+    /// floats beyond their range.
     pub fn equations(
         &self,
         kind: EquationKind,
@@ -155,10 +158,11 @@ impl<'a> Computation<'a> {
         over_kind!(self.kind()?, S => Ok(Box::new(self.motion::<S>(kind, solved)?)))
     }
 
-    /// Equations of motion as source code, with partial derivatives by these parameters or coordinates.
+    /// Equations of motion as source code, with partial derivatives with respect to these
+    /// parameters or coordinates.
     ///
     /// # Errors
-    /// As [`equations`](Self::equations).
+    /// Those of [`equations`](Self::equations).
     pub fn equations_as_code(
         &self,
         kind: EquationKind,
@@ -171,7 +175,7 @@ impl<'a> Computation<'a> {
     /// One side of a comparison.
     ///
     /// # Errors
-    /// A space that is refused.
+    /// An error for an invalid space.
     pub fn side(&self) -> Result<ComparedSide, InputError> {
         over_kind!(self.kind()?, S => {
             Ok(ComparedSide::new(&self.space.definition.geometry::<S>(self.tolerance)?)?)
@@ -182,7 +186,8 @@ impl<'a> Computation<'a> {
     /// tables follow these conventions.
     ///
     /// # Errors
-    /// As [`table`](Self::table); a stored table that does not fit the space; a convention that is not understood.
+    /// Those of [`table`](Self::table); an error for a stored table that does not fit the space,
+    /// and for a convention that cannot be parsed.
     pub fn differences(
         &self,
         stored: &[StoredTable],
@@ -207,7 +212,7 @@ impl<'a> Computation<'a> {
                 let stored = stored.or_vanishing(&table)?;
                 let found = stored.differences(&table)?;
                 if !found.is_empty() && stored.lists_independent(&table) {
-                    remarks.push("stored are independent components only: see --independent".into());
+                    remarks.push("only independent components are stored: see --independent".into());
                 }
                 Ok((found, remarks))
             };
@@ -218,11 +223,12 @@ impl<'a> Computation<'a> {
     /// The outcomes of statements about the space.
     ///
     /// # Errors
-    /// A space that is refused; a statement that is not understood, or not defined for the space.
+    /// An error for an invalid space, and for a statement that cannot be parsed or is not defined
+    /// for the space.
     pub fn test(&self, statements: &Statements) -> Result<Verdicts, InputError> {
         let (space, scalars) = (self.space, self.space.definition.known_parameters());
         let kind = match self.kind()? {
-            // a parameter on which nothing depends, the number pi, and roots
+            // a parameter on which no value depends, the number pi, and roots
             Kind::Exact
                 if !scalars.is_empty()
                     || !space.values.is_empty()
@@ -243,7 +249,7 @@ impl<'a> Computation<'a> {
         self.space.kind(self.scalar)
     }
 
-    /// The geometry, in the frame selected.
+    /// The geometry, in the selected frame.
     fn geometry<S: Coefficient>(&self, selection: &Selection) -> Result<Geometry<S>, InputError> {
         let definition = &self.space.definition;
         (self.stage)("jacobi");

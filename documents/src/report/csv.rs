@@ -17,7 +17,8 @@ pub(super) fn write<S: Coefficient>(table: &Table<S>, out: &mut dyn Write) -> io
     let numbers: Vec<String> = (1..=dimension).map(|index| format!(",{index}")).collect();
     for entry in &table.tensors {
         let key = entry.quantity.key();
-        // The package csv checks every field of millions of lines for quotes. Only values may need them.
+        // The package csv would check every field of millions of lines for quotes, but only values
+        // may need them.
         let rows = |piece: Components<'_, S>| {
             let (mut lines, mut text) = (String::new(), String::new());
             for (at, value) in piece {

@@ -18,7 +18,7 @@ use affinor_tensors::text::combination;
 use serde_json::{Value, json};
 use std::io::{self, Write};
 
-/// Equations of motion with the space, the connection and the frame that they belong to.
+/// Equations of motion, with their space, connection and frame.
 #[derive(Clone, Debug)]
 pub struct EquationReport<S> {
     /// The equations.
@@ -27,15 +27,16 @@ pub struct EquationReport<S> {
     pub name: String,
     /// The names of the basis vectors.
     pub labels: Vec<String>,
-    /// The connection: its short name, and in words.
+    /// The connection: its short name, and its description.
     pub connection: [String; 2],
-    /// The parameters that the coefficients depend on, sorted.
+    /// The parameters of the coefficients, sorted.
     pub parameters: Vec<String>,
-    /// The frame of the components, as [`Geometry::frame_name`] says.
+    /// The name of the frame of the components ([`Geometry::frame_name`]).
     pub frame: &'static str,
-    /// The coordinates of the chart, and the components `e^a_i` of the fields; none without a chart.
+    /// The coordinates of the chart, and the components `e^a_i` of the fields; `None` without a
+    /// chart.
     pub position: Option<(Vec<String>, Tensor<S>)>,
-    /// Whether the equations `DH/Dt = M` are the Euler-Poincare equations, which have `Lambda = c`.
+    /// Whether the equations `DH/Dt = M` are the Euler-Poincare equations, for which `Lambda = c`.
     pub genuine: Option<bool>,
 }
 
@@ -70,7 +71,7 @@ impl<S: Coefficient> EquationReport<S> {
     }
 
     /// The motion of the position, `dx^a/dt = e^a_i w^i`: for every coordinate its name, and the
-    /// right side.
+    /// right-hand side.
     pub(super) fn positions(&self) -> Vec<(&str, Vec<(S, Variable)>)> {
         let Some((coordinates, fields)) = &self.position else { return vec![] };
         let along = match self.equations.kind() {
@@ -87,7 +88,7 @@ impl<S: Coefficient> EquationReport<S> {
     /// Checks that floats have stayed within their range.
     ///
     /// # Errors
-    /// [`Error::Overflow`] with the first coefficient that is infinite or not a number.
+    /// [`Error::Overflow`] with the first coefficient that is infinite or NaN.
     pub fn finite(&self) -> Result<(), Error> {
         for (at, row) in self.equations.rows().iter().enumerate() {
             if let Some(value) = coefficients(row).find(|value| !value.is_number()) {
@@ -133,7 +134,7 @@ impl<S: Coefficient> EquationReport<S> {
         Ok(())
     }
 
-    /// The left and the right side of each equation.
+    /// The left-hand and right-hand sides of each equation.
     fn sides(&self, names: &Names) -> Vec<[String; 2]> {
         let positions = self.positions().into_iter().map(|(name, right)| {
             let right = right.iter().map(|(value, v)| (plain(value), names.variable(*v)));
@@ -270,7 +271,7 @@ impl<S: Coefficient> EquationReport<S> {
         })
     }
 
-    /// The left and the right side of each equation, as formulas.
+    /// The left-hand and right-hand sides of each equation, as formulas.
     fn formulas(&self) -> Vec<[Row; 2]> {
         let names = self.names();
         let coefficient = |v: &S| value(&plain(v));
@@ -296,13 +297,13 @@ impl<S: Coefficient> EquationReport<S> {
         positions.chain(rows).collect()
     }
 
-    /// The lines of an `aligned` environment; a long right side takes several.
+    /// The lines of an `aligned` environment; a long right-hand side takes several lines.
     fn aligned(&self) -> String {
         let equation = |[left, right]: [Row; 2]| {
             let mut text = format!("{} &= ", tex::formula(&left));
             let mut column = width(&left) + 4;
             for (position, term) in pieces(&right).into_iter().enumerate() {
-                // the sign between terms has a gap
+                // a sign between terms has a gap
                 let width = width(term) + usize::from(position > 0);
                 if position > 0 && column + width > WIDTH {
                     text.push_str("\\\\\n&\\quad ");
@@ -332,7 +333,7 @@ impl<S: Coefficient> Report for EquationReport<S> {
     }
 }
 
-/// The letters of the unknown and of the given variable.
+/// The letters of the unknown and of the known variable.
 pub(super) fn letters(motion: EquationKind) -> [&'static str; 2] {
     match motion {
         EquationKind::EulerPoincare => ["Omega", "M"],
@@ -346,7 +347,7 @@ fn coefficients<S>(row: &equations::Row<S>) -> impl Iterator<Item = &S> {
     row.left.iter().map(|(v, _)| v).chain(row.right.iter().map(|(v, _)| v))
 }
 
-/// The names of the parameter of a curve, of which the first is taken that no parameter or coordinate has.
+/// Names for the parameter of a curve; the first one that is not a parameter or coordinate is used.
 const TIMES: [&str; 4] = ["t", "s", "tau", "lambda"];
 
 /// The names of the variables, and of the parameter of the curve.
@@ -376,7 +377,7 @@ impl Names {
         indexed(formula::name(name), above, j)
     }
 
-    /// The name, whether the index stands above, and the index from 0.
+    /// The name, whether the index is upper, and the index from 0.
     fn parts(&self, variable: Variable) -> (&str, bool, usize) {
         match variable {
             Variable::State(j) => (&self.state, true, j),

@@ -1,4 +1,4 @@
-//! Factors that several components of a table share, each with a name.
+//! Named factors that several components of a table share.
 
 use super::components::{GROUPED, groups};
 use super::{OnChart, Table};
@@ -7,24 +7,25 @@ use crate::formula::{Row, formula, name};
 use affinor_tensors::linear::Matrix;
 use affinor_tensors::{CommonFactors, Kind, Symbolic, Tensor};
 
-/// The common factors of a table, and a line for each.
+/// The common factors of a table, and a line that defines each.
 #[derive(Default)]
 pub(super) struct NamedFactors {
     pub factors: CommonFactors,
     pub lines: Vec<NamedFactor>,
 }
 
-/// `D = det g = a*b - c^2`.
+/// A named factor, such as `D = det g = a*b - c^2`.
 pub(super) struct NamedFactor {
     pub name: String,
-    /// The rows and columns of the metric whose determinant it is, from 1, and whether these are all.
+    /// The rows and columns, from 1, of the metric whose determinant it is, and whether these are
+    /// all.
     determinant: Option<(Vec<usize>, bool)>,
     /// The factor in plain text.
     pub text: String,
 }
 
 impl NamedFactor {
-    /// `D`, and `det g` or `det g[1,2,3]`.
+    /// The name `D`, and its meaning `det g` or `det g[1,2,3]`.
     pub fn is(&self) -> Vec<String> {
         let minor = |(rows, all): &(Vec<usize>, bool)| match all {
             true => "det g".to_string(),
@@ -48,18 +49,18 @@ fn list(rows: &[usize]) -> String {
     rows.iter().map(usize::to_string).collect::<Vec<_>>().join(",")
 }
 
-/// Determinants of larger parts of a metric are not searched for.
+/// The size of the largest determinants that are tried as factors.
 const LARGEST: usize = 8;
 
 impl<S: Coefficient> Table<S> {
-    /// The factors whose names make the table shorter.
+    /// The factors for which names make the table shorter.
     pub(super) fn factors(&self) -> NamedFactors {
         if S::KIND != Kind::Symbolic || self.parameters.is_empty() {
             return NamedFactors::default();
         }
         let shown: Vec<_> = self.tensors.iter().map(|entry| self.shown(entry)).collect();
         let (short, long): (Vec<_>, Vec<_>) = shown.iter().partition(|t| t.len() <= GROUPED);
-        // equal components are written once
+        // equal components are written once, so they count once
         let groups: Vec<_> = short.into_iter().flat_map(|tensor| groups(tensor)).collect();
         let listed = long.iter().flat_map(|tensor| tensor.components().map(|(_, value)| value));
         let mut taken = [&self.parameters[..], &self.labels].concat();

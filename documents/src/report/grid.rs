@@ -1,4 +1,4 @@
-//! Grids of short cells, for reports that are not tables of tensors.
+//! Grids of short cells, for reports other than tables of tensors.
 
 mod html;
 
@@ -21,26 +21,26 @@ const WIDTH: u16 = 80;
 #[derive(Clone, Debug)]
 pub(super) struct Grid {
     pub title: String,
-    /// Lines between the title and the rows, each with its title.
+    /// Lines between the title and the rows, each with a label.
     pub head: Vec<(&'static str, Cell)>,
     /// One heading for each column.
     pub header: Vec<String>,
-    /// The rows, as wide as the header.
+    /// The rows, each with one cell per column.
     pub rows: Vec<Vec<Cell>>,
     /// The report in JSON.
     pub json: Value,
 }
 
-/// A cell as plain text, as LaTeX and as HTML.
+/// A cell in plain text, LaTeX and HTML.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Cell {
     /// Lines of plain text.
     pub text: Vec<String>,
-    /// The same lines in LaTeX, where they differ from the escaped text.
+    /// The lines in LaTeX, if they differ from the escaped text.
     pub latex: Option<Vec<String>>,
-    /// The same lines in HTML, where they differ from the escaped text.
+    /// The lines in HTML, if they differ from the escaped text.
     pub html: Option<Vec<String>>,
-    /// Whether signs stand below each other, as in a diagram or a matrix.
+    /// Whether characters must be aligned vertically, as in a diagram or a matrix.
     pub is_drawn: bool,
 }
 
@@ -57,7 +57,7 @@ impl From<String> for Cell {
 }
 
 impl Cell {
-    /// A diagram or a matrix of signs that stand below each other.
+    /// A diagram or a matrix whose characters are aligned vertically.
     pub fn drawn(text: &str) -> Self {
         Cell { is_drawn: true, ..text.into() }
     }
@@ -89,7 +89,7 @@ impl Report for Grid {
     }
 }
 
-/// The head of a grid: the conventions in brief, and the rule by which a float counts as zero.
+/// The header of a grid: the conventions in brief, and the rule by which a float counts as zero.
 pub(super) fn head_of_grid(zero: Option<&str>) -> Vec<(&'static str, Cell)> {
     let conventions = Cell {
         text: vec![conventions()],

@@ -1,4 +1,4 @@
-//! The head of a table: the space, its connection and its scalar.
+//! The header of a table: the space, its connection and its scalar.
 
 use super::{OnChart, Table};
 use crate::Coefficient;
@@ -17,7 +17,7 @@ pub(super) fn zero(tolerance: Tolerance) -> String {
     format!("|v| <= {tolerance:.3e} times the sum of the absolute values of its terms")
 }
 
-/// The scalar of a table in floats, with the rule by which one counts as zero.
+/// The scalar of a table in floats, with the rule by which a float counts as zero.
 pub(super) fn float(zero: &str) -> String {
     format!("float; a component v is zero when {zero}")
 }
@@ -37,7 +37,8 @@ pub(super) fn conventions_in_json(zero: Option<&str>) -> Value {
 }
 
 impl<S: Coefficient> Table<S> {
-    /// The lines of the head except the conventions, each with its title; the second is the basis.
+    /// The lines of the header except the conventions, each with its label; the second is the
+    /// basis.
     pub(super) fn head(&self) -> Vec<(&'static str, String)> {
         let mut lines = vec![
             ("dimension", self.labels.len().to_string()),
@@ -59,7 +60,7 @@ impl<S: Coefficient> Table<S> {
         lines
     }
 
-    /// The tolerance of zero, for floats.
+    /// The tolerance for zero, if the scalar is a float.
     pub(super) fn zero_line(&self) -> Option<String> {
         (S::KIND == Kind::Float).then(|| zero(self.tolerance))
     }
@@ -73,7 +74,7 @@ impl<S: Coefficient> Table<S> {
         }
     }
 
-    /// Whether a component is a number that is not rational.
+    /// Whether a component is an irrational number.
     fn is_irrational(&self) -> bool {
         let mut values = self.tensors.iter().flat_map(|entry| entry.tensor.nonzero());
         values.any(|value| value.numerator_terms().iter().any(|(powers, _)| !powers.is_empty()))
@@ -94,7 +95,7 @@ impl<S: Coefficient> Table<S> {
     }
 }
 
-/// The name of a scalar in JSON and in heads.
+/// The name of a scalar in JSON and in headers.
 pub(super) fn kind_name(kind: Kind) -> &'static str {
     match kind {
         Kind::Exact => "exact",

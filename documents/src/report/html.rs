@@ -30,7 +30,7 @@ pub(super) fn write<S: Coefficient>(table: &Table<S>, out: &mut dyn Write) -> io
     })
 }
 
-/// Titles and lines of HTML.
+/// Labelled lines in HTML.
 pub(super) fn head(
     lines: impl Iterator<Item = (&'static str, String)>,
     out: &mut dyn Write,
@@ -48,7 +48,7 @@ pub(super) fn conventions() -> String {
     formulas.iter().map(|formula| mathml::inline(formula)).collect::<Vec<_>>().join("; ")
 }
 
-/// A list of formulas, in lines of at most so many letters.
+/// A list of formulas, in lines of at most `width` characters.
 pub(super) fn list(formulas: &[Row], width: usize) -> String {
     let item = |formula: &Row| format!("<li>{}</li>\n", mathml::block(formula, width));
     let items: String = formulas.iter().map(item).collect();
@@ -68,7 +68,7 @@ fn tensor<S: Coefficient>(
         return writeln!(out, "<p>{}</p>\n</section>", mathml::inline(&zero));
     }
     if shown.len() > GROUPED {
-        // a formula for each of a million components would be too much for a browser
+        // a browser could not render a formula for each of a million components
         writeln!(out, "<pre tabindex=\"0\">")?;
         for (at, value) in shown.components() {
             let name = named(entry.quantity.symbol(), &shown, &at, names);

@@ -1,4 +1,4 @@
-//! Names as identifiers of programs, in ASCII.
+//! Names as ASCII identifiers of programs.
 
 use std::borrow::Cow;
 
@@ -9,7 +9,7 @@ const GREEK: [&str; 25] = [
     "chi", "psi", "omega",
 ];
 
-/// Identifiers for these names, all different. Names in ASCII are kept, if they are different.
+/// Distinct identifiers for these names. ASCII names are unchanged if they are distinct.
 pub(super) fn identifiers(names: &[impl AsRef<str>]) -> Vec<String> {
     let names: Vec<&str> = names.iter().map(AsRef::as_ref).collect();
     let mut taken: Vec<String> = vec![];
@@ -28,7 +28,7 @@ pub(super) fn identifiers(names: &[impl AsRef<str>]) -> Vec<String> {
     taken
 }
 
-/// The name with Greek letters by their names, other letters by their numbers: `theta_1` for `θ_1`.
+/// The name with Greek letters written out, and other letters as numbers: `theta_1` for `θ_1`.
 fn transliterated(name: &str) -> Cow<'_, str> {
     if name.is_ascii() {
         return name.into();

@@ -1,8 +1,9 @@
 //! Expressions of tensors with index letters, `R^i_jkl + 1/4*c^m_kl c^i_mj`, evaluated on a geometry.
 //!
-//! An index is a letter, a number from 1, or the name of a basis vector or a coordinate. A letter that occurs twice in a
-//! product, once upper and once lower, is summed. Indices at another level than in the table are raised and lowered by
-//! the metric. A tensor without indices is meant as a whole.
+//! An index is a letter, a number from 1, or the name of a basis vector or a coordinate. A letter
+//! that occurs twice in a product, once upper and once lower, is summed. Indices at another level
+//! than in the table are raised and lowered by the metric. A tensor without indices means the whole
+//! tensor.
 
 mod notation;
 
@@ -26,7 +27,7 @@ pub(super) struct Indexed<S> {
     pub tensor: Tensor<S>,
 }
 
-/// The letters of the slots of a tensor that is written without indices.
+/// The letters for the slots of a tensor that is written without indices.
 pub(super) const WHOLE: [char; 5] = ['α', 'β', 'γ', 'δ', 'ε'];
 
 /// A function from names to their values.
@@ -40,7 +41,7 @@ pub(super) struct Tensors<'a, S> {
     scalars: Values<'a, S>,
 }
 
-/// The meaning of the names of one expression.
+/// The evaluator for one expression.
 struct Meaning<'a, S> {
     tensors: &'a Tensors<'a, S>,
     occurrences: &'a [Occurrence],
@@ -51,15 +52,15 @@ impl<S: Coefficient> Indexed<S> {
         self.tensor.to_scalar()
     }
 
-    /// Whether it is the number 0, which every tensor may be compared with.
+    /// Whether it is the number 0, with which every tensor may be compared.
     fn is_zero_number(&self) -> bool {
         self.letters.is_empty() && self.tensor.is_empty()
     }
 
-    /// `self - other`, with the letters of `self`; the number 0 has all letters.
+    /// The difference `self - other`, with the letters of `self`; the number 0 fits any letters.
     ///
     /// # Errors
-    /// Other letters, or letters at another level.
+    /// A message, if the letters differ or are at different levels.
     pub fn minus(&self, other: &Self) -> Result<Self, String> {
         self.combine(other, "-")
     }
@@ -106,7 +107,7 @@ impl<S: Coefficient> Indexed<S> {
             if other.slots().any(|other| other == (letter, slot)) {
                 return Err(match WHOLE.contains(&letter) {
                     true => "a product of whole tensors: write their indices".into(),
-                    false => format!("the letter {letter} is summed at one level"),
+                    false => format!("the summed letter {letter} is not once upper and once lower"),
                 });
             }
         }
@@ -156,7 +157,8 @@ impl<'a, S: Coefficient> Tensors<'a, S> {
     /// The value of an expression.
     ///
     /// # Errors
-    /// Unknown names, tensors that are not defined for the geometry, and sums and products whose indices do not fit.
+    /// An error for unknown names, tensors that are not defined for the geometry, and sums and
+    /// products whose indices do not fit.
     pub fn value(&self, parsed: &Parsed) -> Result<Indexed<S>, ExpressionError> {
         parsed.expression.evaluate(&Meaning { tensors: self, occurrences: &parsed.occurrences })
     }
@@ -173,7 +175,7 @@ impl<'a, S: Coefficient> Tensors<'a, S> {
         Ok(tensor)
     }
 
-    /// A tensor with the indices that are written.
+    /// A tensor with the given indices.
     fn indexed(&self, occurrence: &Occurrence) -> Result<Indexed<S>, String> {
         let mut tensor = self.tensor(occurrence.quantity)?;
         let Some(written) = &occurrence.indices else {
@@ -186,7 +188,9 @@ impl<'a, S: Coefficient> Tensors<'a, S> {
             }
             let Some(metric) = self.geometry.metric() else {
                 let own = text::general(occurrence.quantity, &tensor);
-                return Err(format!("without a metric the indices of {own} stay where they are"));
+                return Err(format!(
+                    "without a metric, the indices of {own} cannot be raised or lowered"
+                ));
             };
             let shifted = match variance {
                 Up => tensor.raise(slot, metric.inverse()),
@@ -210,7 +214,7 @@ impl<'a, S: Coefficient> Tensors<'a, S> {
         let is_twice =
             |at: &(char, Variance)| letters.iter().filter(|other| *other == at).count() > 1;
         if let Some((letter, _)) = letters.iter().find(|at| is_twice(at)) {
-            return Err(format!("the letter {letter} is summed at one level"));
+            return Err(format!("the summed letter {letter} is not once upper and once lower"));
         }
         if !summed.is_empty() {
             let trace = format!(
@@ -242,7 +246,7 @@ impl<S: Coefficient> Meaning<'_, S> {
         Scalars(self.tensors.scalars, |name: &str, arguments: &[S]| S::call(name, arguments))
     }
 
-    /// The values of numbers, for an operation that tensors do not have.
+    /// The values of numbers, for an operation that is not defined for tensors.
     fn numbers(values: &[Indexed<S>], operation: &str) -> Result<Vec<S>, String> {
         let number = |value: &Indexed<S>| {
             value.scalar().ok_or_else(|| {
@@ -294,7 +298,7 @@ impl<S: Coefficient> Evaluator for Meaning<'_, S> {
         let mut values = Self::numbers(&[base, exponent], "a power")?.into_iter();
         match (values.next(), values.next()) {
             (Some(base), Some(exponent)) => self.number_of(self.scalars().raise(base, exponent)?),
-            _ => Err("a power has a base and an exponent".into()),
+            _ => Err("the base or the exponent of this power is missing".into()),
         }
     }
 

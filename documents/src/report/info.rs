@@ -1,4 +1,4 @@
-//! The structure of a Lie algebra: one row a notion, with its answer and a witness.
+//! The structure of a Lie algebra: one row per notion, with its answer and a witness.
 
 mod basis;
 mod casimirs;
@@ -32,30 +32,30 @@ use std::io::{self, Write};
 
 /// The name of the schema.
 const SCHEMA: &str = "affinor.info/1";
-/// Bases of more vectors, or with more characters, are written in JSON only.
+/// The number of vectors, or of characters, above which bases are written in JSON only.
 const SHOWN: usize = 12;
 const LONGEST: usize = 240;
 
-/// Why answers over the rationals are absent.
+/// The reason why answers over the rationals are missing.
 const NOT_RATIONAL: &str = "not computed unless the structure constants are rational numbers";
-/// Why rows of a solvable algebra have no answer.
+/// The reason why rows of a solvable algebra have no answer.
 const SOLVABLE: &str = "the Levi subalgebra is 0";
 
-/// The structure of an algebra, ready to be printed.
+/// The structure of an algebra, ready for output.
 #[derive(Clone, Debug)]
 pub struct Info {
     grid: Grid,
     json: Map<String, Value>,
-    /// The matrix that ends the object of a key.
+    /// For each key, the matrix at the end of its object.
     matrices: BTreeMap<&'static str, Rows>,
 }
 
 impl Info {
-    /// The structure of the algebra of a definition; `stage` is called before each part.
+    /// Computes the structure of the algebra of a definition; `stage` is called before each part.
     ///
     /// # Errors
-    /// Brackets that define no Lie algebra; a chart; structure constants that no division of basis vectors by
-    /// square roots makes rational.
+    /// An error for brackets that do not define a Lie algebra, for a chart, and for structure
+    /// constants that cannot be made rational by dividing basis vectors by square roots.
     pub fn of(definition: &Definition, stage: &dyn Fn(&str)) -> Result<Self, InputError> {
         let definition = definition.algebra_alone();
         let tolerance = Tolerance::default();
@@ -93,7 +93,7 @@ impl Info {
     /// The structure of an algebra of this name, whose structure constants depend on `parameters`.
     ///
     /// # Errors
-    /// None for a Lie algebra.
+    /// None occur for a Lie algebra.
     pub fn new<S: GroundField + Coefficient>(
         name: &str,
         structure: &StructureTheory<S>,
@@ -135,7 +135,7 @@ impl Info {
         let simple = match (&ideals, types.as_deref()) {
             _ if !radical.is_zero() => Some(false),
             (Some(ideals), _) => Some(ideals.real.len() == 1),
-            // simple over the complex numbers, for generic values of the parameters
+            // simple over the complex numbers, for generic parameter values
             (None, Some([_])) => Some(true),
             (None, _) => None,
         };
@@ -208,7 +208,7 @@ impl Info {
     }
 }
 
-/// The Levi subalgebra in the basis of its echelon form, where its constants are rational.
+/// The Levi subalgebra in the basis of its echelon form, if its constants are rational.
 fn rational_subalgebra<S: GroundField>(
     structure: &StructureTheory<S>,
     levi: &Subspace<S>,
@@ -219,12 +219,12 @@ fn rational_subalgebra<S: GroundField>(
     Ok(structure.subalgebra(levi)?.over_the_rationals())
 }
 
-/// How sure a dimension is that was found by ranks modulo primes.
+/// The certainty of a dimension that was found by ranks modulo primes.
 fn certainty(proved: bool) -> &'static str {
     if proved { "proved" } else { "modulo two primes" }
 }
 
-/// A subspace whose basis is rational.
+/// The subspace over the rationals, if its basis is rational.
 fn rational_subspace<S: GroundField>(subspace: &Subspace<S>) -> Option<Subspace<Rational>> {
     let rows = subspace.basis().iter().map(|row| {
         row.iter().map(|(at, value)| Some((*at, value.rational()?))).collect::<Option<Row<_>>>()
@@ -237,7 +237,7 @@ impl Report for Info {
         if format != Format::Json {
             return self.grid.write(format, out);
         }
-        // one key a line: bases are long
+        // one key per line, because bases are long
         for (at, (key, value)) in self.json.iter().enumerate() {
             out.write_all(if at == 0 { b"{\n" } else { b",\n" })?;
             write!(out, "  {}: ", Value::from(key.as_str()))?;

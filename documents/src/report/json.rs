@@ -1,4 +1,4 @@
-//! JSON, schema `affinor.table/1`: one object, one component a line.
+//! JSON, schema `affinor.table/1`: one object, with one component per line.
 
 use super::components::append;
 use super::factors::{NamedFactor, NamedFactors};
@@ -65,7 +65,7 @@ pub(super) fn variances(slots: &[Variance]) -> Value {
     slots.iter().map(|slot| if *slot == Up { "up" } else { "down" }).collect()
 }
 
-/// Writes one tensor directly, because a tree of a million components takes much memory.
+/// Writes one tensor directly, because a tree of a million components would take much memory.
 fn tensor<S: Coefficient>(
     table: &Table<S>,
     entry: &TableEntry<S>,
@@ -97,7 +97,7 @@ fn tensor<S: Coefficient>(
     out.write_all(if shown.is_empty() { b"]}" } else { b"\n    ]}" })
 }
 
-/// The formulas of the basic quantities and of all tensors that are shown.
+/// The formulas of the basic quantities, and of all tensors that are shown.
 fn conventions<S: Coefficient>(table: &Table<S>) -> Vec<(&'static str, String)> {
     let mut conventions = vec![("indices", "from 1".into())];
     conventions.push(("frame", table.frame.into()));
@@ -114,7 +114,7 @@ fn conventions<S: Coefficient>(table: &Table<S>) -> Vec<(&'static str, String)> 
     conventions
 }
 
-/// Appends a value: exact and symbolic ones are strings, floats are numbers; `text` is a buffer.
+/// Appends a value: exact and symbolic values are strings, floats are numbers; `text` is a buffer.
 fn append_scalar<S: Coefficient>(
     json: &mut Vec<u8>,
     text: &mut String,
@@ -123,7 +123,7 @@ fn append_scalar<S: Coefficient>(
 ) -> io::Result<()> {
     if S::KIND == Kind::Float {
         let number = value.to_f64().filter(|x| x.is_finite()).ok_or_else(|| {
-            let message = format!("the value {value} is not finite, which JSON cannot say");
+            let message = format!("the value {value} is not finite, so JSON cannot represent it");
             io::Error::new(io::ErrorKind::InvalidData, message)
         })?;
         return Ok(serde_json::to_writer(json, &number)?);

@@ -10,7 +10,7 @@ use crate::formula::{Brackets, Node, Row, formula, label, tex, value};
 use affinor_tensors::{CommonFactors, Tensor};
 use std::io::{self, Write};
 
-/// The approximate number of letters in a line.
+/// The approximate number of characters in a line.
 pub(super) const WIDTH: usize = 58;
 
 pub(super) fn write<S: Coefficient>(table: &Table<S>, out: &mut dyn Write) -> io::Result<()> {
@@ -77,7 +77,8 @@ fn tensor<S: Coefficient>(
             }
         }
     } else {
-        // TeX reads a whole align* into memory before it sets it; paragraphs have no such limit
+        // TeX reads a whole align* into memory before it typesets it; paragraphs do not have this
+        // limit
         for (at, value) in shown.components() {
             let group = Group { value: value.clone(), members: vec![(at.to_vec(), false)] };
             writeln!(out, "{}", Equation(sides(&symbol, &shown, &group, factors, names)).inline())?;
@@ -94,12 +95,12 @@ impl Equation {
         self.0.last().map_or(&[], Vec::as_slice)
     }
 
-    /// Whether the value is too wide for a display.
+    /// Whether the value is too wide for a displayed formula.
     fn is_long(&self) -> bool {
         width(self.value()) > WIDTH
     }
 
-    /// Lines of an `align*`, broken in front of `=`.
+    /// Lines of an `align*`, broken before `=`.
     fn aligned(&self) -> String {
         let Some((first, sides)) = self.0.split_first() else { return String::new() };
         let (mut text, mut column) = (tex::formula(first), width(first));
@@ -107,7 +108,7 @@ impl Equation {
             let full = position > 0 && column + 3 + width(side) > WIDTH;
             text.push_str(match (position, full) {
                 (0, _) => " &= ",
-                // the star keeps the lines of one equation on one page
+                // the star prevents a page break within an equation
                 (_, true) => " \\\\*\n&= ",
                 (_, false) => " = ",
             });
@@ -118,8 +119,8 @@ impl Equation {
         text
     }
 
-    /// A paragraph, which TeX breaks at relations and signs. A fraction is written with a slash, because TeX cannot break
-    /// a fraction bar.
+    /// A paragraph, which TeX breaks at relations and signs. Fractions are written with a slash,
+    /// because TeX cannot break fraction bars.
     fn inline(&self) -> String {
         let mut sides = self.0.clone();
         if self.is_long()
@@ -147,18 +148,18 @@ pub(super) fn conventions() -> String {
     formulas.join(", ")
 }
 
-/// The groups of components of a tensor with a symbol of its own, in LaTeX, as lines of an `align*`.
+/// The grouped components of a tensor with a given symbol, in LaTeX, as lines of an `align*`.
 pub fn components_in_latex<S: Coefficient>(symbol: &str, tensor: &Tensor<S>) -> Vec<String> {
     labelled_in_latex(symbol, tensor, None)
 }
 
-/// As [`components_in_latex`], with names of the indices in place of numbers.
+/// Like [`components_in_latex`], with names of the indices instead of numbers.
 pub fn labelled_in_latex<S: Coefficient>(
     symbol: &str,
     tensor: &Tensor<S>,
     names: Option<&[String]>,
 ) -> Vec<String> {
-    // the symbol is LaTeX already
+    // a placeholder, because the symbol is already LaTeX
     const SYMBOL: char = '\u{FFFC}';
     let none = CommonFactors::default();
     let aligned = |group: &Group<S>| {
@@ -168,7 +169,7 @@ pub fn labelled_in_latex<S: Coefficient>(
     groups(tensor).iter().map(aligned).collect()
 }
 
-/// A line in which every space counts: a box, at whose start TeX drops none.
+/// A line in which all spaces are preserved; a box at its start prevents TeX from dropping spaces.
 pub(super) fn verbatim(line: &str) -> String {
     format!("\\mbox{{\\footnotesize\\ttfamily {}}}", tex::escaped(line).replace(' ', "~"))
 }

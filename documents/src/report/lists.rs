@@ -19,7 +19,7 @@ pub fn conventions() -> impl Report {
     Grid::new("Conventions", &["object", "convention"], rows.collect(), json)
 }
 
-/// A title, a header and rows of short cells; `json` is the report in JSON.
+/// A report with a title, a header and rows of short cells; `json` is its JSON form.
 pub fn listing(
     title: &str,
     header: &[&str],
@@ -30,8 +30,8 @@ pub fn listing(
     Grid::new(title, header, cells.collect(), json)
 }
 
-/// The spaces with a name that contain a text, in upper or lower case; none if there is no such space. JSON has the schema
-/// `affinor.list/1`.
+/// The spaces whose name contains a text, ignoring case; `None` if there are none. JSON has the
+/// schema `affinor.list/1`.
 pub fn catalogue(pattern: &str) -> Option<impl Report + use<>> {
     let mut rows = vec![
         ["M(3)", "the paper's rotations: plus, metric J", "M3"],
@@ -48,11 +48,11 @@ pub fn catalogue(pattern: &str) -> Option<impl Report + use<>> {
     (!rows.is_empty()).then(|| Grid::new("Catalogue; + forms direct sums", &header, cells, json))
 }
 
-/// The algebras of the catalogue with all properties of a condition such as `dimension=4, nilpotent, not abelian`; none
-/// if there is no such algebra. JSON has the schema `affinor.list/1`.
+/// The algebras of the catalogue with all properties of a condition such as `dimension=4,
+/// nilpotent, not abelian`; `None` if there are none. JSON has the schema `affinor.list/1`.
 ///
 /// # Errors
-/// A condition that is not understood.
+/// An error for a condition that cannot be parsed.
 pub fn catalogue_where(condition: &str) -> Result<Option<impl Report + use<>>, InputError> {
     let (dimensions, properties) = conditions(condition)?;
     let (mut rows, mut entries) = (vec![], vec![]);
@@ -90,7 +90,7 @@ const SEARCHED: std::ops::RangeInclusive<usize> = 1..=10;
 
 type Conditions = (std::ops::RangeInclusive<usize>, Vec<(String, bool)>);
 
-/// The dimensions, and each property with whether it is wanted.
+/// The dimensions, and the properties that are required or excluded.
 fn conditions(text: &str) -> Result<Conditions, InputError> {
     let refuse = |part: &str| {
         let message = format!("`{}` is not a condition", part.escape_debug());
@@ -126,8 +126,8 @@ fn conditions(text: &str) -> Result<Conditions, InputError> {
     Ok((dimensions, properties))
 }
 
-/// The checks of a definition of this name, with their tolerance if they were made in floats. JSON has the schema
-/// `affinor.check/1`.
+/// The checks of a definition with this name, and their tolerance if they were made in floats. JSON
+/// has the schema `affinor.check/1`.
 pub fn certificate(
     name: &str,
     checks: &[Check],

@@ -1,4 +1,4 @@
-//! Markdown as GitHub renders it: a heading and a table for every tensor.
+//! Markdown as rendered by GitHub: a heading and a table for every tensor.
 
 use super::components::{GROUPED, groups_with, plain, summary, with_names};
 use super::head::{conventions, printable};
@@ -56,12 +56,12 @@ fn tensor<S: Coefficient>(
     summary(&entry.tensor, &shown).map_or(Ok(()), |summary| writeln!(out, "\n{summary}"))
 }
 
-/// Text in which no character is markup.
+/// Text with all markup characters escaped.
 fn escape(text: &str) -> String {
     escaped(text, "\\`*_[]<>#|^~$&")
 }
 
-/// Text with a backslash in front of some characters.
+/// Text with a backslash before each of the `special` characters.
 pub(super) fn escaped(text: &str, special: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     for c in text.chars() {

@@ -14,7 +14,7 @@ use std::fmt::Write;
 pub enum Program {
     /// GAP: a table of structure constants and its Lie algebra.
     Gap,
-    /// Sage: a Lie algebra by its brackets.
+    /// Sage: a Lie algebra given by its brackets.
     Sage,
     /// Maple, package DifferentialGeometry.
     Maple,
@@ -29,7 +29,7 @@ impl Program {
     /// All programs.
     pub const ALL: [Program; 4] = [Program::Gap, Program::Sage, Program::Maple, Program::Sympy];
 
-    /// The name in options.
+    /// The name of the program in options.
     pub fn name(self) -> &'static str {
         match self {
             Program::Gap => "gap",
@@ -39,13 +39,14 @@ impl Program {
         }
     }
 
-    /// The program of that name.
+    /// The program with this name.
     pub fn from_name(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|program| program.name() == name)
     }
 
-    /// The structure constants of an algebra as input of the program. Labels that are no names are replaced by
-    /// `e1`, `e2`, ...; parameters with a name that the program uses itself, such as `lambda`, get a mark: `lambda_`.
+    /// The structure constants of an algebra as input of the program. Labels that are not valid
+    /// names are replaced by `e1`, `e2`, .... Parameters with a name that the program reserves,
+    /// such as `lambda`, get a suffix: `lambda_`.
     pub fn structure<S: Coefficient>(
         self,
         name: &str,
@@ -62,7 +63,7 @@ impl Program {
                 brackets.entry((at[1], at[2])).or_default().push((at[0], value.clone()));
             }
         }
-        // pi is transcendental, so an indeterminate generates the same field
+        // pi is transcendental, so an indeterminate generates an isomorphic field
         if self == Program::Gap && numbers.remove("pi") {
             parameters.push("pi".into());
         }
@@ -76,7 +77,7 @@ impl Program {
         let name = printable(name);
         let variables = Variables::new(self, &parameters, numbers);
         let mut text = String::new();
-        // writing to a string does not fail
+        // writing to a string cannot fail
         let _ = match self {
             Program::Gap => gap(&mut text, &name, labels.len(), &brackets, &variables),
             Program::Sage => sage(&mut text, &name, &labels, &brackets, &variables),
@@ -86,10 +87,11 @@ impl Program {
         text
     }
 
-    /// Whether a variable of the program cannot have this name: a word of its language, or a name of the text around it.
+    /// Whether a variable of the program cannot have this name, because it is a reserved word or a
+    /// name in the generated text.
     fn reserves(self, name: &str) -> bool {
         match self {
-            // its library begins with capitals
+            // names in the library of GAP begin with capitals
             Program::Gap => name.starts_with(|c: char| c.is_ascii_uppercase()) || is_in(GAP, name),
             Program::Maple => is_in(MAPLE, name),
             Program::Sage => {
@@ -102,17 +104,17 @@ impl Program {
     }
 }
 
-/// Words of GAP, and names of it that have values.
+/// Reserved words of GAP, and names that already have values.
 const GAP: &str = "and atomic break continue do elif else end fail false fi for function if in infinity last last2 last3 local \
     memory_allocated mod not od or quit readonly readwrite rec repeat return then time true until while";
 
-/// Words of Maple, names of it that have values, and those of an export.
+/// Reserved words of Maple, names that already have values, and the names in an export.
 const MAPLE: &str = "Alg Catalan Digits FAIL I L Order Pi and assuming break by catch description do done elif else end error \
     export false fi finally for from gamma global if implies in infinity intersect local minus mod module next not od \
     option options or printlevel proc quit read return save stop subset then to true try undefined union until use uses \
     while xor";
 
-/// Words of Python.
+/// Reserved words of Python.
 const PYTHON: &str = "False None True and as assert async await break class continue def del elif else except finally for from \
     global if import in is lambda nonlocal not or pass raise return try while with yield";
 
@@ -120,20 +122,20 @@ fn is_in(words: &str, name: &str) -> bool {
     words.split_ascii_whitespace().any(|word| word == name)
 }
 
-/// The roots of numbers in a value, and pi: `sqrt(2)`.
+/// The square roots of numbers in a value, and pi: `sqrt(2)`.
 fn irrational(value: &impl Coefficient) -> BTreeSet<&'static str> {
     let terms = value.numerator_terms();
     let powers = terms.iter().flat_map(|(powers, _)| powers);
     powers.filter(|(own, _)| !own.is_parameter()).map(|(own, _)| own.text()).collect()
 }
 
-/// The parameters, and the variables of a program that stand for them.
+/// The parameters, and the variables of a program that represent them.
 struct Variables<'p> {
     parameters: &'p [String],
     names: Vec<String>,
     /// The irrational numbers that occur.
     numbers: BTreeSet<&'static str>,
-    /// Functions and constants of the program, with our names for them.
+    /// Functions and constants of the program, with the names in affinor.
     words: &'static [(&'static str, &'static str)],
 }
 
@@ -159,17 +161,18 @@ impl<'p> Variables<'p> {
         Variables { parameters, names, numbers, words }
     }
 
-    /// The names as a list on the left of an assignment of Python.
+    /// The variables as targets of a Python assignment.
     fn targets(&self) -> String {
         self.names.join(", ") + if self.names.len() == 1 { "," } else { "" }
     }
 
-    /// A value in these variables.
+    /// A value as text in these variables.
     fn written(&self, value: &impl Coefficient) -> String {
         self.replaced(value.to_string())
     }
 
-    /// A text with our names of parameters, functions and constants in these variables.
+    /// A text with the names of parameters, functions and constants replaced by those of the
+    /// program.
     fn replaced(&self, text: String) -> String {
         if self.names == self.parameters && self.numbers.is_empty() {
             return text;
@@ -318,7 +321,7 @@ fn sympy<S: Coefficient>(
     Ok(())
 }
 
-/// The text with `Rational('1/3')` for `1/3`, which Python would compute in floats.
+/// The text with `Rational('1/3')` for `1/3`, which Python would otherwise compute in floats.
 fn exact_quotients(text: &str) -> String {
     let digits = |text: &str| text.find(|c: char| !c.is_ascii_digit()).unwrap_or(text.len());
     let (mut rest, mut written, mut before) = (text, String::new(), ' ');

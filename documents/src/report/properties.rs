@@ -1,4 +1,4 @@
-//! The properties of a geometry: each with its constant, or a witness of its failure.
+//! The properties of a geometry, each with its constant, or a witness of its failure.
 
 use super::grid::{Cell, Grid};
 use super::head::{kind_name, printable, printable_list};
@@ -16,17 +16,17 @@ use serde_json::{Value, json};
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::{self, Write};
 
-/// The largest dimension at which the bi-invariant connections are found.
+/// The largest dimension at which bi-invariant connections are computed.
 const CONNECTIONS: usize = 8;
-/// The largest dimension at which the invariant metrics are found.
+/// The largest dimension at which invariant metrics are computed.
 const METRICS: usize = 16;
-/// Families of more characters are written in JSON only.
+/// The number of characters above which families are written in JSON only.
 const LONGEST: usize = 240;
 
 /// A plane: its text and the two vectors.
 type Plane<S> = (String, [Vec<S>; 2]);
 
-/// The properties of a geometry, ready to be printed.
+/// The properties of a geometry, ready for output.
 #[derive(Clone, Debug)]
 pub struct Properties(Grid);
 
@@ -34,15 +34,17 @@ impl Properties {
     /// The properties of the connection and the metric of a definition.
     ///
     /// # Errors
-    /// As [`Definition::geometry`].
+    /// Those of [`Definition::geometry`].
     pub fn of(definition: &Definition) -> Result<Self, InputError> {
         Self::with_planes(definition, &[])
     }
 
-    /// The properties, and the sectional curvatures of planes: two vectors each, as [`Definition::plane`] reads them.
+    /// The properties, and the sectional curvatures of planes. Each plane is given by two vectors,
+    /// in the form that [`Definition::plane`] parses.
     ///
     /// # Errors
-    /// As [`Definition::geometry`] and [`Definition::plane`]; planes without a metric.
+    /// Those of [`Definition::geometry`] and [`Definition::plane`]; an error for planes without a
+    /// metric.
     pub fn with_planes(definition: &Definition, planes: &[String]) -> Result<Self, InputError> {
         if definition.is_rational() {
             return Self::read::<Rational>(definition, planes);
@@ -53,7 +55,7 @@ impl Properties {
     /// The properties of a geometry.
     ///
     /// # Errors
-    /// What the library refuses.
+    /// Those of [`Geometry`]'s properties, such as a metric that is missing.
     pub fn of_geometry<S: GroundField + Coefficient>(
         geometry: &Geometry<S>,
     ) -> Result<Self, InputError> {
@@ -94,10 +96,10 @@ impl Properties {
             let curvature = connection.constant_curvature(metric)?;
             list.valued("constant curvature K", curvature, |k| constant("K", &k));
         } else if !planes.is_empty() {
-            let message = "a plane has a sectional curvature for a metric only";
+            let message = "the sectional curvature of a plane needs a metric";
             return Err(InputError::usage(message).help("give a metric, as in --metric identity"));
         }
-        // the frame of a chart may have constant structure functions, but no invariant metric
+        // on a chart structure functions may be constant although there is no invariant metric
         let algebra = geometry.algebra().filter(|_| geometry.frame_origin().fields().is_none());
         if let (Some(metric), Some(algebra)) = (geometry.metric(), algebra) {
             list.plain("bi-invariant metric", metric.bi_invariant(algebra)?);
@@ -141,7 +143,7 @@ impl Properties {
     }
 }
 
-/// What is known of a matrix algebra: its real simple ideals and the dimension of its centre.
+/// The name of a matrix algebra, from its real simple ideals and the dimension of its centre.
 fn name_of<S: GroundField + Coefficient>(
     size: usize,
     basis: Vec<Tensor<S>>,
@@ -179,7 +181,7 @@ fn name_of<S: GroundField + Coefficient>(
     Ok(format!(": {}", names.join(" + ")))
 }
 
-/// How a vector space of tensors is written.
+/// The way in which a vector space of tensors is written.
 struct Family<'a> {
     labels: &'a [String],
     /// The letter of the parameters.
@@ -190,7 +192,7 @@ struct Family<'a> {
     write: fn(&[String], &BTreeMap<Vec<usize>, String>) -> String,
 }
 
-/// `g(x1, x1) = a1`, of a symmetric form.
+/// The text of a symmetric form: `g(x1, x1) = a1`.
 fn form(labels: &[String], components: &BTreeMap<Vec<usize>, String>) -> String {
     let upper = components.iter().filter(|(at, _)| at[0] <= at[1]);
     let entry = |(at, value): (&Vec<usize>, &String)| {
@@ -199,7 +201,7 @@ fn form(labels: &[String], components: &BTreeMap<Vec<usize>, String>) -> String 
     upper.map(entry).collect::<Vec<_>>().join(", ")
 }
 
-/// `nabla[e1, e2] = a1*e3`, of affinities with the upper index in front.
+/// The text of affinities whose first index is upper: `nabla[e1, e2] = a1*e3`.
 fn covariant_derivatives(labels: &[String], components: &BTreeMap<Vec<usize>, String>) -> String {
     let mut by_pair: BTreeMap<(usize, usize), Vec<(String, String)>> = BTreeMap::new();
     for (at, value) in components {
@@ -249,7 +251,7 @@ impl List {
         self.json.push(json!({ "name": name, "value": value }));
     }
 
-    /// The tensors of a vector space, by a basis and with parameters such as `a1, a2, ..`
+    /// The tensors of a vector space, by a basis and with parameters such as `a1, a2, ...`.
     fn family<S: GroundField + Coefficient>(
         &mut self,
         name: &str,
@@ -289,7 +291,8 @@ impl List {
         Ok(())
     }
 
-    /// The extremes of the sectional curvature, where connection and metric are rational and fit together.
+    /// The extremes of the sectional curvature, if connection and metric are rational and
+    /// compatible.
     fn extremes<S: GroundField + Coefficient>(
         &mut self,
         connection: &Connection<S>,
@@ -372,12 +375,12 @@ impl Report for Properties {
     }
 }
 
-/// Fractions of more characters are written as decimal numbers.
+/// The number of characters above which fractions are written as decimal numbers.
 const LONG: usize = 20;
-/// Significant digits of such a number. The search decides more of them.
+/// The significant digits of such a decimal number. The search is accurate to more digits.
 const DIGITS: u32 = 10;
 
-/// A number, if it is long rounded up or down to ten significant digits.
+/// A number; a long one is rounded up or down to ten significant digits.
 fn shortened(value: &Rational, up: bool) -> String {
     let text = value.to_string();
     match text.len() > LONG {
@@ -386,7 +389,8 @@ fn shortened(value: &Rational, up: bool) -> String {
     }
 }
 
-/// The fractions of the last denominator of the search as decimal numbers, short fractions as they are.
+/// A component of a plane: fractions with the last denominator of the search as decimal numbers,
+/// short fractions unchanged.
 fn component(value: &Rational) -> String {
     let text = value.to_string();
     // fractions with the other denominators are shorter
@@ -394,7 +398,7 @@ fn component(value: &Rational) -> String {
     long.then(|| exact_decimal(value, 8)).flatten().unwrap_or(text)
 }
 
-/// The names of the basis vectors and of the parameters, which stand for nothing else.
+/// The names of the basis vectors and of the parameters, which must not be used for new parameters.
 fn names<S: Coefficient>(geometry: &Geometry<S>) -> BTreeSet<String> {
     let tensors = [geometry.connection().affinities(), geometry.frame().structure_functions()];
     let tensors = tensors.into_iter().chain(geometry.metric().map(Metric::components));
@@ -404,7 +408,7 @@ fn names<S: Coefficient>(geometry: &Geometry<S>) -> BTreeSet<String> {
     names
 }
 
-/// Whether the name is the letter with a number.
+/// Whether the name is the letter followed by a number.
 fn is_numbered(letter: &str, name: &str) -> bool {
     name.strip_prefix(letter).is_some_and(|number| number.parse::<usize>().is_ok())
 }

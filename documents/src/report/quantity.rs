@@ -1,4 +1,4 @@
-//! The tensors that a table can show: names, symbols, slots, and how each is computed.
+//! The tensors that a table can show: names, symbols, slots, and computation.
 
 use crate::Coefficient;
 use affinor::conventions as is;
@@ -30,7 +30,7 @@ macro_rules! quantities {
         }
 
         impl Quantity {
-            /// All quantities, in the order of a table: ten basic ones, and those derived from them.
+            /// All quantities, in the order of a table: ten basic ones, and the derived ones.
             pub const ALL: [Quantity; [$($key),*].len()] = [$(Quantity::$name),*];
 
             fn description(self) -> Description {
@@ -95,7 +95,7 @@ quantities! {
 impl Quantity {
     /// The basic quantities.
     pub const BASIC: &[Quantity] = Self::ALL.split_at(10).0;
-    /// The quantities derived from these, which are shown on request.
+    /// The derived quantities, which are shown on request.
     pub const DERIVED: &[Quantity] = Self::ALL.split_at(10).1;
 
     /// The names of the basic and of the derived quantities, separated by commas.
@@ -106,13 +106,15 @@ impl Quantity {
         })
     }
 
-    /// The quantities that a table shows unless others are chosen: the basic ones but the inverse metric and the Killing form.
+    /// The quantities that a table shows by default: the basic ones except the inverse metric and
+    /// the Killing form.
     pub fn shown() -> Vec<Self> {
         let kept = |quantity: &Self| !matches!(quantity, Self::InverseMetric | Self::Killing);
         Self::BASIC.iter().copied().filter(kept).collect()
     }
 
-    /// The different quantities of a list: names separated by commas, `all` for the basic and `derived` for the derived ones.
+    /// Parses a list of quantities: names separated by commas, `all` for the basic and `derived`
+    /// for the derived ones. Duplicates are removed.
     ///
     /// ```
     /// use affinor_documents::report::Quantity;
@@ -121,7 +123,7 @@ impl Quantity {
     /// ```
     ///
     /// # Errors
-    /// The first name that is unknown, with the known ones.
+    /// A message with the first unknown name, and the known ones.
     pub fn list(text: &str) -> Result<Vec<Self>, String> {
         let mut chosen = Vec::new();
         for key in text.split(',').map(str::trim) {
@@ -150,7 +152,7 @@ impl Quantity {
         self.description().key
     }
 
-    /// The quantity of that name.
+    /// The quantity with this name.
     pub fn from_key(key: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|quantity| quantity.key() == key)
     }
@@ -198,11 +200,12 @@ impl Quantity {
         slots
     }
 
-    /// The tensor of a geometry; `None` where it does not apply. Some quantities need a metric, the Killing form needs an
-    /// algebra, and Schouten, Weyl and Cotton need a Levi-Civita connection in dimension 3 or more.
+    /// The tensor of a geometry; `None` if it does not apply. Some quantities need a metric, the
+    /// Killing form needs an algebra, and Schouten, Weyl and Cotton need a Levi-Civita connection
+    /// in dimension 3 or more.
     ///
     /// # Errors
-    /// [`Error::Shape`], which a valid geometry does not cause.
+    /// [`Error::Shape`], which cannot occur for a valid geometry.
     pub fn of<S: Coefficient>(self, geometry: &Geometry<S>) -> Result<Option<Tensor<S>>, Error> {
         let connection = geometry.connection();
         let n = geometry.frame().dimension();

@@ -79,7 +79,7 @@ enum Relation {
     GreaterOrEqual,
 }
 
-/// The signs of relations; `==` before `=`, so that the longer one is found.
+/// The signs of relations; `==` comes before `=`, so that the longer one is found.
 const RELATIONS: [(&str, Relation); 7] = [
     ("==", Relation::Equal),
     ("!=", Relation::Unequal),
@@ -90,14 +90,14 @@ const RELATIONS: [(&str, Relation); 7] = [
     (">", Relation::Greater),
 ];
 
-/// The statements allowed, for messages.
+/// The allowed statements, for messages.
 const FORMS: &str = "write left = right, !=, <, >, <=, >=, or a property: ";
 
 impl Statements {
     /// Reads a file, or standard input for `-`.
     ///
     /// # Errors
-    /// A file that cannot be read, or one without statements.
+    /// An error for a file that cannot be read, or one without statements.
     pub fn read(path: &str) -> Result<Self, InputError> {
         Self::of(vec![file::read(path)?])
     }
@@ -105,12 +105,12 @@ impl Statements {
     /// Reads a text; messages call it `name`.
     ///
     /// # Errors
-    /// A text without statements.
+    /// An error for a text without statements.
     pub fn parse(name: &str, text: &str) -> Result<Self, InputError> {
         Self::of(vec![Source::new(name.escape_debug().to_string(), text)])
     }
 
-    /// The statements of several lists, one after the other.
+    /// Joins several lists of statements.
     #[must_use]
     pub fn join(lists: Vec<Self>) -> Self {
         Statements { sources: lists.into_iter().flat_map(|list| list.sources).collect() }
@@ -138,7 +138,7 @@ impl Statements {
         })
     }
 
-    /// Whether values of functions such as `sqrt(2)`, or `pi`, may occur, which are not rational.
+    /// Whether irrational values, such as `sqrt(2)` or `pi`, may occur.
     pub(super) fn may_be_irrational(&self) -> bool {
         let is_name = |c: char| c.is_alphanumeric() || c == '_';
         self.lines().any(|(_, _, statement)| {
@@ -147,11 +147,13 @@ impl Statements {
         })
     }
 
-    /// Tests the statements about a geometry. These names are scalars; parameters that have been set have `values`.
+    /// Tests the statements about a geometry. `scalars` are the names of scalars; parameters that
+    /// have been set have `values`.
     ///
     /// # Errors
-    /// Syntax errors, unknown names, tensors and properties that are not defined for the geometry, sides whose indices do
-    /// not fit, and inequalities whose order depends on parameters.
+    /// Errors for syntax errors, unknown names, tensors and properties that are not defined for the
+    /// geometry, sides whose indices do not fit, and inequalities whose order depends on
+    /// parameters.
     pub(super) fn test<S: Coefficient>(
         &self,
         geometry: &Geometry<S>,
@@ -197,7 +199,7 @@ pub(super) fn scalar<S: Coefficient>(
     given.ok_or_else(|| format!("the space has no parameter {}", shown(name)))
 }
 
-/// The component and the values of the sides that contradict a statement.
+/// The component and the values of both sides that contradict a statement.
 type Contradiction = (String, Option<[String; 2]>);
 
 struct Test<'a, S> {
@@ -208,7 +210,7 @@ struct Test<'a, S> {
 }
 
 impl<S: Coefficient> Test<'_, S> {
-    /// The witness of a statement that fails.
+    /// The witness if a statement fails; `None` if it holds.
     fn statement(&self, text: &str) -> Result<Option<Contradiction>, InputError> {
         let (sides, relations) = split(text);
         if relations.is_empty() {
@@ -265,7 +267,7 @@ impl<S: Coefficient> Test<'_, S> {
         Ok(Some((component(left, &at, self.names.dimension), Some([value(a), value(b)]))))
     }
 
-    /// The equal values of two sides that are numbers.
+    /// The values of both sides, if they are equal numbers.
     fn equal_sides(&self, a: &Indexed<S>, b: &Indexed<S>) -> Option<[String; 2]> {
         let values = [a, b].map(|side| side.tensor.to_scalar());
         let [Some(a), Some(b)] = values else { return None };
@@ -291,7 +293,7 @@ impl<S: Coefficient> Test<'_, S> {
     }
 }
 
-/// The sides of a statement, and the relations between them.
+/// Splits a statement into its sides and the relations between them.
 fn split(text: &str) -> (Vec<&str>, Vec<Relation>) {
     let (mut sides, mut relations, mut rest) = (vec![], vec![], text);
     while let Some(at) = rest.find(['=', '!', '<', '>']) {
@@ -305,7 +307,7 @@ fn split(text: &str) -> (Vec<&str>, Vec<Relation>) {
     (sides, relations)
 }
 
-/// The component of an expression at values of its free letters: `Ric_12 - g_12`.
+/// The component of an expression for given values of its free letters: `Ric_12 - g_12`.
 fn component(parsed: &Parsed, at: &[(char, usize)], dimension: usize) -> String {
     let number = |letter: char| match at.iter().find(|(other, _)| *other == letter) {
         Some((_, index)) => (index + 1).to_string(),
@@ -335,7 +337,7 @@ fn component(parsed: &Parsed, at: &[(char, usize)], dimension: usize) -> String 
     written + &parsed.text[end..]
 }
 
-/// The values of two sides that are not in an order.
+/// The values of both sides if they violate an inequality.
 fn in_order<S: Coefficient>(
     order: Relation,
     a: &Indexed<S>,
@@ -352,7 +354,7 @@ fn in_order<S: Coefficient>(
         return Err(format!("the sign of {difference} depends on {names}: set numbers with --set"));
     }
     let positive = match S::KIND {
-        // the text of an exact number has its sign; its nearest float may be 0
+        // for an exact number the text shows the sign; its nearest float may be 0
         Kind::Exact => !difference.is_negative(),
         _ => difference.to_f64().is_some_and(|x| x > 0.0),
     };

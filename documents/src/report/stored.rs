@@ -22,57 +22,59 @@ use serde_json::Value;
 use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// A table read from JSON (`affinor.table/1`) or CSV. Values are kept as text until the scalar type
-/// is known.
+/// A table read from JSON (`affinor.table/1`) or CSV. Values are stored as text until the scalar
+/// type is known.
 #[derive(Clone, Debug)]
 pub struct StoredTable {
     /// The file.
     place: Place,
-    /// The name of the connection, if the file has it.
+    /// The name of the connection, if the file contains it.
     connection: Option<String>,
-    /// The names of the basis vectors, if the file has them.
+    /// The names of the basis vectors, if the file contains them.
     basis: Option<Vec<String>>,
-    /// The dimension, if the file has it.
+    /// The dimension, if the file contains it.
     dimension: Option<usize>,
-    /// The frame, such as `left-invariant`, if the file has it.
+    /// The frame, such as `left-invariant`, if the file contains it.
     frame: Option<String>,
-    /// The scalar, if the file has it.
+    /// The scalar, if the file contains it.
     scalar: Option<String>,
     /// Whether only independent components are listed.
     independent: bool,
     tensors: Vec<(Quantity, Vec<Component>)>,
-    /// Tensors that were chosen and are not stored.
+    /// Tensors that were selected but are not stored.
     missing: Vec<Quantity>,
-    /// The variances of the slots, such as `["up","down"]`, of the tensors for which the file has them.
+    /// The variances of the slots, such as `["up","down"]`, for the tensors for which the file
+    /// contains them.
     slots: Vec<(Quantity, Value)>,
-    /// The names that values use for common factors, with the factors as written.
+    /// The names of common factors that occur in values, with the factors as text.
     names: Vec<(String, String)>,
-    /// Whether the format lists tensors without components: JSON does, CSV does not.
+    /// Whether the format lists tensors without components. JSON does, CSV does not.
     lists_zeros: bool,
 }
 
-/// The indices of a component (from 0) and its value as written.
+/// The indices of a component (from 0), and its value as text.
 type Component = (Vec<usize>, String);
 
 /// The largest size of a stored table, in bytes.
 const MAX_BYTES: u64 = 1 << 32;
-/// How to choose the tensors of a table without rows.
+/// Advice for a table without rows.
 const NAMED: &str = "--show names the tensors";
 
 impl StoredTable {
-    /// Reads a stored table from a file, as [`parse`](Self::parse).
+    /// Reads a stored table from a file, like [`parse`](Self::parse).
     ///
     /// # Errors
-    /// A file that cannot be read; a text that is no table.
+    /// An error for a file that cannot be read, and for a text that is not a table.
     pub fn read(path: &str) -> Result<Self, InputError> {
         let (name, bytes) = bytes(path, MAX_BYTES)?;
         Self::of_source(decode(&name, &bytes)?)
     }
 
-    /// Reads a stored table: JSON if the text begins with `{`, else CSV. Messages call it `name`.
+    /// Parses a stored table: JSON if the text begins with `{`, otherwise CSV. Messages call it
+    /// `name`.
     ///
     /// # Errors
-    /// A text that is no table.
+    /// An error for a text that is not a table.
     pub fn parse(name: &str, text: &str) -> Result<Self, InputError> {
         Self::of_source(Source::new(name.escape_debug().to_string(), text))
     }
@@ -80,7 +82,7 @@ impl StoredTable {
     fn of_source(source: Source) -> Result<Self, InputError> {
         let text = source.text.clone();
         let mut table = StoredTable {
-            // the text itself is not kept
+            // the text itself is dropped
             place: Place::within(Source::new(source.name, "")),
             connection: None,
             basis: None,
@@ -107,7 +109,8 @@ impl StoredTable {
     /// Checks that the components fit a space with this basis.
     ///
     /// # Errors
-    /// A table of another dimension, with a larger index, or with another name of a basis vector.
+    /// An error for a table of another dimension, with a larger index, or with another name of a
+    /// basis vector.
     pub fn expect_basis(&self, labels: &[String]) -> Result<(), InputError> {
         let computed = labels.len();
         let components = self.tensors.iter().flat_map(|(_, components)| components);
@@ -135,11 +138,11 @@ impl StoredTable {
         Err(InputError::mathematics(message).at(&self.place))
     }
 
-    /// The table itself; if it lists no component, which is so in CSV where all tensors vanish, the basic tensors of the
-    /// computed table that vanish.
+    /// The table itself. If it lists no components, as CSV does if all tensors vanish, the basic
+    /// tensors of the computed table that vanish.
     ///
     /// # Errors
-    /// No component, and no tensor that vanishes.
+    /// An error if there are no components, and no tensor vanishes.
     pub fn or_vanishing<S: Coefficient>(
         &self,
         table: &Table<S>,
@@ -157,13 +160,14 @@ impl StoredTable {
         Ok(Cow::Owned(StoredTable { tensors, ..self.clone() }))
     }
 
-    /// The settings of the stored table that differ from those of the computed one, each with the option that changes it,
-    /// if there is one.
+    /// The settings of the stored table that differ from those of the computed one. A remark names
+    /// the option that changes the setting, if there is one.
     pub fn remarks<S: Coefficient>(&self, table: &Table<S>) -> Vec<String> {
         let mut remarks = Vec::new();
         if self.tensors.is_empty() {
-            remarks
-                .push(format!("the stored table has no rows: compared is what vanishes; {NAMED}"));
+            remarks.push(format!(
+                "the stored table has no rows, so only vanishing tensors are compared; {NAMED}"
+            ));
         }
         if let Some(stored) = self.connection.as_ref().filter(|name| **name != table.connection) {
             let (stored, computed) = (stored.escape_debug(), &table.connection);
@@ -179,15 +183,18 @@ impl StoredTable {
             remarks.push(format!("stored in the {stored} frame, computed in the {computed}{see}"));
         }
         if self.independent && !table.independent {
-            remarks.push("stored are independent components only: see --independent".into());
+            remarks.push("only independent components are stored: see --independent".into());
         }
         if self.scalar.as_deref() == Some("float") && S::KIND != Kind::Float {
-            remarks.push("stored in floats, computed exactly: see --scalar float".into());
+            remarks.push(
+                "the stored values are floats, the computed ones exact: see --scalar float".into(),
+            );
         }
         remarks
     }
 
-    /// Keeps only the `chosen` tensors. One that is not listed must be zero or, in JSON, must not apply to the space.
+    /// Restricts the table to the `chosen` tensors. A tensor that is not listed must be zero or, in
+    /// JSON, must not apply to the space.
     pub fn select(&mut self, chosen: &[Quantity]) {
         let mut tensors = Vec::new();
         for &quantity in chosen {
@@ -200,7 +207,7 @@ impl StoredTable {
         self.tensors = tensors;
     }
 
-    /// Whether the table differs from a computed one, and agrees with its independent components.
+    /// Whether the table differs from a computed one, but agrees with its independent components.
     pub(super) fn lists_independent<S: Coefficient>(&self, table: &Table<S>) -> bool {
         let independent = Table { independent: true, ..table.clone() };
         !table.independent
@@ -213,12 +220,14 @@ impl StoredTable {
         &self.place.source.name
     }
 
-    /// The components that differ from a computed table, in the order of the stored one. Exact values must be equal, floats
-    /// equal within the tolerance of the table. If the computed table lists independent components only, the stored one may
-    /// list any component of each set that is equal by symmetry.
+    /// The components that differ from a computed table, in the order of the stored one. Exact
+    /// values must be equal, floats equal within the tolerance of the table. If the computed table
+    /// lists independent components only, the stored one may list any component of each set that is
+    /// equal by symmetry.
     ///
     /// # Errors
-    /// A stored value that cannot be read, a tensor that only one of the tables has, or none to compare.
+    /// An error for a stored value that cannot be parsed, for a tensor that only one of the tables
+    /// contains, and if there is nothing to compare.
     pub fn differences<S: Coefficient>(&self, table: &Table<S>) -> Result<Differences, InputError> {
         let (mut found, mut compared) = (vec![], vec![]);
         let names = self.names(table)?;
@@ -241,7 +250,7 @@ impl StoredTable {
                 None if missing => continue,
                 None => {
                     return Err(refused(format!(
-                        "{key} is stored, and does not apply to this space"
+                        "{key} is stored, but does not apply to this space"
                     )));
                 }
             };
@@ -257,7 +266,8 @@ impl StoredTable {
                         "{key}: the component {numbers:?} needs {expected}"
                     )));
                 }
-                // the text of a long value reads back, though its evaluation would exceed a limit
+                // a long value equals its own text, although evaluating the text would exceed a
+                // limit
                 let computed = tensor.get(indices);
                 let written = match &named {
                     Some(named) => with_names(&computed, &named.factors),
@@ -273,7 +283,7 @@ impl StoredTable {
                 let indices: Vec<usize> = twice[0].0.iter().map(|index| index + 1).collect();
                 return Err(refused(format!("{key}: the component {indices:?} is stored twice")));
             }
-            // of each set that is equal by symmetry any component may be stored
+            // of each set that is equal by symmetry, any component may be stored
             let listed: BTreeSet<_> = values.iter().map(|(at, _)| at.clone()).collect();
             let shown = match table.independent {
                 true => &representatives(tensor, &listed),
@@ -298,7 +308,7 @@ impl StoredTable {
         for (name, text) in &self.names {
             let shown = name.escape_debug();
             if !is_name(name) {
-                return Err(refused(format!("where: `{shown}` is no name")));
+                return Err(refused(format!("where: `{shown}` is not a name")));
             }
             if table.parameters.contains(name) {
                 return Err(refused(format!("where: `{shown}` is a parameter of the table")));
@@ -341,7 +351,7 @@ impl StoredTable {
             let quantity = of_key(key)?;
             for item in list? {
                 let component = component(item);
-                let message = || refused(&format!("{key}: {item} is no component"));
+                let message = || refused(&format!("{key}: {item} is not a component"));
                 components.push(component.ok_or_else(message)?);
             }
             self.tensors.push((quantity, components));
@@ -350,14 +360,14 @@ impl StoredTable {
             }
         }
         if self.tensors.is_empty() {
-            return Err(refused("there is no tensor in it"));
+            return Err(refused("it contains no tensor"));
         }
         let text = |value: &Value| value.as_str().map(str::to_string);
         if let Some(names) = root.get("where") {
             let pair = |(name, value): (&String, &Value)| Some((name.clone(), text(value)?));
             let pairs = names.as_object().and_then(|names| names.iter().map(pair).collect());
             self.names = pairs.ok_or_else(|| {
-                refused("`where` is no object of names, each with an expression as a string")
+                refused("`where` is not an object of names, each with an expression as a string")
             })?;
         }
         let conventions = &root["conventions"];
@@ -389,7 +399,7 @@ impl StoredTable {
             let index = |field: &str| field.parse::<usize>().ok()?.checked_sub(1);
             let fields = (1..columns - 1).map(|at| &record[at]).filter(|field| !field.is_empty());
             let indices = fields.map(index).collect::<Option<Vec<_>>>();
-            let indices = indices.ok_or_else(|| here("an index is no number"))?;
+            let indices = indices.ok_or_else(|| here("an index is not an integer"))?;
             let component = (indices, record[columns - 1].into());
             match self.tensors.iter_mut().find(|(other, _)| *other == quantity) {
                 Some((_, components)) => components.push(component),
@@ -401,7 +411,7 @@ impl StoredTable {
 }
 
 fn of_key(key: &str) -> Result<Quantity, InputError> {
-    Quantity::from_key(key).ok_or_else(|| InputError::usage(format!("`{key}` is no tensor")))
+    Quantity::from_key(key).ok_or_else(|| InputError::usage(format!("`{key}` is not a tensor")))
 }
 
 /// A component in JSON, `[[1, 2, 1, 2], "1/4"]`.
@@ -417,7 +427,7 @@ fn component(item: &Value) -> Option<Component> {
     Some((indices, value))
 }
 
-/// A value as any scalar writes it.
+/// Parses a value that was written by any scalar.
 fn read<S: Coefficient>(value: &str, names: &[(String, S)]) -> Result<S, String> {
     if S::KIND == Kind::Float
         && let Ok(x) = value.parse::<f64>()

@@ -1,4 +1,4 @@
-//! Plain text: groups of components as the paper prints them, in at most 80 columns.
+//! Plain text: groups of components in the style of the paper, in at most 80 columns.
 
 use super::components::{
     GROUPED, Group, count, groups_with, index_names, others, plain, scripts, with_names,
@@ -14,7 +14,7 @@ use unicode_width::UnicodeWidthStr;
 
 /// The columns of a line.
 const WIDTH: usize = 80;
-/// The columns of the titles in the head.
+/// The width of the labels in the header.
 const TITLE: usize = 13;
 
 pub(super) fn write<S: Coefficient>(table: &Table<S>, out: &mut dyn Write) -> io::Result<()> {
@@ -36,12 +36,12 @@ pub(super) fn write<S: Coefficient>(table: &Table<S>, out: &mut dyn Write) -> io
     Ok(())
 }
 
-/// A line of the head, with its title.
+/// A line of the header, with its label.
 pub(super) fn head_line(title: &str, pieces: &[String], out: &mut dyn Write) -> io::Result<()> {
     fill(out, &format!("  {title:TITLE$}"), pieces)
 }
 
-/// `R^1_212`
+/// A component of a quantity: `R^1_212`.
 pub(super) fn component<S: Coefficient>(
     quantity: Quantity,
     tensor: &Tensor<S>,
@@ -50,7 +50,7 @@ pub(super) fn component<S: Coefficient>(
     named(quantity.symbol(), tensor, indices, None)
 }
 
-/// A component with a symbol of its own and, if there are some, names of indices: `Lambda^t_tr`.
+/// A component with a given symbol and, optionally, names of indices: `Lambda^t_tr`.
 pub(super) fn named<S: Coefficient>(
     symbol: &str,
     tensor: &Tensor<S>,
@@ -60,7 +60,8 @@ pub(super) fn named<S: Coefficient>(
     join(symbol, scripts(tensor.dimension(), tensor.slots(), index_names(indices, names)))
 }
 
-/// The components of a tensor with a symbol of its own, as in a table: `T^1_2 = T^2_1 = 1/2`, in lines of at most 80 columns.
+/// The components of a tensor with a given symbol, as in a table: `T^1_2 = T^2_1 = 1/2`, in lines
+/// of at most 80 columns.
 ///
 /// ```
 /// use affinor_documents::report::{components_in_latex, components_in_text};
@@ -73,7 +74,7 @@ pub fn components_in_text<S: Coefficient>(symbol: &str, tensor: &Tensor<S>) -> S
     labelled_in_text(symbol, tensor, None)
 }
 
-/// As [`components_in_text`], with names of the indices in place of numbers.
+/// Like [`components_in_text`], with names of the indices instead of numbers.
 ///
 /// ```
 /// use affinor_documents::report::labelled_in_text;
@@ -88,12 +89,12 @@ pub fn labelled_in_text<S: Coefficient>(
     names: Option<&[String]>,
 ) -> String {
     let mut text = Vec::new();
-    // a vector takes every byte
+    // writing to a vector cannot fail
     let _ = components(symbol, tensor, &CommonFactors::default(), names, &mut text);
     String::from_utf8_lossy(&text).into_owned()
 }
 
-/// Groups of components, or one a line for a long tensor.
+/// Groups of components; for a long tensor one component per line.
 fn components<S: Coefficient>(
     symbol: &str,
     tensor: &Tensor<S>,
@@ -112,7 +113,7 @@ fn components<S: Coefficient>(
         .try_for_each(|group| fill(out, "  ", &equation(group, factors, name)))
 }
 
-/// `R^i_jkl`
+/// A quantity with its general indices: `R^i_jkl`.
 pub(super) fn general<S: Coefficient>(quantity: Quantity, tensor: &Tensor<S>) -> String {
     join(
         quantity.symbol(),
@@ -147,7 +148,7 @@ fn tensor<S: Coefficient>(
     others(&entry.tensor, &shown).map_or(Ok(()), |others| writeln!(out, "  {others}"))
 }
 
-/// The brackets of the basis vectors, `[e1, e2]` and `e3`; `written` writes a value.
+/// The brackets of the basis vectors, such as `[e1, e2]` and `e3`; `written` writes a value.
 pub(super) fn brackets<S: Coefficient>(
     structure: &Tensor<S>,
     labels: &[String],
@@ -161,7 +162,8 @@ pub(super) fn brackets<S: Coefficient>(
     brackets.into_iter().map(|(at, terms)| (pair(at), combination(terms))).collect()
 }
 
-/// The components of a tensor with a symbol of its own, a line for those that are equal up to sign: `tau^1_23 = -tau^1_32 = 1`.
+/// The components of a tensor with a given symbol; those that are equal up to sign are on one line:
+/// `tau^1_23 = -tau^1_32 = 1`.
 pub fn grouped_in_text<S: Coefficient>(symbol: &str, tensor: &Tensor<S>) -> Vec<String> {
     let name = |at: &[usize]| named(symbol, tensor, at, None);
     let none = CommonFactors::default();
@@ -169,7 +171,7 @@ pub fn grouped_in_text<S: Coefficient>(symbol: &str, tensor: &Tensor<S>) -> Vec<
     groups.iter().map(|group| equation(group, &none, name).join(" ")).collect()
 }
 
-/// The pieces `R^1_212`, `= -R^1_221`, ..., `= 1/4`; a line may break between them.
+/// The pieces `R^1_212`, `= -R^1_221`, ..., `= 1/4`, between which a line may be broken.
 pub(super) fn equation<S: Coefficient>(
     group: &Group<S>,
     factors: &CommonFactors,
@@ -188,8 +190,9 @@ pub(super) fn join(symbol: &str, scripts: Vec<(Variance, String)>) -> String {
     })
 }
 
-/// Writes pieces with spaces between them, in lines of at most [`WIDTH`] columns. The first line begins with `start`; the
-/// others are indented by its width and two more. A piece wider than a line is broken at its spaces, a word is not.
+/// Writes pieces, separated by spaces, in lines of at most [`WIDTH`] columns. The first line begins
+/// with `start`; the others are indented by its width plus two. A piece wider than a line is broken
+/// at its spaces, but words are not broken.
 pub(super) fn fill(out: &mut dyn Write, start: &str, pieces: &[String]) -> io::Result<()> {
     let indent = " ".repeat(start.width() + if start.trim().is_empty() { 2 } else { 0 });
     let mut line = start.to_string();

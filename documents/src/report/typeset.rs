@@ -14,7 +14,7 @@ pub(super) fn convention_formulas() -> Vec<Row> {
     conventions().split("; ").map(formula).collect()
 }
 
-/// `R^i_jkl`.
+/// A quantity with its general indices: `R^i_jkl`.
 pub(super) fn general<S: Coefficient>(quantity: Quantity, tensor: &Tensor<S>) -> Row {
     let letters = quantity.letters();
     with_scripts(
@@ -25,7 +25,7 @@ pub(super) fn general<S: Coefficient>(quantity: Quantity, tensor: &Tensor<S>) ->
     )
 }
 
-/// The sides of `R^1_212 = -R^1_221 = ... = 1/4`, perhaps with names of indices.
+/// The sides of `R^1_212 = -R^1_221 = ... = 1/4`, optionally with names of indices.
 pub(super) fn sides<S: Coefficient>(
     symbol: &[Node],
     tensor: &Tensor<S>,
@@ -43,7 +43,7 @@ pub(super) fn sides<S: Coefficient>(
     members.chain([value(&with_names(&group.value, factors))]).collect()
 }
 
-/// `R^1_212 = -R^1_221 = ... = 1/4`.
+/// The equation `R^1_212 = -R^1_221 = ... = 1/4`.
 pub(super) fn equation<S: Coefficient>(
     quantity: Quantity,
     tensor: &Tensor<S>,
@@ -68,7 +68,8 @@ pub(super) fn brackets<S: Coefficient>(structure: &Tensor<S>, labels: &[String])
     brackets.into_iter().map(|(at, terms)| chain([pair(at), sum(terms)])).collect()
 }
 
-/// The symbol with its indices. Commas separate indices of dimensions above 9, and names of several letters.
+/// The symbol with its indices. Commas separate indices above dimension 9, and names of several
+/// characters.
 fn with_scripts<S: Coefficient>(
     symbol: &[Node],
     dimension: usize,

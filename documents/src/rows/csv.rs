@@ -1,4 +1,4 @@
-//! Runs as CSV: numbers in the fewest digits that read back as the same float.
+//! Runs as CSV. Numbers are written with the fewest digits that parse to the same float.
 
 use super::{Head, Rows};
 use std::fmt::Write as _;
@@ -19,7 +19,7 @@ pub(super) fn write(head: &Head, rows: &mut Rows, out: &mut dyn Write) -> io::Re
     out.flush()
 }
 
-/// The error of the writer itself: a closed pipe ends the program quietly.
+/// The I/O error inside a CSV error, so that a closed pipe ends the program quietly.
 pub(crate) fn failed(error: csv::Error) -> io::Error {
     match error.into_kind() {
         csv::ErrorKind::Io(error) => error,

@@ -1,24 +1,24 @@
-//! Rows dense enough to be drawn as curves, whatever the spacing of the rows of a problem.
+//! Rows that are dense enough to be drawn as curves, whatever the spacing of the rows of a problem.
 
 use affinor::Error;
 use affinor::mechanics::simulation::Motion;
 
-/// The largest distance of a curve from its chords, in widths of the picture.
+/// The largest distance of a curve from its chords, as a fraction of the width of the picture.
 const FLAT: f64 = 5e-4;
 /// The largest number of halvings of a step.
 const HALVINGS: u32 = 6;
 /// The largest number of intervals of a curve.
 const INTERVALS: f64 = 1e4;
-/// The least width of a picture, relative to the values: less is rounding.
+/// The smallest width of a picture, relative to the values; smaller changes are rounding errors.
 const RELATIVE: f64 = 1e-9;
 
 /// The curve of some columns along a motion.
 pub struct DenseRows<'m> {
     motion: &'m mut dyn Motion,
     columns: &'m [usize],
-    /// The least and the largest value of each column so far.
+    /// The smallest and the largest value of each column so far.
     ranges: Vec<[f64; 2]>,
-    /// The least time between rows.
+    /// The smallest time between rows.
     least: f64,
     rows: Vec<Vec<f64>>,
 }
@@ -28,7 +28,7 @@ impl<'m> DenseRows<'m> {
     /// chord is close to the curve.
     ///
     /// # Errors
-    /// The reason why the motion cannot go on.
+    /// The reason why the motion cannot be continued.
     pub fn along(
         motion: &'m mut dyn Motion,
         times: &[f64],
@@ -73,7 +73,8 @@ impl<'m> DenseRows<'m> {
         Ok(reached)
     }
 
-    /// Adds rows between two ends of a part of the step; returns whether the motion was moved.
+    /// Adds rows between both ends of a part of the step. Returns whether the state of the motion
+    /// was changed.
     fn halve(&mut self, from: &[f64], to: &[f64], halvings: u32) -> Result<bool, Error> {
         let half = 0.5 * (to[0] - from[0]);
         if halvings == 0 || half.abs() < self.least {

@@ -11,7 +11,7 @@ use ::parquet::schema::types::Type;
 use std::io::{self, Write};
 use std::sync::Arc;
 
-/// The number of rows of a row group, which is kept in memory.
+/// The number of rows of a row group, which is buffered in memory.
 const GROUP: usize = 1 << 16;
 
 pub(super) fn write(head: &Head, rows: &mut Rows, out: &mut dyn Write) -> io::Result<()> {

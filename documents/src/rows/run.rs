@@ -1,9 +1,10 @@
-//! Rows of a trajectory in memory, by the names of their columns.
+//! Rows of a trajectory in memory, accessible by column names.
 
 use affinor::Error;
 use nalgebra::{Matrix3, Vector3};
 
-/// Orthogonality tolerance of an attitude. Rows may have few digits; a picture resolves a pixel.
+/// The orthogonality tolerance of an attitude. Rows may have few digits, and a picture only
+/// resolves pixels.
 const TOLERANCE: f64 = 1e-3;
 
 /// The rows of a trajectory, with the names of their columns.
@@ -38,10 +39,11 @@ impl RunRows {
         Ok((0..x.len()).map(|k| Vector3::new(x[k], y[k], z[k])).collect())
     }
 
-    /// The rotation matrices by their entries or by quaternions; those of a factor of a product by its number.
+    /// The rotation matrices, from their entries or from quaternions; for a factor of a product by
+    /// its number.
     ///
     /// # Errors
-    /// [`Error::Name`]; [`Error::Invalid`] for entries that are not those of a rotation.
+    /// [`Error::Name`]; [`Error::Invalid`] for entries that are not a rotation.
     pub fn attitudes(&self, factor: Option<usize>) -> Result<Vec<Matrix3<f64>>, Error> {
         let quaternions = self.column(&column_of("qw", factor));
         if let (Ok(w), Ok(v)) = (quaternions, self.of_factor(["qx", "qy", "qz"], factor)) {
@@ -66,7 +68,8 @@ impl RunRows {
         (0..a.len()).map(matrix).collect()
     }
 
-    /// The positions by the last column of the matrix or by their coordinates; those of a factor of a product by its number.
+    /// The positions, from the last column of the matrix or from their coordinates; for a factor of
+    /// a product by its number.
     ///
     /// # Errors
     /// [`Error::Name`].
@@ -85,7 +88,8 @@ impl RunRows {
     }
 }
 
-/// The name of a column of an element; of a factor of a product with its number, as in `qw_2`.
+/// The name of a column of an element. For a factor of a product, the name ends in its number, as
+/// in `qw_2`.
 pub fn column_of(name: &str, factor: Option<usize>) -> String {
     factor.map_or(name.into(), |number| format!("{name}_{number}"))
 }

@@ -1,4 +1,4 @@
-//! Charts in definitions: coordinates, and fields whose components are functions of them.
+//! Charts in definitions: coordinates, and vector fields whose components are functions of them.
 
 use crate::Coefficient;
 use crate::input::{InputError, Place, Source, forms::ChartText, shown};
@@ -12,12 +12,12 @@ use affinor_tensors::expression::{canonical_name, is_abbreviation};
 use affinor_tensors::scalar::FreeFunction;
 use affinor_tensors::{Down, Symbolic, Tensor, Up};
 
-/// Fields by their components in the coordinate frame.
+/// Vector fields by their components in the coordinate frame.
 #[derive(Clone, Debug)]
 pub(super) struct OnChart {
     pub functions: Functions,
     pub fields: Vec<Given>,
-    /// The place of the fields.
+    /// The location of the fields.
     pub place: Place,
 }
 
@@ -48,7 +48,7 @@ impl ChartText {
         self.declare(&functions, names, source)?;
         if !self.conditions.is_empty() {
             self.conditions(&mut functions, names, source)?;
-            // of the functions under their conditions
+            // the positive functions are declared again, with the conditions applied
             functions.positive = Positive::default();
             self.declare(&functions, names, source)?;
         }
@@ -72,8 +72,8 @@ impl ChartText {
         Ok(())
     }
 
-    /// The conditions `r_u = ...` on derivatives of free functions, whose names stand for the functions at their own
-    /// arguments.
+    /// The conditions `r_u = ...` on derivatives of free functions. In them, a name without
+    /// arguments means the function at its declared arguments.
     fn conditions(
         &self,
         functions: &mut Functions,
@@ -86,7 +86,9 @@ impl ChartText {
             let content = excerpt.content();
             let refuse = |message: String| Err(InputError::usage(message).at(&source.at(text)));
             let Some((head, value)) = content.split_once('=') else {
-                return refuse("a condition is derivative = value, as in \"r_u = 2*u/r\"".into());
+                return refuse(
+                    "write a condition as derivative = value, such as \"r_u = 2*u/r\"".into(),
+                );
             };
             let bare = Names { functions: Some(functions), bare: true, ..*names };
             let head = canonical_name(head.trim());
@@ -109,7 +111,7 @@ impl ChartText {
         Ok(())
     }
 
-    /// A function that is declared without being given, `f(r, theta)`.
+    /// Parses an undetermined function, `f(r, theta)`.
     fn free(
         &self,
         text: &str,
@@ -126,9 +128,13 @@ impl ChartText {
         }
         if let Some(other) = free.arguments().iter().find(|name| !known.coordinates.contains(name))
         {
-            return refuse(format!("`{}` takes coordinates, and `{other}` is none", free.name()));
+            return refuse(format!(
+                "`{}` has the argument `{other}`, which is not a coordinate",
+                free.name()
+            ));
         }
-        // `a` and its derivatives `a_t`; basis vectors differ from derivatives, which have arguments: `d_x` and `d_x(x)`
+        // `a` and its derivatives `a_t` are reserved; basis vectors such as `d_x` differ from
+        // derivatives such as `d_x(x)`, which have arguments
         let is = |name: &str| {
             FreeFunction::new(name, free.arguments()).is_ok_and(|own| own.original() == free)
         };
@@ -136,10 +142,7 @@ impl ChartText {
         let declared = names.parameters.into_iter().flatten().chain(labels);
         let others = known.free.iter().map(FreeFunction::name);
         if let Some(taken) = declared.map(String::as_str).chain(others).find(|name| is(name)) {
-            return refuse(format!(
-                "the function `{}` is already the name of something",
-                shown(taken)
-            ));
+            return refuse(format!("the function name `{}` is already in use", shown(taken)));
         }
         Ok(free)
     }

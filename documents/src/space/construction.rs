@@ -1,4 +1,5 @@
-//! Algebras built from others: the keys `sum`, `semidirect`, `subalgebra`, `quotient` and their like.
+//! Algebras constructed from others: the keys `sum`, `semidirect`, `subalgebra`, `quotient` and
+//! others.
 
 use crate::input::{
     InputError, Place, Source,
@@ -21,7 +22,7 @@ pub(crate) struct Semidirect<D> {
     by: ActionText,
 }
 
-/// A subalgebra by a basis, or by generators.
+/// A subalgebra, given by a basis or by generators.
 #[derive(serde::Deserialize)]
 #[serde(deny_unknown_fields, bound = "D: DeserializeOwned")]
 pub(crate) struct Subalgebra<D> {
@@ -39,7 +40,7 @@ pub(crate) struct Quotient<D> {
     by: Vec<Text>,
 }
 
-/// A central extension by new vectors, with the cocycle as brackets.
+/// A central extension by new vectors; the cocycle is written as brackets.
 #[derive(serde::Deserialize)]
 #[serde(deny_unknown_fields, bound = "D: DeserializeOwned")]
 pub(crate) struct Extension<D> {
@@ -48,7 +49,7 @@ pub(crate) struct Extension<D> {
     cocycle: Block,
 }
 
-/// A contraction by the weights of the basis vectors.
+/// A contraction, given by the weights of the basis vectors.
 #[derive(serde::Deserialize)]
 #[serde(deny_unknown_fields, bound = "D: DeserializeOwned")]
 pub(crate) struct Contraction<D> {
@@ -72,7 +73,8 @@ pub(crate) struct Truncated<D> {
     order: usize,
 }
 
-/// The tensor product with a commutative algebra, which is given by the products of its basis.
+/// The tensor product with a commutative algebra, which is given by the products of its basis
+/// vectors.
 #[derive(serde::Deserialize)]
 #[serde(deny_unknown_fields, bound = "D: DeserializeOwned")]
 pub(crate) struct TensorProduct<D> {
@@ -81,7 +83,7 @@ pub(crate) struct TensorProduct<D> {
     products: Block,
 }
 
-/// A construction, from algebras that are named or defined by a nested `D`.
+/// A construction from algebras that are named, or defined by a nested document `D`.
 pub(super) enum Construction<'d, D> {
     Sum(&'d [Part<D>]),
     Semidirect(&'d Semidirect<D>),
@@ -97,20 +99,20 @@ pub(super) enum Construction<'d, D> {
 
 type Algebra = LieAlgebra<Symbolic>;
 
-/// Reads a part, which stands under a key of the file.
+/// A function that reads a part under a key of the file.
 type Read<'s, D> = &'s dyn Fn(&Part<D>, &str) -> Result<Algebra, InputError>;
 
-/// The key of a construction in a file, with the declared parameters.
+/// The context of a construction: its key in a file, and the declared parameters.
 pub(super) struct Site<'s, D> {
     pub(super) source: &'s Source,
     pub(super) place: Place,
     pub(super) declared: BTreeSet<String>,
-    /// Reads the algebra that a part names, or defines under a key of the file.
+    /// Reads the algebra that a part under a key of the file names or defines.
     pub(super) read: Read<'s, D>,
 }
 
 impl<D> Site<'_, D> {
-    /// The algebra that the construction builds.
+    /// Builds the algebra of the construction.
     pub(super) fn build(&self, construction: &Construction<D>) -> Result<Algebra, InputError> {
         let built = match construction {
             Construction::Sum(summands) => {
@@ -118,8 +120,9 @@ impl<D> Site<'_, D> {
                     .iter()
                     .enumerate()
                     .map(|(at, part)| (self.read)(part, &format!("sum.{at}")));
-                let first =
-                    parts.next().unwrap_or_else(|| Err(self.refuse("a sum has summands")))?;
+                let first = parts.next().unwrap_or_else(|| {
+                    Err(self.refuse("`sum` is empty: list at least one algebra"))
+                })?;
                 return parts.try_fold(first, |sum, next| self.placed(sum.direct_sum(&next?)));
             }
             Construction::Complexification(of) => {
@@ -243,7 +246,9 @@ impl<D> Site<'_, D> {
         let units: Vec<String> = given.basis.iter().map(|text| text.to_string()).collect();
         let indices: BTreeMap<String, usize> = units.iter().cloned().zip(0..).collect();
         if units.is_empty() || indices.len() != units.len() {
-            return Err(self.refuse("the basis of the factor has no names, or one name twice"));
+            return Err(
+                self.refuse("the basis of the factor must have names that differ from each other")
+            );
         }
         let names = Names {
             labels: &indices,
@@ -258,7 +263,7 @@ impl<D> Site<'_, D> {
                 let ((a, b), product) = statement(line, "product", &names, &source)?;
                 let place = product.place.clone();
                 if products.insert((a.min(b), a.max(b)), product.value).is_some() {
-                    let message = "this product is given twice; the factors commute";
+                    let message = "this product is given twice: factors in the other order are the same product";
                     return Err(InputError::usage(message).at(&place));
                 }
             }
@@ -281,8 +286,9 @@ impl<D> Site<'_, D> {
                 "adjoint" => self.placed(structure.truncated(2)),
                 "coadjoint" => self.placed(structure.with_dual()),
                 _ => {
-                    let error =
-                        InputError::usage("an action is adjoint, coadjoint, or a list of matrices");
+                    let error = InputError::usage(
+                        "the action must be adjoint, coadjoint, or a list of matrices",
+                    );
                     Err(error.at(&self.source.at(word)))
                 }
             },
@@ -292,11 +298,10 @@ impl<D> Site<'_, D> {
                 let by = by.collect::<Result<Vec<_>, _>>()?;
                 self.placed(structure.semidirect(&on, &by))
             }
-            (ActionText::Word(_), Some(_)) => Err(self.refuse(
-                "the adjoint and coadjoint actions are on the algebra itself: leave `on` away",
-            )),
+            (ActionText::Word(_), Some(_)) => Err(self
+                .refuse("leave `on` out: adjoint and coadjoint actions are on the algebra itself")),
             (ActionText::Matrices(_), None) => {
-                Err(self.refuse("`on` is missing: the algebra acted on"))
+                Err(self.refuse("`on` is missing: name the algebra that is acted on"))
             }
         }
     }
@@ -352,13 +357,13 @@ impl<D> Site<'_, D> {
         InputError::usage(message).at(&self.place)
     }
 
-    /// A refusal of the library at the place of the key.
+    /// Adds the location of the key to an error of the library.
     fn placed<T>(&self, result: Result<T, affinor::Error>) -> Result<T, InputError> {
         result.map_err(|error| InputError::from(error).or_at(&self.place))
     }
 }
 
-/// The right sides by ordered pair of an algebra that is built.
+/// The right-hand sides by ordered pair for a constructed algebra.
 pub(super) fn pairs(algebra: &Algebra, place: &Place) -> super::Pairs {
     let mut pairs = super::Pairs::new();
     for (at, value) in algebra.structure_constants().components().filter(|(at, _)| at[1] < at[2]) {

@@ -1,4 +1,4 @@
-//! A definition: a space as it is written, exact and symbolic, converted to the scalar of a computation.
+//! Definitions: exact symbolic descriptions of spaces, converted to the scalar of a computation.
 
 use super::chart::OnChart;
 use super::functions::Functions;
@@ -13,23 +13,25 @@ use num_traits::Zero;
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 
-/// A space as it is defined: an algebra, or fields on a chart, and optionally a connection and a metric.
+/// The definition of a space: an algebra, or fields on a chart, and optionally a connection and a
+/// metric.
 ///
-/// Its values are exact and may depend on parameters. They are checked when they are read over a scalar.
+/// Its values are exact and may depend on parameters. They are checked when they are converted to a
+/// scalar.
 #[derive(Clone, Debug)]
 pub struct Definition {
     /// The name.
     pub name: String,
-    /// The name of its algebra, if that differs from its own: so(3) for M(3).
+    /// The name of its algebra, if that differs from the name of the space: so(3) for M(3).
     pub(super) algebra_name: Option<String>,
     /// The names of the basis vectors.
     pub labels: Vec<String>,
     pub(super) origin: Origin,
     pub(super) metric: Option<MetricChoice>,
     pub(super) connection: Option<(ConnectionChoice, Place)>,
-    /// Parameters that were declared, whether or not a value depends on them.
+    /// The declared parameters, whether or not a value depends on them.
     pub(super) declared: Vec<String>,
-    /// Notes on conventions that the file leaves open, and how they are understood.
+    /// Notes on conventions that the file does not specify, and on how they are interpreted.
     pub(super) notes: Vec<String>,
     /// The file; `None` for brackets on the command line.
     pub(super) source: Option<Source>,
@@ -38,7 +40,7 @@ pub struct Definition {
 /// The definition of the bracket.
 #[derive(Clone, Debug)]
 pub(super) enum Origin {
-    /// Brackets as given, by ordered pair (from 0).
+    /// The given brackets, by ordered pair (from 0).
     Brackets(Pairs),
     /// A matrix basis: entries (row, column, value) of each matrix.
     Matrices(usize, Vec<MatrixEntries>),
@@ -46,22 +48,22 @@ pub(super) enum Origin {
     Chart(OnChart),
 }
 
-/// Right sides by ordered pair.
+/// Right-hand sides by ordered pair.
 pub(super) type Pairs = BTreeMap<(usize, usize), Given>;
 
-/// Two basis vectors, in order, from 0.
+/// The indices of two basis vectors, in order, from 0.
 pub(super) type Pair = (usize, usize);
 
 pub(super) type MatrixEntries = Vec<(usize, usize, Complex<Symbolic>)>;
 
-/// The right side of a given bracket, and its place.
+/// The right-hand side of a given bracket, and its location.
 #[derive(Clone, Debug)]
 pub(super) struct Given {
     pub(super) value: BTreeMap<usize, Symbolic>,
     pub(super) place: Place,
 }
 
-/// A metric as it is defined.
+/// The metric of a definition.
 #[derive(Clone, Debug)]
 pub(super) enum MetricChoice {
     Identity,
@@ -69,7 +71,7 @@ pub(super) enum MetricChoice {
     Components(Vec<([usize; 2], Symbolic)>, Option<Place>),
 }
 
-/// A connection as it is defined.
+/// The connection of a definition.
 #[derive(Clone, Debug)]
 pub(super) enum ConnectionChoice {
     Canonical(CanonicalConnection),
@@ -78,7 +80,7 @@ pub(super) enum ConnectionChoice {
     Affinities(Pairs),
 }
 
-/// The components `[i, j, k]` of right sides `v^i` of the pairs `j, k`.
+/// The components `[i, j, k]` of right-hand sides `v^i` of the pairs `j, k`.
 pub(super) fn components<S: Coefficient>(
     pairs: &Pairs,
 ) -> Result<Vec<([usize; 3], S)>, InputError> {
@@ -106,13 +108,14 @@ impl Definition {
         }
     }
 
-    /// The algebra or the fields alone, without a metric and a connection.
+    /// The same definition without metric and connection.
     #[must_use]
     pub fn algebra_alone(&self) -> Self {
         Definition { metric: None, connection: None, ..self.clone() }
     }
 
-    /// Notes for readers: how conventions that the file leaves open are understood, such as the order of the basis.
+    /// Notes on how conventions that the file does not specify are interpreted, such as the order
+    /// of the basis.
     pub fn notes(&self) -> &[String] {
         &self.notes
     }
@@ -122,12 +125,13 @@ impl Definition {
         self.labels.len()
     }
 
-    /// Whether a SPACE with this definition is a name of the catalogue or a sum of such names, which sums may contain.
+    /// Whether the definition is a name of the catalogue or a sum of such names, so that it may
+    /// occur in a sum.
     pub fn is_of_catalogue(&self) -> bool {
         self.source.is_none() && self.algebra_name.is_none()
     }
 
-    /// The parameters that some value depends on, sorted.
+    /// The parameters on which some value depends, sorted.
     pub fn parameters(&self) -> Vec<String> {
         let mut names = Vec::new();
         self.each_value(&mut |value| names.extend(value.parameters()));
@@ -138,7 +142,7 @@ impl Definition {
         names
     }
 
-    /// The parameters, those that were declared and on which no value depends, and the coordinates.
+    /// All known names: parameters, declared parameters on which no value depends, and coordinates.
     pub fn known_parameters(&self) -> Vec<String> {
         let mut names = self.parameters();
         names.extend(self.declared.iter().chain(self.coordinates()).cloned());
@@ -147,14 +151,14 @@ impl Definition {
         names
     }
 
-    /// Whether all values are rational numbers, and nothing is a function on a chart.
+    /// Whether all values are rational numbers, and none is a function on a chart.
     pub fn is_rational(&self) -> bool {
         let mut rational = !self.is_on_chart();
         self.each_value(&mut |value| rational &= value.as_constant().is_some());
         rational
     }
 
-    /// The coordinates of the chart, of which values may be functions; none without a chart.
+    /// The coordinates of the chart, on which values may depend; empty without a chart.
     pub fn coordinates(&self) -> &[String] {
         self.functions().map_or(&[], |functions| &functions.coordinates)
     }
@@ -180,8 +184,8 @@ impl Definition {
     /// The bracket, antisymmetric but not checked for Jacobi.
     ///
     /// # Errors
-    /// A refusal of the mathematics, with its witness: `[y,x]` that is not `-[x,y]`, `[x,x]` that is not zero, matrices
-    /// that are dependent or not closed under commutators.
+    /// A mathematical error with its witness: `[y,x]` differs from `-[x,y]`, `[x,x]` is not zero,
+    /// or matrices are dependent or not closed under commutators.
     pub fn bracket<S: Coefficient>(&self, tolerance: Tolerance) -> Result<Bracket<S>, InputError> {
         let bracket = match &self.origin {
             Origin::Brackets(given) => {
@@ -193,7 +197,9 @@ impl Definition {
             Origin::Matrices(..) => {
                 self.matrix_basis(tolerance)?.bracket().map_err(|error| self.refused(error))?
             }
-            Origin::Chart(_) => return Err(InputError::usage("a chart has no table of brackets")),
+            Origin::Chart(_) => {
+                return Err(InputError::usage("a table of brackets is not possible on a chart"));
+            }
         };
         Ok(bracket)
     }
@@ -201,7 +207,8 @@ impl Definition {
     /// The Lie algebra; the Jacobi identity is checked.
     ///
     /// # Errors
-    /// As [`bracket`](Self::bracket), and the triple that violates Jacobi.
+    /// Those of [`bracket`](Self::bracket), and an error with the triple that violates the Jacobi
+    /// identity.
     pub fn algebra<S: Coefficient>(
         &self,
         tolerance: Tolerance,
@@ -212,7 +219,7 @@ impl Definition {
     /// The [`algebra`](Self::algebra), or the fields on a chart.
     ///
     /// # Errors
-    /// As [`algebra`](Self::algebra); fields that are dependent everywhere.
+    /// Those of [`algebra`](Self::algebra), and an error for fields that are dependent everywhere.
     pub fn ground<S: Coefficient>(
         &self,
         tolerance: Tolerance,
@@ -226,7 +233,8 @@ impl Definition {
     /// The metric in the frame of the geometry, if one is given.
     ///
     /// # Errors
-    /// A form that is not symmetric, or degenerate; the Killing form over structure functions.
+    /// An error for a form that is degenerate or not symmetric, and for the Killing form over
+    /// structure functions.
     pub fn metric<S: Coefficient>(
         &self,
         ground: &FrameOrigin<S>,
@@ -259,11 +267,11 @@ impl Definition {
         metric.map(Some).map_err(|error| InputError::from(error).or_at(place))
     }
 
-    /// The geometry. Without a connection it takes levi-civita if there is a metric, else zero. Over a chart the default
-    /// is levi-civita, which needs a metric.
+    /// The geometry. The default connection is levi-civita if there is a metric, otherwise zero.
+    /// Over a chart it is levi-civita, which needs a metric.
     ///
     /// # Errors
-    /// As [`ground`](Self::ground) and [`metric`](Self::metric).
+    /// Those of [`ground`](Self::ground) and [`metric`](Self::metric).
     pub fn geometry<S: Coefficient>(
         &self,
         tolerance: Tolerance,
@@ -274,7 +282,7 @@ impl Definition {
     /// The geometry over an algebra or fields that are already computed ([`ground`](Self::ground)).
     ///
     /// # Errors
-    /// As [`metric`](Self::metric).
+    /// Those of [`metric`](Self::metric).
     pub fn geometry_over<S: Coefficient>(
         &self,
         ground: FrameOrigin<S>,
@@ -306,7 +314,7 @@ impl Definition {
         })
     }
 
-    /// Whether the connection is left to the default.
+    /// Whether the connection is the default.
     pub fn connection_is_default(&self) -> bool {
         self.connection.is_none()
     }
@@ -348,7 +356,7 @@ impl Definition {
         Err(InputError::from(law.broken(at, written(&sum))).at(&place))
     }
 
-    /// The first pair with `[x,y] + [y,x]` not zero, that sum, and its place.
+    /// The first pair with nonzero `[x,y] + [y,x]`, this sum, and its location.
     pub(super) fn asymmetry(
         &self,
         given: &Pairs,
@@ -369,7 +377,7 @@ impl Definition {
         })
     }
 
-    /// Notes the order of a basis that the file does not name.
+    /// Adds a note on the order of a basis that the file does not name.
     pub(super) fn note_basis(&mut self) {
         const SHOWN: usize = 12;
         let first = self.labels.iter().take(SHOWN).map(String::as_str).collect::<Vec<_>>();
@@ -393,7 +401,8 @@ impl Definition {
         MatrixBasis::new(&self.labels, *size, read, tolerance).map_err(|error| self.refused(error))
     }
 
-    /// A refusal of the mathematics, at the first given bracket that it names, or else in the whole source.
+    /// A mathematical error, located at the first given bracket that it names, or otherwise at the
+    /// whole source.
     pub(crate) fn refused(&self, error: Error) -> InputError {
         let whole = self.source.clone().map(Place::within);
         let names = if let Error::Broken { at, .. } = &error { at.as_slice() } else { &[] };
@@ -411,7 +420,7 @@ impl Definition {
     }
 
     pub(super) fn each_value(&self, f: &mut dyn FnMut(&Symbolic)) {
-        // one traversal serves both: this one visits a copy
+        // visits a copy, so that one traversal serves reading and changing
         self.clone().each_value_mut(&mut |value| f(value));
     }
 
@@ -443,7 +452,7 @@ impl Definition {
     }
 }
 
-/// Refuses a dimension of zero or above [`MAX_DIMENSION`].
+/// Returns an error for a dimension of zero or above [`MAX_DIMENSION`].
 pub(super) fn check_dimension<N>(dimension: N) -> Result<usize, InputError>
 where
     N: TryInto<usize> + std::fmt::Display + Copy,

@@ -1,4 +1,4 @@
-//! The keys of a definition file, read into a definition.
+//! The keys of a definition file, converted to a definition.
 
 use crate::input::{
     InputError, Place, Source,
@@ -28,7 +28,7 @@ use affinor_tensors::{Ring, Symbolic, Tolerance};
 use std::collections::btree_map::Entry;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// The keys of a file. Unknown and duplicate ones are refused.
+/// The keys of a file. Unknown and duplicate keys are errors.
 #[derive(serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Document {
@@ -69,7 +69,7 @@ impl Document {
         };
         let names: Vec<&str> = labels.iter().map(|(label, _)| &**label).collect();
         let indices = match &built {
-            // labels of sums may have primes
+            // labels of direct sums may end in primes
             Some(_) if self.basis.is_none() => {
                 names.iter().map(|name| name.to_string()).zip(0..).collect()
             }
@@ -90,7 +90,7 @@ impl Document {
             }
             ((None, None, None), Some(functions)) => self.fields(functions, &names, source)?,
             (_, Some(_)) => {
-                let message = "a chart defines the brackets by its fields: give no others";
+                let message = "brackets are given twice: the fields of the chart define them";
                 return Err(source.refused("chart", message));
             }
             ((Some(block), None, None), None) => {
@@ -137,7 +137,7 @@ impl Document {
                 Some((ConnectionChoice::Affinities(given), affinities))
             }
             _ => {
-                let message = "a definition has a connection or affinities, not both";
+                let message = "give either a connection or affinities, not both";
                 return Err(InputError::usage(message).at(&affinities));
             }
         };
@@ -202,7 +202,7 @@ impl Document {
         self.chart.as_ref().map_or(&[], |chart| &chart.coordinates)
     }
 
-    /// The parameters and coordinates. None may have the name of something else.
+    /// The parameters and coordinates. An error if one has the name of another object.
     fn declared(
         &self,
         labels: &BTreeMap<String, usize>,
@@ -217,7 +217,7 @@ impl Document {
             let known = labels.contains_key(&**name) || fields.contains(&name.content);
             let taken = known || !parameters.insert(name.to_string());
             if taken || (&**name == "i" && self.matrices.is_some()) {
-                let message = format!("the {what} `{}` is already the name of something", &**name);
+                let message = format!("the name `{}` of the {what} is already in use", &**name);
                 return Err(InputError::usage(message).at(&place));
             }
         }
@@ -258,8 +258,8 @@ impl Document {
         Ok(Origin::Chart(OnChart { functions: functions.clone(), fields, place }))
     }
 
-    /// The basis from `basis`, `dimension`, or the names or the number of the matrices. Names that the file has come with
-    /// their texts.
+    /// The basis from `basis`, `dimension`, or the names or the number of the matrices. Names from
+    /// the file come with their texts.
     fn labels(
         &self,
         built: Option<&LieAlgebra<Symbolic>>,
@@ -321,7 +321,7 @@ impl Document {
     }
 }
 
-/// The right sides by ordered pair, from rows `[i, j, k, "v"]`.
+/// The right-hand sides by ordered pair, from rows `[i, j, k, "v"]`.
 fn structure_constants(
     rows: &[Row],
     dimension: usize,
@@ -404,7 +404,7 @@ fn matrix_basis(
 }
 
 impl MetricText {
-    /// The metric that is written.
+    /// Converts the metric of the file.
     pub(super) fn read(
         &self,
         dimension: usize,

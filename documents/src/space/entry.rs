@@ -23,10 +23,10 @@ impl Definition {
     }
 
     /// A geometry of the paper, [`paper::m3`](super::paper::m3) or
-    /// [`paper::so3`](super::paper::so3); `exact` writes its values.
+    /// [`paper::so3`](super::paper::so3); `exact` converts its values.
     ///
     /// # Errors
-    /// An algebra that the catalogue does not have.
+    /// An error if the catalogue lacks its algebra.
     pub fn of_paper<S: Coefficient>(
         geometry: &Geometry<S>,
         exact: impl Fn(&S) -> Symbolic,

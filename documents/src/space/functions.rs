@@ -6,8 +6,8 @@ use affinor_tensors::expression::{POWER, no_function};
 use affinor_tensors::scalar::{FreeFunction, PositiveFactors};
 use std::sync::{Mutex, PoisonError};
 
-/// The functions on a chart: of its coordinates, with the signs by which roots and logarithms are defined, and those
-/// that are declared without being given.
+/// The functions on a chart: functions of its coordinates, with the signs that define roots and
+/// logarithms, and undetermined functions.
 #[derive(Clone, Debug)]
 pub(crate) struct Functions {
     pub coordinates: Vec<String>,
@@ -15,7 +15,7 @@ pub(crate) struct Functions {
     pub positive: Positive,
 }
 
-/// Positive factors, to which bases of powers with symbolic exponents are added while a definition is read.
+/// Positive factors. Bases of powers with symbolic exponents are added while a definition is read.
 #[derive(Debug, Default)]
 pub(crate) struct Positive(Mutex<PositiveFactors>);
 
@@ -43,7 +43,7 @@ impl Clone for Positive {
 }
 
 impl Functions {
-    /// The declared function, or the derivative of one, of that name.
+    /// The declared function, or the derivative of one, with this name.
     pub fn derivative(&self, name: &str) -> Option<FreeFunction> {
         let head = name.split('_').next()?;
         let free = self.free.iter().find(|free| free.name() == head)?;
@@ -67,19 +67,19 @@ impl Functions {
     }
 }
 
-/// The value of a function where there is no chart: roots of numbers.
+/// The value of a function if there is no chart: only roots of numbers are allowed.
 pub(super) fn without_chart(name: &str, arguments: &[Symbolic]) -> Result<Symbolic, String> {
     let is_number = |value: &Symbolic| value.parameters().is_empty();
     let positive = PositiveFactors::default();
     match arguments {
         [argument] if name == "sqrt" && is_number(argument) => positive.function(name, argument),
         [argument] if name == "sqrt" => {
-            Err(format!("sqrt takes numbers here, and {argument} has parameters"))
+            Err(format!("sqrt is allowed for numbers only here, but {argument} has parameters"))
         }
         [base, exponent] if name == POWER => match is_number(base) && is_number(exponent) {
             true => positive.power(base, exponent),
             false => no_function(name, arguments),
         },
-        _ => Err(format!("`{}` is no function here: only a chart has some", shown(name))),
+        _ => Err(format!("`{}` is not a function here: only charts allow functions", shown(name))),
     }
 }

@@ -7,11 +7,12 @@ use affinor::group::{AnyGroup, MatrixGroup, registry};
 use affinor::tensors::Tolerance;
 
 impl Definition {
-    /// A group with this algebra, in its basis: that of the [`registry`] for a name, of matrices where they are given,
-    /// else that of the brackets ([`registry::of_algebra`]).
+    /// A group with this algebra, in its basis: from the [`registry`] for a name, from the matrices
+    /// if they are given, otherwise from the brackets ([`registry::of_algebra`]).
     ///
     /// # Errors
-    /// What the algebra refuses; an algebra with a centre of which only brackets are known.
+    /// The errors of the algebra; an error for an algebra with a centre that is given by brackets
+    /// only.
     pub fn group(&self, tolerance: Tolerance) -> Result<AnyGroup, InputError> {
         let name = self.algebra_name.as_deref().unwrap_or(&self.name);
         if self.source.is_none()

@@ -1,15 +1,15 @@
-//! Spaces that a text names: sums of catalogue names, paths of files, and tables in the text itself.
+//! Spaces given by a text: sums of catalogue names, paths of files, and tables in the text itself.
 
 use super::{Definition, check_dimension, tables};
 use crate::input::{InputError, Source};
 use affinor::algebra::catalogue::CatalogueError;
 use std::path::Path;
 
-/// The longest chain of definition files, each of which contains the next.
+/// The longest chain of definition files that refer to each other.
 const MAX_DEPTH: usize = 16;
 
-/// The algebra that a string of a definition file names: a sum of catalogue names, or a file, whose path begins at the folder
-/// of that file.
+/// The algebra that a string of a definition file names: a sum of catalogue names, or a file, whose
+/// path is relative to the folder of the definition file.
 pub(super) fn part(source: &Source) -> Result<Definition, InputError> {
     let text = source.content();
     if let Some(table) = tables::inline(source) {
@@ -20,7 +20,7 @@ pub(super) fn part(source: &Source) -> Result<Definition, InputError> {
     }
     let refused = |message: String| Err(InputError::usage(message).at(&source.whole(text)));
     if text == "-" {
-        return refused("standard input is no part of a definition".into());
+        return refused("standard input cannot be part of a definition".into());
     }
     if source.depth >= MAX_DEPTH {
         return refused(format!("{MAX_DEPTH} files lead to this one: does one contain itself?"));
@@ -33,7 +33,7 @@ pub(super) fn part(source: &Source) -> Result<Definition, InputError> {
     }
 }
 
-/// The sum of catalogue names that a source holds.
+/// The sum of catalogue names in a source.
 pub(super) fn named(source: &Source) -> Result<Definition, InputError> {
     let text = source.content();
     let parts = affinor::group::registry::summands(text).into_iter();
@@ -68,7 +68,8 @@ fn entry(part: &str, source: &Source) -> Result<Definition, InputError> {
     Err(match error {
         _ if !foreign.is_empty() => {
             let foreign = foreign.escape_unicode();
-            refused.help(format!("names of algebras are ASCII; this is not: {foreign}"))
+            refused
+                .help(format!("names of algebras must be ASCII, but this one contains {foreign}"))
         }
         CatalogueError::Unknown { .. } => refused.help(NAMES),
         _ => refused,

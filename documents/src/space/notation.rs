@@ -13,19 +13,20 @@ use affinor_tensors::expression::{
 use affinor_tensors::{Field, Rational, Ring, Symbolic};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// The names that an expression may use.
+/// The names that an expression may contain.
 pub(crate) struct Names<'n> {
     pub labels: &'n BTreeMap<String, usize>,
-    /// The declared parameters; with `None` every unknown name is a parameter.
+    /// The declared parameters; if `None`, every unknown name is a parameter.
     pub parameters: Option<&'n BTreeSet<String>>,
-    /// The functions on a chart. Its coordinates are also declared as parameters.
+    /// The functions on a chart. Its coordinates are declared as parameters too.
     pub functions: Option<&'n Functions>,
-    /// Whether the name of a free function stands for the function at its own arguments.
+    /// Whether the name of a free function without arguments means the function at its declared
+    /// arguments.
     pub bare: bool,
 }
 
 impl<'n> Names<'n> {
-    /// The names of scalars beside these basis vectors; every unknown name is a parameter.
+    /// The names of scalars besides these basis vectors; every unknown name is a parameter.
     pub fn open(labels: &'n BTreeMap<String, usize>, functions: Option<&'n Functions>) -> Self {
         Names { labels, parameters: None, functions, bare: false }
     }
@@ -64,7 +65,7 @@ impl<'n> Names<'n> {
         self.read(text, source, &Scalars(|name: &str| self.parameter(name), function))
     }
 
-    /// A function of coordinates, or the square root of a square.
+    /// The value of a function of coordinates, or the square root of a square.
     fn call(&self, name: &str, arguments: &[Symbolic]) -> Result<Symbolic, String> {
         self.functions.map_or_else(
             || functions::without_chart(name, arguments),
@@ -82,10 +83,10 @@ impl<'n> Names<'n> {
         if element.scalar.vanishes() {
             return Ok(element.vector);
         }
-        let message = format!("the part {} has no basis vector", element.scalar);
+        let message = format!("the term {} does not contain a basis vector", element.scalar);
         Err(InputError::usage(message)
             .at(&source.whole(text.trim()))
-            .help("a bracket is a sum of multiples of basis vectors"))
+            .help("a bracket must be a sum of multiples of basis vectors"))
     }
 
     /// A complex number; `i` is the imaginary unit.
@@ -130,12 +131,12 @@ impl<'n> Names<'n> {
     }
 }
 
-/// Whether a name means infinity or not-a-number.
+/// Whether a name denotes infinity or NaN.
 fn is_no_number(name: &str) -> bool {
     ["nan", "inf", "infinity"].contains(&name.to_ascii_lowercase().as_str())
 }
 
-/// One statement `head[x, y] = right side`.
+/// Parses one statement `head[x, y] = right-hand side`.
 pub(super) fn statement(
     line: &str,
     head: &str,
@@ -153,7 +154,7 @@ pub(super) fn statement(
         return Err(refuse(&whole, "this is not a bracket statement"));
     };
     let Some((x, y)) = pair.split_once(',').filter(|(_, y)| !y.contains(',')) else {
-        let reason = "a bracket has two basis vectors, separated by a comma";
+        let reason = "write two basis vectors in the bracket, separated by a comma";
         return Err(refuse(&source.whole(pair), reason));
     };
     let Some(right) = right.trim_start().strip_prefix('=') else {
@@ -183,7 +184,8 @@ pub(super) fn lines(block: &str) -> impl Iterator<Item = &str> {
         .filter(|line| !line.trim().is_empty())
 }
 
-/// The statements between commas that another bracket or the end of the line follows: `[x, y] = z, [y, z] = x`.
+/// The statements between commas that are followed by another bracket or by the end of the line:
+/// `[x, y] = z, [y, z] = x`.
 fn between_commas(line: &str) -> Vec<&str> {
     let (mut depth, mut start, mut parts) = (0i64, 0, Vec::new());
     for (at, symbol) in line.char_indices() {
@@ -200,7 +202,7 @@ fn between_commas(line: &str) -> Vec<&str> {
     parts
 }
 
-/// A metric as written: `identity`, `killing`, `diag(...)`, or rows `[[...], ...]`.
+/// Parses a metric: `identity`, `killing`, `diag(...)`, or rows `[[...], ...]`.
 pub(super) fn metric(
     dimension: usize,
     names: &Names,
@@ -217,7 +219,7 @@ pub(super) fn metric(
         let entries = list(inside);
         if entries.len() != dimension {
             let found = entries_of(entries.len());
-            let message = format!("diag has {found}, the dimension is {dimension}");
+            let message = format!("diag has {found}, but the dimension is {dimension}");
             return Err(InputError::usage(message).at(&place));
         }
         let mut components = Vec::new();
@@ -231,7 +233,9 @@ pub(super) fn metric(
         for row in list(inside) {
             let Some(row) = enclosed(row.trim(), "[", ']') else {
                 let at = source.whole(row.trim());
-                return Err(InputError::usage("a row of the metric is `[a, b, ...]`").at(&at));
+                return Err(
+                    InputError::usage("write each row of the metric as `[a, b, ...]`").at(&at)
+                );
             };
             rows.push(list(row));
         }
@@ -242,7 +246,7 @@ pub(super) fn metric(
         .help("identity, killing, diag(a, b, ...), or [[a, b], [b, c]]"))
 }
 
-/// A metric from its rows; `read` gives the value of an entry.
+/// A metric from its rows; `read` returns the value of an entry.
 pub(super) fn metric_rows<T>(
     rows: &[Vec<T>],
     dimension: usize,
@@ -252,7 +256,7 @@ pub(super) fn metric_rows<T>(
     let square = rows.len() == dimension && rows.iter().all(|row| row.len() == dimension);
     if !square {
         let found = shape(rows);
-        let message = format!("the metric has {found}, the dimension is {dimension}");
+        let message = format!("the metric has {found}, but the dimension is {dimension}");
         return Err(InputError::usage(message).at(&place));
     }
     let mut components = Vec::new();
@@ -264,7 +268,7 @@ pub(super) fn metric_rows<T>(
     Ok(MetricChoice::Components(components, Some(place)))
 }
 
-/// `3 rows of 2 or 3 entries`.
+/// The shape of rows in words: `3 rows of 2 or 3 entries`.
 pub(super) fn shape<T>(rows: &[Vec<T>]) -> String {
     let widths: BTreeSet<usize> = rows.iter().map(Vec::len).collect();
     let last = widths.last().copied().unwrap_or(0);
@@ -281,7 +285,7 @@ fn entries_of(count: usize) -> String {
     if count == 1 { "1 entry".into() } else { format!("{count} entries") }
 }
 
-/// The parts of a list between commas; none in an empty list.
+/// The parts of a list between commas; an empty list has no parts.
 fn list(text: &str) -> Vec<&str> {
     if text.trim().is_empty() { vec![] } else { split(text) }
 }
@@ -309,7 +313,8 @@ pub(super) fn split(text: &str) -> Vec<&str> {
     parts
 }
 
-/// The numbers of basis vectors by their names, which are distinct; `place` is that of a label.
+/// The numbers of basis vectors by their names, which must be distinct; `place` returns the
+/// location of a label.
 pub(super) fn basis(
     labels: &[&str],
     place: &dyn Fn(usize) -> Place,
@@ -317,7 +322,7 @@ pub(super) fn basis(
     super::check_dimension(labels.len())?;
     let mut indices = BTreeMap::new();
     for (at, label) in labels.iter().enumerate() {
-        // those of a second summand have primes
+        // labels of a second summand end in primes
         check_name(label.trim_end_matches('\'')).map_err(|error| error.at(&place(at)))?;
         if indices.insert(label.to_string(), at).is_some() {
             let message = format!("the basis vector `{label}` is named twice");
@@ -327,7 +332,7 @@ pub(super) fn basis(
     Ok(indices)
 }
 
-/// Refuses a text that is no name.
+/// Returns an error for a text that is not a name.
 pub(crate) fn check_name(name: &str) -> Result<(), InputError> {
     if is_name(name) && name.chars().count() <= 64 {
         return Ok(());
@@ -336,7 +341,7 @@ pub(crate) fn check_name(name: &str) -> Result<(), InputError> {
         .help("a name is a letter or _, then letters, digits and _, at most 64 in all"))
 }
 
-/// Sums of a vector and a scalar, as they arise within a right side.
+/// The evaluator of sums of a vector and a scalar, which occur within a right-hand side.
 struct Elements<'n>(&'n Names<'n>);
 
 #[derive(Clone)]
@@ -414,7 +419,7 @@ impl Evaluator for Elements<'_> {
     }
     fn call(&self, name: &str, arguments: Vec<Element>) -> Result<Element, String> {
         if arguments.iter().any(|argument| !argument.vector.is_empty()) {
-            return Err("a basis vector is no argument".into());
+            return Err("a basis vector cannot be an argument".into());
         }
         let arguments: Vec<_> = arguments.into_iter().map(|argument| argument.scalar).collect();
         self.0.call(name, &arguments).map(Element::scalar)
@@ -459,7 +464,7 @@ impl Evaluator for ComplexNumbers<'_> {
     }
 }
 
-/// A connection by name, and its place.
+/// Parses a connection name. Returns it with its location.
 pub(super) fn connection(
     names: &Names,
     source: &Source,

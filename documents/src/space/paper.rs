@@ -6,11 +6,11 @@ use affinor::algebra::catalogue::{self, Entry};
 use affinor::{CanonicalConnection, ConnectionKind, Error, Geometry, LieAlgebra, Metric};
 use affinor_tensors::{Down, Notation, Rational, Scalar, Symbolic, Tensor};
 
-/// M(3): the connection `plus` (29), and as its metric (99) the inertia with the symbolic entries `J11`, `J12`, ..,
-/// `J33`; equations (41)-(61) and section 5.
+/// M(3): the connection `plus` (29), with the inertia as metric (99), whose entries `J11`, `J12`,
+/// ..., `J33` are symbolic; equations (41)-(61) and section 5.
 ///
 /// # Errors
-/// Never, because the catalogue contains so(3).
+/// None, because the catalogue contains so(3).
 pub fn m3() -> Result<Geometry<Symbolic>, Error> {
     let entry =
         |[i, j]: [usize; 2]| Symbolic::parameter(&format!("J{}{}", i.min(j) + 1, i.max(j) + 1));
@@ -21,7 +21,7 @@ pub fn m3() -> Result<Geometry<Symbolic>, Error> {
 /// "SO(3)": the connection `zero` (31) and the bi-invariant metric `tr(A^T B)` (102); equations (62)-(71).
 ///
 /// # Errors
-/// Never, because the catalogue contains so(3).
+/// None, because the catalogue contains so(3).
 pub fn so3() -> Result<Geometry<Rational>, Error> {
     let product =
         |entry: &Entry| entry.matrices.as_ref().expect("the entry so(3) has matrices").frobenius();

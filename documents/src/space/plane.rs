@@ -1,4 +1,4 @@
-//! Planes of tangent vectors, written in the basis of a definition.
+//! Planes of tangent vectors, given in the basis of a definition.
 
 use crate::Coefficient;
 use crate::input::{InputError, Source, shown};
@@ -6,10 +6,11 @@ use crate::space::{Definition, notation::Names};
 use std::collections::{BTreeMap, BTreeSet};
 
 impl Definition {
-    /// The two vectors of a plane, combinations of the basis with a comma between them: `x1, y1 + 2*z`.
+    /// The two vectors of a plane, as combinations of the basis separated by a comma: `x1, y1 +
+    /// 2*z`.
     ///
     /// # Errors
-    /// Other than two vectors; an expression that cannot be read.
+    /// An error unless there are exactly two vectors, and for an expression that cannot be parsed.
     pub fn plane<S: Coefficient>(&self, text: &str) -> Result<[Vec<S>; 2], InputError> {
         let labels: BTreeMap<String, usize> = self.labels.iter().cloned().zip(0..).collect();
         let parameters: BTreeSet<String> = self.parameters().into_iter().collect();
@@ -18,7 +19,7 @@ impl Definition {
         let vector = |text: &str| {
             let mut vector = vec![S::zero(); self.dimension()];
             let terms = names.vector(text, &Source::new("--plane", text));
-            // an unknown name was meant as a basis vector: parameters are those of the space
+            // an unknown name is probably a misspelled basis vector, because parameters are known
             for (at, value) in terms.map_err(|error| error.help(names.basis()))? {
                 vector[at] = S::read(&value)?;
             }

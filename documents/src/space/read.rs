@@ -9,12 +9,12 @@ impl Definition {
     /// Reads a definition from a file, or from standard input for `-`.
     ///
     /// # Errors
-    /// A file that cannot be read, parsed or understood, with the place.
+    /// An error with its location, for a file that cannot be read, parsed or understood.
     pub fn read(path: &str) -> Result<Self, InputError> {
         Self::read_part(path, 0, &Files::default())
     }
 
-    /// Reads a definition that a file contains, `depth` files below the first.
+    /// Reads a definition that is included through `depth` files.
     pub(crate) fn read_part(path: &str, depth: usize, files: &Files) -> Result<Self, InputError> {
         let source = match files.content(path) {
             Some(text) => Source::new(name(path), &text),
@@ -37,34 +37,34 @@ impl Definition {
     /// ```
     ///
     /// # Errors
-    /// A text that cannot be parsed or understood, with the place.
+    /// An error with its location, for a text that cannot be parsed or understood.
     pub fn parse(name: &str, text: &str) -> Result<Self, InputError> {
         Self::parse_part(name, text, &Files::default())
     }
 
-    /// Reads a definition from a text that may name files.
+    /// Reads a definition from a text that may refer to files.
     pub(crate) fn parse_part(name: &str, text: &str, files: &Files) -> Result<Self, InputError> {
         let source = Source::new(name.escape_debug().to_string(), text);
         Self::of_source(&source.below(0, files))
     }
 
-    /// The definition that a text contains: a table, or else keys.
+    /// The definition in a text: a table, otherwise keys.
     fn of_source(source: &Source) -> Result<Self, InputError> {
         if let Some(table) = tables::definition(source) {
             return table;
         }
-        // of a file that should have keys the parser finds the first fault
+        // for a file that should contain keys, the error of the parser is the best message
         let has_keys = [".toml", ".json"].iter().any(|ending| source.name.ends_with(ending));
         if !has_keys && !is_document(source.content()) {
             return Err(tables::unknown(source));
         }
-        let (keys, source) =
-            parse_keys::<Document>(source, "a definition has a basis and brackets")?;
+        let (keys, source) = parse_keys::<Document>(source, "give a basis and brackets")?;
         keys.define(&source)
     }
 }
 
-/// Whether a text consists of keys: an empty text, an object of JSON, a key with `=`, or the head of a table.
+/// Whether a text consists of keys: it is empty, a JSON object, or begins with a key and `=`, or
+/// with the head of a table.
 fn is_document(text: &str) -> bool {
     let first = tables::first_line(text);
     first.is_empty() || first.starts_with(['{', '[']) || first.contains('=')

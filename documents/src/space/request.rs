@@ -1,4 +1,4 @@
-//! A SPACE of the command line, with the options that complete it.
+//! The SPACE of a command line, with the options that complete it.
 
 use crate::input::{
     Files, InputError, Source,
@@ -19,42 +19,42 @@ use std::path::{Path, PathBuf};
 /// The arguments of the command line that define a space.
 #[derive(Clone, Debug, Default)]
 pub struct Request {
-    /// The SPACE, perhaps with `@connection;metric=...`.
+    /// The SPACE, optionally with `@connection;metric=...`.
     pub space: Option<String>,
-    /// Instead of a SPACE: a name for messages, and the text of a definition file.
+    /// An alternative to SPACE: a name for messages, and the text of a definition file.
     pub definition: Option<(String, String)>,
     /// The basis names of inline brackets.
     pub basis: Option<String>,
     /// Inline brackets.
     pub brackets: Vec<String>,
-    /// `--connection`.
+    /// The option `--connection`.
     pub connection: Option<String>,
-    /// `--metric`.
+    /// The option `--metric`.
     pub metric: Option<String>,
-    /// `--set`, as `name=value,...`.
+    /// The option `--set`, `name=value,...`.
     pub set: Option<String>,
-    /// The files that are read already, and those that are read.
+    /// The cache of files.
     pub files: Files,
 }
 
-/// Which scalar to compute in.
+/// The choice of the scalar of a computation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum ScalarChoice {
-    /// Rationals, or rational functions where parameters are left.
+    /// Rationals, or rational functions if parameters remain.
     #[default]
     Exact,
-    /// `f64`, with its rounding followed ([`TrackedFloat`](affinor_tensors::TrackedFloat)).
+    /// Floats with tracked rounding errors ([`TrackedFloat`](affinor_tensors::TrackedFloat)).
     Float,
 }
 
-/// A space that is read.
+/// A space that was read from a request.
 #[derive(Clone, Debug)]
 pub struct Space {
     /// Its definition.
     pub definition: Definition,
     /// The parameters that the command line introduced.
     pub introduced: Vec<String>,
-    /// The file it was read from.
+    /// The file from which it was read.
     pub file: Option<PathBuf>,
     /// The values of the parameters that have been set.
     pub values: BTreeMap<String, Symbolic>,
@@ -64,7 +64,8 @@ impl Space {
     /// Reads a request.
     ///
     /// # Errors
-    /// A name that is unknown or ambiguous, a file that cannot be read, a value that is refused: with the place.
+    /// An error with its location, for a name that is unknown or ambiguous, a file that cannot be
+    /// read, and an invalid value.
     pub fn open(request: &Request) -> Result<Self, InputError> {
         let files = &request.files;
         let inside = request
@@ -93,7 +94,7 @@ impl Space {
         };
         let mut space = Self::of(definition);
         space.file = inside.space.filter(|name| is_path(name)).map(|name| match name.as_str() {
-            // a path for messages and comparisons, where the system has it
+            // a path for messages and comparisons, if the system has one
             "-" => PathBuf::from("/dev/stdin"),
             path => PathBuf::from(path),
         });
@@ -122,7 +123,7 @@ impl Space {
         Space { definition, introduced: vec![], file: None, values: BTreeMap::new() }
     }
 
-    /// The space with the metric and the connection of a file, unless these are left out.
+    /// The space with the metric and the connection of a file, if these are not given.
     pub(crate) fn completed_by(
         mut self,
         metric: Option<&MetricText>,
@@ -139,7 +140,7 @@ impl Space {
         Ok(self)
     }
 
-    /// The numbers of the basis vectors by their names.
+    /// The numbers of the basis vectors, by their names.
     fn labels(&self) -> BTreeMap<String, usize> {
         let labels = self.definition.labels.iter().enumerate();
         labels.map(|(at, label)| (label.clone(), at)).collect()
@@ -163,10 +164,11 @@ impl Space {
         Ok(())
     }
 
-    /// Replaces parameters by values, `name=value,...`. Names that are parameters of `others` only are ignored.
+    /// Replaces parameters by values, `name=value,...`. Names that are parameters of `others` only
+    /// are ignored.
     ///
     /// # Errors
-    /// As [`Definition::set`].
+    /// Those of [`Definition::set`].
     pub fn set(&mut self, text: &str, others: &[String]) -> Result<(), InputError> {
         let source = Source::new("--set", text);
         let before = self.definition.parameters();
@@ -181,21 +183,21 @@ impl Space {
         Ok(())
     }
 
-    /// Records the parameters that are new.
+    /// Records the parameters that are new since `before`.
     fn introduce(&mut self, before: &[String]) {
         let now = self.definition.parameters();
         self.introduced.extend(now.into_iter().filter(|name| !before.contains(name)));
     }
 
-    /// The scalars of its values: rationals if the definition has no parameters, rational functions if it has, and floats on
-    /// request. See [`over_kind`](crate::over_kind).
+    /// The scalars for its values: rationals if the definition has no parameters, rational
+    /// functions if it has some, and floats on request. See [`over_kind`](crate::over_kind).
     ///
     /// # Errors
-    /// Floats on a chart; floats with parameters that have no value.
+    /// An error for floats on a chart, and for floats with parameters that have no value.
     pub fn kind(&self, choice: ScalarChoice) -> Result<Kind, InputError> {
         match choice {
             ScalarChoice::Float if self.definition.is_on_chart() => {
-                Err(on_chart().help("leave --scalar float away"))
+                Err(on_chart().help("leave --scalar float out"))
             }
             ScalarChoice::Float => self.in_floats().map(|_| Kind::Float),
             ScalarChoice::Exact if self.definition.is_rational() => Ok(Kind::Exact),
@@ -203,10 +205,10 @@ impl Space {
         }
     }
 
-    /// The definition, whose values are numbers.
+    /// The definition, after checking that its values are numbers.
     ///
     /// # Errors
-    /// A chart, whose functions are exact; parameters without values.
+    /// An error for a chart, whose functions are exact, and for parameters without values.
     pub fn in_floats(&self) -> Result<&Definition, InputError> {
         if self.definition.is_on_chart() {
             return Err(on_chart().help("give a Lie algebra: this command computes in floats"));
@@ -221,12 +223,12 @@ impl Space {
     }
 }
 
-/// The refusal to compute on a chart in floats.
+/// The error for a computation in floats on a chart.
 fn on_chart() -> InputError {
-    InputError::usage("functions on a chart are differentiated, so they are exact")
+    InputError::usage("functions on a chart must be exact, because they are differentiated")
 }
 
-/// The parts of `NAME@connection;metric=...`.
+/// Splits `NAME@connection;metric=...` into its parts.
 fn split_space(space: &str, files: &Files) -> Result<Request, InputError> {
     let mut parts = Request::default();
     if is_path(space) && (files.content(space).is_some() || Path::new(space).is_file()) {
@@ -236,7 +238,7 @@ fn split_space(space: &str, files: &Files) -> Result<Request, InputError> {
     let space = &*source.text;
     let metric = |at: &usize| space[at + 1..].trim_start().starts_with("metric");
     let split = space.rsplit_once('@').or_else(|| match tables::is_inline(space) {
-        // semicolons may separate brackets
+        // semicolons may also separate brackets
         true => {
             let at = space.match_indices(';').map(|(at, _)| at).find(metric)?;
             Some((&space[..at], &space[at + 1..]))
@@ -245,12 +247,12 @@ fn split_space(space: &str, files: &Files) -> Result<Request, InputError> {
     });
     let (name, behind) = split.unwrap_or((space, ""));
     if split.is_some() && behind.trim().is_empty() {
-        let error = InputError::usage("the connection is missing behind the name of the space");
+        let error = InputError::usage("the connection is missing after `@`");
         let place = source.find(space, name.len()..space.len());
         return Err(error.at(&place).help("write so3@plus, or the name alone"));
     }
     if let Some(first) = name.find('@').filter(|_| !is_path(name)) {
-        let error = InputError::usage("a space has one connection, behind one `@`");
+        let error = InputError::usage("more than one `@`: write one connection after a single `@`");
         let place = source.find(space, first..space.len());
         return Err(error.at(&place).help("write so3@levi-civita;metric=diag(1,2,3)"));
     }
@@ -261,7 +263,7 @@ fn split_space(space: &str, files: &Files) -> Result<Request, InputError> {
             _ => (&mut parts.connection, part),
         };
         if place.replace(value.trim().to_string()).is_some() {
-            let error = InputError::usage("a connection or metric is named twice");
+            let error = InputError::usage("the connection or the metric is given twice");
             return Err(error.at(&source.whole(part)));
         }
     }

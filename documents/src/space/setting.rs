@@ -17,7 +17,7 @@ impl Definition {
     /// Replaces parameters and free functions by values, all at once.
     ///
     /// # Errors
-    /// A name that is no parameter here, a denominator that becomes zero, or a value that grows
+    /// A name that is not a parameter here, a denominator that becomes zero, or a value that grows
     /// beyond all bounds.
     pub fn set(&mut self, values: &BTreeMap<String, Symbolic>) -> Result<(), InputError> {
         let mut parameters = self.parameters();
@@ -53,7 +53,7 @@ impl Definition {
         self.each_value_mut(&mut |value| {
             if failed.is_some() {
             } else if growth(value, values) > MAX_SIZE {
-                let message = format!("setting parameters in {value} makes it too large");
+                let message = format!("{value} becomes too large when the parameters are set");
                 failed = Some(InputError::usage(message));
             } else {
                 match positive.substitute(value, values) {
@@ -66,12 +66,13 @@ impl Definition {
     }
 }
 
-/// An upper bound for the size of `value` after `values` replace its parameters: no monomials are equal, none cancel.
+/// An upper bound for the size of `value` after its parameters are replaced by `values`: assumes
+/// that no terms are collected or cancel.
 fn growth(value: &Symbolic, values: &BTreeMap<String, Symbolic>) -> f64 {
     let part = |part: Symbolic| {
         let terms = part.numerator_terms();
         let images = terms.iter().map(|(powers, _)| {
-            // a function of a parameter too
+            // also counts functions of replaced parameters
             let given = powers.iter().filter_map(|(variable, power)| {
                 let own = Symbolic::variable(*variable);
                 let image = own.substitute(values).filter(|image| *image != own)?;
@@ -88,23 +89,24 @@ fn growth(value: &Symbolic, values: &BTreeMap<String, Symbolic>) -> f64 {
     part(value.numerator()) + part(value.denominator())
 }
 
-/// The largest number of terms of the power of a value: `C(t + e - 1, e)` for `t` terms.
+/// The largest possible number of terms of a power: `C(t + e - 1, e)` for `t` terms and the
+/// exponent `e`.
 fn terms_of_power(value: &Symbolic, exponent: f64) -> f64 {
     let count = |part: Symbolic| part.numerator_terms().len();
     let terms = count(value.numerator()).max(count(value.denominator()));
     (1..terms).fold(1.0, |product, t| product * (exponent + t as f64) / t as f64)
 }
 
-/// An error about a name that is not among the parameters.
+/// An error for a name that is not among the parameters.
 pub(crate) fn no_parameter(name: &str, parameters: &[String]) -> InputError {
     let help = match parameters {
         [] => "there are none".into(),
         some => format!("the parameters are {}", some.join(", ")),
     };
-    InputError::usage(format!("`{}` is no parameter here", shown(name))).help(help)
+    InputError::usage(format!("`{}` is not a parameter here", shown(name))).help(help)
 }
 
-/// `name=value,...` as substitutions.
+/// Parses `name=value,...` as substitutions.
 pub(super) fn settings(
     source: &Source,
     names: &Names,
@@ -113,7 +115,7 @@ pub(super) fn settings(
     for part in split(&source.text) {
         let place = source.whole(part);
         let Some((name, value)) = part.split_once('=') else {
-            let error = InputError::usage("a setting is name=value").at(&place);
+            let error = InputError::usage("this is not of the form name=value").at(&place);
             return Err(error.help("separate several by commas, as in --set \"J1=1/2,h=-1\""));
         };
         let name = &*canonical_name(name.trim());

@@ -1,7 +1,8 @@
-//! Notations of tables of structure constants, recognised by their content.
+//! Notations for tables of structure constants, recognized by their content.
 //!
-//! [`definition`] chooses one [`Notation`] from the text alone; its reader then reports every error with its place.
-//! Each reader is a file of the folder `tables`, with the grammar in its head.
+//! [`definition`] chooses a [`Notation`] from the text alone; its parser then reports every error
+//! with its location. Each parser is a file in the folder `tables`; its module documentation
+//! describes the grammar.
 
 mod brackets;
 mod gap;
@@ -21,17 +22,18 @@ use std::collections::BTreeMap;
 
 /// A notation in which a space can be written.
 struct Notation {
-    /// Its name in the list of readable notations.
+    /// Its name in the list of supported notations.
     name: &'static str,
-    /// Whether a text is in this notation, judged by its first characters or by a word that only this notation has.
+    /// Whether a text is in this notation, decided by its first characters or by a word that is
+    /// specific to it.
     recognises: fn(&str) -> bool,
-    /// Reads a text of this notation.
+    /// Parses a text in this notation.
     read: fn(&Source) -> Result<Definition, InputError>,
     /// Whether a SPACE of the command line may be a text in this notation.
     inline: bool,
 }
 
-/// All notations. The first that recognises a text reads it.
+/// All notations. The first one that recognizes a text parses it.
 const NOTATIONS: [Notation; 7] = [
     Notation {
         name: "JSON of `affinor table`",
@@ -65,7 +67,7 @@ const NOTATIONS: [Notation; 7] = [
 /// The algebra of a text in one of the notations; `None` for other texts.
 ///
 /// # Errors
-/// Errors of the reader, with the place.
+/// Errors of the parser, with their locations.
 pub(super) fn definition(source: &Source) -> Option<Result<Definition, InputError>> {
     let text = source.content();
     let notation = NOTATIONS.iter().find(|notation| (notation.recognises)(text))?;
@@ -75,7 +77,7 @@ pub(super) fn definition(source: &Source) -> Option<Result<Definition, InputErro
 /// The algebra of a text in a notation of [`is_inline`]; `None` for other texts.
 ///
 /// # Errors
-/// As [`definition`].
+/// Those of [`definition`].
 pub(super) fn inline(source: &Source) -> Option<Result<Definition, InputError>> {
     is_inline(source.content()).then(|| definition(source)).flatten()
 }
@@ -87,10 +89,13 @@ pub(super) fn is_inline(space: &str) -> bool {
         && inline.any(|notation| (notation.recognises)(space))
 }
 
-/// The error about a text in no notation, with a guess what it is.
+/// The error for a text in no known notation, with a guess at its format.
 pub(super) fn unknown(source: &Source) -> InputError {
     const GUESSES: [(&str, &str); 8] = [
-        ("MutableDenseNDimArray", "a program for SymPy; write the table for GAP, Sage or Maple"),
+        (
+            "MutableDenseNDimArray",
+            "a program for SymPy: write the table for GAP, Sage or Maple instead",
+        ),
         ("\\begin", "LaTeX"),
         ("\\documentclass", "LaTeX"),
         ("%PDF", "PDF"),
@@ -117,7 +122,8 @@ pub(super) fn first_line(text: &str) -> &str {
         .unwrap_or("")
 }
 
-/// A structure constant as written: `[e_j, e_k] = ... + value e_i`. `place` is the piece of the text for messages.
+/// A structure constant in a table: `[e_j, e_k] = ... + value e_i`. `place` is the piece of the
+/// text for messages.
 struct Entry<'t> {
     j: Cow<'t, str>,
     k: Cow<'t, str>,
@@ -128,8 +134,9 @@ struct Entry<'t> {
     place: &'t str,
 }
 
-/// The algebra with the basis `labels` and these structure constants, which are added up. `index` finds a basis vector,
-/// from 0, or returns the reason why it is none.
+/// The algebra with the basis `labels` and these structure constants; constants of the same
+/// component are added. `index` finds a basis vector, from 0, or returns the reason why the text
+/// does not denote one.
 fn algebra(
     source: &Source,
     labels: Vec<String>,
@@ -157,7 +164,7 @@ fn add_constant(given: &mut Pairs, [i, j, k]: [usize; 3], value: Symbolic, place
     pair.value.insert(i, sum + &value);
 }
 
-/// [`algebra`] with the basis `e1`, ..., `en` and numbers from 1.
+/// Like [`algebra`], with the basis `e1`, ..., `en` and indices from 1.
 fn numbered(source: &Source, n: usize, entries: &[Entry]) -> Result<Definition, InputError> {
     let place = source.whole(first_line(source.content()));
     let n = check_dimension(n).map_err(|error| error.or_at(&place))?;
@@ -165,13 +172,13 @@ fn numbered(source: &Source, n: usize, entries: &[Entry]) -> Result<Definition, 
     algebra(source, labels, entries, |at| number(at, n))
 }
 
-/// The index, from 0, that a number from 1 to `n` means.
+/// The index, from 0, for a number from 1 to `n`.
 fn number(at: &str, n: usize) -> Result<usize, String> {
     let number = at.parse().ok().filter(|at| (1..=n).contains(at));
     number.map(|at| at - 1).ok_or_else(|| format!("the index {} is not in 1..{n}", shown(at)))
 }
 
-/// The algebra of brackets; its name is that of the file.
+/// The algebra with these brackets, named after the file.
 fn of_brackets(source: &Source, labels: Vec<String>, given: Pairs) -> Definition {
     let name = match source.name.as_str() {
         "SPACE" => "inline algebra",
@@ -191,12 +198,12 @@ fn basis_vectors(names: &[&str]) -> Vec<String> {
     names.iter().map(|name| canonical_name(name).into_owned()).collect()
 }
 
-/// The pieces between commas outside brackets of all kinds and quotes, trimmed and without comments before them.
+/// The pieces between commas outside brackets and quotes, trimmed and without preceding comments.
 fn items(inside: &str) -> Vec<&str> {
     split_at_top(inside, &[',']).into_iter().map(uncommented).collect()
 }
 
-/// The pieces between `separators` outside brackets of all kinds and quotes. A blank last piece is dropped.
+/// The pieces between `separators` outside brackets and quotes. A blank last piece is dropped.
 fn split_at_top<'t>(inside: &'t str, separators: &[char]) -> Vec<&'t str> {
     let (mut depth, mut from, mut pieces, mut quote) = (0i64, 0, vec![], None);
     for (at, symbol) in inside.char_indices() {
@@ -218,7 +225,7 @@ fn split_at_top<'t>(inside: &'t str, separators: &[char]) -> Vec<&'t str> {
     pieces
 }
 
-/// The text inside the bracket that `text` begins with, up to the one that closes it.
+/// The text inside the bracket with which `text` begins, up to the matching one.
 fn enclosed(text: &str) -> Option<&str> {
     let (mut depth, mut quote) = (0i64, None);
     for (at, symbol) in text.char_indices() {
@@ -236,7 +243,7 @@ fn enclosed(text: &str) -> Option<&str> {
     None
 }
 
-/// The items of a list in brackets, which is the whole text.
+/// The items of a list in brackets that makes up the whole text.
 fn list(text: &str) -> Option<Vec<&str>> {
     let text = text.trim();
     let inside = text.starts_with(['[', '(']).then(|| enclosed(text)).flatten()?;
@@ -248,7 +255,7 @@ fn unquoted(text: &str) -> &str {
     text.trim().trim_matches(['\'', '"']).trim()
 }
 
-/// A piece without the comments before it, trimmed.
+/// A piece without preceding comments, trimmed.
 fn uncommented(piece: &str) -> &str {
     let mut piece = piece.trim();
     while piece.starts_with('#') {
@@ -257,7 +264,8 @@ fn uncommented(piece: &str) -> &str {
     piece
 }
 
-/// Refuses a table over a finite field, which a program names `GF(2)`, `Z(3)` or `Zmod(5)`.
+/// Returns an error for a table over a finite field, which programs denote by `GF(2)`, `Z(3)` or
+/// `Zmod(5)`.
 fn expect_characteristic_0(source: &Source) -> Result<(), InputError> {
     const FIELDS: [&str; 8] =
         ["GF", "GaloisField", "FiniteField", "Z", "Zmod", "ZmodnZ", "IntegerModRing", "Integers"];

@@ -1,7 +1,7 @@
 """Operations of groups and their differentials as matrices, for :mod:`affinor.jax` and :mod:`affinor.torch`.
 
-A function takes arrays in float64 with the axes of a batch in front. Elements are numbers in a space around the group: a change of
-them counts as far as it is along the group. So differentials vanish across the group, where a quaternion changes its length alone.
+Functions map float64 arrays, with the axes of the batch first. Elements are given by coordinates in a larger space.
+Differentials contain only changes along the group: a change in the length of a quaternion alone gives zero.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ class Operation(NamedTuple):
     result: Callable[..., Floats]
     differentials: tuple[Callable[..., Floats], ...]
     width: Callable[..., int]
-    """The number of components of a result, by those of the arguments."""
+    """The number of components of a result, from the numbers of components of the arguments."""
 
 
 def operations(group: Group) -> dict[str, Operation]:
@@ -88,7 +88,7 @@ def operations(group: Group) -> dict[str, Operation]:
 
 
 def rows(function: Callable[..., Floats], shape: tuple[int, ...], core: int, *arguments: Any) -> Floats:
-    """The function of arrays of any type of floats, with NaN for rows without a result, such as the logarithm of zeros.
+    """The function for arrays of any float type; rows without a result, such as the logarithm of zeros, are NaN.
 
     ``shape`` is the shape of the result, of which the last ``core`` axes are those of a row.
     """
@@ -286,5 +286,5 @@ class DifferentiableGroup:
 
 
 def second_derivative(library: str, name: str) -> NotImplementedError:
-    """The error of an operation that is differentiated twice."""
+    """The error for an operation that is differentiated twice."""
     return NotImplementedError(f"affinor.{library} has no second derivatives: {name} was differentiated twice")

@@ -22,7 +22,7 @@ __all__ = ["Geometries"]
 Floats = NDArray[np.float64]
 
 _FAMILIES: OrderedDict[str, Family] = OrderedDict()
-"""The families that were used last, with their recorded programs."""
+"""The most recently used families with their recorded programs."""
 
 _MOST_FAMILIES = 32
 _LOCK = threading.Lock()
@@ -105,7 +105,7 @@ class Geometries:
         shape = _common(g.shape[:-2], *(value.shape for value in values))
         columns = [np.broadcast_to(value, shape) for value in values]
         self._family = family
-        # the array of the caller may change
+        # a copy, because the caller may change the array
         self._metrics = g.copy()
         self._parameters = np.stack(columns, axis=-1) if columns else np.zeros((1, 0))
         self.batch_shape: tuple[int, ...] = shape
@@ -314,7 +314,7 @@ class Geometries:
 
     @staticmethod
     def _rows(array: Floats, shape: tuple[int, ...]) -> Floats:
-        """Rows (count, k) of the batch, or one row that stands for all."""
+        """Rows (count, k) of the batch, or one row that is used for all."""
         width = array.shape[-1]
         if array.size == width:
             return np.ascontiguousarray(array.reshape(1, width))
@@ -333,7 +333,7 @@ def _common(*shapes: tuple[int, ...]) -> tuple[int, ...]:
 
 
 def _with_connection(space: Any, connection: Any, basis: Names) -> tuple[Source, Any]:
-    """The source of a space, and its connection; ``None`` stands for the connection in the source."""
+    """The source of a space, and its connection; ``None`` means the connection of the source."""
     if isinstance(space, Geometry):
         if basis is not None:
             raise TypeError("this Geometry has a basis: leave basis out")
@@ -358,7 +358,7 @@ _TWICE = "the metric is given twice: by the space and by the argument metrics"
 
 
 def _may_have_metric(space: Any) -> bool:
-    """Whether a metric of the space is ignored: that of an algebra, or the metric that belongs to a name such as ``M(3)``."""
+    """Whether a metric of the space is ignored: the metric of an algebra, or of a name such as ``M(3)``."""
     if isinstance(space, str):
         return ";" not in space and not os.path.isfile(space.partition("@")[0])
     return isinstance(space, LieAlgebra)
@@ -393,7 +393,7 @@ def _family_of(space: Source, connection: Any, shape: tuple[int, ...], may_have_
 
 
 def _geometry_of(space: Source) -> Geometry:
-    """The geometry of a space without another metric."""
+    """The geometry of a space, where no other metric is given."""
     try:
         return Geometry(space)
     except (InputError, MathematicsError):

@@ -14,7 +14,7 @@ __all__ = ["current", "limits"]
 
 
 class _Block:
-    """A block of code with limits. Blocks may end in any order, and in another context than they began."""
+    """A block of code with limits. Blocks may end in any order, and in a different context."""
 
     __slots__ = ("deadline", "memory", "open", "owner")
 
@@ -67,7 +67,7 @@ current = _Current()
 
 
 class Limits(ContextDecorator):
-    """Limits of blocks, each of which has the whole time. One object may be used for several blocks, nested or in threads."""
+    """Limits for blocks; every block starts with the full time. One object may be used for several blocks, nested or in threads."""
 
     def __init__(self, timeout: float | None, memory: int | str | None) -> None:
         if timeout is not None:
@@ -92,7 +92,7 @@ class Limits(ContextDecorator):
 
     def __exit__(self, *_: Any) -> None:
         own = [block for block, _ in current.blocks() if block.owner is self]
-        # a generator may end in another context than it began
+        # a generator may end in a different context
         block = own[-1] if own else self._blocks[-1]
         block.open = False
         self._blocks.remove(block)

@@ -1,4 +1,4 @@
-"""Packages that some functions need, and the extras that install them."""
+"""Optional packages, and the extras that install them."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import Any
 
 
 def optional(module: str, extra: str) -> Any:
-    """A module that an extra of affinor installs.
+    """Imports a module that an extra of affinor installs.
 
     Raises
     ------

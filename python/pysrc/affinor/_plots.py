@@ -13,7 +13,7 @@ from affinor._optional import optional
 
 
 class Columns(Protocol):
-    """What a plot reads of a trajectory."""
+    """The data of a trajectory that a plot needs."""
 
     @property
     def name(self) -> str: ...
@@ -43,7 +43,7 @@ class _Curve:
 
 
 def _smooth(trajectory: Columns) -> _Curve:
-    """Rows that do not depend on the times of output."""
+    """Rows at times that are independent of the output times."""
     return _Curve(*trajectory.curve())
 
 
@@ -51,7 +51,7 @@ KINDS = ("conserved", "series", "attitude", "momentum")
 
 
 def plot(trajectory: Columns, kind: str, columns: Sequence[str] | None, ax: Any) -> Any:
-    """The plot of a kind; the axes."""
+    """Draws the plot of this kind and returns its axes."""
     if kind not in KINDS:
         raise ValueError(f"the plots are {', '.join(KINDS)}, not {kind!r}")
     plt = optional("matplotlib.pyplot", "plot")

@@ -1,4 +1,4 @@
-"""Numbers and expressions as text of the engine, and back as fractions, floats or SymPy."""
+"""Conversion of numbers and expressions to text for the engine, and back to fractions, floats or SymPy."""
 
 from __future__ import annotations
 
@@ -26,11 +26,11 @@ Symbols: TypeAlias = dict[str, Any]
 
 _NAMES = re.compile(r"(?<![\w.])[A-Za-z_]\w*\b(?!\s*\()")
 _OF_FORMULAS = {"Abs": "abs", "Max": "max", "Min": "min"}
-"""Functions that formulas of motions call by other names than SymPy."""
+"""Functions that formulas of motions name differently from SymPy."""
 
 
 _is_elementary = functools.cache(_engine.knows)
-"""Whether the engine has the function of a name, which SymPy calls by the same name."""
+"""Whether the engine has a function with this name, which is the name in SymPy too."""
 
 
 def is_sympy(value: object) -> bool:
@@ -48,7 +48,7 @@ def is_matrix(value: object) -> bool:
 def text_of(
     value: Scalar, symbols: Symbols, floats: bool = False, imaginary: bool = False
 ) -> str:
-    """The value in the notation of definition files; the symbols of SymPy are added to ``symbols``."""
+    """The value in the notation of definition files; its SymPy symbols are added to ``symbols``."""
     if isinstance(value, str):
         return value.strip()
     if isinstance(value, (bool, np.bool_)):
@@ -68,7 +68,7 @@ def text_of(
         if floats and np.isfinite(number):
             return repr(number)
         if not np.isfinite(number):
-            raise ValueError(f"{number} is no number that can be computed with")
+            raise ValueError(f"{number} is not a number for computations")
         raise _inexact(number)
     if isinstance(value, (complex, np.complexfloating)):
         if value.imag == 0:
@@ -85,7 +85,7 @@ def text_of(
 
 
 def unmasked(value: Any) -> Any:
-    """The value; an array with masked entries is refused, and a list of such arrays."""
+    """The value. Masked entries, in an array or in a list of arrays, are an error."""
     parts = value if isinstance(value, (list, tuple)) else [value]
     if any(isinstance(part, np.ma.MaskedArray) and np.ma.is_masked(part) for part in parts):
         raise ValueError("an array of numbers was expected, not one with masked entries")
@@ -93,7 +93,7 @@ def unmasked(value: Any) -> Any:
 
 
 def floats(value: Any) -> NDArray[np.float64]:
-    """Real numbers as an array of float64; complex numbers, texts, dates and records are refused."""
+    """Real numbers as an array of float64; complex numbers, texts, dates and records are errors."""
     value = unmasked(value)
     try:
         array = np.asarray(value)
@@ -101,7 +101,7 @@ def floats(value: Any) -> NDArray[np.float64]:
         raise ValueError(f"an array of real numbers was expected: {error}") from error
     if array.dtype.kind == "O":
         try:
-            # texts are no numbers, even where float() reads them
+            # texts are not numbers, although float() reads some of them
             numbers = [float(item) if not isinstance(item, (str, bytes)) else _refuse(item) for item in array.flat]
         except OverflowError as error:
             raise ValueError(f"an array of real numbers was expected: {error}") from error
@@ -119,7 +119,7 @@ def _regular(array: NDArray[Any], dtype: type[T]) -> NDArray[T]:
 
 
 def with_axes(what: str, value: Any, counts: Sequence[int]) -> NDArray[np.float64]:
-    """Finite real numbers as an array with one of these numbers of axes."""
+    """Finite real numbers as an array; ``counts`` lists the allowed numbers of axes."""
     array = floats(value)
     if array.ndim not in counts:
         expected = " or ".join(map(str, counts)) + (" axis" if list(counts) == [1] else " axes")
@@ -135,14 +135,14 @@ def _refuse(item: object) -> float:
 
 
 def index(what: str, value: Any) -> int:
-    """An integer of any type that has ``__index__``, but no bool."""
+    """An integer of any type with ``__index__`` except bool."""
     if isinstance(value, (bool, np.bool_)) or not hasattr(value, "__index__"):
         raise TypeError(f"{what} is an integer, not {type(value).__name__}")
     return operator.index(value)
 
 
 def integers(what: str, value: Any) -> NDArray[np.int64]:
-    """Indices as an array of int64; numbers that are not integers are refused, not cut."""
+    """Indices as an array of int64; numbers that are not integers are an error and are not truncated."""
     value = unmasked(value)
     try:
         array = np.asarray(value)
@@ -211,7 +211,7 @@ def _of_sympy(expression: Any, symbols: Symbols, floats: bool, imaginary: bool) 
             arguments = ", ".join(map(write, node.args))
             if isinstance(node, sympy.core.function.AppliedUndef):
                 return f"{name if floats else _undefined(node)}({arguments})"
-            # formulas have further functions, and refuse others themselves
+            # formulas have further functions, and report unknown ones themselves
             if floats or _is_elementary(name):
                 return f"{_OF_FORMULAS.get(name, name)}({arguments})"
         raise TypeError(f"{node} has no counterpart among rational functions and elementary functions")
@@ -229,7 +229,7 @@ def _inexact_complex(number: Any) -> str | None:
 
 
 def _undefined(function: Any) -> str:
-    """The name of an undefined function of SymPy, which comes back as it was."""
+    """The name of an undefined SymPy function, which is returned unchanged."""
     from sympy import Function
 
     name = str(function.func.__name__)
@@ -282,12 +282,12 @@ def names_in(texts: Iterable[str], *, without: Iterable[str] = ()) -> list[str]:
 
 
 def replaced(text: str, values: Mapping[str, str]) -> str:
-    """An expression with texts in place of names."""
+    """An expression in which texts replace names."""
     return re.sub(r"(?<![\w.])[A-Za-z_]\w*", lambda match: values.get(match.group(), match.group()), text)
 
 
 def to_sympy(text: str, symbols: Mapping[str, Any]) -> Any:
-    """The expression of a text of the engine in SymPy, with the symbols that were given."""
+    """Converts text of the engine to a SymPy expression, with the given symbols."""
     import sympy
 
     def name(name: str) -> Any:
@@ -308,7 +308,7 @@ def to_sympy(text: str, symbols: Mapping[str, Any]) -> Any:
 
 
 def value_of(found: Fraction | float | str, symbols: Mapping[str, Any]) -> Any:
-    """A component as users see it: a Fraction, a float, or an expression of SymPy (a text without SymPy)."""
+    """A component as it is returned to users: a Fraction, a float, or an expression of SymPy (a text without SymPy)."""
     if not isinstance(found, str):
         return found
     try:
@@ -318,7 +318,7 @@ def value_of(found: Fraction | float | str, symbols: Mapping[str, Any]) -> Any:
 
 
 def number(text: str, symbols: Mapping[str, Any], floats: bool) -> Any:
-    """A number of the engine as users see it."""
+    """A number of the engine as it is returned to users."""
     if floats:
         return float(text)
     try:
@@ -345,7 +345,7 @@ def document(value: Any, symbols: Symbols, *, imaginary: bool = False) -> Any:
         return bool(value)
     if isinstance(value, (float, np.floating)):
         if not np.isfinite(value):
-            raise ValueError(f"{value} is no number that can be computed with")
+            raise ValueError(f"{value} is not a number for computations")
         return float(value)
     if isinstance(value, np.integer):
         return int(value)

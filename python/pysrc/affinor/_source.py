@@ -1,4 +1,4 @@
-"""Sources of algebras: names, paths, brackets, dicts, structure constants and matrices as the arguments of the engine."""
+"""Conversion of names, paths, brackets, dicts, structure constants and matrices to sources of algebras for the engine."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ def source_of(
         source = space._source
         if scalar == "exact" and tolerance is None:
             return source
-        # floats stay floats
+        # floats are not converted to exact numbers
         scalar = source.scalar if scalar == "exact" else scalar
         return Source(source.arguments, source.symbols, scalar, source.tolerance if tolerance is None else tolerance)
     if isinstance(space, os.PathLike):
@@ -76,7 +76,7 @@ def source_of(
 
 
 def _brackets(text: str) -> list[str]:
-    """The brackets of a text, with semicolons for the commas between brackets: places in it stay the same."""
+    """The brackets of a text, with semicolons for the commas between brackets; positions in the text do not change."""
     return [re.sub(r",(?![^\[]*\])", ";", text)]
 
 
@@ -92,7 +92,7 @@ def names_of(basis: str | Sequence[str]) -> list[str]:
 def _definition(
     keys: dict[str, Any], texts: Iterable[str], symbols: Symbols, scalar: str, tolerance: float | None, *without: str
 ) -> Source:
-    """The source of a definition whose values are these texts."""
+    """The source for a definition with these texts as values."""
     parameters = names_in(texts, without=without)
     if parameters:
         keys["parameters"] = parameters
@@ -109,7 +109,7 @@ def from_structure(
     scalar: str = "exact",
     tolerance: float | None = None,
 ) -> Source:
-    """The source of structure constants ``c[i, j, k]``, in any of the forms of :meth:`LieAlgebra.from_structure`."""
+    """The source for structure constants ``c[i, j, k]`` in any form that :meth:`LieAlgebra.from_structure` accepts."""
     if dimension is not None:
         dimension = index("the dimension", dimension)
     places, values, found = _entries(constants, dimension)
@@ -194,7 +194,7 @@ def from_matrices(
     scalar: str = "exact",
     tolerance: float | None = None,
 ) -> Source:
-    """The source of a basis of matrices, in any of the forms of :meth:`LieAlgebra.from_matrices`."""
+    """The source for a basis of matrices in any form that :meth:`LieAlgebra.from_matrices` accepts."""
     symbols: Symbols = {}
     all_rows = []
     if not isinstance(matrices, Iterable):
@@ -229,13 +229,13 @@ def structured(structure: Tensor, name: str, basis: Names, tolerance: float | No
 
 
 def settings(values: Mapping[Any, Scalar], source: Source) -> tuple[list[tuple[str, str]], Symbols]:
-    """Values of parameters: the values that were set before, with the new ones put in, and the new ones; and all symbols."""
+    """Values of parameters: the earlier values after substitution of the new ones, then the new ones; and all symbols."""
     symbols = merged(source.symbols)
     texts = {str(name): text_of(value, symbols) for name, value in values.items()}
     before: dict[str, str] = dict(source.arguments["values"])
     brought = names_in(before.values())
     inner = {name: f"({text})" for name, text in texts.items()}
     settled = [(name, replaced(text, inner)) for name, text in before.items()]
-    # a name that only the values before brought in is replaced in them
+    # a name that occurs only in the earlier values is replaced there
     own = {*source.names(False)[0]}.difference(before) if before else texts.keys()
     return settled + [(name, text) for name, text in texts.items() if name in own or name not in brought], symbols

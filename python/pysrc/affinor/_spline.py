@@ -164,7 +164,7 @@ class Spline:
         return np.asarray(found)
 
     def _place(self, t: ArrayLike) -> tuple[NDArray[np.intp], Floats, Floats]:
-        """The index of the interval of each time, the part of the interval that has passed, and its length."""
+        """For each time: the index of its interval, its relative position in the interval, and the length of the interval."""
         moments = floats(t)
         start, end = self.times[0], self.times[-1]
         if not ((moments >= start) & (moments <= end)).all():
@@ -191,7 +191,7 @@ class Spline:
 def _check_elements(group: Group, elements: Floats) -> None:
     """Rejects elements that differ from their projections by more than rounding errors, such as quaternions of another length."""
     drift = np.abs(group.project(elements) - elements)
-    # positions are not projected, so that they do not count
+    # positions are not projected and thus do not matter
     size = np.where(drift > 0, np.abs(elements), 0.0).max(axis=-1, initial=1.0)
     # the determinant of a large matrix has large rounding errors
     rounding = 8 * np.finfo(float).eps * size ** max(2, *group._shape[1:])
@@ -203,7 +203,7 @@ def _check_elements(group: Group, elements: Floats) -> None:
 
 
 def _velocities(group: Group, slopes: Floats, steps: Floats) -> Floats:
-    """Body velocities of the parabolas through three neighbours; at both ends those of the nearest parabola."""
+    """Body velocities of the parabolas through three neighbouring elements; at both ends, of the nearest parabola."""
     if len(slopes) == 1:
         return np.concatenate([slopes, slopes])
     before, after = steps[:-1], steps[1:]

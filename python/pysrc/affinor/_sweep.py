@@ -34,12 +34,12 @@ Columns = dict[str, list[Any]]
 Kind = Any
 """The kind of the values of a column: its name, None for no values, or ``["list", kind]``."""
 _BLOCK = 4096
-"""The number of draws of one random stream."""
+"""The number of draws from one random stream."""
 _MOST_ROWS = 2**40
 _LONG = 2**20
-"""Longer ranges of a grid are not made lists."""
+"""Longer ranges of a grid are not converted to lists."""
 _MANIFEST = "_affinor.json"
-"""The name begins with a mark that readers of data sets skip."""
+"""Readers of data sets skip this file, because its name begins with ``_``."""
 
 
 class RandomSample:
@@ -204,7 +204,7 @@ class Sweep:
     def __init__(self, folder: Path, computed: int) -> None:
         self.folder = folder
         self.computed = computed
-        """The number of partitions that were computed now, and not before."""
+        """The number of partitions that this call computed."""
 
     @property
     def manifest(self) -> dict[str, Any]:
@@ -373,7 +373,7 @@ def _run(task: Any, source: _Grid, folder: Path, chunk: int, on: Any, progress: 
 
 
 class _Grid:
-    """The rows of any grid, by their numbers."""
+    """The rows of any grid by their indices."""
 
     def __init__(self, grid: Any) -> None:
         self.grid = grid
@@ -386,7 +386,7 @@ class _Grid:
             for name, values in grid.items():
                 if isinstance(values, (str, bytes)) or not isinstance(values, Iterable):
                     raise TypeError(f"the values of {name} are a list, not {type(values).__name__}")
-            # before ranges become lists
+            # before ranges are converted to lists
             _row_count(_length(values) for values in grid.values() if isinstance(values, Sequence))
             self.values: dict[str, Sequence[Any]] = {
                 str(name): values if isinstance(values, range) and len(values) > _LONG else list(values)
@@ -409,7 +409,7 @@ class _Grid:
         values = self.grid.laws if draw else self.values
 
         def whole(law: Any) -> bool:
-            """Whether the text of a law is hashed, and not its values."""
+            """Whether the text of a law is hashed instead of its values."""
             return isinstance(law, str) or (isinstance(law, range) and len(law) > _LONG)
 
         plain = [(name, law if whole(law) else [_plain(value) for value in law]) for name, law in values.items()]
@@ -479,7 +479,7 @@ def _partition(
     kinds = {"row": "integer", **kinds, **found, "error": "text"}
     table = pa.table({key: _array(pa, values, kinds[key]) for key, values in columns.items()})
     table = table.replace_schema_metadata({"affinor": json.dumps(found)})
-    # an equal run of this partition writes equal bytes in its place
+    # another run of this partition would write equal bytes
     path = os.path.join(folder, f".{name}.{os.getpid()}.{time.time_ns()}.tmp")
     with open(path, "wb") as file:
         pq.write_table(table, file, compression="zstd")
@@ -492,7 +492,7 @@ def _partition(
 def _each(
     task: Callable[[dict[str, Any]], Mapping[str, Any]], rows: Columns, count: int
 ) -> tuple[Columns, list[str | None], dict[str, Kind]]:
-    """The results of a function, row by row, the errors, and the kinds of the results."""
+    """The results of a function for each row, the errors, and the kinds of the results."""
 
     def one(at: int) -> tuple[dict[str, Any], str | None]:
         before = interrupts.set("raise")
@@ -529,7 +529,7 @@ def _reason(error: BaseException) -> str:
 
 
 def _plain(value: Any) -> Any:
-    """A value that Parquet has."""
+    """A value of a type that Parquet supports."""
     if value is None or isinstance(value, (bool, int, float, str)):
         return value
     if isinstance(value, np.floating):
@@ -544,7 +544,7 @@ def _plain(value: Any) -> Any:
 
 
 def _result(name: str, value: Any) -> Any:
-    """A result of a task as Parquet has it: a number, a text, a truth value, or lists of them."""
+    """A result of a task as a Parquet value: a number, a text, a truth value, or lists of them."""
     if isinstance(value, np.generic):
         value = value.item()
     elif hasattr(value, "__array__") or is_matrix(value):
@@ -559,7 +559,7 @@ def _result(name: str, value: Any) -> Any:
 
 
 def _kind(value: Any) -> Kind:
-    """The kind of a value that Parquet has."""
+    """The kind of a value of Parquet."""
     if value is None:
         return None
     if isinstance(value, list):
@@ -591,7 +591,7 @@ def _common(name: str, a: Kind, b: Kind) -> Kind:
 def _kind_of(name: str, values: Iterable[Any]) -> Kind:
     """The kind of a column of a grid; integers beside fractions are texts."""
     if isinstance(values, range) and len(values) > _LONG:
-        # the ends are the largest numbers
+        # the first and the last number of a range are the extreme ones
         values = [values[0], values[-1]]
     exact = any(isinstance(value, Fraction) for value in values)
     found: Kind = None
@@ -615,7 +615,7 @@ def _array(pa: Any, values: list[Any], kind: Kind) -> Any:
 
 
 def _unify(kinds: dict[str, Kind], path: Path) -> None:
-    """Adds the kinds of the results of a partition; they are those of the partitions before."""
+    """Adds the kinds of the results of a partition, which must agree with the earlier partitions."""
     pq = optional("pyarrow.parquet", "sweep")
 
     metadata = pq.read_schema(path).metadata or {}
@@ -624,14 +624,14 @@ def _unify(kinds: dict[str, Kind], path: Path) -> None:
 
 
 def _begin(folder: Path, head: Mapping[str, Any]) -> dict[str, Any]:
-    """The partitions that are there; a folder of another sweep is refused."""
+    """The partitions that the folder already contains; a folder of another sweep is an error."""
     pa, pq = optional("pyarrow", "sweep"), optional("pyarrow.parquet", "sweep")
 
     path = folder / _MANIFEST
     if not path.exists():
         foreign = [item.name for item in folder.iterdir() if item.suffix == ".parquet"]
         if foreign:
-            raise ValueError(f"{folder} has {foreign[0]}, which belongs to no sweep: choose another folder")
+            raise ValueError(f"{folder} has {foreign[0]}, which does not belong to a sweep: choose another folder")
         _write_json(path, {**head, "partitions": {}})
         return {}
     before = _manifest(path)
@@ -640,14 +640,14 @@ def _begin(folder: Path, head: Mapping[str, Any]) -> dict[str, Any]:
         raise ValueError(f"{folder} has rows of another {other[0]}: choose another folder")
     done: dict[str, Any] = {}
     for item in folder.glob("part-*.parquet"):
-        # a damaged file is computed again
+        # the partition of a damaged file is computed again
         with contextlib.suppress(pa.ArrowException, OSError):
             done[item.name] = {"rows": pq.read_metadata(item).num_rows}
     return done
 
 
 def _manifest(path: Path) -> dict[str, Any]:
-    """What a folder says of its sweep."""
+    """The description of the sweep in a folder."""
     try:
         found = json.loads(path.read_text(encoding="utf-8"))
         if not isinstance(found, dict) or not isinstance(found.get("partitions"), dict):
@@ -670,7 +670,7 @@ Engine = Callable[[Iterator[tuple[Any, ...]]], Iterator[tuple[str, int]]]
 
 
 def _engine_of(on: Any) -> tuple[Engine, Callable[[], Any]]:
-    """The function that runs partitions, and one that ends what was begun for it."""
+    """The function that runs partitions, and a function that releases its resources."""
     if on == "process":
         return _in_process, lambda: None
     if on == "dask":
@@ -698,7 +698,7 @@ def _in_process(parts: Iterator[tuple[Any, ...]]) -> Iterator[tuple[str, int]]:
 
 
 def _on_dask(client: Any, parts: Iterator[tuple[Any, ...]]) -> Iterator[tuple[str, int]]:
-    """As many partitions in flight as keep all workers busy; each future is released when it is done."""
+    """Keeps as many partitions in flight as the workers need; each future is released when it is done."""
     from dask.distributed import as_completed
 
     def submit(part: tuple[Any, ...]) -> Any:

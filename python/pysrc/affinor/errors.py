@@ -319,6 +319,6 @@ def _of_engine(
     place: dict[str, Any] | None,
     data: dict[str, Any],
 ) -> AffinorError:
-    """The exception of a class name."""
+    """The exception with this class name."""
     made: AffinorError = globals()[kind](message, help, place, data)
     return made

@@ -23,7 +23,7 @@ __all__ = ["Geodesic", "Geometry", "Property", "check", "compare", "conventions"
 
 
 def metric_text(metric: Any, symbols: Symbols, *, floats: bool) -> str:
-    """A metric as the command line takes it: a text, a matrix, or the entries of a diagonal."""
+    """A metric in the notation of the command line, from a text, a matrix, or the entries of a diagonal."""
     if isinstance(metric, str):
         return metric
     if isinstance(metric, Tensor):
@@ -41,7 +41,7 @@ def metric_text(metric: Any, symbols: Symbols, *, floats: bool) -> str:
 
 
 def connection_text(connection: Any, symbols: Symbols, *, floats: bool) -> str:
-    """A connection as the command line takes it: a name, or the factor lambda as a number or its text."""
+    """A connection in the notation of the command line: a name, or the factor lambda as a number or a text."""
     if isinstance(connection, str):
         return f"lambda = {connection.strip()}" if _NUMBER.fullmatch(connection) else connection
     return f"lambda = {text_of(connection, symbols, floats=floats)}"

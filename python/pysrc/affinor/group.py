@@ -21,7 +21,7 @@ Floats = NDArray[np.float64]
 
 
 def _elements(group: Group, g: ArrayLike) -> Floats:
-    """Elements as an array of floats, of a checked shape."""
+    """Elements as an array of floats; checks the shape."""
     array = floats(g)
     if array.ndim == 0 or array.shape[-1] != group.coordinate_count:
         raise ValueError(f"g should be an array of the shape (..., {group.coordinate_count}), not of the shape {array.shape}")
@@ -35,7 +35,7 @@ def interpolate(group: Group, g: ArrayLike, h: ArrayLike, t: ArrayLike) -> Float
 
 
 def random(group: Group, shape: Any, rng: np.random.Generator | int | None, scale: float) -> Floats:
-    """Exponentials of normal vectors of this scale."""
+    """Exponentials of vectors with normally distributed components of this scale."""
     shape = () if shape is None else shape
     generator = rng if isinstance(rng, np.random.Generator) else np.random.default_rng(rng)
     sizes = tuple(shape) if isinstance(shape, (tuple, list)) else (shape,)
@@ -78,16 +78,16 @@ def mean(group: Group, g: ArrayLike, weights: ArrayLike | None = None, axis: int
         if (tiny | stalled).all():
             return found
         before = size
-    raise MathematicsError(f"no mean: after {step + 1} iterations the mean logarithm still has the size {float(np.max(size)):e}")
+    raise MathematicsError(f"invalid mean: after {step + 1} iterations the mean logarithm still has the size {float(np.max(size)):e}")
 
 
 _MEAN_STEPS = 100
 _ROUNDING = 1e-14
-"""A step of this size, relative to the largest logarithm of the first iteration, is rounding."""
+"""Steps below this size, relative to the largest logarithm of the first iteration, are rounding errors."""
 
 
 def _axes(axis: int | tuple[int, ...] | None, count: int) -> tuple[int, ...]:
-    """The axes from 0; None stands for all."""
+    """The axes from 0; None means all."""
     if axis is None:
         return tuple(range(count))
     given = [index("axis", at) for at in (axis if isinstance(axis, (tuple, list)) else (axis,))]
@@ -98,7 +98,7 @@ def _axes(axis: int | tuple[int, ...] | None, count: int) -> tuple[int, ...]:
 
 
 def _weights(weights: Floats, batch: tuple[int, ...], axes: tuple[int, ...]) -> Floats:
-    """Weights with the shape of the batch; those of one axis may be a vector."""
+    """Weights with the shape of the batch; weights of a single axis may be a vector."""
     if weights.ndim == 1 and len(axes) == 1:
         shape = [1] * len(batch)
         shape[axes[0]] = weights.shape[0]

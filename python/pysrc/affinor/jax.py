@@ -5,7 +5,7 @@ those of the group in closed form: they are finite at the identity and at half a
 logarithm of zeros, is NaN.
 
 The engine is called through ``jax.pure_callback`` (``vmap_method="expand_dims"``: one call for a whole batch), which costs some
-tens of microseconds for each operation and a copy of its arrays; so batches pay, single elements in a compiled loop do not.
+tens of microseconds for each operation and a copy of its arrays; so use batches rather than single elements in a compiled loop.
 Derivatives of derivatives raise NotImplementedError.
 
 Examples
@@ -37,7 +37,7 @@ __all__ = ["SE2", "SE3", "SE2_3", "SL2", "SO2", "SO3", "Group"]
 def _called(function: Callable[..., Any], core: tuple[int, ...], arguments: tuple[Any, ...]) -> Any:
     """The function on the host, as an operation of JAX whose rows have the shape ``core``."""
     dtype = _floats(*arguments)
-    # equal ranks, so that the axes which vmap adds in front belong together
+    # equal ranks, so that the axes which vmap adds in front correspond
     rank = max(jnp.ndim(argument) for argument in arguments)
     arguments = tuple(jnp.reshape(a, (1,) * (rank - jnp.ndim(a)) + jnp.shape(a)) for a in arguments)
     batch = jnp.broadcast_shapes(*(a.shape[:-1] for a in arguments))

@@ -30,11 +30,11 @@ __all__ = ["Problem", "Trajectory", "convergence", "methods", "simulate"]
 Floats = NDArray[np.float64]
 
 interrupts: ContextVar[str] = ContextVar("interrupts", default="return")
-"""What an interrupt does to a motion that does not say it: tasks of sweeps end."""
+"""The default of ``on_interrupt``: ``raise`` in tasks of sweeps."""
 
 
 class ProblemKeys(TypedDict, total=False):
-    """The keys of a problem, and what replaces some of them."""
+    """The keys of a problem after replacements."""
 
     set: Mapping[str, Any] | str | None
     method: str | None
@@ -67,7 +67,7 @@ Function = TypeVar("Function", bound=Callable[..., Any])
 
 
 def spelled_out(function: Function) -> Function:
-    """The function or class with the keys of a problem in its signature, for help and completion."""
+    """Adds the keys of a problem to the signature of a function or class, for help and completion."""
     signature = inspect.signature(function)
     own = [parameter for parameter in signature.parameters.values() if parameter.kind is not inspect.Parameter.VAR_KEYWORD]
     keys = [inspect.Parameter(key, inspect.Parameter.KEYWORD_ONLY, default=None) for key in ProblemKeys.__annotations__]
@@ -76,7 +76,7 @@ def spelled_out(function: Function) -> Function:
 
 
 def unknown(keys: Mapping[str, Any]) -> None:
-    """Refuses keys that no problem has."""
+    """Rejects keys that do not occur in problems."""
     for key in keys:
         if key not in ProblemKeys.__annotations__:
             near = difflib.get_close_matches(key, ProblemKeys.__annotations__, 1)
@@ -173,7 +173,7 @@ class Problem(_engine.Problem):
         **keys: Unpack[ProblemKeys],
     ) -> Self:
         unknown(keys)
-        # a key that is None is not given
+        # keys with the value None count as not given
         given: dict[str, Any] = {key: value for key, value in keys.items() if value is not None}
         options = {name: given.pop(name, None) for name in ("set", "method", "step", "tolerance", "end", "every")}
         return cls._made(problem, given, **options)
@@ -200,7 +200,7 @@ class Problem(_engine.Problem):
         }
         path = text = None
         table = False
-        # the engine reads the table of forces at once
+        # the engine reads the table of forces within this block
         with contextlib.ExitStack() as stack:
             if isinstance(problem, (str, os.PathLike)):
                 if keys:
@@ -233,7 +233,7 @@ _LISTS = {
     "initial": ("coordinates", "velocity", "spatial_velocity", "momentum", "spatial_momentum"),
     "prescribed": ("velocity", "spatial_velocity"),
 }
-"""The keys whose values are lists of components, which SymPy has as columns."""
+"""The keys whose values are lists of components; SymPy gives these as columns."""
 
 
 def _listed(vector: Any) -> Any:
@@ -244,7 +244,7 @@ def _listed(vector: Any) -> Any:
 
 
 def _document(keys: Mapping[str, Any], symbols: Symbols) -> Any:
-    """The keys of a problem as a file writes them."""
+    """The keys of a problem in the form of a file."""
     for table, names in _LISTS.items():
         part = keys.get(table)
         if isinstance(part, Mapping):
@@ -277,13 +277,13 @@ def _with_table(keys: dict[str, Any], stack: contextlib.ExitStack) -> tuple[dict
 
 
 def _functions(keys: dict[str, Any]) -> tuple[dict[str, Any], dict[str, Any]]:
-    """The keys without the forces that are functions of Python, and these."""
+    """The keys without the forces that are Python functions, and these functions."""
     forces = keys.get("forces")
     if not isinstance(forces, Mapping):
         return keys, {}
     functions = {name: force for name, force in forces.items() if callable(force)}
     if not set(functions) <= {"body", "spatial"}:
-        raise TypeError(f"forces.{next(iter(functions))} is no function: body and spatial may be functions")
+        raise TypeError(f"forces.{next(iter(functions))} is not a function: body and spatial may be functions")
     rest = {name: force for name, force in forces.items() if name not in functions}
     return {**keys, "forces": rest}, functions
 

@@ -23,7 +23,7 @@ Written = tuple[str, str, str]
 """A report as JSON, as text and as Markdown."""
 T = TypeVar("T")
 Read: TypeAlias = tuple[str, T, list[Tensor]]
-"""The arguments of a construction: the name of the new algebra, further data, and tensors."""
+"""The arguments of a construction: the name of the new algebra, other data, and tensors."""
 
 
 class Report(dict[str, Any]):
@@ -72,7 +72,7 @@ def names(given: str | Sequence[str]) -> list[str]:
 
 
 def _named(title: str) -> Callable[..., Read[None]]:
-    """The reader of a construction from vectors, or from the algebra alone, that has this title."""
+    """The reader for a construction with this title, from vectors or from the algebra alone."""
 
     def read(algebra: LieAlgebra, vectors: Iterable[Any] = ()) -> Read[None]:
         return title.format(algebra.name), None, _vectors(algebra, vectors)
@@ -203,5 +203,5 @@ def _combination(algebra: LieAlgebra, text: str) -> Tensor:
 
     vector = evaluate(text, Fraction, name, function)
     if not isinstance(vector, Tensor):
-        raise ValueError(f"{text!r} is no combination of the vectors {', '.join(places)}")
+        raise ValueError(f"{text!r} is not a combination of the vectors {', '.join(places)}")
     return vector

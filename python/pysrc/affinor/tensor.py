@@ -22,9 +22,9 @@ from affinor._scalars import Scalar, Symbols, floats, index, integers, is_matrix
 __all__ = ["Tensor", "contract"]
 
 _NAMES = "abcdefghijklmnopqrstuvwxyz"
-"""The names of factors that are given in order."""
+"""The names for factors that are given by position."""
 _DENSE = 1 << 27
-"""The most components of a dense array."""
+"""The maximum number of components of a dense array."""
 
 Parts = tuple[int, str, NDArray[np.int64], list[Any], str, Symbols]
 """The dimension, slots, indices, values (texts or floats) and the scalar of a tensor, and the symbols of SymPy in it."""
@@ -111,7 +111,7 @@ def to_coo(tensor: Tensor, dtype: Any) -> tuple[NDArray[np.int64], NDArray[Any]]
         indices, numbers = tensor._coo()
         with np.errstate(invalid="ignore"):
             values: NDArray[Any] = numbers.astype(dtype, copy=False)
-        # floats from 2^53 on may be rounded integers
+        # floats of 2^53 and more may be rounded integers
         if values.dtype.kind in "biu" and not ((values == numbers) & (abs(numbers) < 1 << 53)).all():
             raise TypeError(f"a component has no safe value of the type {values.dtype}; take float or object")
         return indices, values
@@ -142,7 +142,7 @@ def to_numpy(tensor: Tensor, dtype: Any) -> NDArray[Any]:
 def __array__(tensor: Tensor, dtype: Any, copy: bool | None) -> NDArray[Any]:
     if copy is False:
         raise ValueError("a dense array of a sparse tensor is always a copy")
-    # matrices of SymPy are made of arrays, and floats would lose the exact values
+    # SymPy builds matrices from arrays, and floats would lose the exact values
     caller = sys._getframe(1).f_globals.get("__name__", "")
     if dtype is None and tensor.scalar != "float" and caller.partition(".")[0] == "sympy":
         dtype = object
@@ -150,7 +150,7 @@ def __array__(tensor: Tensor, dtype: Any, copy: bool | None) -> NDArray[Any]:
 
 
 def _sympy_(tensor: Tensor) -> Any:
-    """What ``sympy.sympify`` makes of a tensor."""
+    """The conversion of a tensor by ``sympy.sympify``."""
     return to_sympy(tensor)
 
 
@@ -182,7 +182,7 @@ def subs(tensor: Tensor, values: Mapping[Any, Scalar]) -> Tensor:
     if tensor.scalar == "float":
         return tensor
     if others := [name for name in values if not str(name).isidentifier()]:
-        raise ValueError(f"{others[0]} is no parameter: Geometry.subs gives values to functions")
+        raise ValueError(f"{others[0]} is not a parameter: Geometry.subs gives values to functions")
     symbols = merged(tensor._symbols)
     written = {str(name): f"({text_of(value, symbols)})" for name, value in values.items()}
     return tensor._with_texts([replaced(text, written) for text in tensor._texts()], symbols)
@@ -191,14 +191,14 @@ def subs(tensor: Tensor, values: Mapping[Any, Scalar]) -> Tensor:
 def operands(
     expression: str, factors: Sequence[Tensor], named: Mapping[str, Tensor] | None
 ) -> tuple[str, list[tuple[str, Tensor]]]:
-    """A contraction with names for the factors that are given in order, and all its factors."""
+    """A contraction with names for the factors that are given by position, and all its factors."""
     named = named or {}
     if not isinstance(expression, str):
         raise TypeError(f"the expression is a text, not {type(expression).__name__}")
     found: dict[str, Tensor] = {}
     if factors:
         left, arrow, right = expression.partition("->")
-        # factors in order get names that no other factor has
+        # factors that are given by position get unused names
         taken = {*named, *re.findall(r"(?<![\w^_])[A-Za-z][A-Za-z0-9]*", left)}
         names = [letter for letter in _NAMES if letter not in taken]
         count = itertools.count()

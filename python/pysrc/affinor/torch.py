@@ -33,7 +33,7 @@ __all__ = ["SE2", "SE3", "SE2_3", "SL2", "SO2", "SO3", "Group"]
 
 
 def _on_host(function: Any, core: tuple[int, ...], arguments: tuple[Any, ...]) -> Any:
-    """The function on arrays of NumPy, as a tensor of the type and the device of the first argument."""
+    """Calls the function with NumPy arrays; the result is a tensor of the type and the device of the first argument."""
     first = arguments[0]
     batch = torch.broadcast_shapes(*(argument.shape[:-1] for argument in arguments))
     arrays = [argument.detach().to("cpu", torch.float64).numpy() for argument in arguments]
@@ -42,7 +42,7 @@ def _on_host(function: Any, core: tuple[int, ...], arguments: tuple[Any, ...]) -
 
 
 def _in_front(in_dims: Any, arguments: tuple[Any, ...]) -> tuple[Any, ...]:
-    """Arguments of vmap with its axis in front, and equal ranks behind it."""
+    """Arguments of vmap with its axis first, and with equal ranks after it."""
     given = zip(arguments, in_dims, strict=True)
     moved = [a[None] if axis is None else a.movedim(axis, 0) for a, axis in given]
     rank = max(a.dim() for a in moved)

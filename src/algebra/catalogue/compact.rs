@@ -1,7 +1,8 @@
 //! The compact forms of the simple complex algebras.
 //!
-//! With a Chevalley basis `e_a, f_a, h_k` they are spanned by `u_a = e_a - f_a`, `v_a = i (e_a + f_a)` and
-//! `w_k = i h_k`: the fixed points of the antilinear map `e_a -> -f_a`, `h_k -> -h_k`.
+//! With a Chevalley basis `e_a, f_a, h_k` they are spanned by `u_a = e_a - f_a`, `v_a = i (e_a +
+//! f_a)` and `w_k = i h_k`. These are fixed points of the antilinear map `e_a -> -f_a`, `h_k ->
+//! -h_k`.
 
 use super::name::{Argument, rule};
 use super::triangular::cartan_type;

@@ -45,8 +45,8 @@ pub(super) const SYMPLECTIC: Family = Family {
     },
 };
 
-/// The basis `x` and `i x`: `[x, iy] = i[x,y]`, `[ix, iy] = -[x,y]`. Its matrices are those of the real algebra, and `i` times
-/// them.
+/// The complex algebra in the basis `x` and `i x`: `[x, iy] = i[x,y]`, `[ix, iy] = -[x,y]`. Its
+/// matrices are those of the real algebra, and `i` times them.
 fn complexified(name: String, real: Entry) -> Entry {
     let n = real.dimension();
     let imaginary = real.labels.iter().map(|label| format!("i{label}"));

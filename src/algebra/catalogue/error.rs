@@ -1,4 +1,4 @@
-//! Errors of names that do not denote one algebra of the catalogue.
+//! Errors for names that do not denote exactly one algebra of the catalogue.
 
 use crate::algebra::roots::MAX_DIMENSION;
 use affinor_tensors::expression::ExpressionError;
@@ -8,7 +8,7 @@ use std::ops::Range;
 #[non_exhaustive]
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum CatalogueError {
-    /// A name that begins like no family.
+    /// No family has a name that begins like this.
     #[error("there is no algebra named `{}`{}", .name.escape_debug(), suggestion(.nearest))]
     Unknown {
         /// The name.
@@ -16,7 +16,7 @@ pub enum CatalogueError {
         /// Similar names of the catalogue.
         nearest: Vec<String>,
     },
-    /// A short form that can be read in several ways.
+    /// A short form has several readings.
     #[error(
         "`{}` can be read as {}: write the parentheses",
         .name.escape_debug(), .readings.join(" or ")
@@ -27,7 +27,7 @@ pub enum CatalogueError {
         /// All readings, written in full.
         readings: Vec<String>,
     },
-    /// A name without the arguments that its family needs.
+    /// The name lacks the arguments that its family needs.
     #[error(
         "`{}` needs arguments: write for instance {}",
         .name.escape_debug(), .candidates.join(" or ")
@@ -35,10 +35,10 @@ pub enum CatalogueError {
     Incomplete {
         /// The name.
         name: String,
-        /// An example of every family that begins so.
+        /// An example from every family whose names begin like this.
         candidates: Vec<String>,
     },
-    /// Arguments for which the family has no algebra.
+    /// The family has no algebra for these arguments.
     #[error("there is no `{}` in the catalogue: {rule}", .name.escape_debug())]
     NoSuchAlgebra {
         /// The name.
@@ -52,29 +52,29 @@ pub enum CatalogueError {
         /// The name.
         name: String,
     },
-    /// Parentheses that do not match.
+    /// Parentheses do not match.
     #[error("`{}`: {reason}", .name.escape_debug())]
     Malformed {
         /// The name.
         name: String,
         /// The offending part of the name (byte positions).
         span: Range<usize>,
-        /// The error.
+        /// The description of the mistake.
         reason: &'static str,
     },
-    /// A structure constant that the scalar cannot hold.
+    /// The scalar cannot represent a structure constant.
     #[error(
         "`{}` has the structure constant {value}, which these scalars cannot hold: \
          give the value of its parameter, or use symbolic scalars",
         .name.escape_debug()
     )]
     Parameter {
-        /// The name in full.
+        /// The full name.
         name: String,
         /// The structure constant.
         value: String,
     },
-    /// A parameter whose value is not an expression.
+    /// The value of a parameter is not an expression.
     #[error("`{}`: {source}", .name.escape_debug())]
     Value {
         /// The name.

@@ -2,14 +2,14 @@
 
 use super::{CatalogueError, Entry, FAMILIES, Family, MAX_DIMENSION, Reader};
 
-/// An argument: a part of a name, and where it stands there (in bytes).
+/// An argument: a part of a name, and its byte offset in the name.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Argument<'t> {
     pub text: &'t str,
     pub at: usize,
 }
 
-/// The algebra that a name denotes, before a matrix algebra is computed.
+/// The algebra with this name, before the constants of a matrix algebra are computed.
 pub(super) enum Reading<'t> {
     Integers { family: &'static Family, digits: Vec<&'t str>, dimension: usize, build: Build },
     Entry(Entry),
@@ -39,11 +39,12 @@ impl Reading<'_> {
     }
 }
 
-/// The algebra that a name denotes.
+/// Finds the algebra with a name.
 pub(super) fn resolve(name: &str) -> Result<Reading<'_>, CatalogueError> {
     let whole = Argument { text: name, at: 0 }.trimmed();
     let letters = &whole.text[..whole.find(|c| !c.is_ascii_alphabetic())];
-    // a head with more than letters, such as se_2, is longer than the head that its letters are
+    // a head that contains more than letters, such as se_2, takes precedence over a head that is a
+    // prefix of it
     let longer = |head: &&str| {
         head.starts_with(letters) && head.contains(['_', '*']) && whole.text.starts_with(head)
     };
@@ -83,8 +84,9 @@ pub(super) fn resolve(name: &str) -> Result<Reading<'_>, CatalogueError> {
     }
 }
 
-/// The catalogue's name of a real form under its name in Helgason's tables: `su*(2n)`, and `g2(2)` with the signature of the Killing
-/// form, of the split and the compact forms of exceptional type.
+/// Translates the name of a real form in Helgason's tables to the catalogue's name: `su*(2n)`, and
+/// for split and compact forms of exceptional type names with the signature of the Killing form,
+/// such as `g2(2)`.
 pub(super) fn of_real_form(name: &str) -> Option<String> {
     let (head, argument) = name.trim().strip_suffix(')')?.split_once('(')?;
     if head.trim() == "su*" {
@@ -102,13 +104,14 @@ pub(super) fn of_real_form(name: &str) -> Option<String> {
     }
 }
 
-/// What the arguments of these families have to be.
+/// The condition on the arguments of these families, for messages.
 pub(super) fn rule(families: &[&Family]) -> String {
     let rules = families.iter().map(|family| format!("{} needs {}", family.pattern, family.needs));
     rules.collect::<Vec<_>>().join(", ")
 }
 
-/// The arguments behind the head, and whether they stand without parentheses.
+/// Splits the text after the head into arguments. Also returns whether they are written without
+/// parentheses.
 fn arguments<'t>(
     name: &str,
     family: &Family,
@@ -145,7 +148,7 @@ fn arguments<'t>(
     Ok((parts.collect(), bare))
 }
 
-/// The place of the parenthesis that closes the first one.
+/// The position of the parenthesis that closes the first one.
 fn closing(text: &str) -> Option<usize> {
     let mut depth = 0;
     text.bytes().position(|symbol| {
@@ -158,8 +161,8 @@ fn closing(text: &str) -> Option<usize> {
     })
 }
 
-/// All readings as an algebra that exists, too large ones included. Digits without parentheses may
-/// be several arguments.
+/// All readings as an existing algebra, including too large ones. Digits without parentheses may be
+/// read as several arguments.
 fn integer_readings<'t>(
     families: &[&'static Family],
     arguments: &[Argument<'t>],
@@ -168,7 +171,7 @@ fn integer_readings<'t>(
     let written: Vec<&str> = arguments.iter().map(|argument| argument.text).collect();
     let mut splits = vec![written.clone()];
     if let (true, [digits]) = (bare, written.as_slice())
-        // two numbers of more digits than this would be too large anyway
+        // two numbers with more digits than this would be too large anyway
         && digits.len() <= 20
         && digits.is_ascii()
     {
@@ -188,7 +191,7 @@ fn integers<'t>(family: &'static Family, digits: Vec<&'t str>) -> Option<Reading
     let plain = |text: &&str| text.bytes().all(|b| b.is_ascii_digit()) && !text.starts_with('0');
     let mut digits = digits;
     let field = digits.last().copied().filter(|last| matches!(*last, "C" | "H" | "R"));
-    // the real numbers may be named: sl(2,R), sp(4,R)
+    // the field R may be named: sl(2,R), sp(4,R)
     let real = matches!(family.head(), "sl" | "gl" | "sp") && family.letter().is_none();
     match (family.letter(), field) {
         (letter, Some(field)) if letter.unwrap_or("R") == field && (letter.is_some() || real) => {
@@ -200,15 +203,15 @@ fn integers<'t>(family: &'static Family, digits: Vec<&'t str>) -> Option<Reading
     if digits.len() != count || !digits.iter().all(plain) || digits.contains(&"") {
         return None;
     }
-    // a number that is no machine word belongs to an algebra beyond the limit
+    // a number that does not fit a machine word belongs to an algebra beyond the limit
     let numbers: Result<Vec<usize>, _> = digits.iter().map(|digits| digits.parse()).collect();
     let dimension = numbers.map_or(Some(usize::MAX), |numbers| dimension(&numbers))?;
     Some(Reading::Integers { family, digits, dimension, build })
 }
 
-/// The names that `word` may have been meant to begin, with the same text behind where it fits.
+/// Similar heads for a mistyped `word`, with the same arguments where these fit.
 fn nearest(word: &str, behind: &str) -> Vec<String> {
-    /// Longer words are no slips of the hand.
+    /// The length up to which a word may be a typing error.
     const LONGEST: usize = 32;
     let lower = word.to_lowercase();
     let distance = |family: &&Family| {
@@ -243,12 +246,12 @@ impl<'t> Argument<'t> {
         Argument { text: text.trim_end(), at: self.at + self.text.len() - text.len() }
     }
 
-    /// What follows the first `bytes`.
+    /// The rest of the argument after the first `bytes`.
     pub(super) fn from(self, bytes: usize) -> Self {
         Argument { text: &self.text[bytes..], at: self.at + bytes }
     }
 
-    /// The place of the first such character, or the end.
+    /// The position of the first matching character, or the end.
     fn find(self, matches: impl Fn(char) -> bool) -> usize {
         self.text.find(matches).unwrap_or(self.text.len())
     }

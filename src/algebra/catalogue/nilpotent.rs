@@ -71,7 +71,8 @@ pub(super) const DAMEK_RICCI: Family = Family {
     },
 };
 
-/// Witt's formula: the words of length `l` are `1/l sum over d of mu(d) g^(l/d)`, summed up.
+/// The dimension by Witt's formula: there are `1/l sum over d of mu(d) g^(l/d)` words of length
+/// `l`, and the lengths are summed.
 fn free_dimension(generators: usize, step: usize) -> usize {
     let mut total = 0usize;
     for length in 1..=step.min(64) {
@@ -104,7 +105,7 @@ fn moebius(n: usize) -> i128 {
 }
 
 type Word = Vec<u8>;
-/// A combination of words.
+/// A linear combination of words.
 type Polynomial = BTreeMap<Word, i64>;
 
 /// The Lyndon words up to a length, by length and then in alphabetical order (J.-P. Duval's algorithm).
@@ -141,8 +142,9 @@ fn commutator(a: &Polynomial, b: &Polynomial) -> Polynomial {
     result
 }
 
-/// The polynomial of a Lyndon word is the word plus larger ones, so a Lie polynomial is a combination
-/// of them that is read off word by word (C. Reutenauer, *Free Lie Algebras*, theorem 5.1).
+/// The polynomial of a Lyndon word is the word plus larger words. The coefficients of a Lie
+/// polynomial in these polynomials are therefore found word by word (C. Reutenauer, *Free Lie
+/// Algebras*, theorem 5.1).
 fn free(name: String, generators: usize, step: usize) -> Entry {
     let words = lyndon(generators, step);
     let places: BTreeMap<&Word, usize> = words.iter().zip(0..).collect();
@@ -190,7 +192,7 @@ fn damek_ricci(name: String, m: usize, k: usize) -> Entry {
     let constant = |n: i64, d: i64| Rational::new(n, d).map(Symbolic::constant).unwrap_or_default();
     let scaled = (1..=4 * m).map(|v| (0, v, v, constant(1, 2)));
     let scaled = scaled.chain((1..=k).map(|z| (0, 4 * m + z, 4 * m + z, constant(1, 1))));
-    // q 1 = q, and q times the next unit is the one after it
+    // the products of unit quaternions: q 1 = q, and q times the next unit is the unit after it
     let products = |q: usize| {
         let (next, after) = (q % 3 + 1, (q + 1) % 3 + 1);
         [(0, q, 1), (next, after, 1)]

@@ -1,4 +1,4 @@
-//! The simple complex types by name, as their split real forms.
+//! The simple complex types, represented by their split real forms.
 
 use super::{Entry, Family, Reader};
 use crate::algebra::roots::{

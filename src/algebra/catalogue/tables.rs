@@ -1,4 +1,5 @@
-//! Tables of the literature: real algebras of dimension up to 4, nilpotent ones of dimension up to 6, and of step 2 in dimension 7.
+//! Tables from the literature: real algebras of dimension up to 4, nilpotent ones of dimension up
+//! to 6, and of step 2 in dimension 7.
 
 use super::bianchi::evaluate;
 use super::name::{Argument, rule};
@@ -7,7 +8,8 @@ use affinor_tensors::expression::{Expression, Scalars, no_function};
 use affinor_tensors::{Notation, Symbolic};
 use std::collections::BTreeMap;
 
-/// The indecomposable real algebras of dimension up to 4, and sums at some zeros of the parameters.
+/// The indecomposable real algebras of dimension up to 4. At some zeros of the parameters a row is
+/// a direct sum.
 ///
 /// J. Patera, R. T. Sharp, P. Winternitz, H. Zassenhaus, *J. Math. Phys.* 17 (1976) 986-994, after
 /// G. M. Mubarakzyanov, *Izv. Vyssh. Uchebn. Zaved. Mat.* 32 (1963) 114-123.
@@ -21,7 +23,8 @@ pub(super) const PATERA: Family = Family {
     reader: Reader::Words(|name, arguments| read(&PATERA, PATERA_TABLE, name, arguments)),
 };
 
-/// The indecomposable nilpotent algebras of dimension up to 6, and one sum.
+/// The indecomposable nilpotent algebras of dimension up to 6. One parameter range of one row is a
+/// direct sum.
 ///
 /// W. A. de Graaf, *J. Algebra* 309 (2007) 640-653.
 pub(super) const DE_GRAAF: Family = Family {
@@ -35,13 +38,15 @@ pub(super) const DE_GRAAF: Family = Family {
 
 /// The indecomposable real nilpotent algebras of dimension 7: 140 of them and 9 families with a parameter.
 ///
-/// M.-P. Gong, *Classification of nilpotent Lie algebras of dimension 7 (over algebraically closed fields and R)*, Ph.D. thesis,
-/// University of Waterloo 1998: the dimensions of the upper central series, then a letter; a number after the letter marks other
-/// real forms. Values of a parameter that give the same algebra, or one of another number, are not left out.
+/// M.-P. Gong, *Classification of nilpotent Lie algebras of dimension 7 (over algebraically closed
+/// fields and R)*, Ph.D. thesis, University of Waterloo 1998. A number consists of the dimensions
+/// of the upper central series and a letter; a digit after the letter marks other real forms.
+/// Different values of a parameter may give isomorphic algebras, also across numbers.
 ///
-/// Those of step 2 can be had by hand: with a centre of dimension 1 there is one; with dimension 2 they are pencils of alternating
-/// forms on R^5 without a common kernel, two by Kronecker; with dimension 3 nets of alternating forms on R^4, which the rank and
-/// the signature of the Pfaffian up to sign tell apart, six by Witt.
+/// The algebras of step 2 can be checked by hand. With a centre of dimension 1 there is one. With
+/// dimension 2 they are pencils of alternating forms on R^5 without a common kernel: two by
+/// Kronecker. With dimension 3 they are nets of alternating forms on R^4, which are distinguished
+/// by the rank and the signature (up to sign) of the Pfaffian: six by Witt.
 pub(super) const GONG: Family = Family {
     pattern: "gong(7,k,a=v)",
     needs: "7 and a number of Gong: 17, 27A, 37B1, .. 123457I; `a=v` in 147E 147E1 1357M 1357N 1357S 1357QRS1 12457N 12457N2 123457I",
@@ -51,7 +56,7 @@ pub(super) const GONG: Family = Family {
     reader: Reader::Words(|name, arguments| read(&GONG, GONG_TABLE, name, arguments)),
 };
 
-/// The number, the parameters, and the brackets `jk>i:v`, meaning `[e_j, e_k] = .. + v e_i`.
+/// The number, the parameters, and the brackets `jk>i:v`, meaning `[e_j, e_k] = ... + v e_i`.
 const PATERA_TABLE: &str = "\
 2,1|12>2:1
 3,1|23>1:1
@@ -254,7 +259,7 @@ const GONG_TABLE: &str = "\
 7,123457H1|12>3:1 13>4:1 14>5:1 15>6:1 16>7:-1 23>5:1 23>7:1 24>6:1 25>7:-1
 7,123457I a|12>3:1 13>4:1 14>5:1 15>6:1 16>7:1 23>5:1 24>6:1 25>7:a 34>7:1-a";
 
-/// The names of all rows of a family; none for a family without a table.
+/// The names of all rows of a family; empty for a family without a table.
 pub(super) fn names(family: &Family) -> Vec<String> {
     let table = match family.pattern {
         pattern if pattern == PATERA.pattern => PATERA_TABLE,

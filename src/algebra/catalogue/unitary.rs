@@ -4,8 +4,8 @@ use super::{Entry, Family, Reader, numbered, pairs};
 use crate::algebra::Complex;
 use affinor_tensors::{Rational, Ring};
 
-/// su(n). The last n - 1 matrices are simple coroots rather than Gell-Mann's orthogonal diagonal
-/// matrices, whose normalisation has square roots from n = 3 on.
+/// su(n). The last n - 1 matrices are simple coroots. Gell-Mann's orthogonal diagonal matrices are
+/// not used, because their normalization contains square roots from n = 3 on.
 pub(super) const FAMILY: Family = Family {
     pattern: "su(n)",
     needs: "n >= 2",

@@ -1,8 +1,9 @@
 //! Polynomial Casimir functions, the invariants of the coadjoint action, by degree.
 //!
-//! On a polynomial the coordinate `mu_i` acts by `{mu_i, mu^a} = c^k_ij a_j mu_k mu^a / mu_j`, up to the sign of the
-//! bracket. A function on which all coordinates act as zero is a Casimir function. With parameters in the brackets this
-//! is linear algebra over the field of their rational functions.
+//! The coordinate `mu_i` acts on a monomial by `{mu_i, mu^a} = c^k_ij a_j mu_k mu^a / mu_j`, up to
+//! the sign of the bracket. A function that all coordinates annihilate is a Casimir function. With
+//! parameters in the brackets, the linear algebra is over the field of rational functions of the
+//! parameters.
 
 use super::LiePoisson;
 use crate::Error;
@@ -16,22 +17,26 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 use std::collections::BTreeMap;
 
-/// The largest number of monomials of one degree in a search for Casimir functions. As with
-/// [`MAX_UNKNOWNS`](crate::algebra::invariants::MAX_UNKNOWNS), far fewer are practical in a dense basis.
+/// The largest number of monomials of one degree in a search for Casimir functions. In a dense
+/// basis, far fewer are practical, as for
+/// [`MAX_UNKNOWNS`](crate::algebra::invariants::MAX_UNKNOWNS).
 pub const MAX_MONOMIALS: usize = 1 << 15;
 /// The highest degree of a search for Casimir functions.
 pub const MAX_DEGREE: u32 = 255;
 
 impl LiePoisson {
-    /// A basis of the homogeneous Casimir functions of that degree: the polynomial invariants of the
+    /// A basis of the homogeneous Casimir functions of a degree: the polynomial invariants of the
     /// coadjoint action of the connected group.
     ///
-    /// For a simple algebra of rank `l` they are the polynomials in `l` generators, whose degrees are
-    /// the exponents plus 1 (C. Chevalley, *Amer. J. Math.* 77 (1955) 778-782).
+    /// For a simple algebra of rank `l` the Casimir functions are the polynomials in `l`
+    /// generators, whose degrees are the exponents plus 1 (C. Chevalley, *Amer. J. Math.* 77 (1955)
+    /// 778-782).
     ///
-    /// With parameters in the structure constants they are a basis for generic values. Each is a polynomial in the
-    /// parameters as well, without a common factor, so it is a Casimir function at every value at which the structure
-    /// constants are defined. At exceptional values some may depend on the others, and there may be more.
+    /// With parameters in the structure constants, the basis is valid for generic values. Each
+    /// function is also a polynomial in the parameters, without a common factor. It is therefore a
+    /// Casimir function at every value for which the structure constants are defined. At
+    /// exceptional values the functions may be linearly dependent, and there may be more Casimir
+    /// functions.
     ///
     /// ```
     /// use affinor::algebra::Bracket;
@@ -54,11 +59,12 @@ impl LiePoisson {
         }
     }
 
-    /// Generators of the polynomial Casimir functions up to degree `most`, sorted by degree. Products
-    /// and sums of earlier generators are left out. With parameters they are generators for generic values.
+    /// Generators of the polynomial Casimir functions up to degree `most`, sorted by degree.
+    /// Functions that are polynomials in earlier generators are left out. With parameters, the
+    /// generators are valid for generic values.
     ///
     /// # Errors
-    /// As [`casimirs`](Self::casimirs).
+    /// Those of [`casimirs`](Self::casimirs).
     pub fn casimir_generators(&self, most: u32) -> Result<Vec<Symbolic>, Error> {
         let _stage = stage("casimirs");
         match self.constants::<Rational>() {
@@ -102,7 +108,7 @@ impl LiePoisson {
         Ok(written)
     }
 
-    /// For each `i` the constants `c^k_ij`, as `(j, k, c)`, if they are of that field.
+    /// The constants `c^k_ij` for each `i`, as `(j, k, c)`; `None` unless they belong to the field.
     fn constants<F: Coefficient>(&self) -> Option<Vec<Vec<Constant<F>>>> {
         let mut constants = vec![vec![]; self.names.len()];
         for (at, value) in self.structure.components() {
@@ -111,7 +117,8 @@ impl LiePoisson {
         Some(constants)
     }
 
-    /// A polynomial without denominators that depend on parameters; its coefficients are integers without a common divisor.
+    /// A polynomial with coprime integer coefficients and without denominators that depend on
+    /// parameters.
     fn written<F: Coefficient>(&self, monomials: &Monomials, row: &[(usize, F)]) -> Symbolic {
         let mut common = Symbolic::one();
         let values: Vec<Symbolic> = row.iter().map(|(_, value)| value.symbolic()).collect();
@@ -130,7 +137,7 @@ impl LiePoisson {
     }
 }
 
-/// The positive number whose products with all numbers are integers without a common divisor.
+/// The positive factor that makes all numbers coprime integers.
 pub(in crate::algebra) fn primitive_factor(numbers: &[Rational]) -> Rational {
     let above = denominator(numbers.iter());
     let divisor = numbers.iter().fold(BigInt::zero(), |mut divisor, number| {
@@ -146,10 +153,10 @@ pub(in crate::algebra) fn primitive_factor(numbers: &[Rational]) -> Rational {
 
 const MONOMIALS: &str = "monomials";
 
-/// `(j, k, c^k_ij)` for an `i`.
+/// For a fixed `i`: `(j, k, c^k_ij)`.
 type Constant<F> = (usize, usize, F);
 
-/// Coefficients by exponents.
+/// A polynomial: coefficients by exponents.
 type Polynomial<F> = BTreeMap<Vec<u32>, F>;
 
 /// The fields of coefficients: the rational numbers, and rational functions of parameters.
@@ -178,7 +185,7 @@ impl Coefficient for Symbolic {
     }
 }
 
-/// The monomials of one degree, numbered.
+/// The numbered monomials of one degree.
 struct Monomials {
     exponents: Vec<Vec<u32>>,
     places: BTreeMap<Vec<u32>, usize>,
@@ -192,7 +199,7 @@ impl Monomials {
         Ok(Monomials { exponents, places })
     }
 
-    /// A basis of the polynomials on which every coordinate acts as zero.
+    /// A basis of the polynomials that every coordinate annihilates.
     fn invariants<F: Coefficient>(
         &self,
         constants: &[Vec<Constant<F>>],
@@ -203,7 +210,7 @@ impl Monomials {
         Ok((0..kernel.rows()).map(|at| kernel.row(at).to_vec()).collect())
     }
 
-    /// `c^k_j mu_k df/dmu_j`.
+    /// The action of a coordinate: `c^k_j mu_k df/dmu_j`.
     fn image<F: Coefficient>(&self, action: &[Constant<F>], row: &[(usize, F)]) -> Row<F> {
         let mut image: BTreeMap<usize, F> = BTreeMap::new();
         for (at, coefficient) in row {
@@ -227,7 +234,7 @@ impl Monomials {
         row.iter().map(|(at, value)| (self.exponents[*at].clone(), value.clone())).collect()
     }
 
-    /// The coefficients of a polynomial of this degree.
+    /// The coefficients of a polynomial of this degree as a sparse row.
     fn row<F: Coefficient>(&self, polynomial: Polynomial<F>) -> Row<F> {
         polynomial.into_iter().map(|(powers, value)| (self.places[&powers], value)).collect()
     }
@@ -242,7 +249,8 @@ fn expect_size(space: &LiePoisson, degree: u32) -> Result<(), Error> {
     bounded(MONOMIALS, count(space.names.len(), degree), MAX_MONOMIALS)
 }
 
-/// How many monomials there are, `C(n+d-1, d)`; anything above [`MAX_MONOMIALS`] when more.
+/// The number of monomials, `C(n+d-1, d)`; if it exceeds [`MAX_MONOMIALS`], some number above this
+/// limit.
 fn count(n: usize, degree: u32) -> usize {
     let Some(others) = n.checked_sub(1) else { return usize::from(degree == 0) };
     let (small, large) = (others.min(degree as usize), others.max(degree as usize));
@@ -256,7 +264,7 @@ fn count(n: usize, degree: u32) -> usize {
     size
 }
 
-/// All exponents of `n` variables of that degree, the highest powers of the first variables first.
+/// All exponents of `n` variables and a degree; high powers of the first variables come first.
 fn exponents(n: usize, degree: u32) -> Vec<Vec<u32>> {
     match n {
         0 => (degree == 0).then(Vec::new).into_iter().collect(),
@@ -271,7 +279,7 @@ fn exponents(n: usize, degree: u32) -> Vec<Vec<u32>> {
     }
 }
 
-/// All products of that degree of factors with their degrees, each once, in `n` variables.
+/// All products, in `n` variables and of a given degree, of factors with given degrees, each once.
 fn products<F: Coefficient>(
     factors: &[(u32, Polynomial<F>)],
     degree: u32,

@@ -40,7 +40,7 @@ pub enum Series {
     G,
 }
 
-/// Why there is no [`CartanType`] of a series and a rank.
+/// The reason why a series and a rank have no [`CartanType`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum RootError {
     /// The series has no simple algebra of this rank.
@@ -78,16 +78,16 @@ impl Series {
 }
 
 impl CartanType {
-    /// The type of this series and rank: `A_n` with n >= 1, `B_n` and `C_n` with n >= 2, `D_n`
-    /// with n >= 3, `E6`, `E7`, `E8`, `F4`, `G2`.
+    /// The type of this series and rank: `A_n` with n >= 1, `B_n` and `C_n` with n >= 2, `D_n` with
+    /// n >= 3, `E6`, `E7`, `E8`, `F4`, `G2`.
     ///
-    /// `C2` is `B2` and `D3` is `A3` with the simple roots numbered otherwise; both names are
+    /// Up to the numbering of the simple roots, `C2` is `B2` and `D3` is `A3`; both names are
     /// accepted.
     ///
     /// # Errors
     ///
-    /// [`RootError::NoSuchType`] for every other rank; [`RootError::TooLarge`] where the dimension
-    /// exceeds [`MAX_DIMENSION`]: from `A45`, `B32`, `C32` and `D33` on.
+    /// [`RootError::NoSuchType`] for every other rank; [`RootError::TooLarge`] if the dimension
+    /// exceeds [`MAX_DIMENSION`], from `A45`, `B32`, `C32` and `D33` on.
     pub fn new(series: Series, rank: usize) -> Result<Self, RootError> {
         let exists = match series {
             Series::A => rank >= 1,
@@ -134,8 +134,9 @@ impl CartanType {
         }
     }
 
-    /// The Cartan matrix `a_ij = <α_i, α_j^∨> = 2 (α_i, α_j) / (α_j, α_j)`: row = root, column =
-    /// coroot, as in Bourbaki and in GAP. The Chevalley relation is then `[h_j, e_i] = a_ij e_i`.
+    /// The Cartan matrix `a_ij = <α_i, α_j^∨> = 2 (α_i, α_j) / (α_j, α_j)`. Rows belong to roots
+    /// and columns to coroots, as in Bourbaki and in GAP. The Chevalley relation is then `[h_j,
+    /// e_i] = a_ij e_i`.
     pub fn cartan_matrix(self) -> Vec<Vec<i64>> {
         let lengths = self.squared_lengths();
         let mut matrix = vec![vec![0; self.rank]; self.rank];
@@ -151,7 +152,7 @@ impl CartanType {
         matrix
     }
 
-    /// The squared lengths of the simple roots; the short ones have 2.
+    /// The squared lengths of the simple roots; short roots have 2.
     pub(super) fn squared_lengths(self) -> Vec<i64> {
         let n = self.rank;
         match self.series {
@@ -169,7 +170,7 @@ impl CartanType {
         let chain = |from: usize, to: usize| (from + 1..to).map(|i| (i - 1, i));
         match self.series {
             Series::D => chain(0, n - 1).chain([(n - 3, n - 1)]).collect(),
-            // α_2 hangs on α_4; the others are a chain 1, 3, 4, .., n.
+            // α_2 is joined to α_4; the other roots form a chain 1, 3, 4, ..., n.
             Series::E => [(0, 2), (1, 3)].into_iter().chain(chain(2, n)).collect(),
             _ => chain(0, n).collect(),
         }

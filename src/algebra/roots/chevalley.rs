@@ -2,20 +2,21 @@
 
 use super::RootSystem;
 
-/// The structure constants of a Chevalley basis, as sorted entries `(i, j, k, v)`, from 0, with
-/// `i < j`: `[e_i, e_j] = .. + v e_k`.
+/// The structure constants of a Chevalley basis, as sorted entries `(i, j, k, v)`, from 0, with `i
+/// < j`: `[e_i, e_j] = ... + v e_k`.
 ///
-/// The basis is `e_α` for the positive roots in the order of [`RootSystem::positive_roots`], then
-/// `f_α = e_{-α}` in the same order, then `h_1 .. h_r`, and
+/// The basis consists of `e_α` for the positive roots in the order of
+/// [`RootSystem::positive_roots`], then `f_α = e_{-α}` in the same order, then `h_1 ... h_r`. It
+/// satisfies
 ///
-/// - `[e_α, f_α] = h_α`, where `h_α` is the coroot written in the `h_i`;
+/// - `[e_α, f_α] = h_α`, where `h_α` is the coroot as a combination of the `h_i`;
 /// - `[h_i, e_α] = <α, α_i^∨> e_α` for every root α, positive or negative;
-/// - `[e_α, e_β] = N_αβ e_{α+β}` where `α + β` is a root: `N_αβ = ±(p + 1)` with `p` the largest
+/// - `[e_α, e_β] = N_αβ e_{α+β}` if `α + β` is a root: `N_αβ = ±(p + 1)` with `p` the largest
 ///   number such that `β - pα` is a root, and `N_{-α,-β} = -N_αβ`.
 ///
-/// The signs are fixed by `N_αβ > 0` for the extraspecial pairs: among all ways to write a
-/// positive root as `α + β` with `α` before `β`, the one with the earliest `α`.
-/// Carter, *Simple Groups of Lie Type*, 4.1-4.2.
+/// The signs are fixed by `N_αβ > 0` for the extraspecial pairs: among all ways to write a positive
+/// root as `α + β` with `α` before `β`, the one whose `α` comes first. Carter, *Simple Groups of
+/// Lie Type*, 4.1-4.2.
 ///
 /// ```
 /// use affinor::algebra::roots::{CartanType, RootSystem, Series, chevalley_constants};
@@ -55,7 +56,7 @@ pub fn chevalley_constants(roots: &RootSystem) -> Vec<(usize, usize, usize, i64)
     constants
 }
 
-/// The names of the basis of [`chevalley_constants`]: `e1 ..`, `f1 ..`, `h1 ..`.
+/// The names of the basis of [`chevalley_constants`]: `e1 ...`, `f1 ...`, `h1 ...`.
 pub fn basis_names(roots: &RootSystem) -> Vec<String> {
     let (count, rank) = (roots.positive.len(), roots.cartan_type.rank());
     [("e", count), ("f", count), ("h", rank)]
@@ -64,7 +65,8 @@ pub fn basis_names(roots: &RootSystem) -> Vec<String> {
         .collect()
 }
 
-/// All `(r, s, t, N_rs)` with `r < s` and `r + s = t` positive roots, by rising `t`.
+/// All `(r, s, t, N_rs)` for positive roots with `r < s` and `r + s = t`, in ascending order of
+/// `t`.
 fn positive_constants(roots: &RootSystem) -> Vec<(usize, usize, usize, i64)> {
     let count = roots.positive.len();
     let mut known = vec![vec![0; count]; count];
@@ -79,14 +81,15 @@ fn positive_constants(roots: &RootSystem) -> Vec<(usize, usize, usize, i64)> {
     constants
 }
 
-/// All `(r, s, N_rs)` with `r + s = t` and `r < s`, from the constants of the sums before `t`.
+/// All `(r, s, N_rs)` with `r + s = t` and `r < s`, from the constants for smaller sums.
 ///
-/// With `f` the root vector of `-α_i`, `(α_i, t - α_i)` the extraspecial pair, and
-/// `[f, e_x] = d(x) e_{x - α_i}`, the derivation `[f, ·]` of `[e_r, e_s] = N_rs e_t` says
-/// `N_rs d(t) = d(r) N_{r-α_i, s} + d(s) N_{r, s-α_i}`.
+/// Let `f` be the root vector of `-α_i`, `(α_i, t - α_i)` the extraspecial pair, and `[f, e_x] =
+/// d(x) e_{x - α_i}`. The derivation `[f, ·]` applied to `[e_r, e_s] = N_rs e_t` gives `N_rs d(t) =
+/// d(r) N_{r-α_i, s} + d(s) N_{r, s-α_i}`.
 fn constants_of_sum(roots: &RootSystem, known: &[Vec<i64>], t: usize) -> Vec<(usize, usize, i64)> {
     let mut pairs = decompositions(roots, t);
-    // The earliest summand is simple: every positive root that is not simple is some α_i + β.
+    // the first summand of the extraspecial pair is simple, because every positive root that is not
+    // simple is some α_i + β
     let Some((i, rest)) = pairs.next() else {
         return Vec::new();
     };
@@ -105,11 +108,12 @@ fn constants_of_sum(roots: &RootSystem, known: &[Vec<i64>], t: usize) -> Vec<(us
     std::iter::once((i, rest, extraspecial)).chain(others).collect()
 }
 
-/// All pairs `r < s` of positive roots with sum `t`, by rising `r`.
+/// All pairs `r < s` of positive roots with sum `t`, in ascending order of `r`.
 fn decompositions(roots: &RootSystem, t: usize) -> impl Iterator<Item = (usize, usize)> {
     (0..t)
         .map_while(move |r| {
-            // The places follow the heights: past the middle of t, r is the larger summand.
+            // roots are sorted by height, so beyond half the height of t the root r is the larger
+            // summand
             (2 * roots.positive[r].height() <= roots.positive[t].height()).then_some(r)
         })
         .filter_map(move |r| roots.difference(t, r).filter(|&s| r < s).map(|s| (r, s)))

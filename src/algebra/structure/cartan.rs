@@ -8,12 +8,14 @@ use affinor_tensors::stop::stage;
 use std::cmp::Ordering;
 
 impl<S: GroundField> StructureTheory<S> {
-    /// A Cartan subalgebra: the null component of `ad x` for an element `x` for which that component
-    /// is nilpotent. Every null component is its own normalizer.
+    /// A Cartan subalgebra: the null component of `ad x` for an element `x` whose null component is
+    /// nilpotent. Every null component is its own normalizer.
     ///
-    /// The elements tried are sums of basis vectors that commute, which keeps the numbers short, and by turns sums of more
-    /// and more basis vectors. Of `m` commuting vectors an algebra may have some `m^2` roots, so the coefficients are that large:
-    /// with small ones some root would vanish on the element. At last come sums of all basis vectors, until one serves.
+    /// The first candidates for `x` are sums of commuting basis vectors, which keep the numbers
+    /// short, alternating with sums of more and more basis vectors. For `m` commuting vectors an
+    /// algebra may have about `m^2` roots, so the coefficients are of this size: with smaller ones
+    /// some root would vanish on the element. Finally, sums of all basis vectors are tried until
+    /// one succeeds.
     pub fn cartan_subalgebra(&self) -> Subspace<S> {
         let _stage = stage("cartan");
         self.cartan.get_or_init(|| self.search_cartan_subalgebra()).clone()
@@ -52,7 +54,7 @@ impl<S: GroundField> StructureTheory<S> {
             }
             let x = super::subspace::collected(x);
             if let Some(rank) = rank {
-                // Cartan subalgebras are the null components of least dimension
+                // Cartan subalgebras are the null components of smallest dimension
                 match self.null_component_of_dimension(&x, rank) {
                     Some(null) => return null,
                     None => continue,
@@ -70,27 +72,30 @@ impl<S: GroundField> StructureTheory<S> {
         }
     }
 
-    /// The rank of a semisimple algebra by its types.
+    /// The rank of a semisimple algebra, from its types.
     fn rank_of_semisimple(&self) -> Option<usize> {
         let types = self.dynkin_type().filter(|_| self.is_semisimple())?;
         Some(types.iter().map(|one| one.rank()).sum())
     }
 
-    /// Whether brackets of basis vectors have more than two terms on average: then rational elimination meets long numbers.
+    /// Whether brackets of basis vectors have more than two terms on average, which makes the
+    /// numbers in rational eliminations long.
     fn is_dense(&self) -> bool {
         let n = self.dimension();
         let constants: usize = (0..n).map(|j| self.products.of(j).len()).sum();
         constants > 2 * n * n
     }
 
-    /// The null component of `ad x` in a semisimple algebra, if its dimension is the rank: then it is the kernel. Modulo a prime it can
-    /// only be greater, and no null component over the rationals is smaller than the rank.
+    /// The null component of `ad x` in a semisimple algebra, if its dimension is the rank; then it
+    /// is the kernel. Modulo a prime its dimension can only be larger, and over the rationals no
+    /// null component is smaller than the rank.
     fn null_component_of_dimension(&self, x: &[(usize, S)], rank: usize) -> Option<Subspace<S>> {
         let n = self.dimension();
         if !self.is_dense() {
             let ad = self.products.ad(x);
             let kernel = self.whole().kernel_of(|v| ad.image(v));
-            // the image is orthogonal to the kernel: they meet in zero if the Killing form is not degenerate on the kernel
+            // the image is orthogonal to the kernel, so they intersect in zero if the Killing form
+            // is nondegenerate on the kernel
             let basis = Matrix::from_rows(n, kernel.basis().iter().cloned()).ok()?;
             let form = basis.mul(self.killing_matrix()).ok()?.mul(&basis.transpose()).ok()?;
             return (kernel.dimension() == rank && form.rank().ok()? == rank).then_some(kernel);
@@ -103,7 +108,7 @@ impl<S: GroundField> StructureTheory<S> {
             }
             let ad = reduction.ad(&dense);
             let kernel = ad.clone().kernel();
-            // no vector of the kernel is an image
+            // no vector of the kernel is in the image
             let image = (0..n).map(|k| ad.rows().iter().map(|row| row[k]).collect()).collect();
             let mut image = ResidueMatrix::new(prime, n, image);
             image.reduce();
@@ -120,7 +125,7 @@ impl<S: GroundField> StructureTheory<S> {
         Subspace::lifted_kernel(n, &rows).or_else(|| Some(self.null_component(x)))
     }
 
-    /// The vectors that some power of `ad x` sends to zero.
+    /// The vectors that some power of `ad x` maps to zero.
     pub fn null_component(&self, x: &[(usize, S)]) -> Subspace<S> {
         let ad = self.products.ad(x);
         let mut kernel = Subspace::zero(self.dimension());
@@ -133,12 +138,13 @@ impl<S: GroundField> StructureTheory<S> {
         }
     }
 
-    /// A Cartan subalgebra of a semisimple algebra that contains basis vectors, as many with positive Killing squares as
-    /// commute, then others; `None` if these have a null component of more than the rank.
+    /// A Cartan subalgebra of a semisimple algebra that contains commuting basis vectors: first as
+    /// many with positive Killing squares as possible, then others. `None` if the null component of
+    /// these has a dimension larger than the rank.
     pub(super) fn hyperbolic_cartan_subalgebra(&self, rank: usize) -> Option<Subspace<S>> {
         let positive = |square: &S| square.sign() == Some(Ordering::Greater);
         let chosen = self.commuting_basis_vectors(positive);
-        // weights in general position: powers of 3
+        // generic weights: powers of 3
         let mut weight = S::one();
         let mut x: Row<S> = vec![];
         for at in chosen {
@@ -148,7 +154,7 @@ impl<S: GroundField> StructureTheory<S> {
         self.null_component_of_dimension(&x, rank)
     }
 
-    /// Basis vectors that commute, each with a Killing square that is not zero; those that are preferred come first.
+    /// Commuting basis vectors with nonzero Killing squares; preferred ones come first.
     fn commuting_basis_vectors(&self, preferred: impl Fn(&S) -> bool) -> Vec<usize> {
         let square = |at: usize| self.killing_matrix().get(at, at);
         let semisimple = (0..self.dimension()).filter(|at| !square(*at).vanishes());

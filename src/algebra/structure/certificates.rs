@@ -1,7 +1,8 @@
 //! Dimensions of solution spaces, proved over the rationals.
 //!
-//! Modulo a prime the solutions of a linear system with integer coefficients have at least the dimension that they have over
-//! the rationals. A basis modulo primes, lifted to rational numbers and multiplied out, shows that they have no more.
+//! Modulo a prime, the solution space of a linear system with integer coefficients is at least as
+//! large as over the rationals. It is not larger if a basis modulo primes lifts to rational vectors
+//! that satisfy the system.
 
 use super::reduction::ModularAlgebra;
 use super::{GroundField, StructureTheory};
@@ -10,30 +11,31 @@ use affinor_tensors::linear::Row;
 use affinor_tensors::linear::modular::{RationalReconstruction, primes};
 use num_traits::Zero;
 
-/// Primes for a basis of long rational numbers, with few and with many unknowns.
+/// The numbers of primes for a basis of long rational numbers: with few unknowns, and with many.
 const PRIMES: [usize; 2] = [16, 4];
-/// From here on the unknowns are many.
+/// The number of unknowns from which on they count as many.
 const MANY: usize = 150;
 
-/// A dimension, and whether it is proved.
+/// A dimension, with a flag that tells whether it is proved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Certified {
     /// The dimension.
     pub dimension: usize,
-    /// Whether it is proved over the rationals. Otherwise it is what a rank modulo two primes at least says.
+    /// Whether the dimension is proved over the rationals. Otherwise it follows from a rank modulo
+    /// at least two primes.
     pub proved: bool,
 }
 
 impl Certified {
-    /// A dimension that follows from a theorem.
+    /// A dimension that follows from a theorem, and is therefore proved.
     pub(super) fn theorem(dimension: usize) -> Self {
         Certified { dimension, proved: true }
     }
 }
 
 impl<S: GroundField> StructureTheory<S> {
-    /// The dimension of the vectors of a length that satisfy equations: `kernel` is a basis in reduced echelon form modulo
-    /// a prime, `holds` multiplies a rational vector out.
+    /// The dimension of the solution space of linear equations. `kernel` is a basis in reduced
+    /// echelon form modulo a prime; `holds` tests a rational vector in the equations.
     pub(super) fn counted(
         &self,
         length: usize,
@@ -55,7 +57,7 @@ impl<S: GroundField> StructureTheory<S> {
             }
             let (known, mut images) = match found.take() {
                 Some((known, images)) if known <= dimension => (known, images),
-                // the primes before divide a minor
+                // the earlier primes divide a minor
                 _ => (dimension, RationalReconstruction::new(dimension * length)),
             };
             if known == dimension {

@@ -9,11 +9,12 @@ use affinor_tensors::stop::stage;
 
 /// The largest dimension at which closed 2-forms are computed.
 pub const MAX_DIMENSION: usize = 60;
-/// Up to this dimension also with parameters and in a dense basis; beyond it the structure constants are rational and few.
+/// The largest dimension at which 2-forms are computed for any structure constants. Beyond it the
+/// structure constants must be rational and few.
 pub const MAX_ANY: usize = 12;
 const MAX_CONSTANTS: usize = 4000;
 
-/// The left-invariant 2-forms. The component `b(e_i, e_j)` with `i < j` stands at `i n + j`.
+/// The left-invariant 2-forms. The component `b(e_i, e_j)` with `i < j` has the index `i n + j`.
 #[derive(Clone, Debug)]
 pub struct TwoForms<S> {
     /// The closed forms.
@@ -23,7 +24,7 @@ pub struct TwoForms<S> {
 }
 
 impl<S: GroundField> TwoForms<S> {
-    /// Closed forms that are a basis of the second cohomology.
+    /// Closed forms that represent a basis of the second cohomology.
     pub fn cohomology(&self) -> Vec<Row<S>> {
         let mut span = self.exact.clone();
         self.closed.basis().iter().filter(|row| span.add((*row).clone())).cloned().collect()
@@ -31,7 +32,8 @@ impl<S: GroundField> TwoForms<S> {
 }
 
 impl<S: GroundField> StructureTheory<S> {
-    /// The closed 1-forms, a basis of the first cohomology: they vanish on the derived algebra.
+    /// The closed 1-forms, which vanish on the derived algebra. They are a basis of the first
+    /// cohomology.
     pub fn closed_one_forms(&self) -> Subspace<S> {
         Subspace::kernel(self.dimension(), self.derived().basis().iter().cloned())
     }
@@ -47,8 +49,8 @@ impl<S: GroundField> StructureTheory<S> {
         collected(terms.collect())
     }
 
-    /// The closed and the exact 2-forms; `None` beyond [`MAX_DIMENSION`], and beyond dimension 12 with parameters or more than
-    /// 4000 structure constants `c^i_jk`.
+    /// The closed and the exact 2-forms. `None` beyond [`MAX_DIMENSION`]; beyond dimension 12 also
+    /// with parameters or more than 4000 structure constants `c^i_jk`.
     pub fn two_forms(&self) -> Option<TwoForms<S>> {
         let _stage = stage("forms");
         let n = self.dimension();
@@ -76,7 +78,7 @@ impl<S: GroundField> StructureTheory<S> {
                 }
             }
         }
-        // components at and below the diagonal are no unknowns
+        // components on and below the diagonal are not unknowns
         equations.extend((0..n).flat_map(|i| (0..=i).map(move |j| vec![(i * n + j, S::one())])));
         equations.retain(|row| !row.is_empty());
         let closed = Subspace::kernel_of_long(n * n, equations);

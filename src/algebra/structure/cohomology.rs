@@ -10,28 +10,31 @@ use polycore::Lead;
 use polycore::modp_echelon::Echelon;
 use std::collections::BTreeMap;
 
-/// The largest dimension at which closed forms of all degrees are lifted to the rationals and multiplied out.
+/// The largest dimension at which closed forms of all degrees are lifted to the rationals and
+/// verified.
 const MAX_CERTIFIED: usize = 11;
 /// The largest dimension at which the ranks of all differentials are computed modulo primes.
 pub const MAX_DIMENSION: usize = 18;
-/// The most forms of one degree, and the most products of their number and the number of structure constants, beyond
-/// [`MAX_CERTIFIED`].
+/// Limits beyond [`MAX_CERTIFIED`]: the number of forms of one degree, and its product with the
+/// number of structure constants.
 const MAX_ROWS: usize = 13_000;
 const MAX_WORK: usize = 1_500_000;
 
-/// The largest Betti number that is given.
+/// The largest Betti number that is returned.
 const LARGEST: u64 = 1 << 53;
 
 impl<S: GroundField> StructureTheory<S> {
-    /// The Betti numbers `b_0, .., b_n`; `None` beyond [`MAX_DIMENSION`] or where the differentials have too many entries,
-    /// unless the algebra is reductive, and where one is beyond `2^53`, the whole numbers of a float.
+    /// The Betti numbers `b_0, ..., b_n`. Unless the algebra is reductive, `None` beyond
+    /// [`MAX_DIMENSION`] or if the differentials have too many entries. `None` also if a number
+    /// exceeds `2^53`, the largest range of integers of a float.
     ///
-    /// The polynomial of a reductive algebra is `(1+t)^z prod (1 + t^(2m+1))`, with the dimension `z` of
-    /// the centre and the exponents `m` of its simple factors.
+    /// The Poincaré polynomial of a reductive algebra is `(1+t)^z prod (1 + t^(2m+1))`, with the
+    /// dimension `z` of the centre and the exponents `m` of its simple factors.
     ///
-    /// The numbers come with whether they are proved: by a theorem, or, up to dimension 11, by closed forms multiplied out.
-    /// Beyond, they are computed from ranks modulo two primes. In a unimodular algebra `d` on `Lambda^k` has the rank of `d` on
-    /// `Lambda^(n-1-k)` (Poincare duality).
+    /// The flag tells whether the numbers are proved: by a theorem, or, up to dimension 11, by
+    /// verified closed forms. Beyond, they are computed from ranks modulo two primes. In a
+    /// unimodular algebra `d` on `Lambda^k` has the rank of `d` on `Lambda^(n-1-k)` (Poincare
+    /// duality).
     pub fn betti_numbers(&self) -> Option<(Vec<u64>, bool)> {
         let _stage = stage("cohomology");
         let n = self.dimension();
@@ -71,14 +74,14 @@ impl<S: GroundField> StructureTheory<S> {
         Some((polynomial, true))
     }
 
-    /// The Betti numbers from the ranks modulo two primes, of which the larger one counts.
+    /// The Betti numbers from the ranks modulo two primes; the larger rank is used.
     fn betti_modulo_primes(&self) -> Option<Vec<u64>> {
         let (n, duality) = (self.dimension(), self.is_unimodular());
         let mut best: Option<Vec<Vec<u64>>> = None;
         for reduction in self.reductions().take(2) {
             let [forms, ranks] = reduction.ranks_of_differentials(duality)?;
             best = Some(match best {
-                // with equal weights modulo both primes
+                // the weights are equal modulo both primes
                 Some(known) if known[0] == forms => {
                     let larger = known[1].iter().zip(&ranks).map(|(a, b)| *a.max(b)).collect();
                     vec![forms, larger]
@@ -115,11 +118,13 @@ fn binomial(n: usize, k: usize) -> usize {
 }
 
 impl ModularAlgebra {
-    /// The dimensions of a complex with the cohomology of the algebra, and the ranks of its differentials, by degree; `None` if
-    /// they are too large. With `duality` ranks above the middle are those below.
+    /// The dimensions of a complex with the cohomology of the algebra, and the ranks of its
+    /// differentials, by degree. `None` if they are too large. With `duality`, ranks above the
+    /// middle degree are taken from those below.
     ///
-    /// A derivation `ad_x` acts as zero on cohomology. So where `ad_x` is diagonal in the basis, forms of weight zero suffice.
-    /// Forms that are pivots of the exact ones are left out, for they are closed up to other forms: `d d = 0`.
+    /// A derivation `ad_x` acts as zero on cohomology. If `ad_x` is diagonal in the basis, forms of
+    /// weight zero therefore suffice. Forms that are pivots of exact forms are left out: they are
+    /// closed up to other forms, because `d d = 0`.
     fn ranks_of_differentials(&self, duality: bool) -> Option<[Vec<u64>; 2]> {
         let (n, p) = (self.dimension(), self.prime());
         if n > MAX_DIMENSION {
@@ -170,7 +175,7 @@ impl ModularAlgebra {
         Some([sets.iter().map(|sets| sets.len() as u64).collect(), ranks])
     }
 
-    /// A basis of the closed forms among those with these index sets, in reduced echelon form.
+    /// A basis of the closed forms with these index sets, in reduced echelon form.
     fn closed_forms(&self, sets: &[usize]) -> Vec<Vec<u64>> {
         let (n, p) = (self.dimension(), self.prime());
         let mut equations: BTreeMap<usize, Vec<(usize, u64)>> = BTreeMap::new();
@@ -195,7 +200,8 @@ impl ModularAlgebra {
     }
 }
 
-/// The terms `(set, minus, c)` of `d e^set`, with `d e^i = -sum over j < l of c^i_jl e^j e^l`.
+/// The terms `(set, minus, c)` of `d e^set`, with `d e^i = -sum over j < l of c^i_jl e^j e^l`;
+/// `minus` marks a negative sign.
 pub(super) fn differential<'a, V>(
     n: usize,
     of: impl Fn(usize) -> &'a [(usize, usize, V)],
@@ -209,7 +215,7 @@ pub(super) fn differential<'a, V>(
         for j in (0..n).filter(|j| rest >> j & 1 == 0) {
             for (l, component, value) in of(j) {
                 if *component == i && *l > j && rest >> l & 1 == 0 {
-                    // e^j e^l in the place of e^i, then sorted
+                    // the sign of sorting e^j e^l, inserted in place of e^i
                     let minus = !(below(i) ^ below(j) ^ below(*l));
                     terms.push((rest | 1 << j | 1 << l, minus, value));
                 }

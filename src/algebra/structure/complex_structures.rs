@@ -1,11 +1,12 @@
 //! Left-invariant complex structures in dimension 2 and 4: endomorphisms `J` with `J^2 = -1` and
 //! `[Jx, Jy] = [x, y] + J [Jx, y] + J [x, Jy]`.
 //!
-//! Let `D = ad_e` act on an abelian ideal `U` of dimension 3. The plane `U & J U` is invariant, and there `D` commutes with
-//! `J`: take `e = J v` with `v` in `U`, and `x` in the plane; then `[v, x] = [v, Jx] = 0` leaves `D J x = J D x`. So there is a
-//! complex structure if and only if `D` has complex eigenvalues or an eigenspace of dimension 2; `J` exchanges `e` with
-//! any vector outside the plane. All other algebras of dimension 4 have one.
-//! Compare G. Ovando, *Manuscripta Math.* 103 (2000) 19-30.
+//! Let `D = ad_e` act on an abelian ideal `U` of dimension 3. The plane `U & J U` is invariant, and
+//! `D` commutes with `J` on it: take `e = J v` with `v` in `U`, and `x` in the plane; then `[v, x]
+//! = [v, Jx] = 0` implies `D J x = J D x`. A complex structure therefore exists if and only if `D`
+//! has complex eigenvalues or an eigenspace of dimension 2, and `J` exchanges `e` with a vector
+//! outside the plane. All other algebras of dimension 4 have a complex structure. Compare G.
+//! Ovando, *Manuscripta Math.* 103 (2000) 19-30.
 
 use super::identification::{scale as scaled, spectrum, sum, vector_images};
 use super::{StructureTheory, Subspace};
@@ -15,17 +16,18 @@ use affinor_tensors::{Field, Rational, Ring};
 
 type Vector = Row<Rational>;
 
-/// Whether there is a complex structure, over the reals.
+/// The answer whether a complex structure exists over the reals.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ComplexStructure {
-    /// Whether there is one.
+    /// Whether a complex structure exists.
     pub exists: bool,
-    /// The images `J e_i` of the basis, where a rational one is found.
+    /// The images `J e_i` of the basis, if a rational structure is found.
     pub images: Option<Vec<Vec<Rational>>>,
 }
 
 impl StructureTheory<Rational> {
-    /// Whether there is a left-invariant complex structure; `None` for dimensions other than 2 and 4.
+    /// Decides whether there is a left-invariant complex structure; `None` for dimensions other
+    /// than 2 and 4.
     pub fn complex_structure(&self) -> Option<ComplexStructure> {
         let _stage = stage("complex structure");
         let pairs = match self.dimension() {
@@ -80,7 +82,7 @@ impl StructureTheory<Rational> {
         found.map_or(Pairs::Irrational, Pairs::Found)
     }
 
-    /// The matrix of `ad_e` on independent vectors.
+    /// The matrix of `ad_e` on the span of independent vectors.
     fn matrix_on(&self, e: &Vector, acted: &[Vector]) -> Option<Matrix<Rational>> {
         let space = Subspace::span(self.dimension(), acted.iter().cloned());
         let basis = Matrix::from_rows(self.dimension(), acted.iter().cloned()).ok()?.transpose();
@@ -96,7 +98,7 @@ impl StructureTheory<Rational> {
         Some(Matrix::from_dense(&columns).ok()?.transpose())
     }
 
-    /// `e` acts by `D` on an abelian ideal of dimension 3.
+    /// The case in which `e` acts by `D` on an abelian ideal of dimension 3.
     fn pairs_on_space(&self, e: &Vector, acted: &[Vector], action: &Matrix<Rational>) -> Pairs {
         let Some(spectrum) = spectrum(action) else { return Pairs::Unknown };
         let polynomial = |constant: &Rational, linear: &Rational| {
@@ -142,8 +144,9 @@ impl StructureTheory<Rational> {
         Pairs::Impossible
     }
 
-    /// `e` acts by `D` on `v, w` of the Heisenberg algebra with `z = [v, w]`. If `D` commutes with a complex structure of the
-    /// plane, `J` exchanges `e` and `z`. Else let `D v = a v` and let `b` be the other eigenvalue: `J e = -b w`, `J v = -z`.
+    /// The case in which `e` acts by `D` on `v, w` of the Heisenberg algebra with `z = [v, w]`. If
+    /// `D` commutes with a complex structure of the plane, `J` exchanges `e` and `z`. Otherwise let
+    /// `D v = a v` and let `b` be the other eigenvalue: `J e = -b w`, `J v = -z`.
     fn pairs_on_heisenberg(
         &self,
         e: Vector,
@@ -188,7 +191,8 @@ impl StructureTheory<Rational> {
         None
     }
 
-    /// Two vectors act on the nilradical: a sum of two algebras of dimension 2, or a complex algebra.
+    /// The case in which two vectors act on the nilradical: the algebra is a sum of two algebras of
+    /// dimension 2, or a complex algebra.
     fn pairs_on_plane(&self) -> Option<Vec<[Vector; 2]>> {
         let form = self.form_on_plane()?;
         let [u, v, h, k] = &form[..] else { return None };
@@ -202,19 +206,19 @@ impl StructureTheory<Rational> {
         Some(vec![[u.clone(), v.clone()], [h.clone(), k.clone()]])
     }
 
-    /// `x` rotates `y` and `[x, y]`; `J x` is central.
+    /// The case in which `x` rotates `y` and `[x, y]`; then `J x` is central.
     fn simple_and_centre(&self) -> Option<Vec<[Vector; 2]>> {
-        // the length of x has to be rational, that of y need not
+        // the length of x must be rational, that of y need not be
         let frame = self.frame(2).or_else(|| self.frame(1))?;
         let [x, y, z, centre] = &frame.vectors[..] else { return None };
         Some(vec![[y.clone(), z.clone()], [x.clone(), centre.clone()]])
     }
 }
 
-/// Pairs `x, J x` that are a basis.
+/// A complex structure as pairs `x, J x` that form a basis.
 enum Pairs {
     Found(Vec<[Vector; 2]>),
-    /// There is one over the reals, not over the rationals as far as is known.
+    /// A structure exists over the reals; a rational one is not known.
     Irrational,
     Impossible,
     Unknown,

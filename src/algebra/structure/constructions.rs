@@ -1,6 +1,7 @@
-//! New Lie algebras from old: quotients, extensions, semidirect sums, tensor products, contractions, complexifications.
+//! Constructions of Lie algebras: quotients, extensions, semidirect sums, tensor products,
+//! contractions, complexifications.
 //!
-//! Each construction checks its conditions and refuses with a witness. Direct sums are
+//! Each construction checks its conditions; a violation is an error with a witness. Direct sums are
 //! [`LieAlgebra::direct_sum`], subalgebras [`StructureTheory::subalgebra`], other bases
 //! [`LieAlgebra::change_basis`].
 
@@ -11,10 +12,11 @@ use crate::{Error, Law};
 use affinor_tensors::linear::{Matrix, Row};
 use affinor_tensors::{Down, Tensor, Up};
 
-/// The most vectors of a commutative factor: the time of checking its products grows with the cube of their number.
+/// The largest dimension of a commutative factor, because the time for checking its products grows
+/// with the cube of the dimension.
 const MOST_UNITS: usize = 64;
 
-/// `(j, k, i, v)`: `[e_j, e_k] = .. + v e_i`.
+/// Structure constants `(j, k, i, v)`: `[e_j, e_k] = ... + v e_i`.
 type Constants<S> = Vec<(usize, usize, usize, S)>;
 
 impl<S: GroundField> StructureTheory<S> {
@@ -27,10 +29,12 @@ impl<S: GroundField> StructureTheory<S> {
         lines.collect()
     }
 
-    /// The quotient by an ideal, in the images of the basis vectors that complement it.
+    /// The quotient by an ideal, in the basis of the images of the basis vectors that complement
+    /// the ideal.
     ///
     /// # Errors
-    /// [`Law::Ideal`] with a bracket that leaves the subspace; [`Error::Shape`] for one of other vectors.
+    /// [`Law::Ideal`] with a bracket that leaves the subspace; [`Error::Shape`] if the subspace has
+    /// another ambient dimension.
     pub fn quotient(&self, ideal: &Subspace<S>) -> Result<LieAlgebra<S>, Error> {
         if ideal.ambient() != self.dimension() {
             let (expected, found) = (self.dimension().to_string(), ideal.ambient().to_string());
@@ -63,8 +67,8 @@ impl<S: GroundField> StructureTheory<S> {
     /// `omega_a(x, y)`, given as `(j, k, a, omega_a(e_j, e_k))`.
     ///
     /// # Errors
-    /// [`Law::Cocycle`] with three basis vectors for which the cyclic sum of `omega([x,y],z)` is not
-    /// zero. [`Error::Shape`] for an index `j` or `k` that is not of this algebra.
+    /// [`Law::Cocycle`] with three basis vectors for which the cyclic sum of `omega([x,y],z)` is
+    /// not zero. [`Error::Shape`] for an index `j` or `k` beyond the dimension of this algebra.
     pub fn central_extension(
         &self,
         labels: &[String],
@@ -86,11 +90,12 @@ impl<S: GroundField> StructureTheory<S> {
         })
     }
 
-    /// The semidirect sum of this algebra, which acts, and `on`: `[e_j, v] = D_j v`.
+    /// The semidirect sum in which this algebra acts on the algebra `on`: `[e_j, v] = D_j v`.
     ///
     /// # Errors
-    /// [`Law::Derivation`] with two vectors of `on`; [`Law::Action`] with two basis vectors
-    /// and the component in which `D_[x,y]` is not `[D_x, D_y]`; a wrong number or size of matrices.
+    /// [`Law::Derivation`] with two vectors of `on`; [`Law::Action`] with two basis vectors and a
+    /// component in which `D_[x,y]` differs from `[D_x, D_y]`; [`Error::Shape`] for a wrong number
+    /// or size of matrices.
     pub fn semidirect(
         &self,
         on: &StructureTheory<S>,
@@ -161,8 +166,8 @@ impl<S: GroundField> StructureTheory<S> {
         Bracket::from_constants(labels, constants)?.try_into()
     }
 
-    /// The semidirect sum with the dual space, by the coadjoint action: `[x, f](y) = -f([x, y])`. The
-    /// labels of the dual basis end in a star, written `_star`.
+    /// The semidirect sum with the dual space, by the coadjoint action: `[x, f](y) = -f([x, y])`.
+    /// The labels of the dual basis end in `_star`.
     ///
     /// # Errors
     /// [`Error::Tensor`] if the dimension is too large for the indices of a tensor, 64 bits.
@@ -173,7 +178,7 @@ impl<S: GroundField> StructureTheory<S> {
         let coadjoint = (0..n).map(|j| {
             let mut rows = vec![vec![]; n];
             for (k, i, value) in self.products.of(j) {
-                // row k, column i of minus the transpose of ad
+                // row k, column i of the negative transpose of ad
                 rows[*k].push((*i, -value.clone()));
             }
             Matrix::from_rows(n, rows)
@@ -183,7 +188,8 @@ impl<S: GroundField> StructureTheory<S> {
     }
 
     /// The tensor product with a commutative algebra, in the basis `x u_a` with the labels `x_u`:
-    /// `[x u_a, y u_b] = [x, y] (u_a u_b)`. `products` has the slots `^d_ab`, `u_a u_b = p^d_ab u_d`, over the vectors `units`.
+    /// `[x u_a, y u_b] = [x, y] (u_a u_b)`. `products` has the slots `^d_ab` and defines `u_a u_b =
+    /// p^d_ab u_d` for the basis `units`.
     ///
     /// ```
     /// use affinor::algebra::catalogue;
@@ -200,8 +206,8 @@ impl<S: GroundField> StructureTheory<S> {
     /// ```
     ///
     /// # Errors
-    /// [`Law::Commutative`] and [`Law::Associative`] with vectors for which the law fails; [`Error::Shape`];
-    /// [`Error::Size`] for more than 64 vectors.
+    /// [`Law::Commutative`] and [`Law::Associative`] with vectors that violate the law;
+    /// [`Error::Shape`]; [`Error::Size`] for more than 64 vectors.
     pub fn tensor_product(
         &self,
         units: &[String],
@@ -228,8 +234,8 @@ impl<S: GroundField> StructureTheory<S> {
         self.over(units.iter().flat_map(label).collect(), &table)
     }
 
-    /// The tensor product with the truncated polynomials `R[t]/(t^order)`: `[x t^a, y t^b] =
-    /// [x,y] t^(a+b)`. Order 2 are the dual numbers: the tangent algebra.
+    /// The tensor product with the truncated polynomials `R[t]/(t^order)`: `[x t^a, y t^b] = [x,y]
+    /// t^(a+b)`. Order 2 gives the dual numbers, and the product is the tangent algebra.
     ///
     /// # Errors
     /// [`Error::Tensor`] if the dimension is too large for the indices of a tensor, 64 bits.
@@ -258,7 +264,8 @@ impl<S: GroundField> StructureTheory<S> {
         self.over(labels, &[vec![one, i.clone()], vec![i, minus]])
     }
 
-    /// `[x u_a, y u_b] = [x, y] (u_a u_b)`, in the basis of all `x u_0`, then all `x u_1`, .., by the table of products.
+    /// The tensor product by a table of products: `[x u_a, y u_b] = [x, y] (u_a u_b)`, in the basis
+    /// of all `x u_0`, then all `x u_1`, and so on.
     fn over(&self, labels: Vec<String>, products: &[Vec<Row<S>>]) -> Result<LieAlgebra<S>, Error> {
         let (n, all) = (self.dimension(), self.products_of_all());
         let mut constants = vec![];
@@ -274,12 +281,13 @@ impl<S: GroundField> StructureTheory<S> {
         Bracket::from_constants(labels, constants)?.try_into()
     }
 
-    /// The contraction in which `e_i` is scaled by `t^w_i`, in the limit of `t` to 0: constants with `w_j +
-    /// w_k = w_i` stay, those with `w_j + w_k > w_i` vanish (Inonu and Wigner, *Proc. Natl. Acad. Sci.* 39
-    /// (1953) 510-524; E. J. Saletan, *J. Math. Phys.* 2 (1961) 1-21).
+    /// The contraction in which `e_i` is scaled by `t^w_i`, in the limit of `t` to 0. Constants
+    /// with `w_j + w_k = w_i` are unchanged, those with `w_j + w_k > w_i` vanish (Inönü and Wigner,
+    /// *Proc. Natl. Acad. Sci.* 39 (1953) 510-524; E. J. Saletan, *J. Math. Phys.* 2 (1961) 1-21).
     ///
     /// # Errors
-    /// [`Law::Limit`] with a constant for which `w_j + w_k < w_i`; a wrong number of weights.
+    /// [`Law::Limit`] with a constant for which `w_j + w_k < w_i`; [`Error::Shape`] for a wrong
+    /// number of weights.
     pub fn inonu_wigner_contraction(&self, weights: &[i64]) -> Result<LieAlgebra<S>, Error> {
         if weights.len() != self.dimension() {
             let (expected, found) = (self.dimension().to_string(), weights.len().to_string());
@@ -301,7 +309,7 @@ impl<S: GroundField> StructureTheory<S> {
         Bracket::from_constants(labels, kept)?.try_into()
     }
 
-    /// All constants, also with `j > k`.
+    /// All constants, including those with `j > k`.
     fn products_of_all(&self) -> Constants<S> {
         let lines = (0..self.dimension()).flat_map(|j| {
             self.products.of(j).iter().map(move |(k, i, value)| (j, *k, *i, value.clone()))

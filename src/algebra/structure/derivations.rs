@@ -9,12 +9,12 @@ use affinor_tensors::linear::Row;
 use affinor_tensors::linear::modular::ResidueMatrix;
 use affinor_tensors::stop::stage;
 
-/// The largest dimension of an algebra, not reductive, whose derivations are counted.
+/// The largest dimension at which derivations are counted for an algebra that is not reductive.
 pub const MAX_DIMENSION: usize = 30;
 
 impl<S: GroundField> StructureTheory<S> {
-    /// The dimension of the derivations, with its proof: a theorem, or a basis multiplied out. `None` beyond [`MAX_DIMENSION`]
-    /// unless the algebra is reductive.
+    /// The dimension of the derivations, with a proof: a theorem, or a verified basis. `None`
+    /// beyond [`MAX_DIMENSION`] unless the algebra is reductive.
     ///
     /// Derivations of a semisimple algebra are inner (de Graaf 4.5); those of `s + z` are `ad s + gl(z)`.
     pub fn derivation_dimension(&self) -> Option<Certified> {
@@ -29,13 +29,14 @@ impl<S: GroundField> StructureTheory<S> {
         }
         let kernel = |reduction: &ModularAlgebra| reduction.derivation_equations().kernel();
         let counted = self.counted(n * n, kernel, StructureTheory::is_derivation_row);
-        // there are at least the inner ones
+        // a lower bound: the inner derivations
         let inner = n - self.centre().dimension();
         Some(Certified { proved: counted.proved || counted.dimension == inner, ..counted })
     }
 
-    /// The dimension of the symmetric forms with `B([x,y],z) = B(x,[y,z])`, with its proof; `None` beyond [`MAX_DIMENSION`]
-    /// unless the algebra is reductive: then a form for each simple factor over the complex numbers, and all on the centre.
+    /// The dimension of the symmetric forms with `B([x,y],z) = B(x,[y,z])`, with a proof. `None`
+    /// beyond [`MAX_DIMENSION`] unless the algebra is reductive: then there is a form for each
+    /// simple factor over the complex numbers, and all forms on the centre.
     pub fn invariant_form_dimension(&self) -> Option<Certified> {
         let _stage = stage("invariant forms");
         let n = self.dimension();
@@ -50,7 +51,7 @@ impl<S: GroundField> StructureTheory<S> {
 }
 
 impl StructureTheory<Rational> {
-    /// Whether the map with `D^a_b` at `a n + b` is a derivation.
+    /// Whether the map whose component `D^a_b` is stored at `a n + b` is a derivation.
     fn is_derivation_row(&self, map: &Row<Rational>) -> bool {
         let n = self.dimension();
         let (mut rows, mut columns) = (vec![vec![]; n], vec![vec![]; n]);
@@ -66,7 +67,7 @@ impl StructureTheory<Rational> {
                 terms.extend(line.map(|(k, i, c)| (k * n + i, c.clone() * d)));
             }
             for (a, i, c) in self.products.of(j) {
-                // [e_j, D e_k], then -D [e_j, e_k], where a stands for k
+                // [e_j, D e_k], then -D [e_j, e_k], where a plays the role of k
                 terms.extend(rows[*a].iter().map(|(k, d)| (k * n + i, c.clone() * *d)));
                 terms.extend(columns[*i].iter().map(|(b, d)| (a * n + b, -(c.clone() * *d))));
             }
@@ -74,7 +75,7 @@ impl StructureTheory<Rational> {
         })
     }
 
-    /// Whether the symmetric form with `B_jk`, `j <= k`, one after another, is invariant.
+    /// Whether the symmetric form with the components `B_jk`, `j <= k`, in one list, is invariant.
     fn is_invariant_row(&self, form: &Row<Rational>) -> bool {
         let n = self.dimension();
         let mut places = (0..n).flat_map(|j| (j..n).map(move |k| (j, k))).enumerate();
@@ -99,15 +100,15 @@ impl StructureTheory<Rational> {
 }
 
 impl ModularAlgebra {
-    /// `D[x,e_j] = [Dx,e_j] + [x,De_j]` for generators `x`, in the unknowns `D^a_b` at `a n + b`. A map
-    /// that satisfies it for generators satisfies it for all `x`.
+    /// The equations `D[x,e_j] = [Dx,e_j] + [x,De_j]` for generators `x`, in the unknowns `D^a_b`
+    /// at `a n + b`. A map that satisfies them for generators satisfies them for all `x`.
     fn derivation_equations(&self) -> ResidueMatrix {
         let (n, p) = (self.dimension(), self.prime());
         let mut rows = vec![];
         for x in self.generators() {
             let ad = self.ad(&x);
             for j in 0..n {
-                // component i of each side
+                // row i of the block: component i of the equation
                 let mut block = vec![vec![0; n * n]; n];
                 for (i, row) in block.iter_mut().enumerate() {
                     for b in 0..n {
@@ -129,7 +130,8 @@ impl ModularAlgebra {
         ResidueMatrix::new(p, n * n, rows)
     }
 
-    /// `B([x,e_j],e_k) + B(e_j,[x,e_k]) = 0` for generators `x`, in the unknowns `B_jk` with `j <= k`.
+    /// The equations `B([x,e_j],e_k) + B(e_j,[x,e_k]) = 0` for generators `x`, in the unknowns
+    /// `B_jk` with `j <= k`.
     fn form_equations(&self) -> ResidueMatrix {
         let (n, p) = (self.dimension(), self.prime());
         let at = |j: usize, k: usize| {

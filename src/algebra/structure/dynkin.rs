@@ -1,19 +1,22 @@
 //! The Dynkin type of a semisimple algebra over the algebraic closure, computed modulo a prime.
 //!
-//! Take a prime that does not divide the determinant of the Killing form. The Casimir element acts on
-//! the reduction as 1, so its second cohomology with adjoint coefficients vanishes: the reduction
-//! lifts in one way, and has the type of the algebra.
+//! Take a prime that does not divide the determinant of the Killing form. The Casimir element acts
+//! as 1 on the algebra modulo the prime, so its second cohomology with adjoint coefficients
+//! vanishes. The algebra modulo the prime therefore lifts uniquely, and has the type of the
+//! algebra.
 //!
 //! Take a pseudorandom `x` with Cartan subalgebra `H = ker ad_x`, and a vector `v` that generates
-//! `V = [x, L]` under `X = ad_x`. A map `A` that commutes with all `ad` is a polynomial `q(X)` on `V`,
-//! and even, because opposite roots belong to the same factor. So `A [v,y] = [A v, y]`, projected to
-//! `V`, are linear equations in the coefficients of `q`. The solutions are the centroid; its
-//! idempotents are the factors. A factor of rank `r` and dimension `n` is known but for B, C and E6,
-//! which the power sums of the roots tell apart.
+//! `V = [x, L]` under `X = ad_x`. A map `A` that commutes with all `ad` is a polynomial `q(X)` on
+//! `V`; it is even, because opposite roots belong to the same factor. Projected to `V`, the
+//! relations `A [v,y] = [A v, y]` are linear equations in the coefficients of `q`. The solutions
+//! are the centroid; its idempotents are the factors. The rank `r` and the dimension `n` of a
+//! factor determine its type, except for B, C and E6, which are distinguished by the power sums of
+//! the roots.
 //!
-//! Certificates: `X` is invertible on `V` and `H` is abelian, so `H` is a Cartan subalgebra; the ranks of the factors, each of
-//! which may only come out too small, add up to that of `H`; each type of the same rank and dimension implies an identity of
-//! power sums, and one type alone satisfies its own. Otherwise another prime is taken.
+//! Certificates: `X` is invertible on `V` and `H` is abelian, so `H` is a Cartan subalgebra. The
+//! ranks of the factors, each of which can only be underestimated, add up to the rank of `H`. Each
+//! type of the same rank and dimension implies an identity of power sums, and only one type
+//! satisfies its own identity. If a certificate fails, another prime is tried.
 
 use super::reduction::{ModularAlgebra, PseudoRandom};
 use super::{GroundField, StructureTheory};
@@ -23,8 +26,8 @@ use affinor_tensors::stop::{checkpoint, stage};
 use polycore::{Fp, Uni};
 
 impl<S: GroundField> StructureTheory<S> {
-    /// The types of the simple factors of the Levi subalgebras over the algebraic closure, in order.
-    /// `None` if no prime of a few serves.
+    /// The types of the simple factors of the Levi subalgebras over the algebraic closure, in
+    /// order. `None` if all primes that are tried fail.
     pub fn dynkin_type(&self) -> Option<Vec<CartanType>> {
         let _stage = stage("type");
         self.types.get_or_init(|| self.find_types()).clone()
@@ -61,7 +64,7 @@ pub fn diagram(cartan_type: CartanType) -> String {
     let r = cartan_type.rank();
     let chain =
         |from: usize, to: usize| (from..=to).map(|i| i.to_string()).collect::<Vec<_>>().join("---");
-    // a branch below the node that ends the given text
+    // draws a branch below the node that ends the given text
     let below = |text: &str, node: &str, rest: &str, branch: usize| {
         let indent = " ".repeat(text.len());
         format!("{text}{node}{rest}\n{indent}|\n{indent}{branch}")
@@ -81,7 +84,7 @@ pub fn diagram(cartan_type: CartanType) -> String {
     }
 }
 
-/// The exponents of a type: the invariants of its Weyl group have these degrees minus one.
+/// The exponents of a type: the degrees of the invariants of its Weyl group, minus one.
 pub fn exponents(cartan_type: CartanType) -> Vec<usize> {
     let r = cartan_type.rank();
     match (cartan_type.series(), r) {
@@ -106,12 +109,12 @@ pub(super) struct Split {
     pub coordinates: ResidueMatrix,
     /// `X^m v = sum relation_k X^k v`
     relation: Vec<u64>,
-    /// The even polynomials that are the centroid, by their coefficients.
+    /// The centroid, as even polynomials in `X`, by their coefficients.
     pub centroid: Vec<Vec<u64>>,
 }
 
 impl ModularAlgebra {
-    /// The types of the simple factors; `None` if the prime or the random elements do not serve.
+    /// The types of the simple factors; `None` if the prime or the random elements are unsuitable.
     pub fn factors(&self) -> Option<Vec<CartanType>> {
         let mut draw = PseudoRandom::new(3);
         let split = Split::new(self, &mut draw)?;
@@ -174,8 +177,8 @@ impl Split {
         (!split.centroid.is_empty()).then_some(split)
     }
 
-    /// The kernel and a cyclic vector of the image of `X`, without the centroid; `None` if no power of `X` sends to zero what `X` does
-    /// not, or if the vector is not cyclic.
+    /// The kernel and a cyclic vector of the image of `X`, without the centroid. `None` if some
+    /// power of `X` has a larger kernel than `X`, or if the vector is not cyclic.
     pub fn of(ad: &ResidueMatrix, draw: &mut PseudoRandom) -> Option<Self> {
         let (n, p) = (ad.columns(), ad.prime());
         let mut basis = ad.clone().kernel();
@@ -193,7 +196,7 @@ impl Split {
         Some(Split { prime: p, rank, basis, coordinates, relation, centroid: vec![] })
     }
 
-    /// The `s_k` with `X^m v = sum of s_k X^k v`.
+    /// The coefficients `s_k` with `X^m v = sum of s_k X^k v`.
     pub fn relation(&self) -> &[u64] {
         &self.relation
     }
@@ -202,7 +205,7 @@ impl Split {
         self.basis.len() - self.rank
     }
 
-    /// The coordinates of the part in V of a vector.
+    /// The coordinates of the V-part of a vector.
     fn roots_part(&self, vector: &[u64]) -> Vec<u64> {
         self.coordinates.apply(vector)[self.rank..].to_vec()
     }
@@ -234,7 +237,8 @@ impl Split {
     /// The traces of `X^k` on V, for `k` below `2 m + 3`, by Newton's identities.
     pub fn power_sums(&self) -> Vec<u64> {
         let (p, m) = (self.prime, self.dimension_of_v());
-        // t^m - sum of relation_k t^k: the elementary functions up to sign
+        // the polynomial t^m - sum of relation_k t^k has the elementary functions as coefficients,
+        // up to signs
         let mut sums = vec![p.integer(m as i64)];
         for k in 1..2 * m + 3 {
             checkpoint();
@@ -272,7 +276,7 @@ impl Split {
             if multiplicity > 1 {
                 return None;
             }
-            // e = u h with h = g/factor, and u h = 1 modulo the factor
+            // the idempotent e = u h with h = g/factor, and u h = 1 modulo the factor
             let h = polynomial.exact(&factor)?;
             let (u, ..) = h.bezout(&factor);
             let (_, e) = (&u * &h).divrem(&polynomial);
@@ -288,7 +292,8 @@ impl Split {
         one
     }
 
-    /// The dimension of H within the factors of an idempotent: `[e v, X^k e v]` for odd `k` span it.
+    /// The dimension of the part of H in the factors of an idempotent: `[e v, X^k e v]` for odd `k`
+    /// span it.
     fn rank_within(&self, algebra: &ModularAlgebra, idempotent: &[u64]) -> usize {
         let rows = self.coroots(algebra, idempotent, idempotent);
         ResidueMatrix::new(self.prime, self.rank, rows).rank()
@@ -308,7 +313,7 @@ impl Split {
             .collect()
     }
 
-    /// `q(X) v`
+    /// The vector `q(X) v`.
     pub fn vector(&self, polynomial: &[u64]) -> Vec<u64> {
         let mut sum = vec![0; self.basis.len()];
         for (&factor, power) in polynomial.iter().zip(&self.basis[self.rank..]) {
@@ -320,8 +325,8 @@ impl Split {
         sum
     }
 
-    /// The simple type of dimension `n` and rank `r`; `sums` are the power sums of the roots, needed to
-    /// tell B, C and E6 apart.
+    /// The simple type of dimension `n` and rank `r`. `sums` are the power sums of the roots, which
+    /// distinguish B, C and E6.
     fn recognise(&self, n: usize, r: usize, sums: &[u64]) -> Option<CartanType> {
         let simple = |series| CartanType::new(series, r).ok().filter(|t| t.dimension() == n);
         let mut fits: Vec<CartanType> =
@@ -350,14 +355,15 @@ impl Split {
         }
     }
 
-    /// Whether `2 (n + 2) tr X^4 = 5 (tr X^2)^2`, as for the types without an invariant of degree 4: A1, A2 and the exceptional ones.
+    /// Whether `2 (n + 2) tr X^4 = 5 (tr X^2)^2`, which holds for the types without an invariant of
+    /// degree 4: A1, A2 and the exceptional ones.
     fn has_no_quartic_invariant(&self, n: usize, sums: &[u64]) -> bool {
         let p = self.prime;
         p.mul(p.integer(2 * n as i64 + 4), sums[4]) == p.mul(5, p.mul(sums[2], sums[2]))
     }
 
-    /// Whether the roots are those of B_r or C_r in some `a_1, .., a_r`. The power sums `s_2k` that follow are those of `r` numbers if
-    /// Newton's identity of order `r + 1` holds.
+    /// Whether the roots are those of B_r or C_r for some numbers `a_1, ..., a_r`. The resulting
+    /// power sums `s_2k` belong to `r` numbers if Newton's identity of order `r + 1` holds.
     fn is_classical(&self, series: Series, r: usize, sums: &[u64]) -> bool {
         let p = self.prime;
         let functions = weight_power_sums(p, series, r, sums, r + 1)
@@ -366,9 +372,10 @@ impl Split {
     }
 }
 
-/// The power sums `s_0, s_2, .., s_2k` up to `k = count` of the weights `a_1, .., a_r` of B_r, C_r or D_r, of those of the roots:
-/// `tr X^2k = 2 sum over even m of binomial(2k,m) s_m s_(2k-m) + f s_2k` with `f = 2 - 4^k` in B_r, `4^k` in C_r, `-4^k` in D_r.
-/// `None` if a factor of `s_2k` is zero.
+/// The power sums `s_0, s_2, ..., s_2k` up to `k = count` of the weights `a_1, ..., a_r` of B_r,
+/// C_r or D_r, from the power sums of the roots: `tr X^2k = 2 sum over even m of binomial(2k,m) s_m
+/// s_(2k-m) + f s_2k` with `f = 2 - 4^k` in B_r, `4^k` in C_r, `-4^k` in D_r. `None` if a factor of
+/// `s_2k` is zero.
 pub(super) fn weight_power_sums(
     p: Prime,
     series: Series,
@@ -394,7 +401,8 @@ pub(super) fn weight_power_sums(
     Some(s)
 }
 
-/// The elementary symmetric functions of numbers, of their power sums: `k e_k = sum of (-1)^(i-1) e_(k-i) s_i`.
+/// The elementary symmetric functions of numbers from their power sums: `k e_k = sum of (-1)^(i-1)
+/// e_(k-i) s_i`.
 pub(super) fn elementary_functions(p: Prime, s: &[u64]) -> Option<Vec<u64>> {
     let mut e = vec![1];
     for k in 1..s.len() {
@@ -430,7 +438,8 @@ pub(super) fn inverse_of_columns(p: Prime, columns: &[Vec<u64>]) -> Option<Resid
     })
 }
 
-/// The monic relation between the powers, ascending, if the last one is the first that depends.
+/// The monic relation between the powers, in ascending order, if only the last power depends on the
+/// earlier ones.
 pub(super) fn relation_of(p: Prime, powers: &[Vec<u64>]) -> Option<Vec<u64>> {
     let rows = (0..powers[0].len()).map(|i| powers.iter().map(|power| power[i]).collect());
     let kernel = ResidueMatrix::new(p, powers.len(), rows.collect()).kernel();

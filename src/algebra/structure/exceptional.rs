@@ -1,7 +1,8 @@
-//! Values of a parameter at which an answer can differ from the generic one.
+//! Values of a parameter at which an answer may differ from the generic one.
 //!
-//! Generic answers are ranks of matrices over rational functions. An elimination is valid at every value at which no numerator and no
-//! denominator of a pivot vanishes. So the roots of these polynomials are all candidates.
+//! Generic answers are ranks of matrices over rational functions. An elimination is valid for every
+//! value at which no numerator or denominator of a pivot vanishes. The roots of these polynomials
+//! therefore include all exceptional values.
 
 use super::StructureTheory;
 use super::cohomology::differential;
@@ -15,9 +16,10 @@ use num_traits::Zero;
 use polycore::Uni;
 use std::collections::BTreeMap;
 
-/// The largest dimension at which the ranks that are otherwise computed modulo primes are computed over rational functions.
+/// The largest dimension at which ranks are computed over rational functions to find exceptional
+/// values; for generic answers they are computed modulo primes.
 pub const MAX_DIMENSION: usize = 6;
-/// Polynomials of a higher degree are not factored.
+/// The largest degree of a polynomial that is factored.
 const MAX_DEGREE: usize = 60;
 
 /// Candidates for exceptional values of a parameter.
@@ -25,13 +27,14 @@ const MAX_DEGREE: usize = 60;
 pub struct Candidates {
     /// The rational roots of the polynomials, in increasing order.
     pub values: Vec<Rational>,
-    /// The irreducible polynomials with real roots that are not rational, and the expressions whose roots are not found.
+    /// Irreducible polynomials with irrational real roots, and expressions whose roots are not
+    /// found.
     pub open: Vec<String>,
 }
 
 impl Candidates {
-    /// The roots of the numerators and denominators of values as functions of a parameter. Of a polynomial in other variables
-    /// they are the common roots of its coefficients.
+    /// The roots of the numerators and denominators of values as functions of a parameter. For a
+    /// polynomial in other variables, the common roots of its coefficients are used.
     pub fn new(parameter: &str, values: &[Symbolic]) -> Self {
         let mut found = Candidates::default();
         for part in values.iter().flat_map(|value| [value.numerator(), value.denominator()]) {
@@ -67,8 +70,8 @@ impl Candidates {
     }
 }
 
-/// The common divisor of the coefficients of a polynomial in the other variables; `None` if a variable is a function of
-/// the parameter.
+/// The greatest common divisor of the coefficients of a polynomial in the other variables; `None`
+/// if a variable is a function of the parameter.
 fn common_factor(parameter: &str, polynomial: &Symbolic) -> Option<Uni<BigRational>> {
     let mut coefficients: BTreeMap<String, BTreeMap<usize, Rational>> = BTreeMap::new();
     for (powers, coefficient) in polynomial.terms() {
@@ -93,9 +96,10 @@ fn common_factor(parameter: &str, polynomial: &Symbolic) -> Option<Uni<BigRation
 }
 
 impl StructureTheory<Symbolic> {
-    /// The expressions that decide the answers which are otherwise found modulo primes: the traces of `ad`, and the pivots of the
-    /// equations for derivations, invariant forms, closed forms of all degrees, and of the general forms `f([x, y])`, bordered by
-    /// `f`, and closed 2-form. Only the traces beyond [`MAX_DIMENSION`].
+    /// The expressions that decide answers which are otherwise found modulo primes. They are the
+    /// traces of `ad`, and the pivots of several systems of equations: for derivations, invariant
+    /// forms, closed forms of all degrees, and the general forms `f([x, y])`, the same bordered by
+    /// `f`, and the general closed 2-form. Beyond [`MAX_DIMENSION`] only the traces.
     pub fn deciding_expressions(&self) -> Vec<Symbolic> {
         let n = self.dimension();
         let trace = |j: usize| {
@@ -109,12 +113,12 @@ impl StructureTheory<Symbolic> {
         found
     }
 
-    /// Eliminates the equations; the pivots are recorded.
+    /// Eliminates the equations, so that the pivots are recorded.
     fn eliminate(&self) {
         let n = self.dimension();
         let rank = |columns: usize, rows: Vec<Row<Symbolic>>| {
             let rows = rows.into_iter().map(collected).filter(|row| !row.is_empty());
-            // errors of shape cannot occur, and only the pivots count
+            // the result is not needed, only its pivots; errors of shape cannot occur
             Matrix::from_rows(columns, rows.collect::<Vec<_>>()).map(|matrix| matrix.rank()).ok();
         };
         let mut maps = vec![];
@@ -149,7 +153,8 @@ impl StructureTheory<Symbolic> {
             };
             rank(1 << n, sets.map(row).collect());
         }
-        // the parameters of general forms begin with a space: no others do
+        // the parameters of general forms begin with a space, so no parameter of the algebra has
+        // the same name
         let general = |rows: &[Row<Symbolic>]| {
             let mut general = vec![vec![]; n + 1];
             for (at, row) in rows.iter().enumerate() {

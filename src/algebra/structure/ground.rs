@@ -7,10 +7,12 @@ use std::cmp::Ordering;
 
 /// An exact field of characteristic 0 whose elements have residues modulo primes.
 ///
-/// Parameters and transcendental numbers take pseudorandom residues. A rank over rational functions is the rank at generic
-/// values, so ranks of residues are generic ranks. ResidueMatrix of roots are roots of residues, and satisfy the same equations.
+/// Parameters and transcendental numbers get pseudorandom residues. A rank over rational functions
+/// is the rank at generic values, so ranks of residues are generic ranks. Residues of roots are
+/// roots of residues, and satisfy the same equations.
 pub trait GroundField: Field + Scalar {
-    /// The residue; `None` if the prime divides the denominator, or if the residues have no root that occurs in the value.
+    /// The residue. `None` if the prime divides the denominator, or if a root in the value has no
+    /// residue.
     fn residue(&self, prime: Prime) -> Option<u64>;
 
     /// The sign of a real number; `None` if it depends on parameters, or if approximations do not decide it.
@@ -95,7 +97,8 @@ impl GroundField for Symbolic {
     }
 }
 
-/// The residue of a variable: of a root a root, of other variables a hash of the name (FNV-1a).
+/// The residue of a variable: for a root a root of the residue, for other variables a hash of the
+/// name (FNV-1a).
 fn place(variable: Variable, prime: Prime) -> Option<u64> {
     if let Some((argument, order)) = variable.root() {
         return root(argument.residue(prime)?, order, prime);
@@ -104,10 +107,12 @@ fn place(variable: Variable, prime: Prime) -> Option<u64> {
     Some(variable.text().bytes().fold(0xcbf2_9ce4_8422_2325, mix) % prime.get())
 }
 
-/// The root of that order among the squares modulo the prime; `None` if there is none, or more than one.
+/// The root of a given order among the squares modulo the prime; `None` unless there is exactly
+/// one.
 ///
-/// If -1 is not a square, the squares are a group of odd order `q = (p - 1)/2`. Their roots of an order without a common
-/// divisor with `q` are unique, so roots of products are products of roots, and roots of roots are roots.
+/// If -1 is not a square, the squares form a group of odd order `q = (p - 1)/2`. Roots whose order
+/// is coprime to `q` are unique in it. Therefore roots of products are products of roots, and roots
+/// of roots are roots.
 fn root(value: u64, order: u32, prime: Prime) -> Option<u64> {
     let (p, q, n) = (prime.get(), (prime.get() - 1) / 2, u64::from(order));
     let power = |exponent: u64| polycore::modp::pow(value, exponent, p);
@@ -116,8 +121,8 @@ fn root(value: u64, order: u32, prime: Prime) -> Option<u64> {
     (q % 2 == 1 && power(q) == 1).then(|| power(inverse))
 }
 
-/// The sign of a polynomial in roots of numbers and pi that is not zero; `None` if it has parameters, or if its terms nearly
-/// cancel.
+/// The sign of a nonzero polynomial in roots of numbers and pi; `None` if it has parameters, or if
+/// its terms nearly cancel.
 fn sign_of_sum(sum: &Symbolic) -> Option<Ordering> {
     let (mut total, mut size) = (Rational::default(), Rational::default());
     for (powers, coefficient) in sum.terms() {
@@ -129,7 +134,8 @@ fn sign_of_sum(sum: &Symbolic) -> Option<Ordering> {
         total += &term;
         size += &term.abs();
     }
-    // far above the rounding errors of floats, which functions other than roots have
+    // the bound is far above the rounding errors of the floats that represent functions other than
+    // roots
     let decided = total.clone().abs() > size * &Rational::new(1, 1 << 30)?;
     total.sign().filter(|_| decided)
 }

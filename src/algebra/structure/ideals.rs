@@ -1,8 +1,9 @@
 //! The simple ideals of a semisimple algebra, over the rationals and over the reals.
 //!
 //! An algebra over the rationals is the sum of ideals that are simple over the rationals. The
-//! centroid of such an ideal is a number field. Over the reals the ideal is the sum of one absolutely
-//! simple ideal for each real place of the field and one complex algebra for each pair of complex places.
+//! centroid of such an ideal is a number field. Over the reals, the ideal is the sum of absolutely
+//! simple ideals, one for each real place of the field, and complex algebras, one for each pair of
+//! complex places.
 
 use super::dynkin::{Split, inverse_of_columns};
 use super::killing::Killing;
@@ -25,7 +26,8 @@ use polycore::Uni;
 pub struct SimpleIdeals {
     /// The ideals that are simple over the rationals.
     pub rational: Vec<Subspace<Rational>>,
-    /// The ideals that are simple over the reals, with the number of the rational ideal that holds them.
+    /// The ideals that are simple over the reals, each with the number of the rational ideal that
+    /// contains it.
     pub real: Vec<RealIdeal>,
 }
 
@@ -34,13 +36,13 @@ pub struct SimpleIdeals {
 pub struct RealIdeal {
     /// The number of the ideal over the rationals, from 0.
     pub within: usize,
-    /// The type over the complex numbers; of a complex algebra the type of one of its two factors.
+    /// The type over the complex numbers; for a complex algebra the type of one of its two factors.
     pub cartan_type: CartanType,
     /// Whether it is a complex algebra regarded as real.
     pub is_complex: bool,
-    /// How many squares of the Killing form are positive and negative.
+    /// The numbers of positive and of negative squares of the Killing form.
     pub signature: [usize; 2],
-    /// Its names: one, or two where type and signature leave two.
+    /// The name; two names if type and signature do not decide.
     pub names: Vec<String>,
 }
 
@@ -50,7 +52,7 @@ impl RealIdeal {
         self.signature.iter().sum()
     }
 
-    /// The type over the complex numbers: `A1`, of a complex algebra `A1 + A1`.
+    /// The type over the complex numbers: `A1`, or `A1 + A1` for a complex algebra.
     pub fn type_name(&self) -> String {
         match self.is_complex {
             true => format!("{0} + {0}", self.cartan_type),
@@ -59,17 +61,18 @@ impl RealIdeal {
     }
 }
 
-/// How many primes are tried for the reconstruction of the centroid.
+/// The number of primes that are tried for the reconstruction of the centroid.
 const PRIMES: usize = 200;
-/// Elements of the centroid with short coefficients are tried below this number, if it has few dimensions.
+/// The number of elements of the centroid with short coefficients that are tried first, if its
+/// dimension is small.
 const SHORT: i64 = 64;
 const FEW: usize = 12;
 
 impl StructureTheory<Rational> {
-    /// The simple ideals of a semisimple algebra; `None` where the search gives up.
+    /// The simple ideals of a semisimple algebra; `None` if the search gives up.
     ///
     /// # Errors
-    /// None for a semisimple algebra; the errors of [`subalgebra`](Self::subalgebra).
+    /// Those of [`subalgebra`](Self::subalgebra), which cannot occur for a semisimple algebra.
     pub fn simple_ideals(&self) -> Result<Option<SimpleIdeals>, Error> {
         let _stage = stage("simple ideals");
         let Some(types) = self.dynkin_type() else { return Ok(None) };
@@ -96,7 +99,7 @@ impl StructureTheory<Rational> {
             let Some(types) = inside.dynkin_type() else { return Ok(None) };
             let Some(&cartan_type) = types.first() else { return Ok(None) };
             let within = ideals.rational.len();
-            // gamma in the basis of the ideal, column by column
+            // gamma in the basis of the ideal, as columns
             let columns = ideal.basis().iter().map(|row| {
                 let image = super::subspace::combination(
                     &(0..gamma.columns()).map(|k| column(&gamma, k)).collect::<Vec<_>>(),
@@ -117,10 +120,12 @@ impl StructureTheory<Rational> {
         Ok(Some(ideals))
     }
 
-    /// The real ideals of an ideal that is simple over the rationals, whose centroid `theta` generates.
+    /// The real ideals of an ideal that is simple over the rationals; `theta` generates its
+    /// centroid.
     ///
-    /// The signature at one real place is half the sum of the signatures of `K` and of `K(g(theta) x, y)`,
-    /// where `g` is positive at this place and negative at the others; complex places add nothing.
+    /// The signature at one real place is half the sum of the signatures of `K` and of `K(g(theta)
+    /// x, y)`, where `g` is positive at this place and negative at the other real places. Complex
+    /// places contribute nothing.
     fn real_places(
         &self,
         within: usize,
@@ -165,11 +170,13 @@ impl StructureTheory<Rational> {
         Some(ideals)
     }
 
-    /// Of two real forms with the same type and signature, the one to which a regular element or the Cartan subalgebra belongs, if it decides.
+    /// Chooses between two real forms with the same type and signature, by a regular element or the
+    /// Cartan subalgebra, if these decide.
     ///
-    /// The noncompact part of a Cartan subalgebra has at most the real rank as its dimension: of su(p,q), so(p,q) the smaller of
-    /// `p` and `q`, of so*(2n) half of `n`. The Cartan subalgebras of su*(2n) are conjugate, with a part of dimension
-    /// `n - 1`, which exceeds the real rank of the other form.
+    /// The dimension of the noncompact part of a Cartan subalgebra is at most the real rank. The
+    /// real rank is the smaller of `p` and `q` for su(p,q) and so(p,q), and half of `n` for
+    /// so*(2n). The Cartan subalgebras of su*(2n) are conjugate, and their noncompact part has
+    /// dimension `n - 1`, which exceeds the real rank of the other form.
     fn by_cartan_subalgebra(&self, rank: usize, names: Vec<String>) -> Vec<String> {
         let [indefinite, quaternionic] = &names[..] else { return names };
         if let Some(quaternionic) = self.is_quaternionic_orthogonal() {
@@ -196,7 +203,7 @@ impl StructureTheory<Rational> {
         }
     }
 
-    /// A basis of the maps that commute with all `ad`, reconstructed from residues and multiplied out.
+    /// A basis of the maps that commute with all `ad`, reconstructed from residues and verified.
     pub(super) fn centroid(&self, dimension: usize) -> Option<Vec<Matrix<Rational>>> {
         let n = self.dimension();
         let mut images = RationalReconstruction::new(dimension * n * n);
@@ -251,20 +258,20 @@ impl RealIdeal {
 }
 
 impl ModularAlgebra {
-    /// The centroid modulo the prime: matrices, row by row.
+    /// The centroid modulo the prime, as lists of the matrix entries, row by row.
     fn centroid(&self, draw: &mut PseudoRandom) -> Option<Vec<Vec<u64>>> {
         let (n, p) = (self.dimension(), self.prime());
         let split = Split::new(self, draw)?;
         let (r, m) = (split.rank, n - split.rank);
         let mut one = vec![0; m];
         one[0] = 1;
-        // columns h_k of coordinates in H, and their images under each map
+        // the columns are the coordinates of h_k in H, and of their images under each map
         let coroots = split.coroots(self, &one, &one);
         let from = inverse_of_columns(p, &coroots)?;
         let mut matrices = vec![];
         for polynomial in &split.centroid {
             let images = split.coroots(self, polynomial, &one);
-            // the matrix on H in its basis: images times the inverse of the columns
+            // the matrix of the map on H: the images times the inverse of the columns
             let mut coordinates = vec![vec![0; n]; n];
             for (at, column) in coordinates.iter_mut().enumerate() {
                 if at < r {
@@ -280,7 +287,7 @@ impl ModularAlgebra {
                 column[r..].copy_from_slice(&power);
                 power = split.times_x(&power);
             }
-            // from coordinates to vectors on both sides
+            // changes from coordinates to vectors on both sides
             let columns: Vec<Vec<u64>> = coordinates
                 .iter()
                 .map(|column| {
@@ -311,7 +318,8 @@ fn column(matrix: &Matrix<Rational>, k: usize) -> Row<Rational> {
     entries.filter(|(_, value)| !value.vanishes()).collect()
 }
 
-/// An element that generates the algebra of commuting matrices, and its minimal polynomial, whose degree proves it.
+/// An element that generates the algebra of commuting matrices, and its minimal polynomial; the
+/// degree of the polynomial proves it.
 fn generator(matrices: &[Matrix<Rational>]) -> Option<(Matrix<Rational>, Uni<BigRational>)> {
     let (degree, n) = (matrices.len(), matrices.first()?.rows());
     let first = if degree <= FEW { 1 } else { SHORT };
@@ -325,7 +333,8 @@ fn generator(matrices: &[Matrix<Rational>]) -> Option<(Matrix<Rational>, Uni<Big
                 };
                 (integers(degree, &factor), integers(n, &component))
             }
-            // eigenvalues that differ are equal, and eigenspaces are met, but for few points of the curve
+            // on all but few points of the curve, distinct eigenvalues stay distinct and
+            // eigenspaces are not missed
             false => {
                 let t = trial - SHORT + 2;
                 (on_moment_curve(t, degree), on_moment_curve(t, n))
@@ -355,7 +364,7 @@ pub(super) fn monic(relation: &[Rational]) -> Uni<BigRational> {
     Uni::new(coefficients.chain([BigRational::from_integer(1.into())]).collect())
 }
 
-/// The minimal polynomial of a matrix, from the first power that depends on those before.
+/// The minimal polynomial of a matrix, from the first power that depends on the lower ones.
 pub(super) fn minimal_polynomial(matrix: &Matrix<Rational>) -> Option<Uni<BigRational>> {
     let n = matrix.rows();
     let flat = |m: &Matrix<Rational>| m.to_dense().concat();
@@ -388,14 +397,15 @@ pub(super) fn evaluate(
     })
 }
 
-/// Intervals, one around each real root, that contain no other.
+/// Isolating intervals of the real roots, one for each root.
 fn separated(polynomial: &Uni<BigRational>) -> Vec<(BigRational, BigRational)> {
     let two = BigRational::from_integer(2.into());
     polynomial
         .isolate()
         .into_iter()
         .map(|(lower, upper)| {
-            // roots of irreducible polynomials of higher degree are not rational: no root is a bound
+            // roots of irreducible polynomials of degree above 1 are irrational, so a rational
+            // bound is not a root
             let room = (&upper - &lower) / &two;
             if polynomial.deg() == 1 { (&lower - &room, &upper + &room) } else { (lower, upper) }
         })

@@ -1,13 +1,14 @@
-//! The name of an algebra of low dimension: real ones up to dimension 4, nilpotent ones up to 6; of simple and Heisenberg
-//! algebras; and of direct sums of these.
+//! Names of algebras: real ones of dimension up to 4, nilpotent ones of dimension up to 6, simple
+//! and Heisenberg algebras, and direct sums of these.
 //!
-//! Parameters are decided by invariants of the action that do not change with a multiple of the acting vector, such as
-//! `tr^2 / det`: these are rational where eigenvalues are not.
+//! Parameters are decided by invariants of the action that do not change if the acting vector is
+//! scaled, such as `tr^2 / det`. They are rational even if the eigenvalues are not.
 //!
-//! The isomorphism is a witness where it is rational and found; of simple algebras also over square roots. Nilpotent
-//! algebras are told apart by the dimensions of both central series and of the derivations, and by the Betti
-//! numbers; these separate all real ones up to dimension 6 but for the sign of the parameter of four families, which
-//! quadratic forms decide.
+//! An isomorphism is a witness if it is rational and found; for simple algebras also over square
+//! roots. Nilpotent algebras are distinguished by the dimensions of both central series and of the
+//! derivations, and by the Betti numbers. These separate all real nilpotent algebras up to
+//! dimension 6, except for the sign of the parameter of four families, which quadratic forms
+//! decide.
 
 mod four;
 mod nilpotent;
@@ -30,18 +31,20 @@ pub(super) use witness::{images as vector_images, sum};
 /// The name of an algebra in the catalogue.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Identification {
-    /// The names: one, or those that the invariants leave.
+    /// The names: one, or several if the invariants do not decide.
     pub names: Vec<String>,
     /// Equations for parameters that are not rational.
     pub parameter: Option<String>,
-    /// The images of the basis of the named algebra, where they are rational up to `under_root`.
+    /// The images of the basis of the named algebra, if they are rational up to the factors in
+    /// `under_root`.
     pub isomorphism: Option<Vec<Vec<Rational>>>,
-    /// Positive numbers: each image is to be multiplied by the square root of its number.
+    /// Positive numbers: each image must be multiplied by the square root of its number.
     pub under_root: Option<Vec<Rational>>,
-    /// A positive number without a rational square root, which every isomorphism needs: the algebras are isomorphic over the
-    /// reals, and not over the rationals. Only where `isomorphism` is `None`.
+    /// A positive number whose irrational square root occurs in every isomorphism: the algebras are
+    /// isomorphic over the reals, but not over the rationals. Only set if `isomorphism` is `None`.
     pub root: Option<Rational>,
-    /// Whether the names are proved: by an isomorphism, or by invariants that are proved over the rationals.
+    /// Whether the names are proved: by an isomorphism, or by invariants that are proved over the
+    /// rationals.
     pub proved: bool,
 }
 
@@ -61,8 +64,9 @@ impl Identification {
 type Vector = Row<Rational>;
 
 impl StructureTheory<Rational> {
-    /// The name of the algebra, or of the parts of a direct sum: simple ideals by type and signature, Heisenberg and abelian
-    /// ideals, and those of low dimension. `None` for other algebras.
+    /// The name of the algebra, or of the summands of a direct sum: simple ideals by type and
+    /// signature, Heisenberg and abelian ideals, and ideals of low dimension. `None` for other
+    /// algebras.
     pub fn identify(&self) -> Option<Identification> {
         let _stage = stage("identification");
         let Some(found) = self.by_invariants() else { return self.as_sum() };
@@ -96,7 +100,7 @@ impl StructureTheory<Rational> {
         self.whole().basis().to_vec()
     }
 
-    /// A vector `x` with `[x, v] = target`, a multiple of a basis vector.
+    /// A vector `x` with `[x, v] = target`, which is a multiple of a basis vector.
     fn scaled_onto(&self, v: &Vector, target: &Vector) -> Option<Vector> {
         let (at, wanted) = target.first()?;
         self.unit_vectors().into_iter().find_map(|x| {
@@ -125,7 +129,7 @@ impl StructureTheory<Rational> {
         Identification { isomorphism, under_root, ..Identification::by_name(vec![name.into()]) }
     }
 
-    /// Bianchi's type, after the dimension of the derived algebra.
+    /// The Bianchi type, by the dimension of the derived algebra.
     fn bianchi(&self) -> Option<Identification> {
         let derived = self.derived();
         match derived.dimension() {
@@ -153,7 +157,8 @@ impl StructureTheory<Rational> {
         }
     }
 
-    /// `ad_e` on the derived plane `U`, with trace `t`, determinant `d` and discriminant `q = t^2 - 4 d`.
+    /// The case of `ad_e` on the derived plane `U`, with trace `t`, determinant `d` and
+    /// discriminant `q = t^2 - 4 d`.
     fn acting_on_the_plane(&self, plane: &Subspace<Rational>) -> Option<Identification> {
         let outside = plane.complement().next()?;
         let e: Vector = vec![(outside, Rational::from(1))];
@@ -190,7 +195,7 @@ impl StructureTheory<Rational> {
             let beta = (-discriminant.clone()).sqrt().map(|root| root * &half);
             let Some(beta) = beta else {
                 if trace.vanishes() {
-                    // e1 and e3 times the square root of 1 / determinant
+                    // the images are e1 and e3, times the square root of 1 / determinant
                     let images = vec![ad.image(u), u.clone(), scale(&e, &Rational::from(-1))];
                     let unit = determinant.recip()?;
                     let under_root = Some(vec![unit.clone(), Rational::from(1), unit]);
@@ -223,7 +228,7 @@ impl StructureTheory<Rational> {
         if small.clone().abs().to_f64() > large.clone().abs().to_f64() {
             std::mem::swap(&mut large, &mut small);
         }
-        // (D - other) x is an eigenvector
+        // for an eigenvalue, (D - other) x is an eigenvector
         let eigenvector = |other: &Rational| {
             let one = Rational::from(1);
             let vectors = [u, v].map(|x| difference(&image(x, &one), x, other));
@@ -248,7 +253,7 @@ impl StructureTheory<Rational> {
                 }
             }
         }
-        // e = 1 and e = -1 have the same dimensions
+        // e = 1 and e = -1 have the same dimensions of invariants
         let positive = match &names[..] {
             [first, _] => self.has_positive_parameter(first),
             _ => None,
@@ -259,7 +264,7 @@ impl StructureTheory<Rational> {
         (!names.is_empty()).then(|| Identification { proved, ..Identification::by_name(names) })
     }
 
-    /// The dimensions, and whether all are proved.
+    /// The invariant dimensions, and whether all of them are proved.
     fn fingerprint(&self) -> (Fingerprint, bool) {
         let dimensions = |series: &[Subspace<Rational>]| -> Vec<usize> {
             series.iter().map(Subspace::dimension).collect()
@@ -280,8 +285,8 @@ impl StructureTheory<Rational> {
 /// The dimensions of both central series and of the derivations, and the Betti numbers.
 type Fingerprint = (Vec<usize>, Vec<usize>, Option<usize>, Option<Vec<u64>>);
 
-/// The nilpotent algebras of a dimension that are no sums with a line; `e = 1` of de Graaf's families 6,22
-/// is a sum of two Heisenberg algebras.
+/// The nilpotent algebras of a dimension that are not a direct sum with a line. In de Graaf's
+/// family 6,22, `e = 1` is a sum of two Heisenberg algebras.
 fn nilpotent_names(dimension: usize) -> Vec<String> {
     if dimension == 1 {
         return vec!["R^1".into()];
@@ -296,7 +301,7 @@ fn nilpotent_names(dimension: usize) -> Vec<String> {
     rows.flat_map(valued).collect()
 }
 
-/// The sum of catalogue names.
+/// The direct sum of algebras named in the catalogue.
 fn catalogued(names: &str) -> Option<LieAlgebra<Rational>> {
     let parts = names.split('+').map(catalogue::algebra::<Rational>);
     let parts = parts.collect::<Result<Vec<_>, _>>().ok()?;

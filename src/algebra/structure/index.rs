@@ -1,11 +1,13 @@
 //! The index: the dimension minus the largest rank of the forms `f([x, y])`.
 //!
-//! Of a reductive algebra it is the rank.
-//! The rank at a form, modulo a prime, is a lower bound of the largest rank `r`. That it is no larger is proved by a lower
-//! bound of the index: the dimension of the centre; `2 dim a - n` for an abelian ideal `a`,
-//! as two blocks of the form are left; that an antisymmetric form has even rank. Else it is proved by Pfaffians: if those
-//! of `r` rows are not zero and those of the same rows and any two others are, as polynomials in `f`, the Schur complement
-//! of the rows is zero, and the rank is `r`.
+//! For a reductive algebra the index is the rank. In general, the rank at a form, modulo a prime,
+//! is a lower bound of the largest rank `r`. That `r` is not larger is proved by a lower bound of
+//! the index: the dimension of the centre; `2 dim a - n` for an abelian ideal `a`, because only two
+//! blocks of the form are nonzero; or the fact that an antisymmetric form has even rank.
+//!
+//! Otherwise it is proved by Pfaffians, as polynomials in `f`. If the Pfaffian of `r` rows is
+//! nonzero, and the Pfaffians of the same rows and any two others vanish, the Schur complement of
+//! the rows is zero, and the rank is `r`.
 
 use super::certificates::Certified;
 use super::reduction::{ModularAlgebra, PseudoRandom};
@@ -16,22 +18,23 @@ use affinor_tensors::stop::stage;
 use affinor_tensors::{Rational, Ring, Symbolic};
 use num_traits::Zero;
 
-/// Modulo how many primes a form is reduced.
+/// The number of primes modulo which a form is reduced.
 const PRIMES: usize = 6;
-/// The largest dimension at which abelian ideals are looked for.
+/// The largest dimension at which abelian ideals are searched.
 const MAX_IDEALS: usize = 60;
-/// The most products of entries in the Pfaffians that are expanded.
+/// The largest number of products of entries in the Pfaffians that are expanded.
 const MAX_PRODUCTS: usize = 4000;
-/// The most coordinates of the form in the entries of a row of a Pfaffian, on average.
+/// The largest average number of coordinates of the form in the entries of a row of a Pfaffian.
 const MAX_TERMS: usize = 30;
 
 impl<S: GroundField> StructureTheory<S> {
-    /// The index: the dimension minus the largest rank of the forms `f([x, y])`, the number of
-    /// independent invariants of the coadjoint representation; with its proof.
+    /// The index, with a proof: the dimension minus the largest rank of the forms `f([x, y])`. It
+    /// is the number of independent invariants of the coadjoint representation.
     pub fn index(&self) -> Certified {
         let _stage = stage("index");
         if self.is_reductive() {
-            // forms and elements are the same by an invariant form, and a regular element has a Cartan subalgebra as its centralizer
+            // an invariant form identifies forms with elements, and the centralizer of a regular
+            // element is a Cartan subalgebra
             return Certified::theorem(self.cartan_subalgebra().dimension());
         }
         let (n, rows) = (self.dimension(), self.regular_rows());
@@ -41,13 +44,13 @@ impl<S: GroundField> StructureTheory<S> {
         Certified { dimension, proved }
     }
 
-    /// Rows on which a form `f([x, y])` is not degenerate, as many as were found.
+    /// Indices of a nonsingular principal minor of a form `f([x, y])`, as large as was found.
     fn regular_rows(&self) -> Vec<usize> {
         let rows = self.reductions().take(PRIMES).map(|reduction| reduction.regular_rows());
         rows.max_by_key(Vec::len).unwrap_or_default()
     }
 
-    /// Whether the index is at least this by a lower bound.
+    /// Whether the index is at least this number, by a lower bound.
     fn has_index(&self, index: usize) -> bool {
         let n = self.dimension();
         if index <= self.centre().dimension().max(n % 2) {
@@ -66,7 +69,8 @@ impl<S: GroundField> StructureTheory<S> {
 }
 
 impl StructureTheory<Rational> {
-    /// Whether every Pfaffian of these rows and two others is zero; `false` if they are too long.
+    /// Whether every Pfaffian of these rows and two others is zero; `false` if the Pfaffians are
+    /// too long.
     fn has_no_more_rows(&self, rows: &[usize]) -> bool {
         let n = self.dimension();
         let others: Vec<usize> = (0..n).filter(|row| rows.binary_search(row).is_err()).collect();
@@ -95,8 +99,8 @@ impl StructureTheory<Rational> {
 }
 
 impl ModularAlgebra {
-    /// Rows on which the form `f([x, y])` for a pseudorandom linear form `f` is not degenerate. Rows that are a basis of
-    /// all rows are such, for an antisymmetric form.
+    /// Indices of a nonsingular principal minor of `f([e_i, e_j])` for a pseudorandom linear form
+    /// `f`. For an antisymmetric matrix, any maximal set of independent rows gives one.
     fn regular_rows(&self) -> Vec<usize> {
         let (n, p) = (self.dimension(), self.prime());
         let form = PseudoRandom::new(1).vector(p, n);

@@ -1,7 +1,8 @@
-//! Kernels of matrices, lifted from residues modulo primes and multiplied out.
+//! Kernels of matrices, lifted from residues modulo primes and verified.
 //!
-//! Modulo a prime the kernel has at least the dimension that it has over the rationals. As many rational vectors in echelon form that the
-//! matrix sends to zero are a basis of the kernel.
+//! Modulo a prime, the kernel is at least as large as over the rationals. If all vectors of its
+//! echelon basis lift to rational vectors that the matrix annihilates, they are a basis of the
+//! kernel.
 
 use super::subspace::denominator;
 use super::{GroundField, Subspace};
@@ -13,26 +14,27 @@ use num_traits::Zero;
 use polycore::Lead;
 use polycore::modp_echelon::Echelon;
 
-/// How many primes are tried.
+/// The largest number of primes that are tried.
 const PRIMES: usize = 2000;
-/// Of more unknowns, equations with fewer entries on average are eliminated by their entries.
+/// The number of unknowns above which sparse equations are eliminated in sparse form.
 const MANY: usize = 150;
 const SPARSE: usize = 12;
 
 impl<S: GroundField> Subspace<S> {
-    /// [`kernel`](Self::kernel) of rows of dense bases, whose entries are long where they are rational.
+    /// Like [`kernel`](Self::kernel), for rows of dense bases, whose rational entries are long.
     pub(super) fn kernel_of_long(ambient: usize, rows: Vec<Row<S>>) -> Self {
         Self::lifted_kernel(ambient, &rows).unwrap_or_else(|| Self::kernel(ambient, rows))
     }
 
-    /// The vectors `x` with `v_i x_i = 0` for all given rows `v`, as [`kernel`](Self::kernel), faster where numbers grow long; `None` if a
-    /// component is not rational, or after a number of primes.
+    /// The vectors `x` with `v_i x_i = 0` for all given rows `v`, as [`kernel`](Self::kernel). It
+    /// is faster if the numbers grow long. `None` if a component is not rational, or if the lifting
+    /// fails for a number of primes.
     pub(super) fn lifted_kernel(ambient: usize, rows: &[Row<S>]) -> Option<Self> {
         let rational = |row: &Row<S>| {
             row.iter().map(|(at, value)| Some((*at, value.rational()?))).collect::<Option<_>>()
         };
         let rows: Vec<Row<Rational>> = rows.iter().map(rational).collect::<Option<_>>()?;
-        // the places of the entries, vector by vector, and their residues
+        // the positions of the nonzero entries, vector by vector, and their residues
         let mut found: Option<(Vec<Vec<usize>>, RationalReconstruction)> = None;
         let mut taken = 0;
         for prime in primes().take(PRIMES) {
@@ -43,7 +45,8 @@ impl<S: GroundField> Subspace<S> {
             let of = |row: &SparseRow| row.iter().map(|(at, _)| *at).collect::<Vec<usize>>();
             let places: Vec<Vec<usize>> = kernel.iter().map(of).collect();
             let entries = |places: &[Vec<usize>]| places.iter().map(Vec::len).sum::<usize>();
-            // a prime that divides a minor gives more vectors, or other pivots; one that divides an entry fewer entries
+            // a prime that divides a minor gives more vectors or other pivots; a prime that divides
+            // an entry gives fewer entries
             let size = |places: &[Vec<usize>]| (places.len(), usize::MAX - entries(places));
             let (known, mut images) = match found.take() {
                 Some((known, images)) if known == places => (known, images),
@@ -60,7 +63,7 @@ impl<S: GroundField> Subspace<S> {
             let residues: Vec<u64> = kernel.iter().flatten().map(|(_, value)| *value).collect();
             images.add(prime, &residues);
             taken += 1;
-            // a reconstruction takes longer than a prime
+            // a reconstruction takes longer than a further prime
             if taken % (1 + taken / 8) == 0
                 && let Some(numbers) = images.rationals()
             {
@@ -97,7 +100,7 @@ fn kernel_modulo(prime: Prime, ambient: usize, rows: &[Row<Rational>]) -> Option
         }
         return Some(echelon.nullspace(ambient));
     }
-    // in the opposite order of the columns the last component of a kernel vector is its pivot
+    // with the columns reversed, the last component of a kernel vector is its pivot
     let residues = rows.iter().map(|row| {
         let mut dense = vec![0; ambient];
         for (at, value) in row {
@@ -113,7 +116,7 @@ fn kernel_modulo(prime: Prime, ambient: usize, rows: &[Row<Rational>]) -> Option
     Some(kernel.iter().rev().map(sparse).collect())
 }
 
-/// Whether all products with a vector are zero.
+/// Whether all rows annihilate a vector.
 fn sent_to_zero(ambient: usize, rows: &[Row<Rational>], vector: &Row<Rational>) -> bool {
     let denominator = denominator(vector.iter().map(|(_, value)| value));
     let mut integers = vec![Rational::from(0); ambient];

@@ -6,27 +6,28 @@ use affinor_tensors::linear::{Matrix, Row};
 use std::cmp::Ordering;
 use std::collections::BTreeSet;
 
-/// A symmetric form and a basis `x_a` in which it is diagonal: `x_a^T K x_b = 0` for different `a`, `b`.
+/// A symmetric form with a basis `x_a` in which it is diagonal: `x_a^T K x_b = 0` for different
+/// `a`, `b`.
 #[derive(Clone, Debug)]
 pub struct Killing<S> {
     /// The matrix of the form in the basis of the algebra.
     pub matrix: Matrix<S>,
-    /// The basis `x_a`, a unimodular change of the basis of the algebra.
+    /// The basis `x_a`; the change from the basis of the algebra is unimodular.
     pub basis: Vec<Row<S>>,
     /// The values `x_a^T K x_a`.
     pub values: Vec<S>,
 }
 
 impl<S: GroundField> Killing<S> {
-    /// Diagonalises a symmetric matrix by elimination on rows and columns.
+    /// Diagonalizes a symmetric matrix by elimination on rows and columns.
     pub fn new(matrix: Matrix<S>) -> Self {
         let n = matrix.rows();
         let mut gram = Gram::new(&matrix);
         let mut vectors: Vec<Row<S>> = (0..n).map(|at| vec![(at, S::one())]).collect();
         let (mut basis, mut values) = (vec![], vec![]);
-        // rows without entries stay so
+        // rows without entries have no influence on the others
         while let Some(pivot) = gram.anisotropic.first().copied().or_else(|| {
-            // all are isotropic: x_i + x_j is not, where K_ij is not zero
+            // if all vectors are isotropic, x_i + x_j with nonzero K_ij is not
             let (i, j) = gram.first_entry()?;
             gram.add(i, j);
             vectors[i] = sum_of_rows(&vectors[i], &vectors[j], &S::one());
@@ -42,7 +43,7 @@ impl<S: GroundField> Killing<S> {
             basis.push(std::mem::take(&mut vectors[pivot]));
             values.push(value);
         }
-        // the form vanishes on the rest
+        // the form vanishes on the remaining vectors
         basis.extend(gram.open.iter().map(|&i| std::mem::take(&mut vectors[i])));
         values.resize(n, S::zero());
         Killing { matrix, basis, values }
@@ -53,7 +54,7 @@ impl<S: GroundField> Killing<S> {
         self.values.iter().filter(|value| !value.vanishes()).count()
     }
 
-    /// How many values are positive, negative and zero; `None` where a sign depends on parameters.
+    /// The numbers of positive, negative and zero values; `None` if a sign depends on parameters.
     pub fn signature(&self) -> Option<[usize; 3]> {
         self.values.iter().try_fold([0; 3], |mut count, value| {
             count[match value.sign()? {
@@ -71,11 +72,11 @@ impl<S: GroundField> Killing<S> {
     }
 }
 
-/// The Gram matrix of the vectors that are left, by sparse rows.
+/// The Gram matrix of the remaining vectors, in sparse rows.
 struct Gram<S> {
     rows: Vec<Row<S>>,
     open: BTreeSet<usize>,
-    /// The open `i` with `K_ii` not zero.
+    /// The remaining `i` with nonzero `K_ii`.
     anisotropic: BTreeSet<usize>,
 }
 
@@ -88,7 +89,7 @@ impl<S: GroundField> Gram<S> {
         gram
     }
 
-    /// Notes whether `K_ii` is zero.
+    /// Updates whether `K_ii` is zero.
     fn note(&mut self, i: usize) {
         match place(&self.rows[i], i) {
             Ok(_) => self.anisotropic.insert(i),
@@ -105,7 +106,7 @@ impl<S: GroundField> Gram<S> {
     fn add(&mut self, i: usize, j: usize) {
         let row = self.rows[j].clone();
         for (k, value) in &row {
-            // K_ii grows by K_ji and by K_ij
+            // K_ii increases by K_ji and by K_ij
             let value = if *k == i { value.clone() + value } else { value.clone() };
             add_entry(&mut self.rows[i], *k, &value);
             if *k != i {
@@ -115,7 +116,7 @@ impl<S: GroundField> Gram<S> {
         self.note(i);
     }
 
-    /// Takes `x_i` out: `K_ii`, and the other entries of its row.
+    /// Removes `x_i`. Returns `K_ii`, and the other entries of its row.
     fn remove(&mut self, i: usize) -> (S, Row<S>) {
         let mut row = std::mem::take(&mut self.rows[i]);
         let at = place(&row, i).expect("an entry that is not zero");
@@ -155,7 +156,7 @@ fn add_entry<S: GroundField>(row: &mut Row<S>, at: usize, value: &S) {
     }
 }
 
-/// `row + factor other`
+/// The sum `row + factor other`.
 fn sum_of_rows<S: GroundField>(row: &[(usize, S)], other: &[(usize, S)], factor: &S) -> Row<S> {
     let mut sum = Vec::with_capacity(row.len() + other.len());
     let (mut left, mut right) = (row.iter().peekable(), other.iter().peekable());
@@ -197,7 +198,8 @@ impl<S: GroundField> StructureTheory<S> {
         self.killing.get_or_init(|| Killing::new(self.killing_matrix().clone()))
     }
 
-    /// Whether the radical is zero, by Cartan's criterion: the Killing form is not degenerate.
+    /// Whether the radical is zero. By Cartan's criterion this holds if the Killing form is
+    /// nondegenerate.
     ///
     /// A rank modulo a prime is at most the rank, so a full rank modulo one prime is a proof.
     pub fn is_semisimple(&self) -> bool {
@@ -227,7 +229,8 @@ impl<S: GroundField> StructureTheory<S> {
     }
 }
 
-/// The finest blocks of indices, each ascending, outside which a symmetric matrix has no entry.
+/// The finest partition of the indices into blocks such that a symmetric matrix has no entries
+/// between different blocks. Each block is sorted.
 fn blocks<S: GroundField>(matrix: &Matrix<S>) -> Vec<Vec<usize>> {
     let mut block_of = vec![None; matrix.rows()];
     let mut blocks = vec![];

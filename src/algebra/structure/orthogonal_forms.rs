@@ -1,12 +1,19 @@
-//! The real forms so(p,q) and so*(2r) of D_r, told apart by one regular element.
+//! Distinguishes the real forms so(p,q) and so*(2r) of D_r by one regular element.
 //!
-//! Let `a_1, -a_1, .., a_r, -a_r` be the eigenvalues of `x` on the vectors of dimension `2 r`. The numbers `a_i^2` are the roots of a
-//! polynomial `g` over the rationals; those of `ad_x` are `a_i + a_j` and so on. In so(p,q) a positive `a_i^2` belongs to a plane of
-//! signature (1, 1). In so*(2r) there is none: a Cartan subalgebra is that of a sum of so*(4), where the `a_i^2` are
-//! conjugate, and so*(2), where they are negative. Two negative ones, of `u` and `v`, belong to two planes that `x` turns: in so(p,q) the roots
-//! `u + v` and `u - v` are both compact, if the form has one sign on both planes, or else both not compact. In so*(2r) one of them is compact,
-//! for the compact roots are those of u(r). The Killing form is negative on compact root spaces. Without positive `a_i^2`
-//! so(p,q) has at least `|p - q| / 2` negative ones. S. Helgason, *Differential Geometry, Lie Groups, and Symmetric Spaces*, ch. X.
+//! Let `a_1, -a_1, ..., a_r, -a_r` be the eigenvalues of `x` on the vectors of dimension `2 r`. The
+//! numbers `a_i^2` are the roots of a polynomial `g` over the rationals, and the eigenvalues of
+//! `ad_x` are `a_i + a_j` and so on.
+//!
+//! In so(p,q) a positive `a_i^2` belongs to a plane of signature (1, 1). In so*(2r) there is none:
+//! a Cartan subalgebra is a sum of Cartan subalgebras of so*(4), where the `a_i^2` are conjugate,
+//! and so*(2), where they are negative.
+//!
+//! Two negative numbers `u^2` and `v^2` belong to two planes that `x` rotates. In so(p,q) the roots
+//! `u + v` and `u - v` are both compact if the form has the same sign on both planes, and otherwise
+//! both noncompact. In so*(2r) exactly one of them is compact, because the compact roots are those
+//! of u(r). The Killing form is negative on compact root spaces. Without positive `a_i^2`, so(p,q)
+//! has at least `|p - q| / 2` negative ones. S. Helgason, *Differential Geometry, Lie Groups, and
+//! Symmetric Spaces*, ch. X.
 
 use super::StructureTheory;
 use super::dynkin::{Split, elementary_functions, weight_power_sums};
@@ -22,14 +29,16 @@ use num_traits::{One, Pow, Signed, Zero};
 use polycore::Uni;
 use std::cmp::Ordering;
 
-/// How many elements are tried.
+/// The number of elements that are tried.
 const TRIALS: usize = 24;
-/// The precision doubles from the first number of binary places to the last.
+/// The first and the last number of binary places; the precision doubles from one attempt to the
+/// next.
 const PLACES: [usize; 2] = [64, 1 << 14];
 
 impl StructureTheory<Rational> {
-    /// Whether a real form of D_r with `r` at least 5 is so*(2r), and not so(p,q); `None` for other algebras and where no
-    /// element of a few decides, and for `r` = 16, 64, .., powers of 4.
+    /// Whether a real form of D_r with `r` at least 5 is so*(2r), and not so(p,q). `None` for other
+    /// algebras, if none of the elements that are tried decides, and for `r` = 16, 64, ..., powers
+    /// of 4.
     ///
     /// ```
     /// use affinor::algebra::{catalogue, structure::StructureTheory};
@@ -61,7 +70,7 @@ impl StructureTheory<Rational> {
     }
 }
 
-/// `ad_x` with integer entries, and its polynomials.
+/// The map `ad_x` with integer entries, and its polynomials.
 struct Element {
     /// The columns of the matrix.
     columns: Vec<Vec<BigInt>>,
@@ -72,7 +81,7 @@ struct Element {
 }
 
 impl Element {
-    /// `None` if the element is not regular.
+    /// Returns `None` if the element is not regular.
     fn new(structure: &StructureTheory<Rational>, x: &Row<Rational>, r: usize) -> Option<Self> {
         let n = structure.dimension();
         let ad = structure.products.ad(x);
@@ -161,7 +170,7 @@ impl Element {
         None
     }
 
-    /// `K(v, X^2k v)` for `v = X u`.
+    /// The moments `K(v, X^2k v)` for `v = X u`.
     fn moments(&self, structure: &StructureTheory<Rational>, u: &Row<Rational>) -> Vec<BigInt> {
         let killing = structure.killing_matrix();
         let n = self.columns.len();
@@ -187,14 +196,14 @@ impl Element {
                 row.iter().map(|(j, entry)| entry * &vector[*j]).sum::<BigInt>() * value
             });
             let square: BigInt = square.sum();
-            // X is skew for the form
+            // X is antisymmetric with respect to the form
             moments.push(if k % 2 == 0 { square } else { -square });
         }
         moments
     }
 
-    /// Whether the roots `u + v` and `u - v` are both compact or both not, where two isolating intervals hold `4 u^2` and `4 v^2`; `None`
-    /// if the precision does not suffice.
+    /// Whether the roots `u + v` and `u - v` are both compact or both noncompact, where two
+    /// isolating intervals contain `4 u^2` and `4 v^2`. `None` if the precision does not suffice.
     fn same_kind(
         &self,
         intervals: &[(BigRational, BigRational)],
@@ -209,13 +218,13 @@ impl Element {
                 return None;
             }
             let root = bisected(&self.squares, lower.to_integer(), upper.to_integer(), places)?;
-            // 2 |u| is the root of the opposite
+            // 2 |u| is a root of the reflected polynomial
             let opposite = Interval { lower: -root.upper, upper: -root.lower };
             sizes.push(opposite.sqrt(places)?);
         }
         let kind = |size: Interval| {
             let square = size.times(&size, places);
-            // - (u +- v)^2, of 2 u and 2 v
+            // - (u +- v)^2, from 2 u and 2 v
             let eigenvalue =
                 Interval { lower: -(square.upper >> 2usize) - 1, upper: -(square.lower >> 2usize) };
             self.kind(&eigenvalue, moments, places)
@@ -226,8 +235,9 @@ impl Element {
         Some(kind(sum)? == kind(difference)?)
     }
 
-    /// The sign of `K(w, w)` for the part `w` of `v` in the eigenspace of `X^2` of a simple root `m` of `F`: with `h = F / (t - m)`
-    /// it is that of `K(h(X^2) v, v) F'(m)`, since `h(X^2)` is `F'(m)` on the eigenspace and zero on all others.
+    /// The sign of `K(w, w)` for the part `w` of `v` in the eigenspace of `X^2` of a simple root
+    /// `m` of `F`. With `h = F / (t - m)` it is the sign of `K(h(X^2) v, v) F'(m)`, because
+    /// `h(X^2)` is `F'(m)` on the eigenspace and zero on all others.
     fn kind(&self, eigenvalue: &Interval, moments: &[BigInt], places: usize) -> Option<Ordering> {
         let constant = |value: &BigInt| {
             let value = value.clone() << places;
@@ -245,7 +255,7 @@ impl Element {
     }
 }
 
-/// Numbers between two bounds, both times a power of 2.
+/// An interval, whose bounds are integers times a power of 2.
 struct Interval {
     lower: BigInt,
     upper: BigInt,
@@ -267,20 +277,20 @@ impl Interval {
 
     fn times(&self, other: &Self, places: usize) -> Self {
         let (a, b) = (self.multiple(&other.lower), self.multiple(&other.upper));
-        // shifts round down
+        // shifting a negative number rounds down, so the interval stays enclosing
         let lower = a.lower.min(b.lower) >> places;
         let upper = -(-a.upper.max(b.upper) >> places);
         Interval { lower, upper }
     }
 
-    /// `None` if the numbers may be negative.
+    /// Returns `None` if the interval contains negative numbers.
     fn sqrt(&self, places: usize) -> Option<Self> {
         let root = |value: &BigInt| (value << places).sqrt();
         let positive = self.lower.is_positive();
         positive.then(|| Interval { lower: root(&self.lower), upper: root(&self.upper) + 1 })
     }
 
-    /// The sign of all numbers, none of them zero.
+    /// The common sign of all numbers; `None` if the interval contains zero.
     fn sign(&self) -> Option<Ordering> {
         match (self.lower.is_positive(), self.upper.is_negative()) {
             (true, _) => Some(Ordering::Greater),
@@ -290,7 +300,8 @@ impl Interval {
     }
 }
 
-/// The root between two numbers, all times a power of 2, in an interval of length 1; `None` if the signs at the bounds do not differ.
+/// An interval of length 1 around the root between two bounds, in units of a power of 2; `None` if
+/// the signs at the bounds do not differ.
 fn bisected(
     polynomial: &[BigInt],
     mut lower: BigInt,

@@ -5,7 +5,7 @@ use crate::algebra::SparseBracket;
 use affinor_tensors::linear::Row;
 use affinor_tensors::{Field, Scalar};
 
-/// The matrix of `[x, .]`: the columns that are not zero, sorted.
+/// The matrix of `[x, .]`: its nonzero columns, sorted.
 pub(super) struct Ad<S>(Vec<(usize, Row<S>)>);
 
 impl<S: Field + Scalar> SparseBracket<S> {
@@ -36,7 +36,7 @@ impl<S: Field + Scalar> SparseBracket<S> {
 }
 
 impl<S: Field + Scalar> Ad<S> {
-    /// `[x, e_k]`
+    /// The column `[x, e_k]`.
     pub fn column(&self, k: usize) -> &[(usize, S)] {
         match self.0.binary_search_by_key(&k, |(k, _)| *k) {
             Ok(at) => &self.0[at].1,
@@ -44,12 +44,12 @@ impl<S: Field + Scalar> Ad<S> {
         }
     }
 
-    /// The columns that are not zero.
+    /// The nonzero columns.
     pub fn columns(&self) -> impl Iterator<Item = (usize, &Row<S>)> {
         self.0.iter().map(|(k, column)| (*k, column))
     }
 
-    /// `[x, y]`
+    /// The image `[x, y]`.
     pub fn image(&self, y: &[(usize, S)]) -> Row<S> {
         let terms = y.iter().flat_map(|(k, factor)| {
             self.column(*k).iter().map(move |(i, value)| (*i, value.clone() * factor))

@@ -1,8 +1,9 @@
 //! Quadratic Casimir functions of reductive algebras, in any dimension.
 //!
-//! An invariant form `B` on the semisimple part is `K(A x, y)` with the Killing form `K` and a map `A` of the centroid. Its inverse is an
-//! invariant quadratic form on the dual. As the centroid is a field on each ideal that is simple over the rationals,
-//! the forms `A K^-1` are all of them: one for each simple factor over the complex numbers.
+//! An invariant form `B` on the semisimple part is `K(A x, y)` with the Killing form `K` and a map
+//! `A` of the centroid. Its inverse is an invariant quadratic form on the dual. As the centroid is
+//! a field on each ideal that is simple over the rationals, every invariant quadratic form is `A
+//! K^-1`, and there is one for each simple factor over the complex numbers.
 
 use super::StructureTheory;
 use crate::Error;
@@ -13,9 +14,10 @@ use affinor_tensors::{Rational, Ring, Symbolic};
 use num_traits::Zero;
 
 impl StructureTheory<Rational> {
-    /// Generators of the Casimir functions of degree 1 and 2 of a reductive algebra, as
-    /// [`casimirs`](Self::casimirs): the centre, and a quadratic form for each simple factor over the complex numbers.
-    /// `None` if the algebra is not reductive, or if its simple ideals are not found.
+    /// Generators of the Casimir functions of degree 1 and 2 of a reductive algebra, like
+    /// [`casimirs`](Self::casimirs): the centre, and a quadratic form for each simple factor over
+    /// the complex numbers. `None` if the algebra is not reductive, or if its simple ideals are not
+    /// found.
     ///
     /// ```
     /// use affinor::algebra::structure::StructureTheory;
@@ -29,7 +31,7 @@ impl StructureTheory<Rational> {
     /// ```
     ///
     /// # Errors
-    /// None for a Lie algebra; the errors of [`subalgebra`](Self::subalgebra).
+    /// Those of [`subalgebra`](Self::subalgebra), which cannot occur for a Lie algebra.
     pub fn quadratic_casimirs(&self) -> Result<Option<Vec<Symbolic>>, Error> {
         let _stage = stage("casimirs");
         if !self.is_reductive() {
@@ -75,7 +77,7 @@ impl StructureTheory<Rational> {
     }
 }
 
-/// The polynomial with integer coefficients without a common divisor, the first one positive.
+/// The polynomial scaled to coprime integer coefficients, of which the first is positive.
 fn written<'a>(
     terms: impl Iterator<Item = (&'a Rational, Vec<usize>)>,
     coordinates: &[Symbolic],

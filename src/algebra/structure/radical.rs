@@ -4,11 +4,12 @@ use super::{GroundField, StructureTheory, Subspace};
 use affinor_tensors::linear::{Matrix, Row};
 use affinor_tensors::stop::stage;
 
-/// How many elements with small coefficients are tried first.
+/// The number of elements with small coefficients that are tried first.
 pub(super) const TRIALS: usize = 64;
 
-/// The coefficients `1, t, t^2, ..`. A linear form that is not zero vanishes at fewer than `count` values of `t`, so
-/// combinations with these coefficients separate finitely many linear forms after finitely many `t`.
+/// The coefficients `1, t, t^2, ...`. A nonzero linear form vanishes at fewer than `count` values
+/// of `t`. Combinations with these coefficients therefore separate finitely many linear forms after
+/// finitely many values of `t`.
 pub(super) fn on_moment_curve<S: GroundField>(t: i64, count: usize) -> Vec<S> {
     let powers =
         std::iter::successors(Some(S::one()), |power| Some(power.clone() * &S::from_i64(t)));
@@ -37,10 +38,10 @@ impl<S: GroundField> StructureTheory<S> {
 
     /// The nilradical, the largest nilpotent ideal.
     ///
-    /// The weights of the radical `R` on itself vanish on `[L, R]`, and the nilradical is their common
-    /// kernel. For an element `y` on which different weights differ it is the set of the `x` in `R`
-    /// with `tr(ad_x ad_y^k) = 0` on `R` for all `k`. For any `y` that set contains the nilradical, so
-    /// it is the nilradical as soon as it is a nilpotent ideal.
+    /// The weights of the radical `R` on itself vanish on `[L, R]`, and the nilradical is their
+    /// common kernel. For an element `y` on which distinct weights have distinct values, it is the
+    /// set of the `x` in `R` with `tr(ad_x ad_y^k) = 0` on `R` for all `k`. For any `y` this set
+    /// contains the nilradical, so it equals the nilradical if it is a nilpotent ideal.
     pub fn nilradical(&self) -> Subspace<S> {
         let _stage = stage("nilradical");
         let radical = self.radical();
@@ -64,7 +65,7 @@ impl<S: GroundField> StructureTheory<S> {
                     let powers = std::iter::successors(next(&1), next);
                     powers.map(S::from_i64).take(open.len()).collect()
                 }
-                // weights that differ are equal at few points of the curve
+                // distinct weights coincide at few points of the curve only
                 false => on_moment_curve(trial - TRIALS as i64 + 1, open.len()),
             };
             let y: Row<S> = open.iter().copied().zip(coefficients).collect();
@@ -77,13 +78,13 @@ impl<S: GroundField> StructureTheory<S> {
         }
     }
 
-    /// The `x` with `tr(ad_x ad_y^k) = 0` for all `k`, as `lower` and combinations of the basis
-    /// vectors `open`.
+    /// The `x` with `tr(ad_x ad_y^k) = 0` for all `k`: the subspace `lower`, and combinations of
+    /// the basis vectors `open`.
     fn weightless(&self, lower: &Subspace<S>, open: &[usize], y: &Row<S>) -> Subspace<S> {
         let n = self.dimension();
         let matrix = |x: &[(usize, S)]| {
             let ad = self.products.ad(x);
-            // column by column: the transpose
+            // the columns of ad are the rows here, so this is the transpose
             Matrix::from_rows(n, (0..n).map(|k| ad.column(k).to_vec())).expect("a square matrix")
         };
         let ads: Vec<Matrix<S>> = open.iter().map(|&at| matrix(&[(at, S::one())])).collect();

@@ -7,8 +7,8 @@
 
 use crate::algebra::roots::{CartanType, Series};
 
-/// The names of the real forms of a type whose maximal compact subalgebras have this dimension: one, or
-/// two in the exceptional cases.
+/// The names of the real forms of a type whose maximal compact subalgebra has a given dimension:
+/// one name, or two in the exceptional cases.
 ///
 /// ```
 /// use affinor::algebra::roots::{CartanType, Series};
@@ -50,7 +50,7 @@ pub fn complex_form(cartan_type: CartanType) -> String {
     }
 }
 
-/// Name of a form with two arguments, the compact one with one.
+/// The name of a form with two arguments, or with one argument if it is compact.
 fn two(head: &str, p: usize, q: usize) -> String {
     if q == 0 { format!("{head}({p})") } else { format!("{head}({p},{q})") }
 }
@@ -75,7 +75,7 @@ fn orthogonal(n: usize) -> impl Iterator<Item = (usize, String)> {
 fn symplectic(r: usize) -> Vec<(usize, String)> {
     let compact = |n: usize| n * (2 * n + 1);
     let split = (r * r, format!("sp({},R)", 2 * r));
-    // sp(r) is the split form of another type in the catalogue
+    // the catalogue has another meaning of sp(r), so the compact form is usp
     let name = |q: usize| match q {
         0 => format!("usp({})", 2 * r),
         q => format!("sp({},{q})", r - q),
@@ -84,7 +84,7 @@ fn symplectic(r: usize) -> Vec<(usize, String)> {
     [split].into_iter().chain(others).collect()
 }
 
-/// The character `dim p - dim k` stands in parentheses.
+/// The names contain the character `dim p - dim k` in parentheses.
 fn exceptional(cartan_type: CartanType) -> Vec<(usize, String)> {
     let compact: &[usize] = match (cartan_type.series(), cartan_type.rank()) {
         (Series::G, _) => &[6, 14],

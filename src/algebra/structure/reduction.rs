@@ -19,7 +19,7 @@ pub struct ModularAlgebra {
 pub struct PseudoRandom(u64);
 
 impl PseudoRandom {
-    /// A sequence by its number.
+    /// The sequence with a given number.
     pub fn new(seed: u64) -> Self {
         PseudoRandom(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1)
     }
@@ -95,7 +95,8 @@ impl ModularAlgebra {
         ResidueMatrix::new(self.prime, self.dimension(), rows)
     }
 
-    /// Few vectors that generate the algebra: pseudorandom ones if fewer than the dimension do, else the basis.
+    /// A few vectors that generate the algebra: pseudorandom ones, or the basis if these would not
+    /// be fewer.
     pub(super) fn generators(&self) -> Vec<Vec<u64>> {
         let (n, p) = (self.dimension(), self.prime);
         let mut draw = PseudoRandom::new(2);
@@ -124,7 +125,7 @@ impl ModularAlgebra {
             if grown == rank {
                 return false;
             }
-            // random combinations of the images span as much as the images do
+            // random combinations of the images have the same span as the images
             layer = match images.len() > 2 * n {
                 true => next.rows().to_vec(),
                 false => images,
@@ -136,13 +137,14 @@ impl ModularAlgebra {
 }
 
 impl<S: GroundField> StructureTheory<S> {
-    /// The algebra modulo primes that divide neither a denominator nor a structure constant, without end.
+    /// The endless sequence of reductions modulo primes that divide neither a denominator nor a
+    /// structure constant.
     pub fn reductions(&self) -> impl Iterator<Item = ModularAlgebra> {
         primes().filter_map(|prime| ModularAlgebra::new(self, prime))
     }
 
-    /// The reductions of a semisimple algebra with a Killing form that is not degenerate: they have the types of the algebra.
-    /// None of another algebra.
+    /// The reductions of a semisimple algebra with a nondegenerate Killing form, which have the
+    /// types of the algebra. Empty for other algebras.
     pub(super) fn semisimple_reductions(&self) -> impl Iterator<Item = ModularAlgebra> {
         let regular = |prime: &Prime| self.has_regular_killing_form(*prime) == Some(true);
         let candidates = primes().take_while(|_| self.is_semisimple()).filter(regular);

@@ -1,4 +1,5 @@
-//! Root spaces of a semisimple algebra, where a Cartan subalgebra splits over the rationals (de Graaf 4.9, 5.11).
+//! Root spaces of a semisimple algebra whose Cartan subalgebra splits over the rationals (de Graaf
+//! 4.9, 5.11).
 
 use super::dynkin::relation_of;
 use super::ideals::monic;
@@ -16,7 +17,7 @@ use num_rational::BigRational;
 use polycore::{Fp, Uni};
 use std::collections::{BTreeMap, HashSet};
 
-/// The largest number of eigenvalues that the parts of one vector may have.
+/// The largest number of eigenvalues in the decomposition of one vector.
 const MAX_EIGENVALUES: usize = 24;
 
 /// The roots of a semisimple algebra for a Cartan subalgebra that splits over the rationals.
@@ -26,7 +27,7 @@ pub struct RootSpaces {
     pub cartan: Subspace<Rational>,
     /// All roots: the positive ones in lexicographic order of their values, then their opposites.
     pub roots: Vec<RootSpace>,
-    /// The places of the simple roots in `roots`, factor by factor, numbered as in Bourbaki.
+    /// The positions of the simple roots in `roots`, factor by factor, numbered as in Bourbaki.
     pub simple: Vec<usize>,
     /// The types of the factors.
     pub types: Vec<CartanType>,
@@ -42,9 +43,10 @@ pub struct RootSpace {
 }
 
 impl StructureTheory<Rational> {
-    /// The root spaces of a semisimple algebra for a Cartan subalgebra with basis vectors of positive Killing squares, or
-    /// for [`cartan_subalgebra`](Self::cartan_subalgebra). `None` if neither splits over the rationals, or if a vector has
-    /// parts of more than 24 eigenvalues.
+    /// The root spaces of a semisimple algebra for a Cartan subalgebra with basis vectors of
+    /// positive Killing squares, or for [`cartan_subalgebra`](Self::cartan_subalgebra). `None` if
+    /// neither splits over the rationals, or if a vector has components in more than 24
+    /// eigenspaces.
     pub fn root_spaces(&self) -> Option<RootSpaces> {
         let _stage = stage("roots");
         let types = self.dynkin_type().filter(|_| self.is_semisimple())?;
@@ -81,7 +83,7 @@ impl StructureTheory<Rational> {
             let [vector] = &basis[..] else { return None };
             roots.push(RootSpace { values, vector: vector.clone() });
         }
-        // lexicographic order is an order of the vector space
+        // the lexicographic order is compatible with addition, so it defines positive roots
         let (negative, positive): (Vec<_>, Vec<_>) =
             roots.into_iter().partition(|root| root.values < zero);
         let opposites = negative.into_iter().rev();
@@ -92,9 +94,10 @@ impl StructureTheory<Rational> {
         Some(found)
     }
 
-    /// False if the parts of some unit vectors have more than [`MAX_EIGENVALUES`] or eigenvalues that are not rational, for
-    /// the first vector of the Cartan subalgebra. Modulo a prime this takes no time, while in a dense basis the rational
-    /// numbers of the powers of `ad` are long.
+    /// A fast test modulo a prime. It returns `false` if the components of some unit vectors, for
+    /// the first vector of the Cartan subalgebra, belong to more than [`MAX_EIGENVALUES`]
+    /// eigenvalues, or to irrational ones. Over the rationals this would take long in a dense
+    /// basis, because the powers of `ad` contain long numbers.
     fn may_split(&self, cartan: &Subspace<Rational>) -> bool {
         let Some(h) = cartan.basis().first() else { return true };
         let found = PRIMES.into_iter().find_map(|prime| {
@@ -125,8 +128,8 @@ impl StructureTheory<Rational> {
 }
 
 impl RootSpaces {
-    /// The Cartan matrix `a_ij = <a_i, a_j^v>` of the simple roots, by root strings: `a_i - a_j` is no root,
-    /// and `-a_ij` is the largest `k` such that `a_i + k a_j` is one.
+    /// The Cartan matrix `a_ij = <a_i, a_j^v>` of the simple roots, from root strings: `a_i - a_j`
+    /// is not a root, and `-a_ij` is the largest `k` such that `a_i + k a_j` is a root.
     pub fn cartan_matrix(&self) -> Vec<Vec<i64>> {
         self.matrix(&self.simple)
     }
@@ -148,12 +151,13 @@ impl RootSpaces {
         simple.iter().map(|&i| simple.iter().map(|&j| entry(i, j)).collect()).collect()
     }
 
-    /// The positive roots, of which alone `roots` consists so far, that are no sums of two.
+    /// The positive roots that are not a sum of two positive roots. At this point `roots` contains
+    /// the positive roots only.
     fn indecomposable(&self) -> Vec<usize> {
         let all: HashSet<&[Rational]> = self.roots.iter().map(|r| &r.values[..]).collect();
         let mut simple: Vec<usize> = vec![];
         for (at, root) in self.roots.iter().enumerate() {
-            // smaller roots come first
+            // smaller roots come first, so the difference is searched among them
             let rest = |other: &usize| {
                 let minus = self.roots[*other].values.iter().map(|v| -v.clone());
                 sum(&root.values, &minus.collect::<Vec<_>>())
@@ -165,7 +169,7 @@ impl RootSpaces {
         simple
     }
 
-    /// The simple roots in an order in which the Cartan matrix is that of the types.
+    /// The simple roots, ordered so that the Cartan matrix is that of the types.
     fn numbered(&self, simple: &[usize]) -> Option<Vec<usize>> {
         let matrix = self.matrix(simple);
         let mut wanted = vec![vec![0; simple.len()]; simple.len()];
@@ -181,7 +185,8 @@ impl RootSpaces {
     }
 }
 
-/// Completes the order of rows by search; a wrong start ends at the first entry that differs.
+/// Completes the order of the rows by a search, which abandons a partial order at the first wrong
+/// entry.
 fn place(matrix: &[Vec<i64>], wanted: &[Vec<i64>], order: &mut Vec<usize>) -> bool {
     let at = order.len();
     if at == matrix.len() {
@@ -206,8 +211,8 @@ fn sum(a: &[Rational], b: &[Rational]) -> Vec<Rational> {
     a.iter().zip(b).map(|(a, b)| a.clone() + b).collect()
 }
 
-/// The parts of a vector in the eigenspaces of a map, with sum the vector. `None` unless all eigenvalues that it meets
-/// are rational and simple roots of its minimal polynomial.
+/// Decomposes a vector into eigenvectors of a map. `None` unless all eigenvalues that occur are
+/// rational and simple roots of its minimal polynomial.
 fn eigenvectors(
     ad: &Ad<Rational>,
     n: usize,
@@ -257,7 +262,7 @@ fn eigenvectors(
     Some(parts)
 }
 
-/// The factor that takes a vector to its image, if there is one.
+/// The factor between a vector and its image; `None` if they are not proportional.
 fn eigenvalue(image: &Row<Rational>, vector: &Row<Rational>) -> Option<Rational> {
     let Some((at, first)) = image.first() else { return Some(Rational::from(0)) };
     let (_, own) = vector.first().filter(|(place, _)| place == at)?;

@@ -28,7 +28,7 @@ impl<S: GroundField> StructureTheory<S> {
         span
     }
 
-    /// The derived series `L, [L,L], [[L,L],[L,L]], ..` until it is stable.
+    /// The derived series `L, [L,L], [[L,L],[L,L]], ...` until it is stable.
     pub fn derived_series(&self) -> &[Subspace<S>] {
         self.derived.get_or_init(|| {
             if self.is_semisimple() {
@@ -44,7 +44,7 @@ impl<S: GroundField> StructureTheory<S> {
         series.get(1).unwrap_or(&series[0])
     }
 
-    /// The lower central series `L, [L,L], [[L,L],L], ..` until it is stable.
+    /// The lower central series `L, [L,L], [[L,L],L], ...` until it is stable.
     pub fn lower_central_series(&self) -> &[Subspace<S>] {
         self.lower.get_or_init(|| {
             let whole = self.whole();
@@ -58,7 +58,7 @@ impl<S: GroundField> StructureTheory<S> {
         })
     }
 
-    /// The upper central series `0, Z, ..` until it is stable.
+    /// The upper central series `0, Z, ...` until it is stable.
     pub fn upper_central_series(&self) -> Vec<Subspace<S>> {
         let n = self.dimension();
         let mut series = vec![Subspace::zero(n)];
@@ -123,7 +123,7 @@ impl<S: GroundField> StructureTheory<S> {
                 generators.push(self.products.ad(&vector));
             }
         }
-        // brackets from the left with generators are enough
+        // left brackets with generators are enough
         let mut open: Vec<Row<S>> = span.basis().to_vec();
         while let Some(x) = open.pop() {
             for ad in &generators {
@@ -187,7 +187,8 @@ impl<S: GroundField> StructureTheory<S> {
     }
 }
 
-/// Subspaces, each from the one before, until the dimension is stable.
+/// A descending series of subspaces, each computed from the previous one, until the dimension is
+/// stable.
 fn descend<S: GroundField>(
     first: Subspace<S>,
     next: impl Fn(&Subspace<S>) -> Subspace<S>,

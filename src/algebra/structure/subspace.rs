@@ -12,7 +12,7 @@ pub struct Subspace<S> {
     echelon: Echelon<S>,
 }
 
-/// Elimination over a field finds the inverse of every pivot.
+/// The reason why elimination over a field cannot fail.
 const FIELD: &str = "every pivot of a field has an inverse";
 
 impl<S: Field + Scalar> Subspace<S> {
@@ -21,7 +21,7 @@ impl<S: Field + Scalar> Subspace<S> {
         Subspace { ambient, echelon: Echelon::new() }
     }
 
-    /// All vectors.
+    /// The whole space.
     pub fn whole(ambient: usize) -> Self {
         Self::span(ambient, (0..ambient).map(|at| vec![(at, S::one())]))
     }
@@ -55,7 +55,7 @@ impl<S: Field + Scalar> Subspace<S> {
         self.echelon.rank()
     }
 
-    /// Whether only zero is in it.
+    /// Whether the subspace is zero.
     pub fn is_zero(&self) -> bool {
         self.dimension() == 0
     }
@@ -75,7 +75,7 @@ impl<S: Field + Scalar> Subspace<S> {
         self.basis().iter().map(dense).collect()
     }
 
-    /// Adds a vector; whether the subspace grew.
+    /// Adds a vector. Returns whether the subspace grew.
     pub fn add(&mut self, vector: Row<S>) -> bool {
         self.echelon.insert(vector).expect(FIELD)
     }
@@ -105,7 +105,7 @@ impl<S: Field + Scalar> Subspace<S> {
         self.echelon.reduce(vector)
     }
 
-    /// The coordinates in [`basis`](Self::basis) that are not zero; `None` outside the subspace.
+    /// The nonzero coordinates in [`basis`](Self::basis); `None` outside the subspace.
     pub fn coordinates(&self, vector: &[(usize, S)]) -> Option<Row<S>> {
         let place = |at: &usize| self.echelon.pivots().binary_search(at).ok();
         let own = vector.iter().filter_map(|(at, value)| Some((place(at)?, value.clone())));
@@ -118,12 +118,13 @@ impl<S: Field + Scalar> Subspace<S> {
         combination(self.basis(), coordinates)
     }
 
-    /// The subspace of this one that a subspace of coordinates stands for.
+    /// The subspace of this one whose coordinates in [`basis`](Self::basis) form the given
+    /// subspace.
     pub fn within(&self, coordinates: &Self) -> Self {
         Self::span(self.ambient, coordinates.basis().iter().map(|row| self.vector(row)))
     }
 
-    /// The vectors of this subspace that a linear map sends to zero; `image` maps a basis vector.
+    /// The vectors of this subspace that a linear map annihilates; `image` maps a basis vector.
     pub fn kernel_of(&self, image: impl Fn(&Row<S>) -> Row<S>) -> Self {
         let mut rows: std::collections::BTreeMap<usize, Row<S>> = Default::default();
         for (at, vector) in self.basis().iter().enumerate() {
@@ -134,13 +135,14 @@ impl<S: Field + Scalar> Subspace<S> {
         self.within(&Self::kernel(self.dimension(), rows.into_values()))
     }
 
-    /// The basis vectors of the whole space outside the pivots: a complement.
+    /// The indices of the basis vectors of the whole space that span a complement: those that are
+    /// not pivots.
     pub fn complement(&self) -> impl Iterator<Item = usize> {
         (0..self.ambient).filter(|at| self.echelon.pivots().binary_search(at).is_err())
     }
 }
 
-/// Equal subspaces.
+/// Subspaces are equal if their echelon bases are.
 impl<S: Field + Scalar> PartialEq for Subspace<S> {
     fn eq(&self, other: &Self) -> bool {
         self.ambient == other.ambient && self.basis() == other.basis()
@@ -158,7 +160,7 @@ pub(crate) fn combination<S: Field + Scalar>(
     collected(terms.collect())
 }
 
-/// The sum of terms, sorted and without zeros.
+/// Collects the terms of a sum, sorted and without zeros.
 pub(crate) fn collected<K: Copy + Ord, S: Field + Scalar>(mut terms: Vec<(K, S)>) -> Vec<(K, S)> {
     checkpoint();
     terms.sort_by_key(|(at, _)| *at);
@@ -170,7 +172,7 @@ pub(crate) fn collected<K: Copy + Ord, S: Field + Scalar>(mut terms: Vec<(K, S)>
     sums.filter(|(_, value)| !value.vanishes()).collect()
 }
 
-/// The least positive integer whose products with all values are integers.
+/// The least positive integer that makes all values integers by multiplication.
 pub(in crate::algebra) fn denominator<'a>(values: impl Iterator<Item = &'a Rational>) -> Rational {
     values.fold(Rational::from(1), |factor, value| {
         let rest = BigRational::from(&(value.clone() * &factor));

@@ -1,10 +1,12 @@
 //! Left-invariant symplectic and contact forms, with a witness or a proof that there are none.
 //!
-//! Closed 2-forms and 1-forms depend linearly on parameters `t`. A symplectic form exists if and only if the
-//! Pfaffian of the general closed form, a polynomial in `t`, is not zero. A 1-form `a` in dimension `2 k + 1` is a
-//! contact form if `a (d a)^k` is not zero: that is `k!` times the Pfaffian of `d a`, bordered by `a`.
-//! An exact symplectic form exists if and only if the index is 0 (Frobenius algebras). A unimodular algebra has no exact
-//! one, and none at all if it is not solvable: B.-Y. Chu, *Trans. Amer. Math. Soc.* 197 (1974) 145-159.
+//! The general closed 2-form and 1-form depend linearly on parameters `t`. A symplectic form exists
+//! if and only if the Pfaffian of the general closed form, a polynomial in `t`, is not zero. A
+//! 1-form `a` in dimension `2 k + 1` is a contact form if `a (d a)^k` is not zero; this is `k!`
+//! times the Pfaffian of `d a`, bordered by `a`. An exact symplectic form exists if and only if the
+//! index is 0 (Frobenius algebras). A unimodular algebra has no exact symplectic form, and no
+//! symplectic form at all if it is not solvable: B.-Y. Chu, *Trans. Amer. Math. Soc.* 197 (1974)
+//! 145-159.
 
 use super::certificates::Certified;
 use super::cocycles::TwoForms;
@@ -19,30 +21,32 @@ use affinor_tensors::linear::modular::{Prime, ResidueMatrix, primes};
 use affinor_tensors::stop::stage;
 use num_traits::{One, Zero};
 
-/// The largest dimension at which a Pfaffian is expanded, that is: at which "there is none" can be proved.
+/// The largest dimension at which a Pfaffian is expanded, so that nonexistence can be proved.
 const MAX_PFAFFIAN: usize = 8;
-/// How many forms are tried modulo a prime.
+/// The number of forms that are tried modulo a prime.
 const TRIALS: usize = 12;
-/// Modulo how many primes, and modulo how many where the Pfaffian is known not to vanish.
+/// The number of primes that are tried.
 const PRIMES: usize = 3;
 const MORE_PRIMES: usize = 40;
 
-/// Whether a form exists.
+/// The answer whether a form exists.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Existence<S> {
-    /// Such a form, by its components; not degenerate for generic values of the parameters.
+    /// A form, by its components. It is nondegenerate for generic values of the parameters.
     Witness(Row<S>),
     /// The Pfaffian of the general form is the zero polynomial.
     Impossible,
-    /// The index is proved to be this. The form `d a` has the rank `n - index` at most, and so the index is 0 for an exact
-    /// symplectic form, and 1 for a contact form.
+    /// The index is proved to have this value. The form `d a` has at most the rank `n - index`, so
+    /// the index would have to be 0 for an exact symplectic form, and 1 for a contact form.
     Index(usize),
-    /// The algebra is unimodular: then it has no exact symplectic form, and none at all if it is not solvable (Chu).
+    /// The algebra is unimodular, so it has no exact symplectic form, and no symplectic form at all
+    /// if it is not solvable (Chu).
     Unimodular,
-    /// The general form has this rank, which is too small: modulo primes at pseudorandom forms, or proved, because all forms
-    /// vanish on a common kernel. Of a contact form it is the rank of `d a`, bordered by `a`.
+    /// The general form has this rank, which is too small. The rank is found modulo primes at
+    /// pseudorandom forms, or proved, because all forms vanish on a common kernel. For a contact
+    /// form it is the rank of `d a`, bordered by `a`.
     Rank(Certified),
-    /// None was found, although there may be one.
+    /// No form was found, but one may exist.
     Open,
 }
 
@@ -83,7 +87,7 @@ impl<S: GroundField> StructureTheory<S> {
         }
     }
 
-    /// The rank of the general form of a family, if it is too small.
+    /// The answer from the rank of the general form of a family, if it is too small.
     fn by_rank(&self, n: usize, family: &[Entries<S>]) -> Existence<S> {
         let residues = |reduction: ModularAlgebra| generic_rank(reduction.prime(), n, family);
         let rank = self.reductions().filter_map(residues).take(2).max().unwrap_or(0);
@@ -122,7 +126,7 @@ impl<S: GroundField> StructureTheory<S> {
         }
     }
 
-    /// None, if the index is proved to be larger.
+    /// The answer from the index, if it is proved to be too large.
     fn by_index(&self, most: usize) -> Existence<S> {
         let index = self.index();
         match index.proved && index.dimension > most {
@@ -143,7 +147,7 @@ impl<S: GroundField> StructureTheory<S> {
     /// Generators of the polynomial Casimir functions up to a degree, in `mu_i = mu(e_i)`.
     ///
     /// # Errors
-    /// As [`LiePoisson::casimir_generators`].
+    /// Those of [`LiePoisson::casimir_generators`].
     pub fn casimirs(&self, most: u32) -> Result<Vec<Symbolic>, Error> {
         let _stage = stage("casimirs");
         let algebra: LieAlgebra<Symbolic> = self.algebra().map(GroundField::symbolic)?;
@@ -162,7 +166,8 @@ fn antisymmetric<S: GroundField>(n: usize, form: &[(usize, S)]) -> Entries<S> {
     form.iter().flat_map(both).collect()
 }
 
-/// The rank modulo a prime of a pseudorandom combination; `None` if the prime divides an entry.
+/// The rank of a pseudorandom combination of matrices modulo a prime; `None` if the prime divides
+/// an entry.
 fn generic_rank<S: GroundField>(prime: Prime, n: usize, family: &[Entries<S>]) -> Option<usize> {
     let reduced: Vec<_> = family.iter().map(|form| residues(prime, form)).collect::<Option<_>>()?;
     let t = PseudoRandom::new(5).vector(prime, family.len());
@@ -195,7 +200,7 @@ enum Found<S> {
     Open,
 }
 
-/// Parameters at which a combination of antisymmetric matrices of size `n` is regular.
+/// Searches parameters at which a combination of antisymmetric matrices of size `n` is nonsingular.
 fn search<S: GroundField>(n: usize, family: &[Entries<S>]) -> Found<S> {
     if n % 2 == 1 || family.is_empty() {
         return if n == 0 { Found::Parameters(vec![]) } else { Found::Nothing };
@@ -206,7 +211,7 @@ fn search<S: GroundField>(n: usize, family: &[Entries<S>]) -> Found<S> {
     if n > MAX_PFAFFIAN {
         return Found::Open;
     }
-    // no parameter of the brackets begins with a space
+    // the parameters of brackets do not begin with a space, so the names cannot collide
     let parameters: Vec<Symbolic> =
         (0..family.len()).map(|at| Symbolic::parameter(&format!(" t{at}"))).collect();
     let mut general = vec![vec![Symbolic::zero(); n]; n];
@@ -237,9 +242,9 @@ pub(super) fn pfaffian(matrix: &[Vec<Symbolic>], rows: &[usize]) -> Symbolic {
     sum
 }
 
-/// Small parameters at which a combination of matrices has a rank: of a few pseudorandom ones, with as many zeros and ones
-/// as the rank allows. The rank modulo a prime is no larger than the rank, so it proves that. Primes that divide an entry are
-/// passed over.
+/// Small parameters at which a combination of matrices has a given rank. They come from a few
+/// pseudorandom ones, with as many zeros and ones as the rank allows. The rank modulo a prime is at
+/// most the rank, so it is a proof. Primes that divide an entry are skipped.
 fn shortened<S: GroundField>(
     family: &[Entries<S>],
     n: usize,

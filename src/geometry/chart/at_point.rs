@@ -1,4 +1,5 @@
-//! Frames at a point, in floats: from closures, and the invariant fields of any Lie algebra in canonical coordinates.
+//! Frames at a point, in floats: of fields given as closures, and of the invariant fields of any
+//! Lie algebra in canonical coordinates.
 
 use super::canonical::invariant_forms;
 use super::series::{Scaling, series};
@@ -18,10 +19,10 @@ fn jets(point: &[f64]) -> Vec<Jet> {
 }
 
 impl LieAlgebra<f64> {
-    /// The invariant forms `f^i = f^i_a dx^a` dual to the fields of
-    /// [`Frame::canonical_at_point`]: `g^-1 dg` (left) or `dg g^-1` (right), slots `[Up, Down]`.
-    /// For the first kind this is `T_left(x)` or `T_right(x)`. They exist also where
-    /// the coordinates are singular.
+    /// The invariant forms `f^i = f^i_a dx^a` dual to the fields of [`Frame::canonical_at_point`]:
+    /// `g^-1 dg` (left) or `dg g^-1` (right), slots `[Up, Down]`. For coordinates of the first kind
+    /// this is `T_left(x)` or `T_right(x)`. The forms also exist where the coordinates are
+    /// singular.
     ///
     /// # Errors
     /// [`Error::Shape`]; [`Error::Overflow`] for points too far from the identity.
@@ -45,7 +46,7 @@ impl Frame<Jet> {
     /// The frame of the fields `e_i = e^a_i(x) d/dx^a` at a point: `fields(x, [a, i])` is the
     /// component `e^a_i` at the coordinates `x`, and is differentiated automatically.
     ///
-    /// Jets carry two derivatives, which suffice for the curvature (B14) of a metric.
+    /// Jets have two derivatives, which suffice for the curvature (B14) of a metric.
     ///
     /// ```
     /// use affinor::{Connection, Frame, Jet, Metric};
@@ -64,8 +65,8 @@ impl Frame<Jet> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Shape`] unless there are as many labels as coordinates; [`Error::SingularBasis`] for
-    /// fields that are dependent at the point.
+    /// [`Error::Shape`] unless there are as many labels as coordinates; [`Error::SingularBasis`]
+    /// for fields that are linearly dependent at the point.
     pub fn at_point(
         labels: impl IntoIterator<Item: AsRef<str>>,
         point: &[f64],
@@ -80,8 +81,8 @@ impl Frame<Jet> {
     }
 
     /// The invariant fields of any algebra at a point in canonical coordinates, with their
-    /// derivatives. [`Chart::invariant_fields`](crate::Chart::invariant_fields) has the closed form,
-    /// where there is one. The series in `ad` are summed near zero and then squared repeatedly.
+    /// derivatives. [`Chart::invariant_fields`](crate::Chart::invariant_fields) gives the closed
+    /// form, if there is one. The series in `ad` are summed near zero and then squared repeatedly.
     ///
     /// ```
     /// use affinor::geometry::chart::{CanonicalCoordinates, Side};
@@ -98,8 +99,8 @@ impl Frame<Jet> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Shape`]; [`Law::RegularPoint`] where the coordinates are singular up to
-    /// rounding; [`Error::Overflow`] for points too far from the identity: numbers out of range, or
+    /// [`Error::Shape`]; [`Law::RegularPoint`] if the coordinates are singular up to rounding
+    /// errors; [`Error::Overflow`] for points too far from the identity: numbers out of range, or
     /// eigenvalues of `ad_x` beyond `2^20`.
     pub fn canonical_at_point(
         algebra: &LieAlgebra<f64>,
@@ -118,8 +119,8 @@ impl Frame<Jet> {
     }
 }
 
-/// A vector on which all forms vanish up to rounding. It is computed in `f64` with a tolerance, not
-/// in jets.
+/// A vector on which all forms vanish up to rounding errors. It is computed in `f64` with a
+/// tolerance, and not in jets.
 fn kernel(
     algebra: &LieAlgebra<f64>,
     kind: CanonicalCoordinates,

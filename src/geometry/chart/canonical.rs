@@ -1,4 +1,4 @@
-//! Canonical coordinates of both kinds: the invariant forms, through functions of `ad`.
+//! Canonical coordinates of both kinds: the invariant forms, computed from functions of `ad`.
 
 use crate::Error;
 use crate::algebra::{ad, to_matrix};
@@ -6,7 +6,7 @@ use affinor_tensors::linear::Matrix;
 use affinor_tensors::{Field, Scalar, Tensor, Up, Variance};
 use std::ops::Range;
 
-/// The translations under which fields are invariant.
+/// The side of the translations under which fields are invariant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Side {
     /// Left-invariant fields: structure constants `c`.
@@ -16,7 +16,7 @@ pub enum Side {
 }
 
 impl Side {
-    /// `-ad` for the left side, `ad` for the right side.
+    /// The matrix `-ad` for the left side, `ad` for the right side.
     pub(super) fn signed<S: Scalar>(self, ad: &Matrix<S>) -> Matrix<S> {
         match self {
             Side::Left => ad.map(|value| -value.clone()),
@@ -37,17 +37,17 @@ pub enum CanonicalCoordinates {
 /// An entire function of a matrix.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Entire {
-    /// `e^z`.
+    /// The exponential `e^z`.
     Exponential,
-    /// `(e^z - 1)/z`.
+    /// The integral of the exponential, `(e^z - 1)/z`.
     Integral,
 }
 
 /// The forms `g^-1 dg` (left) or `dg g^-1` (right), slots `[Up, Down]`, by the formulas of
 /// [`Chart::invariant_fields`](super::Chart::invariant_fields).
 ///
-/// `value(function, ad, at)` is the function of `-ad` (left) or `ad` (right). `ad` depends on the
-/// coordinates in the range `at`.
+/// `value(function, ad, at)` returns the function of `-ad` (left) or `ad` (right). `ad` depends on
+/// the coordinates in the range `at`.
 pub(super) fn invariant_forms<S: Field + Scalar>(
     structure: &Tensor<S>,
     x: &[S],
@@ -56,7 +56,7 @@ pub(super) fn invariant_forms<S: Field + Scalar>(
     value: impl Fn(Entire, &Matrix<S>, Range<usize>) -> Result<Matrix<S>, Error>,
 ) -> Result<Tensor<S>, Error> {
     let n = x.len();
-    // checks the dimension, too
+    // this also checks the dimension
     let ad_x = to_matrix(&ad(structure, x)?);
     let forms = match kind {
         CanonicalCoordinates::First => value(Entire::Integral, &ad_x, 0..n)?,

@@ -1,9 +1,9 @@
 //! Eigenvalues that are linear forms of the coordinates.
 //!
-//! Where the eigenvalues of a matrix `M(x)`, linear in `x`, are forms `a(x) + ib(x)` with integer
-//! coefficients, the coefficients of `x^c` are an eigenvalue of `M(e_c)`. So the forms are found
-//! one coordinate after the other, as roots of the minimal polynomial of `M` at generic points. The caller must
-//! prove that the polynomial annihilates `M` everywhere.
+//! Let the eigenvalues of a matrix `M(x)`, linear in `x`, be forms `a(x) + ib(x)` with integer
+//! coefficients. Then the coefficients of `x^c` are an eigenvalue of `M(e_c)`. The forms are
+//! therefore found one coordinate after the other, as roots of the minimal polynomial of `M` at
+//! generic points. The caller must prove that the polynomial annihilates `M` everywhere.
 
 use crate::{Error, Law};
 use affinor_tensors::linear::Matrix;
@@ -17,11 +17,11 @@ const LARGEST: i64 = 12;
 /// The largest degree of a minimal polynomial.
 const DEGREE: usize = 100;
 
-/// The largest number of matrix entries; the matrix of E8 would take hours.
+/// The largest number of matrix entries. For example, the matrix of E8 would take hours.
 const ENTRIES: usize = 1000;
 
-/// An eigenvalue `a(x) + ib(x)`, one of each conjugate pair, with its multiplicity in the minimal
-/// polynomial.
+/// An eigenvalue `a(x) + ib(x)`, with its multiplicity in the minimal polynomial. It represents a
+/// conjugate pair.
 #[derive(Clone, Debug)]
 pub(super) struct Eigenvalue {
     /// The coefficients of `a` and `b`.
@@ -46,7 +46,7 @@ impl Eigenvalue {
         self
     }
 
-    /// `a(x)` and `b(x)`.
+    /// The values of `a(x)` and `b(x)`.
     pub(super) fn at(&self, x: &[Symbolic]) -> [Symbolic; 2] {
         [0, 1].map(|part| {
             let terms = self.form.iter().zip(x).filter(|(c, _)| c[part] != 0);
@@ -56,7 +56,7 @@ impl Eigenvalue {
         })
     }
 
-    /// `z - a`, or `(z - a)^2 + b^2`; the constant first.
+    /// The real factor of the eigenvalue, `z - a` or `(z - a)^2 + b^2`; the constant first.
     pub(super) fn factor(&self, x: &[Symbolic]) -> Vec<Symbolic> {
         let [a, b] = self.at(x);
         match b.vanishes() {
@@ -69,8 +69,8 @@ impl Eigenvalue {
     }
 }
 
-/// The eigenvalues of a matrix that is linear in the coordinates; `labels` name the vectors whose
-/// `ad` it is.
+/// The eigenvalues of a matrix that is linear in the coordinates. `labels` name the vectors whose
+/// `ad` is the matrix.
 pub(super) fn eigenvalues(
     m: &Matrix<Symbolic>,
     coordinates: &[String],
@@ -128,7 +128,8 @@ pub(super) fn eigenvalues(
     Ok(found)
 }
 
-/// The error for a minimal polynomial of `ad_vector` whose roots are not such forms.
+/// The error for a minimal polynomial of `ad_vector` whose roots are not linear forms with integer
+/// coefficients.
 pub(super) fn refusal(vector: &str, polynomial: &[Symbolic]) -> Error {
     let terms = polynomial.iter().enumerate().rev().map(|(j, a)| match j {
         0 => (a.clone(), "1".to_string()),
@@ -144,14 +145,14 @@ fn without_pattern() -> impl Iterator<Item = i64> {
     std::iter::successors(Some(1), |k| Some((101 * k + 1) % 1_000_003))
 }
 
-/// The minimal polynomial, the constant first: the least common multiple of those of the basis
-/// vectors.
+/// The minimal polynomial, the constant first. It is the least common multiple of the annihilating
+/// polynomials of the basis vectors.
 fn minimal(m: &Matrix<Symbolic>) -> Result<Vec<Symbolic>, Error> {
     let image = |v: &[Symbolic]| m.apply(v).expect("a square matrix");
     let mut minimal = vec![Symbolic::one()];
     for i in 0..m.rows() {
         let unit: Vec<_> = (0..m.rows()).map(|j| Symbolic::from_i64(i64::from(i == j))).collect();
-        // the polynomial so far, applied to the vector by Horner's rule
+        // applies the polynomial found so far to the vector, by Horner's rule
         let rest = minimal.iter().rev().fold(vec![Symbolic::zero(); m.rows()], |sum, c| {
             let terms = image(&sum).into_iter().zip(&unit);
             terms.map(|(value, e)| value + &(e.clone() * c)).collect()
@@ -190,7 +191,8 @@ pub(super) fn multiplied(p: &[Symbolic], q: &[Symbolic]) -> Vec<Symbolic> {
     product
 }
 
-/// The quotient by a polynomial with leading coefficient 1, if it divides; the constant first.
+/// The quotient by a polynomial with leading coefficient 1, the constant first; `None` if there is
+/// a remainder.
 fn divided(polynomial: &[Symbolic], factor: &[Symbolic]) -> Option<Vec<Symbolic>> {
     let degree = factor.len() - 1;
     let mut rest = polynomial.to_vec();

@@ -1,10 +1,10 @@
 //! `exp` of a matrix and its integral, in closed form.
 //!
-//! With a polynomial `mu` of degree `d` that annihilates `M`, `exp(sM)` is `sum f_j(s) M^j`,
-//! `j < d`, where the `f_j` solve `mu(d/ds) f = 0` and the `i`-th derivative of `f_j` at 0 is 1 for
-//! `i = j < d` and 0 for other `i < d`. The solutions are spanned by `s^p e^(as) cos(bs)` and
-//! `s^p e^(as) sin(bs)` for the roots `a + ib` of `mu`: I. E. Leonard, *SIAM Review* 38 (1996)
-//! 507-512. Here `a` and `b` are linear forms of the coordinates.
+//! Let a polynomial `mu` of degree `d` annihilate `M`. Then `exp(sM)` is `sum f_j(s) M^j`, `j < d`,
+//! where the `f_j` solve `mu(d/ds) f = 0`, and for `i < d` the `i`-th derivative of `f_j` at 0 is 1
+//! if `i = j` and 0 otherwise. The solutions are spanned by `s^p e^(as) cos(bs)` and `s^p e^(as)
+//! sin(bs)` for the roots `a + ib` of `mu`: I. E. Leonard, *SIAM Review* 38 (1996) 507-512. Here
+//! `a` and `b` are linear forms of the coordinates.
 
 use super::canonical::{Entire, Side};
 use super::eigenvalues::{Eigenvalue, eigenvalues, multiplied, refusal};
@@ -43,11 +43,12 @@ pub(super) fn closed_form(
             .zip(coefficients)
             .try_fold(zero, |sum, (power, f)| sum.add(&power.map(|value| value.clone() * f)))
     };
-    // the roots were found at sample points: this proves them for all x
+    // the roots were found at sample points; this proves that mu annihilates M for all x
     if at_m(&mu)?.entries().next().is_some() {
         return Err(refusal("x", &mu));
     }
-    // with f the remainder of e^z by z mu, (f - 1)/z is that of the integral by mu
+    // if f is the remainder of e^z modulo z mu, then (f - 1)/z is the remainder of the integral
+    // modulo mu
     let skipped = match function {
         Entire::Exponential => 0,
         Entire::Integral => {
@@ -62,8 +63,8 @@ pub(super) fn closed_form(
     Ok(at_m(&remainder[skipped..])?)
 }
 
-/// The remainder of `e^z` by the polynomial with these roots: the `f_j` at `s = 1`; `None` for a
-/// form without a known exponential.
+/// The remainder of `e^z` modulo the polynomial with these roots, which consists of the `f_j` at `s
+/// = 1`. `None` for a form without a known exponential.
 fn remainder(roots: &[Eigenvalue], x: &[Symbolic]) -> Option<Vec<Symbolic>> {
     let parts = |root: &Eigenvalue| if root.at(x)[1].vanishes() { 1 } else { 2 };
     let degree = roots.iter().map(|root| root.multiplicity * parts(root)).sum();
@@ -72,7 +73,7 @@ fn remainder(roots: &[Eigenvalue], x: &[Symbolic]) -> Option<Vec<Symbolic>> {
         let [a, b] = root.at(x);
         let mut growth = Symbolic::function("exp", &a).ok()?;
         let waves = ["cos", "sin"].map(|wave| Symbolic::function(wave, &b));
-        // of s^p/p! e^((a+ib)s) at 0: real and imaginary parts
+        // the derivatives of s^p/p! e^((a+ib)s) at 0: real and imaginary parts
         let mut before = vec![[Symbolic::zero(), Symbolic::zero()]; degree];
         for p in 0..root.multiplicity {
             let first = if p == 0 { Symbolic::one() } else { Symbolic::zero() };

@@ -18,10 +18,11 @@ impl Chart {
     /// ```
     ///
     /// S. Helgason, *Differential Geometry, Lie Groups, and Symmetric Spaces* (1978), II.1. The
-    /// closed form exists if the eigenvalues `a + ib` of `ad_x` (of each `x^m ad_m` for the second
-    /// kind) are linear forms of the coordinates with small integer coefficients. For others, such as
-    /// `i|x|` of so(3), [`Frame::canonical_at_point`](crate::Frame::canonical_at_point) computes the
-    /// fields in floats. At removable singularities, such as `(exp(x) - 1)/x` at 0, take the limit.
+    /// closed form exists if the eigenvalues `a + ib` of `ad_x` (for the second kind, of each `x^m
+    /// ad_m`) are linear forms of the coordinates with small integer coefficients. If they are not,
+    /// such as `i|x|` of so(3), [`Frame::canonical_at_point`](crate::Frame::canonical_at_point)
+    /// computes the fields in floats. At removable singularities, such as `(exp(x) - 1)/x` at 0,
+    /// take the limit.
     ///
     /// ```
     /// use affinor::geometry::chart::{CanonicalCoordinates, Chart, Side};
@@ -43,9 +44,9 @@ impl Chart {
     /// ```
     ///
     /// # Errors
-    /// [`Law::Eigenvalues`](crate::Law::Eigenvalues) for eigenvalues that are not such forms; [`Error::Size`] for too many of
-    /// them; [`Error::Shape`], and [`Error::Name`] for one that is a parameter of the
-    /// algebra.
+    /// [`Law::Eigenvalues`](crate::Law::Eigenvalues) for eigenvalues without this form;
+    /// [`Error::Size`] for too many eigenvalues; [`Error::Shape`]; [`Error::Name`] for a coordinate
+    /// that is also a parameter of the algebra.
     pub fn invariant_fields(
         &self,
         algebra: &LieAlgebra<Symbolic>,

@@ -5,11 +5,11 @@ use crate::Error;
 use affinor_tensors::linear::{Matrix, balancing};
 use affinor_tensors::{Field, Scalar, Tolerance};
 
-/// The number of terms of the series for a norm of at most 1/2; it suffices for the second
+/// The number of terms of the series for a norm of at most 1/2. It also suffices for the second
 /// derivatives.
 const TERMS: i64 = 20;
 
-/// The largest spectral radius; beyond it the repeated squarings lose too many digits.
+/// The largest spectral radius. For larger ones the repeated squarings lose too much accuracy.
 const LARGEST: f64 = (1 << 20) as f64;
 
 /// The scaling of a matrix for its series.
@@ -26,7 +26,7 @@ impl Scaling {
     pub(super) fn of(m: &Matrix<f64>) -> Result<Self, Error> {
         let norm = |m: &Matrix<f64>| {
             let row = |i: usize| m.row(i).iter().map(|(_, value)| value.abs()).sum::<f64>();
-            // not `max`, which forgets NaN
+            // `max` would ignore NaN
             (0..m.rows()).map(row).fold(0.0, |a, b| if b > a || b.is_nan() { b } else { a })
         };
         let size = norm(m);
@@ -60,7 +60,7 @@ impl Scaling {
     }
 }
 
-/// The entries `m_ik 2^(e_k - e_i)`.
+/// The balanced entries `m_ik 2^(e_k - e_i)`.
 fn conjugated<S: Field + Scalar>(m: &Matrix<S>, exponents: &[i32]) -> Matrix<S> {
     let two = S::from_i64(2);
     let half = two.recip().expect("a field of characteristic 0");
@@ -79,8 +79,8 @@ fn conjugated<S: Field + Scalar>(m: &Matrix<S>, exponents: &[i32]) -> Matrix<S> 
         .with_tolerance(m.tolerance())
 }
 
-/// The function of a matrix: its series for `M/2^h`, doubled by `exp(2M) = exp(M)^2` and
-/// `T(2M) = T(M) (1 + exp(M))/2`, where `T = sum M^k/(k+1)!` is the integral.
+/// The function of a matrix by its series for `M/2^h`, which is then doubled: `exp(2M) = exp(M)^2`
+/// and `T(2M) = T(M) (1 + exp(M))/2`, where `T = sum M^k/(k+1)!` is the integral.
 pub(super) fn series<S: Field + Scalar>(
     function: Entire,
     m: &Matrix<S>,
@@ -114,7 +114,7 @@ pub(super) fn series<S: Field + Scalar>(
 mod tests {
     use super::*;
 
-    /// Of `[[a, b], [0, 0]]` with `b` of any size.
+    /// The functions of `[[a, b], [0, 0]]` are accurate for `b` of any size.
     #[test]
     fn functions_with_long_translations() -> Result<(), Error> {
         let a = 0.5_f64;

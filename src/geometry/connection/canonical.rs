@@ -7,7 +7,7 @@ use affinor_tensors::{Field, Scalar};
 
 /// The three canonical (Cartan-Schouten) connections.
 ///
-/// The paper names them by the opposite invariance, so outputs print both names. All three
+/// The paper names them by the opposite invariance, so outputs contain both names. All three
 /// connections are bi-invariant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CanonicalConnection {
@@ -27,7 +27,7 @@ impl<S: Scalar> Connection<S> {
         Self::in_frame(algebra.left_frame(), lambda)
     }
 
-    /// `Lambda = lambda c` over the structure of any frame.
+    /// The connection `Lambda = lambda c` over the structure of any frame.
     pub fn in_frame(frame: &Frame<S>, lambda: &S) -> Self {
         Connection::unchecked(frame.clone(), frame.structure_functions().scale(lambda))
     }
@@ -38,7 +38,7 @@ impl<S: Field + Scalar> Connection<S> {
     /// or `0` (`Minus`).
     ///
     /// # Panics
-    /// Only for [`CanonicalConnection::Zero`] over a field of characteristic 2, which none of ours is.
+    /// For [`CanonicalConnection::Zero`] over a field of characteristic 2; this package has none.
     pub fn canonical(algebra: &LieAlgebra<S>, which: CanonicalConnection) -> Self {
         Self::cartan_schouten(algebra, &which.lambda())
     }
@@ -48,7 +48,7 @@ impl CanonicalConnection {
     /// The factor in `Lambda = lambda c`.
     ///
     /// # Panics
-    /// As [`Connection::canonical`].
+    /// See [`Connection::canonical`].
     pub fn lambda<S: Field + Scalar>(self) -> S {
         match self {
             CanonicalConnection::Plus => S::one(),

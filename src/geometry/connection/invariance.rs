@@ -11,8 +11,8 @@ impl<S: Scalar> Connection<S> {
     /// `(L_m Lambda)^i_jk = c^i_mp Lambda^p_jk - c^p_mj Lambda^i_pk - c^p_mk Lambda^i_jp`. It is the
     /// covariant derivative by `plus`.
     ///
-    /// Zero exactly when the connection is bi-invariant; all such connections are
-    /// [`bi_invariant`](Self::bi_invariant).
+    /// It vanishes exactly if the connection is bi-invariant; [`bi_invariant`](Self::bi_invariant)
+    /// finds all bi-invariant connections.
     ///
     /// # Errors
     /// [`Error::Unsupported`] in a frame that is not invariant.
@@ -29,9 +29,10 @@ impl<S: Scalar> Connection<S> {
     /// `Lambda_right = Lambda - c`, over the structure `-c`.
     ///
     /// # Errors
-    /// [`Law::AdInvariance`] with a component of [`ad_invariance_defect`](Self::ad_invariance_defect) unless
-    /// that vanishes: then the components in the right-invariant frame are not constant. [`Error::Unsupported`]
-    /// when the connection is not in the left-invariant frame of `algebra`.
+    /// [`Law::AdInvariance`] with a component of
+    /// [`ad_invariance_defect`](Self::ad_invariance_defect) that does not vanish: then the
+    /// components in the right-invariant frame are not constant. [`Error::Unsupported`] if the
+    /// connection is not in the left-invariant frame of `algebra`.
     pub fn in_right_frame(&self, algebra: &LieAlgebra<S>) -> Result<Self, Error> {
         if self.frame.structure_functions() != algebra.structure_constants() {
             return Err(Error::Unsupported(
@@ -51,15 +52,16 @@ impl<S: Scalar> Connection<S> {
 
 impl<S: Field + Scalar> Connection<S> {
     /// A basis of the bi-invariant connections of an algebra, as affinities `Lambda^i_jk` in the
-    /// left-invariant frame: the solutions of `L_x Lambda = 0` for all `x`. Those for some `x` alone are
-    /// [`LieAlgebra::invariant_tensors`].
+    /// left-invariant frame: the solutions of `L_x Lambda = 0` for all `x`. For the solutions for
+    /// some `x` only, see [`LieAlgebra::invariant_tensors`].
     ///
-    /// They form a vector space that contains `c`. On a simple compact group it is spanned by `c`,
-    /// except for SU(n), n >= 3, which has a symmetric solution as well (H. T. Laquer, *Trans. Amer. Math. Soc.* 331
-    /// (1992) 541-551).
+    /// The bi-invariant connections form a vector space that contains `c`. On a simple compact
+    /// group it is spanned by `c`, except for SU(n), n >= 3, which has a symmetric solution as well
+    /// (H. T. Laquer, *Trans. Amer. Math. Soc.* 331 (1992) 541-551).
     ///
     /// # Errors
-    /// [`Error::Size`] beyond [`MAX_UNKNOWNS`](crate::algebra::invariants::MAX_UNKNOWNS) components.
+    /// [`Error::Size`] for more than [`MAX_UNKNOWNS`](crate::algebra::invariants::MAX_UNKNOWNS)
+    /// components.
     pub fn bi_invariant(algebra: &LieAlgebra<S>) -> Result<Vec<Tensor<S>>, Error> {
         let _stage = stage("bi-invariant connections");
         let directions: Vec<_> = algebra.basis().collect();

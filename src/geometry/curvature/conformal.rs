@@ -1,9 +1,9 @@
 //! The tensors of conformal geometry: Schouten, Weyl and Cotton.
 //!
-//! They are meant for a Levi-Civita connection. Its metric is conformally flat exactly where the Weyl
-//! tensor (in dimension 4 and more) or the Cotton tensor (in dimension 3) vanishes: L. P. Eisenhart, *Riemannian Geometry*
-//! (1926), section 28. The same formulas apply to any connection, but only the Weyl tensor
-//! of a Levi-Civita connection is trace-free.
+//! These tensors are meant for a Levi-Civita connection. Its metric is conformally flat exactly
+//! where the Weyl tensor (in dimension 4 and more) or the Cotton tensor (in dimension 3) vanishes:
+//! L. P. Eisenhart, *Riemannian Geometry* (1926), section 28. The same formulas apply to any
+//! connection, but the Weyl tensor is trace-free only for a Levi-Civita connection.
 
 use crate::Error;
 use crate::algebra::frame::formula;
@@ -36,11 +36,11 @@ impl<S: Field + Scalar> Connection<S> {
         Ok(difference.scale(&share(n - 2)?))
     }
 
-    /// The Weyl tensor, slots `^i_jkl`, in dimension 3 and more (where it is zero in dimension 3):
-    /// `W^i_jkl = R^i_jkl - delta^i_k P_jl + delta^i_l P_jk - g_jl P^i_k + g_jk P^i_l`.
+    /// The Weyl tensor, slots `^i_jkl`, in dimension 3 and more: `W^i_jkl = R^i_jkl - delta^i_k
+    /// P_jl + delta^i_l P_jk - g_jl P^i_k + g_jk P^i_l`. In dimension 3 it is zero.
     ///
     /// # Errors
-    /// As [`schouten`](Self::schouten).
+    /// Those of [`schouten`](Self::schouten).
     pub fn weyl(&self, metric: &Metric<S>) -> Result<Tensor<S>, Error> {
         let _stage = stage("weyl");
         let schouten = self.schouten(metric)?;
@@ -62,7 +62,7 @@ impl<S: Field + Scalar> Connection<S> {
     /// `nabla_i W^i_jkl = (n-3) C_jkl`.
     ///
     /// # Errors
-    /// As [`schouten`](Self::schouten).
+    /// Those of [`schouten`](Self::schouten).
     pub fn cotton(&self, metric: &Metric<S>) -> Result<Tensor<S>, Error> {
         let _stage = stage("cotton");
         let nabla = self.nabla(&self.schouten(metric)?)?;

@@ -1,4 +1,5 @@
-//! Tensors and scalars of curvature and metric: Ricci's parts, Einstein, scalar, Kretschmann and sectional curvature.
+//! Tensors and scalars derived from curvature and metric: parts of the Ricci tensor, Einstein
+//! tensor, scalar, Kretschmann and sectional curvature.
 
 use crate::Error;
 use crate::algebra::frame::{expect_slots, formula};
@@ -8,19 +9,21 @@ use affinor_tensors::stop::stage;
 use affinor_tensors::{Field, Scalar, Tensor, TensorError, Up};
 
 impl<S: Field + Scalar> Connection<S> {
-    /// The symmetric part, slots `_jl`: `(Ric_jl + Ric_lj)/2`. It alone enters the scalar curvature.
+    /// The symmetric part, slots `_jl`: `(Ric_jl + Ric_lj)/2`. The scalar curvature depends only on
+    /// it.
     ///
     /// # Errors
-    /// Over a field in which 2 has no inverse.
+    /// Returns an error over a field in which 2 has no inverse.
     pub fn ricci_symmetric(&self) -> Result<Tensor<S>, Error> {
         Ok(self.ricci().symmetrise(&[0, 1])?)
     }
 
-    /// The antisymmetric part, slots `_jl`: `(Ric_jl - Ric_lj)/2`. Zero for a Levi-Civita
-    /// connection; for a torsion-free one it is `R^i_ijl / 2`, by the first Bianchi identity.
+    /// The antisymmetric part, slots `_jl`: `(Ric_jl - Ric_lj)/2`. It vanishes for a Levi-Civita
+    /// connection. For a torsion-free connection it is `R^i_ijl / 2`, by the first Bianchi
+    /// identity.
     ///
     /// # Errors
-    /// As [`ricci_symmetric`](Self::ricci_symmetric).
+    /// Those of [`ricci_symmetric`](Self::ricci_symmetric).
     pub fn ricci_antisymmetric(&self) -> Result<Tensor<S>, Error> {
         Ok(self.ricci().antisymmetrise(&[0, 1])?)
     }
@@ -34,8 +37,8 @@ impl<S: Field + Scalar> Connection<S> {
         metric.trace(&self.ricci())
     }
 
-    /// The Einstein tensor, slots `_jl`: `G_jl = Ric_jl - 1/2 S g_jl`. That of a Levi-Civita
-    /// connection has no divergence.
+    /// The Einstein tensor, slots `_jl`: `G_jl = Ric_jl - 1/2 S g_jl`. For a Levi-Civita connection
+    /// it is divergence-free.
     ///
     /// # Errors
     /// [`Error::Shape`] when the dimensions differ; [`Error::Tensor`] over a field in which 2 has no
@@ -45,8 +48,9 @@ impl<S: Field + Scalar> Connection<S> {
         self.ricci_less_trace(metric, &half)
     }
 
-    /// The trace-free part of the Ricci tensor, slots `_jl`: `Ric_jl - S/n g_jl`. Where it is symmetric, as for a Levi-Civita
-    /// connection, it vanishes exactly if the metric is Einstein.
+    /// The trace-free part of the Ricci tensor, slots `_jl`: `Ric_jl - S/n g_jl`. For a symmetric
+    /// Ricci tensor, such as that of a Levi-Civita connection, it vanishes exactly if the metric is
+    /// Einstein.
     ///
     /// # Errors
     /// [`Error::Shape`] when the dimensions differ; [`Error::Tensor`] over a field in which `n` has no
@@ -57,7 +61,7 @@ impl<S: Field + Scalar> Connection<S> {
         self.ricci_less_trace(metric, &share)
     }
 
-    /// `Ric_jl - share S g_jl`.
+    /// The tensor `Ric_jl - share S g_jl`.
     pub(super) fn ricci_less_trace(
         &self,
         metric: &Metric<S>,
@@ -83,8 +87,8 @@ impl<S: Field + Scalar> Connection<S> {
         Ok(square.to_scalar().expect("a tensor of rank 0"))
     }
 
-    /// The sectional curvature `K(x,y) = g(R(x,y)y, x) / (g(x,x) g(y,y) - g(x,y)^2)`; `None` where
-    /// the plane is degenerate.
+    /// The sectional curvature `K(x,y) = g(R(x,y)y, x) / (g(x,x) g(y,y) - g(x,y)^2)`; `None` if the
+    /// plane is degenerate.
     ///
     /// # Errors
     /// [`Error::Shape`] unless the vectors and the metric have the dimension of the frame.
@@ -105,8 +109,9 @@ impl<S: Field + Scalar> Connection<S> {
             let value = formula("l_j b^j ->", &[("l", &lowered), ("b", b)]);
             value.to_scalar().expect("a tensor of rank 0")
         };
-        // `R(x,x) = 0`, and the area is that of y less a multiple of x: small in thin planes, so that floats keep their digits.
-        // Components decide the multiple, because x may be null
+        // Subtract from y its component along x, which changes neither R(x, y) nor the area. This
+        // avoids cancellation for nearly parallel vectors. The Euclidean product of components is
+        // used, because g(x, x) may be 0.
         let dot = |a: &Tensor<S>| {
             let terms = a.components().map(|(at, value)| x.get(&at) * value);
             terms.fold(S::zero(), |sum, term| sum + &term)
@@ -117,7 +122,7 @@ impl<S: Field + Scalar> Connection<S> {
         };
         let mixed = product(&x, &across);
         let area = product(&x, &x) * &product(&across, &across) - &(mixed.clone() * &mixed);
-        // R(x,y)y, one argument at a time
+        // R(x,y)y, contracted with one argument at a time
         let r = formula("R^i_jkl y^j -> ^i_kl", &[("R", self.curvature()), ("y", &y)]);
         let r = formula("R^i_kl x^k -> ^i_l", &[("R", &r), ("x", &x)]);
         let r = formula("R^i_l y^l -> ^i", &[("R", &r), ("y", &across)]);

@@ -1,4 +1,4 @@
-//! All metrics that are invariant: under both translations, and under a connection.
+//! All metrics that are bi-invariant, or parallel under a connection.
 
 use crate::Error;
 use crate::algebra::LieAlgebra;
@@ -10,8 +10,8 @@ use affinor_tensors::stop::stage;
 use affinor_tensors::{Down, Field, Scalar, Tensor, Up};
 
 impl<S: Field + Scalar> Metric<S> {
-    /// A basis of the bi-invariant symmetric forms `g_ij`, the solutions of `g_mj c^m_ki + g_im c^m_kj = 0`. The
-    /// bi-invariant metrics are those that are not degenerate.
+    /// A basis of the bi-invariant symmetric forms `g_ij`, the solutions of `g_mj c^m_ki + g_im
+    /// c^m_kj = 0`. The bi-invariant metrics are the nondegenerate forms.
     ///
     /// ```
     /// use affinor::algebra::catalogue;
@@ -23,7 +23,8 @@ impl<S: Field + Scalar> Metric<S> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Size`] beyond [`MAX_UNKNOWNS`](crate::algebra::invariants::MAX_UNKNOWNS) components.
+    /// [`Error::Size`] for more than [`MAX_UNKNOWNS`](crate::algebra::invariants::MAX_UNKNOWNS)
+    /// components.
     pub fn bi_invariant_forms(algebra: &LieAlgebra<S>) -> Result<Vec<Tensor<S>>, Error> {
         let _stage = stage("invariant forms");
         let ads = algebra.basis().map(|x| algebra.ad(&x)).collect::<Result<Vec<_>, _>>()?;
@@ -32,8 +33,8 @@ impl<S: Field + Scalar> Metric<S> {
 }
 
 impl<S: Field + Scalar> Connection<S> {
-    /// A basis of the parallel symmetric forms with constant components, `(nabla_k g)_ij = 0`. The left-invariant
-    /// metrics of which this is a metric connection are those that are not degenerate.
+    /// A basis of the parallel symmetric forms with constant components, `(nabla_k g)_ij = 0`. The
+    /// nondegenerate forms are the left-invariant metrics with which the connection is compatible.
     ///
     /// # Errors
     /// [`Error::Unsupported`] in a frame that is not invariant; [`Error::Size`] as for
@@ -57,7 +58,8 @@ impl<S: Field + Scalar> Connection<S> {
     }
 }
 
-/// A basis of the symmetric forms on which all endomorphisms act as zero: with a form its transpose is invariant.
+/// A basis of the symmetric forms that all endomorphisms annihilate. The transpose of an invariant
+/// form is invariant, so symmetric parts suffice.
 fn symmetric_invariants<S: Field + Scalar>(
     n: usize,
     endomorphisms: &[Tensor<S>],

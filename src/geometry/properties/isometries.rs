@@ -11,10 +11,11 @@ use affinor_tensors::stop::stage;
 use affinor_tensors::{Down, Field, Scalar, Tensor, Up};
 
 impl<S: Field + Scalar> Metric<S> {
-    /// The left-invariant fields `x^k e_k` whose flows, right translations, are isometries: a
-    /// reduced basis of the solutions of `x^k (g_mj c^m_ki + g_im c^m_kj) = 0`, so that `ad_x` is
-    /// skew. They form a subalgebra, all of the algebra for a bi-invariant metric. (The
-    /// right-invariant fields are Killing fields of every left-invariant metric.)
+    /// The left-invariant fields `x^k e_k` whose flows, which are right translations, are
+    /// isometries. They are a reduced basis of the solutions of `x^k (g_mj c^m_ki + g_im c^m_kj) =
+    /// 0`, which states that `ad_x` is antisymmetric. They form a subalgebra; for a bi-invariant
+    /// metric it is the whole algebra. (The right-invariant fields are Killing fields of every
+    /// left-invariant metric.)
     ///
     /// # Errors
     /// [`Error::Shape`] when the dimensions differ. [`Error::Linear`] over a ring that is
@@ -41,28 +42,29 @@ impl<S: Field + Scalar> Metric<S> {
         Ok(vanishing(&self.ad_invariance_defect(algebra)?, equation, "kij"))
     }
 
-    /// Whether the metric is naturally reductive with respect to `G x K`, where `G` moves the group
-    /// by left translations and `K` by the right ones that are isometries, whose algebra `k` is
-    /// that of the [`killing_fields`](Self::killing_fields). By `G` alone a metric is naturally
-    /// reductive exactly where it is bi-invariant.
+    /// Whether the metric is naturally reductive with respect to `G x K`. Here `G` acts by left
+    /// translations, and `K` by the right translations that are isometries, with the algebra `k` of
+    /// the [`killing_fields`](Self::killing_fields). With respect to `G` alone, a metric is
+    /// naturally reductive exactly if it is bi-invariant.
     ///
-    /// The isotropy algebra is the diagonal of `k`. Its complements are `{(x + phi(x), phi(x))}` for
-    /// linear maps `phi` of the algebra into `k`. The test looks for one that is invariant under the
-    /// isotropy group and satisfies `g([x,y]_m, z) + g(y, [x,z]_m) = 0`:
+    /// The isotropy algebra is the diagonal of `k`. Its complements are `{(x + phi(x), phi(x))}`
+    /// for linear maps `phi` of the algebra into `k`. The test searches a complement that is
+    /// invariant under the isotropy group and satisfies `g([x,y]_m, z) + g(y, [x,z]_m) = 0`:
     ///
     /// ```text
     /// phi([a,x]) = [a, phi(x)]                                            for a in k
     /// g([x,y],z) + g(y,[x,z]) + g([x,phi(y)],z) + g(y,[x,phi(z)]) = 0
     /// ```
     ///
-    /// These equations are linear in `phi^i_j`, slots `[Up, Down]`, which comes with the property.
-    /// The witness is the first equation of the second kind that contradicts the equations before it.
-    /// A group can be naturally reductive by isometries other than translations; the Heisenberg group
-    /// is. On a compact simple group the test finds all naturally reductive left-invariant metrics: J. E. D'Atri and W. Ziller,
-    /// *Mem. Amer. Math. Soc.* 215 (1979).
+    /// These equations are linear in `phi^i_j`, slots `[Up, Down]`, which is the value of the
+    /// property. The witness is the first equation of the second kind that contradicts earlier
+    /// equations. A group can also be naturally reductive by isometries other than translations,
+    /// for example the Heisenberg group. On a compact simple group the test finds all naturally
+    /// reductive left-invariant metrics: J. E. D'Atri and W. Ziller, *Mem. Amer. Math. Soc.* 215
+    /// (1979).
     ///
     /// # Errors
-    /// As [`killing_fields`](Self::killing_fields).
+    /// Those of [`killing_fields`](Self::killing_fields).
     pub fn naturally_reductive(
         &self,
         algebra: &LieAlgebra<S>,
@@ -72,11 +74,11 @@ impl<S: Field + Scalar> Metric<S> {
         let (g, c) = (self.components(), algebra.structure_constants());
         let variation = self.ad_invariance_defect(algebra)?;
         if variation.is_empty() {
-            // bi-invariant: phi = 0 is a solution
+            // if the metric is bi-invariant, phi = 0 is a solution
             return Ok(Property::Holds(Tensor::zero(n, &[Up, Down])?));
         }
         let fields = self.killing_fields(algebra)?;
-        // k^i_a, the fields in columns, and brackets with them
+        // k^i_a, with the fields as columns, and their brackets
         let entries = fields.iter().enumerate().flat_map(|(a, field)| {
             field.iter().enumerate().map(move |(i, value)| ([i, a], value.clone()))
         });
@@ -85,7 +87,7 @@ impl<S: Field + Scalar> Metric<S> {
         let within = formula("b^i_ma k^m_b -> ^i_ba", &[("b", &by), ("k", &k)]);
         let lowered = formula("g_im b^m_ja -> _ija", &[("g", g), ("b", &by)]);
 
-        // phi(e_i) = phi^a_i k_a: the unknown phi^a_i stands in column a n + i
+        // phi(e_i) = phi^a_i k_a: the unknown phi^a_i has column a n + i
         let ranks = 0..fields.len();
         let unknown = |a: usize, i: usize| a * n + i;
         let mut system = LinearSystem::new(fields.len() * n, variation.tolerance());
@@ -94,7 +96,7 @@ impl<S: Field + Scalar> Metric<S> {
             let image =
                 image.map(|(a, m)| (unknown(a, m), -(by.get(&[m, i, b]) * &k.get(&[q, a]))));
             let bracket = ranks.clone().map(|a| (unknown(a, i), -within.get(&[q, b, a])));
-            // homogeneous equations do not contradict each other
+            // homogeneous equations never contradict each other
             system.add(image.chain(bracket).collect(), S::zero())?;
         }
         for [z, i, j] in triples(n, n, n) {
@@ -117,10 +119,10 @@ impl<S: Field + Scalar> Metric<S> {
     }
 }
 
-/// Linear equations `sum of coefficient * unknown + constant = 0`, in order.
+/// An ordered system of linear equations `sum of coefficient * unknown + constant = 0`.
 struct LinearSystem<S> {
     unknowns: usize,
-    /// The constants stand in the column behind the unknowns.
+    /// The equations as rows; the last column contains the constants.
     span: Echelon<S>,
 }
 
@@ -129,7 +131,7 @@ impl<S: Field + Scalar> LinearSystem<S> {
         LinearSystem { unknowns, span: Echelon::new().with_tolerance(tolerance) }
     }
 
-    /// Adds an equation. If it contradicts the equations before it, returns the remaining constant.
+    /// Adds an equation. If it contradicts the earlier equations, returns the remaining constant.
     fn add(&mut self, mut row: Vec<(usize, S)>, constant: S) -> Result<Option<S>, Error> {
         row.push((self.unknowns, constant));
         let remainder = self.span.reduce(row);
@@ -142,7 +144,7 @@ impl<S: Field + Scalar> LinearSystem<S> {
         }
     }
 
-    /// The solution in which every unknown without a pivot is 0; nonzero values by column.
+    /// The nonzero values, by column, of the solution in which every unknown without a pivot is 0.
     fn solution(&self) -> impl Iterator<Item = (usize, S)> {
         let value = |(pivot, row): (&usize, &Vec<(usize, S)>)| {
             let (at, constant) = row.last()?;

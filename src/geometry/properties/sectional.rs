@@ -1,10 +1,11 @@
 //! The smallest and the largest sectional curvature of a left-invariant metric.
 //!
-//! In three dimensions the plane orthogonal to `n` has the curvature `S/2 - Ric(n,n)/g(n,n)`, so the extremes belong to
-//! eigenvectors of the Ricci endomorphism (J. Milnor, *Adv. Math.* 21 (1976) 293-329, section 4). Elsewhere planes are
-//! searched in floats, from vectors of an orthonormal basis, their sums and differences: for fixed `x` the best `y` is an eigenvector of
-//! `g(R(x,y)y,x)`, then `x` for this `y`, and so on. The plane found is rounded, and its curvature is exact: it differs from that of
-//! the plane found by rounding errors.
+//! In three dimensions the plane orthogonal to `n` has the curvature `S/2 - Ric(n,n)/g(n,n)`, so
+//! the extremes belong to eigenvectors of the Ricci endomorphism (J. Milnor, *Adv. Math.* 21 (1976)
+//! 293-329, section 4). In other dimensions planes are searched in floats, from vectors of an
+//! orthonormal basis, their sums and differences. For fixed `x` the best `y` is an eigenvector of
+//! `g(R(x,y)y,x)`; then `x` is optimized for this `y`, and so on. The resulting plane is rounded to
+//! rational vectors, and its curvature is computed exactly.
 
 use super::Property;
 use crate::Error;
@@ -24,30 +25,32 @@ use polycore::Uni;
 /// The largest dimension in which extremes of the sectional curvature are searched.
 pub const MAX_SEARCHED: usize = 12;
 
-/// How often each plane is improved, at most, and how often the best one.
+/// The largest number of improvements of a plane.
 const ROUNDS: usize = 60;
 const LAST_ROUNDS: usize = 5000;
-/// Planes with pseudorandom vectors with which searches begin as well.
+/// The number of planes with pseudorandom vectors from which the search also starts.
 const RANDOM_STARTS: usize = 40;
-/// The denominators that are tried for the plane, in order; then the last. An error `e` of the plane changes an extreme
-/// curvature by `e^2`, so the last one leaves an error of the order of the rounding errors.
+/// The denominators that are tried for the plane, in order. An error `e` of the plane changes an
+/// extreme curvature by `e^2`, so the last denominator leaves an error of the order of the rounding
+/// errors.
 const DENOMINATORS: [i64; 10] = [1, 2, 3, 4, 5, 6, 8, 10, 12, 100_000_000];
 
-/// The smallest or the largest sectional curvature, with the plane that has it.
+/// The smallest or the largest sectional curvature, with its plane.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Extreme {
-    /// The curvature of the plane, exact.
+    /// The exact curvature of the plane.
     pub curvature: Rational,
     /// Two vectors that span the plane.
     pub plane: [Vec<Rational>; 2],
-    /// Whether no plane has a curvature beyond it. If not, a search found the plane.
+    /// Whether the curvature is proved to be extreme. Otherwise a search found no better plane.
     pub proved: bool,
 }
 
 impl Metric<Rational> {
-    /// The smallest and the largest sectional curvature of the left-invariant metric; `None` for an indefinite metric,
-    /// in dimension 1, and beyond [`MAX_SEARCHED`]. Proved for constant curvature, in dimension 3 where the eigenvalues
-    /// of the Ricci endomorphism are rational, and the bound 0 of a bi-invariant metric, `K = |[x,y]|^2/4` for
+    /// The smallest and the largest sectional curvature of the left-invariant metric. `None` for an
+    /// indefinite metric, in dimension 1, and beyond [`MAX_SEARCHED`]. The extremes are proved for
+    /// constant curvature, and in dimension 3 if the eigenvalues of the Ricci endomorphism are
+    /// rational. Proved is also the bound 0 for a bi-invariant metric, where `K = |[x,y]|^2/4` for
     /// orthonormal `x`, `y`.
     ///
     /// ```
@@ -147,12 +150,13 @@ impl Metric<Rational> {
     }
 }
 
-/// The curvature in floats, in an orthonormal basis of the metric or of its opposite.
+/// The search for planes: the curvature in floats, in an orthonormal basis of the metric or of its
+/// negative.
 struct Search {
     n: usize,
-    /// The vectors of the orthonormal basis, in columns.
+    /// The vectors of the orthonormal basis, as columns.
     basis: DMatrix<f64>,
-    /// `R_ijkl` in that basis, dense.
+    /// The components `R_ijkl` in the orthonormal basis, as a dense list.
     curvature: Vec<f64>,
 }
 
@@ -164,7 +168,8 @@ impl Search {
     ) -> Result<Option<Self>, Error> {
         let n = connection.frame().dimension();
         let float = |value: BigRational| value.to_f64().unwrap_or(f64::NAN);
-        // multiples of the metric or of the structure constants have the same planes: the largest component becomes 1
+        // scaling the metric or the structure constants does not change the planes, so the largest
+        // component is scaled to 1
         let dense = |tensor: &Tensor<Rational>| {
             let exact = tensor.components().map(|(at, value)| (at, BigRational::from(value)));
             let exact: Vec<_> = exact.collect();
@@ -181,7 +186,7 @@ impl Search {
         let Some(cholesky) = gram.cholesky() else { return Ok(None) };
         let Some(basis) = cholesky.l().transpose().try_inverse() else { return Ok(None) };
         let mut curvature = dense(&connection.curvature().lower(0, metric.components())?);
-        // the first index moves to the end, four times
+        // four times, the first index is transformed and moved to the end
         for _ in 0..4 {
             let matrix = DMatrix::from_row_slice(n, n * n * n, &curvature);
             curvature = (matrix.transpose() * &basis).transpose().as_slice().to_vec();
@@ -194,12 +199,13 @@ impl Search {
         Ok(Some(Search { n, basis, curvature }))
     }
 
-    /// The plane found with the largest (`side` 1) or the smallest (-1) curvature.
+    /// The plane with the largest (`side` 1) or the smallest (-1) curvature that is found.
     fn best(&self, side: f64) -> [Vec<Rational>; 2] {
         let mut best: Option<(f64, [DVector<f64>; 2])> = None;
         for plane in self.starts(side) {
             let (value, plane) = self.improved(plane, side, ROUNDS);
-            // a little ahead, so that equal planes are taken in the order of the basis
+            // requires a small advantage, so that of equal planes the first one in the order of the
+            // basis is chosen
             if best.as_ref().is_none_or(|(known, _)| side * (value - known) > 1e-9) {
                 best = Some((value, plane));
             }
@@ -209,8 +215,8 @@ impl Search {
         rounded(&(&self.basis * x), &(&self.basis * y))
     }
 
-    /// Replaces one vector of a plane after the other by the best partner of the other one, until the curvature stays. The
-    /// curvatures are of the order of 1.
+    /// Replaces the vectors of a plane by turns by the best partner of the other one, until the
+    /// curvature does not change. The curvatures are of the order of 1.
     fn improved(
         &self,
         [mut x, mut y]: [DVector<f64>; 2],
@@ -236,8 +242,9 @@ impl Search {
         (value, [x, y])
     }
 
-    /// Pairs of basis vectors; sums and differences of basis vectors, and pseudorandom vectors, with the best partner. Of two basis vectors each
-    /// may be the best partner of the other without the plane being extreme.
+    /// The starting planes: pairs of basis vectors, and sums and differences of basis vectors and
+    /// pseudorandom vectors with their best partners. Two basis vectors may be each other's best
+    /// partners although the plane is not extreme.
     fn starts(&self, side: f64) -> Vec<[DVector<f64>; 2]> {
         let n = self.n;
         let unit = |at: usize| DVector::from_fn(n, |row, _| f64::from(u8::from(row == at)));
@@ -261,7 +268,7 @@ impl Search {
         coordinate.chain(with_partner).collect()
     }
 
-    /// `M_jl = R_ijkl x^i x^k`, symmetric.
+    /// The symmetric matrix `M_jl = R_ijkl x^i x^k`.
     fn form(&self, x: &DVector<f64>) -> DMatrix<f64> {
         let n = self.n;
         let entry = |j: usize, l: usize| {
@@ -277,7 +284,7 @@ impl Search {
         y.dot(&(self.form(x) * y))
     }
 
-    /// The unit vector orthogonal to `x` that makes the curvature extreme.
+    /// The unit vector orthogonal to `x` for which the curvature is extreme.
     fn partner(&self, x: &DVector<f64>, side: f64) -> DVector<f64> {
         let form = self.form(x) * side;
         let shift = 2.0 * form.norm() + 1e-3;
@@ -286,10 +293,10 @@ impl Search {
     }
 }
 
-/// Rational vectors near a plane: two components are 1 and 0, the others rounded.
+/// Rational vectors that approximate a plane: two components are 1 and 0, the others are rounded.
 fn rounded(x: &DVector<f64>, y: &DVector<f64>) -> [Vec<Rational>; 2] {
     let n = x.len();
-    // the pair of components with the largest minor
+    // the pair of components with the largest minor becomes 1 and 0
     let minor = |i: usize, j: usize| x[i] * y[j] - x[j] * y[i];
     let pairs = (0..n).flat_map(|i| (i + 1..n).map(move |j| (i, j)));
     let larger = |a: &(usize, usize), b: &(usize, usize)| {

@@ -20,12 +20,12 @@ pub struct Soliton<S> {
 }
 
 impl<S: Field + Scalar> Metric<S> {
-    /// Whether the left-invariant metric is an algebraic Ricci soliton: whether the Ricci
-    /// endomorphism `Ric^i_j = g^im Ric_mj` is `c Id + D` with a derivation `D` of the algebra.
+    /// Whether the left-invariant metric is an algebraic Ricci soliton: the Ricci endomorphism
+    /// `Ric^i_j = g^im Ric_mj` is `c Id + D` with a derivation `D` of the algebra.
     ///
     /// Over a nilpotent algebra these are the nilsolitons (J. Lauret, *Math. Ann.* 319 (2001)
-    /// 715-733), over a solvable one the solvsolitons. With `D = 0` the metric is Einstein. Over
-    /// an abelian algebra, where every `c` fits, it is 0.
+    /// 715-733), over a solvable one the solvsolitons. If `D = 0`, the metric is Einstein. Over an
+    /// abelian algebra, where every `c` is possible, it is 0.
     ///
     /// # Errors
     /// [`Error::Shape`] when the dimensions differ.
@@ -34,7 +34,7 @@ impl<S: Field + Scalar> Metric<S> {
         let levi_civita = Connection::levi_civita(algebra.left_frame(), self)?;
         let ricci = levi_civita.ricci().raise(0, self.inverse())?;
         let c = algebra.structure_constants();
-        // the defect of D = Ric - s Id as a derivation is that of Ric plus s c
+        // the defect of D = Ric - s Id as a derivation is the defect of Ric, plus s c
         let defect = formula(
             "D^i_m c^m_jk - c^i_mk D^m_j - c^i_jm D^m_k -> ^i_[jk]",
             &[("D", &ricci), ("c", c)],

@@ -1,4 +1,5 @@
-//! Kernels of SE(3): rows `w, x, y, z, t_1, t_2, t_3` of elements, `w, u` of vectors, and matrices row by row.
+//! Kernels of SE(3). Elements are rows `w, x, y, z, t_1, t_2, t_3`, vectors `w, u`, and matrices
+//! are listed row by row.
 
 use super::rotations::{
     Jacobian, ORTHOGONAL, assembled, combination, cross, defect, dot, element, jacobian,
@@ -28,17 +29,17 @@ pub struct InverseMotion;
 /// Rigid motions as matrices.
 #[derive(Clone, Copy, Debug)]
 pub struct MotionMatrix;
-/// Moved points.
+/// The image of a point under a rigid motion.
 #[derive(Clone, Copy, Debug)]
 pub struct MovedPoint;
 /// The matrices of `Ad_g`.
 #[derive(Clone, Copy, Debug)]
 pub struct MotionAdjoint;
-/// Rigid motions of matrices; they are checked if the flag is set.
+/// Rigid motions from matrices; the matrices are checked if the flag is set.
 #[derive(Clone, Copy, Debug)]
 pub struct MotionOfMatrix(pub bool);
 
-/// The first and the last numbers of a row.
+/// Splits a row into its first and its last numbers.
 #[inline(always)]
 fn split<T: Lane, const N: usize, const A: usize, const B: usize>(row: [T; N]) -> ([T; A], [T; B]) {
     (from_fn(|i| row[i]), from_fn(|i| row[A + i]))
@@ -69,7 +70,7 @@ fn row(g: &Isometry3<f64>) -> [f64; 7] {
     [q.w, q.i, q.j, q.k, t.x, t.y, t.z]
 }
 
-/// Four blocks of 3 x 3 as a matrix of 6 x 6, of which the upper right one is zero.
+/// A 6 x 6 matrix of three 3 x 3 blocks; the upper right block is zero.
 #[inline(always)]
 fn lower_triangular<T: Lane>(first: &[T; 9], below: &[T; 9], last: &[T; 9]) -> [T; 36] {
     let mut all = [T::splat(0.0); 36];
@@ -84,7 +85,7 @@ fn lower_triangular<T: Lane>(first: &[T; 9], below: &[T; 9], last: &[T; 9]) -> [
 }
 
 impl Formula<6, 0, 7> for MotionExp {
-    /// Where the series of the half angle holds.
+    /// The series of the half angle is accurate below this limit.
     const LIMIT: f64 = 4.0 * NEAR;
     const SIDE_BY_SIDE: bool = true;
 
@@ -106,7 +107,7 @@ impl Formula<6, 0, 7> for MotionExp {
 }
 
 impl Formula<7, 0, 6> for MotionLog {
-    /// Where the length of the quaternion is 1.
+    /// The length of the quaternion counts as 1 below this limit.
     const LIMIT: f64 = 1e-8;
     const SIDE_BY_SIDE: bool = true;
 
@@ -207,7 +208,7 @@ impl Formula<16, 0, 7> for MotionOfMatrix {
     }
 }
 
-/// `[[J, 0], [Q, J]]`, where `Q` is the derivative of `J` at `w` along `u`.
+/// The matrix `[[J, 0], [Q, J]]`, where `Q` is the derivative of `J` at `w` along `u`.
 impl Formula<6, 0, 36> for Jacobian {
     const LIMIT: f64 = SERIES;
     const SIDE_BY_SIDE: bool = true;

@@ -1,4 +1,4 @@
-//! Kernels of SO(3): quaternions `w, x, y, z`, matrices row by row.
+//! Kernels of SO(3). Elements are quaternions `w, x, y, z`, and matrices are listed row by row.
 
 use super::rows::Formula;
 use crate::Error;
@@ -9,7 +9,7 @@ use crate::numerics::lanes::Lane;
 use crate::numerics::stumpff::{self, SERIES};
 use nalgebra::{DMatrix, Matrix3, Quaternion, UnitQuaternion, Vector3};
 
-/// Elements as rotation matrices.
+/// The rotation matrices of elements.
 #[derive(Clone, Copy, Debug)]
 pub struct RotationMatrix;
 /// Rotated points.
@@ -18,14 +18,15 @@ pub struct RotatedPoint;
 /// Inverse rotations.
 #[derive(Clone, Copy, Debug)]
 pub struct InverseRotation;
-/// Rotations of matrices; they are checked if the flag is set.
+/// Rotations from matrices; the matrices are checked if the flag is set.
 #[derive(Clone, Copy, Debug)]
 pub struct RotationOfMatrix(pub bool);
 /// A Jacobian matrix of exp, or its inverse.
 #[derive(Clone, Copy, Debug)]
 pub struct Jacobian(pub JacobianKind);
 
-/// The side of a Jacobian of exp, and whether it is inverted: `exp(x + dx) = exp(J_left dx + ..) exp(x) = exp(x) exp(J_right dx + ..)`.
+/// The side of a Jacobian of exp, and whether it is inverted: `exp(x + dx) = exp(J_left dx + ...)
+/// exp(x) = exp(x) exp(J_right dx + ...)`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum JacobianKind {
     /// [`LieGroup::jacobian_left`].
@@ -39,7 +40,7 @@ pub enum JacobianKind {
 }
 
 impl JacobianKind {
-    /// 1 on the left, -1 on the right.
+    /// The sign 1 for the left side, -1 for the right side.
     #[inline(always)]
     pub(super) fn sign(self) -> f64 {
         if matches!(self, JacobianKind::Left | JacobianKind::LeftInverse) { 1.0 } else { -1.0 }
@@ -50,10 +51,10 @@ impl JacobianKind {
         matches!(self, JacobianKind::LeftInverse | JacobianKind::RightInverse)
     }
 
-    /// The matrix in a group.
+    /// The Jacobian matrix in a group.
     ///
     /// # Errors
-    /// As [`LieGroup::tangent_left_inverse`] for an inverse.
+    /// Those of [`LieGroup::tangent_left_inverse`], for an inverse.
     pub fn of<G: LieGroup>(
         self,
         group: &G,
@@ -68,7 +69,7 @@ impl JacobianKind {
     }
 }
 
-/// The matrix times a vector.
+/// The product of the matrix and a vector.
 #[inline(always)]
 pub(super) fn times<T: Lane>(m: &[T; 9], [x, y, z]: [T; 3]) -> [T; 3] {
     [m[0] * x + m[1] * y + m[2] * z, m[3] * x + m[4] * y + m[5] * z, m[6] * x + m[7] * y + m[8] * z]
@@ -84,7 +85,7 @@ pub(super) fn cross<T: Lane>(a: [T; 3], b: [T; 3]) -> [T; 3] {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
-/// `a + b + c` of vectors with factors.
+/// A linear combination of three vectors.
 #[inline(always)]
 pub(super) fn combination<T: Lane, const N: usize>(terms: [(T, [T; 3]); N]) -> [T; 3] {
     let mut sum = [T::splat(0.0); 3];
@@ -96,7 +97,7 @@ pub(super) fn combination<T: Lane, const N: usize>(terms: [(T, [T; 3]); N]) -> [
     sum
 }
 
-/// `d 1 + s spin(v) + p w w^T + m (w v^T + v w^T)` by its entries, row by row.
+/// The matrix `d 1 + s spin(v) + p w w^T + m (w v^T + v w^T)`, row by row.
 #[inline(always)]
 pub(super) fn assembled<T: Lane>(
     diagonal: T,
@@ -131,13 +132,14 @@ pub(super) fn scaled<T: Lane>(factor: T, [x, y, z]: [T; 3]) -> [T; 3] {
     [factor * x, factor * y, factor * z]
 }
 
-/// `c_1 1 + s c_2 spin(w) + c_3 w w^T`, the left Jacobian for `s = 1`, and `|w|^2`.
+/// The matrix `c_1 1 + s c_2 spin(w) + c_3 w w^T`, which is the left Jacobian for `s = 1`, and
+/// `|w|^2`.
 #[inline(always)]
 pub(super) fn jacobian<T: Lane>(w: [T; 3], sign: f64, c: &stumpff::Series<T>) -> [T; 9] {
     assembled(c.c1, scaled(T::splat(sign) * c.c2, w), c.c3, w, None)
 }
 
-/// `(1 - d |w|^2) 1 - s/2 spin(w) + d w w^T`, its inverse.
+/// The inverse Jacobian, `(1 - d |w|^2) 1 - s/2 spin(w) + d w w^T`.
 #[inline(always)]
 pub(super) fn jacobian_inverse<T: Lane>(w: [T; 3], sign: f64, z: T, d: T) -> [T; 9] {
     assembled(T::splat(1.0) - d * z, scaled(T::splat(-0.5 * sign), w), d, w, None)
@@ -152,7 +154,7 @@ pub(super) fn quaternion<T: Lane>(r: &[T; 9]) -> [T; 4] {
     q.map(|component| component * unit)
 }
 
-/// The largest entry of `|R^T R - 1|`; 1 and more for reflections.
+/// The largest entry of `|R^T R - 1|`; at least 1 for reflections.
 #[inline(always)]
 pub(super) fn defect<T: Lane>(r: &[T; 9]) -> T {
     let column = |k: usize| [r[k], r[3 + k], r[6 + k]];
@@ -167,7 +169,7 @@ pub(super) fn defect<T: Lane>(r: &[T; 9]) -> T {
     most.larger((dot(cross(column(0), column(1)), column(2)) - one).abs())
 }
 
-/// Matrices with smaller defects need no other check.
+/// The defect below which matrices need no further check.
 pub(super) const ORTHOGONAL: f64 = 1e-9;
 
 impl Formula<4, 0, 9> for RotationMatrix {
@@ -193,7 +195,7 @@ impl Formula<4, 0, 4> for InverseRotation {
 
 impl Formula<9, 0, 4> for RotationOfMatrix {
     const LIMIT: f64 = ORTHOGONAL;
-    // choices of the largest component are hard to predict
+    // branches on the largest component are hard to predict
     const SIDE_BY_SIDE: bool = true;
 
     #[inline(always)]
@@ -229,7 +231,7 @@ impl Formula<3, 0, 9> for Jacobian {
     }
 }
 
-/// The logarithm of a quaternion near length 1, and the distance of the square of its length from 1.
+/// The logarithm of a quaternion of length near 1, and the deviation of its squared length from 1.
 #[inline(always)]
 pub(super) fn log<T: Lane>([w, x, y, z]: [T; 4]) -> ([T; 3], T) {
     let square = x * x + y * y + z * z;

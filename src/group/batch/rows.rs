@@ -1,4 +1,5 @@
-//! A formula on many rows: blocks of rows side by side, and rows outside of its range alone.
+//! Application of a formula to many rows: whole blocks at once, and rows outside the range of the
+//! formula separately.
 
 use crate::Error;
 use crate::numerics::lanes::{LANES, Lane, Lanes};
@@ -15,7 +16,7 @@ pub enum Operand<'a, const N: usize> {
 }
 
 impl<'a, const N: usize> Operand<'a, N> {
-    /// The row of an index.
+    /// The row with an index.
     #[inline(always)]
     fn row(&self, at: usize) -> [f64; N] {
         match self {
@@ -24,7 +25,7 @@ impl<'a, const N: usize> Operand<'a, N> {
         }
     }
 
-    /// A block of rows by columns.
+    /// A block of rows, transposed to columns.
     #[inline(always)]
     fn block(&self, start: usize) -> [Lanes; N] {
         match self {
@@ -42,7 +43,7 @@ impl<'a, const N: usize> Operand<'a, N> {
         }
     }
 
-    /// The rows from one index to another.
+    /// The rows from one index up to another.
     pub fn part(&self, start: usize, end: usize) -> Operand<'a, N> {
         match self {
             Operand::Many(rows) => Operand::Many(&rows[start..end]),
@@ -51,7 +52,7 @@ impl<'a, const N: usize> Operand<'a, N> {
     }
 }
 
-/// An operation on rows of `A` and `B` numbers, whose results are rows of `O` numbers.
+/// An operation on rows of `A` and `B` numbers. Its results are rows of `O` numbers.
 ///
 /// The kernels of this module implement it: [`rotations`](super::rotations) and [`motions`](super::motions).
 pub trait Kernel<const A: usize, const B: usize, const O: usize>: Formula<A, B, O> {}
@@ -60,12 +61,12 @@ impl<const A: usize, const B: usize, const O: usize, K: Formula<A, B, O>> Kernel
 
 /// The formula of a kernel, without branches.
 pub trait Formula<const A: usize, const B: usize, const O: usize> {
-    /// The formula holds where its measure is below this limit.
+    /// The formula is valid if its measure is below this limit.
     #[doc(hidden)]
     const LIMIT: f64 = f64::INFINITY;
 
-    /// Whether rows are computed side by side, by the vector instructions that the processor has. For a formula of a few
-    /// operations the exchange of rows and columns takes longer.
+    /// Whether a block of rows is computed at once, by the vector instructions of the processor.
+    /// For a formula of a few operations the transposition of rows and columns would take longer.
     #[doc(hidden)]
     const SIDE_BY_SIDE: bool = false;
 
@@ -73,10 +74,10 @@ pub trait Formula<const A: usize, const B: usize, const O: usize> {
     #[doc(hidden)]
     fn formula<T: Lane>(&self, a: [T; A], b: [T; B]) -> ([T; O], T);
 
-    /// The result for a row that is out of the range of the formula.
+    /// The result for a row outside the range of the formula.
     ///
     /// # Errors
-    /// For a row without a result.
+    /// The reason why a row has no result.
     #[doc(hidden)]
     fn alone(&self, a: [f64; A], b: [f64; B]) -> Result<[f64; O], Error> {
         Ok(self.formula(a, b).0)
@@ -86,7 +87,7 @@ pub trait Formula<const A: usize, const B: usize, const O: usize> {
 /// The row of a single result.
 ///
 /// # Errors
-/// As the operation on elements.
+/// Those of the operation on elements.
 #[inline]
 pub fn single<const A: usize, const B: usize, const O: usize>(
     kernel: &impl Kernel<A, B, O>,
@@ -102,7 +103,7 @@ fn in_range<const A: usize, const B: usize, const O: usize, K: Formula<A, B, O>>
     measure: f64,
     _: &K,
 ) -> bool {
-    // NaN is out of every range
+    // a NaN is outside every range
     measure < K::LIMIT || K::LIMIT == f64::INFINITY
 }
 

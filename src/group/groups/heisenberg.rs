@@ -7,9 +7,9 @@ use crate::group::{Coordinates, Embedded, LieGroup};
 use nalgebra::allocator::Allocator;
 use nalgebra::{Const, DMatrix, DefaultAllocator, Dim, Dyn, OVector};
 
-/// The Heisenberg group of dimension `n = 2m + 1`, in canonical coordinates `x_1 .. x_m, y_1 .. y_m, z`:
-/// `exp` and `log` are the identity map, and the product is
-/// `(x, y, z)(x', y', z') = (x + x', y + y', z + z' + (x y' - y x')/2)`.
+/// The Heisenberg group of dimension `n = 2m + 1`, in canonical coordinates `x_1 ... x_m, y_1 ...
+/// y_m, z`: `exp` and `log` are the identity map, and the product is `(x, y, z)(x', y', z') = (x +
+/// x', y + y', z + z' + (x y' - y x')/2)`.
 ///
 /// The basis is that of the catalogue's `heisenberg(2m+1)`: `[x_a, y_a] = z`.
 ///
@@ -23,7 +23,8 @@ use nalgebra::{Const, DMatrix, DefaultAllocator, Dim, Dyn, OVector};
 pub struct Heisenberg<D>(D);
 
 impl<const N: usize> Heisenberg<Const<N>> {
-    /// The group of a dimension that is known at compile time. An `N` that is even or below 3 does not compile.
+    /// The group of a dimension that is fixed at compile time. An even `N`, or one below 3, does
+    /// not compile.
     pub const fn new() -> Self {
         const { assert!(N >= 3 && N % 2 == 1, "a Heisenberg group has an odd dimension of at least 3") };
         Heisenberg(Const)
@@ -37,7 +38,7 @@ impl<const N: usize> Default for Heisenberg<Const<N>> {
 }
 
 impl Heisenberg<Dyn> {
-    /// The group of `m` pairs, known at run time.
+    /// The group of `m` pairs, chosen at run time.
     pub fn of_pairs(m: usize) -> Self {
         Heisenberg(Dyn(2 * m + 1))
     }
@@ -84,7 +85,7 @@ where
         Ok(g.clone())
     }
 
-    /// `x + [g, x]`.
+    /// Returns `x + [g, x]`.
     fn adjoint(&self, g: &Self::Element, x: &Self::Vector) -> Self::Vector {
         x + self.bracket(g, x)
     }
@@ -95,7 +96,7 @@ where
         Coordinates::from_fn(2 * m + 1, |i| if i == 2 * m { area() } else { 0.0 })
     }
 
-    /// `[[1, x, z + x y/2], [0, 1, y], [0, 0, 1]]`, of size `m + 2`.
+    /// Returns `[[1, x, z + x y/2], [0, 1, y], [0, 0, 1]]`, of size `m + 2`.
     fn matrix(&self, g: &Self::Element) -> DMatrix<f64> {
         let (m, last) = (self.pairs(), self.pairs() + 1);
         let mut matrix = DMatrix::identity(m + 2, m + 2);
@@ -108,12 +109,12 @@ where
         matrix
     }
 
-    /// `v - [x, v]/2`.
+    /// Returns `v - [x, v]/2`.
     fn tangent_left(&self, x: &Self::Vector, v: &Self::Vector) -> Self::Vector {
         v - self.bracket(x, v) * 0.5
     }
 
-    /// `v + [x, v]/2`.
+    /// Returns `v + [x, v]/2`.
     fn tangent_left_inverse(
         &self,
         x: &Self::Vector,
@@ -130,7 +131,8 @@ where
 {
 }
 
-/// The canonical coordinates, with the rate `v + [g, v]/2`.
+/// The embedding coordinates are the canonical coordinates, with the time derivative `v + [g,
+/// v]/2`.
 impl<D: Dim> Embedded for Heisenberg<D>
 where
     DefaultAllocator: Allocator<D>,
@@ -151,7 +153,7 @@ where
     }
 }
 
-/// The upper triangular matrix.
+/// The written form is the upper triangular matrix.
 impl<D: Dim> MatrixNotation for Heisenberg<D>
 where
     DefaultAllocator: Allocator<D>,

@@ -7,10 +7,12 @@ use crate::group::{Coordinates, Embedded, LieGroup};
 use nalgebra::allocator::Allocator;
 use nalgebra::{Const, DMatrix, DefaultAllocator, Dim, Dyn, OVector};
 
-/// The translations and dilations of `R^n`, `p -> a p + b` with `a > 0`: a group of dimension `N = n + 1`.
+/// The group of translations and dilations of `R^n`, `p -> a p + b` with `a > 0`, of dimension `N =
+/// n + 1`.
 ///
-/// Elements are the list `(a, b_1, .., b_n)`. Vectors are the rate of dilation and the translation, `(w, u_1, .., u_n)`, in the
-/// basis of the catalogue's `hom(n)`: `[d, p_i] = p_i`. With any left-invariant metric it is a hyperbolic space.
+/// Elements are lists `(a, b_1, ..., b_n)`. Vectors are `(w, u_1, ..., u_n)`, the dilation and the
+/// translation, in the basis of the catalogue's `hom(n)`: `[d, p_i] = p_i`. With any left-invariant
+/// metric the group is a hyperbolic space.
 ///
 /// ```
 /// use affinor::group::{Homotheties, LieGroup};
@@ -26,7 +28,8 @@ use nalgebra::{Const, DMatrix, DefaultAllocator, Dim, Dyn, OVector};
 pub struct Homotheties<D>(D);
 
 impl<const N: usize> Homotheties<Const<N>> {
-    /// The group of a dimension that is known at compile time, one more than that of the space. An `N` below 2 does not compile.
+    /// The group of a dimension that is fixed at compile time, one more than the dimension of the
+    /// space. An `N` below 2 does not compile.
     pub const fn new() -> Self {
         const { assert!(N >= 2, "a group of homotheties has a dimension of at least 2") };
         Homotheties(Const)
@@ -40,7 +43,7 @@ impl<const N: usize> Default for Homotheties<Const<N>> {
 }
 
 impl Homotheties<Dyn> {
-    /// The group of `R^n`, known at run time.
+    /// The group of `R^n`, chosen at run time.
     pub fn of_space(n: usize) -> Self {
         Homotheties(Dyn(n + 1))
     }
@@ -51,15 +54,15 @@ where
     DefaultAllocator: Allocator<D>,
     OVector<f64, D>: Coordinates,
 {
-    /// `(first, rest(1), rest(2), ..)`.
+    /// The list `(first, rest(1), rest(2), ...)`.
     fn join(&self, first: f64, rest: impl Fn(usize) -> f64) -> OVector<f64, D> {
         Coordinates::from_fn(self.dimension(), |i| if i == 0 { first } else { rest(i) })
     }
 }
 
-/// Checks the factor of a dilation.
+/// Checks that the factor of a dilation is positive.
 fn expect_positive(what: &'static str, factor: f64) -> Result<(), Error> {
-    // not at most: NaN is refused as well
+    // `>` rejects NaN as well
     let positive = factor > 0.0;
     if positive {
         return Ok(());
@@ -68,15 +71,15 @@ fn expect_positive(what: &'static str, factor: f64) -> Result<(), Error> {
     Err(Error::Invalid { what, reason })
 }
 
-/// `(e^w - 1)/w`.
+/// The function `(e^w - 1)/w`.
 fn phi1(w: f64) -> f64 {
     if w == 0.0 { 1.0 } else { w.exp_m1() / w }
 }
 
-/// `(e^w - 1 - w)/w^2`.
+/// The function `(e^w - 1 - w)/w^2`.
 fn phi2(w: f64) -> f64 {
     if w.abs() < 1.0 {
-        // the difference would lose digits
+        // a series avoids the cancellation in the difference
         return 0.5 * (3..20).rev().fold(1.0, |rest, k| 1.0 + rest * w / f64::from(k));
     }
     (w.exp_m1() - w) / w / w
@@ -98,7 +101,7 @@ where
         self.join(1.0, |_| 0.0)
     }
 
-    /// `(a, b)(a', b') = (a a', b + a b')`.
+    /// Returns `(a, b)(a', b') = (a a', b + a b')`.
     fn compose(&self, g: &Self::Element, h: &Self::Element) -> Self::Element {
         self.join(g[0] * h[0], |i| g[i] + g[0] * h[i])
     }
@@ -107,13 +110,13 @@ where
         self.join(g[0].recip(), |i| -g[i] / g[0])
     }
 
-    /// `(e^w, (e^w - 1)/w u)`.
+    /// Returns `(e^w, (e^w - 1)/w u)`.
     fn exp(&self, x: &Self::Vector) -> Self::Element {
         let factor = phi1(x[0]);
         self.join(x[0].exp(), |i| factor * x[i])
     }
 
-    /// Of every element.
+    /// Every element has a logarithm.
     fn log(&self, g: &Self::Element) -> Result<Self::Vector, Error> {
         expect_positive("logarithm", g[0])?;
         let w = g[0].ln();
@@ -121,7 +124,7 @@ where
         Ok(self.join(w, |i| g[i] / factor))
     }
 
-    /// `(w, a u - w b)`.
+    /// Returns `(w, a u - w b)`.
     fn adjoint(&self, g: &Self::Element, x: &Self::Vector) -> Self::Vector {
         self.join(x[0], |i| g[0] * x[i] - x[0] * g[i])
     }
@@ -130,7 +133,7 @@ where
         self.join(0.0, |i| x[0] * y[i] - y[0] * x[i])
     }
 
-    /// `[[a, b], [0, 1]]`, of size `n + 1`.
+    /// Returns `[[a, b], [0, 1]]`, of size `n + 1`.
     fn matrix(&self, g: &Self::Element) -> DMatrix<f64> {
         let n = self.dimension() - 1;
         let mut matrix = DMatrix::identity(n + 1, n + 1);
@@ -141,20 +144,20 @@ where
         matrix
     }
 
-    /// In closed form: small vectors keep their digits.
+    /// Computed in closed form, which is accurate for short vectors.
     fn log_product(&self, x: &Self::Vector, y: &Self::Vector) -> Result<Self::Vector, Error> {
         let w = x[0] + y[0];
         let (first, second) = (phi1(x[0]), x[0].exp() * phi1(y[0]));
         Ok(self.join(w, |i| (first * x[i] + second * y[i]) / phi1(w)))
     }
 
-    /// In closed form, for `ad_x^2 = w ad_x`.
+    /// Computed in closed form, because `ad_x^2 = w ad_x`.
     fn tangent_left(&self, x: &Self::Vector, v: &Self::Vector) -> Self::Vector {
         let (along, across) = (phi1(-x[0]), phi2(-x[0]) * v[0]);
         self.join(v[0], |i| along * v[i] + across * x[i])
     }
 
-    /// In closed form: `exp` is regular everywhere.
+    /// Computed in closed form; `exp` is regular everywhere.
     fn tangent_left_inverse(
         &self,
         x: &Self::Vector,
@@ -183,7 +186,7 @@ where
     }
 }
 
-/// The list `(a, b)`.
+/// The embedding coordinates are the list `(a, b)`.
 impl<D: Dim> Embedded for Homotheties<D>
 where
     DefaultAllocator: Allocator<D>,
@@ -208,7 +211,7 @@ where
     }
 }
 
-/// The homogeneous matrix of size `n + 1`.
+/// The written form is the homogeneous matrix of size `n + 1`.
 impl<D: Dim> MatrixNotation for Homotheties<D>
 where
     DefaultAllocator: Allocator<D>,

@@ -9,8 +9,9 @@ use affinor_tensors::linear::{Echelon, Matrix};
 use affinor_tensors::{Field, Scalar};
 use nalgebra::{DMatrix, DVector};
 
-/// The simply connected group of a nilpotent algebra, in canonical coordinates of the first kind:
-/// `exp` and `log` are the identity map, and the product is the Baker-Campbell-Hausdorff series, which is finite.
+/// The simply connected group of a nilpotent algebra, in canonical coordinates of the first kind.
+/// `exp` and `log` are the identity map, and the product is the Baker-Campbell-Hausdorff series,
+/// which is finite.
 ///
 /// Over any field the [`product`](Self::product) is exact; over floats the group is a [`LieGroup`].
 ///
@@ -41,7 +42,7 @@ impl<S: Field + Scalar> Nilpotent<S> {
     /// The group of the algebra.
     ///
     /// # Errors
-    /// [`Law::Nilpotent`], naming a vector in every term of the lower central series.
+    /// [`Law::Nilpotent`] with a vector that is in every term of the lower central series.
     pub fn new(algebra: LieAlgebra<S>) -> Result<Self, Error> {
         let class = class(&algebra)?;
         Ok(Nilpotent { algebra, class })
@@ -52,15 +53,15 @@ impl<S: Field + Scalar> Nilpotent<S> {
         &self.algebra
     }
 
-    /// The nilpotency class: brackets of more factors vanish.
+    /// The nilpotency class: brackets of more factors than the class vanish.
     pub fn class(&self) -> usize {
         self.class
     }
 
-    /// `log(exp(x) exp(y))`.
+    /// The product in canonical coordinates, `log(exp(x) exp(y))`.
     ///
     /// # Errors
-    /// As [`LieAlgebra::bch`].
+    /// Those of [`LieAlgebra::bch`].
     pub fn product(&self, x: &[S], y: &[S]) -> Result<Vec<S>, Error> {
         let parts = self.algebra.bch(x, y, self.class)?;
         let zero = vec![S::zero(); self.algebra.dimension()];
@@ -76,7 +77,7 @@ fn class<S: Field + Scalar>(algebra: &LieAlgebra<S>) -> Result<usize, Error> {
     while !term.is_empty() {
         let mut next = Echelon::new().with_tolerance(algebra.structure_constants().tolerance());
         for vector in &term {
-            // brackets span no more than the term before
+            // each term of the series contains the next one, so equal ranks mean equal terms
             if next.rank() == term.len() {
                 break;
             }
@@ -109,7 +110,7 @@ impl Nilpotent<f64> {
     }
 }
 
-/// Sizes are not checked in every call: a vector of another size than the dimension panics or gives a wrong result.
+/// Sizes are not checked in every call: a vector of a wrong size panics or gives a wrong result.
 impl LieGroup for Nilpotent<f64> {
     type Element = DVector<f64>;
     type Vector = DVector<f64>;
@@ -149,7 +150,8 @@ impl LieGroup for Nilpotent<f64> {
         self.ad(x) * y
     }
 
-    /// `Ad_g`. It is not faithful, as it is 1 on the centre; [`Heisenberg`](super::Heisenberg) has a faithful matrix.
+    /// The matrix of `Ad_g`. It is not faithful, because it is 1 on the centre;
+    /// [`Heisenberg`](super::Heisenberg) has a faithful matrix.
     fn matrix(&self, g: &Self::Element) -> DMatrix<f64> {
         exp(&self.ad(g))
     }
@@ -159,7 +161,7 @@ impl LieGroup for Nilpotent<f64> {
         Ok(self.algebra.clone())
     }
 
-    /// The series, which is finite.
+    /// Computed by the series, which is finite.
     fn tangent_left_inverse(
         &self,
         x: &Self::Vector,
@@ -173,7 +175,8 @@ impl LieGroup for Nilpotent<f64> {
 
 impl TranslationSplit for Nilpotent<f64> {}
 
-/// The canonical coordinates `x`, with the rate `T_left(x)^-1 v`.
+/// The embedding coordinates are the canonical coordinates `x`, with the time derivative
+/// `T_left(x)^-1 v`.
 impl Embedded for Nilpotent<f64> {
     type Ambient = DVector<f64>;
 
@@ -186,12 +189,12 @@ impl Embedded for Nilpotent<f64> {
     }
 
     fn rate(&self, g: &Self::Element, v: &Self::Vector) -> DVector<f64> {
-        // the series is finite, and never singular
+        // the series is finite, so no error can occur
         self.tangent_left_inverse(g, v).unwrap_or_else(|_| v * f64::NAN)
     }
 }
 
-/// A column of canonical coordinates.
+/// The written form is a column of canonical coordinates.
 impl MatrixNotation for Nilpotent<f64> {
     fn write(&self, g: &Self::Element) -> DMatrix<f64> {
         column(g)
@@ -205,7 +208,7 @@ impl MatrixNotation for Nilpotent<f64> {
         replace(entries, g.as_slice());
     }
 
-    /// Nothing that does not depend on the element.
+    /// Empty: the derivatives of the written form depend on the element.
     fn generators(&self) -> Vec<DMatrix<f64>> {
         vec![DMatrix::zeros(0, 0); self.dimension()]
     }

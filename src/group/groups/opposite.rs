@@ -1,4 +1,4 @@
-//! The opposite of a group: the same elements, multiplied in the other order.
+//! The opposite of a group: the same elements, multiplied in reverse order.
 
 use crate::group::{
     Block, Embedded, Generator, LieGroup, MatrixNotation, Partial, TranslationSplit,
@@ -8,18 +8,21 @@ use nalgebra::DMatrix;
 
 /// The group with the product `g * h = h g`.
 ///
-/// Its left translations are the right translations of the group, so its left-invariant systems are right-invariant ones:
+/// Its left translations are the right translations of the group. Its left-invariant systems are
+/// therefore right-invariant systems of the group:
 ///
 /// ```text
 /// [x, y]_opp = -[x, y]   Ad_opp(g) = Ad_(g^-1)   T_left_opp = T_right   g' = g * omega = omega g
 /// ```
 ///
-/// while `exp`, `log` and the inverse are those of the group, and `g -> g^-1` is an isomorphism of both. So
-/// [`EulerPoincare`](crate::mechanics::EulerPoincare) on it has as its velocity the spatial one, `omega = g' g^-1`, and its
-/// metric is right-invariant, as that of an ideal fluid is under relabelling; with `plus` and without a torque it keeps the
-/// momentum in the body, which there is called `spatial`.
+/// `exp`, `log` and the inverse are those of the group, and `g -> g^-1` is an isomorphism of both.
+/// [`EulerPoincare`](crate::mechanics::EulerPoincare) on the opposite group has the spatial
+/// velocity `omega = g' g^-1` as its velocity. Its metric is right-invariant, as that of an ideal
+/// fluid is under relabelling. With `plus` and without a torque it conserves the body momentum,
+/// which it calls `spatial`.
 ///
-/// The matrix of an element stays that of the group, so it reverses products: `matrix(g * h) = matrix(h) matrix(g)`.
+/// The matrix of an element is that of the group, so it reverses products: `matrix(g * h) =
+/// matrix(h) matrix(g)`.
 ///
 /// ```
 /// use affinor::group::{LieGroup, Opposite, So3};
@@ -68,12 +71,12 @@ impl<G: LieGroup> LieGroup for Opposite<G> {
         self.0.bracket(y, x)
     }
 
-    /// The matrix of the group, which reverses products.
+    /// The matrix in the original group, which reverses products.
     fn matrix(&self, g: &Self::Element) -> DMatrix<f64> {
         self.0.matrix(g)
     }
 
-    /// The opposite of the algebra of the group.
+    /// The opposite of the algebra of the original group.
     fn algebra(&self) -> Result<LieAlgebra<f64>, Error> {
         Ok(self.0.algebra()?.opposite())
     }
@@ -82,7 +85,7 @@ impl<G: LieGroup> LieGroup for Opposite<G> {
         self.0.project(g)
     }
 
-    /// The product of the group with its factors exchanged.
+    /// The product in the original group, with the factors exchanged.
     fn log_product(&self, x: &Self::Vector, y: &Self::Vector) -> Result<Self::Vector, Error> {
         self.0.log_product(y, x)
     }
@@ -121,12 +124,12 @@ impl<G: TranslationSplit> TranslationSplit for Opposite<G> {
         self.0.translational_momentum(h)
     }
 
-    /// `Ad*_opp(k^-1) h = Ad*_k h`.
+    /// Returns `Ad*_opp(k^-1) h = Ad*_k h`.
     fn coadjoint_inverse(&self, k: &Self::Element, h: &Self::Vector) -> Self::Vector {
         self.0.coadjoint(k, h)
     }
 
-    /// The factor of the group: `exp(y) k = k exp(Ad_(k^-1) y)`.
+    /// The linear part in the original group, because `exp(y) k = k exp(Ad_(k^-1) y)`.
     fn linear_part(&self, g: &Self::Element) -> Self::Element {
         self.0.linear_part(g)
     }
@@ -147,7 +150,7 @@ impl<G: Embedded> Embedded for Opposite<G> {
         self.0.from_coordinates(y)
     }
 
-    /// `v g` of the group.
+    /// The time derivative `v g` in the original group.
     fn rate(&self, g: &Self::Element, v: &Self::Vector) -> Self::Ambient {
         self.0.rate(g, &self.adjoint(g, v))
     }
@@ -174,7 +177,7 @@ impl<G: Embedded> Embedded for Opposite<G> {
     }
 }
 
-/// As elements of the group are written.
+/// Elements are written as in the original group.
 impl<G: MatrixNotation> MatrixNotation for Opposite<G> {
     fn write(&self, g: &Self::Element) -> DMatrix<f64> {
         self.0.write(g)
@@ -208,7 +211,8 @@ impl<G: MatrixNotation> MatrixNotation for Opposite<G> {
         self.0.generators()
     }
 
-    /// The derivatives along `exp(s e_i) g` of the group: `e_i` in its left frame at `g` is `Ad_g^-1 e_i`.
+    /// The derivatives along `exp(s e_i) g` in the original group: `e_i` has the left components
+    /// `Ad_g^-1 e_i` at `g`.
     fn derivatives(
         &self,
         g: &Self::Element,

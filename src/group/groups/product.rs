@@ -6,7 +6,8 @@ use crate::group::{Block, Coordinates, Embedded, Generator, LieGroup, MatrixNota
 use crate::{Error, LieAlgebra};
 use nalgebra::{DMatrix, DVector};
 
-/// The direct product of two groups. Elements are pairs; vectors are those of the first group followed by the second.
+/// The direct product of two groups. Elements are pairs. Vectors are the components of the first
+/// group followed by those of the second.
 ///
 /// ```
 /// use affinor::group::{LieGroup, Product, So3, Translations};
@@ -26,22 +27,22 @@ pub struct Product<G, H>(
 );
 
 impl<G: LieGroup, H: LieGroup> Product<G, H> {
-    /// The two parts of a vector.
+    /// Splits a vector into its two parts.
     ///
     /// # Panics
-    /// If it is shorter than the dimension of the first group.
+    /// If the vector is shorter than the dimension of the first group.
     pub fn split(&self, x: &DVector<f64>) -> (G::Vector, H::Vector) {
         let (first, second) = x.as_slice().split_at(self.0.dimension());
         (G::Vector::from_components(first), H::Vector::from_components(second))
     }
 
-    /// The vector of two parts.
+    /// Joins two parts to a vector.
     pub fn join(&self, first: &G::Vector, second: &H::Vector) -> DVector<f64> {
         let parts = [first.components(), second.components()];
         DVector::from_vec(parts.concat())
     }
 
-    /// The vector of two parts, zero where only one exists; `None` without both.
+    /// Joins two parts to a vector; a missing part is zero. `None` if both are missing.
     fn join_parts(
         &self,
         first: Option<G::Vector>,
@@ -55,7 +56,7 @@ impl<G: LieGroup, H: LieGroup> Product<G, H> {
         Some(self.join(&first, &second))
     }
 
-    /// A map on each part.
+    /// Applies a map to each part of a vector.
     fn map(
         &self,
         v: &DVector<f64>,
@@ -67,7 +68,7 @@ impl<G: LieGroup, H: LieGroup> Product<G, H> {
     }
 }
 
-/// Sizes are not checked in every call: a vector of another size than the dimension panics or gives a wrong result.
+/// Sizes are not checked in every call: a vector of a wrong size panics or gives a wrong result.
 impl<G: LieGroup, H: LieGroup> LieGroup for Product<G, H> {
     type Element = (G::Element, H::Element);
     type Vector = DVector<f64>;
@@ -146,7 +147,7 @@ impl<G: LieGroup, H: LieGroup> LieGroup for Product<G, H> {
         self.map(v, |v| self.0.tangent_left(&x, v), |v| self.1.tangent_left(&x_second, v))
     }
 
-    /// Singular if that of one factor is.
+    /// Returns an error if the operator of one factor is singular.
     fn tangent_left_inverse(
         &self,
         x: &Self::Vector,
@@ -200,7 +201,7 @@ fn block_diagonal(blocks: [DMatrix<f64>; 2]) -> DMatrix<f64> {
     matrix
 }
 
-/// The numbers of the first element, then those of the second.
+/// The embedding coordinates are those of the first element, then those of the second.
 impl<G: Embedded, H: Embedded> Embedded for Product<G, H> {
     type Ambient = DVector<f64>;
 
@@ -251,7 +252,8 @@ impl<G: Embedded, H: Embedded> Embedded for Product<G, H> {
     }
 }
 
-/// One column: the entries of the first element as written, row by row, then those of the second.
+/// The written form is one column: the entries of the written first element, row by row, then those
+/// of the second.
 impl<G: MatrixNotation, H: MatrixNotation> MatrixNotation for Product<G, H> {
     fn write(&self, g: &Self::Element) -> DMatrix<f64> {
         stacked(&self.0.write(&g.0), &self.1.write(&g.1))
@@ -306,7 +308,7 @@ impl<G: MatrixNotation, H: MatrixNotation> MatrixNotation for Product<G, H> {
         self.join(&upper, &self.1.derivatives(&g.1, other.as_slice(), second, &lower))
     }
 
-    /// The larger bound of the factors that have one.
+    /// The larger of the bounds of both factors; a factor without a bound is ignored.
     fn log_rounding(&self, g: &Self::Element, x: &Self::Vector) -> Option<f64> {
         let (x, y) = self.split(x);
         let bounds = [self.0.log_rounding(&g.0, &x), self.1.log_rounding(&g.1, &y)];

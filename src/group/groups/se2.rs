@@ -9,8 +9,8 @@ use nalgebra::{DMatrix, Isometry2, UnitComplex, Vector1, Vector2, Vector3, Vecto
 
 /// The rigid motions of a plane, `p -> R p + t`.
 ///
-/// Elements are nalgebra's `Isometry2<f64>`. Vectors are the angle and the translation, `(w, u_1, u_2)`, in the basis of the catalogue's
-/// `se(2)`: `[e, p1] = p2`, `[e, p2] = -p1`.
+/// Elements are nalgebra's `Isometry2<f64>`. Vectors are the angle and the translation, `(w, u_1,
+/// u_2)`, in the basis of the catalogue's `se(2)`: `[e, p1] = p2`, `[e, p2] = -p1`.
 ///
 /// ```
 /// use affinor::group::{LieGroup, Se2};
@@ -23,7 +23,7 @@ use nalgebra::{DMatrix, Isometry2, UnitComplex, Vector1, Vector2, Vector3, Vecto
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Se2;
 
-/// A quarter turn.
+/// Rotates a vector by a quarter turn.
 fn turned(u: Vector2<f64>) -> Vector2<f64> {
     Vector2::new(-u.y, u.x)
 }
@@ -56,14 +56,14 @@ impl LieGroup for Se2 {
         g.inverse()
     }
 
-    /// The rotation by the angle `w`, and the translation part of `T_right(x) x' = T_right(w) u`.
+    /// The rotation by the angle `w`, with the translation `T_right(w) u`.
     fn exp(&self, x: &Self::Vector) -> Self::Element {
         let turn = join(x[0], Vector2::zeros());
         let end = self.tangent_right(&turn, &join(0.0, translation(x)));
         Isometry2::from_parts(translation(&end).into(), UnitComplex::new(x[0]))
     }
 
-    /// With the angle between `-pi` and `pi`.
+    /// The logarithm with the angle between `-pi` and `pi`.
     fn log(&self, g: &Self::Element) -> Result<Self::Vector, Error> {
         let turn = join(g.rotation.angle(), Vector2::zeros());
         let u = self.tangent_right_inverse(&turn, &join(0.0, g.translation.vector))?;
@@ -83,17 +83,17 @@ impl LieGroup for Se2 {
         join(0.0, turned(translation(y)) * x[0] - turned(translation(x)) * y[0])
     }
 
-    /// Of size 3, homogeneous.
+    /// The homogeneous matrix of size 3.
     fn matrix(&self, g: &Self::Element) -> DMatrix<f64> {
         DMatrix::from_column_slice(3, 3, g.to_homogeneous().as_slice())
     }
 
-    /// In closed form, for `ad_x^3 = -w^2 ad_x`.
+    /// Computed in closed form, because `ad_x^3 = -w^2 ad_x`.
     fn tangent_left(&self, x: &Self::Vector, v: &Self::Vector) -> Self::Vector {
         tangent::cubic(self, |x| x[0] * x[0], x, v)
     }
 
-    /// In closed form.
+    /// Computed in closed form.
     fn tangent_left_inverse(
         &self,
         x: &Self::Vector,
@@ -121,7 +121,7 @@ impl TranslationSplit for Se2 {
     }
 }
 
-/// Cosine and sine, then the translation.
+/// The embedding coordinates are cosine and sine, then the translation.
 impl Embedded for Se2 {
     type Ambient = Vector4<f64>;
 
@@ -137,7 +137,7 @@ impl Embedded for Se2 {
 
     fn rate(&self, g: &Self::Element, v: &Self::Vector) -> Vector4<f64> {
         let turn = So2.rate(&g.rotation, &Vector1::new(v[0]));
-        // the rotation that is meant, so that the path belongs to the momentum
+        // uses the projected rotation, so that the path is consistent with the momentum
         let t = So2.project(g.rotation) * translation(v);
         Vector4::new(turn.x, turn.y, t.x, t.y)
     }
@@ -147,7 +147,7 @@ impl Embedded for Se2 {
     }
 }
 
-/// The homogeneous matrix of size 3; angle and position by names.
+/// The written form is the homogeneous matrix of size 3. Angle and position are named coordinates.
 impl MatrixNotation for Se2 {
     fn read(&self, matrix: &DMatrix<f64>) -> Result<Self::Element, Error> {
         checked(self, matrix, |m| {

@@ -1,12 +1,13 @@
-//! SE_2(3), attitude, velocity and position together.
+//! SE_2(3): attitude, velocity and position together.
 
 use super::semidirect_so3::SemidirectSo3;
 use nalgebra::{SVector, UnitQuaternion, Vector3};
 
 /// The extended poses of inertial navigation: matrices `[[R, v, p], [0, 1]]` of size 5.
 ///
-/// Vectors are `(w, a, u)`: rotation, velocity part and position part. Rotations act on `a` and `u`, which commute. A. Barrau and S. Bonnabel, *IEEE Transactions on Automatic Control* 62
-/// (2017) 1797-1812.
+/// Vectors are `(w, a, u)`: rotation, velocity part and position part. Rotations act on `a` and
+/// `u`, which commute with each other. A. Barrau and S. Bonnabel, *IEEE Transactions on Automatic
+/// Control* 62 (2017) 1797-1812.
 ///
 /// ```
 /// use affinor::group::{LieGroup, Se23};
@@ -21,11 +22,11 @@ pub struct Se23;
 /// An element of [`Se23`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ExtendedPose {
-    /// `R`, body to spatial components.
+    /// The attitude `R`, from body to spatial components.
     pub attitude: UnitQuaternion<f64>,
-    /// `v`, in spatial components.
+    /// The velocity `v`, in spatial components.
     pub velocity: Vector3<f64>,
-    /// `p`, in spatial components.
+    /// The position `p`, in spatial components.
     pub position: Vector3<f64>,
 }
 

@@ -1,7 +1,8 @@
-//! Rotations together with vectors: the common formulas of SE(3) and SE_2(3).
+//! Semidirect products of rotations and vectors: the common formulas of SE(3) and SE_2(3).
 //!
-//! `(w; u_1 .. u_K)` stands for `w + d_1 u_1 + .. + d_K u_K`, so(3) over dual numbers, `d_a d_b = 0`:
-//! each operator of SO(3) acts on `w` and, by its derivative, on the `u_a`. V. Brodsky and M. Shoham, *Mechanism and Machine Theory* 34 (1999) 693-718.
+//! `(w; u_1 ... u_K)` represents `w + d_1 u_1 + ... + d_K u_K`, an element of so(3) over dual
+//! numbers with `d_a d_b = 0`. Each operator of SO(3) acts on `w` and, by its derivative, on the
+//! `u_a`. V. Brodsky and M. Shoham, *Mechanism and Machine Theory* 34 (1999) 693-718.
 
 use crate::Error;
 use crate::group::TranslationSplit;
@@ -12,12 +13,12 @@ use nalgebra::{DMatrix, SVector, UnitQuaternion, Vector3};
 use std::array::from_fn;
 use std::fmt::Debug;
 
-/// A group of rotations `R` of space with `K` vectors `t_a` on which they act:
-/// `(R, t)(R', t') = (R R', t + R t')`. This trait makes it a [`LieGroup`].
+/// A group of rotations `R` of space with `K` vectors `t_a` on which they act: `(R, t)(R', t') = (R
+/// R', t + R t')`. A type with this trait is a [`LieGroup`].
 pub trait SemidirectSo3 {
     /// An element.
     type Pose: Copy + Debug;
-    /// The vectors `[t_1 .. t_K]` of an element.
+    /// The vectors `[t_1 ... t_K]` of an element.
     type Vectors;
     /// The components of an algebra vector: `w`, then the `u_a`.
     type Components;
@@ -26,27 +27,27 @@ pub trait SemidirectSo3 {
     /// The names of the quaternion `w, x, y, z` and of the `t_a`.
     const NAMES: &'static [&'static str];
 
-    /// `R` and the `t_a` of an element.
+    /// The rotation `R` and the vectors `t_a` of an element.
     fn parts(g: &Self::Pose) -> (UnitQuaternion<f64>, Self::Vectors);
 
-    /// The element of `R` and the `t_a`.
+    /// The element with the rotation `R` and the vectors `t_a`.
     fn whole(rotation: UnitQuaternion<f64>, vectors: Self::Vectors) -> Self::Pose;
 }
 
-/// The components of a vector, three by three.
+/// The components of a vector in groups of three.
 #[inline(always)]
 fn split<const N: usize, const K: usize>(x: &SVector<f64, N>) -> (Vector3<f64>, [Vector3<f64>; K]) {
     let part = |at: usize| Vector3::new(x[at], x[at + 1], x[at + 2]);
     (part(0), from_fn(|a| part(3 * a + 3)))
 }
 
-/// The reverse of [`split`].
+/// The inverse of [`split`].
 #[inline(always)]
 fn join<const N: usize, const K: usize>(w: Vector3<f64>, u: [Vector3<f64>; K]) -> SVector<f64, N> {
     SVector::from_fn(|i, _| if i < 3 { w[i] } else { u[i / 3 - 1][i % 3] })
 }
 
-/// Whether the translations are zero, as those of a turn.
+/// Whether all translations are zero, as for a pure rotation.
 #[inline(always)]
 fn are_zero<const K: usize>(u: &[Vector3<f64>; K]) -> bool {
     u.iter().all(|u| *u == Vector3::zeros())
@@ -78,7 +79,7 @@ where
         G::whole(r * q, from_fn(|a| t[a] + r * s[a]))
     }
 
-    /// `(R^-1, -R^-1 t)`.
+    /// Returns `(R^-1, -R^-1 t)`.
     #[inline]
     fn inverse(&self, g: &Self::Element) -> Self::Element {
         let (r, t) = G::parts(g);
@@ -86,7 +87,7 @@ where
         G::whole(back, t.map(|t| -(back * t)))
     }
 
-    /// `R = exp(w)`, `t_a = T_right(w) u_a`.
+    /// Computed by `R = exp(w)`, `t_a = T_right(w) u_a`.
     #[inline]
     fn exp(&self, x: &Self::Vector) -> Self::Element {
         let (w, u) = split::<N, K>(x);
@@ -99,14 +100,14 @@ where
         G::whole(So3.exp(&w), u.map(|u| So3.tangent_right(&w, &u)))
     }
 
-    /// `w = log(R)`, of length at most `pi`, and `u_a = T_right(w)^-1 t_a`.
+    /// Computed by `w = log(R)`, of length at most `pi`, and `u_a = T_right(w)^-1 t_a`.
     fn log(&self, g: &Self::Element) -> Result<Self::Vector, Error> {
         let (r, t) = G::parts(g);
         let w = So3.log(&r)?;
         Ok(join(w, each(&t, |t| So3.tangent_right_inverse(&w, t))?))
     }
 
-    /// `(R w; R u_a + t_a cross R w)`.
+    /// Returns `(R w; R u_a + t_a cross R w)`.
     #[inline]
     fn adjoint(&self, g: &Self::Element, x: &Self::Vector) -> Self::Vector {
         let ((r, t), (w, u)) = (G::parts(g), split::<N, K>(x));
@@ -114,7 +115,7 @@ where
         join(w, from_fn::<_, K, _>(|a| r * u[a] + t[a].cross(&w)))
     }
 
-    /// `Ad* (m; f_a) = (R^T (m + f_a cross t_a); R^T f_a)`.
+    /// Computed by `Ad* (m; f_a) = (R^T (m + f_a cross t_a); R^T f_a)`.
     #[inline]
     fn coadjoint(&self, g: &Self::Element, h: &Self::Vector) -> Self::Vector {
         let ((r, t), (m, f)) = (G::parts(g), split::<N, K>(h));
@@ -123,7 +124,8 @@ where
         join(r.tr_mul(&m), f.map(|f| r.tr_mul(&f)))
     }
 
-    /// As [`coadjoint`](LieGroup::coadjoint), where `R^T (f_a cross t_a) = R^T f_a cross T_left(w) u_a`.
+    /// Like [`coadjoint`](LieGroup::coadjoint), with `R^T (f_a cross t_a) = R^T f_a cross T_left(w)
+    /// u_a`.
     #[inline]
     fn coadjoint_exp(&self, x: &Self::Vector, h: &Self::Vector) -> Self::Vector {
         let ((w, u), (m, f)) = (split::<N, K>(x), split::<N, K>(h));
@@ -141,22 +143,22 @@ where
         G::whole(So3.project(r), t)
     }
 
-    /// `[(w; u_a), (w'; u'_a)] = (w cross w'; w cross u'_a + u_a cross w')`.
+    /// Computed by `[(w; u_a), (w'; u'_a)] = (w cross w'; w cross u'_a + u_a cross w')`.
     #[inline]
     fn bracket(&self, x: &Self::Vector, y: &Self::Vector) -> Self::Vector {
         let ((w, u), (v, s)) = (split::<N, K>(x), split::<N, K>(y));
         join(w.cross(&v), from_fn::<_, K, _>(|a| w.cross(&s[a]) + u[a].cross(&v)))
     }
 
-    /// The homogeneous matrix `[[R, t_1 .. t_K], [0, 1]]`.
+    /// The homogeneous matrix `[[R, t_1 ... t_K], [0, 1]]`.
     fn matrix(&self, g: &Self::Element) -> DMatrix<f64> {
         let mut entries = Vec::new();
         self.entries(g, &mut entries);
         DMatrix::from_vec(3 + K, 3 + K, entries)
     }
 
-    /// `T_left(w; u_a) (v; s_a) = (T_left(w) v; T_left(w) s_a + Q(w, u_a) v)`, where `T_left(w)` is that of [`So3`] and
-    /// `Q` its derivative along `u_a`.
+    /// Computed by `T_left(w; u_a) (v; s_a) = (T_left(w) v; T_left(w) s_a + Q(w, u_a) v)`, where
+    /// `T_left(w)` is the operator of [`So3`] and `Q` its derivative along `u_a`.
     #[inline]
     fn tangent_left(&self, x: &Self::Vector, v: &Self::Vector) -> Self::Vector {
         let ((w, u), (v, s)) = (split::<N, K>(x), split::<N, K>(v));
@@ -164,8 +166,8 @@ where
         join(So3.tangent_left(&w, &v), from_fn::<_, K, _>(lower))
     }
 
-    /// From above to below: `v' = T_left(w)^-1 v`, then `s'_a = T_left(w)^-1 (s_a - Q(w, u_a) v')`. Singular where that
-    /// of [`So3`] is.
+    /// Computed by forward substitution: `v' = T_left(w)^-1 v`, then `s'_a = T_left(w)^-1 (s_a -
+    /// Q(w, u_a) v')`. It is singular where the operator of [`So3`] is.
     #[inline]
     fn tangent_left_inverse(
         &self,
@@ -190,7 +192,7 @@ where
             Coordinates = SVector<f64, M>,
         >,
 {
-    /// `(0; u_a)`.
+    /// Returns `(0; u_a)`.
     #[inline]
     fn translational_part(&self, x: &Self::Vector) -> Option<Self::Vector> {
         Some(join(Vector3::zeros(), split::<N, K>(x).1))
@@ -201,13 +203,13 @@ where
         self.translational_part(h)
     }
 
-    /// `(R, 0)`, for `(R, t_a) = (1, t_a)(R, 0)`.
+    /// Returns `(R, 0)`, because `(R, t_a) = (1, t_a)(R, 0)`.
     #[inline]
     fn linear_part(&self, g: &Self::Element) -> Self::Element {
         G::whole(G::parts(g).0, [Vector3::zeros(); K])
     }
 
-    /// `Ad*_(R^-1, 0) (m; f_a) = (R m; R f_a)`.
+    /// Computed by `Ad*_(R^-1, 0) (m; f_a) = (R m; R f_a)`.
     #[inline]
     fn coadjoint_inverse(&self, turn: &Self::Element, h: &Self::Vector) -> Self::Vector {
         let ((r, _), (m, f)) = (G::parts(turn), split::<N, K>(h));
@@ -215,7 +217,7 @@ where
         join(r * m, f.map(|f| r * f))
     }
 
-    /// `(R^-1 R', 0)`.
+    /// Returns `(R^-1 R', 0)`.
     #[inline]
     fn relative_linear_part(&self, g: &Self::Element, h: &Self::Element) -> Self::Element {
         G::whole(G::parts(g).0.inverse() * G::parts(h).0, [Vector3::zeros(); K])
@@ -226,7 +228,8 @@ where
     }
 }
 
-/// The quaternion of the rotation, then the `t_a`, with the rates `R u_a`.
+/// The embedding coordinates are the quaternion of the rotation, then the `t_a`, with the time
+/// derivatives `R u_a`.
 impl<G, const K: usize, const N: usize, const M: usize> Embedded for G
 where
     G: SemidirectSo3<
@@ -254,7 +257,8 @@ where
         self.rate_at_projected(g, &self.project(*g), v)
     }
 
-    /// The rate of `R`, then `R u_a` with the projected rotation: only then does the path fit the momentum.
+    /// The time derivatives of `R`, then `R u_a` with the projected rotation: only then is the path
+    /// consistent with the momentum.
     #[inline(always)]
     fn rate_at_projected(
         &self,
@@ -276,7 +280,7 @@ where
     }
 }
 
-/// The homogeneous matrix; quaternion and `t_a` by names.
+/// The written form is the homogeneous matrix. The quaternion and the `t_a` are named coordinates.
 impl<G, const K: usize, const N: usize, const M: usize> MatrixNotation for G
 where
     G: SemidirectSo3<
@@ -327,11 +331,12 @@ where
     }
 }
 
-/// `Q(x, p) v = d/de T_left(x + e p) v` at `e = 0`, for
-/// `T_left(x) v = v - c_2 x cross v + c_3 x cross (x cross v)`.
+/// The derivative `Q(x, p) v = d/de T_left(x + e p) v` at `e = 0`, for `T_left(x) v = v - c_2 x
+/// cross v + c_3 x cross (x cross v)`.
 fn slope(x: &Vector3<f64>, p: &Vector3<f64>, v: &Vector3<f64>) -> Vector3<f64> {
     if x.norm_squared() > FAR {
-        // that of the mean over a turn, the projection on x
+        // for a large angle: the derivative of the mean over a full turn, which is the projection
+        // onto x
         let largest = x.amax();
         let (unit, p) = ((x / largest).normalize(), p / largest);
         let (length, across) = ((x / largest).norm(), p - unit * unit.dot(&p));

@@ -11,27 +11,28 @@ use std::f64::consts::PI;
 
 /// The real matrices of size 2 and determinant 1.
 ///
-/// Vectors `(e, f, h)` are the matrices `[[h, e], [f, -h]]`, in the basis of the catalogue's
-/// `sl(2)`: `[E, F] = H`, `[H, E] = 2 E`, `[H, F] = -2 F`. The exponential is not onto: its image is
+/// A vector `(e, f, h)` is the matrix `[[h, e], [f, -h]]`, in the basis of the catalogue's `sl(2)`:
+/// `[E, F] = H`, `[H, E] = 2 E`, `[H, F] = -2 F`. The exponential is not surjective: its image is
 /// `-1` and the elements with a trace above -2.
 ///
 /// ```
 /// use affinor::group::{LieGroup, Sl2};
 /// use nalgebra::Matrix2;
 /// let refused = Sl2.log(&Matrix2::new(-2.0, 0.0, 0.0, -0.5)).unwrap_err();
-/// let reason = "no logarithm: the trace is -2.5, that of exp(x) is above -2 unless exp(x) = -1";
+/// let reason = "invalid logarithm: the trace is -2.5, that of exp(x) is above -2 unless exp(x) = -1";
 /// assert_eq!(refused.to_string(), reason);
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Sl2;
 
-/// Above this, squares may overflow.
+/// The size above which squares may overflow.
 const LARGE: f64 = 1e150;
 
-/// Terms of a product that are larger than the product by this factor cancel.
+/// The ratio of terms to their sum above which cancellation is assumed.
 const CANCELLED: f64 = 64.0;
 
-/// Below this square of the sine, near 1, the derivative of the angle over the sine by the square is less than 1.
+/// The square of the sine, near 1, below which the angle over the sine has a derivative with
+/// respect to this square of less than 1.
 const NEAR: f64 = 1e-4;
 
 fn traceless(x: &Vector3<f64>) -> Matrix2<f64> {
@@ -43,7 +44,7 @@ fn components(m: &Matrix2<f64>) -> Vector3<f64> {
     Vector3::new(m[(0, 1)], m[(1, 0)], 0.5 * (m[(0, 0)] - m[(1, 1)]))
 }
 
-/// The determinant of `x`, with `x^2 = -det(x)`.
+/// The determinant of the matrix `x`, with `x^2 = -det(x)`.
 fn determinant(x: &Vector3<f64>) -> f64 {
     let largest = x.amax();
     let product = |x: &Vector3<f64>| -x[2] * x[2] - x[0] * x[1];
@@ -56,7 +57,8 @@ fn determinant(x: &Vector3<f64>) -> f64 {
     }
 }
 
-/// The logarithm of `cos + part`, where `part = (sin / angle) x`, or cosh and sinh.
+/// The logarithm of `cos + part`, where `part = (sin / angle) x`; in the hyperbolic case cosh and
+/// sinh.
 fn logarithm(cos: f64, part: &Vector3<f64>) -> Result<Vector3<f64>, Error> {
     if (cos + 1.0).abs() <= 4.0 * f64::EPSILON && part.amax() <= 4.0 * f64::EPSILON {
         return Ok(Vector3::new(-PI, PI, 0.0));
@@ -93,13 +95,13 @@ impl LieGroup for Sl2 {
         g * h
     }
 
-    /// The adjugate, for a determinant of 1.
+    /// The adjugate, because the determinant is 1.
     fn inverse(&self, g: &Self::Element) -> Self::Element {
         Matrix2::new(g[(1, 1)], -g[(0, 1)], -g[(1, 0)], g[(0, 0)])
     }
 
-    /// `c_0 + c_1 x` with the Stumpff functions of `det x`. A hyperbolic `x`, `det x < 0`, overflows
-    /// where cosh does.
+    /// Returns `c_0 + c_1 x` with the Stumpff functions of `det x`. For a hyperbolic `x`, `det x <
+    /// 0`, it overflows where cosh does.
     fn exp(&self, x: &Self::Vector) -> Self::Element {
         let z = determinant(x);
         if z > LARGE {
@@ -112,14 +114,15 @@ impl LieGroup for Sl2 {
         Matrix2::identity() * c.c0 + traceless(x) * c.c1
     }
 
-    /// The logarithm with angles of at most `pi`; that of `-1` is the half turn `pi (F - E)`, one of
-    /// its logarithms.
+    /// The logarithm with an angle of at most `pi`. For `-1` it is the half turn `pi (F - E)`,
+    /// which is one of its logarithms.
     fn log(&self, g: &Self::Element) -> Result<Self::Vector, Error> {
         logarithm(0.5 * g.trace(), &components(g))
     }
 
-    /// With the digits of small vectors: the part without trace of `(c_0 + c_1 x) (d_0 + d_1 y)` is
-    /// `c_0 d_1 y + d_0 c_1 x + c_1 d_1 [x, y]/2`. Refused if it loses its digits.
+    /// Accurate for short vectors: the trace-free part of `(c_0 + c_1 x) (d_0 + d_1 y)` is `c_0 d_1
+    /// y + d_0 c_1 x + c_1 d_1 [x, y]/2`. Returns an error if cancellation makes the result
+    /// inaccurate.
     fn log_product(&self, x: &Self::Vector, y: &Self::Vector) -> Result<Self::Vector, Error> {
         let [zx, zy] = [x, y].map(determinant);
         if zx.max(zy) > LARGE {
@@ -135,12 +138,12 @@ impl LieGroup for Sl2 {
         let terms = vectors + (c.c0 * d.c0).abs() + (c.c1 * d.c1 * half_trace).abs();
         let rounding = f64::EPSILON * terms;
         let cancelled = terms > CANCELLED * (part.amax() + cos.abs());
-        // a sum of the vectors loses as much
+        // the sum of the vectors has the same rounding error
         let sum = 8.0 * f64::EPSILON * (x.amax() + y.amax());
         let unknown = |error| expect_digits_of_product(rounding - sum).and(Err(error));
         let product = logarithm(cos, &part).or_else(unknown)?;
         if cancelled {
-            // the derivative of (angle / sine) part
+            // bounds the derivative of (angle / sine) part
             let (square, size) = (determinant(&part), part.amax());
             let slope = if square > 0.0 { cos } else { 1.0 / cos };
             let lost = match product.amax() / size {
@@ -153,7 +156,7 @@ impl LieGroup for Sl2 {
         Ok(product)
     }
 
-    /// `g x g^-1`.
+    /// Returns `g x g^-1`.
     fn adjoint(&self, g: &Self::Element, x: &Self::Vector) -> Self::Vector {
         components(&(g * traceless(x) * self.inverse(g)))
     }
@@ -177,18 +180,20 @@ impl LieGroup for Sl2 {
         DMatrix::from_column_slice(2, 2, g.as_slice())
     }
 
-    /// In closed form, for `ad_x^3 = -4 det(x) ad_x`: the eigenvalues of `ad_x` are twice those of `x`, and 0.
+    /// Computed in closed form, because `ad_x^3 = -4 det(x) ad_x`: the eigenvalues of `ad_x` are
+    /// twice those of `x`, and 0.
     fn tangent_left(&self, x: &Self::Vector, v: &Self::Vector) -> Self::Vector {
         tangent::cubic(self, |x| 4.0 * determinant(x), x, v)
     }
 
-    /// In closed form.
+    /// Computed in closed form.
     fn tangent_left_inverse(
         &self,
         x: &Self::Vector,
         v: &Self::Vector,
     ) -> Result<Self::Vector, Error> {
-        // the sum of the sizes of the terms, to which the rounding error of the determinant is relative
+        // the sum of the magnitudes of the terms of the determinant, which bounds its rounding
+        // error
         let size = 4.0 * (x[2] * x[2] + (x[0] * x[1]).abs());
         tangent::cubic_inverse(self, [4.0 * determinant(x), size], x, v)
     }
@@ -196,7 +201,7 @@ impl LieGroup for Sl2 {
 
 impl TranslationSplit for Sl2 {}
 
-/// The entries of the matrix.
+/// The embedding coordinates are the entries of the matrix.
 impl Embedded for Sl2 {
     type Ambient = Vector4<f64>;
 
@@ -213,7 +218,7 @@ impl Embedded for Sl2 {
     }
 }
 
-/// The matrix.
+/// The written form is the matrix.
 impl MatrixNotation for Sl2 {
     fn read(&self, matrix: &DMatrix<f64>) -> Result<Self::Element, Error> {
         checked(self, matrix, |m| {

@@ -43,7 +43,7 @@ impl LieGroup for So2 {
         UnitComplex::new(x[0])
     }
 
-    /// The angle between `-pi` and `pi`; that of the half turn is one of the two.
+    /// The angle between `-pi` and `pi`; for the half turn one of these two.
     fn log(&self, g: &Self::Element) -> Result<Self::Vector, Error> {
         Ok(Vector1::new(g.angle()))
     }
@@ -83,7 +83,7 @@ impl TranslationSplit for So2 {
     }
 }
 
-/// Cosine and sine.
+/// The embedding coordinates are cosine and sine.
 impl Embedded for So2 {
     type Ambient = Vector2<f64>;
 
@@ -100,7 +100,7 @@ impl Embedded for So2 {
     }
 }
 
-/// The rotation matrix; the angle by name.
+/// The written form is the rotation matrix. The angle is a named coordinate.
 impl MatrixNotation for So2 {
     fn read(&self, matrix: &DMatrix<f64>) -> Result<Self::Element, Error> {
         checked(self, matrix, |m| Ok(nearest_turn(m)))
@@ -127,7 +127,7 @@ impl MatrixNotation for So2 {
     }
 }
 
-/// The rotation of a plane nearest to the upper left block.
+/// The rotation of the plane that is nearest to the upper left block.
 pub(super) fn nearest_turn(m: &DMatrix<f64>) -> UnitComplex<f64> {
     UnitComplex::new((m[(1, 0)] - m[(0, 1)]).atan2(m[(0, 0)] + m[(1, 1)]))
 }

@@ -11,9 +11,10 @@ use nalgebra::{DMatrix, Quaternion, UnitQuaternion, Vector3, Vector4};
 
 /// The rotations of space: `R` maps body to spatial components, `Rdot = R spin(Omega)`.
 ///
-/// Elements are nalgebra's `UnitQuaternion<f64>`; [`rotation`] converts them from and to matrices, Euler angles and other
-/// coordinates. Vectors are rotation vectors in radians (canonical coordinates of the first kind (61), (74)), and
-/// `[x, y] = x cross y`. The quaternions `q` and `-q` are the same rotation.
+/// Elements are nalgebra's `UnitQuaternion<f64>`; [`rotation`] converts them from and to matrices,
+/// Euler angles and other coordinates. Vectors are rotation vectors in radians (canonical
+/// coordinates of the first kind (61), (74)), and `[x, y] = x cross y`. The quaternions `q` and
+/// `-q` represent the same rotation.
 ///
 /// ```
 /// use affinor::group::{LieGroup, So3};
@@ -25,7 +26,7 @@ use nalgebra::{DMatrix, Quaternion, UnitQuaternion, Vector3, Vector4};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct So3;
 
-/// Below this, squares of lengths are far from overflow.
+/// A length far below the square root of the largest float, so that its square does not overflow.
 const LARGE: f64 = 1e280;
 
 impl LieGroup for So3 {
@@ -41,7 +42,8 @@ impl LieGroup for So3 {
         UnitQuaternion::identity()
     }
 
-    /// The product of quaternions. It is not normalised: the norm drifts by one rounding a product.
+    /// The product of quaternions. It is not normalized: the norm drifts by one rounding error per
+    /// product.
     #[inline]
     fn compose(&self, g: &Self::Element, h: &Self::Element) -> Self::Element {
         g * h
@@ -52,8 +54,9 @@ impl LieGroup for So3 {
         g.inverse()
     }
 
-    /// `cos(|x|/2) + sin(|x|/2) x/|x|`, (77), to a few roundings; for `|x| > 2 pi` to about `|x|` roundings, the error that
-    /// the rounding of the angle causes.
+    /// Returns `cos(|x|/2) + sin(|x|/2) x/|x|`, (77), accurate up to a few rounding errors. For
+    /// `|x| > 2 pi` the error is about `|x|` rounding errors, which the rounding of the angle
+    /// causes.
     #[inline]
     fn exp(&self, x: &Self::Vector) -> Self::Element {
         let square = x.norm_squared();
@@ -64,8 +67,9 @@ impl LieGroup for So3 {
         exp_far(x)
     }
 
-    /// The rotation vector of length at most `pi`, from the quaternion with `w >= 0`. At exactly `pi`
-    /// (`w = 0`) its first nonzero component is positive. The length of the quaternion has no influence.
+    /// The rotation vector of length at most `pi`, from the quaternion with `w >= 0`. At exactly
+    /// `pi` (`w = 0`) its first nonzero component is positive. The quaternion need not be
+    /// normalized.
     #[inline]
     fn log(&self, g: &Self::Element) -> Result<Self::Vector, Error> {
         let v = g.imag();
@@ -84,13 +88,13 @@ impl LieGroup for So3 {
         g * x
     }
 
-    /// `R^T h`.
+    /// Returns `R^T h`.
     #[inline]
     fn coadjoint(&self, g: &Self::Element, h: &Self::Vector) -> Self::Vector {
         g.to_rotation_matrix().matrix().tr_mul(h)
     }
 
-    /// `h - c_1 x cross h + c_2 x cross (x cross h)` with the Stumpff functions of `|x|^2`.
+    /// Returns `h - c_1 x cross h + c_2 x cross (x cross h)` with the Stumpff functions of `|x|^2`.
     #[inline(always)]
     fn coadjoint_exp(&self, x: &Self::Vector, h: &Self::Vector) -> Self::Vector {
         let square = x.norm_squared();
@@ -107,8 +111,8 @@ impl LieGroup for So3 {
         x.cross(y)
     }
 
-    /// The quaternion of length 1, without a bias: the square of the length rounds finer below 1 than above it, which a
-    /// million steps would show.
+    /// Normalizes the quaternion without bias. The squared length is rounded more finely below 1
+    /// than above, which would bias a million steps.
     #[inline]
     fn project(&self, g: Self::Element) -> Self::Element {
         let q = g.into_inner();
@@ -124,13 +128,14 @@ impl LieGroup for So3 {
         DMatrix::from_column_slice(3, 3, rotation::matrix(g).as_slice())
     }
 
-    /// `c_1 v - c_2 x cross v + c_3 x (x . v)` with the Stumpff functions of `|x|^2`: the map of (86).
+    /// Returns `c_1 v - c_2 x cross v + c_3 x (x . v)` with the Stumpff functions of `|x|^2`: the
+    /// map of (86).
     #[inline]
     fn tangent_left(&self, x: &Self::Vector, v: &Self::Vector) -> Self::Vector {
         let square = x.norm_squared();
         in_range(v, |v| {
             if square > FAR {
-                // only the part along x remains
+                // for a large angle, only the part along x remains
                 let unit = (x / x.amax()).normalize();
                 return unit * unit.dot(v);
             }
@@ -139,9 +144,9 @@ impl LieGroup for So3 {
         })
     }
 
-    /// `(1 - d |x|^2) v + x cross v/2 + d x (x . v)`, `d` of
-    /// `inverse_tangent`; singular at `|x| = 2 pi k`, `k > 0`, to
-    /// rounding, and refused for lengths whose rounding is larger than that distance.
+    /// Returns `(1 - d |x|^2) v + x cross v/2 + d x (x . v)` with `d` of `inverse_tangent`. It is
+    /// singular at `|x| = 2 pi k`, `k > 0`, up to rounding errors. Lengths whose rounding error
+    /// exceeds the distance from these values are errors.
     #[inline]
     fn tangent_left_inverse(
         &self,
@@ -168,8 +173,8 @@ impl TranslationSplit for So3 {
 }
 
 impl So3 {
-    /// The logarithm nearest to a given rotation vector: `log(g) + 2 pi k n` along its own axis
-    /// `n`. Along a motion it is continuous past `pi`, where [`LieGroup::log`] jumps.
+    /// The logarithm nearest to a given rotation vector: `log(g) + 2 pi k n` along its axis `n`.
+    /// Along a motion it is continuous past `pi`, where [`LieGroup::log`] is discontinuous.
     ///
     /// ```
     /// use affinor::group::{LieGroup, So3};
@@ -181,7 +186,7 @@ impl So3 {
     /// ```
     ///
     /// # Errors
-    /// As [`LieGroup::log`] of rotations.
+    /// Those of [`LieGroup::log`] for rotations.
     pub fn log_near(
         &self,
         g: &UnitQuaternion<f64>,
@@ -189,7 +194,7 @@ impl So3 {
     ) -> Result<Vector3<f64>, Error> {
         let x = self.log(g)?;
         let angle = x.norm();
-        // at the identity every axis will do
+        // at the identity, any axis is possible
         let axis =
             if angle > 0.0 { x / angle } else { near.try_normalize(0.0).unwrap_or_default() };
         let turns = ((near.dot(&axis) - angle) / std::f64::consts::TAU).round();
@@ -203,20 +208,21 @@ fn exp_far(x: &Vector3<f64>) -> UnitQuaternion<f64> {
     let largest = x.amax();
     let unit = x / largest;
     let length = unit.norm();
-    // a length beyond the range of floats is halved where it still fits
+    // if the length overflows, half of it is computed
     let (sin, cos) = (0.5 * largest * length).sin_cos();
     UnitQuaternion::new_unchecked(Quaternion::from_parts(cos, unit * (sin / length)))
 }
 
-/// Whether a square `|q|^2` is so near to 1 that `|q| = (1 + |q|^2)/2` without error.
+/// Whether a squared length `|q|^2` is so near 1 that `|q| = (1 + |q|^2)/2` up to rounding errors.
 #[inline(always)]
 pub(in crate::group) fn is_unit(norm: f64) -> bool {
     (norm - 1.0).abs() < 1e-8
 }
 
-/// The ratio of the rotation vector to the vector part of the quaternion `x, y, z, w` of squares `|v|^2` and
-/// `|q|^2`, the latter [`is_unit`]: `4 atan(tan(angle/4))` over the sine, where
-/// `tan(angle/4) = |v|/(|q| + |w|)` is at most 1. So there is no case, neither at the identity nor at `pi`.
+/// The ratio of the rotation vector to the vector part of the quaternion `x, y, z, w`, whose
+/// squared lengths are `|v|^2` and `|q|^2`; the latter must satisfy [`is_unit`]. The ratio is `4
+/// atan(tan(angle/4))` over the sine, where `tan(angle/4) = |v|/(|q| + |w|)` is at most 1. This
+/// formula needs no case distinction, neither at the identity nor at `pi`.
 #[inline(always)]
 pub(in crate::group) fn logarithm<T: Lane>([x, y, z, w]: [T; 4], square: T, norm: T) -> T {
     let half = T::splat(0.5);
@@ -225,8 +231,8 @@ pub(in crate::group) fn logarithm<T: Lane>([x, y, z, w]: [T; 4], square: T, norm
     size.copysign(w.or(x.or(y.or(z))))
 }
 
-/// `atan(t)/t` in powers of `t^2` for `0 <= t <= 1`, to `1.3e-17` (Remez exchange in 60 digits, then rounded):
-/// `tests/references/arctangent.py`.
+/// Coefficients of `atan(t)/t` in powers of `t^2` for `0 <= t <= 1`, with error `1.3e-17` (Remez
+/// exchange with 60 digits, then rounded): `tests/references/arctangent.py`.
 const ARCTANGENT: [f64; 21] = [
     1.0,
     -0.3333333333333293,
@@ -251,7 +257,7 @@ const ARCTANGENT: [f64; 21] = [
     1.3075348495791475e-05,
 ];
 
-/// A linear map of `v` where its products neither overflow nor underflow.
+/// A linear map of `v`, scaled so that its products neither overflow nor underflow.
 #[inline]
 fn in_range(v: &Vector3<f64>, map: impl Fn(&Vector3<f64>) -> Vector3<f64>) -> Vector3<f64> {
     let largest = v.amax();
@@ -261,7 +267,7 @@ fn in_range(v: &Vector3<f64>, map: impl Fn(&Vector3<f64>) -> Vector3<f64>) -> Ve
     map(&(v / largest)) * largest
 }
 
-/// `x, y, z, w` with the rate `q (0, v)/2`.
+/// The embedding coordinates are `x, y, z, w`, with the time derivative `q (0, v)/2`.
 impl Embedded for So3 {
     type Ambient = Vector4<f64>;
 
@@ -283,7 +289,7 @@ impl Embedded for So3 {
     }
 }
 
-/// The rotation matrix; the quaternion by names.
+/// The written form is the rotation matrix. The quaternion `w, x, y, z` is named.
 impl MatrixNotation for So3 {
     fn read(&self, matrix: &DMatrix<f64>) -> Result<Self::Element, Error> {
         checked(self, matrix, |m| {
@@ -316,7 +322,8 @@ impl MatrixNotation for So3 {
 mod tests {
     use super::*;
 
-    /// The exponential for lengths near the end of floats agrees with the common one where both hold.
+    /// For lengths whose squares are near overflow, the special exponential agrees with the common
+    /// one where both are valid.
     #[test]
     fn both_exponentials_by_the_half_angle() {
         let axis = Vector3::new(2.0, -3.0, 6.0) / 7.0;
@@ -328,7 +335,7 @@ mod tests {
                 assert!(off <= 2.0 * f64::EPSILON * (1.0 + angle), "{angle}: off by {off:e}");
             }
         }
-        // beyond the threshold an angle is noise, but the quaternion is one
+        // beyond the threshold the angle is only noise, but the quaternion has length one
         for length in [0.9, 1.1].map(|ratio: f64| ratio * LARGE.sqrt()) {
             assert!((So3.exp(&(axis * length)).norm() - 1.0).abs() < 1e-15);
         }

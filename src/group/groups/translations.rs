@@ -9,7 +9,8 @@ use nalgebra::{DMatrix, DefaultAllocator, Dim, OVector};
 
 /// The vectors of `R^n` under addition: `exp` is the identity map, brackets are 0.
 ///
-/// The dimension is fixed or known at run time: `Translations(Const::<3>)`, `Translations(Dyn(3))` of nalgebra.
+/// The dimension is fixed or chosen at run time: `Translations(Const::<3>)`, `Translations(Dyn(3))`
+/// of nalgebra.
 ///
 /// ```
 /// use affinor::group::{LieGroup, Translations};
@@ -95,7 +96,7 @@ where
     }
 }
 
-/// The coordinates.
+/// The embedding coordinates are the coordinates.
 impl<D: Dim> Embedded for Translations<D>
 where
     DefaultAllocator: Allocator<D>,
@@ -116,7 +117,7 @@ where
     }
 }
 
-/// A column of coordinates.
+/// The written form is a column of coordinates.
 impl<D: Dim> MatrixNotation for Translations<D>
 where
     DefaultAllocator: Allocator<D>,

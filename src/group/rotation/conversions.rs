@@ -1,17 +1,18 @@
-//! Rotations from and to four numbers, matrices and Rodrigues parameters.
+//! Conversions of rotations from and to quaternion components, matrices and Rodrigues parameters.
 
 use super::formulas;
 use crate::Error;
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 
-/// The components `w, x, y, z`, with the sign that makes the first nonzero one positive. So each rotation has one list.
+/// The components `w, x, y, z`, with the sign that makes the first nonzero one positive, so that
+/// they are unique for a rotation.
 pub fn wxyz(g: &UnitQuaternion<f64>) -> [f64; 4] {
     let q = [g.w, g.i, g.j, g.k];
     let negative = q.iter().find(|q| **q != 0.0).is_some_and(|q| *q < 0.0);
     if negative { q.map(|q| 0.0 - q) } else { q.map(|q| q + 0.0) }
 }
 
-/// The rotation of a quaternion `w, x, y, z` of any length but zero.
+/// The rotation of a quaternion `w, x, y, z` of any nonzero length.
 ///
 /// ```
 /// use affinor::group::rotation::{from_wxyz, wxyz};
@@ -29,16 +30,17 @@ pub fn from_wxyz([w, x, y, z]: [f64; 4]) -> Result<UnitQuaternion<f64>, Error> {
         let reason = format!("the quaternion {w}, {x}, {y}, {z} has no direction");
         return Err(Error::Invalid { what: "rotation", reason });
     }
-    // denormal components need two steps
+    // the norm of subnormal components is accurate only after scaling
     let scaled = if largest < 1e-300 { q * 1e300 } else { q };
     let unit = scaled / scaled.coords.amax();
     Ok(UnitQuaternion::new_unchecked(unit / unit.norm()))
 }
 
-/// The matrix `R = 1 + (2/|q|^2) (w spin(v) + spin(v)^2)`: columns are the turned basis vectors.
+/// The matrix `R = 1 + (2/|q|^2) (w spin(v) + spin(v)^2)`; its columns are the rotated basis
+/// vectors.
 ///
-/// In this form, homogeneous of degree 0, `R` is orthogonal to 4 machine epsilons even if the length of the
-/// quaternion has drifted from 1.
+/// In this form, homogeneous of degree 0, `R` is orthogonal to 4 machine epsilons even if the
+/// length of the quaternion has drifted from 1.
 pub fn matrix(g: &UnitQuaternion<f64>) -> Matrix3<f64> {
     Matrix3::from_row_slice(&formulas::matrix([g.w, g.i, g.j, g.k]))
 }
@@ -46,8 +48,8 @@ pub fn matrix(g: &UnitQuaternion<f64>) -> Matrix3<f64> {
 /// The rotation of a matrix with `R^T R = 1` up to `tolerance` in every entry, and positive
 /// determinant.
 ///
-/// S. W. Shepperd, *J. Guidance and Control* 1 (1978) 223-224: the quaternion is read off around its largest
-/// component, so no difference of near equals is divided by.
+/// S. W. Shepperd, *J. Guidance and Control* 1 (1978) 223-224: the quaternion is computed from its
+/// largest component, so that no division amplifies cancellation.
 ///
 /// ```
 /// use affinor::group::rotation::{from_matrix, wxyz};
@@ -61,7 +63,7 @@ pub fn matrix(g: &UnitQuaternion<f64>) -> Matrix3<f64> {
 /// [`Error::Invalid`] with the defect.
 pub fn from_matrix(r: &Matrix3<f64>, tolerance: f64) -> Result<UnitQuaternion<f64>, Error> {
     let defect = (r.transpose() * r - Matrix3::identity()).abs();
-    // by sum and not by max, in which NaN is lost
+    // tests the sum, because the maximum ignores NaN
     if !(defect.sum().is_finite() && defect.max() <= tolerance) {
         let reason = format!("R^T R differs from 1 by {:e}", defect.max());
         return Err(Error::Invalid { what: "rotation", reason });
@@ -75,7 +77,7 @@ pub fn from_matrix(r: &Matrix3<f64>, tolerance: f64) -> Result<UnitQuaternion<f6
     from_wxyz(formulas::shepperd(&std::array::from_fn(|at| r[(at / 3, at % 3)])))
 }
 
-/// The vector of Gibbs (Cayley, Rodrigues) `v/w = tan(angle/2) n`.
+/// The Gibbs vector (Cayley, Rodrigues) `v/w = tan(angle/2) n`.
 ///
 /// ```
 /// use affinor::group::rotation::{from_wxyz, rodrigues};
@@ -86,7 +88,7 @@ pub fn from_matrix(r: &Matrix3<f64>, tolerance: f64) -> Result<UnitQuaternion<f6
 /// ```
 ///
 /// # Errors
-/// [`Error::Invalid`] at the angle `pi`, or so near to it that a component leaves the range of floats.
+/// [`Error::Invalid`] at the angle `pi`, or so near it that a component overflows.
 pub fn rodrigues(g: &UnitQuaternion<f64>) -> Result<Vector3<f64>, Error> {
     let vector = g.imag() / g.w;
     if vector.iter().all(|c| c.is_finite()) {
@@ -95,7 +97,7 @@ pub fn rodrigues(g: &UnitQuaternion<f64>) -> Result<Vector3<f64>, Error> {
     Err(Error::Invalid { what: "Gibbs vector", reason: "the angle is pi".into() })
 }
 
-/// The rotation of a vector of Gibbs: `(1 + r)/sqrt(1 + |r|^2)`.
+/// The rotation of a Gibbs vector: `(1 + r)/sqrt(1 + |r|^2)`.
 pub fn from_rodrigues(r: &Vector3<f64>) -> UnitQuaternion<f64> {
     let scale = r.amax().max(1.0);
     let (w, v) = (1.0 / scale, r / scale);
@@ -103,15 +105,15 @@ pub fn from_rodrigues(r: &Vector3<f64>) -> UnitQuaternion<f64> {
     UnitQuaternion::new_unchecked(Quaternion::from_parts(w / length, v / length))
 }
 
-/// Modified Rodrigues parameters `v/(1 + w) = tan(angle/4) n` for the angle up to `pi`, where their length
-/// reaches 1; at `pi` with the sign of [`wxyz`].
+/// Modified Rodrigues parameters `v/(1 + w) = tan(angle/4) n` for the angle up to `pi`, where their
+/// length reaches 1. At `pi` they have the sign of [`wxyz`].
 pub fn modified_rodrigues(g: &UnitQuaternion<f64>) -> Vector3<f64> {
     let [w, x, y, z] = wxyz(g);
     Vector3::new(x, y, z) / (w + g.norm())
 }
 
-/// The rotation of modified Rodrigues parameters: `(1 - |p|^2 + 2 p)/(1 + |p|^2)`. Those of length above
-/// 1 are angles between `pi` and `2 pi`.
+/// The rotation of modified Rodrigues parameters: `(1 - |p|^2 + 2 p)/(1 + |p|^2)`. Parameters of
+/// length above 1 represent angles between `pi` and `2 pi`.
 pub fn from_modified_rodrigues(p: &Vector3<f64>) -> UnitQuaternion<f64> {
     let scale = p.amax().max(1.0);
     let (one, p) = (1.0 / scale, p / scale);

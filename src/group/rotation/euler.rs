@@ -1,11 +1,12 @@
-//! Euler angles: the canonical coordinates of the second kind, products of turns about axes.
+//! Euler angles: canonical coordinates of the second kind, products of rotations about coordinate
+//! axes.
 
 use crate::Error;
 use nalgebra::{Quaternion, UnitQuaternion};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use std::str::FromStr;
 
-/// An axis of coordinates.
+/// A coordinate axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Axis {
     /// The first.
@@ -16,16 +17,17 @@ pub enum Axis {
     Z,
 }
 
-/// The axes of the turns: fixed in the body or in space.
+/// The axes of the rotations: fixed in the body or in space.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum AxesFrame {
-    /// The axes of the body, as the earlier turns left them: `R = R_1(a) R_2(b) R_3(c)`.
+    /// The axes of the body, after the earlier rotations: `R = R_1(a) R_2(b) R_3(c)`.
     Intrinsic,
     /// The axes of space: `R = R_3(c) R_2(b) R_1(a)`.
     Extrinsic,
 }
 
-/// A sequence of three axes, no two neighbours equal: there are 12, each with two kinds of turns.
+/// A sequence of three axes, in which consecutive ones differ: there are 12, each intrinsic or
+/// extrinsic.
 ///
 /// The intrinsic products `exp(a e_1) exp(b e_2) exp(c e_3)` are the canonical coordinates of the second
 /// kind of SO(3). As text, `ZYX` is intrinsic and `zyx` extrinsic.
@@ -50,31 +52,33 @@ pub struct Sequence {
 /// Euler angles, and their ambiguity at gimbal lock.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EulerAngles {
-    /// In radians, in the order of the sequence. First and last in `[-pi, pi]`; the middle one in `[0, pi]` if first and last
-    /// axis are equal, else in `[-pi/2, pi/2]`.
+    /// The angles in radians, in the order of the sequence. The first and the last are in `[-pi,
+    /// pi]`. The middle one is in `[0, pi]` if the first and last axis are equal, otherwise in
+    /// `[-pi/2, pi/2]`.
     pub angles: [f64; 3],
-    /// Whether the rotation determines only one combination of the first and the last angle. Then the last
-    /// is 0 by rule.
+    /// Gimbal lock: the rotation determines only one combination of the first and the last angle.
+    /// Then the last angle is 0 by convention.
     pub lock: Option<GimbalLock>,
 }
 
-/// Gimbal lock, by the combination of the first and last angle that is determined.
+/// Gimbal lock, by the combination of the first and the last angle that is determined.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum GimbalLock {
-    /// Their sum.
+    /// The sum of both angles.
     Sum,
-    /// Their difference.
+    /// The difference of both angles.
     Difference,
 }
 
-/// The rounding of the sine of half an angle.
+/// The rounding error of the sine of half an angle.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 impl Sequence {
     /// A sequence.
     ///
     /// # Errors
-    /// [`Error::Invalid`] if neighbours are equal, because their turns add up.
+    /// [`Error::Invalid`] if consecutive axes are equal, because their rotations would combine to
+    /// one.
     pub fn new(axes: [Axis; 3], turns: AxesFrame) -> Result<Self, Error> {
         if axes[0] == axes[1] || axes[1] == axes[2] {
             let reason = format!("{axes:?} repeats an axis, so two angles act as one");
@@ -95,8 +99,9 @@ impl Sequence {
         })
     }
 
-    /// The rotation by the angles `[a, b, c]` in radians: `R_1(a) R_2(b) R_3(c)` for intrinsic turns, `R_3(c) R_2(b) R_1(a)` for
-    /// extrinsic ones, where `R_k` turns about the axis `k` of the sequence.
+    /// The rotation by the angles `[a, b, c]` in radians: `R_1(a) R_2(b) R_3(c)` for intrinsic
+    /// rotations, `R_3(c) R_2(b) R_1(a)` for extrinsic ones, where `R_k` rotates about axis `k` of
+    /// the sequence.
     pub fn rotation(&self, angles: [f64; 3]) -> UnitQuaternion<f64> {
         let turn = |k: usize| {
             let (sin, cos) = (0.5 * angles[k]).sin_cos();
@@ -112,11 +117,12 @@ impl Sequence {
 
     /// The angles of a rotation.
     ///
-    /// E. Bernardes and S. Viollet, *PLoS ONE* 17 (2022) e0276302: half the sum and half the difference of first and
-    /// last angle are arguments of two complex numbers, the middle angle compares their moduli.
+    /// E. Bernardes and S. Viollet, *PLoS ONE* 17 (2022) e0276302: half the sum and half the
+    /// difference of the first and last angle are arguments of two complex numbers, and the middle
+    /// angle follows from their moduli.
     pub fn angles(&self, g: &UnitQuaternion<f64>) -> EulerAngles {
         let intrinsic = self.turns == AxesFrame::Intrinsic;
-        // body axes are space axes in the opposite order
+        // intrinsic rotations are extrinsic ones in the opposite order
         let [first, middle, last] = self.axes.map(|axis| axis as usize);
         let (i, j, end) = if intrinsic { (last, middle, first) } else { (first, middle, last) };
         let proper = i == end;
@@ -126,7 +132,8 @@ impl Sequence {
         let (a, b, c, d) = if proper {
             (q[3], q[i], q[j], sign * q[k])
         } else {
-            // a quarter turn about the middle axis makes it a proper sequence
+            // a quarter turn about the middle axis transforms it to a sequence whose first and last
+            // axes are equal
             (q[3] - q[j], q[i] + sign * q[k], q[j] + q[3], sign * q[k] - q[i])
         };
         let (of_sum, of_difference) = (a.hypot(b), c.hypot(d));
@@ -167,7 +174,7 @@ impl GimbalLock {
     }
 }
 
-/// The angle in `[-pi, pi]`, from one less than two turns away.
+/// The angle wrapped to `[-pi, pi]`; it must be less than two turns away.
 fn wrapped(angle: f64) -> f64 {
     if angle > PI {
         angle - TAU

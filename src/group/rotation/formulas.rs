@@ -1,4 +1,5 @@
-//! Formulas of quaternions `w, x, y, z` and matrices row by row, for one rotation and for several side by side.
+//! Formulas of quaternions `w, x, y, z` and matrices in row-major order, for one rotation or
+//! several at once.
 
 use crate::numerics::lanes::Lane;
 
@@ -35,8 +36,8 @@ pub(crate) fn matrix<T: Lane>([w, x, y, z]: [T; 4]) -> [T; 9] {
     ]
 }
 
-/// The quaternion of a rotation matrix, times four times its largest component, so that no difference of near equals is divided by:
-/// S. W. Shepperd, *J. Guidance and Control* 1 (1978) 223-224.
+/// The quaternion of a rotation matrix, times four times its largest component, so that no division
+/// amplifies cancellation: S. W. Shepperd, *J. Guidance and Control* 1 (1978) 223-224.
 #[inline(always)]
 pub(crate) fn shepperd<T: Lane>(r: &[T; 9]) -> [T; 4] {
     let [a, b, c] = [r[0], r[4], r[8]];

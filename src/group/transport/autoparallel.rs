@@ -1,4 +1,4 @@
-//! Autoparallels of a connection on a group; of Levi-Civita, its geodesics.
+//! Autoparallels of a connection on a group, which are geodesics for the Levi-Civita connection.
 
 use super::ParallelTranslation;
 use crate::Error;
@@ -6,9 +6,9 @@ use crate::group::{Coordinates, LieGroup};
 use crate::numerics::ode;
 use nalgebra::{DMatrix, DVector};
 
-/// The largest number of charts between two times.
+/// The largest number of charts between two output times.
 const MAX_CHARTS: f64 = 1e5;
-/// The largest number of Newton steps between two points.
+/// The largest number of Newton steps for an autoparallel between two points.
 const MAX_STEPS: usize = 50;
 
 /// A tangent vector of a group with its base point.
@@ -21,14 +21,15 @@ pub struct TangentVector<G: LieGroup> {
 }
 
 impl<G: LieGroup> ParallelTranslation<G> {
-    /// The autoparallel (B7) through `start` with the tangent `n` (left components) at time 0: its
-    /// tangent at each of the times.
+    /// The autoparallel (B7) that starts at time 0 at `start` with the tangent `n` (left
+    /// components). Returns its tangent vector at each of the times.
     ///
-    /// `dn/dt = -Lambda_n n`, and `g' = g n` in coordinates `g = g_0 exp(x)`, `dx/dt = T_left(x)^-1 n`,
-    /// with a new chart before `x` is large. So elements stay on the group.
+    /// Solves `dn/dt = -Lambda_n n`, and `g' = g n` in coordinates `g = g_0 exp(x)`, `dx/dt =
+    /// T_left(x)^-1 n`, with a new chart before `x` is large. The elements therefore stay on the
+    /// group.
     ///
     /// # Errors
-    /// [`Error::Integration`]: an autoparallel may leave every bound in finite time.
+    /// [`Error::Integration`]: an autoparallel may diverge in finite time.
     pub fn autoparallel(
         &self,
         start: &G::Element,
@@ -49,14 +50,14 @@ impl<G: LieGroup> ParallelTranslation<G> {
         Ok(values)
     }
 
-    /// The tangent at `from` of an autoparallel that is at `to` at time 1, in left components, and
-    /// so the logarithm for `plus`, `zero` and `minus`.
+    /// The tangent at `from`, in left components, of an autoparallel that reaches `to` at time 1.
+    /// For `plus`, `zero` and `minus` it is the logarithm.
     ///
-    /// Newton's method on the end point, from the logarithm; there may be others.
+    /// Newton's method for the end point, from the logarithm; there may be other solutions.
     ///
     /// # Errors
-    /// [`Error::Invalid`] for `from^-1 to`; [`Error::Integration`] where no autoparallel is
-    /// found.
+    /// [`Error::Invalid`] if `from^-1 to` has no logarithm; [`Error::Integration`] if no
+    /// autoparallel is found.
     pub fn autoparallel_between(
         &self,
         from: &G::Element,
@@ -65,7 +66,7 @@ impl<G: LieGroup> ParallelTranslation<G> {
     ) -> Result<G::Vector, Error> {
         let group = self.group();
         let there = group.inverse(to);
-        // a smaller tolerance, for differences of end points
+        // a smaller tolerance, because differences of end points are computed
         let fine = (1e-3 * tolerance).clamp(1e-14, 1e-9);
         let miss = |n: &G::Vector| -> Result<DVector<f64>, Error> {
             let end = self.autoparallel(from, n, &[1.0], fine)?;
@@ -87,7 +88,7 @@ impl<G: LieGroup> ParallelTranslation<G> {
             }
             let Some(step) = jacobian.lu().solve(&residual) else { break };
             let step = G::Vector::from_components(step.as_slice());
-            // a step that does not reduce the residual is halved
+            // halves a step until it reduces the residual
             let better = (0..20).find_map(|halvings| {
                 let next = n.clone() - step.clone() * 0.5f64.powi(halvings);
                 let missed = miss(&next).ok()?;
@@ -100,7 +101,7 @@ impl<G: LieGroup> ParallelTranslation<G> {
         Err(Error::Integration { t: 1.0, reason })
     }
 
-    /// The time at which the chart around the current point ends.
+    /// The time up to which the chart around the current point is used.
     fn next_chart(&self, t: f64, end: f64, n: &G::Vector) -> Result<f64, Error> {
         let ad = self.group().operator_matrix(|v| self.group().bracket(n, v));
         let reach = 0.5 / ad.norm().max(f64::MIN_POSITIVE);

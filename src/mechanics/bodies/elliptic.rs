@@ -1,15 +1,17 @@
 //! Jacobi's elliptic functions, and elliptic integrals of the first and third kind in Carlson's form.
 //!
-//! Modulus and complement are given both, so that neither loses digits near 0. Sources: the Gauss (descending Landen)
-//! transformation, DLMF 22.7(i) and 19.8; B. C. Carlson, Numer. Algorithms 10 (1995) 13-26.
+//! Functions take both the modulus and its complement, so that each is accurate near 0. Sources:
+//! the Gauss (descending Landen) transformation, DLMF 22.7(i) and 19.8; B. C. Carlson, Numer.
+//! Algorithms 10 (1995) 13-26.
 
 use std::f64::consts::FRAC_PI_2;
 
-/// Below this modulus `sn` is a sine: its square is half a rounding.
+/// The modulus below which `sn` equals the sine: its square is half a rounding error.
 const CIRCULAR: f64 = 1e-8;
-/// Where Carlson's series of degree 5 has an error of half a rounding.
+/// The distance at which Carlson's series of degree 5 has an error of half a rounding error.
 const CLOSE: f64 = 2e-3;
-/// Gauss transformations from the smallest complement of floats: each takes its square root.
+/// The number of Gauss transformations from the smallest complement of floats: each takes its
+/// square root.
 const LEVELS: usize = 16;
 
 /// `sn`, `cn`, `dn` of one modulus.
@@ -26,7 +28,7 @@ const LEVELS: usize = 16;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Jacobi {
     quarter: f64,
-    /// From the smallest one up: a modulus `k` and `1 - k`.
+    /// The moduli `k`, from the smallest one up, each with `1 - k`.
     moduli: [(f64, f64); LEVELS],
     levels: usize,
 }
@@ -35,7 +37,7 @@ impl Jacobi {
     /// The functions of modulus `k` and complement `sqrt(1 - k^2) > 0`, both in `[0, 1]`.
     pub fn new(modulus: f64, complement: f64) -> Self {
         let (mut k, mut complement) = (modulus, complement);
-        // the product of all 1 + k1, times a right angle, has more roundings
+        // the product of all 1 + k1, times a right angle, would have more rounding errors
         let quarter = first_kind([1.0, 0.0, complement]);
         let mut jacobi = Jacobi { quarter, moduli: [(0.0, 1.0); LEVELS], levels: 0 };
         while k > CIRCULAR && jacobi.levels < LEVELS {
@@ -47,12 +49,12 @@ impl Jacobi {
         jacobi
     }
 
-    /// `K`, a quarter of the period of `sn` and `cn`, half that of `dn`.
+    /// The quarter period `K` of `sn` and `cn`, which is the half period of `dn`.
     pub fn quarter_period(&self) -> f64 {
         self.quarter
     }
 
-    /// `sn u`, `cn u`, `dn u`.
+    /// The values `sn u`, `cn u`, `dn u`.
     #[inline]
     pub fn at(&self, u: f64) -> [f64; 3] {
         let (s, c) = (u * (FRAC_PI_2 / self.quarter)).sin_cos();
@@ -60,7 +62,7 @@ impl Jacobi {
     }
 }
 
-/// The modulus and complement one Gauss transformation below: `k1 = (1 - k')/(1 + k')`.
+/// The modulus and complement after one Gauss transformation: `k1 = (1 - k')/(1 + k')`.
 pub(super) fn gauss(modulus: f64, complement: f64) -> (f64, f64) {
     let below = (modulus / (1.0 + complement)).powi(2);
     (below, 2.0 * complement.sqrt() / (1.0 + complement))
@@ -71,20 +73,21 @@ pub(super) fn level(k: f64, complement: f64) -> (f64, f64) {
     (k, complement * complement / (1.0 + k))
 }
 
-/// The functions at `(1 + k1) v` from those at `v` of a modulus `k1`, which comes with `1 - k1`.
+/// The functions at `(1 + k1) v`, from the functions at `v` of a modulus `k1`, given with `1 - k1`.
 #[inline]
 pub(super) fn raise([s, c, d]: [f64; 3], (k, gap): (f64, f64)) -> [f64; 3] {
     let square = s * s;
     let product = k * square;
     let scale = 1.0 / (1.0 + product);
-    // from s alone where that loses nothing: errors of c and d would grow twofold a level
+    // uses s alone where this does not cancel, because errors of c and d would double at each level
     let rest = if product < 0.5 { 1.0 - product } else { c * c + gap * square };
     [(1.0 + k) * s * scale, c * d * scale, rest * scale]
 }
 
-/// `u` from `sn u`, `cn u >= 0`, `dn u`: the integral of the first kind, `sn R_F(cn^2, dn^2, 1)`.
+/// The argument `u` from `sn u`, `cn u >= 0`, `dn u`: the integral of the first kind, `sn R_F(cn^2,
+/// dn^2, 1)`.
 pub fn first_kind([s, c, d]: [f64; 3]) -> f64 {
-    // the first duplication, by roots: squares may underflow
+    // the first duplication uses square roots, because squares may underflow
     let lambda = c * d + c + d;
     let [mut x, mut y, mut z] = [c * c, d * d, 1.0].map(|x| 0.25 * (x + lambda));
     loop {
@@ -101,16 +104,17 @@ pub fn first_kind([s, c, d]: [f64; 3]) -> f64 {
     }
 }
 
-/// `int_0^u sn^2/(1 + n sn^2)` from `sn u`, `cn u >= 0`, `dn u`, for `n >= 0`:
-/// `sn^3 R_J(cn^2, dn^2, 1, 1 + n sn^2)/3`, the integral of the third kind less that of the first.
+/// The integral `int_0^u sn^2/(1 + n sn^2)` from `sn u`, `cn u >= 0`, `dn u`, for `n >= 0`: `sn^3
+/// R_J(cn^2, dn^2, 1, 1 + n sn^2)/3`. It is the difference of the integrals of the third and the
+/// first kind.
 pub fn third_kind([s, c, d]: [f64; 3], n: f64) -> f64 {
-    // a rounding may take it below 0
+    // a rounding error may make it negative
     let c = c.max(0.0);
     let square = s * s;
     let mut p = 1.0 + n * square;
     let [mut x, mut y, mut z] = [c * c, d * d, 1.0];
     let [mut rx, mut ry, mut rz, mut rp] = [c, d, 1.0, p.sqrt()];
-    // (p - x)(p - y)(p - z), the first two without a difference of squares near 1
+    // (p - x)(p - y)(p - z), where the first two factors avoid cancellation of squares near 1
     let mut delta = (n * square + square) * (p - y) * (n * square);
     let (mut quarters, mut sum) = (1.0, 0.0);
     loop {
@@ -134,7 +138,7 @@ pub fn third_kind([s, c, d]: [f64; 3], n: f64) -> f64 {
         let product = (rp + rx) * (rp + ry) * (rp + rz);
         let e = delta / (product * product);
         let root = e.sqrt();
-        // R_C(1, 1 + e)
+        // the elliptic integral R_C(1, 1 + e)
         let circular = if e > 1e-5 {
             root.atan() / root
         } else {

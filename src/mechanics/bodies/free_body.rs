@@ -1,23 +1,25 @@
-//! The torque-free rigid body at any time, without steps.
+//! The torque-free rigid body at any time, in closed form.
 //!
-//! With the momentum scaled to length 1 and frequencies `w_i = |H|/J_i`, let `c` be the principal axis about which
-//! the momentum circulates, of largest or smallest moment, and `b` that of the middle one:
+//! The momentum is scaled to length 1, with frequencies `w_i = |H|/J_i`. Let `c` be the principal
+//! axis about which the momentum circulates, which has the largest or smallest moment, and `b` the
+//! axis of the middle moment:
 //!
 //! ```text
 //! m_a = A_a cn(u, k)   m_b = A_b sn(u, k)   m_c = +-A_c dn(u, k)   u = u0 + l t
 //! ```
 //!
-//! The attitude is `R = R_0 P_0^-1 exp(psi n) P` with `n = +-e_c` and `P` the shortest rotation from `m` to `n`, so
-//! that `psi' = w_c + (2E - w_c)/(1 + A_c dn u)` has no singularity (van Zon and Schofield, J. Comput. Phys. 225 (2007)
-//! 145-164; Celledoni, Fasso, Saefstroem and Zanna, SIAM J. Sci. Comput. 30 (2008) 2084-2112). One Gauss
-//! transformation, `u = (1 + k1) v`, makes the integrand a sum of positive terms,
+//! The attitude is `R = R_0 P_0^-1 exp(psi n) P` with `n = +-e_c` and the shortest rotation `P`
+//! from `m` to `n`. Then `psi' = w_c + (2E - w_c)/(1 + A_c dn u)` has no singularity (van Zon and
+//! Schofield, J. Comput. Phys. 225 (2007) 145-164; Celledoni, Fasso, Saefstroem and Zanna, SIAM J.
+//! Sci. Comput. 30 (2008) 2084-2112). One Gauss transformation, `u = (1 + k1) v`, makes the
+//! integrand a sum of positive terms,
 //!
 //! ```text
 //! 1/(1 + r dn u) = (1 + (k1 - n) s^2/(1 + n s^2))/(1 + r),    s = sn(v, k1),  n = k1 (1 - r)/(1 + r)
 //! ```
 //!
-//! and its integral, of the third kind, needs no additional arctangent. It loses no digits where moments are nearly equal or
-//! the momentum is near an axis.
+//! and its integral, of the third kind, needs no additional arctangent. It is accurate even if
+//! moments are nearly equal or the momentum is near an axis.
 
 use super::elliptic::{Jacobi, first_kind, gauss, level, raise, third_kind};
 use super::{BodyState, Inertia};
@@ -25,13 +27,15 @@ use crate::Error;
 use crate::group::{LieGroup, So3};
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 
-/// Momenta within this relative distance of the separatrix count as on it, as the rounding of the data moves them there.
+/// The relative distance from the separatrix within which momenta count as on it, because rounding
+/// errors of the data are as large.
 const ON_SEPARATRIX: f64 = 4.0 * f64::EPSILON;
 
-/// The motion of a rigid body without torque, exact to rounding at any time.
+/// The motion of a rigid body without torque, accurate up to rounding errors at any time.
 ///
-/// The rounding of the moments alone changes the attitude by `|H| t/J` times half an epsilon; the error of
-/// [`at`](Self::at) is a few times that. The spatial momentum, the energy and `|H|` do not drift.
+/// The rounding of the moments alone changes the attitude by `|H| t/J` times half a machine
+/// epsilon; the error of [`at`](Self::at) is a few times as large. The spatial momentum, the energy
+/// and `|H|` do not drift.
 ///
 /// ```
 /// use affinor::mechanics::{BodyState, FreeBody, Inertia};
@@ -52,7 +56,7 @@ const ON_SEPARATRIX: f64 = 4.0 * f64::EPSILON;
 pub struct FreeBody {
     inertia: Inertia,
     start: BodyState,
-    /// `|H|`.
+    /// The length `|H|` of the momentum.
     length: f64,
     motion: Motion,
 }
@@ -66,42 +70,44 @@ enum Motion {
     Turning { frame: Frame, course: Course },
 }
 
-/// Data of motions that are not steady.
+/// Data of motions that are not steady rotations.
 #[derive(Clone, Debug, PartialEq)]
 struct Frame {
-    /// Columns are the axes a, b, c in body components.
+    /// The axes a, b, c as columns, in body components.
     axes: Matrix3<f64>,
     /// `A_a` with the sign of `m_a`, `A_b`, `A_c` with the sign of `m_c`.
     amplitudes: Vector3<f64>,
     /// The inverse of the shortest rotation at the start.
     start: Quaternion<f64>,
-    /// The linear part of `psi'`, and the factor of its other part.
+    /// The linear part of `psi'`, and the factor of its periodic part.
     rate: f64,
     factor: f64,
-    /// The other part at the start.
+    /// The periodic part at the start.
     rest: f64,
 }
 
 #[derive(Clone, Debug, PartialEq)]
 #[allow(clippy::large_enum_variant, reason = "one a body, and no way to go for its data")]
 enum Course {
-    /// Circulation about the axis c.
+    /// The momentum circulates about the axis c.
     Periodic {
-        /// The functions of modulus `k1`, and `k1` with `1 - k1`.
+        /// The elliptic functions of modulus `k1`, and `k1` with `1 - k1`.
         jacobi: Jacobi,
         modulus: (f64, f64),
-        /// `n` of the third kind, and the integral over a quarter.
+        /// The characteristic `n` of the integral of the third kind, and the integral over a
+        /// quarter period.
         characteristic: f64,
         quarter: f64,
-        /// `v = v0 + v1 t`.
+        /// The coefficients of `v = v0 + v1 t`.
         v: [f64; 2],
         phase: Phase,
     },
-    /// The separatrix: from one rotation about the middle axis to the opposite one, in infinite time.
+    /// The momentum moves on the separatrix, from a rotation about the middle axis to the opposite
+    /// one, in infinite time.
     Separatrix {
-        /// `u = u0 + u1 t`.
+        /// The coefficients of `u = u0 + u1 t`.
         u: [f64; 2],
-        /// `sqrt((1 - r)/(1 + r))`.
+        /// The value `sqrt((1 - r)/(1 + r))`.
         root: f64,
     },
 }
@@ -116,9 +122,10 @@ pub struct Phase {
     pub period: f64,
     /// The angle, including full turns.
     pub total: f64,
-    /// `2 E T/|H|`.
+    /// The dynamic phase `2 E T/|H|`.
     pub dynamic: f64,
-    /// The geometric phase: the solid angle that `H` encloses in the body, up to its sign and full turns.
+    /// The geometric phase: the solid angle that the path of `H` in the body encloses, up to its
+    /// sign and full turns.
     pub geometric: f64,
 }
 
@@ -126,8 +133,8 @@ impl FreeBody {
     /// The motion from a state at time 0. The body's axes are those of the inertia.
     ///
     /// # Errors
-    /// [`Error::Overflow`] for a state that is not finite, or so large that rates are not; [`Error::Invalid`] for an
-    /// attitude without length.
+    /// [`Error::Overflow`] for a state that is not finite, or so large that angular velocities are
+    /// not; [`Error::Invalid`] for an attitude of length zero.
     pub fn new(inertia: &Inertia, start: &BodyState) -> Result<Self, Error> {
         let BodyState { attitude, momentum } = *start;
         let attitude =
@@ -171,17 +178,18 @@ impl FreeBody {
         }
     }
 
-    /// `Omega` at a time, in body components.
+    /// The angular velocity `Omega` at a time, in body components.
     pub fn velocity(&self, time: f64) -> Vector3<f64> {
         self.inertia.velocity(&self.at(time).momentum)
     }
 
-    /// The period of `H` and `Omega`; `None` where they are constant, and on the separatrix.
+    /// The period of `H` and `Omega`; `None` if they are constant, and on the separatrix.
     pub fn period(&self) -> Option<f64> {
         self.phase().map(|phase| phase.period)
     }
 
-    /// A bound of the angular velocity, in radians per unit of time, and of the rate of the argument of the elliptic functions.
+    /// A bound of the angular velocity, in radians per unit of time, and of the time derivative of
+    /// the argument of the elliptic functions.
     pub fn rate(&self) -> f64 {
         let energy = self.start.momentum.dot(&self.inertia.velocity(&self.start.momentum));
         let argument = match &self.motion {
@@ -202,13 +210,13 @@ impl FreeBody {
     }
 }
 
-/// The motion of a momentum of length 1; `None` for a steady rotation.
+/// The motion of a momentum of length 1; `None` if it is a steady rotation.
 fn turning(inertia: &Inertia, unit: &Vector3<f64>, length: f64) -> Option<Motion> {
     let moments = inertia.principal_moments();
     let mut order = [0, 1, 2];
     order.sort_by(|&i, &j| moments[i].total_cmp(&moments[j]));
     let components = inertia.axes().tr_mul(unit);
-    // w_i - w_j
+    // the difference w_i - w_j
     let gap = |i: usize, j: usize| length * ((moments[j] - moments[i]) / moments[i] / moments[j]);
     // |m_c| sqrt(w_b - w_c) of both outer axes; c has the larger one
     let size = |c: usize| components[c].abs() * gap(order[1], c).abs().sqrt();
@@ -221,7 +229,7 @@ fn turning(inertia: &Inertia, unit: &Vector3<f64>, length: f64) -> Option<Motion
         return None;
     }
     let (sum, whole, part) = (gap(a, c), gap(a, c).abs(), gap(b, c).abs());
-    // in units of w_a - w_c
+    // both in units of w_a - w_c
     let (upper, lower) = (gap(a, b).abs() / whole, part / whole);
     let column = |i: usize| inertia.axes().column(i).into_owned();
     let mut axes = Matrix3::from_columns(&[column(a), column(b), column(c)]);
@@ -238,13 +246,13 @@ fn turning(inertia: &Inertia, unit: &Vector3<f64>, length: f64) -> Option<Motion
     let [first, second, r] = [amplitudes.x.abs(), amplitudes.y, amplitudes.z.abs()];
     let speed =
         sum.signum() * amplitudes.z.signum() * m.x.signum() * whole.sqrt() * part.sqrt() * r;
-    let beside = first * first / (1.0 + r); // 1 - r
+    let beside = first * first / (1.0 + r); // equals 1 - r
     let start = [m.y / second, m.x.abs() / first, m.z.abs() / r];
     let mut frame = Frame {
         axes,
         amplitudes,
         start: shortest(&m).conjugate(),
-        // w_c r + w_a (1 - r)
+        // equals w_c r + w_a (1 - r)
         rate: length * (r / moments[c] + beside / moments[a]),
         factor: 0.0,
         rest: 0.0,
@@ -276,7 +284,7 @@ fn turning(inertia: &Inertia, unit: &Vector3<f64>, length: f64) -> Option<Motion
 }
 
 impl Course {
-    /// `cn`, `sn`, `dn` at a time, and the nonlinear part of the integral.
+    /// The values `cn`, `sn`, `dn` at a time, and the periodic part of the integral.
     fn at(&self, time: f64) -> ([f64; 3], f64) {
         match self {
             Course::Periodic { jacobi, modulus, characteristic, quarter, v, .. } => {
@@ -284,7 +292,7 @@ impl Course {
                 let half = 2.0 * jacobi.quarter_period();
                 let turns = (v / half).round();
                 let sign = if turns.rem_euclid(2.0) == 0.0 { 1.0 } else { -1.0 };
-                // the rounding of huge times may lead beyond a quarter
+                // for huge times, rounding errors may exceed a quarter period
                 let quarter_period = jacobi.quarter_period();
                 let reduced = (v - turns * half).max(-quarter_period).min(quarter_period);
                 let below = jacobi.at(reduced);
@@ -301,7 +309,7 @@ impl Course {
     }
 }
 
-/// The shortest rotation that takes `m`, of length 1, to the third axis, or to its opposite where `m_c < 0`.
+/// The shortest rotation from `m`, of length 1, to the third axis, or to its opposite if `m_c < 0`.
 fn shortest(m: &Vector3<f64>) -> Quaternion<f64> {
     let sign = m.z.signum();
     Quaternion::new(1.0 + m.z.abs(), sign * m.y, -sign * m.x, 0.0).normalize()

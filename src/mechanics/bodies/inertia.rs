@@ -6,7 +6,7 @@ use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 
 /// The tolerance of symmetry, relative to the largest entry.
 const SYMMETRIC: f64 = 1e-12;
-/// The relative tolerance of the triangle inequality: flat bodies have equality.
+/// The relative tolerance of the triangle inequality, which is an equality for flat bodies.
 const FLAT: f64 = 1e-12;
 
 /// Attitude and momentum of a rigid body.
@@ -41,12 +41,12 @@ impl BodyState {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Inertia {
     moments: Vector3<f64>,
-    /// Columns are principal axes in body components; a rotation.
+    /// The principal axes as columns, in body components; a rotation matrix.
     axes: Matrix3<f64>,
 }
 
 impl Inertia {
-    /// The inertia of principal moments, in the axes of the body.
+    /// The inertia with these principal moments, along the axes of the body.
     ///
     /// # Errors
     /// [`Error::Invalid`] for a moment that is not positive and finite.
@@ -54,14 +54,18 @@ impl Inertia {
         Self::principal(*moments, Matrix3::identity())
     }
 
-    /// The inertia of a matrix, with its principal axes. A diagonal matrix keeps its axes and their order.
+    /// The inertia of a matrix, with its principal axes. For a diagonal matrix, the axes and their
+    /// order are those of the body.
     ///
     /// # Errors
-    /// [`Error::Invalid`] for a matrix that is not symmetric, to 12 digits, or not positive definite.
+    /// [`Error::Invalid`] for a matrix that is not symmetric to 12 digits, or not positive
+    /// definite.
     pub fn new(matrix: &Matrix3<f64>) -> Result<Self, Error> {
         let size = matrix.amax();
         if let Some(off) = asymmetry(matrix) {
-            return Err(invalid_inertia(format!("the matrix is off symmetric by {off}")));
+            return Err(invalid_inertia(format!(
+                "the matrix is not symmetric: entries differ by {off}"
+            )));
         }
         let scaled = matrix / size;
         let symmetric = (scaled + scaled.transpose()) * 0.5;
@@ -78,7 +82,7 @@ impl Inertia {
     }
 
     fn principal(moments: Vector3<f64>, axes: Matrix3<f64>) -> Result<Self, Error> {
-        // its reciprocal must be finite as well
+        // the reciprocal of the moment must be finite as well
         match moments.iter().find(|moment| !(moment.is_normal() && **moment > 0.0)) {
             Some(moment) => Err(invalid_inertia(format!("{moment} is a principal moment"))),
             None => Ok(Inertia { moments, axes }),
@@ -90,13 +94,13 @@ impl Inertia {
         &self.moments
     }
 
-    /// The principal axes: columns of a rotation matrix, in body components.
+    /// The principal axes, as columns of a rotation matrix in body components.
     pub fn axes(&self) -> &Matrix3<f64> {
         &self.axes
     }
 
-    /// The edges, up to a common factor, of the homogeneous box with these ratios of moments: `a_i^2 = J_j + J_k - J_i`, and
-    /// 0 where no body has such moments.
+    /// The edges, up to a common factor, of the homogeneous box with these ratios of moments:
+    /// `a_i^2 = J_j + J_k - J_i`. An edge is 0 if no body has these moments.
     ///
     /// ```
     /// use affinor::mechanics::Inertia;
@@ -119,18 +123,20 @@ impl Inertia {
         self.axes * Matrix3::from_diagonal(&self.moments) * self.axes.transpose()
     }
 
-    /// The inertia of the same body with its principal axes as those of the body.
+    /// The inertia of the same body in its principal axes.
     #[must_use]
     pub fn in_principal_axes(&self) -> Self {
         Inertia { moments: self.moments, axes: Matrix3::identity() }
     }
 
-    /// Whether it is that of positive masses: no moment is larger than the sum of the others. Motions do not require this.
+    /// Whether a body of positive masses has this inertia: no moment is larger than the sum of the
+    /// others. Motions do not require this.
     pub fn is_physical(&self) -> bool {
         self.require_physical().is_ok()
     }
 
-    /// Checks that it is that of positive masses, to 12 digits: `J_1 <= J_2 + J_3` and cyclic.
+    /// Checks, to 12 digits, that a body of positive masses has this inertia: `J_1 <= J_2 + J_3`
+    /// and cyclic.
     ///
     /// # Errors
     /// [`Error::Invalid`] with the moments.
@@ -154,7 +160,7 @@ impl Inertia {
     }
 }
 
-/// The asymmetry of a matrix, if it exceeds rounding; NaN for an entry that is not finite.
+/// The asymmetry of a matrix, if it exceeds rounding errors; NaN for an entry that is not finite.
 pub(super) fn asymmetry(matrix: &Matrix3<f64>) -> Option<f64> {
     if !matrix.iter().all(|entry| entry.is_finite()) {
         return Some(f64::NAN);
@@ -163,10 +169,11 @@ pub(super) fn asymmetry(matrix: &Matrix3<f64>) -> Option<f64> {
     (off > SYMMETRIC * matrix.amax()).then_some(off)
 }
 
-/// Checks the triangle inequality of principal moments, to the rounding of numbers of a size.
+/// Checks the triangle inequality of principal moments, up to rounding errors of numbers of the
+/// given size.
 ///
 /// # Errors
-/// [`Error::Invalid`].
+/// [`Error::Invalid`] with the moments.
 pub(super) fn require_physical(moments: &Vector3<f64>, size: f64) -> Result<(), Error> {
     let mut ordered: [f64; 3] = (*moments).into();
     ordered.sort_by(f64::total_cmp);
@@ -174,5 +181,7 @@ pub(super) fn require_physical(moments: &Vector3<f64>, size: f64) -> Result<(), 
     if (c - b) - a <= FLAT * size {
         return Ok(());
     }
-    Err(invalid_inertia(format!("moments {a}, {b}, {c}: no masses have them, as {c} > {a} + {b}")))
+    Err(invalid_inertia(format!(
+        "moments {a}, {b}, {c}: no body has these moments, because {c} > {a} + {b}"
+    )))
 }

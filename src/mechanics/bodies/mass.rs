@@ -13,7 +13,7 @@ use affinor_tensors::{Down, Tensor};
 use nalgebra::{Isometry3, Matrix3, Matrix6, Vector3};
 use std::ops::Add;
 
-/// A principal moment below this share of the largest is rounding.
+/// A principal moment below this fraction of the largest counts as rounding error.
 const ROUNDING: f64 = 1e-14;
 
 /// The mass properties of a body: mass, centre of mass, and second moments about the centre.
@@ -56,14 +56,16 @@ impl MassProperties {
             return Err(invalid_inertia(format!("the mass is {mass}")));
         }
         if let Some(off) = asymmetry(inertia) {
-            return Err(invalid_inertia(format!("the matrix is off symmetric by {off}")));
+            return Err(invalid_inertia(format!(
+                "the matrix is not symmetric: entries differ by {off}"
+            )));
         }
         let inertia = (inertia + inertia.transpose()) * 0.5;
         let second = Matrix3::identity() * (0.5 * inertia.trace()) - inertia;
         Self::of_moments(mass, centre, second)?.checked(inertia.norm())
     }
 
-    /// The body of positive masses with these second moments about the centre.
+    /// The body of positive masses with these second moments about its centre.
     fn of_moments(mass: f64, centre: Vector3<f64>, second: Matrix3<f64>) -> Result<Self, Error> {
         let numbers = [("the mass", mass), ("the centre", centre.sum()), ("S", second.sum())];
         match numbers.iter().find(|(_, value)| !value.is_finite()) {
@@ -74,7 +76,8 @@ impl MassProperties {
         }
     }
 
-    /// Checks the triangle inequality of the principal moments, to the rounding of numbers of a size.
+    /// Checks the triangle inequality of the principal moments, up to rounding errors of numbers of
+    /// the given size.
     fn checked(self, size: f64) -> Result<Self, Error> {
         require_physical(&self.inertia_matrix().symmetric_eigenvalues(), size)?;
         Ok(self)
@@ -90,7 +93,7 @@ impl MassProperties {
         &self.centre
     }
 
-    /// The matrix of `J` (12) about the centre; it is singular for masses on a line.
+    /// The matrix of `J` (12) about the centre; it is singular if all masses are on a line.
     pub fn inertia_matrix(&self) -> Matrix3<f64> {
         rotational(&self.second)
     }
@@ -118,8 +121,9 @@ impl MassProperties {
         rigid(&self.inertia_matrix_about(point))
     }
 
-    /// The metric on se(3) of a body that moves freely, in the basis of [`Se3`](crate::group::Se3): twice the kinetic energy
-    /// of the velocity `(Omega, v)` of the body frame. With `J` about its origin and the centre at `c`
+    /// The metric on se(3) of a body that moves freely, in the basis of [`Se3`](crate::group::Se3):
+    /// it gives twice the kinetic energy of the velocity `(Omega, v)` of the body frame. With `J`
+    /// about its origin and the centre at `c`
     ///
     /// ```text
     /// G = [[J, m spin(c)], [-m spin(c), m I]]
@@ -138,7 +142,7 @@ impl MassProperties {
         Metric::new(labels, Tensor::from_fn(6, [Down, Down], |[i, j]| g[(i, j)])?)
     }
 
-    /// The body moved by an isometry: `c' = R c + t`, `J' = R J R^T`.
+    /// The body after a rigid motion: `c' = R c + t`, `J' = R J R^T`.
     #[must_use]
     pub fn moved(&self, motion: &Isometry3<f64>) -> Self {
         let turn = motion.rotation.to_rotation_matrix();
@@ -159,7 +163,7 @@ impl MassProperties {
     /// The shape with another mass.
     ///
     /// # Errors
-    /// As [`of_density`](Self::of_density).
+    /// Those of [`of_density`](Self::of_density).
     pub fn of_mass(&self, mass: f64) -> Result<Self, Error> {
         self.of_density(positive("the mass", mass)? / self.mass)
     }
@@ -176,7 +180,7 @@ impl MassProperties {
         Self::of_moments(left.mass, left.centre, left.second)?.checked(size)
     }
 
-    /// The body plus `sign` times the other.
+    /// The sum of this body and `sign` times the other one.
     fn joined(&self, other: &Self, sign: f64) -> Self {
         let part = sign * other.mass;
         let mass = self.mass + part;
@@ -186,7 +190,7 @@ impl MassProperties {
     }
 }
 
-/// Two bodies as one.
+/// The sum of two bodies is their union.
 impl Add for MassProperties {
     type Output = Self;
 
@@ -202,12 +206,14 @@ fn rigid(matrix: &Matrix3<f64>) -> Result<Inertia, Error> {
     if least > ROUNDING * largest {
         return Ok(inertia);
     }
-    Err(invalid_inertia(format!("the masses are on a line: a moment is {least} beside {largest}")))
+    Err(invalid_inertia(format!(
+        "the masses are on a line: the smallest moment is {least}, the largest {largest}"
+    )))
 }
 
-/// `tr(S) I - S`.
+/// The inertia matrix `tr(S) I - S`.
 fn rotational(second: &Matrix3<f64>) -> Matrix3<f64> {
-    // the diagonal without the terms that cancel
+    // the diagonal, without terms that cancel
     let [x, y, z] = [second.m11, second.m22, second.m33];
     Matrix3::from_diagonal(&Vector3::new(y + z, z + x, x + y))
         - (second - Matrix3::from_diagonal(&second.diagonal()))

@@ -2,7 +2,8 @@
 
 use std::hash::{Hash, Hasher};
 
-/// A function of one number. `slope(x, y)` is its derivative at `x`, where `y` is its value there.
+/// A function of one number. `slope(x, y)` is its derivative at `x`, where `y` is the value of the
+/// function at `x`.
 #[derive(Debug)]
 pub(super) struct Function {
     pub(super) name: &'static str,
@@ -16,11 +17,11 @@ pub(super) struct FunctionOfTwo {
     pub(super) name: &'static str,
     pub(super) value: fn(f64, f64) -> f64,
     pub(super) slopes: fn(f64, f64) -> [f64; 2],
-    /// Whether it takes longer lists of arguments, two by two.
+    /// Whether it accepts more than two arguments, which are combined pairwise.
     pub(super) folds: bool,
 }
 
-// pointers to functions need not be unique
+// addresses of functions need not be unique, so names are compared
 impl PartialEq for Function {
     fn eq(&self, other: &Self) -> bool {
         self.name == other.name
@@ -48,8 +49,8 @@ impl Hash for FunctionOfTwo {
     }
 }
 
-/// The functions of one number that formulas may call. Where there is no derivative, the slope is the mean of those on both
-/// sides.
+/// The functions of one number that formulas may call. Where the derivative does not exist, the
+/// slope is the mean of the one-sided derivatives.
 pub(super) static FUNCTIONS: [Function; 16] = [
     Function { name: "sin", value: f64::sin, slope: |x, _| x.cos() },
     Function { name: "cos", value: f64::cos, slope: |x, _| -x.sin() },
@@ -65,7 +66,7 @@ pub(super) static FUNCTIONS: [Function; 16] = [
     Function { name: "sqrt", value: f64::sqrt, slope: |_, y| 0.5 / y },
     Function { name: "abs", value: f64::abs, slope: |x, _| sign(x) },
     Function { name: "sign", value: sign, slope: |_, _| 0.0 },
-    // 1 from 0 on
+    // the step function, which is 1 from 0 on
     Function {
         name: "step",
         value: |x| if x.is_nan() { x } else { f64::from(x >= 0.0) },
@@ -99,12 +100,12 @@ pub(super) static FUNCTIONS_OF_TWO: [FunctionOfTwo; 3] = [
     },
 ];
 
-/// `-1`, `0` or `1`.
+/// The sign: `-1`, `0` or `1`.
 fn sign(x: f64) -> f64 {
     if x == 0.0 { 0.0 } else { x.signum() }
 }
 
-/// The derivatives by two numbers of the selected one; of neither, their mean.
+/// The derivatives of the selected one of two numbers; if neither is selected, their mean.
 fn selected(first: bool, second: bool) -> [f64; 2] {
     let share = 0.5 * (1.0 + f64::from(first) - f64::from(second));
     [share, 1.0 - share]

@@ -11,13 +11,13 @@ use crate::mechanics::systems::cotangent::{CotangentSystem, State};
 use crate::numerics::ode::LEAST_STEP;
 use crate::numerics::tableaux::{DormandPrince, DormandPrince8, Tabulated};
 
-/// The embedded pairs of Dormand and Prince.
+/// The embedded Runge-Kutta pairs of Dormand and Prince.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Pair {
-    /// Order 5.
+    /// The pair of order 5.
     #[default]
     Five,
-    /// Order 8: cheaper for small tolerances.
+    /// The pair of order 8, which is faster for small tolerances.
     Eight,
 }
 
@@ -34,8 +34,8 @@ impl Pair {
 /// A pair of Dormand and Prince with step-size control.
 ///
 /// A step is accepted if its estimated error is within the tolerance. Rotations and
-/// [translations](crate::group::TranslationSplit::translational_part) have separate scales. With the relative tolerance `r`, the error may be the
-/// larger of the two parts:
+/// [translations](crate::group::TranslationSplit::translational_part) have separate scales. With
+/// the relative tolerance `r`, the error may be as large as the larger of the two parts:
 ///
 /// | error of | absolute part | relative part |
 /// |---|---|---|
@@ -44,31 +44,32 @@ impl Pair {
 /// | momentum of rotations | the momentum that rotates the body by `a_1` in the time `span` | `r` of the larger momentum at both ends |
 /// | momentum of translations | the momentum that moves the body by `a_2` in the time `span` | `r` of the larger momentum at both ends |
 ///
-/// The radius of gyration is the square root of the largest moment of inertia over the largest mass, or 1 without one of them.
-/// For a system without an inertia the error of the momentum is relative to its largest component. In free motions by
-/// [`projected`](Adaptive::projected) steps the momentum is a function of the element, and only the errors of the element count.
+/// The radius of gyration is the square root of the largest moment of inertia over the largest
+/// mass, or 1 if one of them is missing. For a system without an inertia, the error of the momentum
+/// is relative to its largest component. In free motions by [`projected`](Adaptive::projected)
+/// steps the momentum is a function of the element, so only the errors of the element count.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Adaptive<C = ExponentialCoordinates> {
     /// The pair.
     pub pair: Pair,
-    /// The relative tolerance `r` of a step.
+    /// The relative tolerance `r` per step.
     pub tolerance: f64,
     /// The absolute tolerances `a_1` of rotations and `a_2` of translations, or `None` for the defaults of the table.
     pub absolute: Option<[f64; 2]>,
-    /// The time over which an error of a velocity accumulates, such as that of the run. If it is infinite, the tolerance of
-    /// momenta has no absolute part.
+    /// The time over which an error of a velocity accumulates, such as the length of the run. If it
+    /// is infinite, the tolerance of momenta has no absolute part.
     pub span: f64,
-    /// The most steps between two output times.
+    /// The largest number of steps between two output times.
     pub max_steps: usize,
-    /// The longest step. A force that acts for a shorter time may be missed.
+    /// The longest step. A force that acts for a shorter time than this may be missed.
     pub max_step: f64,
     /// The local coordinates of steps.
     pub coordinates: C,
 }
 
 impl Adaptive {
-    /// The pair of order 5 with a relative tolerance, at most a million steps of any length, and no absolute tolerance of
-    /// momenta.
+    /// The pair of order 5 with a relative tolerance, at most a million steps of any length, and no
+    /// absolute tolerance of momenta.
     pub fn new(tolerance: f64) -> Self {
         Adaptive {
             pair: Pair::Five,
@@ -95,13 +96,15 @@ impl Adaptive {
 }
 
 impl<C: Copy> Adaptive<C> {
-    /// The first step to try. It is at most 0.1 units of time; the control corrects it at once.
+    /// The first step size to try. It is at most 0.1 units of time; the step-size control corrects
+    /// it at once.
     pub fn first_step(&self) -> f64 {
         self.tolerance.powf(self.exponent()).min(0.1).min(self.max_step)
     }
 
-    /// A first step to try from a state, as a share of its shortest time scale: that of the rotation, or of the relative changes
-    /// of the momenta of rotations and of translations. It is [`first_step`](Self::first_step) if nothing changes, or at rest.
+    /// A first step size to try from a state. It is a fraction of the shortest time scale: that of
+    /// the rotation, or of the relative changes of the momenta of rotations and of translations. It
+    /// is [`first_step`](Self::first_step) at rest, or if nothing changes.
     pub fn first_step_from<S: CotangentSystem>(&self, system: &S, state: &State<S::Group>) -> f64 {
         let fastest = StepStart::new(system, state).fastest();
         let guess = self.tolerance.powf(self.exponent()) / fastest;
@@ -109,17 +112,19 @@ impl<C: Copy> Adaptive<C> {
         if is_guess { guess.min(self.max_step) } else { self.first_step() }
     }
 
-    /// The exponent `1/order` by which the step depends on the error.
+    /// The exponent `1/order` with which the step size depends on the error.
     fn exponent(&self) -> f64 {
         1.0 / f64::from(self.pair.order())
     }
 
-    /// One accepted step from a state towards `end`, not beyond it. `next` is the step size to try, and becomes that of the
-    /// next step. A step depends on these and on the state alone.
+    /// Makes one accepted step from a state towards `end`, not beyond it. `next` is the step size
+    /// to try, and becomes the proposed size of the next step. A step depends only on these values
+    /// and on the state.
     ///
     /// # Errors
-    /// [`Error::Integration`] when steps become too small: at a pole, a value that is not finite, or in a stiff problem; for
-    /// a tolerance or a step that is not positive, and for an end that is not finite.
+    /// [`Error::Integration`] if steps become too small: at a pole, at a value that is not finite,
+    /// or in a stiff problem. Also for a tolerance or a step that is not positive, and for an end
+    /// that is not finite.
     pub fn step<S: CotangentSystem>(
         &self,
         system: &S,
@@ -136,7 +141,7 @@ impl<C: Copy> Adaptive<C> {
             return Err(stopped(state.time, reason));
         }
         if !end.is_finite() {
-            return Err(stopped(state.time, format!("the end is {end}, no finite time")));
+            return Err(stopped(state.time, format!("the end is {end}, which is not finite")));
         }
         let allowed = Allowed::new(self.tolerance, self.absolute, self.span, system.sizes());
         loop {
@@ -157,7 +162,7 @@ impl<C: Copy> Adaptive<C> {
             };
             let (reached, error) = match advanced {
                 Ok((reached, error)) if error.is_finite() => (reached, error),
-                // a shorter step may still be possible
+                // a shorter step may still succeed
                 _ => {
                     *next = 0.2 * h.abs();
                     continue;
@@ -173,7 +178,7 @@ impl<C: Copy> Adaptive<C> {
         }
     }
 
-    /// The states at the given times, in their order; each time is the end of a step.
+    /// The states at the given times, in their order. A step ends at each of these times.
     ///
     /// # Errors
     /// [`Error::Integration`] with the time that was reached.

@@ -5,8 +5,9 @@ use super::{Integrator, expect_finite};
 use crate::Error;
 use crate::mechanics::systems::cotangent::{CotangentSystem, State, Vector};
 
-/// The classical Runge-Kutta method with exponentials instead of sums: two in the fourth stage, and two in the step. It needs
-/// neither the inverse tangent operator nor brackets.
+/// The classical Runge-Kutta method with products of exponentials instead of sums: two exponentials
+/// in the fourth stage, and two in the step. It needs neither the inverse tangent operator nor
+/// brackets.
 ///
 /// E. Celledoni, A. Marthinsen and B. Owren, *Future Generation Computer Systems* 19 (2003) 341-352.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -2,8 +2,8 @@
 
 use nalgebra::SVector;
 
-/// A sum with its rounding error, which is added to the next term: W. Kahan, *Commun. ACM* 8 (1965) 40. The sum of many small
-/// terms then has the rounding of the terms alone.
+/// A sum with its rounding error, which is added to the next term: W. Kahan, *Commun. ACM* 8 (1965)
+/// 40. The sum of many small terms then has only the rounding errors of the terms.
 ///
 /// For integrators, E. Hairer, R. I. McLachlan and A. Razakarivony, *BIT* 48 (2008) 231-243; for rigid bodies, G. Vilmart,
 /// *J. Comput. Phys.* 227 (2008) 7083-7088.

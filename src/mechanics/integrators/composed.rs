@@ -4,8 +4,9 @@ use super::Integrator;
 use crate::Error;
 use crate::mechanics::systems::System;
 
-/// Five steps of a symmetric method of order 2, of `p h`, `p h`, `(1 - 4 p) h`, `p h`, `p h` with
-/// `p = 1/(4 - 4^(1/3))`: a symmetric method of order 4 with the conserved quantities of its steps.
+/// Five steps of a symmetric method of order 2, with step sizes `p h`, `p h`, `(1 - 4 p) h`, `p h`,
+/// `p h` and `p = 1/(4 - 4^(1/3))`. They are a symmetric method of order 4, with the conserved
+/// quantities of its steps.
 ///
 /// M. Suzuki, *Phys. Lett. A* 146 (1990) 319-323.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

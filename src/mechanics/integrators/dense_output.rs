@@ -4,10 +4,10 @@ use super::Integrator;
 use crate::Error;
 use crate::mechanics::systems::System;
 
-/// A step, and the state at any time within it: that of a shorter step from the same start.
+/// A step, with the state at any time within it: the result of a shorter step from the same start.
 ///
-/// The states within have the order and the conserved quantities of the method, without an interpolant of lower order. A state
-/// costs one step.
+/// States within the step have the order and the conserved quantities of the method; no interpolant
+/// of lower order is used. Each state costs one step.
 ///
 /// ```
 /// use affinor::mechanics::integrators::dense_output::DenseStep;
@@ -37,7 +37,7 @@ impl<S: System, I: Integrator<S>> DenseStep<'_, S, I> {
     /// The state at a time. A time after the end of the step gives the result of a longer step.
     ///
     /// # Errors
-    /// As a step of the method.
+    /// Those of a step of the method.
     pub fn at(&self, time: f64) -> Result<S::State, Error> {
         self.after(time - self.system.time(&self.start))
     }
@@ -45,7 +45,7 @@ impl<S: System, I: Integrator<S>> DenseStep<'_, S, I> {
     /// The state after an elapsed time.
     ///
     /// # Errors
-    /// As a step of the method.
+    /// Those of a step of the method.
     pub fn after(&self, elapsed: f64) -> Result<S::State, Error> {
         let mut state = self.start.clone();
         if elapsed != 0.0 {

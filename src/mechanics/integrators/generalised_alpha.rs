@@ -1,4 +1,4 @@
-//! The generalised-alpha method on groups, with constraints.
+//! The generalized-alpha method on groups, with constraints.
 
 use super::Integrator;
 use crate::Error;
@@ -8,8 +8,8 @@ use crate::mechanics::systems::euler_poincare::Torque;
 use crate::mechanics::systems::saddle::{saddle, solve, stacked};
 use nalgebra::{DMatrix, DVector};
 
-/// The generalised-alpha method for constrained systems, in the index-3 formulation: the constraints hold after each
-/// step, their derivatives to the order of the method.
+/// The generalized-alpha method for constrained systems, in the index-3 formulation. The
+/// constraints hold after each step, their time derivatives up to the order of the method.
 ///
 /// ```text
 /// q_(n+1) = q_n exp(h x),   x = v_n + h (1/2 - beta) a_n + h beta a_(n+1)
@@ -17,26 +17,28 @@ use nalgebra::{DMatrix, DVector};
 /// (1 - alpha_m) a_(n+1) + alpha_m a_n = (1 - alpha_f) v'_(n+1) + alpha_f v'_n
 /// ```
 ///
-/// with the equations of motion and `Phi = 0` at `n + 1` for `v'_(n+1)` and `lambda_(n+1)`, solved by Newton's
-/// method. With the spectral radius `rho` of a step at infinite frequency, `alpha_m = (2 rho - 1)/(rho + 1)`,
-/// `alpha_f = rho/(rho + 1)`, `gamma = 1/2 + alpha_f - alpha_m`, `beta = (gamma + 1/2)^2/4`. Order 2 of `q`,
-/// `v` and `lambda`; fast oscillations are damped.
+/// The equations of motion and `Phi = 0` at `n + 1` are solved for `v'_(n+1)` and `lambda_(n+1)` by
+/// Newton's method. With the spectral radius `rho` of a step at infinite frequency, `alpha_m = (2
+/// rho - 1)/(rho + 1)`, `alpha_f = rho/(rho + 1)`, `gamma = 1/2 + alpha_f - alpha_m`, `beta =
+/// (gamma + 1/2)^2/4`. The method has order 2 in `q`, `v` and `lambda`; fast oscillations are
+/// damped.
 ///
-/// The algorithmic acceleration `a` approximates `v'(t + D h)`, `D = alpha_m - alpha_f`; the first step starts with that value.
-/// It also starts with a velocity that is moved along `J^-1 B^T`, by the normal part of
-/// `h^2 ((1/6 - D/2 - beta) v'' + [v, v']/12)`. So `lambda` is of order 2 from the first step on. All steps should have one length:
-/// a change of the step size causes an error of order 1 in `lambda`, which is damped.
+/// The algorithmic acceleration `a` approximates `v'(t + D h)`, `D = alpha_m - alpha_f`, and the
+/// first step starts with this value. The first step also starts with a velocity that is moved
+/// along `J^-1 B^T`, by the normal part of `h^2 ((1/6 - D/2 - beta) v'' + [v, v']/12)`. With this
+/// start `lambda` is of order 2 from the first step on. All steps should have equal lengths: a
+/// change of the step size causes an error of order 1 in `lambda`, which is damped.
 ///
 /// O. Bruels, A. Cardona and M. Arnold, *Mechanism and Machine Theory* 48 (2012) 121-137; on the start, M.
 /// Arnold, O. Bruels and A. Cardona, *Numer. Math.* 129 (2015) 149-179.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GeneralisedAlpha {
-    /// `rho`, in `[0, 1]`.
+    /// The spectral radius `rho`, in `[0, 1]`.
     pub spectral_radius: f64,
 }
 
 impl Default for GeneralisedAlpha {
-    /// With `rho = 0.9`.
+    /// The method with `rho = 0.9`.
     fn default() -> Self {
         GeneralisedAlpha { spectral_radius: 0.9 }
     }
@@ -50,18 +52,18 @@ struct Coefficients {
     gamma: f64,
 }
 
-/// The end of a step, for an acceleration there.
+/// The end of a step, for a given acceleration there.
 struct End<G: LieGroup> {
-    /// `h x`.
+    /// The increment `h x`.
     increment: G::Vector,
     element: G::Element,
     velocity: G::Vector,
-    /// `a`.
+    /// The algorithmic acceleration `a`.
     filtered: G::Vector,
 }
 
 impl GeneralisedAlpha {
-    /// The most iterations of Newton's method in a step.
+    /// The largest number of Newton iterations in a step.
     pub const ITERATIONS: usize = 20;
 
     /// The order of convergence.
@@ -78,12 +80,12 @@ impl GeneralisedAlpha {
 }
 
 impl Coefficients {
-    /// `D`.
+    /// The offset `D` between the algorithmic and the true acceleration, per unit step.
     fn lead(&self) -> f64 {
         self.alpha_m - self.alpha_f
     }
 
-    /// The share of `v'_(n+1)` in `a_(n+1)`.
+    /// The coefficient of `v'_(n+1)` in `a_(n+1)`.
     fn share(&self) -> f64 {
         (1.0 - self.alpha_f) / (1.0 - self.alpha_m)
     }
@@ -96,7 +98,7 @@ impl Coefficients {
         h: f64,
     ) -> Option<ConstrainedState<G>> {
         let (v, a) = (&state.velocity, &state.acceleration);
-        // v'' by differences within the step, for forces may change before the start
+        // v'' by differences within the step, because forces may be discontinuous before the start
         let s = h / 8.0;
         let after = |s: f64| {
             let x = v.clone() * s + a.clone() * (0.5 * s * s);
@@ -161,7 +163,7 @@ impl<G: TranslationSplit, C: Constraint<G>, M: Torque<G>> Integrator<Constrained
             None => method.started(system, state, h).ok_or_else(singular)?,
         };
         let (n, time) = (system.group().dimension(), state.time + h);
-        // the derivatives of the velocity and of the increment by v'_(n+1)
+        // the derivatives of the velocity and of the increment with respect to v'_(n+1)
         let (in_velocity, in_increment) =
             (method.gamma * method.share() * h, method.beta * method.share() * h * h);
         let mut acceleration = start.acceleration.clone();
@@ -170,7 +172,7 @@ impl<G: TranslationSplit, C: Constraint<G>, M: Torque<G>> Integrator<Constrained
         for _ in 0..Self::ITERATIONS {
             let end = method.end(system, &start, &acceleration, h);
             let gradient = system.constraint().gradient(&end.element);
-            // the constraint force less all other forces
+            // the constraint force minus all other forces
             let pull = |end: &End<G>, gradient: &DMatrix<f64>| {
                 gradient.tr_mul(&multipliers) - system.forces(time, &end.element, &end.velocity)
             };
@@ -196,7 +198,8 @@ impl<G: TranslationSplit, C: Constraint<G>, M: Torque<G>> Integrator<Constrained
             acceleration = acceleration + by.clone();
             multipliers += change.rows_range(n..);
             let (size, motion) = (by.largest(), by.largest() * in_increment.abs());
-            // the rounding of the element, large in the acceleration, ends the convergence of Newton's method
+            // Newton's method stops at the rounding error of the element, which is large in terms
+            // of the acceleration
             let entries = || system.group().matrix(&end.element).amax();
             let still = size > 0.1 * last && motion < 1e-11 * (entries() + end.increment.largest());
             if still || size <= f64::EPSILON * acceleration.largest() {

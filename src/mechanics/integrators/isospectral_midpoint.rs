@@ -11,10 +11,12 @@ use nalgebra::ComplexField;
 /// L_n = (1 - b) X (1 + b),   L_(n+1) = (1 + b) X (1 - b) = L_n + h [B(X), X]
 /// ```
 ///
-/// It is symmetric and of order 2. `L_(n+1)` is similar to `L_n` by the Cayley transform of `b`, so the spectrum is conserved. For
-/// `B` in so(n) or su(n) the matrices remain symmetric, antisymmetric or antihermitian. For a Hamiltonian flow the step is a
-/// Poisson map, and the error of the energy is bounded. `X` is found by fixed-point iteration, with one `B` and two products of
-/// matrices each. It converges within [`IsospectralMidpoint::ITERATIONS`] if `h` times the norm of `B` is below about 1.
+/// It is symmetric and of order 2. `L_(n+1)` is similar to `L_n` by the Cayley transform of `b`, so
+/// the spectrum is conserved. For `B` in so(n) or su(n) the matrices remain symmetric,
+/// antisymmetric or antihermitian. For a Hamiltonian flow the step is a Poisson map, and the error
+/// of the energy is bounded. `X` is found by fixed-point iteration; an iteration costs one `B` and
+/// two matrix products. It converges within [`IsospectralMidpoint::ITERATIONS`] if `h` times the
+/// norm of `B` is below about 1.
 ///
 /// K. Modin and M. Viviani, *Found. Comput. Math.* 20 (2020) 889-921 and *J. Fluid Mech.* 884 (2020) A22.
 ///
@@ -32,11 +34,11 @@ use nalgebra::ComplexField;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct IsospectralMidpoint;
 
-/// The relative change of an iteration that may be rounding.
+/// The relative change of an iteration that may be caused by rounding errors.
 const NOISE: f64 = 1e-13;
 
 impl IsospectralMidpoint {
-    /// The most iterations of a step.
+    /// The largest number of iterations of a step.
     pub const ITERATIONS: usize = 100;
 
     /// The order of convergence.
@@ -48,7 +50,7 @@ impl IsospectralMidpoint {
 impl<S: Isospectral> Integrator<S> for IsospectralMidpoint {
     fn step(&self, system: &S, state: &mut MatrixState<S::Entry>, h: f64) -> Result<(), Error> {
         let stopped = |reason: String| Err(Error::Integration { t: state.time, reason });
-        // without the projection, rounding would break the symmetry of L, and grow
+        // without this projection, rounding errors would break the symmetry of L and grow
         let kept = |matrix| match system.symmetry() {
             Some(symmetry) => symmetry.part(&matrix),
             None => matrix,
@@ -66,7 +68,7 @@ impl<S: Isospectral> Integrator<S> for IsospectralMidpoint {
             if !off.is_finite() {
                 return stopped("a value is not finite".into());
             }
-            // the change is rounding once it no longer decreases
+            // once the change no longer decreases, it consists of rounding errors
             if off == 0.0 || (off >= last && off <= NOISE * size) {
                 let bracket = kept(product - S::Entry::product(&middle, &b));
                 state.matrix += bracket * S::Entry::from_real(2.0);

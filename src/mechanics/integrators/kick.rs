@@ -1,4 +1,4 @@
-//! Splitting methods for a body in a potential: free motions and kicks.
+//! Splitting methods for a body in a potential, with free motions and kicks.
 
 use super::{Integrator, expect_finite};
 use crate::Error;
@@ -21,17 +21,19 @@ pub enum KickOrder {
     Six,
 }
 
-/// The computation of the free motion.
+/// The computation of the free motion between kicks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FreeMotion {
     /// By elliptic functions, for steps of any length.
     Exact,
-    /// By one step of the discrete Moser-Veselov algorithm, which takes a quarter of the time. It has an order of its own: order 10
-    /// is exact to rounding for rotations by less than 0.1 radians.
+    /// By one step of the discrete Moser-Veselov algorithm, in a quarter of the time. The
+    /// step has its own order: order 10 is accurate up to rounding errors for rotations by less
+    /// than 0.1 radians.
     MoserVeselov(moser_veselov::MoserVeselovOrder),
 }
 
-/// The fractions of a step, in its first half: of kicks, and of the free motions after them.
+/// The fractions of a step, for its first half: those of the kicks, and those of the free motions
+/// after them.
 const FOUR: [[f64; 3]; 2] = [
     [0.0829844064174052, 0.396309801498368, -0.0390563049223486],
     [0.245298957184271, 0.604872665711080, 0.0],
@@ -54,7 +56,7 @@ const SIX: [[f64; 5]; 2] = [
 ];
 
 impl KickOrder {
-    /// The fractions of kicks and free motions in turn, with a kick at both ends.
+    /// The fractions of kicks and free motions, alternating, with a kick at both ends.
     fn shares(self) -> Vec<f64> {
         let mut half = match self {
             KickOrder::Two => vec![0.5],
@@ -69,7 +71,7 @@ impl KickOrder {
                 shares
             }
         };
-        // all fractions of a kind add up to 1
+        // the fractions of each kind add up to 1
         let kind = half.len() % 2;
         let others: f64 = half.iter().skip(kind).step_by(2).sum();
         half.push(1.0 - 2.0 * others);
@@ -79,15 +81,18 @@ impl KickOrder {
     }
 }
 
-/// Steps of a body with a torque that depends on time and attitude only: free motions, and kicks between them that
-/// change the spatial momentum at a fixed attitude, `h += h_k R M(t, R)` for a fraction `h_k` of the step.
+/// Steps of a body with a torque that depends on time and attitude only. Free motions alternate
+/// with kicks, which change the spatial momentum at a fixed attitude: `h += h_k R M(t, R)` for a
+/// fraction `h_k` of the step.
 ///
-/// Both are exact flows, so the step is symplectic for a potential, and symmetric. It conserves the momentum about the axis of a
-/// symmetric potential to rounding; the error of the energy is bounded. The orders 4 and 6 are methods of Runge-Kutta-Nystroem
-/// type, for a kinetic energy that is quadratic in the momentum: S. Blanes and P. C. Moan, *J. Comput. Appl. Math.* 142 (2002)
-/// 313-330. For bodies, J. Touma and J. Wisdom, *Astron. J.* 107 (1994) 1189-1202.
+/// Both are exact flows, so the step is symplectic for a potential, and symmetric. It conserves the
+/// momentum about the axis of a symmetric potential up to rounding errors, and the error of the
+/// energy is bounded. The orders 4 and 6 are methods of Runge-Kutta-Nystroem type, for a kinetic
+/// energy that is quadratic in the momentum: S. Blanes and P. C. Moan, *J. Comput. Appl. Math.* 142
+/// (2002) 313-330. For bodies, see J. Touma and J. Wisdom, *Astron. J.* 107 (1994) 1189-1202.
 ///
-/// The torque must not depend on the velocity: it is called with a velocity of NaN, and refused if it returns NaN.
+/// The torque must not depend on the velocity: it is called with a velocity of NaN, and a result of
+/// NaN is an error.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Kick {
     body: Principal,
@@ -133,7 +138,7 @@ impl Kick {
 
 impl<M: Torque<So3>> Integrator<EulerPoincare<So3, M>> for Kick {
     /// # Errors
-    /// Also [`Error::Invalid`] for a system of another body.
+    /// Also [`Error::Invalid`] if the system has another body.
     fn step(
         &self,
         system: &EulerPoincare<So3, M>,

@@ -5,7 +5,7 @@ use crate::Error;
 use crate::group::LieGroup;
 use crate::mechanics::systems::System;
 
-/// `g' = g A(t)`: a velocity in body components that is a known function of time.
+/// The equation `g' = g A(t)`, with a prescribed velocity `A(t)` in body components.
 ///
 /// ```
 /// use affinor::mechanics::Integrator;
@@ -27,7 +27,7 @@ use crate::mechanics::systems::System;
 pub struct PrescribedVelocity<G, F> {
     /// The group.
     pub group: G,
-    /// `A(t)`.
+    /// The velocity `A(t)`.
     pub velocity: F,
 }
 
@@ -61,9 +61,10 @@ impl<G: LieGroup, F: Fn(f64) -> G::Vector> System for PrescribedVelocity<G, F> {
     }
 }
 
-/// The step `g exp(u)`, where `u` is the truncated Magnus series, by Gauss quadrature of `A`.
+/// The step `g exp(u)`, where `u` is the truncated Magnus series with Gauss quadrature of `A`.
 ///
-/// With `A_i` at the Gauss points and brackets `{x, y} = -[x, y]`, as `A` stands on the right of `g`:
+/// With `A_i` at the Gauss points and brackets `{x, y} = -[x, y]`, because `A` multiplies `g` from
+/// the right:
 ///
 /// ```text
 /// order 4   u = h (A_1 + A_2)/2 - sqrt(3) h^2/12 {A_1, A_2}
@@ -72,13 +73,14 @@ impl<G: LieGroup, F: Fn(f64) -> G::Vector> System for PrescribedVelocity<G, F> {
 ///           p = {a, b},  q = -{a, 2 c + p}/60
 /// ```
 ///
-/// Steps stay on the group and are exact where `A` commutes with itself and is a polynomial of degree below the order.
-/// S. Blanes, F. Casas, J. A. Oteo and J. Ros, *Phys. Rep.* 470 (2009) 151-238, section 5.4.
+/// Steps stay on the group. They are exact if `A` commutes with itself and is a polynomial of a
+/// degree below the order. S. Blanes, F. Casas, J. A. Oteo and J. Ros, *Phys. Rep.* 470 (2009)
+/// 151-238, section 5.4.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Magnus {
-    /// Order 4: two values, one bracket.
+    /// Order 4, with two values of `A` and one bracket.
     Four,
-    /// Order 6: three values, three brackets.
+    /// Order 6, with three values of `A` and three brackets.
     Six,
 }
 
@@ -91,7 +93,7 @@ impl Magnus {
         }
     }
 
-    /// `u`.
+    /// The truncated series `u`.
     fn coordinates<G: LieGroup>(
         self,
         group: &G,

@@ -1,15 +1,16 @@
 //! The discrete Moser-Veselov algorithm with preprocessed moments.
 //!
-//! One step turns the body by the quaternion `(1, c)/sqrt(1 + |c|^2)` with, in principal axes,
+//! One step rotates the body by the quaternion `(1, c)/sqrt(1 + |c|^2)` with, in principal axes,
 //!
 //! ```text
 //! c_i = (1 + |c|^2) h H_i/(2 J_i) + (J_j - J_k)/J_i c_j c_k        (i, j, k) cyclic
 //! H_i += 4 (J_j - J_k) c_j c_k/(h (1 + |c|^2))
 //! ```
 //!
-//! It conserves the energy, `R H` and the symplectic form. With the moments `1/J -> s/J + d`, where `s` and `d` are series in
-//! `h^2` with coefficients from the invariants, it has any even order: E. Hairer and G. Vilmart, J. Phys. A 39 (2006)
-//! 13225-13235, after R. McLachlan and A. Zanna, Found. Comput. Math. 5 (2005) 87-123.
+//! It conserves the energy, `R H` and the symplectic form. With modified moments, `1/J -> s/J + d`,
+//! it has any even order. Here `s` and `d` are series in `h^2` with coefficients from the
+//! invariants: E. Hairer and G. Vilmart, J. Phys. A 39 (2006) 13225-13235, after R. McLachlan and
+//! A. Zanna, Found. Comput. Math. 5 (2005) 87-123.
 
 use super::Integrator;
 use super::compensated::Sum;
@@ -27,19 +28,19 @@ use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 pub enum MoserVeselovOrder {
     /// Without preprocessing.
     Two,
-    /// To `h^2`.
+    /// Preprocessed up to `h^2`.
     Four,
-    /// To `h^4`.
+    /// Preprocessed up to `h^4`.
     Six,
-    /// To `h^6`.
+    /// Preprocessed up to `h^6`.
     Eight,
-    /// To `h^8`.
+    /// Preprocessed up to `h^8`.
     Ten,
 }
 
-/// Steps of the free rigid body.
+/// The method for steps of the free rigid body.
 ///
-/// A step costs the same at every order: the moments are preprocessed once for many steps.
+/// A step costs the same for every order, because the moments are preprocessed once for many steps.
 ///
 /// ```
 /// use affinor::mechanics::{BodyState, FreeBody, Inertia, MoserVeselov};
@@ -58,20 +59,21 @@ pub enum MoserVeselovOrder {
 pub struct MoserVeselov {
     inertia: Inertia,
     body: Principal,
-    /// The largest moment, and the others over it.
+    /// The largest moment, and the other moments divided by it.
     unit: f64,
     moments: [f64; 3],
-    /// Coefficients of `|H|^{2(n - j)} (2E)^j`, by the degree `n` from 1: of `s` and `d`.
+    /// Coefficients of `|H|^{2(n - j)} (2E)^j` in `s` and `d`, by the degree `n` from 1.
     series: [[Coefficients; 2]; 4],
     degrees: usize,
 }
 
-/// `j` from 0 to at most 4.
+/// Coefficients for `j` from 0 to at most 4.
 type Coefficients = [f64; 5];
 
-/// Newton's method ends with a correction below this: the next one would be rounding.
+/// The size of a correction below which Newton's method ends, because the next one would be a
+/// rounding error.
 const NEWTON: f64 = 1e-8;
-/// It needs two or three.
+/// The largest number of Newton iterations; two or three are normally enough.
 const ITERATIONS: usize = 30;
 const TOO_LONG: &str = "the step is too long";
 
@@ -90,14 +92,15 @@ impl MoserVeselov {
         2 * (1 + self.degrees as u32)
     }
 
-    /// The state after `count` steps of length `step`, which may be negative. Momentum and attitude are sums with compensated
-    /// rounding.
+    /// The state after `count` steps of length `step`, which may be negative. Momentum and attitude
+    /// are computed by compensated summation.
     ///
     /// # Errors
-    /// [`Error::Integration`] for a step that is too long: its equations have no solution near the start.
+    /// [`Error::Integration`] for a step that is too long: its equations have no solution near the
+    /// start.
     pub fn steps(&self, start: &BodyState, step: f64, count: usize) -> Result<BodyState, Error> {
         let axes = self.inertia.axes();
-        // h H in units of the largest moment has no dimension
+        // h H in units of the largest moment is dimensionless
         let scale = step / self.unit;
         let mut y = Sum::new(axes.tr_mul(&start.momentum) * scale);
         let mut turn = Sum::new(Quaternion::identity().coords);
@@ -107,7 +110,7 @@ impl MoserVeselov {
             let c = stage.solve(&y.value).ok_or_else(|| too_long(taken))?;
             let square = 1.0 + c.norm_squared();
             let length = square.sqrt();
-            // (1, c)/length - 1
+            // equals (1, c)/length - 1
             let less = Quaternion::from_parts(-c.norm_squared() / (1.0 + length), c);
             let product = Quaternion::from(turn.value) * less;
             turn.add(&(product.coords / length));
@@ -127,12 +130,12 @@ impl MoserVeselov {
     /// One step.
     ///
     /// # Errors
-    /// As [`steps`](Self::steps).
+    /// Those of [`steps`](Self::steps).
     pub fn step(&self, state: &BodyState, step: f64) -> Result<BodyState, Error> {
         self.steps(state, step, 1)
     }
 
-    /// The preprocessed moments for a momentum; they depend on invariants of the steps alone.
+    /// The preprocessed moments for a momentum. They depend only on invariants of the steps.
     fn stage(&self, y: &Vector3<f64>) -> Option<Stage> {
         let square = 0.5 * y.norm_squared();
         let energy = 0.5 * (0..3).map(|i| y[i] * y[i] / self.moments[i]).sum::<f64>();
@@ -154,10 +157,11 @@ impl MoserVeselov {
 }
 
 impl<M: Torque<So3>> Integrator<EulerPoincare<So3, M>> for MoserVeselov {
-    /// The spatial momentum is a part of the state, and does not change.
+    /// The spatial momentum is a part of the state, and is not changed.
     ///
     /// # Errors
-    /// As [`steps`](Self::steps), and [`Error::Invalid`] for a system of another body, [`Error::Integration`] for one with a torque.
+    /// Those of [`steps`](Self::steps); [`Error::Invalid`] for a system of another body;
+    /// [`Error::Integration`] for a system with a torque.
     fn step(
         &self,
         system: &EulerPoincare<So3, M>,
@@ -175,7 +179,7 @@ impl<M: Torque<So3>> Integrator<EulerPoincare<So3, M>> for MoserVeselov {
     }
 }
 
-/// `sum_j a_j x^(n - j) y^j`.
+/// The sum `sum_j a_j x^(n - j) y^j`.
 fn homogeneous(coefficients: &[f64], x: f64, y: f64) -> f64 {
     let mut power = 1.0;
     coefficients.iter().rev().fold(0.0, |sum, a| {
@@ -185,24 +189,24 @@ fn homogeneous(coefficients: &[f64], x: f64, y: f64) -> f64 {
     })
 }
 
-/// Constants of the equations of a step.
+/// The constants in the equations of a step.
 struct Stage {
-    /// `1/J_i`.
+    /// The values `1/J_i`.
     inverse: Vector3<f64>,
-    /// `J_j - J_k`.
+    /// The differences `J_j - J_k`.
     differences: Vector3<f64>,
-    /// `(J_j - J_k)/J_i`.
+    /// The ratios `(J_j - J_k)/J_i`.
     ratios: Vector3<f64>,
 }
 
 impl Stage {
-    /// `f_i c_j c_k`.
+    /// The products `f_i c_j c_k`.
     #[inline]
     fn products(&self, c: &Vector3<f64>, f: &Vector3<f64>) -> Vector3<f64> {
         Vector3::new(f.x * c.y * c.z, f.y * c.z * c.x, f.z * c.x * c.y)
     }
 
-    /// `c`, by Newton's method.
+    /// Solves for `c` by Newton's method.
     #[inline]
     fn solve(&self, y: &Vector3<f64>) -> Option<Vector3<f64>> {
         let (half, f) = (0.5 * y.component_mul(&self.inverse), &self.ratios);
@@ -210,7 +214,7 @@ impl Stage {
         let mut c = right(&(half + self.products(&half, f)));
         for _ in 0..ITERATIONS {
             let residual = right(&c) - c;
-            // the derivative of c - right side
+            // the Jacobian matrix of c minus the right-hand side
             let (a, c2) = (half, c + c);
             let (d1, d2, d3) = (1.0 - a.x * c2.x, 1.0 - a.y * c2.y, 1.0 - a.z * c2.z);
             let (r1, r2, r3) = (
@@ -218,7 +222,7 @@ impl Stage {
                 Vector3::new(-a.y * c2.x - f.y * c.z, d2, -a.y * c2.z - f.y * c.x),
                 Vector3::new(-a.z * c2.x - f.z * c.y, -a.z * c2.y - f.z * c.x, d3),
             );
-            // Cramer's rule, by rows
+            // solves by Cramer's rule, with rows
             let (p1, p2, p3) = (r2.cross(&r3), r3.cross(&r1), r1.cross(&r2));
             let scale = 1.0 / r1.dot(&p1);
             let correction = (p1 * residual.x + p2 * residual.y + p3 * residual.z) * scale;
@@ -231,13 +235,13 @@ impl Stage {
     }
 }
 
-/// The coefficients of Hairer and Vilmart for moments `J`: of `C^(n - j) E^j` in `s` and in `d`, where `C = |H|^2/2`
-/// and `E` the energy.
+/// The coefficients of Hairer and Vilmart for the moments `J`: those of `C^(n - j) E^j` in `s` and
+/// in `d`, where `C = |H|^2/2` and `E` is the energy.
 fn series(moments: [f64; 3]) -> [[Coefficients; 2]; 4] {
     let [a, b, c] = moments;
     let det = a * b * c;
     let (det2, det3, det4) = (det.powi(2), det.powi(3), det.powi(4));
-    // sums of powers, and of powers over powers of another moment
+    // sums of powers of the moments, and of powers divided by powers of another moment
     let p = |n: i32| moments.iter().map(|x| x.powi(n)).sum::<f64>();
     let q = |n: i32, m: i32| moments.iter().map(|x| (p(n) - x.powi(n)) * x.powi(-m)).sum::<f64>();
     [

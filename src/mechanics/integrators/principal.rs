@@ -8,10 +8,10 @@ use crate::mechanics::systems::State;
 use crate::mechanics::systems::euler_poincare::{EulerPoincare, Torque};
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
 
-/// The transformation to principal axes and back, by quaternions.
+/// The transformation between body axes and principal axes, by quaternions.
 ///
-/// A matrix of axes is orthogonal to rounding only, and its error would add up in each of a million steps. The error of a
-/// quaternion is its length, which cancels.
+/// A matrix of axes is orthogonal only up to rounding errors, which would accumulate over a million
+/// steps. The error of a quaternion is in its length, which cancels.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Principal {
     moments: Vector3<f64>,
@@ -35,7 +35,7 @@ impl Principal {
         &self.moments
     }
 
-    /// Attitude of the principal axes, and the momentum along them.
+    /// The attitude of the principal axes, and the momentum along them.
     ///
     /// # Errors
     /// [`Error::Invalid`] for a system of another body.
@@ -66,13 +66,13 @@ impl Principal {
         self.state(system, state)
     }
 
-    /// The attitude of the body from that of its principal axes.
+    /// The attitude of the body, from the attitude of its principal axes.
     #[inline]
     pub(super) fn attitude(&self, axes: UnitQuaternion<f64>) -> UnitQuaternion<f64> {
         So3.project(axes * self.axes.inverse())
     }
 
-    /// A torque in space at an attitude of the principal axes.
+    /// The torque in spatial components, at an attitude of the principal axes.
     pub(super) fn torque<M: Torque<So3>>(
         &self,
         system: &EulerPoincare<So3, M>,

@@ -12,16 +12,17 @@ use crate::numerics::tableaux::{
 };
 use std::marker::PhantomData;
 
-/// Coordinates `y` of a group near a base point, in which a step is made.
+/// Coordinates `y` of a group around a base point, in which a step is made.
 pub trait LocalCoordinates<G: LieGroup> {
     /// The type of `y`.
     type Numbers: Coordinates;
 
-    /// The element with coordinates `y`, and what a stage computes from `y` once, such as an exponential.
+    /// The element with coordinates `y`, with data of a stage that are computed once from `y`, such
+    /// as an exponential.
     type Point;
 
-    /// Whether a point holds its element. Then `Ad*` of the displacement in a step is cheaper than the equations of the momentum of
-    /// a free system.
+    /// Whether a point stores its element. If so, applying `Ad*` of the displacement in a step is
+    /// faster than integrating the momentum of a free system.
     const HAS_ELEMENT: bool = false;
 
     /// Whether the group has these coordinates.
@@ -39,22 +40,25 @@ pub trait LocalCoordinates<G: LieGroup> {
     /// The element of a point.
     fn element(group: &G, at: &G::Element, point: &Self::Point) -> G::Element;
 
-    /// The element at the end of a step: on the group to rounding, without drift.
+    /// The element at the end of a step: on the group up to rounding errors, without drift.
     fn end(group: &G, at: &G::Element, y: &Self::Numbers) -> G::Element;
 
-    /// `Ad*_k p` for the rotation `k` ([`linear_part`](crate::group::TranslationSplit::linear_part)) from the base point to a point.
+    /// The momentum `Ad*_k p` for the rotation `k`
+    /// ([`linear_part`](crate::group::TranslationSplit::linear_part)) from the base point to a
+    /// point.
     fn carried(group: &G, point: &Self::Point, momentum: &G::Vector) -> G::Vector;
 
-    /// `Ad*_(k^-1) F`, the inverse.
+    /// The inverse, `Ad*_(k^-1) F`.
     fn carried_back(group: &G, point: &Self::Point, force: &G::Vector) -> G::Vector;
 
     /// The largest coordinate of rotations, and the largest of translations.
     fn sizes(group: &G, y: &Self::Numbers) -> [f64; 2];
 
-    /// `y'` for `g' = g velocity` at the base point.
+    /// The time derivative `y'` for `g' = g velocity` at the base point.
     fn first_rate(group: &G, at: &G::Element, velocity: &G::Vector) -> Self::Numbers;
 
-    /// `y'` for `g' = g velocity` at a point, to the accuracy of a method of that order.
+    /// The time derivative `y'` for `g' = g velocity` at a point, accurate enough for a method of
+    /// the given order.
     ///
     /// # Errors
     /// [`Law::RegularTangent`](crate::Law::RegularTangent) where the coordinates are singular.
@@ -69,7 +73,7 @@ pub trait LocalCoordinates<G: LieGroup> {
 /// Checks that a group has the coordinates of a method.
 ///
 /// # Errors
-/// [`Error::Integration`].
+/// [`Error::Integration`] if the coordinates do not exist on the group.
 #[inline(always)]
 pub(super) fn expect_coordinates<G: LieGroup, C: LocalCoordinates<G>>(
     group: &G,
@@ -81,8 +85,8 @@ pub(super) fn expect_coordinates<G: LieGroup, C: LocalCoordinates<G>>(
     Err(stopped(time, "the method projects points onto the group, which has no projection"))
 }
 
-/// The Runge-Kutta method `T` for `y'` and `p'`, with `y` the coordinates `C` and `p` the momentum:
-/// [`MuntheKaas`](super::MuntheKaas) or [`Projected`](super::Projected).
+/// The Runge-Kutta method `T` for `y'` and `p'`, where `y` are the coordinates `C` and `p` is the
+/// momentum: [`MuntheKaas`](super::MuntheKaas) or [`Projected`](super::Projected).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct RungeKutta<const STAGES: usize, T, C>(PhantomData<(T, C)>);
 
@@ -136,7 +140,7 @@ impl<const STAGES: usize, T: Tabulated<STAGES>, C> RungeKutta<STAGES, T, C> {
         let sizes = |y: &C::Numbers| C::sizes(group, y);
         let [first, last] = [0, STAGES - 1].map(|stage| sizes(&stages.slopes[stage]));
         let lengths = [0, 1].map(|part| first[part].max(last[part]) * h.abs());
-        // a motion from rest has its momentum at the end of the step
+        // for a motion from rest, the momentum at the end of the step sets the scale
         let momenta = momentum.as_ref().map(|momentum| {
             let [before, after] = [&stages.start.momentum, momentum].map(|p| parts(group, p));
             [0, 1].map(|part| before[part].max(after[part]))
@@ -173,21 +177,21 @@ where
 /// The stages of a step.
 struct Stages<'s, S: CotangentSystem, C: LocalCoordinates<S::Group>, const STAGES: usize> {
     start: StepStart<'s, S>,
-    /// The base point 1, if the step is one of the displacement `g_0^-1 g`. The momentum `H = Ad*_(g_0^-1 g) H_0` of a free system
-    /// then needs no equations.
+    /// The identity as base point, if the step is computed for the displacement `g_0^-1 g`. The
+    /// momentum `H = Ad*_(g_0^-1 g) H_0` of a free system then needs no equations.
     identity: Option<Element<S>>,
     h: f64,
     origin: C::Numbers,
-    /// `y'`.
+    /// The slopes `y'`.
     slopes: [C::Numbers; STAGES],
-    /// `p'`, unless it is zero.
+    /// The slopes `p'`, unless they are zero.
     drifts: Option<[Vector<S>; STAGES]>,
 }
 
 impl<'s, S: CotangentSystem, C: LocalCoordinates<S::Group>, const STAGES: usize>
     Stages<'s, S, C, STAGES>
 {
-    /// The stages of a step, with the first computed.
+    /// Begins the stages of a step: computes the first one.
     #[inline]
     fn begin(system: &'s S, state: &'s State<S::Group>, h: f64) -> Self {
         let start = StepStart::new(system, state);
@@ -206,11 +210,11 @@ impl<'s, S: CotangentSystem, C: LocalCoordinates<S::Group>, const STAGES: usize>
         Stages { start, identity, h, origin, slopes, drifts }
     }
 
-    /// Computes the stages up to a number.
+    /// Computes the stages up to the number `count`.
     #[inline]
     fn make<T: Tabulated<STAGES>>(&mut self, count: usize) -> Result<(), Error> {
         if STAGES == 4 {
-            // few slopes stay in registers
+            // an unrolled loop, so that few slopes stay in registers
             self.advance::<T>(1)?;
             self.advance::<T>(2)?;
             self.advance::<T>(3)
@@ -235,7 +239,7 @@ impl<'s, S: CotangentSystem, C: LocalCoordinates<S::Group>, const STAGES: usize>
             self.slopes[stage] = C::rate(group, &point, &velocity, *order)?;
             return Ok(());
         }
-        // forces are evaluated at finite elements only
+        // forces must be evaluated at finite elements only
         expect_finite(state.time, &self.slopes[stage - 1])?;
         let point = C::point(group, at, &y());
         let velocity = match &mut self.drifts {
@@ -286,14 +290,14 @@ impl<'s, S: CotangentSystem, C: LocalCoordinates<S::Group>, const STAGES: usize>
     }
 }
 
-/// `h` times the weighted slopes, from a start.
+/// The start plus `h` times the weighted sum of the slopes.
 #[inline]
 fn moved<V: Coordinates>(start: &V, slopes: &[V], weights: &[f64], h: f64) -> V {
     let weighted = slopes.iter().zip(weights).filter(|(_, weight)| **weight != 0.0);
     weighted.fold(start.clone(), |sum, (slope, weight)| sum + slope.clone() * (h * weight))
 }
 
-/// `h` times the weighted slopes.
+/// The weighted sum of the slopes, times `h`.
 fn weighted<V: Coordinates>(slopes: &[V], weights: &[f64], h: f64) -> V {
     moved(&(slopes[0].clone() * 0.0), slopes, weights, h)
 }

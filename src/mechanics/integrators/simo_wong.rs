@@ -10,9 +10,10 @@ use crate::mechanics::systems::euler_poincare::{EulerPoincare, Torque};
 use crate::mechanics::{BodyState, Inertia};
 use nalgebra::{Matrix3, Vector3};
 
-/// Newton's method needs three or four; a torque that changes much within a step takes more.
+/// The largest number of Newton iterations. Normally three or four are enough; a torque that
+/// changes much within a step takes more.
 const ITERATIONS: usize = 60;
-/// A correction below this that no longer decreases is rounding.
+/// The size below which a correction that no longer decreases is a rounding error.
 const ROUNDING: f64 = 1e-11;
 
 /// Steps `R exp(u)` of a rigid body with `u = h (Omega_0 + Omega_1)/2`:
@@ -21,10 +22,11 @@ const ROUNDING: f64 = 1e-11;
 /// J Omega_1 = exp(-u) J Omega_0 + h exp(-u/2) M(t + h/2, R exp(u/2), u/h)
 /// ```
 ///
-/// Without a torque `u . J (Omega_1 - Omega_0) = 0`: the energy is conserved to rounding, the spatial momentum to the last bit. The
-/// method is symmetric and of order 2. A torque is evaluated at the midpoint, so that the momentum about the axis of a symmetric
-/// potential is conserved. The energy is not, and drifts, as the step is not symplectic: [`Kick`](super::Kick) is better for a
-/// potential.
+/// Without a torque `u . J (Omega_1 - Omega_0) = 0`, so the energy is conserved up to rounding
+/// errors, and the spatial momentum exactly. The method is symmetric and of order 2. A torque is
+/// evaluated at the midpoint, so that the momentum about the axis of a symmetric potential is
+/// conserved. The energy in a potential drifts, because the step is not symplectic;
+/// [`Kick`](super::Kick) is better for a potential.
 ///
 /// J. C. Simo and K. K. Wong, *Int. J. Numer. Methods Eng.* 31 (1991) 19-52.
 #[derive(Clone, Debug, PartialEq)]
@@ -46,7 +48,7 @@ impl SimoWong {
 
 impl<M: Torque<So3>> Integrator<EulerPoincare<So3, M>> for SimoWong {
     /// # Errors
-    /// Also [`Error::Invalid`] for a system of another body.
+    /// Also [`Error::Invalid`] if the system has another body.
     fn step(
         &self,
         system: &EulerPoincare<So3, M>,
@@ -58,7 +60,7 @@ impl<M: Torque<So3>> Integrator<EulerPoincare<So3, M>> for SimoWong {
             return Ok(());
         }
         let moments = self.body.principal_moments();
-        // in space, over the step
+        // the impulse over the step, in spatial components
         let impulse = |u: &Vector3<f64>| {
             let middle = attitude * So3.exp(&(u * 0.5));
             self.body.torque(system, state.time + 0.5 * h, middle, &(u / h)) * h
@@ -70,7 +72,7 @@ impl<M: Torque<So3>> Integrator<EulerPoincare<So3, M>> for SimoWong {
             let end = attitude * So3.exp(&u);
             let impulse = impulse(&u);
             let pushed = end.inverse_transform_vector(&(state.spatial + impulse));
-            // over h, as h J is what multiplies the unknown
+            // divided by h, because h J multiplies the unknown
             let residual = moments.component_mul(&(u * 2.0 - start)) - pushed * h;
             expect_finite(state.time, &residual)?;
             let slope = |v: Vector3<f64>| pushed.cross(&So3.tangent_left(&u, &v));

@@ -1,15 +1,16 @@
-//! The start of a step, to which its stages refer.
+//! The start of a step, which is the reference of its stages.
 
 use crate::Error;
 use crate::group::{Coordinates, LieGroup, TranslationSplit};
 use crate::mechanics::systems::cotangent::{CotangentSystem, Element, State, Vector, in_axes};
 use std::borrow::Cow;
 
-/// The displacement of an element from the start of a step, `g = g_0 exp(y) k`: a translation, then a rotation.
+/// The displacement of an element from the start of a step, `g = g_0 exp(y) k`: a translation
+/// followed by a rotation.
 pub(super) struct Increment<G: LieGroup> {
-    /// `k`.
+    /// The rotation `k`.
     turn: G::Element,
-    /// `y`, if the group has translations.
+    /// The translation `y`, if the group has translations.
     place: Option<G::Vector>,
 }
 
@@ -31,7 +32,7 @@ impl<G: TranslationSplit> Increment<G> {
         Increment { turn: group.compose(&self.turn, &group.exp(&x)), place }
     }
 
-    /// The displaced element, from that at the start.
+    /// The displaced element, computed from the element at the start.
     pub(super) fn element(&self, group: &G, start: &G::Element) -> G::Element {
         let from = match &self.place {
             Some(place) => &group.compose(start, &group.exp(place)),
@@ -41,17 +42,18 @@ impl<G: TranslationSplit> Increment<G> {
     }
 }
 
-/// Rates of change at an [`Increment`]: of rotations in body components, of translations and the momentum in components of the
-/// start.
+/// Time derivatives at an [`Increment`]: those of rotations in body components, those of
+/// translations and of the momentum in components of the start.
 pub(super) struct Rates<V> {
     pub(super) velocity: V,
     pub(super) momentum: Option<V>,
 }
 
-/// The start of a step. The momentum refers to the element at the start: `p` with `H = Ad*_k p` at `g_0 exp(y) k`. Then
-/// `p' = Ad*_(k^-1) (F + ad*_(P Omega) H)`, and a step does not depend on the position of the start.
+/// The start of a step. The momentum is referred to the element at the start: `p` with `H = Ad*_k
+/// p` at `g_0 exp(y) k`. Then `p' = Ad*_(k^-1) (F + ad*_(P Omega) H)`, and a step does not depend
+/// on the position of the start.
 ///
-/// Elements, velocities and momenta are those at the [centre](CotangentSystem::centre) of the system.
+/// Elements, velocities and momenta refer to the [centre](CotangentSystem::centre) of the system.
 pub(super) struct StepStart<'s, S: CotangentSystem> {
     pub(super) system: &'s S,
     pub(super) state: &'s State<S::Group>,
@@ -75,8 +77,8 @@ impl<'s, S: CotangentSystem> StepStart<'s, S> {
         StepStart { system, state, element, momentum }
     }
 
-    /// The fastest relative rate: the angular velocity, or the rate of the momentum of rotations or of translations over that
-    /// momentum.
+    /// The largest relative rate of change: the angular velocity, or the relative rate of the
+    /// momentum of rotations or of translations.
     pub(super) fn fastest(&self) -> f64 {
         let StepStart { system, state, element, momentum } = self;
         let group = system.group();
@@ -103,7 +105,7 @@ impl<'s, S: CotangentSystem> StepStart<'s, S> {
         self.system.is_free() && !self.system.transfers()
     }
 
-    /// `F + ad*_(P Omega) H` at an element.
+    /// The covector `F + ad*_(P Omega) H` at an element.
     #[inline(always)]
     pub(super) fn push(
         &self,
@@ -123,7 +125,7 @@ impl<'s, S: CotangentSystem> StepStart<'s, S> {
         }
     }
 
-    /// `F`.
+    /// The force `F`.
     #[inline(always)]
     fn force(
         &self,
@@ -143,7 +145,7 @@ impl<'s, S: CotangentSystem> StepStart<'s, S> {
         group.coadjoint(centre, &system.force(time, &element, &velocity, &momentum))
     }
 
-    /// The rates some time after the start, with the momentum `p`.
+    /// The time derivatives some time after the start, for the momentum `p`.
     pub(super) fn rates(
         &self,
         elapsed: f64,
@@ -167,10 +169,11 @@ impl<'s, S: CotangentSystem> StepStart<'s, S> {
         Rates { velocity, momentum: change }
     }
 
-    /// The state after a step of length `h` at an element, with the momentum `p` there and `H` in the body.
+    /// The state after a step of length `h` at an element, with the momentum `p` there, and `H` in
+    /// body components.
     ///
     /// # Errors
-    /// [`Error::Integration`] where the momentum is not finite.
+    /// [`Error::Integration`] if the momentum is not finite.
     #[inline]
     pub(super) fn end(
         &self,
@@ -192,14 +195,14 @@ impl<'s, S: CotangentSystem> StepStart<'s, S> {
             None if self.system.transfers() => {
                 let reached = in_axes(group, &element, &in_body());
                 let change = reached - state.spatial.clone();
-                // a momentum of translations that does not change is conserved to the last bit
+                // if the momentum of translations does not change, it is conserved exactly
                 match group.translational_momentum(&change) {
                     Some(along) => state.spatial.clone() + (change - along),
                     None => state.spatial.clone() + change,
                 }
             }
             None => state.spatial.clone(),
-            // a momentum that does not change is conserved to the last bit
+            // if the momentum does not change, it is conserved exactly
             Some(momentum) => {
                 let change = momentum.clone() - self.momentum.clone();
                 state.spatial.clone() + in_axes(group, &state.element, &change)
@@ -212,7 +215,7 @@ impl<'s, S: CotangentSystem> StepStart<'s, S> {
     /// The state at an increment.
     ///
     /// # Errors
-    /// [`Error::Integration`] where a value is not finite.
+    /// [`Error::Integration`] if a value is not finite.
     pub(super) fn arrive(
         &self,
         h: f64,

@@ -2,7 +2,8 @@
 
 use crate::mechanics::systems::cotangent::Sizes;
 
-/// The relative tolerance of coordinates applies to the path of a step over this number.
+/// The length of a path above which the tolerance of coordinates is relative to the path, and not
+/// absolute.
 const LONG: f64 = 10.0;
 
 /// The tolerance of the error of a step, with separate scales for rotations and translations.
@@ -12,13 +13,14 @@ pub(super) struct Allowed {
     relative: f64,
     /// The absolute tolerances of rotations and translations.
     coordinates: [f64; 2],
-    /// The absolute tolerances of their momenta; `None` if the error is relative to the largest component.
+    /// The absolute tolerances of the momenta of rotations and translations; `None` if the error is
+    /// relative to the largest component.
     momenta: Option<[f64; 2]>,
 }
 
 impl Allowed {
-    /// The tolerance from a relative one, absolute ones of coordinates if they are given, the time over which an error of a
-    /// velocity accumulates, and the scales of the system.
+    /// The tolerance from a relative one, optional absolute ones of coordinates, the time over
+    /// which an error of a velocity accumulates, and the scales of the system.
     pub(super) fn new(
         relative: f64,
         absolute: Option<[f64; 2]>,
@@ -27,7 +29,7 @@ impl Allowed {
     ) -> Self {
         let length = sizes.map_or(1.0, |sizes| sizes.length);
         let coordinates = absolute.unwrap_or([relative, relative * length]);
-        // the momentum that moves the body by the tolerance in that time
+        // the momentum that would move the body by the tolerance within this time
         let momenta = sizes.map(|sizes| [0, 1].map(|i| sizes.inertia[i] * (coordinates[i] / span)));
         Allowed { relative, coordinates, momenta }
     }
@@ -54,7 +56,7 @@ impl Allowed {
     }
 }
 
-/// The error over its tolerance: 0 for no error, even if the tolerance is 0; NaN for NaN.
+/// The ratio of an error to its tolerance: 0 for no error, even if the tolerance is 0; NaN for NaN.
 fn ratio(error: f64, allowed: f64) -> f64 {
     if error == 0.0 { 0.0 } else { error / allowed.max(f64::MIN_POSITIVE) }
 }
@@ -67,7 +69,8 @@ mod tests {
         assert!((error - 1.0).abs() < 1e-12, "{error}");
     }
 
-    /// The table of [`Adaptive`](crate::mechanics::Adaptive), row by row: an error that is as large as the table says is 1.
+    /// Each row of the table of [`Adaptive`](crate::mechanics::Adaptive): an error that is as large
+    /// as the table states gives 1.
     #[test]
     fn each_part_has_its_tolerance() {
         let r = 1e-6;
@@ -78,7 +81,7 @@ mod tests {
         assert_allowed(by_default.of_coordinates([0.0, 3.0 * r], [0.0, 29.0]));
         assert_allowed(by_default.of_coordinates([0.0, 7.0 * r], [0.0, 70.0]));
         assert_allowed(by_default.of_coordinates([0.5 * r, 3.0 * r], [0.0, 0.0]));
-        // J r/span, and m (length r)/span
+        // the tolerances J r/span and m (length r)/span
         assert_allowed(by_default.of_momentum([2.0 * r, 0.0], [1.0, 0.0]));
         assert_allowed(by_default.of_momentum([0.0, 1.5 * r], [0.0, 1.0]));
         assert_allowed(by_default.of_momentum([6.0 * r, 0.0], [6.0, 0.0]));

@@ -39,7 +39,7 @@ pub struct Trajectory<'s, S: CotangentSystem, C> {
     events: Vec<Crossing<State<S::Group>>>,
 }
 
-/// The pair of an adaptive method with a given step size.
+/// The pair of an adaptive method as a method with a given step size.
 #[derive(Clone, Copy, Debug)]
 struct FixedStep<C>(Adaptive<C>);
 
@@ -53,14 +53,15 @@ impl<S: CotangentSystem, C: LocalCoordinates<S::Group>> Integrator<S> for FixedS
 }
 
 impl<C: Copy> Adaptive<C> {
-    /// The trajectory from a state to a time, which may be earlier, or to the first event that stops it.
+    /// Computes the trajectory from a state to a time, which may be earlier, or to the first
+    /// terminal event.
     ///
     /// Two sign changes of an event function within a step are missed: [`max_step`](Adaptive::max_step) should be shorter than the
     /// time between events.
     ///
     /// # Errors
-    /// [`Error::Integration`] with the time that was reached, for too small or too many steps, and for an event function that is
-    /// not a number.
+    /// [`Error::Integration`] with the time that was reached, for too small or too many steps, and
+    /// if an event function is NaN.
     pub fn run<'s, S: CotangentSystem>(
         &self,
         system: &'s S,
@@ -94,10 +95,11 @@ impl<C: Copy> Adaptive<C> {
 }
 
 impl<S: CotangentSystem, C: LocalCoordinates<S::Group>> Trajectory<'_, S, C> {
-    /// The state at a time: a shorter step from the start of the step around it, of the order of the method.
+    /// The state at a time, by a shorter step from the start of the step that contains it, with the
+    /// order of the method.
     ///
     /// # Errors
-    /// [`Error::Integration`] for a time beyond the ends of the trajectory; the errors of the step.
+    /// [`Error::Integration`] for a time outside the trajectory; the errors of the step.
     pub fn at(&self, time: f64) -> Result<State<S::Group>, Error> {
         let [first, last] = [&self.states[0], self.end()].map(|state| state.time);
         let (earliest, latest) = (first.min(last), first.max(last));

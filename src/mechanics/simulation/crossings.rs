@@ -5,43 +5,44 @@ use crate::Error;
 use crate::mechanics::events::{changes_of_sign, expect_number};
 use std::ops::Range;
 
-/// Looks for sign changes of some columns of a motion.
+/// Detects sign changes of some columns of a motion.
 #[derive(Clone, Debug)]
 pub struct Crossings {
     columns: Range<usize>,
-    /// The values of the columns at the present state.
+    /// The values of the columns at the current state.
     last: Vec<f64>,
     /// The values at the end of a step.
     now: Vec<f64>,
 }
 
-/// An event that happened.
+/// An event that occurred.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RecordedCrossing {
-    /// Its number among the watched columns, from 0.
+    /// The number of the event among the watched columns, from 0.
     pub event: usize,
-    /// The row at the event: the first, to the rounding of time, after the sign change.
+    /// The row at the event: the first one, within the resolution of time, after the sign change.
     pub row: Vec<f64>,
     /// The time of the event.
     pub time: f64,
 }
 
 impl Crossings {
-    /// Watches these columns of a motion from its present state on.
+    /// Watches these columns of a motion from its current state on.
     pub fn new(motion: &dyn Motion, columns: Range<usize>) -> Self {
         let mut last = Vec::with_capacity(columns.len());
         motion.values(columns.clone(), &mut last);
         Crossings { columns, now: last.clone(), last }
     }
 
-    /// One step of the motion towards a time. Returns whether the time is reached, and the events of the step in the order
-    /// of time.
+    /// Makes one step of the motion towards a time. Returns whether the time is reached, and the
+    /// events of the step in the order of time.
     ///
-    /// A zero at the end of a step belongs to that step and not to the next. Two sign changes of one column within a step
-    /// are missed; steps of free length are short compared with the motion.
+    /// A zero at the end of a step belongs to that step, and not to the next one. Two sign changes
+    /// of one column within a step are missed; steps of free length are short compared with the
+    /// motion.
     ///
     /// # Errors
-    /// As [`Motion::step`]; [`Error::Integration`] for a column that is not a number.
+    /// Those of [`Motion::step`]; [`Error::Integration`] if a column is NaN.
     pub fn step(
         &mut self,
         motion: &mut dyn Motion,
@@ -65,7 +66,7 @@ impl Crossings {
             std::mem::swap(&mut self.last, &mut self.now);
             return Ok((reached, vec![]));
         }
-        // moves to a time within the step
+        // moves the motion to a time within the step
         let length = end - from;
         let go = |motion: &mut dyn Motion, elapsed: f64| {
             let time = if elapsed == length { end } else { from + elapsed };

@@ -3,10 +3,10 @@
 use crate::Error;
 use crate::mechanics::stopped;
 
-/// The most steps to one output time.
+/// The largest number of steps to one output time.
 const MAX_STEPS: f64 = 1e12;
 
-/// Equal steps to each output time: the fewest that are no longer than a given step.
+/// Equal steps to each output time: as few as possible, but none longer than a given step size.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FixedSteps {
     step: f64,
@@ -23,12 +23,12 @@ struct Leg {
 }
 
 impl FixedSteps {
-    /// Steps of this length at most.
+    /// Steps of at most this length.
     pub fn new(step: f64) -> Self {
         FixedSteps { step, leg: None }
     }
 
-    /// Makes one step by `advance`, which is given its length, and returns the time after it.
+    /// Makes one step by `advance`, which receives its length. Returns the time after the step.
     ///
     /// # Errors
     /// [`Error::Integration`] for more than `1e12` steps to one time; the errors of `advance`.
@@ -52,7 +52,7 @@ impl FixedSteps {
 
 impl Leg {
     fn new(from: f64, until: f64, step: f64) -> Result<Self, Error> {
-        // rounding must not add a step to a whole number of steps
+        // rounding errors must not add a step to a whole number of steps
         let count = ((until - from).abs() / step - 1e-9).ceil().max(1.0);
         if count <= MAX_STEPS {
             return Ok(Leg { from, until, count: count as u64, taken: 0 });

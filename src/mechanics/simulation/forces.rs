@@ -1,4 +1,5 @@
-//! Forces and potentials as formulas, forces as tables over time, and forces as functions of a program.
+//! Forces and potentials as formulas, forces as tables over time, and forces as functions of the
+//! calling program.
 
 use super::group::SimulationGroup;
 use super::observables::{Buffers, Observables, ObservationPoint};
@@ -16,14 +17,15 @@ use std::sync::Arc;
 /// One of the two invariant frames.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ForceFrame {
-    /// Left-invariant: body components.
+    /// The left-invariant frame: body components.
     Body,
-    /// Right-invariant: spatial components.
+    /// The right-invariant frame: spatial components.
     Spatial,
 }
 
-/// A covector as a function of time, of the [written](crate::group::MatrixNotation::write) element and of the body velocity
-/// (for right-invariant equations, the spatial one). Components that are missing count as NaN.
+/// A covector as a function of time, of the [written](crate::group::MatrixNotation::write) element
+/// and of the body velocity (for right-invariant equations, the spatial one). Missing components
+/// count as NaN.
 #[derive(Clone)]
 pub struct ForceFunction(Arc<Covector>);
 
@@ -46,18 +48,18 @@ impl fmt::Debug for ForceFunction {
 
 /// The forces on a system: components of covectors as formulas, a potential, and a table over time.
 ///
-/// The potential `V` adds `M_i = -e_i(V)`, the derivative along the invariant field `e_i`.
+/// The potential `V` contributes `M_i = -e_i(V)`, the derivative along the invariant field `e_i`.
 #[derive(Debug)]
 pub struct Forces {
     observables: Observables,
     scope: FormulaScope,
-    /// Formulas of components with their side and index, and their text.
+    /// The formulas of components with their frame and index, and their text.
     terms: Vec<(ForceFrame, usize, Formula, String)>,
-    /// The potential, the same with its derivatives, and its text.
+    /// The potential, its formula with derivatives, and its text.
     potential: Option<(Formula, Gradient, String)>,
     table: Option<(ForceFrame, ForceTable)>,
     functions: Vec<(ForceFrame, ForceFunction)>,
-    /// The interval of the table in which the present step began.
+    /// The interval of the table in which the current step began.
     interval: Cell<Option<Interval>>,
     buffers: RefCell<(Buffers, Sums)>,
 }
@@ -67,12 +69,12 @@ pub struct Forces {
 struct Sums {
     /// Components of the force in the frame of the equations, then in the other frame.
     sums: Vec<f64>,
-    /// Derivatives of the potential by the entries.
+    /// Derivatives of the potential with respect to the entries.
     partial: Vec<Partial>,
 }
 
 impl Forces {
-    /// No forces yet, on a system with this inertia.
+    /// An empty collection of forces, for a system with this inertia.
     pub fn none<G: SimulationGroup>(
         group: &G,
         inertia: DMatrix<f64>,
@@ -100,7 +102,7 @@ impl Forces {
         self.observables.names()
     }
 
-    /// Whether forces may depend on a quantity: not on energies and on the power.
+    /// Whether forces may depend on a quantity: all are allowed except energies and the power.
     pub fn may_depend_on(quantity: MotionQuantity) -> bool {
         use MotionQuantity::{Energy, Kinetic, Potential, Power};
         !matches!(quantity, Kinetic | Potential | Energy | Power)
@@ -109,7 +111,8 @@ impl Forces {
     /// Adds a component (from 0) of a covector.
     ///
     /// # Errors
-    /// As [`Formula::parse`]; also for quantities that no force [depends on](Self::may_depend_on).
+    /// Those of [`Formula::parse`]; also for quantities on which no force [may
+    /// depend](Self::may_depend_on).
     pub fn add(&mut self, side: ForceFrame, i: usize, text: &str) -> Result<(), ExpressionError> {
         let formula = self.scope.read(text, self.observables.names(), &Self::may_depend_on)?;
         self.terms.push((side, i, formula, text.trim().into()));
@@ -119,7 +122,7 @@ impl Forces {
     /// Sets the potential, a function of time and of the entries of the element.
     ///
     /// # Errors
-    /// As [`Formula::parse`]; also for other quantities.
+    /// Those of [`Formula::parse`]; also for other quantities.
     pub fn set_potential(&mut self, text: &str) -> Result<(), ExpressionError> {
         let allowed = |q| {
             matches!(
@@ -133,7 +136,7 @@ impl Forces {
         Ok(())
     }
 
-    /// Sets a covector over time.
+    /// Sets a table of a covector over time.
     pub fn set_table(&mut self, side: ForceFrame, table: ForceTable) {
         self.table = Some((side, table));
     }
@@ -143,8 +146,9 @@ impl Forces {
         self.functions.push((side, function));
     }
 
-    /// Begins a step from one time towards another. Returns the time at which it has to end, if its size is controlled: at a corner
-    /// of the table, or at the other time. No step is from a time to the same time.
+    /// Begins a step from one time towards another. Returns the time at which a step of controlled
+    /// size must end: the next kink of the table, or `until`. Equal times mean that no step is in
+    /// progress.
     pub(super) fn begin_step(&self, from: f64, until: f64) -> f64 {
         let table = self.table.as_ref().filter(|_| from != until);
         self.interval.set(table.map(|(_, table)| table.interval(from, until)));
@@ -174,12 +178,12 @@ impl Forces {
     }
 }
 
-/// [`Forces`] on a group.
+/// [`Forces`] bound to a group.
 #[derive(Debug)]
 pub struct ForcesOn<G> {
     group: G,
     pub(super) forces: Forces,
-    /// Those of the group, for the derivatives of a potential.
+    /// The generators of the group, for the derivatives of a potential.
     generators: Vec<Generator>,
 }
 
@@ -261,13 +265,13 @@ impl<G: SimulationGroup> ForcesOn<G> {
         total
     }
 
-    /// Records a force that is not finite, with the point.
+    /// Records that a force is not finite, with the point.
     #[cold]
     fn note(&self, what: &str, value: f64, at: &ObservationPoint<G>) {
         let list =
             |numbers: &[f64]| numbers.iter().map(f64::to_string).collect::<Vec<_>>().join(", ");
         let names = self.forces.names();
-        // row by row
+        // the entries are listed row by row
         let element = self.group.write(at.element).transpose();
         self.forces.observables.record(format!(
             "{what} is {value} at t = {}, {} = [{}], {} = [{}]",

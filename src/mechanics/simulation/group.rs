@@ -1,4 +1,4 @@
-//! Groups as configuration spaces of motions, and the choice of a group's own type.
+//! Groups as configuration spaces of motions, and dispatch to the type of a group.
 
 use crate::Error;
 use crate::group::{
@@ -19,12 +19,13 @@ pub trait SimulationGroup:
     + Sync
     + 'static
 {
-    /// Whether its left-invariant frame is the right-invariant frame of the group it is the [`Opposite`] of.
+    /// Whether the group is the [`Opposite`] of another one, so that its left-invariant frame is
+    /// the right-invariant frame of that group.
     fn is_right(&self) -> bool {
         false
     }
 
-    /// The inertia of a body with a metric, if the group is that of rotations.
+    /// The inertia of a body with a metric, if the group is the group of rotations.
     fn body(&self, inertia: &DMatrix<f64>) -> Option<Result<Inertia, Error>> {
         let _ = inertia;
         None
@@ -56,7 +57,7 @@ impl SimulationGroup for So3 {
     }
 }
 
-/// A problem that is solved on a group in its own type.
+/// A problem that is generic over the type of the group.
 pub(super) trait GroupVisitor {
     /// The solution.
     type Output;
@@ -65,13 +66,13 @@ pub(super) trait GroupVisitor {
     fn visit<G: SimulationGroup>(self, group: &G) -> Self::Output;
 }
 
-/// Solves a problem on a group chosen at run time. Common groups in closed form have their own type, so that their steps
-/// allocate nothing.
+/// Solves a problem on a group chosen at run time. Common groups in closed form are passed with
+/// their static type, so that their steps allocate nothing.
 pub(super) fn visit<V: GroupVisitor>(group: &AnyGroup, visitor: V) -> V::Output {
     if let Some(group) = group.downcast_ref::<So3>() {
         return visitor.visit(group);
     }
-    // for a browser the size of the program counts more
+    // in a browser, a small program matters more than speed
     #[cfg(not(target_family = "wasm"))]
     {
         if let Some(group) = group.downcast_ref::<So2>() {
@@ -86,7 +87,7 @@ pub(super) fn visit<V: GroupVisitor>(group: &AnyGroup, visitor: V) -> V::Output 
         if let Some(group) = group.downcast_ref::<Sl2>() {
             return visitor.visit(group);
         }
-        // the equations of a right-invariant system
+        // right-invariant systems are solved on the opposite group
         if let Some(group) = group.downcast_ref::<Opposite<AnyGroup>>() {
             return visitor.visit(group);
         }
@@ -94,12 +95,12 @@ pub(super) fn visit<V: GroupVisitor>(group: &AnyGroup, visitor: V) -> V::Output 
     visitor.visit(group)
 }
 
-/// The element of a list of embedding coordinates.
+/// The element with these embedding coordinates.
 pub(super) fn element<G: SimulationGroup>(group: &G, coordinates: &DVector<f64>) -> G::Element {
     group.from_coordinates(&G::Ambient::from_components(coordinates.as_slice()))
 }
 
-/// The vector of a list of components.
+/// The vector with these components.
 pub(super) fn vector<V: Coordinates>(components: &DVector<f64>) -> V {
     V::from_components(components.as_slice())
 }

@@ -1,4 +1,4 @@
-//! How one motion is integrated.
+//! The settings of the integration of a motion.
 
 use super::methods::Method;
 use crate::Error;
@@ -11,7 +11,8 @@ pub struct Integration {
     pub method: Option<Method>,
     /// The step size of methods with fixed steps.
     pub step: Option<f64>,
-    /// Step-size control: its tolerances, its longest step, the most steps from one output time to the next.
+    /// The step-size control: its tolerances, its longest step, and the largest number of steps
+    /// from one output time to the next.
     pub control: Adaptive,
 }
 

@@ -26,24 +26,24 @@ pub enum Class {
     Body,
     /// Any equations of motion of a momentum on a group.
     AnySystem,
-    /// The same on groups with a projection, left-invariant.
+    /// Like [`Class::AnySystem`], on groups with a projection, left-invariant only.
     Projection,
     /// Holonomic constraints.
     Constrained,
-    /// A velocity that is a function of time.
+    /// A prescribed velocity as a function of time.
     PrescribedVelocity,
     /// Isospectral flows of matrices.
     MatrixFlow,
 }
 
-/// How a method chooses its steps.
+/// The way in which a method chooses its steps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Steps {
     /// The state at any time is known.
     Exact,
-    /// Steps of one length.
+    /// Steps of equal length.
     Fixed,
-    /// Steps by a tolerance.
+    /// Steps whose length is controlled by a tolerance.
     Controlled,
 }
 
@@ -51,15 +51,16 @@ pub enum Steps {
 #[derive(Clone, Copy, Debug)]
 struct Row {
     name: &'static str,
-    /// 0 for exact solutions.
+    /// The order of convergence; 0 for exact solutions.
     order: u32,
     class: Class,
     steps: Steps,
     why: &'static str,
 }
 
-/// Tables of methods: the variant of [`Method`], its name in problem files, its order, the problems that it integrates in
-/// words, its [`Class`], its [`Steps`], and what constructs it.
+/// The table of methods. A row has the variant of [`Method`], its name in problem files, its order,
+/// a description of the problems that it integrates, its [`Class`], its [`Steps`], and its
+/// constructor.
 macro_rules! methods {
     ($($Method:ident $name:literal $order:literal $why:literal $Class:ident $Steps:ident $make:expr;)+) => {
         /// A method of integration.
@@ -80,7 +81,7 @@ macro_rules! methods {
             /// All methods.
             pub const ALL: &'static [Method] = &[$(Method::$Method),+];
 
-            /// The steps on any group with any forces, for methods of this class.
+            /// The integrator on any group with any forces, for methods of this class.
             pub(super) fn any_system<S: CotangentSystem<Group: SimulationGroup> + 'static>(
                 self,
                 step: f64,
@@ -91,14 +92,14 @@ macro_rules! methods {
                 }
             }
 
-            /// The steps of a body, for methods of these classes.
+            /// The integrator of a body, for methods of these classes.
             pub(super) fn body(self, start: &FreeStart, step: f64) -> Option<Result<Stepper<Body<So3>>, Error>> {
                 match self {
                     $(Method::$Method => construct!(body $Class $Steps ($make) start step),)+
                 }
             }
 
-            /// The steps of a system with constraints, for methods of this class.
+            /// The integrator of a system with constraints, for methods of this class.
             pub(super) fn constrained<G: TranslationSplit + 'static, C: Constraint<G> + 'static, M: Torque<G> + 'static>(
                 self,
                 step: f64,
@@ -108,14 +109,14 @@ macro_rules! methods {
                 }
             }
 
-            /// The Magnus method for a velocity over time, for methods of this class.
+            /// The Magnus method for a prescribed velocity, for methods of this class.
             pub(super) fn magnus(self) -> Option<Magnus> {
                 match self {
                     $(Method::$Method => construct!(magnus $Class ($make)),)+
                 }
             }
 
-            /// The steps of a flow of matrices, for methods of this class.
+            /// The integrator of a flow of matrices, for methods of this class.
             pub(super) fn matrix_flow<F: Isospectral + 'static>(self, step: f64) -> Option<Stepper<F>> {
                 match self {
                     $(Method::$Method => construct!(matrix_flow $Class ($make) step),)+
@@ -193,15 +194,15 @@ methods! {
         };
     GeneralisedAlpha "generalised-alpha" 2  "a system with constraints"
         Constrained Fixed GeneralisedAlpha::default();
-    Magnus6          "magnus6"           6  "a velocity given over time"
+    Magnus6          "magnus6"           6  "a prescribed velocity"
         PrescribedVelocity Fixed Magnus::Six;
-    Isospectral2     "isospectral2"      2  "a flow of matrices that keeps their spectrum"
+    Isospectral2     "isospectral2"      2  "an isospectral flow of matrices"
         MatrixFlow Fixed IsospectralMidpoint;
-    Isospectral4     "isospectral4"      4  "a flow of matrices that keeps their spectrum"
+    Isospectral4     "isospectral4"      4  "an isospectral flow of matrices"
         MatrixFlow Fixed Composed(IsospectralMidpoint);
 }
 
-/// Names of methods that problem files had once, with the method to use instead.
+/// Names of methods in older problem files, with the methods that replace them.
 const REPLACED: [(&str, Method); 10] = [
     ("dmv2", Method::MoserVeselov10),
     ("dmv4", Method::MoserVeselov10),
@@ -215,7 +216,7 @@ const REPLACED: [(&str, Method); 10] = [
     ("cg3", Method::CommutatorFree4),
 ];
 
-/// The tolerance below which order 8 needs less work than order 5.
+/// The tolerance below which order 8 is faster than order 5.
 const EIGHT: f64 = 1e-8;
 
 /// The least tolerance that double precision resolves.
@@ -241,22 +242,23 @@ impl Method {
         self.row().class
     }
 
-    /// The class of problems in words.
+    /// A description of the class of problems.
     pub fn why(self) -> &'static str {
         self.row().why
     }
 
-    /// The method of a name.
+    /// The method with this name.
     pub fn from_name(name: &str) -> Option<Self> {
         Method::ALL.iter().copied().find(|method| method.name() == name)
     }
 
-    /// The method to use instead of one that problem files had once.
+    /// The replacement of a method whose name occurs in older problem files.
     pub fn instead_of(name: &str) -> Option<Self> {
         REPLACED.iter().find(|(old, _)| *old == name).map(|(_, method)| *method)
     }
 
-    /// The controlled method for a tolerance: of order 8 where that needs less work, else of order 5.
+    /// The method with step-size control for a tolerance: of order 8 if that is faster, otherwise
+    /// of order 5.
     pub fn to(tolerance: f64) -> Self {
         if tolerance <= EIGHT { Method::MuntheKaas853 } else { Method::MuntheKaas54 }
     }
@@ -290,9 +292,9 @@ impl Method {
         )))
     }
 
-    /// The error of a method that a problem does not have.
+    /// The error for a method that does not apply to the problem.
     pub(super) fn refused(self, reason: &str) -> Error {
-        Error::Unsupported(format!("the method {} does not serve here: {reason}", self.name()))
+        Error::Unsupported(format!("the method {} does not apply here: {reason}", self.name()))
     }
 }
 

@@ -14,14 +14,14 @@ pub trait Motion: Send {
     /// Makes one step towards a time, and returns whether the time is reached.
     ///
     /// # Errors
-    /// [`Error::Integration`]; the state is then that of the last good step.
+    /// [`Error::Integration`]; the state is then the state after the last successful step.
     fn step(&mut self, until: f64) -> Result<bool, Error>;
 
-    /// The same by a step short enough to check for events: it rotates a body by at most a quarter radian. Fixed steps keep their
-    /// length.
+    /// Like [`step`](Self::step), with a step short enough to check for events: it rotates a body
+    /// by at most a quarter radian. The length of fixed steps is not changed.
     ///
     /// # Errors
-    /// As [`step`](Self::step).
+    /// Those of [`step`](Self::step).
     fn step_for_events(&mut self, until: f64) -> Result<bool, Error>;
 
     /// The number of columns.
@@ -43,19 +43,19 @@ pub trait Motion: Send {
     /// Stores a copy of the state in memory, in place of an earlier copy.
     fn store(&mut self);
 
-    /// Returns to the state that was stored last, if there is one.
+    /// Restores the state that was stored last, if there is one.
     fn roll_back(&mut self);
 }
 
-/// A motion that starts, and its method.
+/// A motion at its start, and its method.
 pub struct Started {
     /// The motion.
     pub motion: Box<dyn Motion>,
-    /// The method that was asked for, or the default of the class of problems.
+    /// The requested method, or the default of the class of problems.
     pub method: Method,
 }
 
-/// A system with the columns of its motion: what each class of problems implements.
+/// A system with the columns of its motion; each class of problems implements it.
 pub(super) trait ObservedMotion: Send + 'static {
     /// The system.
     type System: System<State: Send>;
@@ -77,33 +77,33 @@ pub(super) trait ObservedMotion: Send + 'static {
         list: &mut Vec<f64>,
     );
 
-    /// The angular velocity of a state, or a rate like it.
+    /// The angular velocity of a state, or a similar rate.
     fn rate(&self, state: &<Self::System as System>::State) -> f64 {
         let _ = state;
         0.0
     }
 
-    /// Begins a step from one time towards another. Returns the time at which it has to end at the latest, if its size is
-    /// controlled. A step from a time to the same time ends the last step.
+    /// Begins a step from one time towards another. Returns the latest time at which a step of
+    /// controlled size must end. Equal times mean that no step is in progress.
     fn begin_step(&self, from: f64, until: f64) -> f64 {
         let _ = from;
         until
     }
 
-    /// Takes away the reason for which a force was not a number.
+    /// Removes and returns the reason why a force was not a number.
     fn take_trouble(&self) -> Option<String> {
         None
     }
 }
 
-/// The one implementation of [`Motion`].
+/// The only implementation of [`Motion`].
 struct Simulation<R: ObservedMotion> {
     recorded: R,
     now: Progress<R::System>,
     stored: Option<Progress<R::System>>,
 }
 
-/// All that the continuation of a motion depends on.
+/// All data on which the continuation of a motion depends.
 struct Progress<S: System> {
     state: S::State,
     stepper: Stepper<S>,
@@ -128,19 +128,19 @@ pub(super) fn simulation<R: ObservedMotion>(
 }
 
 impl<R: ObservedMotion> Simulation<R> {
-    /// The longest step between checks for events, by the present angular velocity.
+    /// The longest step between checks for events, for the current angular velocity.
     fn longest(&self) -> f64 {
         self.now.stepper.longest(|| self.recorded.rate(&self.now.state))
     }
 
-    /// A step towards a time; where its length is free, no longer than `longest`.
+    /// Makes a step towards a time. If its length is free, it is at most `longest`.
     fn advance(&mut self, until: f64, longest: f64) -> Result<bool, Error> {
         let time = self.time();
         if time == until {
             return Ok(true);
         }
         if !until.is_finite() {
-            return Err(stopped(time, format!("the end is {until}, no finite time")));
+            return Err(stopped(time, format!("the end is {until}, which is not finite")));
         }
         let (recorded, Progress { state, stepper, steps }) = (&self.recorded, &mut self.now);
         *steps = steps.saturating_add(1);
@@ -151,7 +151,7 @@ impl<R: ObservedMotion> Simulation<R> {
             end = time + longest.copysign(until - time);
         }
         let reached = stepper.step(recorded.system(), state, until, end);
-        // the step is over
+        // no step is in progress
         recorded.begin_step(until, until);
         let reached = reached.map_err(|error| match (error, recorded.take_trouble()) {
             (_, Some(reason)) => stopped(time, reason),
@@ -175,7 +175,7 @@ impl<R: ObservedMotion> Motion for Simulation<R> {
     fn step_for_events(&mut self, until: f64) -> Result<bool, Error> {
         let from = self.time();
         let mut reached = self.advance(until, self.longest())?;
-        // a body that began slower, perhaps at rest, may have rotated too far
+        // if the body was slower at the start, perhaps at rest, it may have rotated too far
         while let (longest, length) = (self.longest(), (self.time() - from).abs())
             && length > 2.0 * longest
             && let Some(stored) = &self.stored

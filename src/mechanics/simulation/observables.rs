@@ -16,9 +16,9 @@ pub struct ObservationPoint<'p, G: SimulationGroup> {
     pub element: &'p G::Element,
     /// The velocity.
     pub velocity: &'p G::Vector,
-    /// The momentum in the frame of the equations; without it `J Omega`.
+    /// The momentum in the frame of the equations; if it is missing, `J Omega` is used.
     pub momentum: Option<&'p G::Vector>,
-    /// The energy, where it is not the sum of a kinetic and a potential energy.
+    /// The energy, if it is not the sum of a kinetic and a potential energy.
     pub energy: Option<f64>,
 }
 
@@ -29,15 +29,16 @@ impl<'p, G: SimulationGroup> ObservationPoint<'p, G> {
     }
 }
 
-/// The quantities of motions on a group: their names, and what their values depend on beside the point.
+/// The quantities of motions on a group: their names, and the data besides the point on which their
+/// values depend.
 #[derive(Clone, Debug)]
 pub struct Observables {
     names: SymbolTable,
-    /// The number of rows of a written element, which each stage of a step needs.
+    /// The number of rows of a written element; stored because each stage of a step needs it.
     rows: usize,
-    /// `J`, if there is one.
+    /// The inertia `J`, if there is one.
     inertia: Option<DMatrix<f64>>,
-    /// Why the last force or velocity was not a number.
+    /// The reason why the last force or velocity was not a number.
     trouble: RefCell<Option<String>>,
 }
 
@@ -68,7 +69,7 @@ impl Observables {
         &self.names
     }
 
-    /// `J Omega`; not a number without an inertia.
+    /// The momentum `J Omega`; NaN if there is no inertia.
     pub fn momentum<V: Coordinates>(&self, velocity: &V) -> V {
         let omega = velocity.components();
         let entry = |i, j| self.inertia.as_ref().map_or(f64::NAN, |inertia| inertia[(i, j)]);
@@ -76,18 +77,18 @@ impl Observables {
         V::from_fn(omega.len(), row)
     }
 
-    /// Records why a force or a velocity is not a number.
+    /// Records the reason why a force or a velocity is not a number.
     pub(super) fn record(&self, trouble: String) {
         self.trouble.replace(Some(trouble));
     }
 
-    /// Takes away the last record.
+    /// Removes and returns the last recorded reason.
     pub(super) fn take_trouble(&self) -> Option<String> {
         self.trouble.take()
     }
 
-    /// Replaces the values of `buffers` by those of the quantities of a scope, and the entries, if one of these is such.
-    /// `load` gives the potential and the power.
+    /// Replaces the values in `buffers` by those of the quantities of a scope, and the entries if
+    /// one of these quantities is an entry. `load` returns the potential and the power.
     pub(super) fn evaluate<G: SimulationGroup>(
         &self,
         group: &G,
@@ -110,7 +111,8 @@ pub struct ColumnFormulas {
 }
 
 impl ColumnFormulas {
-    /// Appends the values of some of the columns at a point to `list`; `load` gives the potential and the power.
+    /// Appends the values of some of the columns at a point to `list`; `load` returns the potential
+    /// and the power.
     #[allow(clippy::too_many_arguments, reason = "a point and its surroundings")]
     pub(super) fn values<G: SimulationGroup>(
         &self,
@@ -128,7 +130,7 @@ impl ColumnFormulas {
         found.resize(self.scope.quantities().len(), f64::NAN);
         for formula in &self.formulas[range] {
             for &k in formula.variables() {
-                // what no formula asks for is not computed, nor anything twice
+                // computes only the values that formulas use, and each once
                 if found[k].is_nan() {
                     found[k] = values.of(self.scope.quantities()[k]);
                 }
@@ -138,7 +140,7 @@ impl ColumnFormulas {
     }
 }
 
-/// The values at a point; what several of them need is computed once, when it is asked for.
+/// The values at a point. Common subexpressions are computed once, when they are first needed.
 struct Values<'v, G: SimulationGroup> {
     group: &'v G,
     observables: &'v Observables,
@@ -147,7 +149,7 @@ struct Values<'v, G: SimulationGroup> {
     momentum: Option<G::Vector>,
     other_momentum: Option<G::Vector>,
     other_velocity: Option<G::Vector>,
-    /// Those of the element, once `written`.
+    /// The entries of the element, once `written` is set.
     entries: &'v mut Vec<f64>,
     written: bool,
 }
@@ -175,7 +177,7 @@ impl<'v, G: SimulationGroup> Values<'v, G> {
         }
     }
 
-    /// What a force may read in each stage of a step is at hand.
+    /// Quantities that a force may use in each stage of a step are cheap.
     #[inline(always)]
     fn of(&mut self, quantity: MotionQuantity) -> f64 {
         match quantity {
@@ -226,7 +228,7 @@ impl<'v, G: SimulationGroup> Values<'v, G> {
         self.momentum.get_or_insert_with(computed)
     }
 
-    /// `T = H(Omega)/2` (98).
+    /// The kinetic energy `T = H(Omega)/2` (98).
     fn kinetic(&mut self) -> f64 {
         let velocity = self.at.velocity.components();
         let products = self.momentum().components().iter().zip(velocity);

@@ -5,16 +5,16 @@ use crate::group::{Block, Coordinate, Partial};
 use crate::mechanics::formula::{Formula, Symbol};
 use affinor_tensors::expression::ExpressionError;
 
-/// A number that a motion has at each time.
+/// A quantity of a motion, with one value at each time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MotionQuantity {
-    /// `t`.
+    /// The time `t`.
     Time,
     /// A parameter of the problem.
     Parameter(usize),
-    /// An entry of the matrix that the element is written as, by row and column from 0.
+    /// An entry of the written form of the element, by row and column from 0.
     Entry(usize, usize),
-    /// A coordinate of the element with a name of its own, such as `qw`: its index in
+    /// A named coordinate of the element, such as `qw`: its index in
     /// [`MatrixNotation::named`](crate::group::MatrixNotation::named).
     Named(usize),
     /// A component of the velocity, in the frame of the equations.
@@ -25,13 +25,13 @@ pub enum MotionQuantity {
     OtherVelocity(usize),
     /// A component of the momentum in the other invariant frame.
     OtherMomentum(usize),
-    /// `T = H(Omega)/2` (98).
+    /// The kinetic energy `T = H(Omega)/2` (98).
     Kinetic,
     /// The potential `V`.
     Potential,
-    /// `T + V`.
+    /// The energy `T + V`.
     Energy,
-    /// `M(Omega)` (109), of all forces.
+    /// The power `M(Omega)` (109) of all forces.
     Power,
 }
 
@@ -41,7 +41,8 @@ pub struct SymbolTable {
     /// Parameters of the problem and their values.
     pub parameters: Vec<(String, f64)>,
     dimension: usize,
-    /// How the factors of the group are written, a group that is no product being its only factor.
+    /// The written forms of the factors of the group. A group that is not a product is its only
+    /// factor.
     blocks: Vec<Block>,
     /// The names of velocity and momentum: in the frame of the equations, then in the other invariant frame.
     sides: [[&'static str; 2]; 2],
@@ -66,7 +67,7 @@ impl SymbolTable {
         self.sides[0][0]
     }
 
-    /// How many rows the matrix of an element has.
+    /// The number of rows of the matrix of an element.
     pub(super) fn rows(&self) -> usize {
         match &*self.blocks {
             [block] => block.shape.0,
@@ -74,7 +75,7 @@ impl SymbolTable {
         }
     }
 
-    /// The quantity of a name.
+    /// The quantity with this name.
     pub fn find(&self, name: &str) -> Option<MotionQuantity> {
         if let Some(k) = self.parameters.iter().position(|(known, _)| known == name) {
             return Some(MotionQuantity::Parameter(k));
@@ -103,7 +104,8 @@ impl SymbolTable {
         }
     }
 
-    /// A coordinate of the element. The names of factor `k` of a product end in `_k`, and its entries are rows of a column.
+    /// The coordinate of the element with this name. The names of factor `k` of a product end in `_k`,
+    /// and the entries of a product are rows of one column.
     fn coordinate(&self, name: &str) -> Option<MotionQuantity> {
         let (factor, name) = self.factor(name)?;
         let (before, block) = (&self.blocks[..factor], self.blocks.get(factor)?);
@@ -120,7 +122,7 @@ impl SymbolTable {
         })
     }
 
-    /// The factor, from 0, that a name speaks of, and the name there.
+    /// The factor, from 0, to which a name refers, and the name within this factor.
     fn factor<'n>(&self, name: &'n str) -> Option<(usize, &'n str)> {
         if self.blocks.len() == 1 {
             return Some((0, name));
@@ -130,7 +132,7 @@ impl SymbolTable {
         (1..=self.blocks.len()).contains(&factor).then(|| (factor - 1, name))
     }
 
-    /// Names in all factors, as they are known outside.
+    /// Names in all factors, with the suffix of the factor.
     fn of_factors(&self, names: impl Fn(&Block) -> Vec<String>) -> Vec<String> {
         let blocks = self.blocks.iter().enumerate();
         let outside = |(k, block): (usize, &Block)| {
@@ -145,7 +147,8 @@ impl SymbolTable {
         if let [block] = &*self.blocks { block.letter() } else { "element" }
     }
 
-    /// All names with a stem such as `Omega` or `g`; of a quantity such as `energy` its one name.
+    /// All names with a stem such as `Omega` or `g`. For a single quantity such as `energy`, its
+    /// name.
     pub fn expand(&self, stem: &str) -> Vec<String> {
         let numbered = |n: usize| (1..=n).map(|i| format!("{stem}{i}")).collect();
         let sides = self.sides.as_flattened();
@@ -157,7 +160,7 @@ impl SymbolTable {
                 block.names.iter().map(|name| name.to_string()).collect()
             }
             _ if stem == "element" || stem == block.letter() => block.entries(),
-            // the other letter of matrices, unless it is a parameter
+            // `R` is also a letter of matrices, unless it is a parameter
             "R" if self.find(stem).is_none() && block.letter() == "g" => {
                 block.entries().iter().map(|entry| entry.replace('g', stem)).collect()
             }
@@ -191,7 +194,7 @@ impl SymbolTable {
         self.of_factors(of_block)
     }
 
-    /// All names of quantities that are allowed, for messages.
+    /// All names of allowed quantities, for messages.
     pub fn all(&self, allowed: &dyn Fn(MotionQuantity) -> bool) -> String {
         let mut names: Vec<String> = vec!["t".into()];
         let n = self.dimension;
@@ -210,17 +213,18 @@ impl SymbolTable {
     }
 }
 
-/// The quantities that some formulas use; their order numbers the variables of the formulas. Parameters are constants.
+/// The quantities that some formulas use. Their order is the numbering of the variables in the
+/// formulas. Parameters are constants.
 #[derive(Clone, Debug, Default)]
 pub struct FormulaScope {
     quantities: Vec<MotionQuantity>,
 }
 
 impl FormulaScope {
-    /// Reads a formula and adds its quantities.
+    /// Parses a formula and adds its quantities.
     ///
     /// # Errors
-    /// As [`Formula::parse`]; also for a quantity that is not `allowed`.
+    /// Those of [`Formula::parse`]; also for a quantity that is not `allowed`.
     pub fn read(
         &mut self,
         text: &str,
@@ -249,14 +253,15 @@ impl FormulaScope {
         &self.quantities
     }
 
-    /// Replaces `values` by those of the quantities, in their order.
+    /// Replaces the content of `values` by the values of the quantities, in their order.
     #[inline]
     pub(super) fn evaluate(&self, value: impl FnMut(MotionQuantity) -> f64, values: &mut Vec<f64>) {
         values.clear();
         values.extend(self.quantities.iter().copied().map(value));
     }
 
-    /// Replaces `partial` by the derivatives by entries that are not zero, from those by quantities.
+    /// Replaces the content of `partial` by the nonzero derivatives with respect to entries, from
+    /// derivatives with respect to quantities.
     #[inline]
     pub(super) fn by_entries(
         &self,
@@ -265,7 +270,7 @@ impl FormulaScope {
     ) {
         partial.clear();
         for (k, slope) in slopes {
-            // 0 is left out, as 0 times an infinite entry is NaN
+            // zero derivatives are left out, because 0 times an infinite entry is NaN
             if let MotionQuantity::Entry(row, column) = self.quantities[k]
                 && slope != 0.0
             {

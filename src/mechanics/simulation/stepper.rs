@@ -7,44 +7,46 @@ use crate::mechanics::integrators::runge_kutta::LocalCoordinates;
 use crate::mechanics::{Adaptive, CotangentSystem, Integrator, State, System, stopped};
 use std::sync::Arc;
 
-/// How a motion advances, with all that the next step depends on beside the state.
+/// The way in which a motion advances, with all data besides the state on which the next step
+/// depends.
 pub enum Stepper<S: System> {
-    /// Steps of one length.
+    /// Steps of equal length.
     Fixed {
         /// The method.
         integrator: Arc<dyn Integrator<S> + Send + Sync>,
         /// The steps to the next output time.
         steps: FixedSteps,
     },
-    /// Steps whose length follows from a tolerance.
+    /// Steps whose length is controlled by a tolerance.
     Adaptive {
-        /// [`Adaptive::step`](crate::mechanics::Adaptive::step).
+        /// The function that makes a step: [`Adaptive::step`](crate::mechanics::Adaptive::step).
         control: Arc<Control<S>>,
         /// The largest number of steps from one output time to the next.
         max_steps: usize,
-        /// The next length to try.
+        /// The length to try for the next step.
         next: f64,
         /// The number of steps since the last output time.
         taken: usize,
     },
     /// The state at any time, in closed form.
     Exact {
-        /// The state at a time.
+        /// The function that returns the state at a time.
         at: Arc<At<S>>,
         /// A bound of the angular velocity, in radians per unit of time.
         rate: f64,
     },
 }
 
-/// The largest rotation between checks for events, in radians: where a check costs a step, and where it costs an evaluation.
+/// The largest rotation between checks for events, in radians.
 const TURN: f64 = 0.25;
 const EXACT_TURN: f64 = 0.0625;
 
-/// A controlled step of a system and its state, with the length to try, towards a time.
+/// A function that makes a controlled step of a system and its state towards a time; it updates the
+/// length to try.
 type Control<S> =
     dyn Fn(&S, &mut <S as System>::State, &mut f64, f64) -> Result<(), Error> + Send + Sync;
 
-/// The state at a time.
+/// A function that returns the state at a time.
 type At<S> = dyn Fn(f64) -> Result<<S as System>::State, Error> + Send + Sync;
 
 // a derived implementation would require `S: Clone`
@@ -63,12 +65,12 @@ impl<S: System> Clone for Stepper<S> {
 }
 
 impl<S: System> Stepper<S> {
-    /// Steps of one length at most.
+    /// Steps of at most this length.
     pub(super) fn fixed(integrator: impl Integrator<S> + Send + Sync + 'static, step: f64) -> Self {
         Stepper::Fixed { integrator: Arc::new(integrator), steps: FixedSteps::new(step) }
     }
 
-    /// The state at any time.
+    /// The state at any time, in closed form.
     pub(super) fn exact(
         at: impl Fn(f64) -> Result<S::State, Error> + Send + Sync + 'static,
         rate: f64,
@@ -76,8 +78,8 @@ impl<S: System> Stepper<S> {
         Stepper::Exact { at: Arc::new(at), rate }
     }
 
-    /// One step towards a time; returns the time that is reached. Steps of free length end at `end`, a time on the way,
-    /// at the latest.
+    /// Makes one step towards a time. Returns the time that is reached. Steps of free length end at
+    /// the latest at `end`, a time on the way.
     pub(super) fn step(
         &mut self,
         system: &S,
@@ -111,7 +113,8 @@ impl<S: System> Stepper<S> {
         }
     }
 
-    /// The longest step between checks for events, where `rate` gives the angular velocity; infinite for fixed steps.
+    /// The longest step between checks for events, where `rate` returns the angular velocity;
+    /// infinite for fixed steps.
     pub(super) fn longest(&self, rate: impl FnOnce() -> f64) -> f64 {
         match self {
             Stepper::Fixed { .. } => f64::INFINITY,
@@ -122,7 +125,7 @@ impl<S: System> Stepper<S> {
 }
 
 impl<S: CotangentSystem + 'static> Stepper<S> {
-    /// Steps of a pair with step-size control, in the local coordinates `C`.
+    /// Steps of an embedded pair with step-size control, in the local coordinates `C`.
     pub(super) fn controlled<C: LocalCoordinates<S::Group> + Copy + Send + Sync + 'static>(
         pair: Pair,
         control: Adaptive,

@@ -1,26 +1,27 @@
-//! Vectors over time, by interpolation of a table.
+//! Vectors over time, interpolated from a table.
 
 use crate::Error;
 
-/// The relative rounding of times within a step.
+/// The relative rounding error of times within a step.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
-/// Vectors over time, interpolated linearly between rows, or [held](Self::held). Two rows at one time are a jump: from the values of the first row to those of
-/// the second.
+/// Vectors over time, interpolated linearly between rows, or [held](Self::held). Two rows at the
+/// same time are a discontinuity, from the values of the first row to those of the second.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ForceTable {
     times: Vec<f64>,
     values: Vec<Vec<f64>>,
-    /// Whether values stay those of the last row, up to the next.
+    /// Whether the values of a row are constant up to the next row.
     is_held: bool,
 }
 
-/// An interval between two rows of a [`ForceTable`], or before the first or after the last: the number of rows before it.
+/// An interval between two rows of a [`ForceTable`], or before the first or after the last row. It
+/// is given by the number of rows before it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Interval(usize);
 
 impl ForceTable {
-    /// The table of rows, each a time and the values at that time.
+    /// The table with these rows, each a time and the values at that time.
     ///
     /// # Errors
     /// [`Error::Shape`] without rows, for rows of different lengths, for times that decrease, and for three rows at one time.
@@ -50,13 +51,13 @@ impl ForceTable {
         Ok(ForceTable { times, values, is_held: false })
     }
 
-    /// The same table with values that stay those of the last row, up to the next.
+    /// The same table with piecewise constant values: each row is valid up to the next one.
     #[must_use]
     pub fn held(self) -> Self {
         ForceTable { is_held: true, ..self }
     }
 
-    /// The same table with zeros behind the values, up to `width` of them.
+    /// The same table with zeros appended to the values, up to `width` values.
     #[must_use]
     pub fn padded(mut self, width: usize) -> Self {
         let short = self.values.iter_mut().filter(|row| row.len() < width);
@@ -74,7 +75,8 @@ impl ForceTable {
         [self.times[0], self.times[self.times.len() - 1]]
     }
 
-    /// The first time of a row strictly between two times, as seen from the first of them: the values have a corner there.
+    /// The first time of a row strictly between two times, as seen from the first of them. The
+    /// values have a kink there.
     pub fn corner(&self, from: f64, until: f64) -> Option<f64> {
         let forwards = from < until;
         let next = if forwards {
@@ -88,14 +90,15 @@ impl ForceTable {
     /// The interval in which a step from one time towards another begins.
     pub fn interval(&self, from: f64, until: f64) -> Interval {
         let forwards = from <= until;
-        // the end of the step before may be the time of a row up to rounding
+        // because of rounding errors, the previous step may end slightly off the time of a row
         let slack = ROUNDING * from.abs();
         let begun = |t: &f64| if forwards { *t <= from + slack } else { *t < from - slack };
         Interval(self.times.partition_point(begun))
     }
 
-    /// Adds the values at a time to `sum`; before the first and after the last row they are constant. At the ends of the interval
-    /// `inside` they are those of the interval, and elsewhere at a jump those after it.
+    /// Adds the values at a time to `sum`; before the first and after the last row they are
+    /// constant. At an end of `inside` the limit from within is used, at any other discontinuity
+    /// the value after it.
     pub fn add(&self, time: f64, inside: Option<Interval>, sum: &mut [f64]) {
         let Interval(behind) = inside
             .filter(|interval| self.holds(*interval, time))
@@ -112,7 +115,7 @@ impl ForceTable {
         }
     }
 
-    /// Whether a time is in an interval, or at its ends up to rounding.
+    /// Whether a time is in an interval, or at its ends up to rounding errors.
     fn holds(&self, Interval(behind): Interval, time: f64) -> bool {
         let slack = ROUNDING * time.abs();
         let begun = behind == 0 || self.times[behind - 1] <= time + slack;

@@ -23,7 +23,7 @@ impl Bilinear {
         Bilinear { rows: if rows.iter().all(Vec::is_empty) { vec![] } else { rows } }
     }
 
-    /// `b^j_ki x^k y_j` of a velocity and a momentum, as in the equations of motion (104).
+    /// The map `b^j_ki x^k y_j` of a velocity and a momentum, as in the equations of motion (104).
     pub(super) fn of_momentum(coefficients: &Tensor<f64>) -> Self {
         let terms = coefficients.components().map(|(at, value)| (at[2], [at[1], at[0]], *value));
         Self::new(coefficients.dimension(), terms)
@@ -34,7 +34,7 @@ impl Bilinear {
         self.rows.is_empty()
     }
 
-    /// `f` of two vectors or covectors, by their components.
+    /// The value `f` for two vectors or covectors, by their components.
     #[inline]
     pub(super) fn apply<V: Coordinates>(&self, x: &V, y: &V) -> V {
         let (x, y) = (x.components(), y.components());
@@ -46,7 +46,7 @@ impl Bilinear {
         V::from_fn(x.len(), row)
     }
 
-    /// The same map in layers.
+    /// The same map, stored in layers.
     pub(super) fn layers<V: Coordinates>(&self) -> Layers<V> {
         let layer = |at: usize| {
             let term = |i: usize| self.rows[i].get(at).copied().unwrap_or(([0, 0], 0.0));
@@ -58,11 +58,11 @@ impl Bilinear {
     }
 }
 
-/// A [`Bilinear`] map for vectors of few components: the first terms of all `f_i`, then the second ones, and so on. A layer is
-/// computed in registers.
+/// A [`Bilinear`] map for vectors with few components, stored in layers: the first terms of all
+/// `f_i`, then the second terms, and so on. A layer is computed in registers.
 #[derive(Clone, Debug)]
 pub(super) struct Layers<V> {
-    /// For each `i` the indices `[j, k]`, and the coefficients.
+    /// The indices `[j, k]` and the coefficients of each layer, one for each `i`.
     layers: Vec<(Vec<[usize; 2]>, V)>,
 }
 
@@ -79,7 +79,7 @@ impl<V: Coordinates> Layers<V> {
         self.layers.is_empty()
     }
 
-    /// `f` of two vectors or covectors, by their components.
+    /// The value `f` for two vectors or covectors, by their components.
     #[inline]
     pub(super) fn apply(&self, x: &V, y: &V) -> V {
         let (x, y) = (x.components(), y.components());

@@ -1,4 +1,4 @@
-//! The inertia at its centre, where rotations and translations are decoupled.
+//! The inertia about the centre, where rotations and translations are decoupled.
 
 use super::bilinear::{Bilinear, Layers};
 use super::cotangent::Sizes;
@@ -9,18 +9,19 @@ use affinor_tensors::Tensor;
 use nalgebra::{DMatrix, DVector};
 use std::collections::BTreeMap;
 
-/// An inertia on a group with translations, at its centre.
+/// An inertia on a group with translations, referred to its centre.
 #[derive(Clone, Debug)]
 pub(in crate::mechanics) struct Centred<V, E> {
-    /// The inertia at the centre; `None` if the centre is the origin of the body.
+    /// The inertia about the centre; `None` if the centre is the origin of the body.
     at: Option<AtCentre<V, E>>,
-    /// `ad*_(P Omega) H` as a quadratic form of `H`. Terms that cancel for every momentum, as those of an isotropic mass,
-    /// are left out: their rounding would be a torque.
+    /// `ad*_(P Omega) H` as a quadratic form of `H`. Terms that cancel for every momentum, such as
+    /// those of an isotropic mass, are left out, because their rounding errors would act as a
+    /// torque.
     transfer: Layers<V>,
     sizes: Sizes,
 }
 
-/// The inertia `J(Ad_c x, Ad_c y)` at the centre.
+/// The inertia `J(Ad_c x, Ad_c y)` about the centre.
 #[derive(Clone, Debug)]
 struct AtCentre<V, E> {
     /// The translation `c` to the centre.
@@ -30,7 +31,7 @@ struct AtCentre<V, E> {
 }
 
 impl<V: Coordinates, E> Centred<V, E> {
-    /// The inertia with its inverse and the structure constants of the group.
+    /// Computes the centre from the inertia, its inverse and the structure constants of the group.
     pub(in crate::mechanics) fn new(
         group: &impl TranslationSplit<Vector = V, Element = E>,
         metric: &Matrix<V>,
@@ -63,7 +64,7 @@ impl<V: Coordinates, E> Centred<V, E> {
         !self.transfer.is_zero()
     }
 
-    /// `ad*_(P Omega) H` at the centre.
+    /// The covector `ad*_(P Omega) H` at the centre.
     #[inline]
     pub(in crate::mechanics) fn transfer(&self, momentum: &V) -> V {
         self.transfer.apply(momentum, momentum)
@@ -74,11 +75,12 @@ impl<V: Coordinates, E> Centred<V, E> {
     }
 }
 
-/// The coupling of rotations and translations, relative to the inertia, below which it is rounding.
+/// The coupling of rotations and translations, relative to the inertia, that counts as rounding
+/// error.
 const SHARED: f64 = 1e-12;
 
-/// The inertia at the centre; `None` if rotations and translations are decoupled at the origin of the body, or coupled at
-/// every point.
+/// The inertia about the centre. `None` if rotations and translations are decoupled at the origin
+/// of the body, or coupled at every point.
 ///
 /// With `c = exp(r)`, `Ad_c x = x + [r, x]`, so the translation `r` to the centre solves `J([r, x], v) = -J(x, v)` for all
 /// rotations `x` and translations `v`.
@@ -120,7 +122,7 @@ fn at_centre<G: TranslationSplit>(
         terms.fold(G::Vector::zeros(n), |sum, (share, image)| sum + image.clone() * *share)
     };
     let images: Vec<G::Vector> = turns.iter().map(image).collect();
-    // there the coupling is rounding, and the inertia of translations is unchanged
+    // the coupling that remains is rounding error, and the inertia of translations is unchanged
     let inertia = DMatrix::from_fn(n, n, |i, k| {
         form(&images[i], &images[k]) + form(&translations[i], &translations[k])
     });
@@ -132,11 +134,12 @@ fn at_centre<G: TranslationSplit>(
     Some(AtCentre { centre, inertia: rows(&inertia), inverse: rows(&inverse) })
 }
 
-/// A sum of terms that is smaller than this, relative to their sizes, is rounding.
+/// A sum of terms that is smaller than this, relative to their magnitudes, counts as rounding
+/// error.
 const CANCELLED: f64 = 4.0 * f64::EPSILON;
 
-/// The quadratic form `ad*_(P J^-1 H) H`: the coefficient of `H_a H_b`, `a <= b`, in the component `i` is
-/// `(P J^-1)^vb c^a_vi`, symmetrised.
+/// The quadratic form `ad*_(P J^-1 H) H`: the coefficient of `H_a H_b`, `a <= b`, in the component
+/// `i` is `(P J^-1)^vb c^a_vi`, symmetrized.
 fn transfer<G: TranslationSplit>(
     group: &G,
     inverse: &Matrix<G::Vector>,
@@ -146,7 +149,7 @@ fn transfer<G: TranslationSplit>(
     let translations: Option<Vec<G::Vector>> =
         (0..n).map(|b| group.translational_part(&inverse.apply(&group.basis_vector(b)))).collect();
     let Some(translations) = translations else { return Layers::default() };
-    // for a <= b the sum of both orders, and the sum of their moduli
+    // for a <= b, the sum over both orders, and the sum of the magnitudes
     let mut sums: Vec<BTreeMap<[usize; 2], (f64, f64)>> = vec![BTreeMap::new(); n];
     for (at, c) in structure.components() {
         let [a, v, i] = [at[0], at[1], at[2]];
@@ -163,7 +166,8 @@ fn transfer<G: TranslationSplit>(
     Bilinear::new(n, terms).layers()
 }
 
-/// The largest moment of inertia of the basis along rotations, and the largest mass along translations.
+/// The largest moment of inertia of a rotational basis vector, and the largest mass of a
+/// translational one.
 fn sizes<G: TranslationSplit>(group: &G, metric: &Matrix<G::Vector>) -> Sizes {
     let moment = |x: &G::Vector| -> f64 {
         let products = x.components().iter().zip(metric.apply(x).components().to_vec());

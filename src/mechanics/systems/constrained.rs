@@ -8,25 +8,29 @@ use crate::group::{Coordinates, LieGroup, TranslationSplit};
 use crate::{Connection, Error, Metric};
 use nalgebra::{DMatrix, DVector};
 
-/// Holonomic constraints `Phi(q) = 0`. Steps panic if the number of constraints changes with the element.
+/// Holonomic constraints `Phi(q) = 0`. Steps panic if the number of constraints depends on the
+/// element.
 pub trait Constraint<G: LieGroup> {
-    /// `Phi^a(q)`.
+    /// The values `Phi^a(q)`.
     fn value(&self, element: &G::Element) -> DVector<f64>;
 
-    /// `B^a_i`, the derivative of `Phi^a(q exp(s e_i))` at `s = 0`: a row for each constraint.
+    /// The gradient `B^a_i`, the derivative of `Phi^a(q exp(s e_i))` at `s = 0`, with one row for
+    /// each constraint.
     fn gradient(&self, element: &G::Element) -> DMatrix<f64>;
 }
 
-/// The system of a connection, a metric `J`, external forces `M` and holonomic constraints on a group:
+/// The system of a connection, a metric `J`, external forces `M` and holonomic constraints on a
+/// group:
 ///
 /// ```text
 /// q' = q v,   J_ij v'^j = Lambda^j_ki v^k J_jl v^l + M_i(t, q, v) - B^a_i(q) lambda_a,   Phi^a(q) = 0
 /// ```
 ///
-/// in left (body) components: the equations of motion (104) of [`EulerPoincare`](super::EulerPoincare), where `q` and `v` are `g` and
-/// `Omega`, with Lagrange multipliers `lambda`. With the connection `plus` they are the Euler-Poincare equations.
-/// `B^a_i = e_i(Phi^a)` is the [gradient](Constraint::gradient). The constraints must be independent: the rows of `B` are linearly
-/// independent where `Phi = 0`.
+/// in left (body) components. These are the equations of motion (104) of
+/// [`EulerPoincare`](super::EulerPoincare), where `q` and `v` are `g` and `Omega`, with Lagrange
+/// multipliers `lambda`. With the connection `plus` they are the Euler-Poincare equations. `B^a_i =
+/// e_i(Phi^a)` is the [gradient](Constraint::gradient). The constraints must be independent: the
+/// rows of `B` must be linearly independent where `Phi = 0`.
 ///
 /// ```
 /// use affinor::mechanics::{Constrained, Constraint, GeneralisedAlpha, Integrator};
@@ -63,7 +67,7 @@ pub trait Constraint<G: LieGroup> {
 pub struct Constrained<G, C, M = Free> {
     group: G,
     mass: DMatrix<f64>,
-    /// `Lambda^j_ki v^k H_j`.
+    /// The bilinear map `Lambda^j_ki v^k H_j`.
     inertial: Bilinear,
     force: M,
     constraint: C,
@@ -74,15 +78,16 @@ pub struct Constrained<G, C, M = Free> {
 pub struct ConstrainedState<G: LieGroup> {
     /// The time.
     pub time: f64,
-    /// `q`.
+    /// The element `q`.
     pub element: G::Element,
-    /// `v`, in left components.
+    /// The velocity `v`, in left components.
     pub velocity: G::Vector,
-    /// `v'`.
+    /// The acceleration `v'`.
     pub acceleration: G::Vector,
-    /// `lambda`.
+    /// The multipliers `lambda`.
     pub multipliers: DVector<f64>,
-    /// Of a multistep method: the difference between the algorithmic and the true acceleration, per unit step.
+    /// For a multistep method: the difference between the algorithmic and the true acceleration,
+    /// per unit step.
     pub(crate) lead: Option<G::Vector>,
 }
 
@@ -112,26 +117,27 @@ impl<G: LieGroup> Clone for ConstrainedState<G> {
 
 /// The relative tolerance of the constraints at the initial condition.
 const OFF: f64 = 1e-8;
-/// The relative size of what is left of a gradient that depends on others.
+/// The relative size of the independent part of a gradient below which the gradient counts as
+/// dependent on others.
 const DEPENDENT: f64 = 1e-10;
-/// The relative tolerance between a gradient and its difference quotient.
+/// The relative tolerance between a gradient and its difference quotients.
 const ROUGH: f64 = 1e-4;
 /// The relative change of a gradient over a step of its difference quotients.
 const BEND: f64 = 1e-3;
-/// A displacement over which a gradient that has not changed is constant.
+/// The displacement up to which a gradient without change counts as constant.
 const STRAIGHT: f64 = 1e12;
-/// A smaller relative change of a gradient may be rounding.
+/// A relative change of a gradient that may be a rounding error.
 const NOISE: f64 = 1e-12;
-/// The most trial steps.
+/// The largest number of trial steps.
 const STEPS: usize = 60;
 
 impl<G: TranslationSplit, C: Constraint<G>, M: Torque<G>> Constrained<G, C, M> {
-    /// The system of a connection and a metric on the algebra of the group, in its basis, with forces and
-    /// constraints.
+    /// The system of a connection and a metric on the algebra of the group, in its basis, with
+    /// forces and constraints.
     ///
     /// # Errors
-    /// [`Error::Shape`] unless the connection is over the left-invariant frame of the group, and the metric of its
-    /// dimension.
+    /// [`Error::Shape`] unless the connection is over the left-invariant frame of the group, and
+    /// the metric has its dimension.
     pub fn new(
         group: G,
         connection: &Connection<f64>,
@@ -160,12 +166,14 @@ impl<G: TranslationSplit, C: Constraint<G>, M: Torque<G>> Constrained<G, C, M> {
         &self.constraint
     }
 
-    /// The state of an element and a velocity, with the acceleration and the multipliers that follow from them.
+    /// The state with an element and a velocity; the acceleration and the multipliers follow from
+    /// them.
     ///
     /// # Errors
-    /// [`Error::Shape`] unless the gradient has a row for each constraint and a column for each component of a
-    /// vector. [`Error::Invalid`] for a value that is not finite, an element or a velocity that violates a
-    /// constraint, a gradient that differs from the difference quotients, and dependent constraints.
+    /// [`Error::Shape`] unless the gradient has one row for each constraint and one column for each
+    /// component of a vector. [`Error::Invalid`] for a value that is not finite, an element or a
+    /// velocity that violates a constraint, a gradient that differs from the difference quotients,
+    /// and dependent constraints.
     pub fn state(
         &self,
         time: f64,
@@ -209,18 +217,18 @@ impl<G: TranslationSplit, C: Constraint<G>, M: Torque<G>> Constrained<G, C, M> {
         Ok(ConstrainedState { time, element, velocity, acceleration, multipliers, lead: None })
     }
 
-    /// `J_ij v^i v^j/2` (98).
+    /// The kinetic energy `J_ij v^i v^j/2` (98).
     pub fn kinetic_energy(&self, state: &ConstrainedState<G>) -> f64 {
         let velocity = column(&state.velocity);
         0.5 * velocity.dot(&(&self.mass * &velocity))
     }
 
-    /// The largest `|Phi^a(q)|`.
+    /// The largest violation `|Phi^a(q)|` of a constraint.
     pub fn violation(&self, state: &ConstrainedState<G>) -> f64 {
         self.constraint.value(&state.element).amax()
     }
 
-    /// The largest `|B^a_i v^i|`.
+    /// The largest violation `|B^a_i v^i|` of a constraint by the velocity.
     pub fn velocity_violation(&self, state: &ConstrainedState<G>) -> f64 {
         (self.constraint.gradient(&state.element) * column(&state.velocity)).amax()
     }
@@ -229,12 +237,12 @@ impl<G: TranslationSplit, C: Constraint<G>, M: Torque<G>> Constrained<G, C, M> {
         &self.mass
     }
 
-    /// `q exp(x)`.
+    /// The element `q exp(x)`.
     pub(in crate::mechanics) fn moved(&self, element: &G::Element, x: &G::Vector) -> G::Element {
         self.group.compose(element, &self.group.exp(x))
     }
 
-    /// `Lambda^j_ki v^k J_jl v^l + M_i`.
+    /// The forces `Lambda^j_ki v^k J_jl v^l + M_i`.
     pub(in crate::mechanics) fn forces(
         &self,
         time: f64,
@@ -247,8 +255,8 @@ impl<G: TranslationSplit, C: Constraint<G>, M: Torque<G>> Constrained<G, C, M> {
         column(&force)
     }
 
-    /// `v'` and `lambda`, from the second derivative of the constraints: `B v' + (B v)' = 0`. `None` if they are
-    /// not unique or not finite.
+    /// The acceleration `v'` and the multipliers `lambda`, from the second time derivative of the
+    /// constraints: `B v' + (B v)' = 0`. `None` if they are not unique or not finite.
     pub(in crate::mechanics) fn accelerated(
         &self,
         time: f64,
@@ -271,7 +279,7 @@ impl<G: TranslationSplit, C: Constraint<G>, M: Torque<G>> Constrained<G, C, M> {
     }
 }
 
-/// The checks of an initial condition, in any unit of length, time and mass.
+/// The checks of an initial condition. They do not depend on the units of length, time and mass.
 impl<G: TranslationSplit, C: Constraint<G>, M: Torque<G>> Constrained<G, C, M> {
     /// Checks that an element and a velocity satisfy a constraint, by its value and its gradient there.
     fn expect_satisfied(
@@ -283,7 +291,7 @@ impl<G: TranslationSplit, C: Constraint<G>, M: Torque<G>> Constrained<G, C, M> {
         velocity: &G::Vector,
     ) -> Result<(), Error> {
         let normal = G::Vector::from_components(gradient.as_slice()) * (1.0 / gradient.norm());
-        // the change of the constraint over the length on which its gradient changes
+        // the change of the constraint over the length scale of its gradient
         let change = match self.bend(element, &normal, a) {
             Some(step) => gradient.norm() * step / BEND,
             None => 1.0 + gradient.norm(),
@@ -295,7 +303,7 @@ impl<G: TranslationSplit, C: Constraint<G>, M: Torque<G>> Constrained<G, C, M> {
         if value.is_nan() || value.abs() > OFF * change {
             return Err(invalid(format!("constraint {a} is {value}, not 0")));
         }
-        // a body at rest may have a velocity such as sin(pi)
+        // a body at rest may have a velocity such as sin(pi), which is not exactly zero
         let rest = f64::EPSILON * gradient.norm();
         if rate.abs() > rest + OFF * terms.sum::<f64>() {
             return Err(invalid(format!("constraint {a} changes at the rate {rate}, not 0")));
@@ -328,7 +336,8 @@ impl<G: TranslationSplit, C: Constraint<G>, M: Torque<G>> Constrained<G, C, M> {
         Ok(())
     }
 
-    /// The largest component of a vector in the unit of one of them, that of rotations or of translations.
+    /// The largest component of a vector among those with the same unit as component `i`: rotations
+    /// or translations.
     fn largest_like(&self, i: usize, x: &G::Vector) -> f64 {
         let is_place = |i: usize| {
             let translation = self.group.translational_part(&self.group.basis_vector(i));
@@ -338,8 +347,9 @@ impl<G: TranslationSplit, C: Constraint<G>, M: Torque<G>> Constrained<G, C, M> {
         like.map(|(_, x)| x.abs()).fold(0.0, f64::max)
     }
 
-    /// The `s` for which the gradient of a constraint changes by about the share [`BEND`] of its size from `q` to `q exp(s x)`, in
-    /// any unit of length and time; `None` if it does not change.
+    /// The `s` for which the gradient of a constraint changes by about the fraction [`BEND`] of its
+    /// size from `q` to `q exp(s x)`. It does not depend on the units of length and time. `None` if
+    /// the gradient does not change.
     fn bend(&self, element: &G::Element, x: &G::Vector, a: usize) -> Option<f64> {
         let row = |s: f64| {
             let gradient = self.constraint.gradient(&self.moved(element, &(x.clone() * s)));
@@ -352,7 +362,7 @@ impl<G: TranslationSplit, C: Constraint<G>, M: Torque<G>> Constrained<G, C, M> {
         for _ in 0..STEPS {
             let change = ((row(s) - &here).norm() + (row(-s) - &here).norm()) / (2.0 * here.norm());
             if change.is_nan() {
-                // outside of where the constraint is defined
+                // the trial step leaves the domain of the constraint
                 if was_inside {
                     return Some(0.05 * s);
                 }
@@ -364,7 +374,7 @@ impl<G: TranslationSplit, C: Constraint<G>, M: Torque<G>> Constrained<G, C, M> {
             if (0.25..4.0).contains(&factor) {
                 return Some(s);
             }
-            // a bounded small change is resolved where it still grows
+            // a small bounded change is resolved where it still grows
             if before > NOISE && change < 7.0 * before {
                 return Some(1e-2 * s);
             }
@@ -382,18 +392,19 @@ fn invalid(reason: String) -> Error {
     Error::Invalid { what: "state", reason }
 }
 
-/// The derivative at 0, of order 4.
+/// The derivative at 0, by a difference quotient of order 4.
 fn slope(f: impl Fn(f64) -> f64, step: f64) -> f64 {
     let [near, far] = [step, 2.0 * step].map(|s| f(s) - f(-s));
     (8.0 * near - far) / (12.0 * step)
 }
 
-/// The first row of a matrix that is a linear combination of those before it, up to rounding.
+/// The index of the first row of a matrix that is, up to rounding errors, a linear combination of
+/// earlier rows.
 fn first_dependent(matrix: &DMatrix<f64>) -> Option<usize> {
     let mut basis: Vec<DVector<f64>> = Vec::new();
     matrix.row_iter().position(|row| {
         let mut rest = row.transpose();
-        // twice, against rounding
+        // orthogonalizes twice, because rounding errors destroy orthogonality
         for direction in basis.iter().chain(&basis) {
             rest.axpy(-direction.dot(&rest), direction, 1.0);
         }

@@ -5,8 +5,8 @@ use crate::group::{Coordinates, LieGroup, TranslationSplit};
 
 /// A state of a motion.
 ///
-/// With the feature `serde` it can be written and read back, on groups whose elements can. What is read is not checked: an
-/// element may have drifted off the group.
+/// With the feature `serde`, states can be serialized on groups whose elements can. A state that is
+/// read is not checked, because an element may have drifted off the group.
 #[derive(Debug)]
 #[cfg_attr(
     feature = "serde",
@@ -22,14 +22,15 @@ use crate::group::{Coordinates, LieGroup, TranslationSplit};
 pub struct State<G: LieGroup> {
     /// The time.
     pub time: f64,
-    /// The element: of a body the attitude, or the pose.
+    /// The element: the attitude or the pose of a body.
     pub element: G::Element,
     /// The momentum about the body in spatial axes: the covector `m` with `H = Ad*_k m`. Here `H` is the momentum in body
     /// components and `k` the rotation of the element ([`linear_part`](TranslationSplit::linear_part)).
     ///
-    /// On SO(3) it is the spatial momentum `h`. On SE(3) it is the angular momentum about the origin of the body and the
-    /// linear momentum, both in spatial axes, and so independent of the origin of space. On a group without
-    /// [bounded turns](TranslationSplit::has_bounded_adjoint) it is `H` itself.
+    /// On SO(3) it is the spatial momentum `h`. On SE(3) it is the angular momentum about the
+    /// origin of the body and the linear momentum, both in spatial axes; it is therefore
+    /// independent of the origin of space. On a group without [bounded
+    /// adjoint](TranslationSplit::has_bounded_adjoint) it is `H` itself.
     pub spatial: G::Vector,
 }
 
@@ -54,7 +55,7 @@ impl<G: TranslationSplit> State<G> {
         State { time, element, spatial }
     }
 
-    /// `H`, the momentum in body components (103).
+    /// The momentum `H` in body components (103).
     #[inline]
     pub fn momentum(&self, group: &G) -> G::Vector {
         if !group.has_bounded_adjoint() {
@@ -63,14 +64,14 @@ impl<G: TranslationSplit> State<G> {
         group.coadjoint(&group.linear_part(&self.element), &self.spatial)
     }
 
-    /// `h = Ad*_(g^-1) H`, the spatial momentum, which a free system conserves. Far from the origin of space it is a small
-    /// difference of large numbers, with their rounding.
+    /// The spatial momentum `h = Ad*_(g^-1) H`, which a free system conserves. Far from the origin
+    /// of space it suffers from cancellation.
     pub fn spatial_momentum(&self, group: &G) -> G::Vector {
         group.coadjoint(&group.inverse(&self.element), &self.momentum(group))
     }
 }
 
-/// A covector in body components, in the axes of [`State::spatial`].
+/// Transforms a covector from body components to the axes of [`State::spatial`].
 #[inline]
 pub(in crate::mechanics) fn in_axes<G: TranslationSplit>(
     group: &G,
@@ -83,12 +84,12 @@ pub(in crate::mechanics) fn in_axes<G: TranslationSplit>(
     group.coadjoint_inverse(&group.linear_part(element), momentum)
 }
 
-/// Scales of a system, from its inertia.
+/// Scales of a system, derived from its inertia.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sizes {
     /// The largest moment of inertia of rotations, and the largest mass of translations.
     pub inertia: [f64; 2],
-    /// The radius of gyration, or 1 where there are no rotations or no translations.
+    /// The radius of gyration; 1 if there are no rotations or no translations.
     pub length: f64,
 }
 
@@ -101,13 +102,13 @@ pub trait CotangentSystem: System<State = State<Self::Group>> {
     /// The group.
     fn group(&self) -> &Self::Group;
 
-    /// `Omega` of a momentum `H`, in body components.
+    /// The velocity `Omega` for a momentum `H`, in body components.
     fn velocity_of(&self, momentum: &Vector<Self>) -> Vector<Self>;
 
     /// Whether `F` is zero everywhere; [`force`](Self::force) is then not called.
     fn is_free(&self) -> bool;
 
-    /// `F`, in body components.
+    /// The force `F`, in body components.
     fn force(
         &self,
         time: f64,
@@ -119,19 +120,21 @@ pub trait CotangentSystem: System<State = State<Self::Group>> {
         Vector::<Self>::zeros(self.group().dimension())
     }
 
-    /// The translation `c` to the centre, if the centre is not the origin of the body. In the variables
+    /// The translation `c` to the centre, if the centre is not the origin of the body. In the
+    /// variables
     ///
     /// ```text
     /// g~ = g c,   Omega~ = Ad_(c^-1) Omega,   H~ = Ad*_c H
     /// ```
     ///
-    /// rotations and translations are decoupled. On SE(3) the centre is the centre of mass. Steps are made in these variables,
-    /// so that a uniform motion of the frame does not enter the angular momentum.
+    /// rotations and translations are decoupled. On SE(3) the centre is the centre of mass. Steps
+    /// are computed in these variables, so that a uniform motion of the frame does not enter the
+    /// angular momentum.
     fn centre(&self) -> Option<&Element<Self>> {
         None
     }
 
-    /// `Omega~` of a momentum `H~`, both at the [`centre`](Self::centre).
+    /// The velocity `Omega~` for a momentum `H~`, both at the [`centre`](Self::centre).
     fn velocity_at_centre(&self, momentum: &Vector<Self>) -> Vector<Self> {
         let Some(centre) = self.centre() else { return self.velocity_of(momentum) };
         let (group, back) = (self.group(), self.group().inverse(centre));
@@ -143,8 +146,10 @@ pub trait CotangentSystem: System<State = State<Self::Group>> {
         self.group().has_translations()
     }
 
-    /// `ad*_(P Omega) H`, the change of the momentum about the centre by its [`translational_part`](TranslationSplit::translational_part)
-    /// `P Omega`, from the velocity and the momentum there: on SE(3) the moment `p cross u` of the linear momentum `p`.
+    /// The covector `ad*_(P Omega) H`: the change of the momentum about the centre by the
+    /// [`translational_part`](TranslationSplit::translational_part) `P Omega`, from the velocity
+    /// and the momentum at the centre. On SE(3) it is the moment `p cross u` of the linear momentum
+    /// `p`.
     fn transfer(&self, velocity: &Vector<Self>, momentum: &Vector<Self>) -> Vector<Self> {
         let group = self.group();
         let Some(translation) = group.translational_part(velocity) else {
@@ -162,8 +167,8 @@ pub trait CotangentSystem: System<State = State<Self::Group>> {
     }
 }
 
-/// Components in the basis of the algebra.
+/// A vector of the algebra, by its components.
 pub type Vector<S> = <<S as CotangentSystem>::Group as LieGroup>::Vector;
 
-/// An element.
+/// An element of the group.
 pub type Element<S> = <<S as CotangentSystem>::Group as LieGroup>::Element;

@@ -11,21 +11,23 @@ use crate::mechanics::invalid_inertia;
 use crate::{Connection, Error, Metric};
 use nalgebra::Matrix3;
 
-/// The relative tolerance for two metrics that should be equal.
+/// The relative tolerance within which two metrics are equal.
 const SAME: f64 = 1e-12;
 
-/// `DH/Dt = M` (104) on a group, for the covector `H = J Omega` (103) and `g' = g Omega`:
-/// `dH_i/dt = Lambda^j_ki Omega^k H_j + M_i`, which with `plus` is Euler-Poincare (106), (108).
+/// The equations `DH/Dt = M` (104) on a group, for the covector `H = J Omega` (103) and `g' = g
+/// Omega`: `dH_i/dt = Lambda^j_ki Omega^k H_j + M_i`. With `plus` these are the Euler-Poincare
+/// equations (106), (108).
 ///
-/// The unknowns are `g` and the momentum about the origin of the body frame, in spatial axes: [`State::spatial`]. For rotations it is the
-/// spatial momentum `h`, with `H_i = (Ad*_g h)_i = h_j (Ad_g e_i)^j`:
+/// The unknowns are `g` and the momentum about the origin of the body frame, in spatial axes:
+/// [`State::spatial`]. For rotations this is the spatial momentum `h`, with `H_i = (Ad*_g h)_i =
+/// h_j (Ad_g e_i)^j`:
 ///
 /// ```text
 /// g' = g Omega,   Omega = J^-1 H,   h' = Ad*_{g^-1} F,   F_i = M_i + (Lambda - c)^j_ki Omega^k H_j
 /// ```
 ///
-/// With `plus` and without a torque, `h` is conserved to the last bit. On groups with translations the linear momentum is
-/// conserved to the last bit, and `h` to rounding.
+/// With `plus` and without a torque, `h` is conserved exactly. On groups with translations the
+/// linear momentum is conserved exactly, and `h` up to rounding errors.
 ///
 /// ```
 /// use affinor::mechanics::{EulerPoincare, Integrator, MuntheKaas};
@@ -51,21 +53,21 @@ pub struct EulerPoincare<G: LieGroup, M> {
     group: G,
     metric: Matrix<G::Vector>,
     inverse: Matrix<G::Vector>,
-    /// `(Lambda - c)^j_ki x^k y_j`: zero with `plus`.
+    /// The bilinear map `(Lambda - c)^j_ki x^k y_j`, which is zero with `plus`.
     excess: Bilinear,
-    /// The inertia at the centre.
+    /// The inertia about the centre.
     centred: Centred<G::Vector, G::Element>,
     torque: M,
 }
 
-/// No torque.
+/// The absence of a torque.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Free;
 
 /// A torque: an external covector in body (left) components, as a function of time, element and
 /// velocity.
 pub trait Torque<G: LieGroup> {
-    /// `M_i`, which is added to `force`.
+    /// Adds the components `M_i` to `force`.
     fn add(&self, time: f64, element: &G::Element, velocity: &G::Vector, force: &mut G::Vector);
 
     /// Whether the torque is zero at all times.
@@ -157,7 +159,7 @@ impl<G: TranslationSplit> EulerPoincare<G, Free> {
     /// The system without a torque.
     ///
     /// # Errors
-    /// As [`EulerPoincare::new`].
+    /// Those of [`EulerPoincare::new`].
     pub fn free(
         group: G,
         connection: &Connection<f64>,
@@ -171,8 +173,8 @@ impl<G: TranslationSplit, M: Torque<G>> EulerPoincare<G, M> {
     /// The system of a connection and a metric on the algebra of the group, in its basis.
     ///
     /// # Errors
-    /// [`Error::Shape`] unless the connection is over the left-invariant frame of the group, and the metric of its
-    /// dimension.
+    /// [`Error::Shape`] unless the connection is over the left-invariant frame of the group, and
+    /// the metric has its dimension.
     pub fn new(
         group: G,
         connection: &Connection<f64>,
@@ -198,13 +200,13 @@ impl<G: TranslationSplit, M: Torque<G>> EulerPoincare<G, M> {
         &self.torque
     }
 
-    /// The state of an element with a velocity `Omega` in body components.
+    /// The state with an element and a velocity `Omega` in body components.
     pub fn state(&self, time: f64, element: G::Element, velocity: &G::Vector) -> State<G> {
         let momentum = self.metric.apply(velocity);
         self.state_with_momentum(time, element, &momentum)
     }
 
-    /// The state of an element with a momentum `H` in body components.
+    /// The state with an element and a momentum `H` in body components.
     pub fn state_with_momentum(
         &self,
         time: f64,
@@ -214,17 +216,17 @@ impl<G: TranslationSplit, M: Torque<G>> EulerPoincare<G, M> {
         State::with_momentum(&self.group, time, element, momentum)
     }
 
-    /// `H`, the momentum in body components (103).
+    /// The momentum `H` in body components (103).
     pub fn momentum(&self, state: &State<G>) -> G::Vector {
         state.momentum(&self.group)
     }
 
-    /// `Omega = J^-1 H`, in body components.
+    /// The velocity `Omega = J^-1 H` in body components.
     pub fn velocity(&self, state: &State<G>) -> G::Vector {
         self.inverse.apply(&self.momentum(state))
     }
 
-    /// `T = H(Omega)/2` (98).
+    /// The kinetic energy `T = H(Omega)/2` (98).
     pub fn energy(&self, state: &State<G>) -> f64 {
         let momentum = self.momentum(state);
         let velocity = self.inverse.apply(&momentum);
@@ -248,7 +250,7 @@ impl<G: TranslationSplit, M: Torque<G>> EulerPoincare<G, M> {
 /// Checks that a connection and a metric are on the algebra of a group, in its basis.
 ///
 /// # Errors
-/// [`Error::Shape`].
+/// [`Error::Shape`] if they are not.
 pub(super) fn expect_on_group<G: LieGroup>(
     group: &G,
     connection: &Connection<f64>,
@@ -264,13 +266,14 @@ pub(super) fn expect_on_group<G: LieGroup>(
 }
 
 impl<M> EulerPoincare<So3, M> {
-    /// Checks that these are Euler's equations of a body with the inertia matrix.
+    /// Checks that these are the equations of a body with this inertia matrix.
     ///
     /// # Errors
-    /// [`Error::Invalid`] for another metric, or a connection other than `plus`.
+    /// [`Error::Invalid`] for another metric, or for a connection other than `plus`.
     #[inline]
     pub(in crate::mechanics) fn expect_body(&self, inertia: &Matrix3<f64>) -> Result<(), Error> {
-        // checked in each step, so cheap: no entry of a positive matrix exceeds its trace
+        // a cheap bound, because it is checked in each step: no entry of a positive definite matrix
+        // exceeds its trace
         let bound = SAME * inertia.trace();
         let same = |i: usize, j: usize| (self.metric.entry(i, j) - inertia[(i, j)]).abs() <= bound;
         if (0..9).all(|at| same(at / 3, at % 3)) && self.excess.is_zero() {

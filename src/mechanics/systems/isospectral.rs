@@ -1,7 +1,7 @@
 //! Isospectral flows `L' = [B(L), L]` of matrices, which conserve the spectrum.
 //!
-//! [`Toda`], [`Manakov`] and [`Zeitlin`] are such flows; [`Flow`] is that of any function `B`.
-//! [`IsospectralMidpoint`](crate::mechanics::IsospectralMidpoint) steps them.
+//! The flows are [`Toda`], [`Manakov`], [`Zeitlin`], and [`Flow`] for any function `B`.
+//! [`IsospectralMidpoint`](crate::mechanics::IsospectralMidpoint) integrates them.
 
 mod entry;
 mod manakov;
@@ -23,7 +23,7 @@ use std::marker::PhantomData;
 pub struct MatrixState<T> {
     /// The time.
     pub time: f64,
-    /// `L`, square.
+    /// The square matrix `L`.
     pub matrix: DMatrix<T>,
 }
 
@@ -32,10 +32,11 @@ pub trait Isospectral {
     /// The entries of `L`.
     type Entry: MatrixEntry;
 
-    /// `B(L)`, of the shape of `L`.
+    /// The matrix `B(L)`, with the shape of `L`.
     fn generator(&self, matrix: &DMatrix<Self::Entry>) -> DMatrix<Self::Entry>;
 
-    /// The symmetry of `L`, if the flow has `B^* = -B` and so conserves it; steps then conserve it to the last bit.
+    /// The symmetry of `L`, if `B^* = -B`, so that the flow conserves it. Steps then conserve it
+    /// exactly.
     fn symmetry(&self) -> Option<Symmetry> {
         None
     }
@@ -52,14 +53,14 @@ impl<F: Isospectral> System for F {
 /// A symmetry of matrices.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Symmetry {
-    /// `L^* = L`, for real matrices symmetric.
+    /// The symmetry `L^* = L`; real matrices are symmetric.
     Hermitian,
-    /// `L^* = -L`, for real matrices antisymmetric.
+    /// The symmetry `L^* = -L`; real matrices are antisymmetric.
     Antihermitian,
 }
 
 impl Symmetry {
-    /// `(L + L^*)/2` or `(L - L^*)/2`.
+    /// The part of a matrix with this symmetry: `(L + L^*)/2` or `(L - L^*)/2`.
     pub fn part<T: MatrixEntry>(self, matrix: &DMatrix<T>) -> DMatrix<T> {
         let half = T::from_real(0.5);
         matrix.zip_map(&matrix.adjoint(), |x, mirrored| match self {
@@ -95,12 +96,12 @@ pub struct Flow<T, B> {
 }
 
 impl<T: MatrixEntry, B: Fn(&DMatrix<T>) -> DMatrix<T>> Flow<T, B> {
-    /// The flow of a function from square matrices to matrices of the same shape.
+    /// The flow of a function `B`, which maps square matrices to matrices of the same shape.
     pub fn new(generator: B) -> Self {
         Flow { generator, symmetry: None, entry: PhantomData }
     }
 
-    /// The same flow, on matrices with a symmetry that it conserves.
+    /// The same flow, restricted to matrices with a symmetry that it conserves.
     #[must_use]
     pub fn on(self, symmetry: Symmetry) -> Self {
         Flow { symmetry: Some(symmetry), ..self }
@@ -109,8 +110,8 @@ impl<T: MatrixEntry, B: Fn(&DMatrix<T>) -> DMatrix<T>> Flow<T, B> {
     /// A state of the flow.
     ///
     /// # Errors
-    /// [`Error::Shape`] unless `L` and `B(L)` are square of one size; [`Error::Invalid`] for an entry that is not
-    /// finite, and for a matrix without the symmetry.
+    /// [`Error::Shape`] unless `L` and `B(L)` are square matrices of one size; [`Error::Invalid`]
+    /// for an entry that is not finite, and for a matrix without the symmetry.
     pub fn state(&self, time: f64, matrix: DMatrix<T>) -> Result<MatrixState<T>, Error> {
         let state = checked(time, matrix, None, self.symmetry)?;
         expect_square("B(L)", &(self.generator)(&state.matrix), Some(state.matrix.nrows()))?;
@@ -152,7 +153,8 @@ pub fn spectrum<T: MatrixEntry>(matrix: &DMatrix<T>) -> Vec<f64> {
     values
 }
 
-/// The largest entry, as the sum of the moduli of its two parts; NaN if one is NaN.
+/// The largest entry, measured by the sum of the magnitudes of real and imaginary part; NaN if an
+/// entry is NaN.
 pub(in crate::mechanics) fn largest<T: MatrixEntry>(matrix: &DMatrix<T>) -> f64 {
     let most = |most: f64, entry: &T| {
         let size = entry.norm1();
@@ -178,7 +180,8 @@ fn expect_square<T: MatrixEntry>(
 /// The relative tolerance of a symmetry.
 const ROUNDING: f64 = 1e-12;
 
-/// A state of a square matrix with finite entries and a symmetry.
+/// A state of a square matrix, after checking that its entries are finite and that it has the
+/// symmetry.
 fn checked<T: MatrixEntry>(
     time: f64,
     matrix: DMatrix<T>,

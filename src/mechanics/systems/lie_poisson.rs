@@ -10,9 +10,11 @@ use crate::group::TranslationSplit;
 /// H' = ad*_Omega H,   Omega = dE/dH,   g' = g Omega
 /// ```
 ///
-/// The spatial momentum `h`, with `H = Ad*_g h`, and all Casimir functions are conserved to rounding. The element solves
-/// `g' = g Omega`. With the kinetic energy `E = H . J^-1 H/2` this is [`EulerPoincare`](super::EulerPoincare). The heavy top
-/// is an example on se(3): the second half of the momentum is the vertical in body components. J. E. Marsden and T. S. Ratiu, *Introduction to Mechanics and Symmetry* (1999), 13.
+/// The spatial momentum `h`, with `H = Ad*_g h`, and all Casimir functions are conserved up to
+/// rounding errors. The element solves `g' = g Omega`. With the kinetic energy `E = H . J^-1 H/2`
+/// this is [`EulerPoincare`](super::EulerPoincare). The heavy top is an example on se(3): the
+/// second half of the momentum is the vertical in body components. J. E. Marsden and T. S. Ratiu,
+/// *Introduction to Mechanics and Symmetry* (1999), 13.
 ///
 /// ```
 /// use affinor::mechanics::{Adaptive, LiePoissonSystem};
@@ -32,22 +34,22 @@ use crate::group::TranslationSplit;
 pub struct LiePoissonSystem<G, F> {
     /// The group.
     pub group: G,
-    /// `dE/dH`, a vector, as a function of the covector `H`.
+    /// The gradient `dE/dH`, a vector, as a function of the covector `H`.
     pub gradient: F,
 }
 
 impl<G: TranslationSplit, F: Fn(&G::Vector) -> G::Vector> LiePoissonSystem<G, F> {
-    /// The state of an element with a momentum `H` in body components.
+    /// The state with an element and a momentum `H` in body components.
     pub fn state(&self, time: f64, element: G::Element, momentum: &G::Vector) -> State<G> {
         State::with_momentum(&self.group, time, element, momentum)
     }
 
-    /// `H`, in body components.
+    /// The momentum `H` in body components.
     pub fn momentum(&self, state: &State<G>) -> G::Vector {
         state.momentum(&self.group)
     }
 
-    /// `Omega = dE/dH`, in body components.
+    /// The velocity `Omega = dE/dH` in body components.
     pub fn velocity(&self, state: &State<G>) -> G::Vector {
         (self.gradient)(&self.momentum(state))
     }

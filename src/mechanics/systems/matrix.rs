@@ -1,4 +1,4 @@
-//! Small square matrices with rows as vectors, such as an inertia.
+//! Small square matrices, such as an inertia, whose rows are vectors of the group.
 
 use crate::group::Coordinates;
 use affinor_tensors::Tensor;
@@ -11,7 +11,7 @@ pub(in crate::mechanics) enum Matrix<V> {
 }
 
 impl<V: Coordinates> Matrix<V> {
-    /// The components `b_ij` of a tensor of rank 2.
+    /// The matrix with the components `b_ij` of a tensor of rank 2.
     pub(in crate::mechanics) fn new(tensor: &Tensor<f64>) -> Self {
         let n = tensor.dimension();
         let mut rows = vec![vec![0.0; n]; n];
@@ -22,7 +22,7 @@ impl<V: Coordinates> Matrix<V> {
         Matrix::Full(rows.iter().map(|row| V::from_components(row)).collect())
     }
 
-    /// `b_ij x^j`.
+    /// The product `b_ij x^j`.
     #[inline(always)]
     pub(in crate::mechanics) fn apply(&self, x: &V) -> V {
         match self {
@@ -34,7 +34,7 @@ impl<V: Coordinates> Matrix<V> {
         }
     }
 
-    /// `b_ij`.
+    /// The entry `b_ij`.
     #[inline(always)]
     pub(in crate::mechanics) fn entry(&self, i: usize, j: usize) -> f64 {
         match self {

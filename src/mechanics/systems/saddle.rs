@@ -2,7 +2,7 @@
 
 use nalgebra::{DMatrix, DVector, Dyn, LU};
 
-/// `[[J, B^T], [C, 0]]`.
+/// The matrix `[[J, B^T], [C, 0]]`.
 pub(in crate::mechanics) fn saddle(
     mass: &DMatrix<f64>,
     b: &DMatrix<f64>,
@@ -16,17 +16,18 @@ pub(in crate::mechanics) fn saddle(
     matrix
 }
 
-/// One vector above the other.
+/// The concatenation of two vectors.
 pub(in crate::mechanics) fn stacked(first: &DVector<f64>, second: &DVector<f64>) -> DVector<f64> {
     DVector::from_iterator(first.len() + second.len(), first.iter().chain(second).copied())
 }
 
-/// How often rows and columns are scaled.
+/// The number of scalings of rows and columns.
 const SCALINGS: usize = 4;
-/// The ratio of the pivots from which on a matrix needs no scaling.
+/// The ratio of the smallest to the largest pivot above which a matrix needs no scaling.
 const EVEN: f64 = 1e-6;
 
-/// The solution of linear equations, unless they are singular or it is not finite.
+/// The solution of linear equations; `None` if the matrix is singular or the solution is not
+/// finite.
 pub(in crate::mechanics) fn solve(
     matrix: DMatrix<f64>,
     right: &DVector<f64>,
@@ -34,7 +35,8 @@ pub(in crate::mechanics) fn solve(
     solved_from(EVEN, matrix, right)
 }
 
-/// [`solve`], with scaling where the smallest pivot is at most the share `even` of the largest.
+/// Like [`solve`], with scaling if the ratio of the smallest to the largest pivot is at most
+/// `even`.
 fn solved_from(even: f64, matrix: DMatrix<f64>, right: &DVector<f64>) -> Option<DVector<f64>> {
     let ratio = |lu: &LU<f64, Dyn, Dyn>| {
         let pivots = lu.u().diagonal().abs();
@@ -55,8 +57,8 @@ fn solved_from(even: f64, matrix: DMatrix<f64>, right: &DVector<f64>) -> Option<
     Some(solution).filter(|x| x.iter().all(|x| x.is_finite()))
 }
 
-/// A matrix whose pivots do not depend on units, and the factors of its rows and columns. They are powers of two, which do not
-/// round.
+/// A scaled matrix whose pivots do not depend on units, and the factors of its rows and columns.
+/// The factors are powers of two, which cause no rounding errors.
 fn scaled(mut matrix: DMatrix<f64>) -> (DMatrix<f64>, DVector<f64>, DVector<f64>) {
     let n = matrix.nrows();
     let scale =
@@ -76,7 +78,8 @@ fn scaled(mut matrix: DMatrix<f64>) -> (DMatrix<f64>, DVector<f64>, DVector<f64>
 mod tests {
     use super::*;
 
-    /// With and without scaling, around the ratio of the pivots at which it begins: a body of the mass `m` on a line.
+    /// The equations are solved with and without scaling, for ratios of the pivots around the
+    /// threshold. The example is a body of mass `m` on a line.
     #[test]
     fn equations_with_and_without_scaling() {
         let gradient = DMatrix::from_row_slice(1, 2, &[0.6, 0.8]);

@@ -1,20 +1,22 @@
-//! The accumulator: the sums of all components with the same leading indices, at places by their last two.
+//! The accumulator: the sums of all components with the same leading indices, stored by their last
+//! two indices.
 
 use super::arithmetic::{Arithmetic, Value};
 use super::found::Found;
 use super::shape::{Place, Shape};
 
-/// A sum for each place, and which of them are filled.
+/// A dense array of sums, one for each place, and bit sets of the filled places.
 pub(super) struct Accumulator<'a, A: Sync, Sum> {
     arithmetic: &'a A,
     shape: Shape<'a>,
-    /// Empty where they are not filled.
+    /// The sums of all places; a place that is not filled has an empty sum.
     sums: Vec<Sum>,
-    /// A bit for each row, set if a place in it is filled.
+    /// A bit for each row, set if a place in the row is filled.
     rows: Vec<u64>,
     /// A bit for each place.
     filled: Vec<u64>,
-    /// For an image, the number of its value among those of the same leading indices.
+    /// For a place that is the image of another one: the number of that component among those with
+    /// the same leading indices.
     images: Vec<u32>,
 }
 
@@ -52,8 +54,8 @@ impl<'a, A: Sync, Sum: Clone + Default> Accumulator<'a, A, Sum> {
         self.filled[place as usize / 64] |= 1 << (place % 64);
     }
 
-    /// Moves the components to the end of the results, in the order of their indices. `key` is that of the leading
-    /// indices.
+    /// Moves the components to the end of the results, in the order of their indices. `key` is the
+    /// key of the leading indices.
     pub fn collect<S: Value>(&mut self, key: u64, found: &mut Found<S>)
     where
         A: Arithmetic<S, Sum = Sum>,
@@ -63,7 +65,7 @@ impl<'a, A: Sync, Sum: Clone + Default> Accumulator<'a, A, Sum> {
         let key = if shape.rank > 1 { key * shape.n * shape.n } else { key };
         let start = found.len();
         for word in 0..self.rows.len() {
-            // looked up each time, because an image may fill a later row
+            // read again in every pass, because an image may fill a later row
             while let Some(bit) = take_bit(&mut self.rows[word]) {
                 let row = 64 * word + bit;
                 let key = key + row as u64 * shape.n;
@@ -78,7 +80,7 @@ impl<'a, A: Sync, Sum: Clone + Default> Accumulator<'a, A, Sum> {
                             found.push(key, -found.value(image).clone());
                             continue;
                         }
-                        // emptied now, because a sum of products keeps their values
+                        // emptied now, because a sum of products owns its values
                         let sum = std::mem::take(&mut self.sums[place]);
                         let Some(value) = self.arithmetic.finish(&sum) else { continue };
                         if mirrors {
@@ -94,7 +96,7 @@ impl<'a, A: Sync, Sum: Clone + Default> Accumulator<'a, A, Sum> {
     }
 }
 
-/// Takes the lowest bit out of a word.
+/// Clears the lowest set bit of a word. Returns its position.
 #[inline(always)]
 fn take_bit(word: &mut u64) -> Option<usize> {
     let bit = word.trailing_zeros();

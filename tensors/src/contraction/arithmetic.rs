@@ -1,4 +1,4 @@
-//! The arithmetic of sums of products, and that of the ring itself.
+//! The arithmetics for sums of products; the simplest one is the ring itself.
 
 use super::{Product, Role};
 use crate::{Scalar, Sum, Tolerance};

@@ -1,4 +1,4 @@
-//! Products over one denominator in integers of any size.
+//! Sums of products in integers of any size, over one common denominator.
 
 use super::arithmetic::{Arithmetic, Term};
 use super::integers::lists;
@@ -9,10 +9,11 @@ use dashu_int::{IBig, UBig};
 use std::borrow::Cow;
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 
-/// The factors of products as integers, each over its own denominator. A tensor in several of them is cleared once.
+/// The factors of products as integers, each over its own denominator. A tensor that occurs in
+/// several products is converted once.
 pub(super) struct BigCleared {
     lists: Vec<(Vec<IBig>, UBig)>,
-    /// The number of the list of each factor of each product.
+    /// For each factor of each product, the number of its list.
     numbers: Vec<Vec<usize>>,
 }
 
@@ -23,7 +24,8 @@ impl BigCleared {
         Some(BigCleared { lists, numbers })
     }
 
-    /// All terms over a common denominator, and this denominator. `None` if it is so short that sums in the ring are faster.
+    /// Returns all terms over a common denominator, and this denominator. `None` if it is so short
+    /// that sums in the ring are faster.
     pub fn terms<'t, S: Scalar>(
         &'t self,
         products: &'t [Product<S>],
@@ -67,7 +69,7 @@ impl OnBigIntegers {
         OnBigIntegers { denominator, failed: AtomicBool::new(false) }
     }
 
-    /// Whether a quotient did not exist in the ring, so that a result lacks it.
+    /// Whether a quotient did not exist in the ring, so that the result is incomplete.
     pub fn failed(&self) -> bool {
         self.failed.load(Relaxed)
     }

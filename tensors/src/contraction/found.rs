@@ -1,6 +1,6 @@
-//! The components of a result, as they are found.
+//! The list of the components of a result.
 
-/// Keys in ascending order, and the values of the components.
+/// The components of a result: keys in ascending order, and values.
 pub(super) struct Found<S> {
     keys: Vec<u64>,
     values: Vec<S>,
@@ -27,21 +27,21 @@ impl<S> Found<S> {
         self.values.push(value);
     }
 
-    /// Moves other components, with larger keys, to the end.
+    /// Appends other components, whose keys are larger.
     pub fn append(&mut self, next: &mut Self) {
         self.keys.append(&mut next.keys);
         self.values.append(&mut next.values);
     }
 
-    /// Reserves memory for the whole result, if there may be too little for what comes until the share `next` of it,
-    /// judged by what is there of the share `done`. Memory that is reserved and not used costs nothing; lists that
-    /// grow as they need are copied several times.
+    /// Reserves memory for the whole result if the lists may be too short for the components until
+    /// the share `next` of it. The need is estimated from the components of the share `done`.
+    /// Reserved memory that is not used costs nothing, but growing lists are copied several times.
     pub fn expect_more(&mut self, done: f64, next: f64) {
         let (length, room) = (self.len() as f64, self.keys.capacity() - self.len());
         if done > 0.0 && (room as f64) < 1.5 * length * (next - done) / done {
             let more = (length * (1.25 / done - 1.0).max(0.25)) as usize;
             let more = more.min(self.len().max(MOST));
-            // Without so much memory they grow as they need.
+            // if this fails, the lists grow as needed
             let _ = self.keys.try_reserve_exact(more);
             let _ = self.values.try_reserve_exact(more);
         }
@@ -56,14 +56,15 @@ impl<S> Found<S> {
     }
 }
 
-/// No more components are reserved at first, however many are expected.
+/// The largest number of components that are reserved at first, however many are expected.
 const MOST: usize = 1 << 24;
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    /// Whatever is expected, the same components are found, and after the first piece lists of even growth move at most once.
+    /// Expectations do not change the components. After the first piece, lists of evenly growing
+    /// results move at most once.
     #[test]
     fn expectations_change_no_components() {
         for (pieces, length) in [(1, 5), (7, 0), (7, 3), (248, 40), (100, 700)] {

@@ -1,4 +1,4 @@
-//! Products over one denominator in machine integers.
+//! Sums of products in machine integers, over one common denominator.
 
 use super::arithmetic::{Arithmetic, Term};
 use super::{KernelThresholds, Product, Role};
@@ -6,14 +6,16 @@ use crate::{Scalar, Tensor};
 use std::borrow::Cow;
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 
-/// The factors of products as integers, each over its own denominator. A tensor in several of them is cleared once.
+/// The factors of products as integers, each over its own denominator. A tensor that occurs in
+/// several products is converted once.
 pub(super) struct Cleared {
     lists: Vec<(Vec<i64>, i64)>,
-    /// The number of the list of each factor of each product.
+    /// For each factor of each product, the number of its list.
     numbers: Vec<Vec<usize>>,
 }
 
-/// The lists of the tensors of products, each made once, and the number of the list of each factor.
+/// Converts each tensor of the products to a list once. Returns the lists and, for each factor, the
+/// number of its list.
 pub(super) fn lists<'t, S: Scalar, L>(
     products: &'t [Product<S>],
     list: impl Fn(&Tensor<S>) -> Option<L>,
@@ -44,7 +46,8 @@ impl Cleared {
         Some(Cleared { lists, numbers })
     }
 
-    /// All terms over a common denominator, and this denominator. `None` if a sum may exceed 64 bits.
+    /// Returns all terms over a common denominator, and this denominator. `None` if a sum may
+    /// exceed 64 bits.
     pub fn terms<'t, S: Scalar>(
         &'t self,
         products: &'t [Product<S>],
@@ -65,7 +68,8 @@ impl Cleared {
         for (product, numbers) in products() {
             let scale = denominator / own((product, numbers))?;
             let scale = product.coefficient.numer().checked_mul(scale)?;
-            // the number of products in one component: one for each value of the summed letters
+            // the number of products in one component: one for each combination of values of the
+            // summed letters
             let summed = product.factors.iter().flat_map(|(roles, _)| roles);
             let pairs = summed.filter(|r| matches!(r, Role::Summed(_))).count() / 2;
             let values = || numbers.iter().map(|&number| &self.lists[number].0);
@@ -73,13 +77,13 @@ impl Cleared {
             let count = (dimension as u64)
                 .saturating_pow(pairs as u32)
                 .min(entries.saturating_mul(entries));
-            // and as many again for the image of a mirrored term
+            // a mirrored term adds the same number for its image
             let count = count.checked_mul(1 + u64::from(product.mirrored))?;
             let largest =
                 |values: &Vec<i64>| values.iter().map(|v| v.unsigned_abs()).max().unwrap_or(0);
             let size = values().map(largest).try_fold(count, u64::checked_mul)?;
             if size == 0 {
-                // an empty factor
+                // a factor without components
                 continue;
             }
             bound = bound.checked_add(size.checked_mul(scale.unsigned_abs())?)?;
@@ -89,7 +93,8 @@ impl Cleared {
             terms.push(product.with_values(|at, _| {
                 let values = &self.lists[numbers[at]].0;
                 match at {
-                    // a value that is multiplied here is below the bound
+                    // a value that is multiplied here is below the bound, so the product cannot
+                    // overflow
                     0 if scale != 1 => values.iter().map(|value| value * scale).collect(),
                     _ => Cow::Borrowed(values),
                 }
@@ -99,10 +104,10 @@ impl Cleared {
     }
 }
 
-/// Sums of machine integers that do not overflow, over a denominator.
+/// Sums of machine integers that provably do not overflow, over a common denominator.
 pub(super) struct OnIntegers<S> {
     denominator: i64,
-    /// The quotients with numerators from `-kept` to `kept`, which are the most frequent ones.
+    /// The quotients with numerators from `-kept` to `kept`, which occur most often.
     frequent: Vec<Option<S>>,
     kept: i64,
     failed: AtomicBool,
@@ -115,7 +120,7 @@ impl<S: Scalar> OnIntegers<S> {
         OnIntegers { denominator, frequent, kept, failed: AtomicBool::new(false) }
     }
 
-    /// Whether a quotient did not exist in the ring, so that a result lacks it.
+    /// Whether a quotient did not exist in the ring, so that the result is incomplete.
     pub fn failed(&self) -> bool {
         self.failed.load(Relaxed)
     }
@@ -134,7 +139,7 @@ impl<S: Scalar> Arithmetic<S> for OnIntegers<S> {
         if sum == 0 {
             return None;
         }
-        // compared before it becomes an index of a list, which has 32 bits on some machines
+        // compared before it becomes a list index, which has 32 bits on some machines
         let quotient = if sum.unsigned_abs() <= self.kept.unsigned_abs() {
             self.frequent[(sum + self.kept) as usize].clone()
         } else {
@@ -151,12 +156,13 @@ impl<S: Scalar> Arithmetic<S> for OnIntegers<S> {
 mod tests {
     use super::*;
 
-    /// A quotient that the ring lacks is noticed, whether it is one of the stored ones or not; a sum of zero needs none.
+    /// A quotient that the ring lacks is reported, whether or not it is one of the stored ones. A
+    /// sum of zero needs no quotient.
     #[test]
     fn missing_quotients_are_noticed() {
         let paths = KernelThresholds { kept_quotients: 2, ..KernelThresholds::default() };
         for sum in [-100, -3, -2, 1, 2, 3, i64::MAX] {
-            // floats lack quotients by zero
+            // floats lack only quotients by zero
             let [with, without] =
                 [4, 0].map(|denominator| OnIntegers::<f64>::new(denominator, &paths));
             assert_eq!((with.finish(&sum), with.failed()), (Some(sum as f64 / 4.0), false));

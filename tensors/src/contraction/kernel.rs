@@ -48,11 +48,11 @@ pub(super) fn run<S: Value, A: Arithmetic<S>>(
     shape.groups_across().fold(found.into_lists(), spread)
 }
 
-/// The components of all first indices, computed on all threads in rounds of about `size` components each; while one is
-/// computed, the one before is stored.
+/// Computes the components of all first indices, on all threads, in rounds of about `size`
+/// components each. While one round is computed, the previous one is stored.
 ///
-/// Each thread keeps its accumulator from round to round, for filling one with zeros may take longer than a round. The
-/// lists of a round are used again, for new memory costs as much.
+/// Each thread reuses its accumulator from round to round, because filling one with zeros may take
+/// longer than a round. The lists of a round are reused for the same reason.
 fn in_rounds<'w, S: Value, A: Arithmetic<S, Value: 'w> + 'w>(
     shape: Shape,
     size: u64,
@@ -80,14 +80,14 @@ fn in_rounds<'w, S: Value, A: Arithmetic<S, Value: 'w> + 'w>(
         start += count;
         let known = found.len() + round.iter().map(Found::len).sum::<usize>();
         let enough = threads.saturating_mul(size).saturating_mul(start) / known.max(1) as u64;
-        // the next indices may have far more than those so far
+        // the next indices may have far more components than the indices so far
         count = enough.clamp(threads, 4 * count.max(threads)).min(n - start);
     }
     round.iter_mut().for_each(|block| found.append(block));
     found
 }
 
-/// A term that is not zero for the chosen leading indices, with its current groups of rows.
+/// A term that does not vanish for the chosen leading indices, with its current groups of rows.
 #[derive(Clone, Copy)]
 struct Alive {
     term: usize,
@@ -99,7 +99,7 @@ struct Alive {
 struct Walk<'w, S, A: Arithmetic<S>> {
     shape: Shape<'w>,
     terms: &'w [Laid<A::Value>],
-    /// The terms that are alive at each depth, stored one after the other.
+    /// The terms that do not vanish at each depth, stored one after the other.
     alive: Vec<Alive>,
     accumulator: Accumulator<'w, A, A::Sum>,
     found: Found<S>,
@@ -107,13 +107,13 @@ struct Walk<'w, S, A: Arithmetic<S>> {
 
 impl<'w, S: Value, A: Arithmetic<S>> Walk<'w, S, A> {
     fn new(shape: Shape<'w>, terms: &'w [Laid<A::Value>], arithmetic: &'w A) -> Self {
-        // at first every term lives and no index is chosen
+        // at first no index is chosen, so all terms are alive
         let alive = (0..terms.len()).map(|term| Alive { term, driver: 0, partner: 0 }).collect();
         let accumulator = Accumulator::new(arithmetic, shape);
         Walk { shape, terms, alive, accumulator, found: Found::default() }
     }
 
-    /// The components of all indices.
+    /// Computes the components of all indices.
     fn whole(mut self) -> Found<S> {
         if self.shape.outer == 0 {
             self.leaf(0, 0);
@@ -139,7 +139,8 @@ impl<'w, S: Value, A: Arithmetic<S>> Walk<'w, S, A> {
         }
     }
 
-    /// Continues with one value of the leading index `depth` and the terms that stay alive.
+    /// Continues with one value of the leading index `depth`, and the terms that do not vanish for
+    /// it.
     fn enter(&mut self, depth: usize, key: u64, from: usize, index: u64) {
         let step = |rows: &Rows<A::Value>, group: u64| match rows.spans[depth] {
             Some(span) => {
@@ -202,9 +203,9 @@ impl<'w, S: Value, A: Arithmetic<S>> Walk<'w, S, A> {
 /// The places of the accumulator that an antisymmetric result needs.
 struct Bounds<'s> {
     shape: Shape<'s>,
-    /// The row exceeds this.
+    /// If set, the row must exceed this index.
     above: Option<u32>,
-    /// The column exceeds the row.
+    /// Whether the column must exceed the row.
     pair: bool,
 }
 
@@ -220,8 +221,8 @@ impl<'s> Bounds<'s> {
         !self.pair && self.above.is_none()
     }
 
-    /// Whether no place is needed that an entry contributes to. It decides only if both indices belong to
-    /// the antisymmetric group.
+    /// Whether an entry contributes only to places that are not needed. This is decided only if
+    /// both indices belong to the antisymmetric group.
     #[inline(always)]
     fn beyond(&self, place: Place, undetermined: [u32; 2]) -> bool {
         let Some(bound) = self.above.filter(|_| self.pair) else { return false };

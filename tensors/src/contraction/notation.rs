@@ -58,7 +58,8 @@ impl<'e> Expression<'e> {
         self.groups.iter().any(paired).then(|| (rank - 2, rank - 1))
     }
 
-    /// Looks every name up, each of one operand, checks ranks and variances, and gives each letter its role.
+    /// Looks up the operand of every name, checks ranks and variances, and gives each letter its
+    /// role.
     pub fn bind<'a, S: Scalar>(
         &self,
         operands: &[(&str, &'a Tensor<S>)],
@@ -141,13 +142,13 @@ impl<'e> Factor<'e> {
     }
 }
 
-/// An integer or a quotient of two, as a coefficient is written.
+/// Parses a coefficient: an integer, or a quotient of two integers.
 fn number(word: &str) -> Option<Rational> {
     let (numerator, denominator) = word.split_once('/').unwrap_or((word, "1"));
     Rational::new(numerator.parse().ok()?, denominator.parse().ok()?)
 }
 
-/// The letters of `^ij_k[lm]` and the positions of bracketed runs.
+/// The letters of `^ij_k[lm]` with their variances, and the positions of bracketed runs.
 type Letters = (Vec<(char, Variance)>, Vec<Range<usize>>);
 
 fn indices(text: &str) -> Result<Letters, NotationError> {

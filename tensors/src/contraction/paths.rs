@@ -9,8 +9,8 @@
 pub struct KernelThresholds {
     /// A factor with at most this many rows gets a table of the beginnings of its rows.
     pub direct_rows: u64,
-    /// The factors of a term get bit sets of their nonempty rows, if a set takes at most this many 64-bit
-    /// words. In others rows are found by bisection.
+    /// The factors of a term get bit sets of their nonempty rows if a set takes at most this many
+    /// 64-bit words. Otherwise rows are found by bisection.
     pub marked_words: u64,
     /// A contraction of operands with fewer components runs on one thread.
     pub parallel_from: usize,
@@ -45,5 +45,5 @@ impl Default for KernelThresholds {
     }
 }
 
-/// The most places of the accumulator: dimension 4096, when it has two indices.
+/// The largest number of places of the accumulator: dimension 4096 if it has two indices.
 pub(super) const MAX_PLACES: u64 = 1 << 24;

@@ -1,9 +1,9 @@
-//! Where the components of a factor belong: their rows, and their places in the accumulator.
+//! The positions of the components of a factor: their rows, and their places in the accumulator.
 
 use super::Role;
 use super::shape::Place;
 
-/// Where a component belongs.
+/// The position of a component.
 #[derive(Clone, Copy, Default)]
 pub(super) struct Position {
     pub group: u64,
@@ -13,7 +13,7 @@ pub(super) struct Position {
     pub at: u32,
 }
 
-/// What an index of value 1 contributes to the group, the link and the place.
+/// The contribution of an index of value 1 to the group, the link and the place.
 pub(super) type Weight = (u64, u64, Place);
 
 /// The groups, links and places of the components of a factor.
@@ -23,9 +23,9 @@ pub(super) struct Digits<'d> {
     /// Pairs of slots that are summed with each other.
     inside: Vec<(usize, usize)>,
     digits: Vec<u64>,
-    /// The key with last index 0. Neighbours mostly share it,
+    /// The last key with its last index set to 0. Neighbouring keys mostly share it,
     base: u64,
-    /// and so what the other indices contribute.
+    /// and therefore also this contribution of the other indices.
     front: Option<Weight>,
 }
 
@@ -36,7 +36,7 @@ impl<'d> Digits<'d> {
         Digits { n, weights, inside, digits: vec![0; roles.len()], base: u64::MAX, front: None }
     }
 
-    /// `None` for a component off the diagonal of a pair that is summed.
+    /// Returns `None` for a component off the diagonal of a pair of slots that is summed.
     #[inline(always)]
     pub fn read(&mut self, key: u64) -> Option<Weight> {
         let (Some((&weight, weights)), Some((last, digits))) =
@@ -67,7 +67,8 @@ impl<'d> Digits<'d> {
     }
 }
 
-/// For each of `count` keys the number of items with smaller ones, and the number of all; the keys of the items ascend.
+/// For each of `count` keys, returns the number of items with smaller keys, and at the end the
+/// number of all items. The keys of the items ascend.
 pub(super) fn beginnings(keys: impl Iterator<Item = u64>, count: u64) -> Vec<u32> {
     let mut starts = vec![0; count as usize + 1];
     keys.for_each(|key| starts[key as usize + 1] += 1);

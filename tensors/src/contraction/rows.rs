@@ -16,7 +16,7 @@ pub(super) struct Laid<V> {
 }
 
 impl<V: Clone> Laid<V> {
-    /// `None` for a term with an empty factor.
+    /// Returns `None` for a term with an empty factor.
     pub fn new(term: &Term<'_, V>, shape: Shape, paths: &KernelThresholds) -> Option<Self> {
         if term.factors.iter().any(|factor| factor.keys.is_empty()) {
             return None;
@@ -48,64 +48,63 @@ impl<V: Clone> Laid<V> {
     }
 }
 
-/// So many entries are laid out between two checkpoints.
+/// The number of entries that are laid out between two checkpoints.
 const MANY: usize = 1 << 12;
 
-/// How the slots of a factor become a row and a place in the accumulator.
+/// The mapping from the slots of a factor to rows and to places of the accumulator.
 struct Layout<'l> {
     shape: Shape<'l>,
     /// The summed pairs that join the factors.
     shared: &'l [usize],
     /// The number of combinations of their values.
     links: u64,
-    /// Whether the indices of the accumulator ascend in every place that is needed.
+    /// Whether only places with ascending indices of the accumulator are needed.
     ascends: bool,
     /// Whether the rows are [`Index::Marked`].
     marked: bool,
-    /// Up to this number of rows have [`Starts::Every`].
+    /// With at most this number of rows, their beginnings are stored as [`Starts::Every`].
     tabled: u64,
 }
 
-/// Entries sorted by row, and within one row in the order of the tensor. A row has certain leading indices, its
-/// group, and certain summed ones, its link.
+/// Entries sorted by row, and within a row in the order of the tensor. A row is identified by its
+/// leading indices (the group) and its summed indices (the link).
 pub(super) struct Rows<V> {
-    /// For each leading index of the result: the number of groups per step, if this factor has the
-    /// index.
+    /// For each leading index of the result: the number of groups per step of the index, if this
+    /// factor has it.
     pub spans: Vec<Option<u64>>,
     index: Index,
-    /// All bits of the row and of the column of an entry's place, where the other factor has this index of
-    /// the result.
+    /// Bit masks of the row and of the column of the result that come from the other factor.
     pub undetermined: [u32; 2],
     pub entries: Vec<Entry<V>>,
 }
 
-/// The way to find the entries of a row.
+/// The index by which the entries of a row are found.
 enum Index {
     Marked(Marked),
-    /// By bisection in the group and the link of each entry.
+    /// The group and the link of each entry, for bisection.
     Sorted(Vec<(u64, u64)>),
 }
 
 /// A bit for each row, set if the row is not empty.
 struct Marked {
     bits: Vec<u64>,
-    /// The number of words of bits in a group; in the last one some may belong to no row.
+    /// The number of words of bits in a group; the last word may have unused bits.
     words: usize,
     starts: Starts,
 }
 
-/// Where rows begin in the entries.
+/// The positions at which rows begin in the entries.
 enum Starts {
     /// The beginning of the row of each bit, and the end of the last one.
     Every(Vec<u32>),
-    /// The number of nonempty rows before each word, and of all; then the beginning of each nonempty row, and
-    /// the end of the last one.
+    /// The number of nonempty rows before each word, and the number of all nonempty rows. Then the
+    /// beginning of each nonempty row, and the end of the last one.
     Nonempty(Vec<u32>, Vec<u32>),
 }
 
 /// A component of a factor.
 pub(super) struct Entry<V> {
-    /// What it contributes to the place of a product.
+    /// The contribution to the place of a product.
     pub place: Place,
     pub value: V,
 }
@@ -162,8 +161,9 @@ impl<V: Clone> Rows<V> {
         Rows { spans, index, undetermined, entries: order.iter().map(entry).collect() }
     }
 
-    /// Calls `f` with the entries of both factors for all values of the shared indices that occur in
-    /// both, in the group `group` here and `other` in the partner.
+    /// Calls `f` with the entries of two rows, one of each factor, for all values of the shared
+    /// indices that occur in both factors. The rows have the group `group` here and `other` in the
+    /// partner.
     #[inline(always)]
     pub fn meet(
         &self,
@@ -202,7 +202,7 @@ impl<V: Clone> Rows<V> {
         }
     }
 
-    /// The entries of `count` groups from `group` on.
+    /// The range of the entries of `count` groups, from `group` on.
     #[inline(always)]
     pub fn groups(&self, group: u64, count: u64) -> Range<usize> {
         let [start, end] = [group, group + count].map(|group| match &self.index {
@@ -214,7 +214,7 @@ impl<V: Clone> Rows<V> {
 }
 
 impl Marked {
-    /// The entries are sorted by group and link.
+    /// Builds the index. The entries must be sorted by group and link.
     fn new(entries: &[Position], groups: u64, words: usize, tabled: u64) -> Self {
         let row = |entry: &Position| entry.group * 64 * words as u64 + entry.link;
         let mut bits = vec![0u64; groups as usize * words];
@@ -239,7 +239,7 @@ impl Marked {
         Marked { bits, words, starts }
     }
 
-    /// The entries of the row of a bit that is set.
+    /// The range of the entries of the row whose bit is set.
     #[inline(always)]
     fn row(&self, word: usize, bit: u32) -> Range<usize> {
         let (number, starts) = match &self.starts {
@@ -252,7 +252,7 @@ impl Marked {
         starts[number] as usize..starts[number + 1] as usize
     }
 
-    /// The beginning of the first row in a word, or behind it.
+    /// The beginning of the first row in a word, or of the next row after the word.
     #[inline(always)]
     fn start(&self, word: usize) -> usize {
         match &self.starts {

@@ -1,4 +1,4 @@
-//! The scalars that tensors of the engine are contracted over.
+//! The scalar types over which tensors can be contracted.
 
 use super::{KernelThresholds, over};
 use crate::scalar::{Jet, Rational, Recorded, Summable, Symbolic, TrackedFloat};
@@ -7,12 +7,12 @@ use num_rational::{BigRational, Ratio};
 
 /// A ring whose tensors can be contracted: the coefficients of algebras, frames and connections.
 ///
-/// For a scalar of your own an empty `impl` suffices.
+/// For a user-defined scalar an empty `impl` suffices.
 pub trait Scalar: Summable {
     /// [`contract`](crate::contract()) over this ring.
     ///
     /// # Errors
-    /// As there.
+    /// Those of [`contract`](crate::contract()).
     #[doc(hidden)]
     fn contracted(
         paths: &KernelThresholds,
@@ -23,7 +23,8 @@ pub trait Scalar: Summable {
     }
 }
 
-/// The kernels of these scalars are compiled once, in this package, and not again in each package that contracts.
+/// Compiles the kernels of these scalars once, in this package, instead of again in each package
+/// that contracts.
 macro_rules! compiled_here {
     ($($scalar:ty),*) => {$(
         impl Scalar for $scalar {

@@ -1,4 +1,5 @@
-//! The shape of a result: which of its indices are loops, and which are places of the accumulator.
+//! The shape of a result: its leading indices are loops, its last two are places of the
+//! accumulator.
 
 use std::ops::Range;
 
@@ -17,8 +18,9 @@ pub(super) struct Shape<'s> {
     bits: u32,
 }
 
-/// A place in the accumulator: the row, which is the last index but one (0 where the result has only one), and
-/// the column in the lower bits. The places that two factors contribute are added.
+/// A place in the accumulator: the column in the lower bits, and the row above them. The row is the
+/// last index but one, or 0 if the result has only one index. The place of a product is the sum of
+/// the contributions of both factors.
 pub(super) type Place = u32;
 
 impl<'s> Shape<'s> {
@@ -26,7 +28,7 @@ impl<'s> Shape<'s> {
     pub fn new(n: u64, rank: usize, groups: &'s [Range<usize>]) -> Self {
         let outer = rank.saturating_sub(2);
         let columns = if rank > 0 { n.max(1) } else { 1 };
-        // whole words of bits
+        // rows are whole 64-bit words of bits
         let bits = columns.next_power_of_two().trailing_zeros().max(6);
         Shape { n, outer, rank, groups, bits }
     }
@@ -41,7 +43,7 @@ impl<'s> Shape<'s> {
         1 << self.bits
     }
 
-    /// The place of index 1 at this position of the result, in the accumulator and 0 elsewhere.
+    /// The place of index 1 at this position of the result; 0 if the position is a leading index.
     pub fn unit(self, at: usize) -> Place {
         match self.rank - at {
             1 => 1,
@@ -68,7 +70,7 @@ impl<'s> Shape<'s> {
         self.groups.iter().filter(move |group| group.start < self.outer && group.len() > 1)
     }
 
-    /// Whether the two indices of the accumulator are an antisymmetric group of their own.
+    /// Whether the two indices of the accumulator form an antisymmetric group on their own.
     pub fn mirrors(self) -> bool {
         self.groups.iter().any(|group| group.start == self.outer && group.len() == 2)
     }
@@ -83,7 +85,7 @@ impl<'s> Shape<'s> {
         self.rank > 1 && self.ascends(self.outer + 1)
     }
 
-    /// The share of the combinations of indices whose first index is below `first`.
+    /// The fraction of index combinations whose first index is below `first`.
     pub fn share(self, first: u64) -> f64 {
         let together = self.groups.iter().find(|group| group.start == 0).map_or(1, Range::len);
         let rest = 1.0 - first.min(self.n) as f64 / self.n as f64;

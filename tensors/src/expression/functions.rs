@@ -25,7 +25,7 @@ const ABBREVIATIONS: [Abbreviation; 7] = [
     quotient("cot", Some("cos"), Some("sin")),
     quotient("sech", None, Some("cosh")),
     quotient("csch", None, Some("sinh")),
-    // unlike cosh(x)/sinh(x) without overflow
+    // cosh(x)/sinh(x) would overflow for large x
     quotient("coth", None, Some("tanh")),
 ];
 
@@ -39,13 +39,14 @@ pub fn is_abbreviation(name: &str) -> bool {
     ABBREVIATIONS.iter().any(|known| known.name == name)
 }
 
-/// Whether the name is one of an elementary function, so that `sin^2(x)` has a meaning.
+/// Whether the name, also an abbreviation, is an elementary function, so that `sin^2(x)` has a
+/// meaning.
 pub(super) fn is_elementary(name: &str) -> bool {
     Function::from_name(name).is_some() || is_abbreviation(name)
 }
 
 impl Expression {
-    /// Whether this is the name of an elementary function without an argument, or a power of it.
+    /// Whether this is the name of an elementary function without its argument, or a power of it.
     pub(super) fn is_function_name(&self) -> bool {
         match &self.node {
             Node::Name(name) => is_elementary(name),
@@ -54,7 +55,7 @@ impl Expression {
         }
     }
 
-    /// The function `name` of these arguments; abbreviations are replaced by quotients.
+    /// The function `name` of these arguments. Abbreviations are replaced by quotients.
     pub(super) fn call(
         name: &str,
         arguments: Vec<Expression>,

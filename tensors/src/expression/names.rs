@@ -4,7 +4,8 @@ use std::borrow::Cow;
 
 /// Whether the text is a valid name: a letter of any script or `_`, then letters, ASCII digits, subscript digits and `_`.
 ///
-/// A name is in its [`canonical_name`] form, so that equal names are equal texts, and does not look like a Latin one.
+/// A name is in its [`canonical_name`] form, so that equal names are equal texts, and does not look
+/// like a Latin one.
 ///
 /// ```
 /// use affinor_tensors::expression::is_name;
@@ -16,7 +17,7 @@ pub fn is_name(name: &str) -> bool {
     begins && name.chars().all(is_name_character) && !looks_latin(name)
 }
 
-/// Whether a name may contain the character behind its first one.
+/// Whether a name may contain the character after its first one.
 ///
 /// ```
 /// use affinor_tensors::expression::is_name_character;
@@ -24,7 +25,7 @@ pub fn is_name(name: &str) -> bool {
 /// assert!(!is_name_character('²') && !is_name_character('·'));
 /// ```
 pub fn is_name_character(c: char) -> bool {
-    // letters among the superscripts
+    // the range of superscripts also contains letters, which names may contain
     let power = ('\u{2070}'..='\u{207f}').contains(&c);
     let letter = c.is_alphabetic() && !power && canonical(c) == c;
     letter || c == '_' || is_digit(c)
@@ -39,12 +40,14 @@ pub(super) fn begins_name(c: char) -> bool {
     continues_name(c) && !is_digit(c)
 }
 
-/// Whether the parser reads a name beyond this character, perhaps in a form that is not canonical.
+/// Whether the parser accepts this character inside a name, perhaps in a form that is not
+/// canonical.
 pub(super) fn continues_name(c: char) -> bool {
     is_name_character(canonical(c))
 }
 
-/// The name with Greek letters for the signs of units that look like them, and Latin ones for those of kelvin and angstrom.
+/// The canonical form of a name: unit signs become the Greek letters, and the signs of kelvin and
+/// angstrom the Latin letters, that look like them.
 ///
 /// ```
 /// use affinor_tensors::expression::canonical_name;
@@ -71,7 +74,8 @@ fn canonical(c: char) -> char {
 /// Cyrillic and Greek letters that look like Latin ones.
 const LOOKALIKES: &str = "асԁеһіјорѕухАВСЕНІЈКМОРЅТХΑΒΕΖΗΙΚΜΝΟΡΤΥΧο";
 
-/// Whether all letters of a text outside ASCII look like Latin ones, so that it may be taken for another text.
+/// Whether all non-ASCII letters of a text look like Latin ones, so that it can be mistaken for
+/// another text.
 ///
 /// ```
 /// use affinor_tensors::expression::looks_latin;
@@ -84,7 +88,8 @@ pub fn looks_latin(text: &str) -> bool {
     others.peek().is_some() && others.all(|c| LOOKALIKES.contains(c))
 }
 
-/// Whether a message can show the character itself: it is neither a control character nor white space other than ` `.
+/// Whether a message can show the character itself: control characters and white space other than `
+/// ` are excluded.
 ///
 /// ```
 /// use affinor_tensors::expression::is_printable;
@@ -96,7 +101,7 @@ pub fn is_printable(c: char) -> bool {
     c.is_ascii_graphic() || c == ' ' || (!c.is_ascii() && c.escape_debug().count() == 1)
 }
 
-/// A character for a message: itself, or its number.
+/// A character as messages show it: itself, or its code point.
 pub(super) fn shown(c: char) -> String {
     match is_printable(c) && !looks_latin(&c.to_string()) {
         true => format!("`{c}`"),

@@ -9,13 +9,13 @@ use super::{
 use crate::Rational;
 use std::ops::Range;
 
-/// The longest text that a message repeats.
+/// The length up to which messages repeat the text.
 const MAX_SHOWN: usize = 60;
 
-/// The most changes to a text that a message proposes.
+/// The largest number of corrections that a message proposes.
 const MAX_EDITS: usize = 8;
 
-/// Parses a whole text beside `known` names.
+/// Parses a whole text in which the `known` names exist.
 pub(super) fn parse(
     text: &str,
     known: &dyn Fn(&str) -> bool,
@@ -29,7 +29,7 @@ pub(super) fn parse(
     })
 }
 
-/// A change to the text: what replaces a part of it.
+/// A correction of the text: a range, and its replacement.
 type Edit = (Range<usize>, &'static str);
 
 fn parse_once(
@@ -40,7 +40,8 @@ fn parse_once(
     parser.whole().map_err(|error| (error, parser.edit))
 }
 
-/// The whole text with this edit and those that follow from it; `None` if it is long or has other errors.
+/// The whole text with this correction and those that follow from it; `None` if it is long or has
+/// other errors.
 fn corrected(text: &str, known: &dyn Fn(&str) -> bool, edit: Edit) -> Option<String> {
     let mut text = text.to_string();
     let mut next = Some(edit);
@@ -55,7 +56,7 @@ fn corrected(text: &str, known: &dyn Fn(&str) -> bool, edit: Edit) -> Option<Str
     None
 }
 
-/// Whether a message may repeat the text.
+/// Whether the text is short enough for a message.
 fn is_short(text: &str) -> bool {
     text.len() <= MAX_SHOWN && !text.contains(char::is_control)
 }
@@ -64,9 +65,9 @@ struct Parser<'t> {
     text: &'t str,
     at: usize,
     depth: usize,
-    /// The number of exponents around this place.
+    /// The nesting depth of exponents at the current position.
     tower: usize,
-    /// What would mend the error.
+    /// The correction of the error, if there is one.
     edit: Option<Edit>,
     known: &'t dyn Fn(&str) -> bool,
 }
@@ -99,7 +100,7 @@ impl Parser<'_> {
         Some(found)
     }
 
-    /// The length of the name that begins here.
+    /// The length of the name that begins at the current position.
     fn name_length(&self) -> usize {
         let rest = &self.text[self.at..];
         rest.find(|c| !continues_name(c)).unwrap_or(rest.len())
@@ -132,7 +133,7 @@ impl Parser<'_> {
         }
     }
 
-    /// Whether an odd number of minus signs stands here.
+    /// Reads signs. Returns whether the number of minus signs is odd.
     fn signs(&mut self) -> Result<bool, ExpressionError> {
         let mut negative = false;
         let mut last = self.at;
@@ -146,7 +147,7 @@ impl Parser<'_> {
         self.error(last..self.at, format!("more than {MAX_SIGNS} signs in a row"))
     }
 
-    /// A factor behind `*` or `/`, perhaps with signs.
+    /// Reads a factor after `*` or `/`, perhaps with signs.
     fn factor(&mut self) -> Result<Expression, ExpressionError> {
         self.skip_space();
         let from = self.at;
@@ -186,7 +187,8 @@ impl Parser<'_> {
         }
     }
 
-    /// The error that an operator, or the parentheses of a function, are missing between a factor and this place.
+    /// The error for a missing operator, or for missing parentheses of a function, between a factor
+    /// and the current position.
     fn missing(&mut self, last: Option<&Expression>, end: usize) -> ExpressionError {
         let width = self.name_length().max(1);
         let span = self.at..self.at + width;
@@ -196,7 +198,9 @@ impl Parser<'_> {
         let called = last.is_some_and(Expression::is_function_name);
         let edit = if called { "" } else { "*" };
         let reason = match (called, after) {
-            (true, "(") => format!("a space is before the parenthesis: write `{before}(...)`"),
+            (true, "(") => {
+                format!("remove the space before the parenthesis: write `{before}(...)`")
+            }
             (true, _) => format!("parentheses are missing: write `{before}({after})`"),
             (false, "(") => format!("`*` is missing: write `{before}*(...)`"),
             (false, _) => format!("`*` is missing: write `{before}*{after}`"),
@@ -238,7 +242,7 @@ impl Parser<'_> {
         width > 0
     }
 
-    /// A power with an optional sign: `-2`, `(1/2)`, `2^p`.
+    /// Reads a power with an optional sign: `-2`, `(1/2)`, `2^p`.
     fn exponent(&mut self) -> Result<Expression, ExpressionError> {
         self.skip_space();
         let from = self.at;
@@ -264,19 +268,19 @@ impl Parser<'_> {
         span: Range<usize>,
     ) -> Result<Expression, ExpressionError> {
         if value.to_f64().abs() > MAX_EXPONENT as f64 {
-            return self.error(span, format!("an exponent is at most {MAX_EXPONENT}"));
+            return self.error(span, format!("an exponent must be at most {MAX_EXPONENT}"));
         }
         Ok(Expression { span, node: Node::Number(value) })
     }
 
-    /// The exponent of these digits, perhaps behind a sign, which are read between `from` and here.
+    /// The exponent with these digits, perhaps after a sign; its text began at `from`.
     fn integer(&self, digits: &str, from: usize) -> Result<Expression, ExpressionError> {
-        // more digits are beyond the limit
+        // if the digits do not fit, the value is beyond the limit anyway
         let value = digits.parse().unwrap_or(i64::MAX);
         self.bounded_exponent(Rational::from(value), from..self.at)
     }
 
-    /// The integer `n` in `sin^n(x)`, from behind the name to the parenthesis.
+    /// Reads the integer `n` in `sin^n(x)`, from the end of the name to the parenthesis.
     fn power_of_function(&mut self) -> Result<Option<Expression>, ExpressionError> {
         let from = self.at;
         let rest = &self.text[from..];
@@ -323,7 +327,7 @@ impl Parser<'_> {
                     let ExpressionError { span, reason } = self.unexpected(letter);
                     return self.error(span, reason + ": it looks like a Latin letter");
                 }
-                // basis vectors of a sum, `e1'`
+                // basis vectors of a direct sum, such as `e1'`
                 let rest = &self.text[from + length..];
                 let primes = rest.bytes().take_while(|byte| *byte == b'\'').count();
                 self.at += length + primes;
@@ -353,7 +357,7 @@ impl Parser<'_> {
         }
     }
 
-    /// What stands in parentheses, from the opening one on.
+    /// Reads parentheses and their content.
     fn parenthesis<T>(
         &mut self,
         inside: fn(&mut Self) -> Result<T, ExpressionError>,
@@ -361,7 +365,7 @@ impl Parser<'_> {
         let from = self.at;
         self.at += 1;
         self.depth += 1;
-        // exponents of integers may be in parentheses at any depth
+        // exponents may be in parentheses beyond this depth
         if self.depth > MAX_DEPTH + self.tower {
             let reason = format!("more than {MAX_DEPTH} nested parentheses");
             return self.error(from..from + 1, reason);
@@ -375,7 +379,7 @@ impl Parser<'_> {
         }
     }
 
-    /// The arguments of a function, separated by commas.
+    /// Reads the arguments of a function, separated by commas.
     fn arguments(&mut self) -> Result<Vec<Expression>, ExpressionError> {
         let mut all = vec![self.sum()?];
         while self.take(&[',']).is_some() {
@@ -391,7 +395,7 @@ impl Parser<'_> {
         digits.into()
     }
 
-    /// The exponent of `e-3` directly after a number; zero if there is none.
+    /// Reads the exponent of `e-3` directly after a number; zero if there is none.
     fn power_of_ten(&mut self) -> Result<i64, ExpressionError> {
         let rest = &self.text[self.at..];
         let Some(behind) = rest.strip_prefix(['e', 'E']) else { return Ok(0) };
@@ -404,11 +408,13 @@ impl Parser<'_> {
         let value = self.digits().parse::<i64>().ok().filter(|n| *n <= MAX_EXPONENT);
         match value {
             Some(value) => Ok(if behind.starts_with(['-', MINUS]) { -value } else { value }),
-            None => self.error(from..self.at, format!("an exponent is at most {MAX_EXPONENT}")),
+            None => {
+                self.error(from..self.at, format!("an exponent must be at most {MAX_EXPONENT}"))
+            }
         }
     }
 
-    /// Digits, a fraction, a power of ten.
+    /// Reads a number: digits, a fraction, a power of ten.
     fn number(&mut self) -> Result<Expression, ExpressionError> {
         let from = self.at;
         let mut digits = self.digits();
@@ -433,7 +439,7 @@ impl Parser<'_> {
         let exponent = self.power_of_ten()?;
         let span = from..self.at;
         if digits.len() > MAX_DIGITS {
-            return self.error(span, format!("a number has at most {MAX_DIGITS} digits"));
+            return self.error(span, format!("a number can have at most {MAX_DIGITS} digits"));
         }
         let Some(mantissa) = Rational::from_digits(&digits) else {
             return self.error(span, "a number needs a digit");
@@ -449,7 +455,7 @@ impl Parser<'_> {
     }
 }
 
-/// A sum or product; a single positive part is returned unchanged.
+/// A sum or product; a single part without a sign is returned unchanged.
 fn fold(
     mut parts: Vec<(bool, Expression)>,
     span: Range<usize>,

@@ -7,7 +7,7 @@ use std::fmt;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 
-/// The terms that the sums of symbolic values have formed, and how many they may form.
+/// A limit on the number of terms that the sums of symbolic values form.
 ///
 /// ```
 /// use affinor_tensors::{Effort, Symbolic};
@@ -26,22 +26,22 @@ pub struct Effort {
     pub(crate) products: AtomicU64,
 }
 
-/// A computation that passed its limit, and was ended.
+/// The error of a computation that exceeded its limit on terms.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct EffortExceeded {
     /// The number of terms allowed.
     pub limit: u64,
 }
 
-/// The products of terms that are allowed for each term.
+/// The number of products of terms that are allowed for each allowed term.
 const PRODUCTS: u64 = 512;
 
 impl Effort {
-    /// The limit that programs set: about 3 GB of formulas.
+    /// The limit that the programs set: about 3 GB of formulas.
     pub const DEFAULT: u64 = 20_000_000;
 
-    /// A limit on the number of terms of all values together, intermediate ones included, and on the
-    /// products of terms, 512 for each term.
+    /// A limit on the number of terms of all values together, including intermediate ones, and on
+    /// the number of products of terms: 512 for each term.
     pub fn new(limit: u64) -> Arc<Self> {
         Arc::new(Effort { limit, terms: AtomicU64::new(0), products: AtomicU64::new(0) })
     }
@@ -51,7 +51,7 @@ impl Effort {
         self.terms.load(Relaxed)
     }
 
-    /// The refusal, once the limit is passed. Values that are formed afterwards are no results.
+    /// The error once the limit is exceeded. Values that are formed afterwards are meaningless.
     pub fn exceeded(&self) -> Option<EffortExceeded> {
         let products = self.products.load(Relaxed) > self.limit.saturating_mul(PRODUCTS);
         (products || self.terms() > self.limit).then_some(EffortExceeded { limit: self.limit })

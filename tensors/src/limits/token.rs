@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicU8, AtomicUsize, Ordering::Relaxed};
 /// The reason why a computation was stopped.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StopReason {
-    /// A signal or a user.
+    /// A signal, or a request of the user.
     Interrupted,
     /// The limit on the time.
     Timeout,
@@ -35,13 +35,14 @@ pub enum StopReason {
 #[derive(Clone, Debug, Default)]
 pub struct StopToken(Arc<Flag>);
 
-/// Zero, or one more than the place of a reason in [`REASONS`].
+/// Zero if not set; otherwise one more than the position of the reason in [`REASONS`].
 #[derive(Debug, Default)]
 struct Flag(AtomicU8);
 
 const REASONS: [StopReason; 3] = [StopReason::Interrupted, StopReason::Timeout, StopReason::Memory];
 
-/// The number of tokens of this process whose flag is set. While it is zero, a checkpoint is one load and one branch.
+/// The number of tokens of this process whose flag is set. While it is zero, a checkpoint costs one
+/// load and one branch.
 static REQUESTED: AtomicUsize = AtomicUsize::new(0);
 
 impl Drop for Flag {
@@ -58,7 +59,7 @@ impl StopToken {
         Self::default()
     }
 
-    /// Sets the flag. The first reason counts.
+    /// Sets the flag. Only the first reason is stored.
     pub fn request(&self, reason: StopReason) {
         let code = REASONS.iter().position(|own| *own == reason).map_or(0, |at| at as u8 + 1);
         if self.0.0.compare_exchange(0, code, Relaxed, Relaxed).is_ok() {

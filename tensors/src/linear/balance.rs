@@ -1,10 +1,11 @@
 //! Balancing of square matrices.
 
-/// The most sweeps over all rows.
+/// The largest number of sweeps over all rows.
 const SWEEPS: usize = 100;
 
-/// Exponents `e` for which the entries `m_ik 2^(e_k - e_i)` off the diagonal are small: the row and the column of an index get
-/// the same size, but not less than 1. The similar matrix has the same eigenvalues, and powers of two do not round.
+/// Exponents `e` that balance a matrix: among the entries `m_ik 2^(e_k - e_i)` off the diagonal,
+/// the row and the column of each index get the same size, but at least 1. The similar matrix has
+/// the same eigenvalues. Scaling by powers of two causes no rounding errors.
 ///
 /// The entries of the `n x n` matrix are `(i, k, m_ik)`. E. E. Osborne, *J. ACM* 7 (1960) 338-345.
 ///

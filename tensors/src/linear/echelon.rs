@@ -33,7 +33,7 @@ impl<S: Field + Summable> Echelon<S> {
         Self::default()
     }
 
-    /// The same subspace with another tolerance for what is computed from it (floats only).
+    /// The same subspace with another tolerance for computations with it (floats only).
     #[must_use]
     pub fn with_tolerance(mut self, tolerance: Tolerance) -> Self {
         self.tolerance = tolerance;
@@ -58,7 +58,7 @@ impl<S: Field + Summable> Echelon<S> {
     /// Adds a vector to the span. Returns whether it was linearly independent of the subspace.
     ///
     /// # Errors
-    /// [`LinearError::NotInvertible`] when the remainder leads with a non-unit.
+    /// [`LinearError::NotInvertible`] if the leading entry of the remainder is a non-unit.
     pub fn insert(
         &mut self,
         row: impl IntoIterator<Item = (usize, S)>,
@@ -67,12 +67,12 @@ impl<S: Field + Summable> Echelon<S> {
         self.insert_at(remainder, |row| row.first())
     }
 
-    /// Like [`insert`](Self::insert), but the pivot is the component of the remainder with the largest
-    /// [`Field::pivot_weight`] among the first `columns`. Floats stay accurate, exact numbers short.
-    /// Returns `false` if all these components are zero.
+    /// Like [`insert`](Self::insert), but the pivot is the component of the remainder with the
+    /// largest [`Field::pivot_weight`] among the first `columns`. This preserves the accuracy of
+    /// floats, and exact numbers stay short. Returns `false` if all these components are zero.
     ///
     /// # Errors
-    /// [`LinearError::NotInvertible`] when that component is a non-unit.
+    /// [`LinearError::NotInvertible`] if the component with the largest weight is a non-unit.
     pub fn insert_heaviest(
         &mut self,
         row: impl IntoIterator<Item = (usize, S)>,
@@ -82,7 +82,7 @@ impl<S: Field + Summable> Echelon<S> {
         self.insert_at(remainder, |row| heaviest(row.iter().filter(|(j, _)| *j < columns)))
     }
 
-    /// Adds the remainder of a vector to the span with the pivot that `choose` finds in it.
+    /// Adds the remainder of a vector to the span. `choose` selects the pivot in the remainder.
     fn insert_at(
         &mut self,
         remainder: Row<S>,
@@ -103,7 +103,7 @@ impl<S: Field + Summable> Echelon<S> {
     }
 
     fn remainder(&self, row: Row<S>) -> Row<S> {
-        // the basis is reduced, so the coordinates stand in the vector itself
+        // the basis is reduced, so the coordinates are the components of the vector at the pivots
         let parts = (row.iter()).filter_map(|(j, value)| Some((self.led_by(*j)?, value)));
         let sums = parts
             .fold(open(&row), |sums, (basis, value)| add_multiple(sums, &-value.clone(), basis));
@@ -123,8 +123,8 @@ impl<S: Field + Summable> Echelon<S> {
         self.contains(row).then_some(coordinates)
     }
 
-    /// A basis of the vectors `x` of `columns` components with `v_j x_j = 0` for all `v` of the
-    /// subspace: one for each column without a pivot, with a 1 there.
+    /// A basis of the vectors `x` with `columns` components and `v_j x_j = 0` for all `v` of the
+    /// subspace. There is one vector for each column without a pivot, with a 1 there.
     pub fn nullspace(&self, columns: usize) -> Vec<Row<S>> {
         let mut basis = vec![vec![]; columns];
         for (pivot, row) in self.pivots.iter().zip(&self.rows) {
@@ -141,7 +141,7 @@ impl<S: Field + Summable> Echelon<S> {
             .collect()
     }
 
-    /// Takes in a remainder with a 1 in its pivot column, and clears that column elsewhere.
+    /// Adds a remainder whose pivot is 1, and clears the pivot column in the other rows.
     pub(super) fn place(&mut self, column: usize, row: Row<S>) {
         for other in &mut self.rows {
             if let Some(value) = at(other, column) {
@@ -161,7 +161,7 @@ impl<S: Field + Summable> Echelon<S> {
     }
 }
 
-/// Equal subspaces; the tolerance does not matter.
+/// Echelons are equal if their subspaces are; the tolerance is ignored.
 impl<S: PartialEq> PartialEq for Echelon<S> {
     fn eq(&self, other: &Self) -> bool {
         self.rows == other.rows
@@ -174,13 +174,13 @@ impl<S> Default for Echelon<S> {
     }
 }
 
-/// The row times the inverse of its entry at the pivot.
+/// The row multiplied by the inverse of its pivot entry.
 pub(super) fn normalised<S: Summable>(unit: &S, pivot: usize, row: Row<S>) -> Row<S> {
     let scale = |(j, value): (usize, S)| (j, if j == pivot { S::one() } else { value * unit });
     row.into_iter().map(scale).filter(|(_, value)| !value.vanishes()).collect()
 }
 
-/// The component of the greatest [`Field::pivot_weight`]; the first of equals.
+/// The component with the largest [`Field::pivot_weight`]; the first one if several are equal.
 fn heaviest<'r, S: Field + Summable>(
     components: impl Iterator<Item = &'r (usize, S)>,
 ) -> Option<&'r (usize, S)> {

@@ -10,7 +10,7 @@ impl<S: Field + Summable> Matrix<S> {
     /// The reduced row echelon form.
     ///
     /// # Errors
-    /// [`LinearError::NotInvertible`] if a pivot has no inverse; this cannot happen over a field.
+    /// [`LinearError::NotInvertible`] if a pivot has no inverse. This cannot happen over a field.
     pub fn echelon(&self) -> Result<Echelon<S>, LinearError> {
         let pivots = eliminate(self.rows.iter().cloned(), &self.row_scales(), self.tolerance)?;
         Ok(reduced(pivots, self.tolerance))
@@ -19,7 +19,7 @@ impl<S: Field + Summable> Matrix<S> {
     /// The rank.
     ///
     /// # Errors
-    /// As [`echelon`](Self::echelon).
+    /// Those of [`echelon`](Self::echelon).
     pub fn rank(&self) -> Result<usize, LinearError> {
         Ok(eliminate(self.rows.iter().cloned(), &self.row_scales(), self.tolerance)?.len())
     }
@@ -27,7 +27,7 @@ impl<S: Field + Summable> Matrix<S> {
     /// A basis of `{x : A x = 0}`, as the rows of a matrix.
     ///
     /// # Errors
-    /// As [`echelon`](Self::echelon).
+    /// Those of [`echelon`](Self::echelon).
     pub fn nullspace(&self) -> Result<Self, LinearError> {
         Ok(self.spanned(self.echelon()?.nullspace(self.columns)))
     }
@@ -35,7 +35,7 @@ impl<S: Field + Summable> Matrix<S> {
     /// The reduced row echelon basis of the span of the rows, as the rows of a matrix.
     ///
     /// # Errors
-    /// As [`echelon`](Self::echelon).
+    /// Those of [`echelon`](Self::echelon).
     pub fn row_space(&self) -> Result<Self, LinearError> {
         Ok(self.spanned(self.echelon()?.rows().to_vec()))
     }
@@ -45,7 +45,7 @@ impl<S: Field + Summable> Matrix<S> {
     /// [`nullspace`](Self::nullspace).
     ///
     /// # Errors
-    /// [`LinearError::Shape`] unless `b` has one component for each row of `A`; otherwise as
+    /// [`LinearError::Shape`] unless `b` has one component for each row of `A`; otherwise those of
     /// [`echelon`](Self::echelon).
     pub fn solve(&self, b: &[S]) -> Result<Option<Vec<S>>, LinearError> {
         if b.len() != self.rows() {
@@ -61,7 +61,7 @@ impl<S: Field + Summable> Matrix<S> {
             return Ok(Some(x.to_dense().concat()));
         }
         let pivots = match eliminate(self.beside(right.rows), &self.row_scales(), self.tolerance) {
-            // a row `0 = b` with b not zero
+            // a row `0 = b` with nonzero `b`
             Err(LinearError::NotInvertible { column }) if column == self.columns => {
                 return Ok(None);
             }
@@ -82,7 +82,8 @@ impl<S: Field + Summable> Matrix<S> {
 
     /// The inverse; `None` unless the matrix is square and its determinant is a unit.
     ///
-    /// Over a ring that is not local, such as Z/6, also `None` if a column has no unit as a pivot.
+    /// Over a ring that is not local, such as Z/6, the result is also `None` if a column has no
+    /// unit as a pivot.
     pub fn inverse(&self) -> Option<Self> {
         if self.rows() != self.columns {
             return None;
@@ -107,7 +108,7 @@ impl<S: Field + Summable> Matrix<S> {
     /// The determinant: by elimination, or without division if a column has only non-units.
     ///
     /// # Errors
-    /// [`LinearError::NotSquare`].
+    /// [`LinearError::NotSquare`] if the matrix is not square.
     pub fn determinant(&self) -> Result<S, LinearError> {
         let (rows, columns) = (self.rows(), self.columns);
         if rows != columns {
@@ -149,9 +150,10 @@ impl<S: Field + Summable> Matrix<S> {
         })
     }
 
-    /// Factors of the rows that, with others of the columns, bring the largest entry of each row and column near 1
-    /// (D. Ruiz, report RAL-TR-2001-034). Of a definite matrix they bring the diagonal to 1, whatever the units of the basis. None for
-    /// scalars whose [weights](Field::pivot_weight) are not magnitudes.
+    /// Scale factors of the rows. Together with factors of the columns, they bring the largest
+    /// entry of each row and column near 1 (D. Ruiz, report RAL-TR-2001-034). For a definite matrix
+    /// they bring the diagonal to 1, whatever the units of the basis. Empty for scalars whose
+    /// [weights](Field::pivot_weight) are not magnitudes.
     fn row_scales(&self) -> Vec<f64> {
         let Some((_, _, first)) = self.entries().next() else { return vec![] };
         if first.pivot_weight() <= 0.0 {
@@ -184,13 +186,14 @@ impl<S: Field + Summable> Matrix<S> {
         rows
     }
 
-    /// The matrix of other rows with the columns and the tolerance of this one.
+    /// A matrix with other rows, but the columns and the tolerance of this one.
     fn spanned(&self, rows: Vec<Row<S>>) -> Self {
         Matrix { columns: self.columns, rows, tolerance: self.tolerance }
     }
 }
 
-/// The most sweeps of an equilibration. Each takes the square root of what is missing.
+/// The largest number of sweeps of an equilibration. Each sweep divides by the square root of the
+/// largest entries.
 const SWEEPS: usize = 12;
 
 /// A row that has become a pivot: divided by its leading entry `value`.
@@ -198,11 +201,11 @@ struct Pivot<S> {
     column: usize,
     value: S,
     row: Row<S>,
-    /// The row of the matrix that this one stands in for.
+    /// The number of this row in the matrix before the elimination.
     origin: usize,
 }
 
-/// A row under elimination: its leading entry and the sums behind it.
+/// A row under elimination: its leading entry, and the sums after it.
 struct Candidate<S: Summable> {
     lead: S,
     weight: f64,
@@ -210,10 +213,10 @@ struct Candidate<S: Summable> {
     origin: usize,
 }
 
-/// The rows that wait for a pivot, by their leading column.
+/// The rows that wait for a pivot, grouped by their leading column.
 struct Waiting<'s, S: Summable> {
     candidates: BTreeMap<usize, Vec<Candidate<S>>>,
-    /// A factor for the weights of each row; none if weights are compared as they are.
+    /// A factor for the weights of each row; empty if weights are compared without scaling.
     scales: &'s [f64],
     tolerance: Tolerance,
 }
@@ -231,7 +234,8 @@ impl<S: Field + Summable> Waiting<'_, S> {
     }
 }
 
-/// Elimination without back substitution: the pivots by column, every row zero before its own.
+/// Elimination without back substitution. Returns the pivots by column; every row is zero before
+/// its pivot.
 fn eliminate<S: Field + Summable>(
     rows: impl Iterator<Item = Row<S>>,
     scales: &[f64],
@@ -253,9 +257,10 @@ fn eliminate<S: Field + Summable>(
     Ok(pivots)
 }
 
-/// The best candidate for the pivot, normalised, and the other candidates.
+/// Selects the best candidate for the pivot. Returns it normalized, and the other candidates.
 ///
-/// By [`Field::pivot_weight`] (floats: partial pivoting, scaled), then the sparsest.
+/// The best candidate has the largest [`Field::pivot_weight`] (for floats: scaled partial
+/// pivoting); of equal ones, the sparsest row.
 fn choose<S: Field + Summable>(
     column: usize,
     mut candidates: Vec<Candidate<S>>,
@@ -277,7 +282,7 @@ fn choose<S: Field + Summable>(
     Ok((pivot, candidates))
 }
 
-/// Back substitution, from the last pivot upwards, so that every row is reduced once.
+/// Back substitution, from the last pivot to the first, so that every row is reduced once.
 fn reduced<S: Field + Summable>(pivots: Vec<Pivot<S>>, tolerance: Tolerance) -> Echelon<S> {
     let mut echelon = Echelon::new().with_tolerance(tolerance);
     for pivot in pivots.into_iter().rev() {
@@ -287,7 +292,7 @@ fn reduced<S: Field + Summable>(pivots: Vec<Pivot<S>>, tolerance: Tolerance) -> 
     echelon
 }
 
-/// Whether a permutation is odd: the parity of its length minus the number of its cycles.
+/// Whether a permutation is odd: the parity of its length minus its number of cycles.
 fn is_odd(permutation: &[usize]) -> bool {
     let mut seen = vec![false; permutation.len()];
     let mut odd = false;

@@ -1,7 +1,8 @@
 //! Dense linear algebra modulo a prime below 2^31: ranks, kernels and polynomials of matrices.
 //!
-//! The rank modulo a prime is at most the rank over the rationals, and equal to it for all but finitely
-//! many primes. Polynomials are computed modulo primes of 61 bits by `polycore`; here four products of residues fit one machine word.
+//! The rank modulo a prime is at most the rank over the rationals, and equal to it for all but
+//! finitely many primes. Here primes are below 2^31, so that four products of residues fit one
+//! machine word; polynomials are computed by `polycore`, modulo primes of 61 bits.
 
 use crate::Rational;
 use crate::stop::checkpoint;
@@ -10,7 +11,7 @@ use num_integer::Integer;
 use num_rational::{BigRational, Ratio};
 use num_traits::ToPrimitive;
 
-/// A prime below 2^31, with the constant of Barrett's reduction.
+/// A prime below 2^31, with the constant for Barrett reduction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Prime {
     p: u64,
@@ -38,7 +39,7 @@ impl Prime {
         odd.then_some(Self::unchecked(p))
     }
 
-    /// The prime itself.
+    /// The prime as an integer.
     pub fn get(self) -> u64 {
         self.p
     }
@@ -135,10 +136,11 @@ impl ResidueMatrix {
         self.columns
     }
 
-    /// Brings the rows to reduced row echelon form and drops zero rows; the pivot columns.
+    /// Brings the rows to reduced row echelon form and drops zero rows. Returns the pivot columns.
     ///
-    /// Rows are taken in one by one. The rows found last form a block, reduced among themselves; when it is full,
-    /// its pivots are cleared from the rows before it, many products to one reduction.
+    /// Rows are processed one by one. The latest rows form a block whose rows are reduced against
+    /// each other. When the block is full, its pivots are cleared from all earlier rows, with many
+    /// products per modular reduction.
     pub fn reduce(&mut self) -> Vec<usize> {
         let p = self.prime;
         let (mut done, mut block) = (Reduced::default(), Reduced::default());
@@ -192,7 +194,7 @@ impl ResidueMatrix {
         free.map(vector).collect()
     }
 
-    /// The matrix by the entries that are not zero, for many products with vectors.
+    /// The matrix in sparse form, for many products with vectors.
     pub fn sparse(&self) -> SparseResidues {
         let row = |row: &Vec<u64>| {
             let entries = row.iter().enumerate().filter(|(_, value)| **value != 0);
@@ -208,7 +210,7 @@ impl ResidueMatrix {
     }
 }
 
-/// A matrix of residues by its entries that are not zero.
+/// A sparse matrix of residues.
 #[derive(Clone, Debug)]
 pub struct SparseResidues {
     prime: Prime,
@@ -231,7 +233,7 @@ impl SparseResidues {
     }
 }
 
-/// How many rows wait before their pivots are cleared from all others.
+/// The number of rows that wait before their pivots are cleared from all other rows.
 const BLOCK: usize = 32;
 
 /// Rows in reduced echelon form, in any order, with their pivots.
@@ -242,7 +244,8 @@ struct Reduced {
 }
 
 impl Reduced {
-    /// Makes a row zero at all pivots. The rows are zero at the pivots of each other, so the factors stand in the row.
+    /// Makes a row zero at all pivots. The rows are zero at each other's pivots, so the factors are
+    /// the entries of the row at the pivots.
     fn clear(&self, p: Prime, row: &mut [u64]) {
         checkpoint();
         let factors = self.pivots.iter().map(|&pivot| p.neg(row[pivot]));
@@ -270,7 +273,7 @@ impl Reduced {
         }
     }
 
-    /// Takes in rows that are zero at the pivots of these.
+    /// Appends rows that are zero at the pivots of the present rows.
     fn append(&mut self, p: Prime, block: &mut Reduced) {
         self.rows.iter_mut().for_each(|row| block.clear(p, row));
         self.rows.append(&mut block.rows);
@@ -278,34 +281,37 @@ impl Reduced {
     }
 }
 
-/// The product of two numbers below 2^32: one instruction for two lanes.
+/// The product of two numbers below 2^32, which compiles to one vector instruction.
 #[inline]
 fn short(a: u64, b: u64) -> u64 {
     u64::from(a as u32) * u64::from(b as u32)
 }
 
-/// Rational numbers with given residues modulo several primes, as long as the numerators and
-/// denominators are below the square root of half the product of the primes.
+/// Rational reconstruction: finds rational numbers from their residues modulo several primes. It
+/// succeeds if the numerators and denominators are below the square root of half the product of the
+/// primes.
 #[derive(Clone, Debug)]
 pub struct RationalReconstruction(polycore::crt::MixedRadixAccumulator);
 
 impl RationalReconstruction {
-    /// No images yet, of `length` numbers.
+    /// A reconstruction of `length` numbers, without any residues yet.
     pub fn new(length: usize) -> Self {
         RationalReconstruction(polycore::crt::MixedRadixAccumulator::new(length))
     }
 
-    /// Adds the residues modulo a further prime; `false` if their number is wrong.
+    /// Adds the residues modulo a further prime. Returns `false` if the number of residues is
+    /// wrong.
     pub fn add(&mut self, prime: Prime, residues: &[u64]) -> bool {
         self.0.add(prime.get(), residues).is_ok()
     }
 
-    /// The numbers, if the primes are enough for short ones.
+    /// The numbers; `None` if the primes are too few.
     pub fn rationals(&self) -> Option<Vec<Rational>> {
         Some(self.0.reconstruct()?.into_iter().map(Rational::from).collect())
     }
 
-    /// The integers of least size: the numbers, if they are integers below half the product of the primes.
+    /// The integers with the residues and the least magnitude. They are the numbers if these are
+    /// integers below half the product of the primes.
     pub fn integers(&self) -> Vec<Rational> {
         let modulus = self.0.modulus();
         let least = |x: &BigInt| polycore::crt::symmetric(x, &modulus);

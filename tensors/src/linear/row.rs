@@ -12,7 +12,7 @@ pub(super) fn at<S>(row: &[(usize, S)], index: usize) -> Option<&S> {
     Some(&row[place].1)
 }
 
-/// The sparse vector of components in any order, equal indices added up.
+/// The sparse vector with components given in any order; components at equal indices are added.
 pub(super) fn collect<S: Summable>(
     entries: impl IntoIterator<Item = (usize, S)>,
     tolerance: Tolerance,
@@ -20,7 +20,7 @@ pub(super) fn collect<S: Summable>(
     added(entries.into_iter().collect(), tolerance)
 }
 
-/// The same for a list: compiled once a scalar, not once an iterator.
+/// The same for a list, so that it is compiled once for each scalar, and not for each iterator.
 fn added<S: Summable>(mut entries: Row<S>, tolerance: Tolerance) -> Row<S> {
     checkpoint();
     entries.sort_by_key(|(j, _)| *j);
@@ -32,12 +32,12 @@ fn added<S: Summable>(mut entries: Row<S>, tolerance: Tolerance) -> Row<S> {
     finish(sums.collect(), tolerance)
 }
 
-/// The components of a sparse vector as sums that more can be added to.
+/// The components of a sparse vector as sums, to which more terms can be added.
 pub(super) fn open<S: Summable>(row: &[(usize, S)]) -> Row<S::Sum> {
     row.iter().map(|(j, value)| (*j, S::Sum::term(value))).collect()
 }
 
-/// The values of a vector of sums, without those that count as zero.
+/// The values of a vector of sums, without the values that count as zero.
 pub(super) fn finish<S: Summable>(sums: Row<S::Sum>, tolerance: Tolerance) -> Row<S> {
     let value = |(j, sum): (usize, S::Sum)| Some((j, sum.finish(tolerance)?));
     sums.into_iter().filter_map(value).collect()

@@ -2,8 +2,8 @@
 
 use super::symbolic;
 
-/// Frees what symbolic computations of this thread have stored to find it again: sums, quotients, shapes and texts of short values.
-/// Results do not depend on it; the next computation is slower.
+/// Frees the memory of the caches of symbolic computations of this thread: sums, quotients, shapes
+/// and texts of short values. Results do not change; the next computation is slower.
 ///
 /// Each thread stores a bounded number of values: at most 131,072 sums, 131,072 shapes and texts, and 114,688 others, of at most 48
 /// terms each. `rayon::broadcast(|_| clear_caches())` frees the values of all threads of a pool.

@@ -1,4 +1,4 @@
-//! The values with parameters by which a computation divides.
+//! Recording of the divisors with parameters in a computation.
 
 use super::Symbolic;
 use std::cell::RefCell;
@@ -7,7 +7,7 @@ thread_local! {
     static DIVISORS: RefCell<Option<Vec<Symbolic>>> = const { RefCell::new(None) };
 }
 
-/// Ends the recording, also where the computation ends by a panic.
+/// Ends the recording when it is dropped, also if the computation panics.
 struct Recording;
 
 impl Drop for Recording {
@@ -16,10 +16,11 @@ impl Drop for Recording {
     }
 }
 
-/// The result of a computation in this thread, and the values with parameters of which it took inverses, each once.
+/// Runs a computation in this thread. Returns its result, and the values with parameters that were
+/// inverted, each once.
 ///
-/// An elimination takes the inverses of its pivots. Where none of their numerators and denominators vanishes, the elimination is valid
-/// for these values of the parameters too, and so is the rank.
+/// An elimination inverts its pivots. For parameter values at which none of the numerators and
+/// denominators of these pivots vanishes, the elimination and the rank are valid too.
 ///
 /// ```
 /// use affinor_tensors::scalar::divisors_of;
@@ -41,7 +42,7 @@ pub fn divisors_of<T>(work: impl FnOnce() -> T) -> (T, Vec<Symbolic>) {
     (result, divisors)
 }
 
-/// Records a value, if this thread records values.
+/// Records a divisor if this thread is recording.
 pub(super) fn record(value: &Symbolic) {
     DIVISORS.with_borrow_mut(|divisors| {
         if let Some(divisors) = divisors

@@ -24,7 +24,8 @@ impl Sum<Dual64> for DualSum {
     }
 }
 
-/// Zero means that both parts are zero. `==` is num-dual's own and compares real parts only.
+/// A dual number is zero if its real part and its `eps` part are. The operator `==` of num-dual
+/// compares real parts only.
 impl Ring for Dual64 {
     fn from_i64(n: i64) -> Self {
         Dual64::new(n as f64, 0.0)

@@ -7,11 +7,11 @@ use std::sync::Arc;
 use std::sync::atomic::Ordering::Relaxed;
 
 thread_local! {
-    /// All that this thread counted, with and without a limit.
+    /// Everything that this thread counted, with and without a limit.
     static COUNTED: Cell<Counted> = const { Cell::new(Counted { terms: 0, products: 0 }) };
 }
 
-/// The terms and the products of terms of a computation.
+/// The number of terms, and of products of terms, of a computation.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Counted {
     terms: u64,
@@ -19,7 +19,8 @@ pub(super) struct Counted {
 }
 
 impl Counted {
-    /// A result, and what was counted on the way to it; `None` if the limit was passed, and the result is not to be kept.
+    /// Runs `work`. Returns its result and its count; the count is `None` if the limit was
+    /// exceeded, and then the result must not be cached.
     pub fn of<T>(work: impl FnOnce() -> T) -> (T, Option<Counted>) {
         let before = COUNTED.get();
         let result = work();
@@ -31,18 +32,19 @@ impl Counted {
         (result, products(0).then_some(counted))
     }
 
-    /// Counts the same once more, for a result that was kept. So a limit does not depend on what is kept.
+    /// Counts a cached result again. The limit therefore does not depend on the state of the
+    /// caches.
     pub fn again(self) {
         charge(self);
     }
 }
 
 impl Effort {
-    /// The result of work within the limit. Beyond it sums are no longer computed, so that the work ends
-    /// soon, and its result is thrown away.
+    /// Runs `work` within the limit. Once the limit is exceeded, sums are no longer computed, so
+    /// that the work ends soon, and its result is discarded.
     ///
     /// # Errors
-    /// [`EffortExceeded`].
+    /// [`EffortExceeded`] if the limit is exceeded.
     pub fn bound<T>(self: &Arc<Self>, work: impl FnOnce() -> T) -> Result<T, EffortExceeded> {
         let limits = Limits { effort: Some(self.clone()), ..Limits::current() };
         let result = limits.run(work);
@@ -50,7 +52,7 @@ impl Effort {
     }
 }
 
-/// Whether the limit allows this too.
+/// Adds to the count. Returns whether the limit still allows it.
 fn charge(by: Counted) -> bool {
     checkpoint();
     let Counted { terms, products } = COUNTED.get();
@@ -68,12 +70,12 @@ fn charge(by: Counted) -> bool {
     })
 }
 
-/// Counts products of terms before they are formed. Whether the limit allows them.
+/// Counts products of terms before they are formed. Returns whether the limit allows them.
 pub(super) fn products(count: usize) -> bool {
     charge(Counted { terms: 0, products: count as u64 })
 }
 
-/// Counts the terms of a value. Whether the limit allows them.
+/// Counts the terms of a value. Returns whether the limit allows them.
 pub(super) fn terms(count: usize) -> bool {
     charge(Counted { terms: count as u64, products: 0 })
 }

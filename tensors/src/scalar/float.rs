@@ -1,6 +1,6 @@
-//! Floating point: `f64` with a tolerance for zero within one sum of products.
+//! Floating point: `f64`, with a tolerance for zero within one sum of products.
 //!
-//! A remainder above the tolerance counts as exact in all later sums. The scalar
+//! A result above the tolerance counts as exact in all later sums. The scalar
 //! [`TrackedFloat`](super::TrackedFloat) follows rounding errors through all stages.
 
 use super::{Field, Kind, Notation, Rational, Ring, Sum, Summable, Tabular, Tolerance};
@@ -86,8 +86,8 @@ impl Notation for f64 {
 
 impl Tabular for f64 {}
 
-/// The shortest decimal that reads as a finite float. A subnormal float stands for this decimal
-/// only, because it has too few digits for others.
+/// The shortest decimal that parses to this finite float. A subnormal float is converted exactly to
+/// this decimal, because it has too few digits to represent any other.
 fn shortest(x: f64) -> Rational {
     let text = format!("{x:e}");
     let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));

@@ -9,9 +9,9 @@ use std::ops::{Add, Div, Mul, Neg};
 /// The value, gradient and Hessian of a function of coordinates at one point, in floats.
 ///
 /// Arithmetic differentiates automatically: a closure over jets computes the derivatives of its
-/// result. Third derivatives are unknown and returned as NaN. A tensor does not show a jet whose value and known derivatives
-/// are zero, but keeps it where a derivative is unknown: then that derivative is NaN and not zero. Rounding noise is not
-/// removed.
+/// result. Third derivatives are unknown and returned as NaN. A tensor does not show a jet whose
+/// value and known derivatives are zero. It stores such a jet if a derivative is unknown, so that
+/// this derivative is NaN and not zero. Rounding errors are not removed.
 ///
 /// ```
 /// use affinor_tensors::Jet;
@@ -26,17 +26,17 @@ pub struct Jet {
     value: f64,
     /// `None` if unknown; empty for a constant, whose derivatives vanish in any coordinates.
     gradient: Option<Vec<f64>>,
-    /// Row by row; `None` and empty as for the gradient.
+    /// The rows of the Hessian in one list; `None` and empty as for the gradient.
     hessian: Option<Vec<f64>>,
 }
 
 impl Jet {
-    /// The coordinates at a point.
+    /// The coordinate functions as jets at a point.
     pub fn coordinates<const N: usize>(point: [f64; N]) -> [Jet; N] {
         std::array::from_fn(|at| Self::coordinate(point[at], at, N))
     }
 
-    /// The coordinate function with number `at`, from 0, of `n` coordinates.
+    /// Coordinate function number `at`, from 0, of `n` coordinates.
     pub fn coordinate(value: f64, at: usize, n: usize) -> Jet {
         let gradient = (0..n).map(|a| if a == at { 1.0 } else { 0.0 }).collect();
         Jet { value, gradient: Some(gradient), hessian: Some(vec![0.0; n * n]) }
@@ -62,7 +62,7 @@ impl Jet {
         self.gradient.iter().chain(&self.hessian).flatten()
     }
 
-    /// The partial derivative by coordinate `at`, from 0.
+    /// The partial derivative with respect to coordinate `at`, from 0.
     pub fn derivative(&self, at: usize) -> Jet {
         let Some(gradient) = &self.gradient else {
             return Jet { value: f64::NAN, gradient: None, hessian: None };
@@ -123,7 +123,7 @@ impl Jet {
         first: impl Fn(f64, f64) -> f64,
         second: impl Fn(f64, f64, [f64; 2], [f64; 2]) -> f64,
     ) -> Jet {
-        // the derivatives of a constant are as many zeros as the other operand needs
+        // a constant gets as many zero derivatives as the other operand has
         let both = |a: Option<Vec<f64>>, b: &Option<Vec<f64>>| {
             let (mut a, mut b) = (a?, b.clone()?);
             let n = a.len().max(b.len());
@@ -202,7 +202,8 @@ impl Ring for Jet {
 
 impl Summable for Jet {
     type Sum = ExactSum<Self>;
-    /// Zero as far as is known; later derivatives are not.
+    /// Whether the value and all known derivatives are zero; unknown derivatives may differ from
+    /// zero.
     fn is_small(&self) -> bool {
         let is_unknown = self.gradient.is_none() || self.hessian.is_none();
         is_unknown && self.vanishes()
@@ -222,7 +223,7 @@ impl Field for Jet {
 }
 
 impl fmt::Display for Jet {
-    /// The value alone.
+    /// Writes the value alone.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.value.fmt(f)
     }

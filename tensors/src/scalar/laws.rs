@@ -58,7 +58,7 @@ pub fn field<S: Field + Summable>(a: &S, b: &S, c: &S, tolerance: Tolerance) -> 
             }
         }
     }
-    // a product is a unit exactly if both factors are: so no non-unit has an inverse
+    // a product is a unit exactly if both factors are; this implies that no non-unit has an inverse
     let product = a.clone() * b;
     match (a.recip(), b.recip(), product.recip()) {
         (Some(x), Some(y), Some(z)) => {
@@ -98,7 +98,7 @@ fn multiplication<S: Summable>(a: &S, b: &S, c: &S, tolerance: Tolerance) -> Res
     same(tolerance, "(-a) b = -(a b)", &(-a.clone() * b), &-ab, &[(a, b)])
 }
 
-/// All tests for zero agree, and mean the whole value.
+/// All tests for zero agree and test the whole value.
 fn zero<S: Summable>(a: &S, b: &S, tolerance: Tolerance) -> Result<(), Broken> {
     holds("0 vanishes", S::zero().vanishes(), &[&S::zero()])?;
     holds("1 does not vanish", !S::one().vanishes(), &[&S::one()])?;
@@ -173,7 +173,7 @@ fn quotients<S: Summable>(values: &[&S], tolerance: Tolerance) -> Result<(), Bro
     let Some((integers, denominator)) = S::clear_denominators(values.iter().copied()) else {
         return Ok(());
     };
-    let law = "clear_denominators keeps the number of values, the denominator is positive";
+    let law = "clear_denominators preserves the number of values, and the denominator is positive";
     holds(law, integers.len() == values.len() && denominator > 0, values)?;
     for (integer, value) in integers.iter().zip(values) {
         let back = S::from_quotient(*integer, denominator);
@@ -183,8 +183,8 @@ fn quotients<S: Summable>(values: &[&S], tolerance: Tolerance) -> Result<(), Bro
     Ok(())
 }
 
-/// Whether two sides are equal up to the tolerance, relative to themselves and to these intermediate
-/// products.
+/// Whether two sides are equal up to the tolerance, relative to their own magnitudes and those of
+/// the given intermediate products.
 fn same<S: Summable>(
     tolerance: Tolerance,
     law: &'static str,
@@ -192,7 +192,8 @@ fn same<S: Summable>(
     right: &S,
     products: &[(&S, &S)],
 ) -> Result<(), Broken> {
-    // the negative of `right` itself need not exist in a type of limited range
+    // adding `right` and then negating avoids the negative of `right`, which may not exist in a
+    // type of limited range
     let mut difference = S::Sum::term(left);
     difference.add_product(right, &-S::one());
     for (a, b) in products {

@@ -1,10 +1,10 @@
-//! Scalars with a written form: conversion from numbers and parameters, to text and LaTeX.
+//! Scalars with a written form: conversion from numbers and parameters, and to text and LaTeX.
 
 use super::{Field, Rational, Variable};
 use crate::expression::{POWER, no_function, several_arguments};
 use std::collections::BTreeSet;
 
-/// The three kinds of scalars that tables are computed in.
+/// The three kinds of scalars of tables.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// Exact rationals.
@@ -20,8 +20,8 @@ pub trait Notation: Field {
     /// The kind of this scalar.
     const KIND: Kind;
 
-    /// The value of a rational number. `None` if a float would overflow, or lose digits because the
-    /// number is too close to zero.
+    /// The value of a rational number. `None` if a float would overflow, or would lose accuracy
+    /// because the number is too close to zero.
     fn from_rational(value: &Rational) -> Option<Self>;
 
     /// The parameter of that name, or the number `pi`; `None` for scalars without parameters.
@@ -30,7 +30,7 @@ pub trait Notation: Field {
         None
     }
 
-    /// The value of the text of this value: free functions do not keep their conditions.
+    /// The value that is parsed from the text of this value; conditions on free functions are lost.
     fn read_back(&self) -> Self {
         self.clone()
     }
@@ -51,16 +51,17 @@ pub trait Notation: Field {
     /// The value of an elementary function like `sin` at an argument.
     ///
     /// # Errors
-    /// The reason in words: an unknown function, or an argument for which this scalar has no value.
+    /// A message: the function is unknown, or this scalar has no value of the function at this
+    /// argument.
     fn function(name: &str, argument: &Self) -> Result<Self, String> {
         no_function(name, argument)
     }
 
-    /// The value of a function at a list of arguments; by default functions take one. The power of a base with an
-    /// exponent that is not an integer is the function `pow` of both.
+    /// The value of a function at a list of arguments. By default functions have one argument. A
+    /// power with an exponent that is not an integer is the function `pow` of base and exponent.
     ///
     /// # Errors
-    /// As [`function`](Self::function).
+    /// Those of [`function`](Self::function).
     fn call(name: &str, arguments: &[Self]) -> Result<Self, String> {
         match arguments {
             [argument] => Self::function(name, argument),
@@ -69,14 +70,14 @@ pub trait Notation: Field {
         }
     }
 
-    /// The partial derivative by the parameter of that name; zero for numbers.
+    /// The partial derivative with respect to the parameter of that name; zero for numbers.
     fn derivative(&self, name: &str) -> Self {
         let _ = name;
         Self::zero()
     }
 
     /// The terms of the numerator: monomials in the variables (with powers) with rational
-    /// coefficients. The value vanishes exactly if there are none. Always empty for floats.
+    /// coefficients. The value vanishes exactly if there are no terms. Always empty for floats.
     fn numerator_terms(&self) -> Vec<(Vec<(Variable, u32)>, Rational)> {
         vec![]
     }
@@ -93,13 +94,13 @@ pub trait Notation: Field {
     /// The value in LaTeX's mathematics mode.
     fn latex(&self) -> String;
 
-    /// Whether the plain text begins with a minus sign. It decides whether a table prints `x` or `-x`.
+    /// Whether the plain text begins with a minus sign. Tables use it to print one of `x` and `-x`.
     fn is_negative(&self) -> bool {
         self.to_string().starts_with('-')
     }
 
-    /// The storage size: bits of a number, bits and degrees of the terms of a fraction. Limits on it
-    /// protect against hostile input.
+    /// The storage size: for a number its bits, for a fraction the bits and degrees of its terms.
+    /// Limits on it protect against malicious input.
     fn size(&self) -> usize;
 
     /// An upper bound for the size of the sum.

@@ -1,4 +1,4 @@
-//! The operators of a scalar in all their forms, from the one form that computes: `a + &b`.
+//! The operators of a scalar in all forms, derived from the form `a + &b`.
 
 /// Forwards operators by value, by reference and by assignment to `Scalar op &Scalar`, and adds
 /// subtraction, `Zero`, `One`, `iter::Sum`, `iter::Product`, `Default` (zero), `From<i32>` and
@@ -65,7 +65,7 @@ macro_rules! forward_operators {
             }
         }
         impl Default for $scalar {
-            /// Zero.
+            /// The default value is zero.
             fn default() -> $scalar {
                 num_traits::Zero::zero()
             }

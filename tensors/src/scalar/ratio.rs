@@ -1,7 +1,7 @@
 //! The rationals of the crate num-rational as scalars: [`Ratio<i64>`] and [`BigRational`].
 //!
-//! Sums of products, inverses and pivots are computed by [`Rational`], so they are exact, and no
-//! newtype is needed around numbers that a program already has.
+//! Sums of products, inverses and pivots are computed by [`Rational`], so they are exact. Programs
+//! that already use these types need no wrapper type.
 //!
 //! `Ratio<i64>` is not the exact scalar of this package. A *result* that does not fit two 64-bit
 //! words panics in a sum of products. Its own operators, as in `a * b`, overflow like those
@@ -25,7 +25,7 @@ macro_rules! ratio_scalar {
                 self.0.add_product(&a.clone().into(), &b.clone().into());
             }
             /// # Panics
-            /// When the sum does not fit the type, rather than wrap.
+            /// If the sum does not fit the type; it never wraps.
             fn finish(&self, tolerance: Tolerance) -> Option<$ratio> {
                 let value = self.0.finish(tolerance)?;
                 let fitting = <$ratio>::try_from(&value).ok();

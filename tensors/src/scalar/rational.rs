@@ -85,7 +85,7 @@ impl Rational {
         }
     }
 
-    /// The nearest `f64` (infinite beyond its range).
+    /// The nearest `f64`; infinite if the value is beyond the range of `f64`.
     pub fn to_f64(&self) -> f64 {
         match &self.0 {
             Small { numerator, denominator }
@@ -105,8 +105,8 @@ impl Rational {
         }
     }
 
-    /// The rational `q`, with the sign of the first value, for which the quotients of all values by `q` are coprime integers;
-    /// one where there are no values or only zeros.
+    /// The rational `q` for which the quotients of all values by `q` are coprime integers. `q` has
+    /// the sign of the first value; it is one if all values are zero or there are none.
     pub(crate) fn content<'r>(values: impl Iterator<Item = &'r Rational> + Clone) -> Self {
         let first = values.clone().find(|value| !value.vanishes());
         let Some(first) = first else { return Self::one() };
@@ -124,7 +124,7 @@ impl Rational {
         if first.is_negative() { -positive } else { positive }
     }
 
-    /// The same without its sign, if all words are long enough.
+    /// The magnitude of the content, if all values fit machine words.
     fn content_in_words<'r>(values: impl Iterator<Item = &'r Rational>) -> Option<Self> {
         let (mut above, mut below) = (0u64, 1u64);
         for value in values {
@@ -140,7 +140,7 @@ impl Rational {
         Some(Self::reduced(above.into(), below.into()))
     }
 
-    /// The number of letters of the text, without a sign.
+    /// The number of characters of the text, without a sign.
     pub(crate) fn letters(&self) -> usize {
         let digits = |n: i64| n.unsigned_abs().checked_ilog10().unwrap_or(0) as usize + 1;
         match self.words() {
@@ -174,23 +174,23 @@ impl Rational {
         Some(BigRational::new(exact(value.numer())?, exact(value.denom())?).into())
     }
 
-    /// The quotient in lowest terms; the denominator is not zero.
+    /// The quotient in lowest terms; the denominator must not be zero.
     pub(super) fn reduced(numerator: i128, denominator: i128) -> Self {
         if let (Ok(n), Ok(d)) = (i64::try_from(numerator), i64::try_from(denominator))
             && n != i64::MIN
             && d > 0
         {
-            // the usual case, in single words
+            // the most frequent case: the denominator is one, or both fit single words
             let gcd = if d == 1 { 1 } else { gcd(n.unsigned_abs(), d.unsigned_abs()) as i64 };
             return Self::coprime((n / gcd).into(), (d / gcd).into());
         }
-        // both are below 2^127 in magnitude, so the gcd can carry a sign
+        // both magnitudes are below 2^127, so the gcd fits a signed integer
         let gcd = numerator.unsigned_abs().gcd(&denominator.unsigned_abs()) as i128;
         let gcd = gcd * denominator.signum();
         Self::coprime(numerator / gcd, denominator / gcd)
     }
 
-    /// The quotient of coprime parts with a positive denominator.
+    /// The quotient of a coprime numerator and positive denominator.
     fn coprime(numerator: i128, denominator: i128) -> Self {
         Self::small(numerator, denominator).unwrap_or_else(|| {
             let denominator = UBig::from(denominator.unsigned_abs());
@@ -198,7 +198,8 @@ impl Rational {
         })
     }
 
-    /// The quotient of coprime parts in words, if they fit and the denominator is positive.
+    /// The quotient of a coprime numerator and denominator as words, if both fit and the
+    /// denominator is positive.
     #[inline]
     fn small(numerator: impl TryInto<i64>, denominator: impl TryInto<i64>) -> Option<Self> {
         let (numerator, denominator) = (numerator.try_into().ok()?, denominator.try_into().ok()?);
@@ -224,7 +225,8 @@ impl Rational {
         }
     }
 
-    /// The canonical form of the result of an operation, of which sums and products with long numbers have many.
+    /// Stores the result of an operation in words if it fits. Sums and products with long numbers
+    /// often do.
     fn demote(value: RBig) -> Self {
         checkpoint();
         Self::small(value.numerator(), value.denominator())
@@ -259,7 +261,7 @@ impl From<&Rational> for BigRational {
 
 impl TryFrom<&Rational> for Ratio<i64> {
     type Error = NotWords;
-    /// Fails, rather than rounds, when a part does not fit 64 bits.
+    /// Returns an error, instead of rounding, if a part does not fit 64 bits.
     fn try_from(r: &Rational) -> Result<Self, NotWords> {
         r.words().map(|(n, d)| Ratio::new_raw(n, d)).ok_or(NotWords)
     }
@@ -302,12 +304,12 @@ impl Mul<&Rational> for Rational {
     }
 }
 
-/// gcd of a numerator and a (positive) denominator; at least 1.
+/// The gcd of a numerator and a positive denominator; at least 1.
 fn common(numerator: i64, denominator: i64) -> i128 {
     gcd(numerator.unsigned_abs(), denominator.unsigned_abs()).into()
 }
 
-/// The greatest common divisor, by J. Stein's binary algorithm with one predictable branch.
+/// The greatest common divisor, by J. Stein's binary algorithm with one well-predicted branch.
 fn gcd(a: u64, b: u64) -> u64 {
     if a == 0 || b == 0 {
         return a | b;
@@ -337,7 +339,7 @@ impl Neg for Rational {
 impl Div<&Rational> for Rational {
     type Output = Rational;
     /// # Panics
-    /// On division by zero, as the integers do; [`Field::recip`] answers `None` instead.
+    /// On division by zero, as for integers; [`Field::recip`] returns `None` instead.
     #[expect(clippy::suspicious_arithmetic_impl, reason = "dividing is multiplying by the inverse")]
     fn div(self, other: &Rational) -> Rational {
         self * &other.recip().expect("division by zero")
@@ -350,13 +352,14 @@ forward_operators!(Rational: Add add AddAssign add_assign, Sub sub SubAssign sub
 impl std::str::FromStr for Rational {
     type Err = ExpressionError;
 
-    /// Reads an [`Expression`] of numbers: `-3/4`, `0.25`, `1e-3`.
+    /// Parses an [`Expression`] of numbers: `-3/4`, `0.25`, `1e-3`.
     fn from_str(text: &str) -> Result<Self, ExpressionError> {
         Expression::parse(text)?.evaluate_constant()
     }
 }
 
-/// Integers are converted exactly: `None` for a fraction, and for an integer beyond the type.
+/// Integers are converted exactly. Returns `None` for a fraction, and for an integer that does not
+/// fit the type.
 impl ToPrimitive for Rational {
     fn to_i64(&self) -> Option<i64> {
         Rational::to_i64(self)
@@ -463,7 +466,8 @@ impl Summable for Rational {
     }
 }
 
-/// A common denominator with more bits than this, beyond twice those of the longest denominator, is of unrelated denominators.
+/// A common denominator that is more than this number of bits longer than twice the longest
+/// denominator indicates unrelated denominators.
 const UNRELATED: usize = 64;
 
 impl Field for Rational {

@@ -1,7 +1,7 @@
-//! A scalar that records its own computation, as a graph of operations.
+//! A scalar that records its own computation as a graph of operations.
 //!
-//! Any formula that is written for a [`Field`] runs on it, and its result is a straight-line program
-//! ([`StraightLine`]) that computes the formula for numbers.
+//! Any formula that is written for a [`Field`] accepts this scalar. The result is a straight-line
+//! program ([`StraightLine`]) that evaluates the formula for numbers.
 
 mod derivative;
 mod image;
@@ -27,14 +27,17 @@ use std::sync::Arc;
 pub use derivative::derivatives;
 pub use straight_line::{Count, Output, Step, StraightLine};
 
-/// A value that is known by the operations that lead to it from named inputs.
+/// A value that is represented by the operations that compute it from named inputs.
 ///
 /// A value is a rational factor times a node of the graph. Constants are folded, common rational
-/// factors are taken out of sums, and nothing is expanded. Every value carries its image at a fixed point modulo two
-/// primes. Values with different images are different. Values with equal images count as equal, also if their operations
-/// differ: two of degree `d` that differ share an image with a probability below `d^2 / 2^122`. So sums that
-/// cancel are zero, as in [`Symbolic`], whose denominators and gcds it does without. Logarithms and roots are known by their
-/// whole argument: `log(x) + log(1/x)` does not cancel.
+/// factors are taken out of sums, and nothing is expanded.
+///
+/// Every value has an image: its value at a fixed point modulo two primes. Values with different
+/// images are different. Values with equal images count as equal, also if their operations differ:
+/// two different values of degree `d` share an image with a probability below `d^2 / 2^122`. Sums
+/// that cancel are therefore zero, as in [`Symbolic`], but without its denominators and gcds.
+/// Logarithms and roots are identified by their whole argument: `log(x) + log(1/x)` does not
+/// cancel.
 ///
 /// A program chooses the pivots of inverses and linear systems by comparisons ([`Step::Select`]).
 ///
@@ -51,11 +54,11 @@ pub use straight_line::{Count, Output, Step, StraightLine};
 #[derive(Clone)]
 pub struct Recorded {
     factor: Rational,
-    /// `None` for a constant, which is the factor.
+    /// `None` for a constant; the factor is its value.
     node: Option<Arc<Node>>,
 }
 
-/// An operation and the image of its result; `None` where the image is no certificate.
+/// An operation and the image of its result; `None` if the image proves nothing.
 struct Node {
     operation: Operation,
     image: Option<Image>,
@@ -68,14 +71,16 @@ enum Operation {
     Sum(Rational, Vec<(Rational, Arc<Node>)>),
     Product(Arc<Node>, Arc<Node>),
     Reciprocal(Arc<Node>),
-    /// The third value if the size of the first one is at least the size of the second one, else the fourth value.
+    /// The third value if the size of the first one is at least that of the second one, otherwise
+    /// the fourth value.
     Select(Box<[Recorded; 4]>),
-    /// A component of the solution of a linear system: the value by elimination, with the image of the exact solution.
+    /// A component of the solution of a linear system. Its value is computed by elimination, its
+    /// image is that of the exact solution.
     Solution(Arc<Solution>, usize),
 }
 
 impl Operation {
-    /// The nodes from which a program computes the value.
+    /// The nodes that a program needs to compute the value.
     fn operands(&self) -> Vec<&Arc<Node>> {
         match self {
             Operation::Input(_) => vec![],
@@ -87,7 +92,7 @@ impl Operation {
         }
     }
 
-    /// The nodes on which the value depends as a function.
+    /// The nodes on which the value depends as a mathematical function.
     fn arguments(&self) -> Vec<&Arc<Node>> {
         match self {
             Operation::Solution(solution, _) => solution.arguments().collect(),
@@ -96,7 +101,7 @@ impl Operation {
     }
 }
 
-/// Long chains are taken apart in a loop, because a recursion could exhaust the stack.
+/// Frees long chains of nodes in a loop, because a recursion could overflow the stack.
 impl Drop for Node {
     fn drop(&mut self) {
         let taken = |operation: &mut Operation| {
@@ -107,7 +112,7 @@ impl Drop for Node {
                 Operation::Product(a, b) => vec![a, b],
                 Operation::Reciprocal(a) | Operation::Function(_, a) => vec![a],
                 Operation::Select(values) => values.into_iter().filter_map(|v| v.node).collect(),
-                // one recursion for each system within a system
+                // systems within systems are freed recursively
                 Operation::Solution(..) => vec![],
             }
         };
@@ -120,7 +125,7 @@ impl Drop for Node {
     }
 }
 
-/// The identity of a node up to sign: its image, or its place in memory where it has none.
+/// The identity of a node up to sign: its image, or its memory address if it has no image.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 enum Key {
     Image(Image),
@@ -128,7 +133,7 @@ enum Key {
 }
 
 impl Node {
-    /// The key, and whether the node is the negative of the value with that key.
+    /// The key of the node, and whether the node is the negative of the value with that key.
     fn key(self: &Arc<Self>) -> (Key, bool) {
         match self.image {
             Some(image) => {
@@ -144,7 +149,7 @@ impl Node {
     }
 }
 
-/// All nodes below the given ones, each once and after those `below` it.
+/// Lists all nodes below the given ones, each once and after its own operands (`below`).
 fn post_order<'n>(
     roots: impl IntoIterator<Item = &'n Arc<Node>>,
     below: impl Fn(&'n Operation) -> Vec<&'n Arc<Node>>,
@@ -182,17 +187,18 @@ impl Recorded {
         }
     }
 
-    /// The input of that name; any text serves as a name.
+    /// The input with this name; any text is allowed as a name.
     pub fn input(name: &str) -> Self {
         Self::variable(Variable::parameter(name))
     }
 
-    /// The input for a parameter or a free function.
+    /// The input that represents a parameter or a free function.
     fn variable(variable: Variable) -> Self {
         Self::of(Operation::Input(variable), Some(Image::variable(variable.text())))
     }
 
-    /// `constant + sum of factor * node`, with equal nodes collected and the common factor in front.
+    /// The value `constant + sum of factor * node`, with equal nodes collected and the common
+    /// factor taken out.
     fn combination(constant: Rational, terms: Vec<(Rational, Arc<Node>)>) -> Self {
         let mut collected: Vec<(Rational, Arc<Node>)> = Vec::with_capacity(terms.len());
         let mut places = HashMap::with_capacity(terms.len());
@@ -236,8 +242,8 @@ impl Recorded {
         Image::rational(&self.factor).zip(own).map(|(factor, own)| factor.mul(own))
     }
 
-    /// `x` if the size of `a` is at least the size of `b`, else `y`. Its image is independent of all other images, except
-    /// those of equal choices.
+    /// `x` if the size of `a` is at least the size of `b`, otherwise `y`. Its image is unrelated to
+    /// all other images, except those of equal choices.
     fn select([a, b, x, y]: [&Self; 4]) -> Self {
         let key = |value: &Self| (value.factor.clone(), value.node.as_ref().map(Node::key));
         if b.vanishes() || key(x) == key(y) {
@@ -271,7 +277,7 @@ impl Recorded {
                 Arc::new(Node { operation: Operation::Sum(constant, terms), image })
             }
         };
-        // multiples of one angle are known by the image of that angle
+        // the image of an angle determines the functions of its multiples
         let flat = match &node.operation {
             Operation::Sum(constant, terms) => Some((constant, &terms[..])),
             _ => None,
@@ -299,7 +305,8 @@ impl Recorded {
         Recorded { factor: self.factor * factor, node: self.node }
     }
 
-    /// The terms of the value as a sum; those of a sum that nothing else uses are taken out of it.
+    /// The terms of the value as a sum. If nothing else uses the sum, its terms are moved out of
+    /// it.
     fn into_terms(self) -> (Rational, Vec<(Rational, Arc<Node>)>) {
         let Recorded { factor, node } = self;
         let Some(mut node) = node else { return (factor, vec![]) };
@@ -346,7 +353,7 @@ impl Field for Recorded {
             None => Self::constant(factor),
             Some(node) => match &node.operation {
                 Operation::Reciprocal(inner) => Recorded { factor, node: Some(inner.clone()) },
-                // so that a product contains each root once, and sums of such products cancel
+                // a product then contains each root once, and sums of such products cancel
                 Operation::Function(Function::Sqrt, argument) => {
                     let argument =
                         Recorded { factor: Rational::one(), node: Some(argument.clone()) };
@@ -359,13 +366,13 @@ impl Field for Recorded {
             },
         })
     }
-    /// Constants are better pivots than values which numbers may make zero.
+    /// Constants are better pivots than values that may vanish for some inputs.
     fn pivot_weight(&self) -> f64 {
         if self.node.is_none() { 1.0 } else { 0.0 }
     }
 }
 
-/// A sum that becomes one operation at its end.
+/// A sum that becomes one operation when it is finished.
 #[derive(Clone, Default)]
 pub struct RecordedSum {
     constant: Rational,
@@ -413,10 +420,10 @@ impl Notation for Recorded {
         names.dedup();
         names
     }
-    /// The elementary functions of any value.
+    /// An elementary function of any value.
     ///
-    /// Sums of angles and of exponents obey the addition theorems; roots and logarithms of different values
-    /// count as independent.
+    /// Functions of sums of angles and of exponents obey the addition theorems. Roots and
+    /// logarithms of different values count as independent.
     fn function(name: &str, argument: &Self) -> Result<Self, String> {
         let of = |function| Self::of_function(function, argument);
         let ratio = |above: Function, below: Function| match of(below).recip() {
@@ -430,7 +437,7 @@ impl Notation for Recorded {
             None => Err(format!("`{name}` has no counterpart in a program")),
         }
     }
-    /// Free functions of inputs are inputs: `a(t)` and `a_t(t)`.
+    /// Free functions of inputs are inputs as well: `a(t)` and `a_t(t)`.
     fn call(name: &str, arguments: &[Self]) -> Result<Self, String> {
         if let ([argument], true) = (arguments, is_elementary(name)) {
             return Self::function(name, argument);
@@ -440,7 +447,8 @@ impl Notation for Recorded {
             _ => None,
         };
         let inputs = arguments.iter().map(input).collect::<Option<Vec<_>>>();
-        let inputs = inputs.ok_or_else(|| format!("`{name}` is no function of names"))?;
+        let inputs =
+            inputs.ok_or_else(|| format!("`{name}` has an argument that is not a name"))?;
         Self::try_from(&<Symbolic as Notation>::call(name, &inputs)?)
     }
     fn derivative(&self, name: &str) -> Self {
@@ -461,16 +469,16 @@ impl Tabular for Recorded {}
 
 impl TryFrom<&Symbolic> for Recorded {
     type Error = String;
-    /// The value as it is written, with sines and cosines.
+    /// Records the written form of a value, with sines and cosines.
     ///
     /// # Errors
-    /// In words: a value beyond the limits of [expressions](crate::expression).
+    /// A message: the value exceeds the limits of [expressions](crate::expression).
     fn try_from(value: &Symbolic) -> Result<Self, String> {
         value.in_scalars(&Self::variable)
     }
 }
 
-/// Nested operations are cut after a few levels.
+/// Writes the operations; those nested deeper than a few levels are left out.
 impl fmt::Display for Recorded {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&operators::written(self, 4))

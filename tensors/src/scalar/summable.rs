@@ -1,4 +1,4 @@
-//! Sums of products: what the engine asks of a scalar beyond arithmetic.
+//! Sums of products: what scalars provide to the engine beyond arithmetic.
 
 use super::Ring;
 use crate::linear::Matrix;
@@ -6,13 +6,14 @@ use dashu_int::{IBig, UBig};
 
 /// A ring whose sums of products decide whether they are zero.
 ///
-/// A scalar of your own names its accumulator, [`ExactSum`] if it is exact. All else has a default.
+/// A user-defined scalar chooses its accumulator: [`ExactSum`] if it is exact. All methods have
+/// defaults.
 pub trait Summable: Ring {
     /// The accumulator for sums of products.
     type Sum: Sum<Self>;
 
-    /// Whether values become longer with every operation, as formulas do. A long sum is then computed
-    /// at once and not in stages, so that terms which cancel are never stored.
+    /// Whether values become longer with every operation, as formulas do. A long sum is then
+    /// computed in one stage, so that terms which cancel are never stored.
     const GROWS: bool = false;
 
     /// Whether the value is a finite number. Exact values always are; a float may be infinite or NaN.
@@ -20,14 +21,15 @@ pub trait Summable: Ring {
         true
     }
 
-    /// Whether the value counts as zero beside the terms of its own sum, although later sums still
-    /// need it ([`Sum::kept`]). Tensors do not show such a component; only contractions use it.
+    /// Whether the value counts as zero compared with the terms of its own sum, but is stored
+    /// because later sums need it ([`Sum::kept`]). Tensors do not show such a component; only
+    /// contractions use it.
     fn is_small(&self) -> bool {
         false
     }
 
-    /// Whether the value counts as zero relative to another one. An exact value must vanish; a float
-    /// may be as large as the tolerance allows.
+    /// Whether the value counts as zero relative to another one. An exact value must vanish; a
+    /// float may be as large as the tolerance allows.
     fn negligible(&self, beside: &Self, tolerance: Tolerance) -> bool {
         let _ = (beside, tolerance);
         self.vanishes()
@@ -35,9 +37,9 @@ pub trait Summable: Ring {
 
     /// The values as machine integers over one positive common denominator, if they have this form.
     ///
-    /// This serves speed: sums of products are then computed in machine integers and converted back
-    /// by [`from_quotient`](Ring::from_quotient). With `None`, the default, they are computed in the
-    /// ring.
+    /// This makes contractions faster: sums of products are computed in machine integers and
+    /// converted back by [`from_quotient`](Ring::from_quotient). With `None`, the default, sums are
+    /// computed in the ring.
     fn clear_denominators<'a>(
         values: impl Iterator<Item = &'a Self> + Clone,
     ) -> Option<(Vec<i64>, i64)> {
@@ -45,11 +47,12 @@ pub trait Summable: Ring {
         None
     }
 
-    /// The values as integers of any size over one positive common denominator, if they have this form and the denominator is
-    /// not much longer than those of the values.
+    /// The values as integers of any size over one positive common denominator. `None` unless they
+    /// have this form and the common denominator is not much longer than the denominators of the
+    /// values.
     ///
-    /// This serves speed where machine integers overflow: a component of a contraction is reduced to lowest terms once, and
-    /// not in each product.
+    /// This makes contractions faster where machine integers overflow: a component is reduced to
+    /// lowest terms once, and not in each product.
     #[doc(hidden)]
     fn clear_to_big<'a>(
         values: impl Iterator<Item = &'a Self> + Clone,
@@ -65,16 +68,16 @@ pub trait Summable: Ring {
         None
     }
 
-    /// The solution `X` of `A X = B` for a square matrix `A`, by a method of this scalar. Returns `None`, the default, for the
-    /// elimination that serves all scalars.
+    /// The solution `X` of `A X = B` for a square matrix `A`, by a method of this scalar. With
+    /// `None`, the default, the general elimination is used.
     fn solved(matrix: &Matrix<Self>, right: &Matrix<Self>) -> Option<Matrix<Self>> {
         let _ = (matrix, right);
         None
     }
 }
 
-/// A sum of terms and products that decides at its end whether it is zero. The default is the
-/// empty sum.
+/// A sum of terms and products that decides when it is finished whether it is zero. The default is
+/// the empty sum.
 ///
 /// For exact scalars it is the value itself ([`ExactSum`]). For floats it also contains the sum of
 /// the magnitudes of the terms, to which the [`Tolerance`] is relative. A sum of [`TrackedFloat`](super::TrackedFloat) floats
@@ -87,8 +90,9 @@ pub trait Sum<S>: Clone + Default + Send {
     /// The value, or `None` when it counts as zero.
     fn finish(&self, tolerance: Tolerance) -> Option<S>;
 
-    /// The value for later sums: also one that counts as zero, where the scalar knows its error
-    /// ([`Summable::is_small`]). `None` when nothing is known beyond zero.
+    /// The value for later sums. A value that counts as zero is included if the scalar tracks its
+    /// error ([`Summable::is_small`]). `None` if the value is exactly zero, or counts as zero and
+    /// its error is unknown.
     fn kept(&self, tolerance: Tolerance) -> Option<S> {
         self.finish(tolerance)
     }
@@ -136,8 +140,8 @@ impl<S: Summable> Sum<S> for ExactSum<S> {
 /// The relative tolerance for zero: a sum of float products counts as zero if
 /// `|sum| <= tolerance * (sum of the |terms|)`.
 ///
-/// A [`TrackedFloat`](super::TrackedFloat) also counts as zero if it consists of the rounding errors of earlier sums. Exact
-/// scalars ignore the tolerance.
+/// A [`TrackedFloat`](super::TrackedFloat) also counts as zero if it consists only of the rounding
+/// errors of earlier sums. Exact scalars ignore the tolerance.
 ///
 /// ```
 /// use affinor_tensors::Tolerance;
@@ -152,13 +156,13 @@ impl Tolerance {
         (0.0..1.0).contains(&relative).then_some(Tolerance(relative))
     }
 
-    /// The factor in front of the sum of magnitudes.
+    /// The factor of the sum of magnitudes.
     pub fn relative(self) -> f64 {
         self.0
     }
 
-    /// Whether a float counts as zero beside terms whose magnitudes add up to `magnitude`. A NaN
-    /// never does, and magnitudes that overflow give no bound.
+    /// Whether a float counts as zero compared with terms whose magnitudes add up to `magnitude`. A
+    /// NaN never does. If the sum of magnitudes overflows, it gives no bound.
     pub(crate) fn covers(self, value: f64, magnitude: f64) -> bool {
         let bound = self.0 * magnitude;
         value == 0.0 || (value.abs() <= bound && bound.is_finite())

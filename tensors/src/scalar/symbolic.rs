@@ -1,9 +1,10 @@
 //! Rational functions of named parameters over the rationals, always in lowest terms.
 //!
 //! A value without parameters is a [`Rational`]. Any other value is a quotient of coprime
-//! polynomials in exactly the parameters it depends on, in alphabetical order. A parameter is
-//! identified by its name, so any two values combine. Equal values have equal forms. Sines, cosines,
-//! exponentials, logarithms, square roots and free functions are rational functions of additional variables.
+//! polynomials in exactly the parameters on which it depends, in alphabetical order. A parameter is
+//! identified by its name, so any two values combine. Equal values have equal forms. Sines,
+//! cosines, exponentials, logarithms, square roots and free functions are rational functions of
+//! additional variables.
 
 mod approximation;
 mod argument;
@@ -50,7 +51,7 @@ pub use free::FreeFunction;
 pub use positive::PositiveFactors;
 pub use variable::Variable;
 
-/// Forgets what this thread remembers.
+/// Clears the caches of this thread.
 pub(super) fn clear_caches() {
     once::clear();
     memo::clear();
@@ -58,8 +59,8 @@ pub(super) fn clear_caches() {
 
 /// A rational function of named parameters with rational coefficients, in lowest terms.
 ///
-/// The denominator has coprime integer coefficients, the first one positive. Terms are sorted by
-/// total degree, then alphabetically (`J2` before `J10`), the highest first.
+/// The denominator has coprime integer coefficients, and its first coefficient is positive. Terms
+/// are sorted by total degree, the highest first, then alphabetically (`J2` before `J10`).
 ///
 /// ```
 /// use affinor_tensors::{Rational, Symbolic};
@@ -82,18 +83,18 @@ enum Form {
 impl Symbolic {
     /// The parameter of that name.
     ///
-    /// Any name is accepted here, but only identifiers can be read back from the text
-    /// ([`Notation::parameter`] refuses other names).
+    /// Any name is accepted here, but only identifiers can be parsed from the text
+    /// ([`Notation::parameter`] rejects other names).
     pub fn parameter(name: &str) -> Self {
         Self::variable(Variable::parameter(name))
     }
 
-    /// The value of a variable.
+    /// The value that is a single variable.
     pub fn variable(variable: Variable) -> Self {
         Fraction::variable(variable).into()
     }
 
-    /// The variable that the value is.
+    /// The variable, if the value is a single one.
     fn as_variable(&self) -> Option<Variable> {
         match self.variables() {
             [variable] if *self == Self::variable(*variable) => Some(*variable),
@@ -101,7 +102,7 @@ impl Symbolic {
         }
     }
 
-    /// The name of the parameter that the value is.
+    /// The name of the parameter, if the value is a single one.
     pub fn as_parameter(&self) -> Option<&'static str> {
         self.as_variable().filter(|variable| variable.is_parameter()).map(Variable::text)
     }
@@ -116,7 +117,7 @@ impl Symbolic {
         Symbolic(Form::Constant(value))
     }
 
-    /// The value as a number, if it depends on no parameter.
+    /// The value as a number; `None` if it depends on a parameter.
     pub fn as_constant(&self) -> Option<&Rational> {
         match &self.0 {
             Form::Constant(c) => Some(c),
@@ -141,8 +142,8 @@ impl Symbolic {
         parameters.into_iter().map(|parameter| parameter.text().to_string()).collect()
     }
 
-    /// The variables of the fraction: parameters, and `tan(x/2)`, `exp(x)`, `log(x)` and `sqrt(x)` for
-    /// functions of them.
+    /// The variables of the fraction: parameters, and `tan(x/2)`, `exp(x)`, `log(x)` and `sqrt(x)`
+    /// for functions of parameters.
     fn variables(&self) -> &[Variable] {
         match &self.0 {
             Form::Constant(_) => &[],
@@ -158,8 +159,8 @@ impl Symbolic {
         }
     }
 
-    /// The denominator `D` of the value `N / D`: a polynomial with coprime integer coefficients,
-    /// the first one positive; 1 for constants and polynomials.
+    /// The denominator `D` of the value `N / D`: a polynomial with coprime integer coefficients, of
+    /// which the first is positive; 1 for constants and polynomials.
     pub fn denominator(&self) -> Self {
         match &self.0 {
             Form::Constant(_) => Self::from_i64(1),
@@ -167,7 +168,7 @@ impl Symbolic {
         }
     }
 
-    /// The partial derivative by a variable of the fraction.
+    /// The partial derivative with respect to a variable of the fraction.
     fn partial(&self, variable: Variable) -> Self {
         match (&self.0, self.variables().iter().position(|own| *own == variable)) {
             (Form::Fraction(f), Some(variable)) => f.derivative(variable),
@@ -178,9 +179,10 @@ impl Symbolic {
     /// The terms of the [`numerator`](Self::numerator): powers of the parameters and the
     /// coefficient.
     ///
-    /// A polynomial is thereby a vector over the monomials: its denominator is 1, and constant
-    /// denominators are part of the coefficients. Of other values only the numerator is listed.
-    /// Zero has no terms. Functions of a parameter `x` occur as powers of the variables `tan(x/2)` and `exp(x)`.
+    /// The terms of a polynomial are its components in the basis of monomials: its denominator is
+    /// 1, and constant denominators are part of the coefficients. Of other values only the
+    /// numerator is listed. Zero has no terms. Functions of a parameter `x` occur as powers of the
+    /// variables `tan(x/2)` and `exp(x)`.
     ///
     /// ```
     /// use affinor_tensors::{Rational, Symbolic};
@@ -241,7 +243,7 @@ impl Field for Symbolic {
     }
     fn pivot_weight(&self) -> f64 {
         match &self.0 {
-            // above every fraction: dividing by a constant needs no common divisors
+            // a constant is the best pivot: dividing by it needs no common divisors
             Form::Constant(c) => 1.0 / (1.0 + c.size() as f64),
             Form::Fraction(_) => -(self.size() as f64),
         }
@@ -253,8 +255,9 @@ impl Notation for Symbolic {
     fn from_rational(value: &Rational) -> Option<Self> {
         Some(Self::constant(value.clone()))
     }
-    /// `None` unless the name is an identifier: an ASCII letter or `_`, then letters, digits or `_`;
-    /// or that of a variable for functions of some, `tan(x/2)`, `exp(a*x)` or `sqrt(x)`.
+    /// `None` unless the name is an identifier or the text of a function variable. An identifier is
+    /// an ASCII letter or `_`, then letters, digits or `_`. Function variables are `tan(x/2)`,
+    /// `exp(a*x)` or `sqrt(x)`.
     fn parameter(name: &str) -> Option<Self> {
         match name {
             "pi" => Some(Symbolic::pi()),
@@ -276,13 +279,14 @@ impl Notation for Symbolic {
     fn is_negative(&self) -> bool {
         self.is_negative_with(&CommonFactors::default())
     }
-    /// `sin`, `cos`, `tan`, `cot`, `exp`, `sinh`, `cosh` and `tanh` of combinations of products of
-    /// parameters, like `2*x - a*y/2`; `sqrt` and `log` of numbers and irreducible polynomials, and of what else
-    /// [`PositiveFactors`] can tell.
+    /// Supported are `sin`, `cos`, `tan`, `cot`, `exp`, `sinh`, `cosh` and `tanh` of combinations
+    /// of products of parameters, like `2*x - a*y/2`, and `sqrt` and `log` of numbers, irreducible
+    /// polynomials, and other arguments for which [`PositiveFactors`] decides the sign.
     fn function(name: &str, argument: &Self) -> Result<Self, String> {
         PositiveFactors::default().function(name, argument)
     }
-    /// Functions of one argument as above, and free functions of names, like `a(t)` and its derivative `a_t(t)`.
+    /// Accepts the functions of one argument that [`function`](Self::function) does, and free
+    /// functions of names, like `a(t)` and its derivative `a_t(t)`.
     fn call(name: &str, arguments: &[Self]) -> Result<Self, String> {
         Self::called(name, arguments)
     }
@@ -306,7 +310,7 @@ impl Notation for Symbolic {
         let parameters = variables.into_iter().flat_map(|variable| variable.parameters());
         parameters.map(|parameter| parameter.text().to_string()).collect()
     }
-    /// The sizes of the products over a common denominator.
+    /// An upper bound: the sizes of the products over a common denominator.
     fn sum_size(&self, other: &Self) -> usize {
         let ([n, d], [m, e]) = (self.expanded_parts(), other.expanded_parts());
         if let (Form::Fraction(f), Form::Fraction(g)) = (&self.0, &other.0)
@@ -353,7 +357,8 @@ impl Tabular for Symbolic {
 }
 
 impl Symbolic {
-    /// Whether the text may contain sines, cosines or roots, which have a form of their own.
+    /// Whether the value may contain sines, cosines or roots, whose written form differs from the
+    /// stored one.
     fn has_written_form(&self) -> bool {
         let written = |variable: &Variable| {
             let kind = variable.kind();
@@ -365,7 +370,8 @@ impl Symbolic {
         self.variables().iter().any(written)
     }
 
-    /// As [`parts`](Self::parts), with a bound for the expanded denominator, by which the other numerator of a sum is multiplied.
+    /// Like [`parts`](Self::parts), with a bound for the expanded denominator, which multiplies the
+    /// other numerator in a sum.
     fn expanded_parts(&self) -> [(usize, usize); 2] {
         let [above, below] = self.parts();
         let Form::Fraction(f) = &self.0 else { return [above, below] };
@@ -384,8 +390,8 @@ impl Symbolic {
         [above, (terms.saturating_mul(degree.saturating_add(1)), terms)]
     }
 
-    /// The size and the number of terms, of numerator and denominator. Products keep the factors of denominators, so
-    /// these are counted and not expanded.
+    /// The size and the number of terms, of the numerator and of the denominator. Products preserve
+    /// the factors of denominators, so factors are counted and not expanded.
     fn parts(&self) -> [(usize, usize); 2] {
         match &self.0 {
             Form::Constant(c) => [(c.size(), 1), (1, 1)],
@@ -400,7 +406,8 @@ impl Symbolic {
     }
 }
 
-/// The size of a product of two sums: every term of one is multiplied by every term of the other.
+/// The size of a product of two sums, in which every term of one is multiplied by every term of the
+/// other.
 fn meeting((p, terms): (usize, usize), (q, others): (usize, usize)) -> usize {
     p.saturating_mul(others).saturating_add(q.saturating_mul(terms))
 }

@@ -1,12 +1,13 @@
-//! The layout of values in tables: names for common factors, and equal values.
+//! The layout of values in tables: names for common factors, and fingerprints of equal values.
 
 use super::{CommonFactors, Notation};
 use std::hash::{DefaultHasher, Hash, Hasher};
 
-/// A scalar with a layout for tables: names for common factors of the values, and fingerprints that equal values share.
+/// A scalar with a layout for tables: names for common factors of the values, and fingerprints of
+/// equal values.
 pub trait Tabular: Notation {
-    /// Sums that occur so often in the denominators of these values that names for them make the whole
-    /// shorter; `taken` are names in use. There are none for scalars without parameters.
+    /// Sums that occur so often in the denominators of these values that names for them make the
+    /// table shorter. `taken` contains names that are in use. Empty for scalars without parameters.
     fn common_factors(values: &mut dyn Iterator<Item = &Self>, taken: &[String]) -> CommonFactors {
         let _ = (values, taken);
         CommonFactors::default()
@@ -23,7 +24,7 @@ pub trait Tabular: Notation {
         self.text_with(factors).starts_with('-')
     }
 
-    /// A number that equal values share, and different values seldom.
+    /// A hash of the value: equal values have equal hashes, and different values seldom do.
     fn fingerprint(&self) -> u64 {
         let mut hasher = DefaultHasher::new();
         self.to_string().hash(&mut hasher);

@@ -7,10 +7,10 @@ use std::ops::{Add, Mul, Neg};
 
 /// An `f64` with its accumulated rounding error: computed value minus exact value, up to the rounding of the error itself.
 ///
-/// A plain `f64` is compared with the terms of the last sum only; a remainder of terms that cancel
+/// A plain `f64` is compared only with the terms of the last sum: a remainder of terms that cancel
 /// enters the next sum as if it were exact. Here the rounding error of every product and sum is
-/// computed, which floating point can do exactly, and propagated. Terms of second order are kept: where a metric is
-/// ill-conditioned, sums of large terms leave little else.
+/// computed, which is possible exactly in floating point, and propagated. Terms of second order are
+/// included: if a metric is ill-conditioned, little else remains of sums of large terms.
 ///
 /// ```text
 /// a + b:  e_a + e_b + (fl(a + b) - (a + b))
@@ -19,20 +19,21 @@ use std::ops::{Add, Mul, Neg};
 /// ```
 ///
 /// A value `v` with error `e` counts as zero in three cases:
-/// - it consists of its error: `|v - e| <= |v|/1024`. So the error never makes a
-///   value zero that has a correct digit, however ill-conditioned the computation is;
+/// - it consists of its error: `|v - e| <= |v|/1024`. The error therefore never makes a value zero
+///   that has a correct digit, however ill-conditioned the computation is;
 /// - it is below the tolerance, as for an `f64`: `|v| <= tau (sum of the |terms|)`;
 /// - it is a sum of terms that all count as zero.
 ///
-/// A tensor does not show such a component, but keeps it. In the next sum the value may cancel a
-/// component that is shown, and what the error leaves of it, `v - e`, may be large beside the result.
-/// It is dropped if nothing is left: `|v - e| <= 2^-40 |v|`.
+/// A tensor does not show such a component, but stores it. In the next sum the value may cancel a
+/// component that is shown, and the difference from its error, `v - e`, may be large compared with
+/// the result. The component is dropped if this difference is negligible: `|v - e| <= 2^-40 |v|`.
 ///
-/// The values are those of `f64`. What is written ([`Display`](fmt::Display), [`Notation`]) is the
-/// corrected value, `v - e`.
+/// Arithmetic uses the values of `f64`. The text ([`Display`](fmt::Display), [`Notation`]) shows
+/// the corrected value, `v - e`.
 ///
 /// The error-free transformations are those of T. J. Dekker, *Numer. Math.* 18 (1971) 224-242, and
-/// D. E. Knuth; the correction follows P. Langlois, *BIT* 41 (2001) 515-526, who keeps the first order.
+/// D. E. Knuth. The correction follows P. Langlois, *BIT* 41 (2001) 515-526, who includes the first
+/// order only.
 ///
 /// ```
 /// use affinor_tensors::{Notation, Rational, Sum, Summable, Tolerance, TrackedFloat};
@@ -46,15 +47,17 @@ use std::ops::{Add, Mul, Neg};
 #[derive(Clone, Copy)]
 pub struct TrackedFloat {
     value: f64,
-    /// The last binary digit, which no estimate of an error is known to, is 1 if the value counts as zero in the sum that
-    /// it comes from. Tensors of millions of components need a third less memory than with a field of its own.
+    /// The last binary digit, to which no error estimate is accurate, marks the value: it is 1 if
+    /// the value counts as zero in the sum from which it comes. Tensors of millions of components
+    /// need a third less memory than with a separate field.
     marked_error: f64,
 }
 
-/// A value consists of its error if at most this share of it remains after subtracting the error.
+/// A value consists of its error if at most this fraction of it remains after subtracting the
+/// error.
 const LEFT: f64 = 1.0 / 1024.0;
 
-/// Nothing remains if it is at most this share: the digits that an error is known to.
+/// A remainder of at most this fraction is negligible: errors are not known more accurately.
 const NOTHING: f64 = 1.0 / (1u64 << 40) as f64;
 
 impl TrackedFloat {
@@ -71,7 +74,7 @@ impl TrackedFloat {
         self.marked_error.to_bits() & 1 == 1
     }
 
-    /// A number that is known to be too large by `error`.
+    /// A number whose computed value is too large by `error`.
     pub(crate) const fn with_error(value: f64, error: f64) -> Self {
         TrackedFloat::marked(value, error, false)
     }
@@ -86,7 +89,7 @@ impl TrackedFloat {
         f64::from_bits(self.marked_error.to_bits() & !1)
     }
 
-    /// Value minus error; the value if its error overflows.
+    /// The value minus the error; the value if the error overflows.
     pub fn corrected(self) -> f64 {
         let corrected = self.value - self.error();
         if corrected.is_finite() { corrected } else { self.value }
@@ -99,7 +102,8 @@ impl From<f64> for TrackedFloat {
     }
 }
 
-/// The sum of two magnitudes, negative if both are: then all terms count as zero.
+/// The sum of two magnitudes; negative if both are negative, which means that all terms count as
+/// zero.
 #[inline(always)]
 fn magnitudes(a: f64, b: f64) -> f64 {
     let sign = a.to_bits() & b.to_bits() & (1 << 63);
@@ -114,7 +118,7 @@ fn added(a: f64, b: f64) -> (f64, f64) {
     (sum, (second - b) + ((sum - second) - a))
 }
 
-/// The upper half of the binary digits.
+/// The upper half of the binary digits of a float.
 #[inline(always)]
 fn upper(a: f64) -> f64 {
     let shifted = 134_217_729.0 * a; // 2^27 + 1
@@ -139,7 +143,7 @@ pub struct TrackedSum {
     magnitude: f64,
 }
 
-/// No terms.
+/// The empty sum.
 impl Default for TrackedSum {
     fn default() -> Self {
         TrackedSum { value: 0.0, error: 0.0, magnitude: -0.0 }
@@ -166,7 +170,8 @@ impl TrackedSum {
             || self.leaves(LEFT, tolerance)
     }
 
-    /// Whether the error leaves at most this share of the value. False if the error is not finite.
+    /// Whether at most this fraction of the value remains after subtracting the error. False if the
+    /// error is not finite.
     fn leaves(&self, share: f64, tolerance: Tolerance) -> bool {
         let tolerates = tolerance.relative() > 0.0;
         let exact = self.value == 0.0 && (self.error == 0.0 || !tolerates);
@@ -174,7 +179,7 @@ impl TrackedSum {
         exact || (tolerates && self.value != 0.0 && left <= share * self.value.abs())
     }
 
-    /// The magnitude of a term: negative if it counts as zero.
+    /// The magnitude of a term, negative if the term counts as zero.
     #[inline(always)]
     fn size(value: f64, small: bool) -> f64 {
         if small || value == 0.0 { -value.abs() } else { value.abs() }
@@ -212,7 +217,7 @@ impl Sum<TrackedFloat> for TrackedSum {
     }
 }
 
-/// Equal values; the errors do not matter.
+/// Tracked floats are equal if their values are; the errors are ignored.
 impl PartialEq for TrackedFloat {
     fn eq(&self, other: &Self) -> bool {
         self.value == other.value
@@ -253,7 +258,7 @@ forward_operators!(TrackedFloat: Add add AddAssign add_assign, Sub sub SubAssign
 
 impl Ring for TrackedFloat {
     fn from_i64(n: i64) -> Self {
-        // of 64 digits a float has 53
+        // a float stores only 53 of 64 binary digits
         let value = n as f64;
         let error = (value as i128 - i128::from(n)) as f64;
         TrackedFloat::with_error(value, error)
@@ -287,7 +292,7 @@ impl Summable for TrackedFloat {
 impl Field for TrackedFloat {
     fn recip(&self) -> Option<Self> {
         let value = Field::recip(&self.value)?;
-        // 1 - value self.value, and so the rounding of the division
+        // the residual 1 - value * self.value gives the rounding error of the division
         let (product, rounding) = multiplied(value, self.value);
         let residual = (1.0 - product) + rounding;
         let error = -(residual + self.error() * value) / (self.value - self.error());
@@ -319,14 +324,14 @@ impl Notation for TrackedFloat {
 
 impl Tabular for TrackedFloat {}
 
-/// The corrected value.
+/// Writes the corrected value.
 impl fmt::Display for TrackedFloat {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.corrected().fmt(f)
     }
 }
 
-/// The value and its error: `0.1 (off by 5e-18)`.
+/// Writes the value and its error: `0.1 (off by 5e-18)`.
 impl fmt::Debug for TrackedFloat {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{:?} (off by {:?})", self.value, self.error())
@@ -337,7 +342,7 @@ impl fmt::Debug for TrackedFloat {
 mod tests {
     use super::*;
 
-    /// The mark changes no error by more than its last digit, and is the same for the negative.
+    /// The mark changes an error only in its last digit, and a negative error in the same way.
     #[test]
     fn an_error_keeps_its_digits_beside_the_mark() {
         for error in [0.0, 1.0, 1e-17, 0.1, 3e-300, 5e-324, f64::MAX, f64::INFINITY] {
@@ -345,7 +350,7 @@ mod tests {
                 let value = TrackedFloat::marked(2.0, error, small);
                 assert_eq!((value.counts_as_zero(), (-value).counts_as_zero()), (small, small));
                 assert_eq!((-value).error(), -value.error());
-                // towards zero, or not at all
+                // rounds towards zero, or not at all
                 let below = (error.abs().next_down()).copysign(error);
                 assert!(
                     [error, below].contains(&value.error()),

@@ -4,7 +4,7 @@ use super::Tensor;
 use crate::{Summable, threads};
 use std::ops::{Deref, Range};
 
-/// Up to so many components are written on one thread.
+/// The number of components up to which one thread writes all indices.
 const TOGETHER: usize = 1 << 16;
 
 /// The indices of one component, from 0; a slice of `usize`.
@@ -35,11 +35,12 @@ impl AsRef<[usize]> for Indices {
     }
 }
 
-/// The indices of keys that ascend. Neighbours mostly share all but the last two, so only these are divided out again.
+/// A decoder of ascending keys to indices. Neighbouring keys mostly share all indices but the last
+/// two, so only these are recomputed.
 #[derive(Clone, Debug)]
 pub(super) struct Reader {
     dimension: u64,
-    /// The first key with the same indices but the last two.
+    /// The smallest key with the same indices but the last two.
     first: u64,
     indices: Indices,
 }
@@ -102,10 +103,10 @@ impl<'t, S: Summable> Iterator for Components<'t, S> {
     }
 }
 
-/// Threads take the components in pieces of so many stored ones.
+/// The number of stored components in a piece of work of a thread.
 const PIECE: usize = 1 << 14;
 
-/// Each thread takes so many pieces before the results are handed on.
+/// The number of pieces that each thread computes before their results are handed on.
 const ROUND: usize = 8;
 
 impl<'t, S: Summable> IntoIterator for &'t Tensor<S> {
@@ -118,11 +119,11 @@ impl<'t, S: Summable> IntoIterator for &'t Tensor<S> {
 }
 
 impl<S: Summable> Tensor<S> {
-    /// Divides the nonzero components into pieces, in their order, and hands the result of `work` for each piece to
-    /// `take`, in that order. All threads work at once.
+    /// Divides the nonzero components into pieces, in their order. Passes the result of `work` for
+    /// each piece to `take`, in that order. `work` runs on all threads at once.
     ///
     /// # Errors
-    /// The first one of `take`. No further piece is handed to it.
+    /// The first error of `take`. No further piece is passed to it.
     pub fn in_pieces<T: Send, E>(
         &self,
         work: impl Fn(Components<'_, S>) -> T + Send + Sync,
@@ -157,13 +158,14 @@ impl<S: Summable> Tensor<S> {
         Ok(())
     }
 
-    /// The nonzero components without their indices, in the order of these.
+    /// The values of the nonzero components, in the order of their indices.
     pub fn nonzero(&self) -> impl Iterator<Item = &S> {
         self.values.iter().filter(|value| !value.is_small())
     }
 
-    /// The indices of the nonzero components, from 0, in one list: those of the first slot in the order of the components, then
-    /// those of the second slot, and so on. This is the coordinate format of sparse arrays.
+    /// The indices of the nonzero components, from 0, in one list: the indices of the first slot in
+    /// the order of the components, then those of the second slot, and so on. This is the
+    /// coordinate format of sparse arrays.
     ///
     /// ```
     /// use affinor_tensors::{Down, Tensor};
@@ -178,7 +180,7 @@ impl<S: Summable> Tensor<S> {
         list
     }
 
-    /// [`Tensor::coordinates`] into a list that exists.
+    /// Writes [`Tensor::coordinates`] into an existing list.
     ///
     /// # Panics
     /// If the length of the list is not the rank times the number of nonzero components.
@@ -190,7 +192,8 @@ impl<S: Summable> Tensor<S> {
         }
     }
 
-    /// The indices of some of the stored components, a row a slot; more than `together` of them on two threads.
+    /// Writes the indices of a range of stored components, one row per slot. More than `together`
+    /// of them are written by two threads.
     fn write_rows(&self, stored: Range<usize>, mut rows: Vec<&mut [i64]>, together: usize) {
         if stored.len() > together {
             let middle = stored.start + stored.len() / 2;
@@ -234,7 +237,7 @@ mod tests {
 
     #[test]
     fn coordinates_do_not_depend_on_the_number_of_threads() {
-        // rows 1 and 3 sum to a rounding error, which is stored and not shown
+        // rows 1 and 3 sum to a rounding error, which is stored but not shown
         let row = |i: usize| {
             if i % 2 == 1 { [0.1, 0.2, -0.3, 0.0, 0.0] } else { [1.0, 0.0, 2.0, 0.5, i as f64] }
         };
@@ -257,7 +260,7 @@ mod tests {
         }
     }
 
-    /// Whatever keys follow each other, a reader knows the indices of each.
+    /// A reader decodes keys correctly in any order of ascending keys.
     #[test]
     fn a_reader_divides_every_key() {
         for (dimension, rank) in

@@ -5,7 +5,7 @@ use crate::{Scalar, Summable};
 use std::fmt;
 use std::ops::{Add, Index, Mul, Neg, Sub};
 
-/// Equal shapes and equal components; the tolerance does not matter.
+/// Tensors are equal if their shapes and components are; the tolerance is ignored.
 impl<S: PartialEq> PartialEq for Tensor<S> {
     fn eq(&self, other: &Self) -> bool {
         self.dimension == other.dimension
@@ -35,8 +35,8 @@ impl<S: Summable, const RANK: usize> Index<[usize; RANK]> for Tensor<S> {
     }
 }
 
-/// One nonzero component a line, indices from 1: `^1_23 = -1/2`. From dimension 10 on, commas
-/// separate the indices: `^1_2,13 = 1`. The zero tensor is `0`.
+/// Writes one nonzero component per line, indices from 1: `^1_23 = -1/2`. From dimension 10 on,
+/// commas separate the indices: `^1_2,13 = 1`. The zero tensor is `0`.
 impl<S: Summable> fmt::Display for Tensor<S> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if self.is_empty() {
@@ -71,7 +71,7 @@ impl<S: fmt::Debug> fmt::Debug for Tensor<S> {
 macro_rules! sum {
     ($operator:ident $method:ident $sign:literal) => {
         /// # Panics
-        /// When the tensors differ in dimension or slots.
+        /// If the tensors differ in dimension or slots.
         impl<S: Scalar> $operator for &Tensor<S> {
             type Output = Tensor<S>;
             fn $method(self, other: &Tensor<S>) -> Tensor<S> {

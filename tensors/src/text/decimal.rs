@@ -4,7 +4,7 @@ use crate::Rational;
 use num_bigint::BigInt;
 use num_rational::BigRational;
 
-/// The number with that many significant digits, rounded up or down.
+/// The number as a decimal with this number of significant digits, rounded up or down.
 ///
 /// ```
 /// use affinor_tensors::{Rational, text::rounded};
@@ -25,7 +25,7 @@ pub fn rounded(value: &Rational, digits: u32, up: bool) -> Option<String> {
     Some(decimal(&units.to_integer(), exponent))
 }
 
-/// The number with at most that many decimals, if it is exactly that.
+/// The number as a decimal with at most this number of decimal places, if it is exact.
 ///
 /// ```
 /// use affinor_tensors::{Rational, text::exact_decimal};
@@ -38,14 +38,14 @@ pub fn exact_decimal(value: &Rational, decimals: u8) -> Option<String> {
     units.is_integer().then(|| decimal(&units.to_integer(), -i32::from(decimals)))
 }
 
-/// The number `units * 10^exponent`, without zeros at the end.
+/// The number `units * 10^exponent`, without trailing zeros.
 fn decimal(units: &BigInt, exponent: i32) -> String {
     let text = units.to_string();
     let (sign, digits) = match text.strip_prefix('-') {
         Some(digits) => ("-", digits),
         None => ("", text.as_str()),
     };
-    // far from 1 with an exponent in place of zeros
+    // very large and very small numbers are written with an exponent instead of zeros
     let places = match usize::try_from(-exponent) {
         Ok(places) if places <= digits.len() + 5 => places,
         _ if exponent == 0 => 0,

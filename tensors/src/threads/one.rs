@@ -21,7 +21,7 @@ pub(crate) fn map<W: Send, I: Fn() -> W + Sync, T: Send>(
     (0..n).scan(states.take(), value).collect()
 }
 
-/// The results of both.
+/// The results of both closures.
 pub(crate) fn join<A: Send, B: Send>(
     a: impl FnOnce() -> A + Send,
     b: impl FnOnce() -> B + Send,

@@ -1,9 +1,9 @@
-//! The names that the catalogue reads, and those that it refuses, with their reasons.
+//! Names that the catalogue accepts, and invalid names with their error messages.
 
 use affinor::algebra::catalogue;
 use affinor::algebra::catalogue::{CatalogueError, MAX_DIMENSION};
 
-/// The name in full, and ways to write it.
+/// The full name, and other ways to write it.
 const READ: &str = "\
 so(3) <- so(3)|so3| so ( 3 ) |so 3|so\t3
 so(5) <- so5
@@ -63,7 +63,7 @@ fn names_that_are_read() {
     }
 }
 
-/// The variant, a part of the message, and names.
+/// The error variant, a part of the message, and names.
 const REFUSED: &str = "\
 ambiguous; so(31) or so(3,1); so31|so 31
 ambiguous; so(11) or so(1,1); so11

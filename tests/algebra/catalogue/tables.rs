@@ -1,4 +1,5 @@
-//! The nilpotent algebras of dimension 7: as many as the classification has, and those of step 2 all different.
+//! The nilpotent algebras of dimension 7: their number is that of the classification, and the
+//! algebras of step 2 are pairwise different.
 
 use crate::algebra::structure::scrambled;
 use crate::common::algebras::catalogued;
@@ -12,20 +13,21 @@ fn all() -> Vec<String> {
     catalogue::names(7).into_iter().filter(|name| name.starts_with("gong(7,")).collect()
 }
 
-/// The dimensions of the upper central series, with which a number of Gong begins.
+/// The dimensions of the upper central series, which are the first digits of Gong's numbers.
 fn class(name: &str) -> &str {
     let number = &name[7..name.len() - 1];
     number.find(|c: char| c.is_ascii_uppercase()).map_or(number, |letter| &number[..letter])
 }
 
-/// The names of step 2.
+/// The names of the algebras of step 2.
 fn names() -> Vec<String> {
     all().into_iter().filter(|name| class(name).len() == 2).collect()
 }
 
-/// Gong's list over the real numbers: 140 algebras and 9 families. The first digits of a number are the dimensions of the upper
-/// central series; no algebra is a sum, and the invariants are the same in a dense basis. Where invariants of two numbers agree,
-/// they are real forms of one complex algebra or told apart by Gong's proof.
+/// Gong's list over the real numbers has 140 algebras and 9 families. The first digits of a number
+/// are the dimensions of the upper central series. No algebra is a direct sum, and the invariants
+/// are the same in a dense basis. If two numbers have equal invariants, they are real forms of one
+/// complex algebra, or Gong's proof distinguishes them.
 #[test]
 fn all_nilpotent_algebras_of_dimension_seven() {
     let families = ["147E", "147E1", "1357M", "1357N", "1357S", "1357QRS1", "12457N", "12457N2"];
@@ -75,8 +77,9 @@ fn all_nilpotent_algebras_of_dimension_seven() {
     assert_eq!(known.len(), 109);
 }
 
-/// The Pfaffian of `f([x, y])` on a complement of the centre of dimension 4, a quadratic form in functionals `f` on the centre:
-/// how many squares have either sign, the fewer first, for the sign depends on an orientation.
+/// The signature of the Pfaffian of `f([x, y])` on a complement of the centre of dimension 4. The
+/// Pfaffian is a quadratic form in functionals `f` on the centre. Returns the numbers of squares of
+/// either sign, the smaller first, because the sign depends on an orientation.
 fn pfaffian(algebra: &LieAlgebra<Rational>) -> [usize; 2] {
     let centre = StructureTheory::new(algebra.clone()).centre();
     let outside: Vec<usize> = centre.complement().collect();
@@ -139,7 +142,8 @@ fn nilpotent_algebras_of_step_two() {
     assert_eq!(forms, [[0, 0], [1, 1], [0, 2], [0, 1], [1, 2], [0, 3]]);
 }
 
-/// The quaternionic Heisenberg algebra has rank 3 and a definite Pfaffian, the complex one with a line an indefinite of two variables.
+/// The quaternionic Heisenberg algebra has rank 3 and a definite Pfaffian. The sum of the complex
+/// Heisenberg algebra and a line has an indefinite Pfaffian in two variables.
 #[test]
 fn algebras_of_other_families() {
     assert_eq!(pfaffian(&catalogued("gong(7,37D1)")), [0, 3]);

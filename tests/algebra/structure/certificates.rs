@@ -1,4 +1,5 @@
-//! Dimensions that are said to be proved over the rationals, beside ranks of the same equations over the rationals.
+//! Dimensions that are proved over the rationals agree with the ranks of the same equations over
+//! the rationals.
 
 use crate::algebra::structure::{scrambled, stored};
 use crate::common::algebras::catalogued;
@@ -8,7 +9,7 @@ use affinor_tensors::linear::Matrix;
 
 type Algebra = LieAlgebra<Rational>;
 
-/// Its own unknowns at each of its places, and the rank of the equations over the rationals.
+/// The unknowns by position, and the rank of the equations over the rationals.
 struct Equations {
     unknowns: usize,
     rows: Vec<Vec<Rational>>,
@@ -28,7 +29,7 @@ impl Equations {
     }
 }
 
-/// The derivations and the invariant symmetric forms, from the definitions.
+/// The derivations and the invariant symmetric forms, from their definitions.
 fn by_definition(algebra: &Algebra) -> [usize; 2] {
     let n = algebra.dimension();
     let c = |i: usize, j: usize, k: usize| algebra.structure_constants().get(&[i, j, k]);
@@ -64,7 +65,8 @@ fn proved_dimensions_are_those_over_the_rationals() {
 
 #[test]
 fn proved_in_the_catalogue() {
-    // index: se(3), iso(3,1) (mass and spin, 2), filiform n - 2 for an abelian ideal, E6 its rank
+    // index: se(3), iso(3,1) (mass and spin, 2), filiform algebras n - 2 by an abelian ideal, E6
+    // its rank
     for (name, index) in
         [("se(3)", 2), ("iso(3,1)", 2), ("filiform(9)", 7), ("E6", 6), ("heisenberg(9)", 1)]
     {
@@ -79,9 +81,10 @@ fn proved_in_the_catalogue() {
     }
 }
 
-/// Betti numbers modulo primes, beyond the dimension at which closed forms are multiplied out: of a product of groups they are
-/// the products of the polynomials, and of Heisenberg groups `C(2m,k) - C(2m,k-2)` up to the middle
-/// (L. J. Santharoubane, *Proc. Amer. Math. Soc.* 87 (1983) 23-28).
+/// Betti numbers modulo primes, in dimensions in which closed forms are not multiplied out. For a
+/// product of groups they are products of polynomials. For Heisenberg groups they are `C(2m,k) -
+/// C(2m,k-2)` up to the middle degree (L. J. Santharoubane, *Proc. Amer. Math. Soc.* 87 (1983)
+/// 23-28).
 #[test]
 fn betti_numbers_of_higher_dimension() {
     let betti = |name: &str| StructureTheory::new(catalogued(name)).betti_numbers().unwrap();

@@ -1,4 +1,5 @@
-//! Random sums of indecomposable algebras have their summands back (Krull and Schmidt), in dense bases too.
+//! The summands of random sums of indecomposable algebras are found again (Krull and Schmidt), in
+//! dense bases too.
 
 use crate::algebra::structure::{regular, scrambled, stored};
 use crate::common::algebras::{by_table, catalogued};
@@ -44,7 +45,7 @@ const SUMMANDS: [&str; 29] = [
 /// Algebras over number fields: indecomposable over the rationals, and sums of two over the reals.
 const OVER_FIELDS: [&str; 2] = ["L6,22(2)", "sl(2) over Q(sqrt 2)"];
 
-/// Invariants of a summand.
+/// Invariants that distinguish the summands.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 struct Kind {
     dimension: usize,
@@ -68,7 +69,7 @@ fn kind(structure: &StructureTheory<Rational>, real_parts: usize) -> Kind {
     }
 }
 
-/// The kinds of the ideals found, which commute and are a basis together.
+/// The kinds of the ideals found. The ideals must commute and span the algebra.
 fn kinds(algebra: Algebra) -> Vec<Kind> {
     let structure = StructureTheory::new(algebra);
     let found = structure.indecomposable_ideals().unwrap().unwrap();
@@ -94,7 +95,7 @@ fn kinds(algebra: Algebra) -> Vec<Kind> {
     kinds
 }
 
-/// Whole numbers below a bound, the same in every run.
+/// Integers below a bound, the same in every run.
 struct Numbers(u64);
 
 impl Numbers {
@@ -105,7 +106,8 @@ impl Numbers {
     }
 }
 
-/// Sums up to dimension 12. Few kinds in each, so that many summands are equal; every second one in a dense basis.
+/// Sums up to dimension 12. Few kinds occur in each, so that many summands are equal; every second
+/// sum is in a dense basis.
 fn random_sums(seed: u64, count: usize) {
     let mut all: Vec<(String, Algebra, usize)> =
         SUMMANDS.iter().map(|name| (name.to_string(), catalogued(name), 1)).collect();
@@ -154,7 +156,7 @@ fn many_random_sums_have_their_summands_back() {
     random_sums(2, 1500);
 }
 
-/// Sums with equal parts for which three fixed elements of the centroid were not general.
+/// Sums with equal parts for which three fixed elements of the centroid were not generic.
 #[test]
 fn sums_with_equal_parts() {
     for (name, dimensions) in [

@@ -1,4 +1,4 @@
-//! What the structure theory finds, multiplied out with the bracket of the algebra alone.
+//! The ideals and subalgebras that the structure theory finds, checked with the bracket alone.
 
 use crate::algebra::structure::{regular, scrambled, stored};
 use crate::common::algebras::{by_table, catalogued};
@@ -37,7 +37,7 @@ fn dense(span: &Echelon<Rational>, n: usize) -> Vec<Vector> {
     span.rows().iter().map(vector).collect()
 }
 
-/// Whether brackets with `by`, again and again, lead to zero.
+/// Whether repeated brackets with `by` lead to zero.
 fn dies(algebra: &LieAlgebra<Rational>, start: &[Vector], by: Option<&[Vector]>) -> bool {
     let mut layer = start.to_vec();
     for _ in 0..=start.len() {
@@ -83,7 +83,7 @@ fn multiply_out(algebra: LieAlgebra<Rational>, name: &str) {
     assert_eq!(levi.dimension() + radical.dimension(), n, "{name}");
     assert!(regular(&[levi.dense(), radical.dense()].concat()), "complement: {name}");
     if !levi.is_zero() {
-        // the radical of the Killing form of the whole is in the radical
+        // the radical of the Killing form of the algebra is in the solvable radical
         let form = killing_on(algebra, &s);
         assert_eq!(form.rank().unwrap(), levi.dimension(), "semisimple: {name}");
     }
@@ -115,7 +115,7 @@ fn dense_bases() {
     }
 }
 
-/// The dimensions of the indecomposable ideals, which commute and are a basis together.
+/// The dimensions of the indecomposable ideals. The ideals must commute and span the algebra.
 #[test]
 fn indecomposable_ideals() {
     let decompose = |algebra: LieAlgebra<Rational>| {
@@ -212,14 +212,14 @@ fn ideals_that_depend_on_the_field() {
     assert_eq!(named("so(x^2+y^2-3z^2)"), ["sl(2,R)"]);
 }
 
-/// All real forms of rank up to 8 and 10 have their names back from type and signature.
+/// The names of all real forms of rank up to 8 and 10 are found from type and signature.
 #[test]
 fn names_of_real_forms() {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/data/structure/real_forms.json");
     let data: Value = serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap();
     let other = |name: &str| match name {
         "su(1,1)" => "sl(2,R)".to_string(),
-        // sp(n) is the split form of another type in the catalogue
+        // the catalogue's sp(n) is the split form of another type
         name => match name.strip_prefix("sp(").and_then(|rest| rest.strip_suffix(",0)")) {
             Some(n) => format!("usp({})", 2 * n.parse::<usize>().unwrap()),
             None => name.replace(",0)", ")"),
@@ -243,19 +243,19 @@ fn names_of_real_forms() {
         count += 1;
     }
     assert!(count > 150);
-    // the two families in which type and signature leave two forms
+    // the two families in which type and signature allow two forms
     let a13 = CartanType::new(Series::A, 13).unwrap();
     assert_eq!(real_forms(a13, 105), ["su(9,5)", "su*(14)"]);
     let d9 = CartanType::new(Series::D, 9).unwrap();
     assert_eq!(real_forms(d9, 81), ["so(12,6)", "so*(18)"]);
 }
 
-/// Arguments that are of no algebra, or of another one.
+/// Arguments that do not belong to an algebra, or belong to another one.
 #[test]
 fn constructions_refuse_what_does_not_fit() {
     let plane = StructureTheory::new(catalogued("R^2"));
     let one = || Rational::from(1);
-    // the index 2 would be the new vector, which then would not be central
+    // the index 2 would be the new vector, which would not be central then
     for at in [(0, 2), (2, 1), (0, usize::MAX)] {
         let extended = plane.central_extension(&["z".into()], [(at.0, at.1, 0, one())]);
         assert!(matches!(extended, Err(Error::Shape { .. })), "{extended:?}");

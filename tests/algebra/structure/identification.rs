@@ -1,4 +1,4 @@
-//! Names of algebras of low dimension, with their isomorphisms multiplied out.
+//! Names of algebras of low dimension; their isomorphisms are checked by multiplication.
 
 mod polynomials;
 
@@ -8,7 +8,7 @@ use affinor::algebra::structure::{Identification, StructureTheory};
 use affinor::{BasisChange, LieAlgebra, Rational, Tensor};
 use affinor_tensors::{Down, Field, Up};
 
-/// The algebra in the basis of the images has the brackets of the named algebra.
+/// Checks that the algebra in the basis of the images has the brackets of the named algebra.
 fn multiply_out(algebra: &LieAlgebra<Rational>, found: &Identification, name: &str) {
     let Some(images) = &found.isomorphism else { panic!("no isomorphism with {name}") };
     assert_eq!(found.under_root, None, "{name}");
@@ -58,7 +58,7 @@ fn real_algebras_up_to_dimension_three() {
 #[test]
 fn parameters_have_their_normal_form() {
     let named = |name: &str| StructureTheory::new(catalogued(name)).identify().unwrap();
-    // h and 1/h are the same algebra, and h = 1, 0 are other types
+    // h and 1/h give the same algebra; h = 1 and h = 0 are other types
     assert_eq!(named("bianchi(VI,h=2)").names, ["bianchi(VI,h=1/2)"]);
     assert_eq!(named("bianchi(VI,h=1)").names, ["bianchi(V)"]);
     assert_eq!(named("bianchi(VI,h=0)").names, ["bianchi(III)"]);
@@ -136,8 +136,9 @@ fn real_algebras_of_dimension_four() {
     assert!(open.names == ["patera(4,5)"] && open.parameter.is_some());
 }
 
-/// so(x^2 + y^2 + 3 z^2) and so(x^2 + y^2 - 3 z^2) are so(3) and so(2,1) over the real numbers alone: `v_i sqrt(r_i)` have the
-/// brackets of the named algebra, that is `[v_i, v_j] = c^k_ij sqrt(r_k / (r_i r_j)) v_k`.
+/// so(x^2 + y^2 + 3 z^2) and so(x^2 + y^2 - 3 z^2) are so(3) and so(2,1) over the real numbers
+/// only. The vectors `v_i sqrt(r_i)` have the brackets of the named algebra: `[v_i, v_j] = c^k_ij
+/// sqrt(r_k / (r_i r_j)) v_k`.
 #[test]
 fn isomorphisms_with_square_roots() {
     let rows =
@@ -154,7 +155,7 @@ fn isomorphisms_with_square_roots() {
     }
 }
 
-/// The brackets of the images, each times the square root of its number.
+/// Checks the brackets of the images, each times the square root of its number.
 pub fn respects_under_roots(
     algebra: &LieAlgebra<Rational>,
     images: &[Vec<Rational>],
@@ -189,8 +190,8 @@ fn nilpotent_algebras_of_dimension_four() {
     }
 }
 
-/// Nilpotent algebras of dimension 5 and 6, sums included, with their isomorphisms; parameters `e` that differ from the named one by
-/// a square.
+/// Nilpotent algebras of dimension 5 and 6, including sums, with their isomorphisms; the parameter
+/// `e` may differ from the named one by a square.
 #[test]
 fn isomorphisms_of_nilpotent_algebras() {
     let families = ["6,19)", "6,21)", "6,22)", "6,24)"];
@@ -213,7 +214,7 @@ fn isomorphisms_of_nilpotent_algebras() {
     let sums = ["degraaf(4,3)+R^1", "degraaf(4,3)+R^2", "degraaf(3,2)+R^2", "degraaf(3,2)+R^3"];
     names.extend(sums.map(String::from));
     for name in &names {
-        // a normal form gives those of one family, a search the others
+        // a normal form gives the isomorphisms of one family, a search the others
         for seed in 0..if name.starts_with("degraaf(6,24,") { 20 } else { 3 } {
             let algebra = scrambled(&summed(name), seed);
             let found = StructureTheory::new(algebra.clone()).identify().unwrap();
@@ -222,7 +223,7 @@ fn isomorphisms_of_nilpotent_algebras() {
             respects(&algebra, images, &summed(named));
         }
     }
-    // 3 is no square: an isomorphism with e = 1 needs its root
+    // 3 is not a square: an isomorphism with e = 1 needs its root
     for family in [19, 21, 22, 24] {
         let found =
             StructureTheory::new(summed(&format!("degraaf(6,{family},e=3)"))).identify().unwrap();
@@ -236,7 +237,7 @@ fn summed(names: &str) -> LieAlgebra<Rational> {
     names.split('+').map(catalogued).reduce(sum).unwrap()
 }
 
-/// Each nilpotent algebra has its own name, the sign of a parameter included.
+/// Each nilpotent algebra is identified with itself, including the sign of a parameter.
 #[test]
 fn nilpotent_algebras_up_to_dimension_six() {
     for (at, name) in affinor::algebra::catalogue::names(6).into_iter().enumerate() {
@@ -267,7 +268,7 @@ fn nilpotent_algebras_up_to_dimension_six() {
     }
 }
 
-/// sl(2) over the rationals has a vector with the Killing square 0, from which the isomorphism is rational.
+/// sl(2) over the rationals has a vector with Killing square 0, which gives a rational isomorphism.
 #[test]
 fn split_algebras_have_rational_isomorphisms() {
     for scale in [2, 3, 5, 7, -7, 11, 13, 30, 97, -101, 1009] {

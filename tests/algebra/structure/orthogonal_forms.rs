@@ -28,7 +28,7 @@ pub fn changed(algebra: &LieAlgebra<Rational>, changes: usize) -> LieAlgebra<Rat
     algebra.change_basis(&BasisChange::new(matrix).unwrap()).unwrap()
 }
 
-/// Up to rank 9 type and signature leave two forms in one case, up to 13 in two.
+/// Up to rank 9 type and signature allow two forms in one case, up to rank 13 in two.
 #[test]
 fn types_with_two_forms() {
     use Series::{A, B, C, D};
@@ -44,7 +44,8 @@ fn types_with_two_forms() {
     assert_eq!(two.collect::<Vec<_>>(), ["su(9,5) su*(14)", "so(12,6) so*(18)"]);
 }
 
-/// Each is told apart in the basis of the catalogue and in a dense one, the last pair by the whole search for simple ideals.
+/// The two forms are distinguished in the basis of the catalogue and in a dense one; the last pair
+/// by the full search for simple ideals.
 #[test]
 fn forms_of_equal_signature_in_dense_bases() {
     for (name, form) in [
@@ -64,7 +65,7 @@ fn forms_of_equal_signature_in_dense_bases() {
     }
 }
 
-/// The regular element decides where the signature does too.
+/// The criterion by a regular element agrees with the signature where the signature decides.
 #[test]
 fn orthogonal_forms_of_low_rank() {
     let quaternionic = |algebra| StructureTheory::new(algebra).is_quaternionic_orthogonal();
@@ -79,7 +80,7 @@ fn orthogonal_forms_of_low_rank() {
             assert_eq!(quaternionic(changed(&catalogued(&name), 100)), Some(false), "{name}");
         }
     }
-    // other types, and D4 with its three representations
+    // other types, and D4 with its three eight-dimensional representations
     for name in ["so(4,4)", "so(7,2)", "su(4,2)", "iso(6,4)"] {
         assert_eq!(quaternionic(catalogued(name)), None, "{name}");
     }

@@ -33,7 +33,7 @@ fn without_parameters(name: &str) -> Option<LieAlgebra<Rational>> {
     Some(bracket.ok()?.try_into().unwrap())
 }
 
-/// Every name that is given to an algebra of the catalogue, or to one of its simple ideals, denotes an isomorphic algebra.
+/// Names of algebras of the catalogue, and of their simple ideals, denote isomorphic algebras.
 #[test]
 fn names_are_those_of_the_catalogue() {
     let (mut named, mut ideals) = (0, 0);
@@ -67,7 +67,7 @@ fn names_are_those_of_the_catalogue() {
     assert!(named > 100 && ideals > 100, "{named}, {ideals}");
 }
 
-/// The compact form of `Cn` has its own name: `sp(2n)` is the split form.
+/// The compact form of `Cn` has a separate name: `sp(2n)` is the split form.
 #[test]
 fn compact_symplectic_forms() {
     for rank in 3..=6 {
@@ -80,7 +80,7 @@ fn compact_symplectic_forms() {
     }
 }
 
-/// A direct sum of named algebras has their names, in any order of the basis.
+/// A direct sum of named algebras is identified by their names, in any order of the basis.
 #[test]
 fn sums_are_named_by_their_parts() {
     for (sum, name) in [
@@ -93,6 +93,6 @@ fn sums_are_named_by_their_parts() {
         let found = StructureTheory::new(catalogued(sum)).identify().unwrap();
         assert_eq!((found.names, found.proved), (vec![name.to_string()], true), "{sum}");
     }
-    // a part without a name
+    // a summand without a name
     assert!(StructureTheory::new(catalogued("se(3)+so(3)")).identify().is_none());
 }

@@ -1,4 +1,4 @@
-//! Root spaces, multiplied out with the bracket of the algebra alone.
+//! Root spaces, checked with the bracket alone.
 
 use crate::common::algebras::catalogued;
 use affinor::algebra::structure::StructureTheory;
@@ -38,7 +38,7 @@ fn root_vectors_are_eigenvectors() {
     }
 }
 
-/// The Cartan matrix by root strings is that of the type, and so is the one by the Killing form.
+/// The Cartan matrices by root strings and by the Killing form are the Cartan matrix of the type.
 #[test]
 fn cartan_matrices() {
     for name in ["sl(5)", "so(4,3)", "sp(6)", "so(4,4)", "G2", "F4", "E6", "sl(2)+so(3,2)"] {
@@ -78,7 +78,8 @@ fn cartan_matrices() {
     }
 }
 
-/// Compact and complex algebras split over no real field, so(x^2 + y^2 - 3 z^2) splits over the reals alone.
+/// Compact and complex algebras do not split over a real field; so(x^2 + y^2 - 3 z^2) splits over
+/// the reals only.
 #[test]
 fn some_do_not_split() {
     for name in ["so(3)", "so(3,1)", "su(3)", "so*(6)"] {
@@ -87,7 +88,7 @@ fn some_do_not_split() {
     assert!(StructureTheory::new(catalogued("se(3)")).root_spaces().is_none());
 }
 
-/// With many commuting basis vectors a root vanishes on most of their sums with small coefficients.
+/// If many basis vectors commute, a root vanishes on most of their sums with small coefficients.
 #[test]
 fn cartan_subalgebras_of_many_commuting_vectors() {
     for (name, rank) in [("sl(16)", 15), ("so(8,8)", 8), ("gl(12)", 12), ("t(9)", 9)] {

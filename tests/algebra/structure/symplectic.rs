@@ -1,4 +1,5 @@
-//! Closed forms of low degree, symplectic and contact forms, multiplied out and compared with published lists.
+//! Closed forms of low degree, symplectic and contact forms: checked by multiplication and against
+//! published lists.
 
 use crate::algebra::structure::{scrambled, stored};
 use crate::common::algebras::{by_table, catalogued, symbolic};
@@ -33,7 +34,7 @@ fn pairing(a: &[Rational], b: &[Rational]) -> Rational {
     a.iter().zip(b).fold(Rational::from(0), |sum, (a, b)| sum + &(a.clone() * b))
 }
 
-/// `b([x, y], z) + b([y, z], x) + b([z, x], y)` on the basis.
+/// Checks `b([x, y], z) + b([y, z], x) + b([z, x], y) = 0` on the basis.
 fn assert_closed(algebra: &LieAlgebra<Rational>, form: &Dense, name: &str) {
     let (n, c) = (algebra.dimension(), brackets(algebra));
     for (x, y, z) in (0..n).flat_map(|x| (0..n).flat_map(move |y| (0..n).map(move |z| (x, y, z)))) {
@@ -60,7 +61,7 @@ fn dense(n: usize, row: &Row<Rational>) -> Vec<Rational> {
     vector
 }
 
-/// Whether there is a symplectic form; a witness is multiplied out.
+/// Whether there is a symplectic form; checks the witness by multiplication.
 fn is_symplectic(algebra: LieAlgebra<Rational>, name: &str) -> Option<bool> {
     let structure = StructureTheory::new(algebra);
     let forms = structure.two_forms().unwrap();
@@ -79,7 +80,7 @@ fn is_symplectic(algebra: LieAlgebra<Rational>, name: &str) -> Option<bool> {
     }
 }
 
-/// Whether there is a contact form; `a` restricted to the kernel of `d a`, a line, is not zero.
+/// Whether there is a contact form. Checks that `a` is not zero on the kernel of `d a`, a line.
 fn is_contact(algebra: LieAlgebra<Rational>, name: &str) -> Option<bool> {
     let structure = StructureTheory::new(algebra);
     let n = structure.dimension();
@@ -200,7 +201,8 @@ fn symplectic_nilpotent_algebras_of_dimension_six() {
     assert_eq!(symplectic.count(), 26);
 }
 
-/// Unimodular algebras that are not solvable have none: here the Pfaffian is too large to be expanded.
+/// Unimodular algebras that are not solvable have no symplectic form; here the Pfaffian is too
+/// large to be expanded.
 #[test]
 fn unimodular_algebras_without_symplectic_forms() {
     for name in ["iso(3,1)", "so(3)+sl(2)+R^4", "galilei(3)"] {
@@ -229,7 +231,7 @@ fn contact_algebras() {
     {
         assert_eq!(is_contact(catalogued(name), name), Some(false), "{name}");
     }
-    // where no Pfaffian is expanded, by an index that is proved
+    // without an expanded Pfaffian, by a proved lower bound of the index
     for name in [
         "so(3)+so(3)+so(3)",
         "heisenberg(3)+heisenberg(3)+heisenberg(3)",
@@ -267,7 +269,8 @@ fn casimir_functions() {
     assert_eq!(degrees("patera(4,8)", 3), [1, 2]);
 }
 
-/// With parameters the answers hold for generic values: at a value that is not exceptional the witness is still one.
+/// With parameters the answers hold for generic values: at values that are not exceptional the
+/// witness is still valid.
 #[test]
 fn forms_with_parameters() {
     let at = |name: &str, letter: &str| {
@@ -287,7 +290,7 @@ fn forms_with_parameters() {
         assert_closed(&special(name, letter), &matrix_of(n, &form), name);
         assert_eq!(rank(&matrix_of(n, &form)), n, "{name}");
     }
-    // a contact form of bianchi(VI): [e1, e3] = .., [e2, e3] = .. with different eigenvalues
+    // a contact form of bianchi(VI): [e1, e3] and [e2, e3] have different eigenvalues
     let (generic, value) = at("bianchi(VI)", "h");
     let Existence::Witness(form) = generic.contact_form() else { panic!("bianchi(VI)") };
     let form: Vec<Rational> = dense(3, &form.iter().map(|(at, v)| (*at, value(v))).collect());
@@ -296,14 +299,14 @@ fn forms_with_parameters() {
     assert_eq!(rank(&with), 3);
 }
 
-/// A form over a table that is no algebra of the catalogue: so(3) over the square root of 3.
+/// A form over a table that is not in the catalogue: so(3) over the square root of 3.
 #[test]
 fn forms_of_an_anisotropic_algebra() {
     let table = [(1, 2, 3, 1), (2, 3, 1, 3), (3, 1, 2, 1)];
     assert_eq!(is_contact(by_table(3, &table), "anisotropic"), Some(true));
 }
 
-/// Whether there is a complex structure; `J^2 = -1` and the Nijenhuis tensor are multiplied out.
+/// Whether there is a complex structure. Checks `J^2 = -1` and the Nijenhuis tensor.
 fn is_complex(algebra: LieAlgebra<Rational>, name: &str) -> Option<(bool, bool)> {
     let found = StructureTheory::new(algebra.clone()).complex_structure()?;
     let n = algebra.dimension();
@@ -390,8 +393,8 @@ fn complex_structures_of_dimension_four() {
     assert_eq!(is_complex(catalogued("so(3)"), "so(3)"), None);
 }
 
-/// The units `i^2 = a`, `j^2 = b` of a quaternion algebra and a central line: a rational complex structure is a rational
-/// quaternion with the square -1.
+/// Quaternion algebras with the units `i^2 = a`, `j^2 = b` and a central line: a rational complex
+/// structure corresponds to a rational quaternion with the square -1.
 #[test]
 fn complex_structures_of_quaternions() {
     let quaternions =
@@ -404,7 +407,7 @@ fn complex_structures_of_quaternions() {
             assert_eq!(is_complex(algebra, "quaternions"), Some((true, true)), "{a}, {b}");
         }
     }
-    // none: at 5, of which -1 is a square, the quaternions are no matrices
+    // none: modulo 5, -1 is a square, and the quaternions are not a matrix algebra
     assert_eq!(is_complex(quaternions(-2, -5), "quaternions"), Some((true, false)));
 }
 
@@ -431,8 +434,8 @@ fn contact_forms_of_large_sums() {
     }
 }
 
-/// Algebras beyond the dimension of Pfaffians: a 2-step nilpotent one of dimension 14 has closed 2-forms of dimension 42 and of
-/// rank at most 12, in any basis.
+/// Algebras that are too large for Pfaffians: a 2-step nilpotent one of dimension 14 has closed
+/// 2-forms of dimension 42 and of rank at most 12, in any basis.
 #[test]
 fn no_symplectic_form_by_the_generic_rank() {
     let table = [
@@ -460,7 +463,8 @@ fn no_symplectic_form_by_the_generic_rank() {
     assert_eq!(is_symplectic(catalogued("heisenberg(13)+R^1"), "heisenberg"), Some(false));
 }
 
-/// A closed 2-form of the free nilpotent algebras, from Witt's formula: `b_2` is the number of brackets of the next step.
+/// Closed 2-forms of the free nilpotent algebras by Witt's formula: `b_2` is the number of brackets
+/// of the next step.
 #[test]
 fn second_cohomology_of_free_nilpotent_algebras() {
     for (generators, step, next) in
@@ -477,7 +481,8 @@ fn second_cohomology_of_free_nilpotent_algebras() {
     }
 }
 
-/// Quadratic Casimir functions are invariant, and one for each simple factor over the complex numbers.
+/// Quadratic Casimir functions are invariant; there is one for each simple factor over the complex
+/// numbers.
 #[test]
 fn quadratic_casimirs() {
     for (name, degrees) in [
@@ -497,7 +502,7 @@ fn quadratic_casimirs() {
         }
         let degree = |casimir: &Symbolic| casimir.terms()[0].0.iter().map(|(_, e)| *e).sum::<u32>();
         assert_eq!(found.iter().map(degree).collect::<Vec<_>>(), degrees, "{name}");
-        // as many as the search by linear equations finds
+        // as many as a search by linear equations finds
         if structure.dimension() <= 10 {
             assert_eq!(structure.casimirs(2).unwrap().len(), found.len(), "{name}");
         }

@@ -1,10 +1,10 @@
-//! Numbers of about 31 digits, unevaluated sums of two floats, with elementary functions.
+//! Numbers of about 31 digits, as unevaluated sums of two floats, with elementary functions.
 //!
 //! T. J. Dekker, Numer. Math. 18 (1971) 224; Y. Hida, X. S. Li, D. H. Bailey, ARITH-15 (2001) 155.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// `high + low`, and the sum of the sizes of all terms that led to it.
+/// The value `high + low`, and the sum of the sizes of all terms that contributed to it.
 #[derive(Clone, Copy, Debug)]
 pub struct DoubleDouble {
     pub high: f64,
@@ -90,7 +90,7 @@ impl DoubleDouble {
         result
     }
 
-    /// The power: of any base for an integer, of a positive base otherwise.
+    /// The power: an integer power of any base, otherwise a power of a positive base.
     pub fn power(self, exponent: Self) -> Self {
         if exponent.low == 0.0 && exponent.high.fract() == 0.0 && exponent.high.abs() < 1e6 {
             let power = self.integer_power(exponent.high.abs() as u32);
@@ -108,7 +108,7 @@ impl DoubleDouble {
             term = (term * rest / Self::new(f64::from(n))).plain();
             sum = (sum + term).plain();
         }
-        // exp(2 x) - 1 = (exp(x) - 1) (exp(x) - 1 + 2) keeps the digits of small values
+        // exp(2 x) - 1 = (exp(x) - 1) (exp(x) - 1 + 2) is accurate for small values
         for _ in 0..8 {
             sum = (sum * (sum + Self::new(2.0))).plain();
         }
@@ -233,7 +233,7 @@ impl Div for DoubleDouble {
     }
 }
 
-/// Functions against values of mpmath in 40 digits.
+/// The functions agree with values of mpmath in 40 digits.
 #[test]
 fn functions_have_thirty_digits() {
     let x = DoubleDouble::parse("1.37").unwrap();

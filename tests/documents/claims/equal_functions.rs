@@ -1,11 +1,12 @@
-//! Equal functions are equal values, whatever they are written as.
+//! Equal functions are equal values, in whichever form they are written.
 //!
 //! Guards `scalar::symbolic`, through definitions.
 
 use super::statement::LineElement;
 
-/// Two ways of writing a function of the coordinates `x`, `y`, `z`, the parameters `p`, `q`, `L`, and the free functions
-/// `f(x)` and `g(x, y)`; `x`, `y`, `p`, `L` are positive. `tests/references/line_elements.py` confirms each at random points.
+/// Two forms of the same function of the coordinates `x`, `y`, `z`, the parameters `p`, `q`, `L`,
+/// and the free functions `f(x)` and `g(x, y)`; `x`, `y`, `p`, `L` are positive.
+/// `tests/references/line_elements.py` confirms each pair at random points.
 #[rustfmt::skip]
 const IDENTITIES: &[&str] = &[
     // powers
@@ -123,7 +124,7 @@ const IDENTITIES: &[&str] = &[
     "cosh(x/L + y) = cosh(x/L)*cosh(y) + sinh(x/L)*sinh(y)",
     "sqrt(cosh(x)^2) = cosh(x)",
     "sqrt(cosh(x) + 1) = sqrt(2)*cosh(x/2)",
-    // free functions of other arguments
+    // free functions with other arguments
     "f(2*x)^2 = f(2*x)*f(x + x)",
     "f(x/y) - f(x*y/y^2) = 0",
     "g(x, y) = g(x + 0, 1*y)",

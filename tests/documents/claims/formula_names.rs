@@ -1,10 +1,10 @@
-//! Names in the formulas of problems: one thing under several names is one thing.
+//! Names in the formulas of problems: several names of one quantity have one meaning.
 //!
 //! Guards `documents::problem::forces` and `mechanics::formula`.
 
 use affinor_documents::problem::Problem;
 
-/// A body on se(3) or se(2) in a potential and with a force, where something is held or not.
+/// A body on se(3) or se(2) in a potential and with a force, with or without a constraint.
 fn last_row(
     space: &str,
     n: usize,
@@ -28,7 +28,7 @@ fn last_row(
     motion.row()
 }
 
-/// A position is the last column of the matrix: in potentials, forces and constraints.
+/// A position is the last column of the matrix, in potentials, forces and constraints.
 #[test]
 fn positions_are_entries() {
     let named = last_row("se3", 6, "9.81*z + x*y^2", "0.1*y", None);
@@ -40,7 +40,7 @@ fn positions_are_entries() {
     assert_eq!(named, last_row("se3", 6, "9.81*g34", "0.1", Some("g34 - g14")));
 }
 
-/// What a potential may speak of is said where it speaks of something else.
+/// If a potential contains an unknown name, the message lists the allowed names.
 #[test]
 fn other_names_are_refused_with_those_there_are() {
     let text = |potential: &str| {

@@ -1,7 +1,7 @@
-//! Arbitrary input is read or refused, and never causes a panic.
+//! Arbitrary input is read or is an error, and never causes a panic.
 //!
-//! Inputs are short, but their values need not be: the limits of the parser keep each case short, or the tests would not
-//! end. `AFFINOR_FRESH=100 cargo test --release --test documents fuzz` takes a long run.
+//! Inputs are short, but their values may be large: the limits of the parser keep each case fast.
+//! `AFFINOR_FRESH=100 cargo test --release --test documents fuzz` runs many more cases.
 //!
 //! Guards `Definition::parse`, `Expression::parse`, `Space`, `Statements` and `StoredTable`.
 
@@ -14,7 +14,7 @@ mod stored;
 
 use affinor_documents::input::InputError;
 
-/// An error has a message, and its place is in the text that it names.
+/// Checks that an error has a message, and that its location is within its text.
 fn assert_sound(error: &InputError) {
     assert!(!error.message.trim().is_empty());
     let Some(place) = &error.at else { return };

@@ -7,7 +7,7 @@
 use super::statement;
 use crate::common::root;
 
-/// A line element and a claim about it, in the notation of [`statement`].
+/// Pairs of a line element and a claim about it, in the notation of [`statement`].
 #[rustfmt::skip]
 const CLAIMS: &[(&str, &str)] = &[
     ("weyl_static", "ricci = 0"),
@@ -171,7 +171,7 @@ const EXAMPLES: &[(&str, &str)] = &[
 fn line_elements_have_their_published_properties() {
     statement::assert_all("tests/data/line_elements", CLAIMS);
     statement::assert_all("examples/definitions", EXAMPLES);
-    // in moving frames, which the reference in Python does not read
+    // in moving frames, which the Python reference does not read
     let observer = "schwarzschild_static";
     let framed = [
         ("hyperbolic_plane", "sectional = -1"),

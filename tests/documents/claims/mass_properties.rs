@@ -1,4 +1,5 @@
-//! Mass properties: shapes against textbooks and each other, meshes against shapes and cubature, broken files.
+//! Mass properties: shapes compared with textbooks and each other, meshes with shapes and cubature;
+//! invalid files.
 //!
 //! Guards `definition::mesh` and `mechanics::bodies::mass`.
 
@@ -36,7 +37,7 @@ fn diagonal(x: f64, y: f64, z: f64) -> Matrix3<f64> {
     Matrix3::from_diagonal(&vector(x, y, z))
 }
 
-/// `sum m X~^T X~` (12), as the paper writes it.
+/// `sum m X~^T X~` (12), as in the paper.
 fn by_definition(masses: &[(f64, Vector3<f64>)], point: &Vector3<f64>) -> Matrix3<f64> {
     let spin = |x: &Vector3<f64>| (x - point).cross_matrix();
     masses.iter().map(|(m, x)| spin(x).transpose() * spin(x) * *m).sum()
@@ -63,7 +64,8 @@ fn moved(corners: &Corners, motion: &Isometry3<f64>) -> Corners {
     corners.iter().map(|triangle| triangle.map(move_one)).collect()
 }
 
-/// F. P. Beer and E. R. Johnston, *Vector Mechanics for Engineers: Dynamics*, appendix B.
+/// Moments of shapes in F. P. Beer and E. R. Johnston, *Vector Mechanics for Engineers: Dynamics*,
+/// appendix B.
 #[test]
 fn shapes_are_those_of_the_textbook() {
     let (a, b, c, m) = (0.7, 1.3, 2.1, 3.5);
@@ -92,10 +94,11 @@ fn shapes_are_those_of_the_textbook() {
     near(&rod.inertia_matrix(), &(diagonal(1.0, 1.0, 0.0) * (m * third * c * c)), 1e-15);
     let end = rod.inertia_matrix_about(&vector(0.0, 0.0, 0.5 * c));
     near(&end, &(diagonal(1.0, 1.0, 0.0) * (m * c * c / 3.0)), 1e-15);
-    // about its end it still turns about itself without inertia, beside it no more
+    // about its end a rotation about itself still has no inertia; about a point next to it the
+    // inertia is positive
     assert!(matches!(rod.inertia(), Err(Error::Invalid { what: "inertia", .. })));
     assert!(rod.inertia_about(&Vector3::x()).is_ok());
-    // so it is no rigid body: wherever it lies, turning about itself takes no energy
+    // so it is not a rigid body: wherever it is, a rotation about itself needs no energy
     for turn in [Vector3::zeros(), vector(0.3, -0.5, 0.2), vector(1.0, 1.0, -2.0)] {
         let beside = rod.moved(&Isometry3::new(vector(1.0, 2.0, 3.0), turn));
         assert!(matches!(beside.inertia(), Err(Error::Invalid { what: "inertia", .. })), "{turn}");
@@ -118,18 +121,21 @@ fn impossible_inertias_are_refused_with_the_reason() {
     let refused = |x: f64, y: f64, z: f64| {
         MassProperties::new(1.0, Vector3::zeros(), &diagonal(x, y, z)).unwrap_err().to_string()
     };
-    let reason = "no inertia: moments 1, 1, 3: no masses have them, as 3 > 1 + 1";
+    let reason = "invalid inertia: moments 1, 1, 3: no body has these moments, because 3 > 1 + 1";
     assert_eq!(refused(1.0, 1.0, 3.0), reason);
     assert_eq!(refused(3.0, 1.0, 1.0), reason);
     assert!(refused(-1.0, 1.0, 1.0).contains("1 > -1 + 1"));
-    assert!(refused(-1.0, -1.0, -3.0).contains("no masses"));
-    assert!(refused(0.0, 0.0, 1e-300).contains("no masses"));
-    assert_eq!(refused(f64::NAN, 1.0, 1.0), "no inertia: the matrix is off symmetric by NaN");
+    assert!(refused(-1.0, -1.0, -3.0).contains("no body has these moments"));
+    assert!(refused(0.0, 0.0, 1e-300).contains("no body has these moments"));
+    assert_eq!(
+        refused(f64::NAN, 1.0, 1.0),
+        "invalid inertia: the matrix is not symmetric: entries differ by NaN"
+    );
     assert!(Inertia::new(&diagonal(f64::NAN, 1.0, 1.0)).is_err());
     assert!(Inertia::new(&diagonal(f64::INFINITY, 1.0, 1.0)).is_err());
     let inertia = Inertia::diagonal(&vector(1.0, 1.0, 3.0)).unwrap();
     assert_eq!(inertia.require_physical().unwrap_err().to_string(), reason);
-    // a plate and a point are bodies, and so is what rounding makes of a plate
+    // a plate and a point are valid bodies, also if their moments have rounding errors
     let plate = diagonal(1.0, 2.0, 3.0);
     assert!(MassProperties::new(1.0, Vector3::zeros(), &plate).is_ok());
     let turn = UnitQuaternion::new(vector(0.3, -1.0, 0.5)).to_rotation_matrix();
@@ -137,7 +143,10 @@ fn impossible_inertias_are_refused_with_the_reason() {
     assert!(MassProperties::new(1.0, Vector3::zeros(), &Matrix3::zeros()).is_ok());
     let skew = Matrix3::new(2.0, 0.1, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0, 2.0);
     let skew = MassProperties::new(1.0, Vector3::zeros(), &skew).unwrap_err();
-    assert_eq!(skew.to_string(), "no inertia: the matrix is off symmetric by 0.1");
+    assert_eq!(
+        skew.to_string(),
+        "invalid inertia: the matrix is not symmetric: entries differ by 0.1"
+    );
     for mass in [0.0, -1.0, f64::NAN, f64::INFINITY] {
         assert!(MassProperties::new(mass, Vector3::zeros(), &plate).is_err(), "{mass}");
         assert!(MassProperties::points(&[(mass, Vector3::x())]).is_err(), "{mass}");
@@ -148,11 +157,11 @@ fn impossible_inertias_are_refused_with_the_reason() {
     assert!(MassProperties::points(&[]).is_err());
     assert!(matches!(MassProperties::ball(1e150), Err(Error::Overflow { .. })));
     assert!(MassProperties::ball(1e-150).is_err());
-    // a hole larger than the body, and one beside it
+    // a hole larger than the body, and a hole next to it
     let (small, large) = (MassProperties::ball(0.5).unwrap(), MassProperties::ball(1.0).unwrap());
     assert!(small.subtract(&large).is_err());
     let beside = small.moved(&Isometry3::translation(5.0, 0.0, 0.0));
-    assert!(large.subtract(&beside).unwrap_err().to_string().contains("no masses have them"));
+    assert!(large.subtract(&beside).unwrap_err().to_string().contains("no body has these moments"));
 }
 
 #[test]
@@ -163,13 +172,14 @@ fn a_shell_is_a_ball_without_a_ball() {
     let factor = (r.powi(5) - s.powi(5)) / (r.powi(3) - s.powi(3));
     near(&shell.inertia_matrix(), &(Matrix3::identity() * (0.4 * shell.mass() * factor)), 1e-14);
     same(&(shell + inner), &outer, 1e-14);
-    // what is left may be a point
+    // the remaining body may be a point
     let point = MassProperties::points(&[(1.0, vector(0.1, 0.2, 0.3))]).unwrap();
     let left = (outer + point).subtract(&outer).unwrap();
     assert!((left.mass() - 1.0).abs() < 1e-14 && left.inertia_matrix().norm() < 1e-13);
 }
 
-/// The octahedron, each triangle divided in four and its vertices put on the sphere.
+/// An approximate sphere: each triangle of an octahedron is divided in four, and its vertices are
+/// projected to the sphere.
 fn sphere(divisions: usize) -> Corners {
     let mut corners: Corners = vec![];
     for signs in 0..8 {
@@ -206,7 +216,7 @@ fn a_divided_octahedron_becomes_a_ball() {
     };
     let errors: Vec<_> = (3..=5).map(off).collect();
     for pair in errors.windows(2) {
-        // of second order, the volume from below
+        // the error is of second order, and the volume is too small
         assert!((pair[0].0 / pair[1].0 - 4.0).abs() < 0.1, "{errors:?}");
         assert!((pair[0].1 / pair[1].1 - 4.0).abs() < 0.1, "{errors:?}");
     }
@@ -216,7 +226,8 @@ fn a_divided_octahedron_becomes_a_ball() {
     near(&octahedron.inertia_matrix(), &(Matrix3::identity() * (4.0 / 15.0)), 1e-15);
 }
 
-/// A cavity has its triangles the other way round; what is solid does not depend on where the mesh lies.
+/// A cavity has its triangles in the opposite orientation; the solid part does not depend on the
+/// position of the mesh.
 #[test]
 fn meshes_may_have_cavities_and_be_far_out() {
     let (outer, inner) = (vector(3.0, 2.0, 4.0), vector(1.0, 0.5, 2.0));
@@ -256,7 +267,7 @@ fn cubature(corners: &[Vector3<f64>; 4]) -> Option<MassProperties> {
     MassProperties::points(&corners.each_ref().map(point)).ok().filter(|_| volume.abs() > 1e-3)
 }
 
-/// Its faces, outwards.
+/// The faces of a tetrahedron, oriented outwards.
 fn tetrahedron([a, b, c, d]: [Vector3<f64>; 4]) -> Corners {
     let [b, c] = if (b - a).cross(&(c - a)).dot(&(d - a)) > 0.0 { [b, c] } else { [c, b] };
     vec![[a, c, b], [a, b, d], [b, c, d], [c, a, d]]
@@ -274,13 +285,13 @@ properties! {
         let elsewhere = |(m, x): &(f64, Vector3<f64>)| (*m, motion.rotation * x + motion.translation.vector);
         let turned: Vec<_> = masses.iter().map(elsewhere).collect();
         same(&MassProperties::points(&turned).unwrap(), &body.moved(&motion), 1e-12);
-        // in any order, and as any two parts
+        // in any order, and for any two parts
         let (some, others) = masses.split_at(2);
         let [some, others] = [some, others].map(|part| MassProperties::points(part).unwrap());
         same(&(others + some), &body, 1e-12);
         same(&body.subtract(&some).unwrap(), &others, 1e-9);
         prop_assert!(body.inertia().unwrap().is_physical());
-        // the moments of inertia, given as such, are those of the body
+        // a body with these moments of inertia has the moments of the original body
         let again = MassProperties::new(body.mass(), *body.centre(), &body.inertia_matrix()).unwrap();
         same(&again, &body, 1e-12);
     }
@@ -309,7 +320,7 @@ properties! {
         let Some(expected) = cubature(&corners) else { return Ok(()) };
         let whole = solid(tetrahedron(corners));
         same(&whole, &expected, 1e-11);
-        // cut in four from a point inside
+        // the tetrahedron divided in four from an interior point
         let total: f64 = inside.iter().sum();
         let point = (0..4).map(|i| corners[i] * (inside[i] / total)).sum();
         let parts = (0..4).map(|i| {
@@ -321,7 +332,7 @@ properties! {
     }
 }
 
-/// What a surface is refused for.
+/// The error for an invalid surface.
 fn refusal(corners: Corners) -> String {
     Mesh::from_triangles(corners).unwrap_err().to_string()
 }
@@ -331,7 +342,7 @@ fn what_bounds_no_solid_is_refused_with_an_edge() {
     let whole = box_triangles(&vector(1.0, 2.0, 3.0));
     let open = refusal(whole[1..].to_vec());
     assert!(
-        open.contains("is missing beside triangle")
+        open.contains("belongs to no triangle, but triangle")
             && open.contains("the edge from (1, 2, 0) to (0, 0, 0)"),
         "{open}"
     );
@@ -341,8 +352,8 @@ fn what_bounds_no_solid_is_refused_with_an_edge() {
     assert!(flipped.contains("and, in the same direction, in triangle"), "{flipped}");
     let inside_out = whole.iter().map(|[a, b, c]| [*a, *c, *b]).collect();
     let inside_out = refusal(inside_out);
-    assert_eq!(inside_out, "no solid: the surface is inside out: with its orientation, -6");
-    // two boxes that touch along an edge: four triangles there
+    assert_eq!(inside_out, "invalid solid: the surface is inside out: with its orientation, -6");
+    // two boxes that touch along an edge, where four triangles meet
     let mut branching = whole.clone();
     branching.extend(moved(&whole, &Isometry3::translation(1.0, 2.0, 0.0)));
     let branching = refusal(branching);
@@ -351,11 +362,11 @@ fn what_bounds_no_solid_is_refused_with_an_edge() {
             || branching.contains("the edge from (1, 2, 3) to (1, 2, 0)"),
         "{branching}"
     );
-    // two that touch at a corner are two solids
+    // two boxes that touch at a vertex are two solids
     let mut two = whole.clone();
     two.extend(moved(&whole, &Isometry3::translation(1.0, 2.0, 3.0)));
     assert!((solid(two).mass() - 12.0).abs() < 1e-14);
-    // a triangle of two sides, and nothing
+    // a triangle with two equal vertices, and an empty mesh
     let [a, b, c] = whole[0];
     assert!(refusal(vec![[a, b, c], [a, c, b]]).contains("encloses no volume"));
     assert!(refusal(vec![]).contains("encloses no volume"));
@@ -365,12 +376,12 @@ fn what_bounds_no_solid_is_refused_with_an_edge() {
     let mut signed_zeros = whole.clone();
     signed_zeros[0] = whole[0].map(|x| x.map(signed));
     assert!((solid(signed_zeros).mass() - 6.0).abs() < 1e-14);
-    // a collapsed triangle closes nothing and opens nothing
+    // a degenerate triangle neither closes nor opens the surface
     let mut collapsed = whole.clone();
     collapsed.push([a, b, a]);
     assert!((solid(collapsed).mass() - 6.0).abs() < 1e-14);
     let index = Mesh::new(vec![a, b, c], vec![[0, 1, 3]]).unwrap_err();
-    assert_eq!(index.to_string(), "no solid: triangle 1 has vertex 4 of 3");
+    assert_eq!(index.to_string(), "invalid solid: triangle 1 has vertex 4 of 3");
     for far in [f64::NAN, f64::INFINITY, 1e200] {
         let triangles: Corners = whole.iter().map(|t| t.map(|x| x * far)).collect();
         assert!(matches!(Mesh::from_triangles(triangles), Err(Error::Overflow { .. })), "{far}");
@@ -398,7 +409,8 @@ fn stl_binary(corners: &Corners) -> Vec<u8> {
     bytes
 }
 
-/// Quadrangles, as they come from modelling programs, with textures, normals, colours and objects.
+/// An OBJ file as modelling programs write it: quadrangles with textures, normals, colours and
+/// objects.
 fn obj_text(edges: [f64; 3]) -> String {
     let [x, y, z] = edges;
     format!(
@@ -417,14 +429,14 @@ fn files_of_meshes_are_read() {
     let text = stl_text(&corners);
     let binary = stl_binary(&corners);
     let read = |name: &str, bytes: &[u8]| mesh(name, bytes).unwrap().mass_properties();
-    // coordinates of a binary STL have 24 bits, those of text all of theirs
+    // coordinates of a binary STL file have 24 bits, in text files all bits
     same(&read("part.STL", &binary), &body, 1e-7);
     same(&read("part.stl", text.as_bytes()), &body, 1e-14);
     let far = Isometry3::translation(1000.05, -3000.1, 0.7);
     let placed = stl_text(&moved(&corners, &far));
     same(&read("part.stl", placed.as_bytes()), &body.moved(&far), 1e-8);
     same(&read("part.obj", obj_text(edges).as_bytes()), &body, 1e-14);
-    // heads without a name, in capitals, with the line ends of another system
+    // headers without a name, in capitals, and with other line ends
     for variant in [
         text.replace("solid part", "solid"),
         text.to_uppercase(),
@@ -440,17 +452,17 @@ fn files_of_meshes_are_read() {
     // a name in another encoding
     let latin = [&b"solid caf\xe9\n"[..], text.split_once('\n').unwrap().1.as_bytes()].concat();
     assert_eq!(read("part.stl", &latin), read("part.stl", text.as_bytes()));
-    // a binary file whose head begins with the word, and one with more at its end
+    // a binary file whose header begins with `solid`, and a file with additional bytes at its end
     let mut solid = binary.clone();
     solid[..11].copy_from_slice(b"solid part\n");
     assert_eq!(read("part.stl", &solid), read("part.stl", &binary));
     let longer = [&binary[..], &[0; 7]].concat();
     assert_eq!(read("part.stl", &longer), read("part.stl", &binary));
-    // two solids in a file are two, not the first
+    // both solids of a file are read, not only the first
     let other = moved(&corners, &Isometry3::translation(10.0, 0.0, 0.0));
     let both = read("part.stl", (text.clone() + &stl_text(&other)).as_bytes());
     assert!((both.mass() - 2.0 * body.mass()).abs() < 1e-5);
-    // from a file
+    // read from a file
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("part.stl");
     std::fs::write(&path, &binary).unwrap();
@@ -460,7 +472,7 @@ fn files_of_meshes_are_read() {
     assert!(missing.message.contains("cannot read"), "{missing}");
 }
 
-/// What a file is refused for, and the text at the place.
+/// The error for an invalid file, and the text at its location.
 fn broken(name: &str, bytes: &[u8]) -> (String, String) {
     let error = mesh(name, bytes).unwrap_err();
     let place = error.at.as_ref().expect("a place");
@@ -474,72 +486,84 @@ fn broken_files_say_where() {
     let (text, binary) = (stl_text(&corners), stl_binary(&corners));
     let stl = |text: &str| broken("part.stl", text.as_bytes());
     let (message, at) = stl(&text.replacen("vertex 1 2 0", "vertex 1 two 0", 1));
-    assert_eq!(message, "no STL: triangle 1: invalid float literal");
+    assert_eq!(message, "not a valid STL file: triangle 1: invalid float literal");
     assert!(at.contains("facet normal"), "{at}");
     let (message, _) = stl(&text.replacen("vertex 1 2 0", "vertex 1 nan 0", 1));
     assert!(message.contains("triangle 1: expected finite f32, got NaN"), "{message}");
     let (message, _) = stl(&text.replacen("vertex 1 2 0", "vertex 1 1e99 0", 1));
     assert!(message.contains("expected finite f32, got inf"), "{message}");
-    // cut anywhere
+    // truncated at every position
     for cut in [text.len() - 20, text.len() / 2, 200, 13, 6] {
         let (message, _) = stl(&text[..cut]);
-        assert!(message.starts_with("no STL: triangle"), "{cut}: {message}");
+        assert!(message.starts_with("not a valid STL file: triangle"), "{cut}: {message}");
     }
     let (message, at) = stl(&(text.clone() + "and more\n"));
     assert_eq!(
         (message.as_str(), at.as_str()),
-        ("no STL: a solid begins with `solid`", "and more")
+        ("not a valid STL file: `solid` is expected here", "and more")
     );
     let (message, _) = stl("");
     assert!(message.contains("neither begins with `solid` nor has a binary head"), "{message}");
 
     let (message, _) = broken("part.stl", &binary[..binary.len() - 1]);
-    assert_eq!(message, "no STL: its 12 triangles should have 684 bytes, and it has 683");
+    assert_eq!(message, "not a valid STL file: 12 triangles need 684 bytes, but the file has 683");
     let mut endless = binary.clone();
     endless[80..84].copy_from_slice(&[255; 4]);
     assert!(broken("part.stl", &endless).0.contains("4294967295 triangles"));
     let mut not_a_number = binary.clone();
     not_a_number[84 + 50 + 12..][..4].copy_from_slice(&f32::NAN.to_le_bytes());
-    assert_eq!(broken("part.stl", &not_a_number).0, "no STL: triangle 2: NaN is a coordinate");
+    assert_eq!(
+        broken("part.stl", &not_a_number).0,
+        "not a valid STL file: triangle 2: NaN is a coordinate"
+    );
     let open = stl_binary(&corners[1..].to_vec());
     let error = mesh("part.stl", &open).unwrap_err();
-    assert!(error.message.contains("no solid: the edge from (1, 2, 0) to (0, 0, 0)"), "{error}");
-    assert!(error.help.unwrap().contains("closed mesh"));
+    assert!(
+        error.message.contains("invalid solid: the edge from (1, 2, 0) to (0, 0, 0)"),
+        "{error}"
+    );
+    assert!(error.help.unwrap().contains("mesh must be closed"));
 
     let box_text = obj_text([1.0, 2.0, 3.0]);
     let obj = |from: &str, to: &str| broken("part.obj", box_text.replacen(from, to, 1).as_bytes());
-    assert_eq!(obj("v 1 0 0", "v 1 0"), ("no OBJ: position parse error".into(), "v 1 0".into()));
+    assert_eq!(
+        obj("v 1 0 0", "v 1 0"),
+        ("not a valid OBJ file: position parse error".into(), "v 1 0".into())
+    );
     assert_eq!(obj("v 1 0 0", "v 1 0 z").1, "v 1 0 z");
     assert_eq!(
         obj("v 1 0 0", "v 1 nan 0"),
-        ("no OBJ: nan is a coordinate".into(), "v 1 nan 0".into())
+        ("not a valid OBJ file: nan is a coordinate".into(), "v 1 nan 0".into())
     );
-    assert_eq!(obj("v 1 0 0", "v 1 0 1e999").0, "no OBJ: 1e999 is a coordinate");
+    assert_eq!(obj("v 1 0 0", "v 1 0 1e999").0, "not a valid OBJ file: 1e999 is a coordinate");
     assert_eq!(
         obj("f 1 2 6 5", "f 1 2 6 x"),
-        ("no OBJ: face parse error".into(), "f 1 2 6 x".into())
+        ("not a valid OBJ file: face parse error".into(), "f 1 2 6 x".into())
     );
     assert_eq!(
         obj("f 1 2 6 5", "f 1 2 6 9"),
-        ("no OBJ: the file has no vertex 9".into(), "f 1 2 6 9".into())
+        ("not a valid OBJ file: the file has no vertex 9".into(), "f 1 2 6 9".into())
     );
-    assert_eq!(obj("f 1 2 6 5", "f 0 2 6 5").0, "no OBJ: the file has no vertex 0");
-    assert_eq!(obj("f 1 2 6 5", "f -9 2 6 5").0, "no OBJ: the file has no vertex -9");
-    // backwards from where the face stands, though more vertices follow
+    assert_eq!(obj("f 1 2 6 5", "f 0 2 6 5").0, "not a valid OBJ file: the file has no vertex 0");
+    assert_eq!(obj("f 1 2 6 5", "f -9 2 6 5").0, "not a valid OBJ file: the file has no vertex -9");
+    // relative indices count backwards from the face, though more vertices follow
     let (message, at) = obj("vt 0 0", "f -4 -3 -2\nf -5 1 2");
-    assert_eq!((message.as_str(), at.as_str()), ("no OBJ: the file has no vertex -5", "f -5 1 2"));
+    assert_eq!(
+        (message.as_str(), at.as_str()),
+        ("not a valid OBJ file: the file has no vertex -5", "f -5 1 2")
+    );
     let least = format!("f {} 2 6 5", isize::MIN);
     assert!(obj("f 1 2 6 5", &least).0.contains("no vertex -9223372036854775808"));
-    assert!(obj("f 1 2 6 5", "f").0.contains("no OBJ"));
-    assert!(obj("f 1 2 6 5", "").0.contains("no solid: the edge"));
+    assert!(obj("f 1 2 6 5", "f").0.contains("not a valid OBJ file"));
+    assert!(obj("f 1 2 6 5", "").0.contains("invalid solid: the edge"));
     assert!(broken("part.obj", b"").0.contains("encloses no volume"));
     let other = mesh("part.ply", b"").unwrap_err();
-    assert_eq!(other.help.unwrap(), "names of meshes end in .stl or .obj");
+    assert_eq!(other.help.unwrap(), "the name of a mesh file must end in .stl or .obj");
 }
 
 properties! {
     #![cases(400)]
-    /// Bytes that are changed, lost or doubled give a mesh or an error.
+    /// Files with changed, lost or duplicated bytes give a mesh or an error.
     #[test]
     fn damaged_files_do_no_harm(kind in 0..3, at in any::<prop::sample::Index>(), change in 0..4, byte in any::<u8>()) {
         let corners = box_triangles(&vector(1.0, 2.0, 3.0));

@@ -1,4 +1,5 @@
-//! Parameters of problems: whatever depends on one follows it, from the command line and in an ensemble.
+//! Parameters of problems: all values that depend on a parameter follow it, from the command line
+//! and in an ensemble.
 //!
 //! Guards `documents::problem`: its parameters, ensembles and columns.
 
@@ -45,14 +46,15 @@ fn set(text: &str, settings: &str) -> Problem {
     problem
 }
 
-/// What is wrong with a problem, as it is shown.
+/// The error for a problem, as it is displayed.
 fn refused(text: &str) -> String {
     let problem = Problem::parse("body.toml", text);
     let error: InputError = problem.and_then(|problem| problem.motion(0).map(drop)).unwrap_err();
     format!("{error:?}")
 }
 
-/// A setting is an edit of the file: masses that follow from it, times and steps included.
+/// Setting a parameter is the same as editing the file: dependent masses, times and steps change
+/// too.
 #[test]
 fn a_setting_is_an_edit() {
     let edited = TOP.replace("m  = 15", "m  = 20");
@@ -65,7 +67,7 @@ fn a_setting_is_an_edit() {
     let times: Vec<f64> = found.iter().map(|row| row[0]).collect();
     assert_eq!(times, [1.0, 1.5, 2.0, 2.5, 3.0, 3.5, 4.0]);
     assert!(found.iter().all(|row| (row[1] - 6.0).abs() < 1e-12), "{found:?}");
-    // the last one counts, and what is set depends on nothing
+    // the last setting is used, and values that are set depend on nothing
     assert_eq!(rows(&set(BODY, "m=3,m=2"), 0), found);
     let [first, .., last] = &rows(&set(BODY, "J=7"), 0)[..] else { panic!() };
     assert!((first[1] - 7.0).abs() < 1e-12 && last[0] == 2.0);
@@ -80,18 +82,18 @@ fn members_of_an_ensemble_follow_theirs() {
         assert!((found[0][1] - m * (1.0 + m)).abs() < 1e-12, "{found:?}");
         assert_eq!([found[0][0], found[found.len() - 1][0]], [m / 2.0, 2.0 * m]);
     }
-    // a parameter that is set is varied no longer
+    // a parameter that is set is not varied by the ensemble
     let mut problem = problem;
     problem.set("m=3").unwrap();
     assert_eq!((problem.members(), problem.varied()), (Some(2), vec!["other"]));
     assert_eq!(rows(&problem, 0)[0][..2], [1.5, 12.0]);
-    // an end that only the ensemble knows
+    // an end time that only the ensemble defines
     let text = text.replace("T = \"2*m\"\n", "").replace("other", "T");
     let problem = Problem::parse("body.toml", &text).unwrap();
     assert_eq!(rows(&problem, 1).last().unwrap()[0], 6.0);
 }
 
-/// Keys that have nothing to say to a method, a flow, or at all.
+/// Keys that a method or a flow ignores, or that are never used, are errors.
 #[test]
 fn idle_keys_are_refused() {
     let with = |lines: &str| BODY.replace("method = \"rkmk4\"\nstep = \"m/10\"\n", lines);
@@ -117,29 +119,30 @@ fn idle_keys_are_refused() {
     assert!(refused(&flow(&format!("{modes}\ndegree = 2"))).contains("has no `degree`"));
 }
 
-/// A name belongs to one column, of those too that come by themselves.
+/// Every column has a unique name, also generated columns.
 #[test]
 fn columns_have_names_of_their_own() {
     let named = |name: &str| format!("{BODY}\n[quantities]\n{name} = \"t\"\n");
     for name in ["H1", "casimir1"] {
         let message = refused(&named(name));
-        assert!(message.contains(&format!("there are two columns `{name}`")), "{message}");
+        assert!(message.contains(&format!("the column name `{name}` occurs twice")), "{message}");
     }
     let ensemble = "\n[ensemble]\ngrid = { a = \"1, 2\" }\n";
     for name in ["member", "a"] {
         let message = refused(&format!("{}{ensemble}", named(name)));
-        assert!(message.contains(&format!("there are two columns `{name}`")), "{message}");
+        assert!(message.contains(&format!("the column name `{name}` occurs twice")), "{message}");
     }
 }
 
-/// The place of an error is that of the key, though its number stands elsewhere as well.
+/// The location of an error is the location of the key, even if its number occurs elsewhere as
+/// well.
 #[test]
 fn numbers_are_found_where_they_stand() {
     let text = BODY.replace("velocity = [\"m\", 0, 0]", "velocity = [\"0*t\", 0, 0]");
     let text = text.replace("\"0*t\"", "\"0*m\"").replace("step = \"m/10\"", "step = 0");
     let error = Problem::parse("body.toml", &text).unwrap().motion(0).map(drop).unwrap_err();
     let place = error.at.as_ref().unwrap();
-    assert_eq!((place.text(), &*error.message), (Some("0"), "0 is not above zero"));
+    assert_eq!((place.text(), &*error.message), (Some("0"), "0 is not positive"));
     let singular = BODY.replace("diag(J, J + 1, J + 2)", "diag(J, 1, 0)");
     let error = Problem::parse("body.toml", &singular).unwrap().motion(0).map(drop).unwrap_err();
     assert_eq!(error.at.as_ref().unwrap().source.name, "body.toml", "{error:?}");
@@ -149,7 +152,8 @@ fn numbers_are_found_where_they_stand() {
     assert_eq!(error.at.as_ref().unwrap().text(), Some("diag(J, 1, k)"));
 }
 
-/// A connection that is not that of the Euler-Poincare equations is said, with the rate of its equations.
+/// A note names a connection that is not the one of the Euler-Poincare equations, with the rate of
+/// its equations.
 #[test]
 fn another_connection_is_said() {
     let notes = |text: &str| Problem::parse("body.toml", text).unwrap().motion(0).unwrap().notes;

@@ -1,4 +1,4 @@
-//! Errors name the place of what is wrong, in TOML and in JSON.
+//! Errors name the location of the fault, in TOML and in JSON.
 //!
 //! Guards `InputError`, from definitions and problems.
 
@@ -31,7 +31,7 @@ fn definition(marked: &str) {
     underlines(marked, if marked.starts_with('{') { "a.json" } else { "a.toml" }, read);
 }
 
-/// A key is that of its table, not the first of its name in the file.
+/// The location is the key in its table, not the first key with this name in the file.
 #[test]
 fn keys() {
     problem(&format!("{BODY}[forces]\n«spatial» = []\n"));
@@ -50,7 +50,7 @@ fn keys() {
     definition("dimension = 2\nbrackets = ''\n[connection]\nkind = 'zero'\n«affinities» = ''\n");
 }
 
-/// Values have places of their own: numbers, and pieces of strings with and without escapes.
+/// Values have locations: numbers, and parts of strings with and without escapes.
 #[test]
 fn values() {
     problem(&format!("{BODY}[forces]\nspatial = [«1e999», 0, 0]\n").replace("1e999", "inf"));
@@ -62,7 +62,7 @@ fn values() {
     definition("basis = ['x', 'y', «'x'»]\nbrackets = ''\n".replace("«'x'»", "'«x»'").as_str());
     definition("{\"dimension\": 2, \"brackets\": \"[e1, e2] = e1\\n[e1, «e3»] = e1\"}");
     definition("{\"dimension\": 2, \"structure_constants\": [[1, 2, 1, \"1 + «*»\"]]}");
-    // a line that continues, an escaped letter, quotes that escape nothing
+    // a continued line, an escaped letter, and quotes without escapes
     definition("dimension = 2\nbrackets = \"\"\"\n[e1, e2] \\\n   = e1 + «e3»\n\"\"\"\n");
     definition("dimension = 2\nbrackets = \"# \\u00e9\\n[e1,\\t«e3»] = e1\"\n");
     definition("dimension = 2\nbrackets = '''\r\n[e1, «e3»] = e1'''\n");

@@ -1,4 +1,4 @@
-//! Printed values evaluated at a point, by a parser and an arithmetic of their own.
+//! Printed values are evaluated at a point by an independent parser and an independent arithmetic.
 
 use super::double_double::DoubleDouble;
 use serde_json::Value;
@@ -11,13 +11,14 @@ pub struct Point {
     pub functions: Vec<FreeFunction>,
 }
 
-/// The partial derivatives of a free function where its arguments have certain values.
+/// The partial derivatives of a free function at certain values of its arguments.
 #[derive(Debug)]
 pub struct FreeFunction {
     name: String,
     arguments: Vec<String>,
     at: Vec<DoubleDouble>,
-    /// By the arguments that are differentiated by, in order and joined by `_`.
+    /// The derivatives by name: the arguments that are differentiated by, in order and joined by
+    /// `_`.
     derivatives: BTreeMap<String, DoubleDouble>,
 }
 
@@ -47,10 +48,10 @@ impl FreeFunction {
         }
     }
 
-    /// The derivative `f_x_y` at these arguments, if it is one of this function there.
+    /// The derivative `f_x_y` at these arguments, if it belongs to this function and these values.
     fn value(&self, name: &str, arguments: &[DoubleDouble]) -> Option<DoubleDouble> {
         let by = name.strip_prefix(&self.name)?;
-        // an argument is named, or numbered from 1
+        // an argument is given by name, or by number from 1
         let argument = |by| str::parse::<usize>(by).map_or(by, |at| &self.arguments[at - 1]);
         let mut by: Vec<&str> = by.split('_').skip(1).map(argument).collect();
         let place = |name: &&str| self.arguments.iter().position(|other| other == name);

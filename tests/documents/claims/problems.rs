@@ -1,5 +1,5 @@
-//! Every problem of `examples/motions`, run by the library, against references of 25 and more digits, closed forms and what a
-//! motion keeps.
+//! Every problem of `examples/motions` is run by the library and compared with references of 25 and
+//! more digits, closed forms and conserved quantities.
 //!
 //! Guards `documents::problem` and `mechanics::simulation`.
 
@@ -39,7 +39,7 @@ fn no_problem_is_without_a_check() {
     assert_eq!(names, checked);
 }
 
-/// The body of every key of `[inertia]`, against what the library makes of the same parts.
+/// The body of every key of `[inertia]` agrees with the library's sum of the same parts.
 #[test]
 fn a_body_is_the_sum_of_its_parts() {
     let text = r#"
@@ -78,14 +78,14 @@ parts = [
     let expected = body.inertia_matrix_about(&Vector3::new(0.1, 0.5, 0.0));
     let found = problem.motion(0).unwrap().inertia.unwrap();
     assert!(off(found.as_slice(), expected.as_slice()) < 1e-15, "{found} {expected}");
-    // about the centre there is no weight
+    // about the centre, gravity has no torque
     let text = text.replace("about = [0.1, \"r\", 0]", "about = \"centre\"");
     let text = text + "[quantities]\nm = \"mass\"\nc = \"centre1^2 + centre2^2 + centre3^2\"\n";
     let run = Run::new(&Problem::parse("body.toml", &text).unwrap(), 0);
     assert!(off(&run.values(0, &["m", "c"]), &[body.mass(), 0.0]) < 1e-15);
 }
 
-/// The mesh of the examples is that box.
+/// The mesh of the examples is the box.
 #[test]
 fn the_mesh_of_the_examples_is_a_box() {
     let bytes = std::fs::read(folder().join("block.stl")).unwrap();
@@ -101,12 +101,16 @@ fn an_indefinite_metric_is_allowed_and_named() {
                 integrator.tolerance = 1e-12\noutput = { end = 0.5, every = 0.1 }";
     let problem = Problem::parse("lorentz.toml", text).unwrap();
     let ready = problem.motion(0).unwrap();
-    assert_eq!(ready.notes, ["the metric is indefinite: no energy bounds the velocity"]);
+    assert_eq!(
+        ready.notes,
+        ["the metric is indefinite, so the energy does not bound the velocity"]
+    );
     assert_eq!(ready.method.name(), "rkmk853");
     Run::new(&problem, 0).keeps(&["energy", "h1", "h2", "h3", "casimir1"], 1e-10);
 }
 
-/// Of every kind of motion: an end that is no time is refused, and the motion goes on from where it was.
+/// For every kind of motion, an infinite or NaN end time is an error, and the motion continues from
+/// its last state.
 #[test]
 fn motions_towards_no_time_are_refused() {
     for (name, _) in CHECKS {
@@ -115,13 +119,13 @@ fn motions_towards_no_time_are_refused() {
         let row = motion.row();
         for until in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
             let error = motion.step(until).unwrap_err();
-            assert!(error.to_string().contains("no finite time"), "{name}: {error}");
+            assert!(error.to_string().contains("not finite"), "{name}: {error}");
         }
         assert_eq!((motion.row(), motion.steps()), (row, 0), "{name}");
     }
 }
 
-/// In embedding coordinates a motion is the same, on the groups in closed form.
+/// Motions in embedding coordinates are the same, on the groups with closed forms.
 #[test]
 fn projected_methods_agree() {
     for name in [
@@ -168,7 +172,8 @@ fn with_element(space: &str, dimension: usize, element: &DMatrix<f64>) -> Result
     problem.motion(0).map(drop).map_err(|error| error.to_string())
 }
 
-/// Groups of matrices know their elements: those that a motion comes to, and centres, but not what is near or what is scaled.
+/// Groups of matrices accept their elements: elements of a motion, and central elements. Matrices
+/// near the group and scaled elements are rejected.
 #[test]
 fn elements_are_of_the_group() {
     let spaces = [
@@ -185,7 +190,7 @@ fn elements_are_of_the_group() {
         ("so3+sl2", 6),
     ];
     for (space, dimension) in spaces {
-        // once to the size of the matrix, and then far along a motion
+        // first with an element of the size 1, and then far along a motion
         for (end, every) in [(0.0, 1.0), (20.0, 1.0)] {
             let velocity: Vec<f64> = (0..dimension).map(|i| 0.4 - 0.3 * (i % 3) as f64).collect();
             let text = format!(
@@ -202,7 +207,7 @@ fn elements_are_of_the_group() {
             let shape = if space.contains('+') { (entries, 1) } else { (size, size) };
             for row in &run.rows {
                 let element = DMatrix::from_row_slice(shape.0, shape.1, &row[..entries]);
-                // what grows without bound loses its digits
+                // unbounded elements lose accuracy
                 let inverse = if shape.1 == 1 { None } else { element.clone().try_inverse() };
                 if element.norm() * inverse.as_ref().unwrap_or(&element).norm() < 1e5 {
                     let taken = with_element(space, dimension, &element);
@@ -223,7 +228,7 @@ fn elements_are_of_the_group() {
         let size = rows.len().isqrt();
         let message = with_element(space, dimension, &DMatrix::from_row_slice(size, size, rows));
         let message = message.expect_err(space);
-        assert!(message.contains("no element of the group"), "{space}: {message}");
+        assert!(message.contains("invalid element of the group"), "{space}: {message}");
     };
     let diagonal = |entries: &[f64]| -> Vec<f64> {
         DMatrix::from_diagonal(&nalgebra::DVector::from_column_slice(entries)).as_slice().to_vec()
@@ -236,7 +241,7 @@ fn elements_are_of_the_group() {
     refused("gl(2)", 4, &diagonal(&[-1.0, 1.0]));
     refused("aff(1)", 2, &[2.0, 0.3, 0.6, 2.0]);
     refused("sp(4)", 10, &diagonal(&[2.0; 4]));
-    // centres, half turns, and what has no logarithm
+    // central elements, half turns, and elements without a logarithm
     let taken = |space: &str, dimension: usize, entries: &[f64]| {
         let size = entries.len().isqrt();
         let element = DMatrix::from_row_slice(size, size, entries);

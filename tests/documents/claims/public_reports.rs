@@ -67,7 +67,7 @@ fn table(space: &Space, show: &str, format: Format) -> String {
     String::from_utf8(text).unwrap()
 }
 
-/// The Hubble constant becomes any number, and arguments have any coefficients.
+/// The Hubble constant may be any number, and arguments may have any coefficients.
 #[test]
 fn arguments_have_any_coefficients() {
     let text = file(FOLDER, "exp_fifth");
@@ -88,7 +88,7 @@ fn arguments_have_any_coefficients() {
     }
 }
 
-/// The gamma metric is vacuum for two of its exponents, which `--set` gives.
+/// The gamma metric is a vacuum solution for two values of its exponent, which `--set` gives.
 #[test]
 fn exponents_are_set() {
     let space = space(file(FOLDER, "gamma_metric"), Some("delta=gamma^2-1,epsilon=gamma^2"));

@@ -1,5 +1,5 @@
-//! Random charts: every tensor has the values of an independent program at a random point, in every format that is read
-//! back, after parameters and functions are set, and in floats.
+//! Tensors of random charts agree with an independent program at a random point: in every format
+//! that can be read back, after setting parameters and functions, and in floats.
 //!
 //! The charts and values are those of `tests/references/random_charts.py`.
 //!
@@ -18,7 +18,7 @@ use rayon::prelude::*;
 use serde_json::Value;
 use std::panic::catch_unwind;
 
-/// The tensors that the reference file has components of.
+/// The tensors with components in the reference file.
 const QUANTITIES: [Quantity; 6] = [
     Quantity::Metric,
     Quantity::Affinities,
@@ -36,8 +36,8 @@ fn charts() -> Vec<Value> {
     charts
 }
 
-/// Charts with functions of quotients by sines or by polynomials whose factors are not found. In the second one the recorded
-/// program loses six digits.
+/// Charts with functions of quotients by sines or by polynomials whose factors are not found. In
+/// the second chart the recorded program loses six digits.
 const REFUSED: [&str; 3] = ["random 160", "random 42", "random 45"];
 
 /// Runs a check of every chart, and fails with the messages of all that fail.
@@ -97,7 +97,7 @@ fn differences<S: Coefficient>(table: &Table<S>, row: &Value) -> Vec<String> {
     found
 }
 
-/// Derivatives in a table that the relations of the chart replace.
+/// Derivatives in a table that the relations of the chart should have replaced.
 fn unreduced<S: Coefficient>(table: &Table<S>, row: &Value) -> Vec<String> {
     let chart = &row["definition"]["chart"];
     let texts = |key: &str| chart[key].as_array().into_iter().flatten();
@@ -135,7 +135,7 @@ fn unreduced<S: Coefficient>(table: &Table<S>, row: &Value) -> Vec<String> {
     found
 }
 
-/// Compares a table with the reference, and with its own texts.
+/// Compares a table with the reference, and with its own printed values.
 fn compared<S: Coefficient>(space: &Space, row: &Value) -> Result<Vec<String>, InputError> {
     let table = table::<S>(space)?;
     let mut found = differences(&table, row);
@@ -166,7 +166,7 @@ fn messages(result: Result<Vec<String>, InputError>) -> Vec<String> {
     result.unwrap_or_else(|error| vec![format!("{error}")])
 }
 
-/// Every twelfth chart; the next test has the others.
+/// Tests every twelfth chart; the next test has the others.
 #[test]
 fn tables_have_the_values_of_an_independent_program_and_are_read_back() {
     let charts: Vec<Value> = charts().into_iter().step_by(12).collect();
@@ -188,7 +188,7 @@ fn tables(row: &Value) -> Vec<String> {
 /// Parameters get the values of the point, and functions without relations their expressions.
 #[test]
 fn values_set_before_are_values_set_after() {
-    // values in these grow beyond the limits of size
+    // values of these charts exceed the size limits
     const LARGE: [&str; 2] = ["random 139", "random 65"];
     let large = |row: &Value| LARGE.contains(&row["definition"]["name"].as_str().unwrap());
     let charts = charts().into_iter().step_by(6).filter(|row| !large(row));
@@ -213,7 +213,7 @@ fn values_set_before_are_values_set_after() {
     });
 }
 
-/// Programs over floats, which `--code` writes, have the same values.
+/// The programs over floats that `--code` writes have the same values.
 #[test]
 fn programs_have_the_same_values() {
     for_each(&charts(), |row| {

@@ -1,4 +1,4 @@
-//! Right-invariant systems, as left-invariant ones on the opposite group.
+//! Right-invariant systems agree with left-invariant systems on the opposite group.
 //!
 //! Guards `group::Opposite`, `mechanics::systems::euler_poincare` and `Problem`.
 
@@ -14,7 +14,7 @@ use affinor_documents::problem::Problem;
 use affinor_tensors::{Down, Tensor};
 use nalgebra::{DMatrix, DVector, Vector3, Vector6};
 
-/// Positive definite, and not diagonal.
+/// A positive definite matrix that is not diagonal.
 fn full<G: TranslationSplit>(group: &G) -> Metric<f64> {
     let labels = group.algebra().unwrap().labels().to_vec();
     let entry = |[i, j]: [usize; 2]| match i.abs_diff(j) {
@@ -43,7 +43,7 @@ fn close<V: Coordinates>(x: &V, y: &V, tolerance: f64) {
     assert!(off <= tolerance * (1.0 + x.largest()), "{x:?} and {y:?} differ by {off:e}");
 }
 
-/// `g -> g^-1` takes left-invariant motions to right-invariant ones with the negative velocity.
+/// `g -> g^-1` maps left-invariant motions to right-invariant ones with the negative velocity.
 fn inverses<G: TranslationSplit + Clone>(group: G, turn: &G::Vector, velocity: &G::Vector) {
     let (left, right) = (free(group.clone()), free(Opposite(group.clone())));
     let g = group.exp(turn);
@@ -53,7 +53,7 @@ fn inverses<G: TranslationSplit + Clone>(group: G, turn: &G::Vector, velocity: &
         MuntheKaas::RK4.step(&left, &mut on_left, 0.02).unwrap();
         MuntheKaas::RK4.step(&right, &mut on_right, 0.02).unwrap();
     }
-    // the two are one method, so its error does not matter
+    // both motions use one method, so its error cancels
     let back = group.compose(&on_left.element, &on_right.element);
     assert!(group.log(&back).unwrap().largest() < 1e-12, "{back:?}");
     close(&-left.velocity(&on_left), &right.velocity(&on_right), 1e-12);
@@ -61,8 +61,8 @@ fn inverses<G: TranslationSplit + Clone>(group: G, turn: &G::Vector, velocity: &
     close(&on_left.spatial, &-on_right.spatial, 1e-12);
 }
 
-/// The velocity is the spatial one, `g' = omega g`; the momentum in the body is constant, and the rates are those of the
-/// negative structure constants.
+/// The velocity is the spatial one, `g' = omega g`; the momentum in the body is constant, and the
+/// equations contain the negative structure constants.
 fn right_invariant<G: TranslationSplit + Clone>(group: G, turn: &G::Vector, velocity: &G::Vector) {
     let system = free(Opposite(group.clone()));
     let start = system.state(0.0, group.exp(turn), velocity);
@@ -72,7 +72,7 @@ fn right_invariant<G: TranslationSplit + Clone>(group: G, turn: &G::Vector, velo
     let path = group.compose(&after.element, &group.inverse(&before.element));
     close(&(group.log(&path).unwrap() * (0.5 / h)), &system.velocity(&end(1.0)), 1e-5);
 
-    // Ad*_g of the spatial momentum is that in the body
+    // Ad*_g of the spatial momentum is the momentum in the body
     let body = |t: f64| {
         let state = end(t);
         group.coadjoint(&state.element, &system.momentum(&state))
@@ -107,7 +107,7 @@ fn right_invariant_motions_are_inverses_of_left_invariant_ones() {
     both(affine(), &DVector::from_vec(vec![0.3, -0.5]), &DVector::from_vec(vec![0.4, 0.3]));
 }
 
-/// On an abelian group, and for a bi-invariant metric, both sides are one.
+/// On an abelian group, and for a bi-invariant metric, left- and right-invariant systems are equal.
 #[test]
 fn a_ball_does_not_know_the_side() {
     let algebra = So3.algebra().unwrap();
@@ -120,7 +120,7 @@ fn a_ball_does_not_know_the_side() {
     let start = system.state(0.0, So3.identity(), &velocity);
     let end = Adaptive::new(1e-13).states(&system, &start, &[2.0]).unwrap().remove(0);
     assert!(end.element.angle_to(&So3.exp(&(velocity * 2.0))) < 1e-12);
-    // the frame of the group itself is not that of its opposite
+    // the frame of the group is not the frame of its opposite
     let plus = Connection::canonical(&algebra, CanonicalConnection::Plus);
     assert!(EulerPoincare::free(Opposite(So3), &plus, &metric).is_err());
 }
@@ -135,14 +135,14 @@ fn elements_are_written_as_those_of_the_group() {
     assert!(Opposite(So3).read(&DMatrix::zeros(3, 3)).is_err());
 }
 
-/// Entries of the element, and the other columns, at the end of a problem.
+/// The entries of the element, and the other columns, at the end of a problem.
 fn ended(text: &str) -> (DMatrix<f64>, Vec<f64>, Vec<f64>) {
     let problem = Problem::parse("motion.toml", text).unwrap_or_else(|e| panic!("{text}: {e}"));
     let mut ready = problem.motion(0).unwrap_or_else(|e| panic!("{text}: {e}"));
     let names: Vec<&str> = ready.columns.iter().map(|column| column.name.as_str()).collect();
     let names: Vec<&str> = names.into_iter().filter(|name| name.starts_with('g')).collect();
     let entries = names.len();
-    // those of a second factor end in _2
+    // columns of a second factor end in _2
     let second = names.iter().filter(|name| name.ends_with("_2")).count();
     let [first, second] =
         [entries - second, second].map(|entries| (0..=entries).find(|n| n * n == entries).unwrap());
@@ -161,8 +161,9 @@ fn ended(text: &str) -> (DMatrix<f64>, Vec<f64>, Vec<f64>) {
     (matrix, start[entries..].to_vec(), others)
 }
 
-/// By name, on groups of matrices whose brackets are no whole numbers in floats: the inverse of the left-invariant motion
-/// with the negative velocity, and the momentum in the body stays.
+/// Groups by name and groups of matrices whose brackets are not integers in floats. The motion is
+/// the inverse of the left-invariant motion with the negative velocity, and the momentum in the
+/// body is conserved.
 #[test]
 fn every_group_of_matrices_has_right_invariant_motions() {
     let spaces = [

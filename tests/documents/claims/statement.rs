@@ -42,7 +42,7 @@ impl LineElement {
     /// A function on the chart. It is the first component of a metric that is never degenerate.
     ///
     /// # Errors
-    /// A function that is refused.
+    /// An error if the function cannot be parsed.
     pub fn function(&self, text: &str) -> Result<Symbolic, String> {
         let entry = |i: usize, j: usize| match (i, j) {
             (0, 0) => text,
@@ -67,7 +67,7 @@ impl LineElement {
     /// Whether a claim holds.
     ///
     /// # Errors
-    /// A function or tensor that is refused.
+    /// An error if the function or tensor cannot be parsed.
     pub fn holds(&self, claim: &str) -> Result<bool, String> {
         let (left, right) = claim.split_once(" = ").unwrap();
         let metric = self.geometry.metric().unwrap().components();
@@ -120,7 +120,7 @@ impl LineElement {
     }
 }
 
-/// The parts between the commas outside of parentheses.
+/// The parts between commas, except commas in parentheses.
 fn entries(list: &str) -> Vec<&str> {
     let (mut depth, mut from, mut found) = (0, 0, vec![]);
     for (at, c) in list.char_indices() {

@@ -1,5 +1,5 @@
-//! The paper's claims: they hold of the geometry they are about, and where they fail, the first
-//! component that fails is named with its value.
+//! The paper's claims hold for the geometry that they are about. The report of a claim that fails
+//! names the first such component with its value.
 
 use affinor::Geometry;
 use affinor::geometry::properties::Property;
@@ -11,7 +11,7 @@ use affinor_tensors::Tolerance;
 /// Whether a claim holds; `None` without a metric.
 type Verdict = Option<Property<String>>;
 
-/// The verdicts on a geometry, each with what loops over its components say.
+/// The verdicts on a geometry, each compared with loops over its components.
 fn verdicts_over<S: Coefficient>(space: &Space) -> Vec<(Claim, Verdict, Option<String>)> {
     let geometry = space.definition.geometry::<S>(Tolerance::default()).unwrap();
     let both = |claim: Claim| (claim, claim.holds(&geometry).unwrap(), by_loops(claim, &geometry));
@@ -36,8 +36,8 @@ fn residual(space: &str, claim: Claim) -> String {
     }
 }
 
-/// The first component that a claim says is zero and that is not, `c^i_jk` and so on summed by
-/// loops; the end of a residual, ` = value`. `None` where the claim holds or does not apply.
+/// The first component that is nonzero although a claim says it is zero, from sums by loops.
+/// Returns the end of a residual, ` = value`; `None` if the claim holds or does not apply.
 fn by_loops<S: Coefficient>(claim: Claim, geometry: &Geometry<S>) -> Option<String> {
     let n = geometry.frame().dimension();
     let c = |i, j, k| geometry.frame().structure_functions().get(&[i, j, k]);
@@ -59,7 +59,7 @@ fn by_loops<S: Coefficient>(claim: Claim, geometry: &Geometry<S>) -> Option<Stri
             (0..n.pow(rank as u32)).map(|at| component(&digits(at).collect::<Vec<_>>()));
         components.into_iter().find(|v| !v.vanishes()).map(|value| format!(" = {value}"))
     };
-    // along n = e_j: either nabla_n n is not zero, or Lambda^i_jk - share c^i_jk is to be
+    // along n = e_j: nabla_n n should be zero, or Lambda^i_jk should be share c^i_jk
     let transport = |share: S| {
         (0..n).find_map(|j| {
             let bends = (0..n).any(|i| !gamma(i, j, j).vanishes());
@@ -130,7 +130,7 @@ fn every_claim_holds_of_the_geometry_it_is_about_and_of_no_other() {
 
 #[test]
 fn claims_of_m3_and_so3_as_the_paper_makes_them() {
-    // the five of M(3), the one of both, the six of "SO(3)"
+    // five claims about M(3), one about M(3) and "SO(3)", six about "SO(3)"
     let about: Vec<_> = Claim::ALL.into_iter().map(|claim| claim.about().join(" ")).collect();
     let expected = [["M(3)"; 5].as_slice(), &["M(3) SO(3)"], &["SO(3)"; 6]].concat();
     assert_eq!(about, expected);
@@ -157,7 +157,7 @@ fn a_failing_claim_names_its_first_component() {
         (Claim::TorsionFree, "aff(1)@lambda=a", "tau^2_12 = 2*a - 1"),
         // c^3_12 c^1_32 = -1
         (Claim::CurvedByBracket, "M3", "R^1_212 + 1/4 c^m_12 c^1_m2 = -1/4"),
-        // two-step nilpotent: the formula holds, but nothing is curved
+        // two-step nilpotent: the formula holds, but the curvature is zero
         (Claim::CurvedByBracket, "heisenberg3@zero", "R^i_jkl = 0"),
         (Claim::TransportByHalfAd, "M3", "G^2_3 + 1/2 ad^2_3 = 1/2 for n = e1"),
         (Claim::Compatible, "M3", "(nabla_1 g)_12 = -J13"),
@@ -225,7 +225,7 @@ fn residuals_are_those_of_loops_over_the_components() {
 
 #[test]
 fn indices_of_a_residual_are_those_of_its_value() {
-    // a connection with one affinity of its own: every claim finds it where it is
+    // a connection with a single affinity: every claim that fails names its component
     let table = [
         ("nabla[e1,e2] = 5*e2", Claim::AffinitiesAreStructure, "Lambda^2_12 - c^2_12 = 4"),
         ("nabla[e1,e2] = 5*e2", Claim::TorsionFree, "tau^2_12 = 4"),

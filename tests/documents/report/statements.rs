@@ -1,4 +1,5 @@
-//! Statements about spaces: each line that a table prints holds, and fails once a value in it is changed.
+//! Statements about spaces: each line of a printed table holds, and fails if a value in it is
+//! changed.
 
 use affinor_documents::report::{
     Computation, Format, Quantity, Report, Statements, Table, Verdicts, grouped_in_text,
@@ -16,13 +17,13 @@ fn test(space: &str, statements: &str) -> Verdicts {
     Computation::of(&open(space)).test(&statements).unwrap_or_else(|e| panic!("{space}: {e:?}"))
 }
 
-/// The message of a statement that is refused.
+/// The error message for an invalid statement.
 fn refused(space: &str, statement: &str) -> String {
     let statements = Statements::parse("claims.txt", statement).unwrap();
     Computation::of(&open(space)).test(&statements).unwrap_err().message
 }
 
-/// The lines of all tensors of a space as text prints them, without line breaks.
+/// The printed lines of all tensors of a space, without line breaks.
 fn lines<S: Coefficient>(space: &Space) -> Vec<String> {
     let geometry = space.definition.geometry::<S>(Tolerance::default()).unwrap();
     let table = Table::new(&geometry, &Quantity::ALL).unwrap();
@@ -61,7 +62,7 @@ fn lines_of_tables_hold() {
         for verdict in verdicts.iter() {
             assert!(verdict.holds, "{name}: {verdict:?}");
         }
-        // the last value changed
+        // the last value is changed
         let wrong: Vec<String> = lines.iter().map(|line| format!("{line} + 1")).collect();
         let verdicts = test(&name, &wrong.join("\n"));
         assert_eq!(verdicts.iter().count(), lines.len());
@@ -109,7 +110,8 @@ fn components_with_names_hold() {
     }
 }
 
-/// Identities with free and summed letters, with indices raised and lowered, hold where theorems say so, and fail elsewhere.
+/// Identities with free and summed letters, and with raised and lowered indices, hold where
+/// theorems say so, and fail elsewhere.
 #[test]
 fn identities_with_letters() {
     let metric = "so3@levi-civita;metric=[[2,1,0],[1,3,0],[0,0,1]]";
@@ -164,7 +166,8 @@ fn witnesses_have_the_component_and_both_values() {
     );
 }
 
-/// Names of the basis and of coordinates are indices; a parameter comes before a tensor of the same name.
+/// Names of the basis and of coordinates are indices; a parameter takes precedence over a tensor
+/// with the same name.
 #[test]
 fn names_of_indices_and_parameters() {
     let chart = example("schwarzschild.toml");
@@ -201,8 +204,8 @@ fn refused_statements() {
         ("Ric_ij = g_ik", "the terms have different indices: _ij and _ik"),
         ("Ric_ij = 1", "the terms have different indices: _ij and none"),
         ("Ric_ij + 1 = 0", "the terms have different indices: _ij and none"),
-        ("Ric_ii = 0", "the letter i is summed at one level"),
-        ("c^i_jk c^i_jk = 0", "the letter i is summed at one level"),
+        ("Ric_ii = 0", "the summed letter i is not once upper and once lower"),
+        ("c^i_jk c^i_jk = 0", "the summed letter i is not once upper and once lower"),
         ("g_mi c^m_jk c^j_ml = 0", "the summed letter m occurs more than twice"),
         ("torsion*torsion = 0", "a product of whole tensors: write their indices"),
         ("1/ricci = 0", "the reciprocal of a tensor, with the indices lower, lower"),
@@ -215,7 +218,7 @@ fn refused_statements() {
     ] {
         assert_eq!(refused(space, statement), message, "{statement}");
     }
-    let without = "without a metric the indices of R^i_jkl stay where they are";
+    let without = "without a metric, the indices of R^i_jkl cannot be raised or lowered";
     assert_eq!(refused("so3@plus", "R_ijkl = 0"), without);
     assert_eq!(refused("so3@plus", "Einstein"), "`Einstein` is not defined for this space");
     assert_eq!(refused("so3@plus", "weyl = 0"), "weyl is not defined for this space");

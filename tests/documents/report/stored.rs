@@ -1,5 +1,5 @@
-//! A stored table agrees with the space it was computed from: every tensor, in both formats that are read back, of the
-//! catalogue up to dimension 30 and of the examples.
+//! A stored table agrees with its space: for every tensor, in both formats that can be read back,
+//! for the catalogue up to dimension 30 and the examples.
 
 use crate::common::root;
 use affinor::algebra::catalogue;
@@ -9,10 +9,10 @@ use affinor_documents::space::{Definition, Request, ScalarChoice, Space};
 use affinor_documents::{Coefficient, over_kind};
 use affinor_tensors::Tolerance;
 
-/// The largest dimension of the catalogue's algebras that are read back.
+/// The largest dimension of the algebras that are read back.
 const LARGEST: usize = 30;
 
-/// Stores and reads a table of each tensor alone, and of all together; the number of tables read.
+/// Stores and reads a table of each tensor, and of all together. Returns the number of tables.
 fn read_tables<S: Coefficient>(
     definition: &Definition,
     all: &[Quantity],
@@ -43,7 +43,7 @@ fn read_tables<S: Coefficient>(
     Ok(read)
 }
 
-/// Reads back the tables of a space; the number of tables.
+/// Reads back the tables of a space. Returns the number of tables.
 #[track_caller]
 fn read_back(request: &Request, quantities: &[Quantity]) -> usize {
     let space = Space::open(request).unwrap();
@@ -52,7 +52,7 @@ fn read_back(request: &Request, quantities: &[Quantity]) -> usize {
     read.unwrap_or_else(|error| panic!("{request:?}: {error:?}"))
 }
 
-/// The names of the catalogue up to a dimension: every family by its pattern, with the arguments that it takes.
+/// The names of the catalogue up to a dimension: every family by its pattern, with its arguments.
 fn names() -> Vec<String> {
     let mut names = vec![];
     for family in catalogue::families() {
@@ -87,8 +87,8 @@ fn names() -> Vec<String> {
     names
 }
 
-/// With the connection `zero`, and with the Levi-Civita connection of the identity up to dimension 6, where curvature
-/// has components enough.
+/// With the connection `zero`, and with the Levi-Civita connection of the identity up to dimension
+/// 6, where the curvature has enough components.
 #[test]
 fn every_table_of_the_catalogue_is_read_back() {
     let names = names();

@@ -30,11 +30,11 @@ fn lowered(geometry: &Geometry<Symbolic>) -> [Tensor<Symbolic>; 2] {
     ]
 }
 
-/// Spaces of constant curvature in coordinates with roots, logarithms and parts of angles: each is another chart of a space
-/// above.
+/// Spaces of constant curvature in coordinates with roots, logarithms and multiples of angles: each
+/// is another chart of a space above.
 #[test]
 fn constant_curvature_in_roots_and_logarithms() {
-    // x = r^2 and another origin of the angle at each x; x = exp(r)
+    // x = r^2, with an origin of the angle that depends on x; x = exp(r)
     let turned = "[['1/(4*x) + x^2', 'x*sqrt(x)'], ['x*sqrt(x)', 'x']]";
     let scaled = "[['1/(4*a*x) + x^2/a', 'x*sqrt(x/a)'], ['x*sqrt(x/a)', 'x']]";
     for (metric, k) in [
@@ -61,7 +61,8 @@ fn constant_curvature_in_roots_and_logarithms() {
     assert_eq!(unit.connection().affinities().get(&[0, 1, 1]), value("-1/sqrt(x^2 + y^2)"));
 }
 
-/// A value that contradicts a sign is refused: `sqrt(a^2 x) = a sqrt(x)` holds for positive `a` alone.
+/// A value that contradicts a sign is an error: `sqrt(a^2 x) = a sqrt(x)` holds for positive `a`
+/// only.
 #[test]
 fn values_against_declared_signs() {
     let cases = [
@@ -91,7 +92,8 @@ fn values_against_declared_signs() {
     }
 }
 
-/// An argument that factorises at a value needs the signs of its factors; the values of functions keep declared signs.
+/// If an argument factorizes at a value, the signs of its factors are needed; the values of
+/// functions keep declared signs.
 #[test]
 fn values_at_which_arguments_factorise() {
     let set = |positive: &str, entry: &str, value: &str| {
@@ -125,7 +127,8 @@ fn values_at_which_arguments_factorise() {
     }
 }
 
-/// Values for the functions of a metric may be set before its tensors, or in them.
+/// Values for the functions of a metric may be set before its tensors are computed, or in the
+/// tensors.
 #[test]
 fn functions_are_set_before_or_after() {
     let text = "chart = {coordinates = ['x', 'y'], functions = ['f(x, y)', 'g(y)']}\n\
@@ -169,7 +172,7 @@ fn flat_and_hyperbolic_space_in_polar_coordinates() {
     assert_eq!(parallel.connection().torsion().get(&[1, 0, 1]), value("1/r"));
 }
 
-/// The fields stand in their order, however they are called.
+/// The fields have the order of the file, whatever their names.
 #[test]
 fn the_order_of_the_fields_is_that_of_the_file() {
     let toml =

@@ -1,4 +1,4 @@
-//! Texts that begin like tables of structure constants, damaged at every character: none makes the readers panic.
+//! Tables of structure constants with one damaged character: the readers never panic.
 
 use affinor_documents::space::Definition;
 

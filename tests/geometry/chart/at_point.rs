@@ -21,7 +21,7 @@ fn jets(tensor: &Tensor<Rational>) -> Tensor<Jet> {
     tensor.map(|v| Jet::constant(v.to_f64()))
 }
 
-/// Equal values, up to rounding.
+/// Expects equal values, up to rounding errors.
 fn close(here: &Tensor<Jet>, expected: &Tensor<Jet>, tolerance: f64) {
     let size = |t: &Tensor<Jet>| t.components().map(|(_, v)| v.value().abs()).fold(0.0, f64::max);
     let bound = tolerance * (1.0 + size(expected));
@@ -80,7 +80,8 @@ fn rotation_vectors_by_the_formula_of_rodrigues() {
     }
 }
 
-/// Where the fields have a closed form, they are these, with their derivatives.
+/// If the fields have a closed form, the values at a point agree with it, and so do the
+/// derivatives.
 #[test]
 fn exact_fields_at_points() {
     let algebras = [
@@ -117,8 +118,8 @@ fn exact_fields_at_points() {
     }
 }
 
-/// Curvature from the fields, and from a metric of functions in the coordinates themselves,
-/// against that from the constants.
+/// The curvature from the fields, and from a metric of functions in the coordinates, agrees with
+/// the curvature from the structure constants.
 fn curvature_both_ways(
     algebra: &LieAlgebra<Rational>,
     metric: &Metric<Rational>,
@@ -277,7 +278,7 @@ fn points_far_out() {
     let short =
         Frame::canonical_at_point(&so3, CanonicalCoordinates::First, Side::Left, &[0.0, 1.0]);
     assert!(matches!(short, Err(Error::Shape { .. })));
-    // nothing grows but polynomials
+    // all functions are polynomials
     let heisenberg = catalogued("heisenberg(3)");
     for kind in KINDS {
         let x = [1e9, -2e9, 3e9];
@@ -298,7 +299,7 @@ properties! {
     ) {
         for (kind, side) in KINDS.into_iter().flat_map(|kind| SIDES.map(|side| (kind, side))) {
             let frame = Frame::canonical_at_point(&floats(&algebra), kind, side, &x);
-            // nothing is promised for a point near a singular one, but these eigenvalues are small
+            // no accuracy is guaranteed near a singular point, but these eigenvalues are small
             let largest = algebra.structure_constants().components().map(|(_, v)| v.to_f64().abs());
             prop_assume!(largest.fold(0.0, f64::max) < 20.0);
             close(frame.unwrap().structure_functions(), &jets(algebra.structure_constants()).scale(&sign(side)), 1e-6);

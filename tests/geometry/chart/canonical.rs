@@ -20,7 +20,8 @@ fn fields(
     chart(algebra.dimension()).invariant_fields(algebra, kind, side)
 }
 
-/// Structure constants `c` and `-c`; left and right fields commute, and agree at the identity.
+/// The fields have the structure constants `c` and `-c`; left and right fields commute, and agree
+/// at the identity.
 fn invariant(name: &str, algebra: &LieAlgebra<Symbolic>, kind: CanonicalCoordinates) {
     let [left, right] = [Side::Left, Side::Right].map(|side| fields(algebra, kind, side).unwrap());
     let c = algebra.structure_constants();
@@ -35,7 +36,7 @@ fn invariant(name: &str, algebra: &LieAlgebra<Symbolic>, kind: CanonicalCoordina
         let bracket = coordinates.bracket(&field(&left, i), &field(&right, j)).unwrap();
         assert!(bracket.iter().all(|v| v == &value("0")), "{name}: [L{i}, R{j}]");
     }
-    // the limit, for quotients such as (exp(x) - 1)/x
+    // the limit of quotients such as (exp(x) - 1)/x
     let near = |name: &str| name.strip_prefix('x')?.parse::<f64>().ok().map(|a| 1e-3 / (1.0 + a));
     for (a, i) in (0..n).flat_map(|a| (0..n).map(move |i| (a, i))) {
         for fields in [&left, &right] {
@@ -163,7 +164,7 @@ fn eigenvalues_that_are_no_integers_are_refused() {
         refused.contains("ad_(e1 + 102*e2)") && refused.contains("z^3 + 10405*z^1"),
         "{refused}"
     );
-    // a parameter as an eigenvalue is no integer, elsewhere it may stand
+    // a parameter as an eigenvalue is not an integer, but elsewhere it is allowed
     let scaled =
         |table| symbolic(&by_table(3, table)).map(|v| v.clone() * &Symbolic::parameter("a"));
     let refused =
@@ -184,8 +185,8 @@ fn eigenvalues_that_are_no_integers_are_refused() {
 properties! {
     #![cases(6)]
 
-    /// The curvature of a left-invariant metric and of the canonical connections, by constants
-    /// and by coordinates.
+    /// The curvature of a left-invariant metric and of the canonical connections: from the
+    /// structure constants and from the coordinates.
     #[test]
     fn curvature_by_constants_and_by_coordinates(
         which in 0usize..6,

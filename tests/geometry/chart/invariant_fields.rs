@@ -1,5 +1,6 @@
-//! The canonical connections by brackets with invariant fields, exactly: equations (28)-(39), (101), (105), (A8) and (B6) of the
-//! paper for general fields, where the rows of the document use parallel transport in floats.
+//! The canonical connections by brackets with invariant fields, exactly: equations (28)-(39),
+//! (101), (105), (A8) and (B6) of the paper for general fields. The rows of the document use
+//! parallel transport in floats instead.
 //!
 //! The fields are those of canonical coordinates of the second kind, `exp(x1 e1) exp(x2 e2) ...`, in which any of these
 //! algebras has a closed form.
@@ -34,7 +35,7 @@ impl Group {
         self.algebra.dimension()
     }
 
-    /// The left-invariant `e_j`, in left components as all fields here.
+    /// The left-invariant `e_j`, in left-invariant components as all fields here.
     fn e(&self, j: usize) -> Vec<Symbolic> {
         (0..self.n()).map(|i| constant(i64::from(i == j))).collect()
     }
@@ -46,7 +47,7 @@ impl Group {
         self.left.change().apply(&field).unwrap().to_vector().unwrap()
     }
 
-    /// A field without a pattern.
+    /// A field without symmetries.
     fn wild(&self) -> Vec<Symbolic> {
         let x = |a: usize| Symbolic::parameter(&format!("x{}", a % self.n() + 1));
         (0..self.n()).map(|i| x(i) * &x(i + 1) + &constant(i as i64 + 1)).collect()
@@ -77,7 +78,7 @@ impl Group {
         self.right.change().apply(&field).unwrap().to_vector().unwrap()
     }
 
-    /// `1/2 [e_j, Y] + 1/2 a^m [R_m, Y]` with the numbers `a`.
+    /// `1/2 [e_j, Y] + 1/2 a^m [R_m, Y]` with the constants `a`.
     fn half(&self, j: usize, a: &[Symbolic], y: &[Symbolic]) -> Vec<Symbolic> {
         let left = self.bracket(&self.e(j), y);
         let right: Vec<_> = (0..self.n()).map(|m| self.bracket(&self.right(m), y)).collect();
@@ -142,17 +143,18 @@ fn zero_is_half_the_bracket_with_both_fields_through_the_same_vector() {
     }
 }
 
-/// Before (39): `X^R` goes through `X(p)`, not through `X(e)`.
+/// Text before (39): `X^R` is the field through `X(p)`, not through `X(e)`.
 #[test]
 fn right_invariant_fields_through_the_identity_give_another_connection() {
     for group in groups() {
         let different = |j: &usize| group.frozen(*j) != group.e(*j);
         let j = (0..group.n()).find(different).unwrap();
-        // through e_j(e), as the text builds them, a general field is differentiated wrongly ..
+        // with the fields through e_j(e), as in the text, a general field is differentiated
+        // wrongly,
         let (y, through_identity) = (group.wild(), group.e(j));
         let nabla = group.nabla(CanonicalConnection::Zero, &group.e(j), &y);
         assert_ne!(group.half(j, &through_identity, &y), nabla, "{}", group.name);
-        // .. and the frame is not, because [R, L] = 0 (35)
+        // but the frame is not, because [R, L] = 0 (35)
         for k in 0..group.n() {
             let nabla = group.nabla(CanonicalConnection::Zero, &group.e(j), &group.e(k));
             assert_eq!(group.half(j, &through_identity, &group.e(k)), nabla, "{}", group.name);
@@ -160,7 +162,7 @@ fn right_invariant_fields_through_the_identity_give_another_connection() {
     }
 }
 
-/// (33)-(36).
+/// (33)-(36): left- and right-invariant fields commute, and are parallel.
 #[test]
 fn left_and_right_invariant_fields_commute_and_are_parallel() {
     for group in groups() {
@@ -178,7 +180,7 @@ fn left_and_right_invariant_fields_commute_and_are_parallel() {
             let minus = group.nabla(CanonicalConnection::Minus, &group.e(j), &group.e(k));
             assert_eq!(minus, zero, "{}", group.name);
         }
-        // and crosswise they are not
+        // but not the other way round
         let all = |which, right: bool| {
             let field = |k| if right { group.right(k) } else { group.e(k) };
             let pairs = (0..n).flat_map(|j| (0..n).map(move |k| (j, k)));
@@ -197,7 +199,7 @@ fn left_and_right_invariant_fields_commute_and_are_parallel() {
     }
 }
 
-/// (A8).
+/// (A8): the structure functions are constant in invariant frames.
 #[test]
 fn structure_functions_are_constant_in_invariant_frames() {
     for group in groups() {
@@ -215,7 +217,7 @@ fn structure_functions_are_constant_in_invariant_frames() {
             }
         }
     }
-    // of another frame they are functions: e_1, x1 e_2 with [e_1, e_2] = e_2 on Aff(1)
+    // in another frame they are functions: e_1, x1 e_2 with [e_1, e_2] = e_2 on Aff(1)
     let group = groups().find(|group| group.name == "aff(1)").unwrap();
     let scaled = [([0, 0], value("1")), ([1, 1], value("x1"))];
     let scaled = Tensor::from_components(2, &[Up, Down], scaled).unwrap();
@@ -223,7 +225,7 @@ fn structure_functions_are_constant_in_invariant_frames() {
     assert_eq!(moved.structure_functions().get(&[1, 0, 1]), value("1 + 1/x1"));
 }
 
-/// (B6).
+/// (B6): invariant fields are parallel along themselves.
 #[test]
 fn invariant_fields_are_parallel_along_themselves() {
     for group in groups() {
@@ -246,34 +248,34 @@ fn invariant_fields_are_parallel_along_themselves() {
                 assert_eq!(group.nabla(which, &x, &x), zero, "{} {which:?}", group.name);
             }
         }
-        // a field without a pattern does not
+        // a random field is not
         assert_ne!(group.nabla(CanonicalConnection::Zero, &group.wild(), &group.wild()), zero);
     }
 }
 
-/// A symmetric matrix of constants without a pattern.
+/// A dense symmetric matrix of constants.
 fn inertia(n: usize) -> Tensor<Symbolic> {
     let entry = |i: usize, j: usize| if i == j { 3 + i as i64 } else { (i + j) as i64 % 2 };
     Tensor::from_fn(n, [Down, Down], |[i, j]| constant(entry(i, j))).unwrap()
 }
 
-/// (101).
+/// (101): left translations preserve a metric with constant components.
 #[test]
 fn left_translations_preserve_a_metric_of_constant_components() {
     for group in groups() {
         let j = inertia(group.n());
-        // left translations keep it: they are the flows of right-invariant fields
+        // left translations preserve it: they are the flows of right-invariant fields
         let along = |field: Vec<Symbolic>| {
             group.frame().lie_derivative(&Tensor::vector(&field, Up), &j).unwrap()
         };
         assert!((0..group.n()).all(|k| along(group.right(k)).is_empty()), "{}", group.name);
-        // right translations do not keep it
+        // right translations do not preserve it
         assert!((0..group.n()).any(|k| !along(group.e(k)).is_empty()), "{}", group.name);
         assert!(group.frame().derivative(&j).unwrap().is_empty());
     }
 }
 
-/// (105): the derivative of a covector and that of the dual frame.
+/// (105): the derivative of a covector includes the derivative of the dual frame.
 #[test]
 fn covariant_derivatives_of_covectors_include_the_dual_frame() {
     for group in groups() {

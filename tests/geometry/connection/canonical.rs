@@ -48,7 +48,7 @@ properties! {
         let killing = space.algebra.killing_form();
         prop_assert_eq!(family.ricci(), killing.scale(&factor));
         prop_assert!(family.nabla(&killing)?.is_empty());
-        // bi-invariant: the torsion and the curvature are parallel too
+        // for a bi-invariant metric torsion and curvature are parallel too
         prop_assert!(family.nabla(&family.torsion())?.is_empty());
         prop_assert!(family.nabla(family.curvature())?.is_empty());
     }
@@ -67,7 +67,7 @@ properties! {
         prop_assert!(plus.curvature().is_empty());
         prop_assert!(minus.curvature().is_empty());
         prop_assert_eq!(zero.curvature(), &double_brackets(&space, &fraction(-1, 4)));
-        // (40): antisymmetric in the left frame
+        // (40): antisymmetric in the left-invariant frame
         if !c.is_empty() {
             prop_assert_eq!(zero.affinities().pair_symmetry(1, 2), Some(-1));
         }
@@ -91,7 +91,8 @@ properties! {
         prop_assert_eq!(form(&bracket(x, y), z), form(x, &bracket(y, z)));
     }
 
-    /// Transport is `exp(-s ad_n)`, `exp(-s ad_n/2)`, and the identity of left components.
+    /// Transport in left-invariant components is `exp(-s ad_n)`, `exp(-s ad_n/2)`, and the
+    /// identity.
     #[test]
     fn transport_along_autoparallels((space, n) in vectors(1)) {
         let n = &n[0];
@@ -108,7 +109,7 @@ properties! {
             space.family().transport_generator(n).unwrap(),
             ad.scale(&-space.lambda.clone())
         );
-        // of other connections only along vectors with nabla_n n = 0
+        // for other connections only along vectors with nabla_n n = 0
         let other = space.connection();
         let at = |i: usize, k: usize| {
             let terms = (0..n.len()).map(|j| other.affinities().get(&[i, j, k]) * &n[j]);
@@ -136,7 +137,8 @@ properties! {
     }
 }
 
-/// The seeds are what their names say, so that the laws are tried beyond the semisimple.
+/// The seeds have the properties of their names, so that the laws are tested on algebras that are
+/// not semisimple too.
 #[test]
 fn the_seeds_are_of_every_kind() {
     let semisimple = |name: &str| ["so(3)", "sl(2)", "so(2,1)"].contains(&name);

@@ -1,5 +1,5 @@
-//! The tensors made of the curvature: trace-free Ricci, Einstein, Schouten, Weyl, Cotton, Kretschmann, the parts of
-//! Ricci, and the derivatives of torsion and curvature.
+//! Tensors from the curvature: trace-free Ricci, Einstein, Schouten, Weyl, Cotton, Kretschmann, the
+//! parts of Ricci, and the derivatives of torsion and curvature.
 
 use crate::common::algebras::{by_table, catalogued};
 use crate::common::charts::{Moved, affine, constant, heisenberg, special_linear};
@@ -19,7 +19,8 @@ fn square(tensor: &Tensor<Rational>, metric: &Metric<Rational>) -> Rational {
 properties! {
     #![cases(32)]
 
-    /// No trace, the symmetries of a curvature, and nothing at all in dimension 3.
+    /// The Weyl tensor is trace-free, has the symmetries of a curvature tensor, and vanishes in
+    /// dimension 3.
     #[test]
     fn weyl(space in spaces(5)) {
         let weyl = space.levi_civita().weyl(&space.metric)?;
@@ -91,7 +92,8 @@ properties! {
         prop_assert_eq!(ricci_squared, square + &(scalar.clone() * &scalar * &fraction(1, n)));
     }
 
-    /// The parts add up; without torsion the antisymmetric one is half a trace of the curvature.
+    /// The sum of the parts is the Ricci tensor. Without torsion the antisymmetric part is half a
+    /// trace of the curvature.
     #[test]
     fn parts_of_ricci(space in spaces(5)) {
         for connection in space.connections() {
@@ -115,7 +117,7 @@ properties! {
         prop_assert_eq!(free.ricci_antisymmetric()?, trace.scale(&fraction(1, 2)));
     }
 
-    /// The formulas as they stand, also where Ricci is not symmetric.
+    /// The formulas hold literally, also if Ricci is not symmetric.
     #[test]
     fn of_any_connection(space in spaces(4)) {
         let (metric, n) = (&space.metric, space.dimension());
@@ -155,8 +157,8 @@ properties! {
         }
     }
 
-    /// The direction is the first lower index; the canonical connections have parallel torsion and
-    /// curvature (E. Cartan, J. A. Schouten 1926).
+    /// Of the lower indices of a derivative the first is the direction. The canonical connections
+    /// have parallel torsion and curvature (E. Cartan, J. A. Schouten 1926).
     #[test]
     fn derivatives(space in spaces(4)) {
         let (connection, n) = (space.connection(), space.dimension());
@@ -206,7 +208,7 @@ fn dimensions() {
     assert_eq!(connection.kretschmann(&metric).unwrap(), integer(0));
 }
 
-/// What is computed in a frame of functions equals the moved constants of the left frame.
+/// Tensors in a frame of functions equal the transformed constants of the left-invariant frame.
 #[test]
 fn moving_frames() {
     let [x, y, v] = ["x", "y", "v"].map(Symbolic::parameter);
@@ -255,7 +257,8 @@ fn diagonal(values: &[Symbolic]) -> Tensor<Symbolic> {
     Tensor::from_fn(values.len(), [Down, Down], entry).unwrap()
 }
 
-/// K. Schwarzschild 1916, with `u = cos theta`: vacuum, and `R_ijkl R^ijkl = 48 m^2/r^6`.
+/// K. Schwarzschild 1916, with `u = cos theta`: the metric is a vacuum solution, and `R_ijkl R^ijkl
+/// = 48 m^2/r^6`.
 #[test]
 fn schwarzschild() {
     let [r, u, m] = ["r", "u", "m"].map(Symbolic::parameter);
@@ -273,8 +276,8 @@ fn schwarzschild() {
     assert_eq!(connection.kretschmann(&metric).unwrap(), expected);
 }
 
-/// The Weyl tensor sees the metric only up to a factor; conformally flat metrics have none, and in
-/// dimension 3 no Cotton tensor.
+/// The Weyl tensor `^i_jkl` does not change if the metric is multiplied by a function. Conformally
+/// flat metrics have a zero Weyl tensor, and in dimension 3 a zero Cotton tensor.
 #[test]
 fn conformal_changes() {
     let names = ["x", "y", "z", "w"];
@@ -336,7 +339,8 @@ fn heisenberg_group_in_coordinates() {
     assert_eq!(york, symmetric([ratio(1, 2), ratio(1, 2) - &square, x, constant(-1)]));
 }
 
-/// The unit sphere in stereographic coordinates: `P = g/2`, no Weyl, no Cotton, `Kr = 2 n (n-1)`.
+/// The unit sphere in stereographic coordinates: `P = g/2`, Weyl and Cotton vanish, `Kr = 2 n
+/// (n-1)`.
 #[test]
 fn round_spheres() {
     let names = ["x", "y", "z", "w"];
@@ -358,8 +362,8 @@ fn round_spheres() {
     }
 }
 
-/// Over symbols the Ricci tensor is computed without the curvature. It is the same trace, also where
-/// the algebra is not unimodular, and in a chart.
+/// Over symbols the Ricci tensor is computed without the curvature. It equals the trace of the
+/// curvature, also if the algebra is not unimodular, and on a chart.
 #[test]
 fn ricci_of_symbols_is_the_trace_of_the_curvature() {
     let text = |text: &str| text.parse::<Symbolic>().unwrap();
@@ -389,7 +393,7 @@ fn ricci_of_symbols_is_the_trace_of_the_curvature() {
     assert_eq!(&sphere.ricci(), metric.components());
 }
 
-/// Two blocks of symbols on se(3): the values at a point are those of numbers from the start.
+/// Two blocks of symbols on se(3): the values at a point equal those of a computation with numbers.
 #[test]
 fn blocks_of_symbols_may_be_set_late() {
     let exact = catalogued("se(3)");

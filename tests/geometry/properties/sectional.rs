@@ -1,4 +1,4 @@
-//! The extremes of sectional curvature against closed forms, and the spaces of invariant metrics.
+//! The extremes of sectional curvature agree with closed forms; the spaces of invariant metrics.
 
 use crate::common::algebras::catalogued;
 use crate::common::spaces::{named, rational};
@@ -11,7 +11,8 @@ use affinor::{
 use affinor_tensors::{Down, Symbolic, Tensor, Up, contract};
 use nalgebra::DMatrix;
 
-/// The smallest and the largest curvature; each is that of its plane, and no coordinate plane lies beyond a proved one.
+/// The smallest and the largest curvature. Each is the curvature of its plane, and no coordinate
+/// plane exceeds a proved extreme.
 fn extremes(space: &Geometry<Rational>) -> [Extreme; 2] {
     let (metric, algebra) = (space.metric().unwrap(), space.algebra().unwrap());
     let found = metric.sectional_extremes(algebra).unwrap().unwrap();
@@ -37,13 +38,14 @@ fn values(found: &[Extreme; 2]) -> [Rational; 2] {
     [found[0].curvature.clone(), found[1].curvature.clone()]
 }
 
-/// J. Milnor, *Adv. Math.* 21 (1976), section 4: a unimodular group with `[e2,e3] = l1 e1, ..` and orthonormal `e_i`.
+/// J. Milnor, *Adv. Math.* 21 (1976), section 4: a unimodular group with `[e2,e3] = l1 e1`, and
+/// cyclically, for orthonormal `e_i`.
 #[test]
 fn of_groups_of_dimension_three() {
     let heisenberg = extremes(&named("heisenberg(3)", "identity"));
     assert_eq!(values(&heisenberg), [fraction(-3, 4), fraction(1, 4)]);
     assert!(heisenberg.iter().all(|extreme| extreme.proved));
-    // a sphere: one value
+    // a sphere: the curvature is constant
     let round = extremes(&named("so3", "identity"));
     assert_eq!(values(&round), [fraction(1, 4), fraction(1, 4)]);
     // Berger's sphere with the fibre scaled by 1/4: K = s/4 of planes with the fibre, 1 - 3 s/4 of the other
@@ -60,8 +62,9 @@ fn of_the_complex_hyperbolic_plane() {
     assert!(found.iter().all(|extreme| !extreme.proved));
 }
 
-/// S. Helgason, VII.11: the largest curvature of a compact simple group with the metric `-K` is a quarter of the square
-/// of the highest root, `1/(4 h)` with the dual Coxeter number `h`. Here the metric is `K`, which changes the sign.
+/// S. Helgason, VII.11: the largest curvature of a compact simple group with the metric `-K` is a
+/// quarter of the squared length of the highest root. It equals `1/(4 h)` with the dual Coxeter
+/// number `h`. Here the metric is `K`, which changes the sign.
 #[test]
 fn of_bi_invariant_metrics() {
     for (name, coxeter) in [("su3", 3), ("so5", 3), ("so(6)", 4)] {
@@ -80,7 +83,7 @@ fn of_bi_invariant_metrics() {
     assert_eq!(metric.sectional_extremes(indefinite.algebra().unwrap()).unwrap(), None);
 }
 
-/// As many bi-invariant forms as ranks modulo primes leave room for.
+/// The number of bi-invariant forms is the upper bound by ranks modulo primes.
 #[test]
 fn bi_invariant_forms() {
     for name in ["so3", "so4", "heisenberg(3)", "se(3)", "sl(2)+R^2", "bianchi(V)", "R^3"] {
@@ -103,7 +106,8 @@ fn bi_invariant_forms() {
     }
 }
 
-/// `plus` differentiates by `ad`, `minus` not at all; the metric of a Levi-Civita connection is parallel.
+/// `plus` differentiates by `ad`, and derivatives by `minus` vanish. The metric of a Levi-Civita
+/// connection is parallel.
 #[test]
 fn parallel_forms() {
     let algebra = catalogued("so3");
@@ -125,8 +129,8 @@ fn parallel_forms() {
     );
 }
 
-/// The round sphere in floats: thin planes have its curvature, parallel vectors span none. Also with null vectors and a
-/// connection that is not metric, exactly.
+/// The round sphere in floats: planes of nearly parallel vectors have its curvature, and parallel
+/// vectors are an error. Also with null vectors and a connection that is not metric, exactly.
 #[test]
 fn planes_in_floats() {
     let so3 = catalogued("so(3)");
@@ -143,7 +147,7 @@ fn planes_in_floats() {
         let y = x.map(|x| x * f64::from(k) / 7.0);
         assert_eq!(curvature(&x, &y), None, "{k}");
     }
-    // a vector that is null, and one that nearly is, in an indefinite metric
+    // a null vector, and one that is nearly null, in an indefinite metric
     let sl2 = catalogued("sl(2)");
     let killing = Metric::new(sl2.labels(), sl2.killing_form()).unwrap();
     let exact = Connection::levi_civita(sl2.left_frame(), &killing).unwrap();
@@ -158,7 +162,8 @@ fn planes_in_floats() {
         let found = connection.sectional_curvature(&metric, &x, &z).unwrap().unwrap();
         assert!((found - expected).abs() < 1e-13, "{found} {expected}");
     }
-    // g(R(x,y)y, x) over the area, where x is null, and where curvature is no plane's alone
+    // g(R(x,y)y, x) over the area, for null vectors x and for connections whose curvature depends
+    // on more than the plane
     for connection in [
         Connection::levi_civita(sl2.left_frame(), &killing).unwrap(),
         Connection::canonical(&sl2, CanonicalConnection::Zero),
@@ -172,7 +177,7 @@ fn planes_in_floats() {
     }
 }
 
-/// Multiples of a metric have the same extreme planes: the curvatures are divided by the factor.
+/// Multiples of a metric have the same extreme planes; the curvatures are divided by the factor.
 #[test]
 fn do_not_depend_on_the_scale() {
     let metric = |factor: &str| format!("diag({factor},2*{factor},3*{factor},5*{factor})");
@@ -194,7 +199,8 @@ fn do_not_depend_on_the_scale() {
     }
 }
 
-/// Random planes, each improved by small random steps, find none beyond the extremes of random metrics by more than rounding.
+/// Random planes, each improved by small random steps, do not exceed the extremes of random
+/// metrics, except by rounding errors.
 #[test]
 fn no_plane_lies_beyond() {
     let mut state = 7_u64;

@@ -1,5 +1,5 @@
-//! Products and logarithms of matrix groups preserve the digits that their input determines, against 60-digit arithmetic and
-//! closed forms; and the element of the algebra nearest to a matrix.
+//! Products and logarithms of matrix groups are as accurate as their input determines, compared
+//! with 60-digit arithmetic and closed forms; and the element of the algebra nearest to a matrix.
 
 use crate::common::algebras::{by_table, catalogued};
 use affinor::algebra::catalogue;
@@ -16,7 +16,7 @@ fn relative(found: &DVector<f64>, exact: &DVector<f64>) -> f64 {
     (found - exact).amax() / exact.amax()
 }
 
-/// Groups and numbers of the stored lines of one kind.
+/// The groups and numbers of the stored lines of one kind.
 fn stored(kind: &str) -> impl Iterator<Item = (AnyGroup, Vec<f64>, &'static str)> {
     include_str!("../../data/logarithms.txt").lines().filter_map(move |line| {
         let mut words = line.split(' ');
@@ -27,8 +27,8 @@ fn stored(kind: &str) -> impl Iterator<Item = (AnyGroup, Vec<f64>, &'static str)
     })
 }
 
-/// `log(exp(x) exp(y))` is right to rounding for vectors of all sizes: also where the product is small, a large boost or near a
-/// half turn.
+/// `log(exp(x) exp(y))` is accurate to rounding errors for vectors of all sizes, also if the
+/// product is small, a large boost or near a half turn.
 #[test]
 fn products_have_all_digits() {
     let mut count = 0;
@@ -42,7 +42,7 @@ fn products_have_all_digits() {
     assert!(count > 100, "{count}");
 }
 
-/// The logarithm of a rounded matrix is as near as the rounding of the entries allows.
+/// The logarithm of a rounded matrix is as accurate as the rounded entries allow.
 #[test]
 fn logarithms_have_the_digits_of_their_entries() {
     let (mut count, mut sharp) = (0, 0);
@@ -52,7 +52,7 @@ fn logarithms_have_the_digits_of_their_entries() {
         let g = group.read(&DMatrix::from_row_slice(size, size, g)).expect(line);
         let x = DVector::from_column_slice(x);
         let found = group.log(&g).expect(line);
-        // nilpotent groups have closed forms, and no estimate
+        // nilpotent groups have closed forms, and do not estimate errors
         let bound = group.log_rounding(&g, &x).unwrap_or(0.0) / x.amax();
         let off = relative(&found, &x);
         assert!(off < 32.0 * EPS + bound, "{line}: {off:e}, {bound:e}");
@@ -62,7 +62,8 @@ fn logarithms_have_the_digits_of_their_entries() {
     assert!(count > 50 && sharp > 30, "{count} {sharp}");
 }
 
-/// Boosts along an axis, and along any direction of the algebra whose element is hyperbolic, add.
+/// Rapidities add for boosts along an axis, and along any direction of the algebra whose elements
+/// are hyperbolic.
 #[test]
 fn boosts_add() {
     let cases: [(&str, &[f64]); 6] = [
@@ -89,7 +90,8 @@ fn boosts_add() {
     }
 }
 
-/// The logarithm of `exp(x)` as rounded is `x`: all digits of boosts up to rapidity 14, whose entries exceed a million.
+/// The logarithm of the rounded `exp(x)` is `x`: accurate for boosts up to rapidity 14, whose
+/// entries exceed a million.
 #[test]
 fn logarithms_of_boosts() {
     for (name, axis) in [("so(2,1)", 0), ("so(3,1)", 1), ("so(2,2)", 1), ("iso(3,1)", 1)] {
@@ -106,8 +108,8 @@ fn logarithms_of_boosts() {
     }
 }
 
-/// `Ad_g log(exp(x) exp(y)) = log(exp(Ad_g x) exp(Ad_g y))`, and the product of a group is that of its image in another basis
-/// of the column vectors.
+/// `Ad_g log(exp(x) exp(y)) = log(exp(Ad_g x) exp(Ad_g y))`, and the product agrees with the
+/// product in another basis of the column vectors.
 #[test]
 fn products_do_not_depend_on_bases() {
     for name in ["so(2,1)", "so(3,1)", "sl(3)", "sp(4)", "iso(2,1)", "gl(3)"] {
@@ -122,13 +124,13 @@ fn products_do_not_depend_on_bases() {
             let ad = group.adjoint_exp(&vector(0.5, [0.3, 0.7, -0.4, 0.2, 0.5]));
             let found = group.log_product(&(&ad * &x), &(&ad * &y)).unwrap();
             let expected = &ad * &product;
-            // the images are rounded
+            // the images have rounding errors
             let bound = 64.0 * EPS * ad.norm().powi(2) * (4.0 * size).exp();
             assert!(relative(&found, &expected) < bound, "{name} {size}: {found} {expected}");
 
             let generators = group.generators();
             let m = generators[0].nrows();
-            // unimodular, with integers as entries: the generators have no rounding error
+            // unimodular, with integer entries: the generators have no rounding error
             let base = DMatrix::from_fn(m, m, |i, j| if i <= j { 1.0 } else { 0.0 });
             let back = DMatrix::from_fn(m, m, |i, j| match j.checked_sub(i) {
                 Some(0) => 1.0,
@@ -143,7 +145,8 @@ fn products_do_not_depend_on_bases() {
     }
 }
 
-/// Products are found up to rapidities of 25, and rejected with a reason where double-double numbers lose digits as well.
+/// Products are computed up to rapidities of 25, and are errors with a reason if double-double
+/// numbers lose accuracy as well.
 #[test]
 fn products_of_any_size() {
     let group = AnyGroup::named("so(3,1)").unwrap();
@@ -168,7 +171,7 @@ fn products_of_any_size() {
     assert_eq!(rejected, 4);
 }
 
-/// Numbers without a pattern between -1 and 1.
+/// Random numbers between -1 and 1.
 fn number(at: usize) -> f64 {
     (at as f64 * 1.7 + 0.3).sin()
 }
@@ -192,14 +195,14 @@ fn nearest(group: &MatrixGroup, name: &str) {
     assert!(group.expect_element(&(&g + &any * 0.1), 1e-9).is_err(), "{name}");
 }
 
-/// Root vectors share no entry with others; in a dense basis all matrices do.
+/// Root vectors share no nonzero entry with others; in a dense basis all matrices overlap.
 #[test]
 fn nearest_in_sparse_and_dense_bases() {
     for name in ["so(3)", "sl(3)", "G2", "heisenberg(3)", "bianchi(IV)", "sl(2)+heisenberg(3)"] {
         let algebra = catalogued(name).map(|value| value.to_f64()).unwrap();
         nearest(&MatrixGroup::of_algebra(&algebra).unwrap(), name);
     }
-    // t E_ij + s E_kl for many places at once
+    // t E_ij + s E_kl for many pairs of entries
     let dense: Vec<DMatrix<f64>> = {
         let turns = [(0, 1), (0, 2), (1, 2)].map(|(i, j)| {
             let mut m = DMatrix::zeros(3, 3);
@@ -225,8 +228,9 @@ fn generic(n: usize, seed: usize) -> DVector<f64> {
     DVector::from_fn(n, |i, _| (12.9898 * (i + 7 * seed + 1) as f64).sin())
 }
 
-/// The complex classical groups consist of their complex matrices `A + iB`, written as `[[A, -B], [B, A]]`: the exponential is
-/// that of complex matrices, and preserves the determinant or the form.
+/// The complex classical groups consist of their complex matrices `A + iB`, written as `[[A, -B],
+/// [B, A]]`. The exponential is the exponential of complex matrices, and preserves the determinant
+/// or the form.
 #[test]
 fn complex_classical_groups_act_by_their_matrices() {
     type Complex = nalgebra::Complex<f64>;
@@ -271,15 +275,16 @@ fn complex_classical_groups_act_by_their_matrices() {
     }
 }
 
-/// Rotations by the largest angles below a half turn have logarithms where their entries decide the direction: in SU(2) in all
-/// directions, in SO(4) in coordinate planes. Elsewhere the error names the distance from pi.
+/// Rotations by the largest angles below a half turn have logarithms if their entries determine the
+/// direction: in SU(2) in all directions, in SO(4) in coordinate planes. Otherwise the error names
+/// the distance from pi.
 #[test]
 fn the_largest_angles_below_a_half_turn() {
     let below = |ulps: f64| PI - ulps * 2.0 * f64::EPSILON;
     let su2 = of_catalogue("su(2)");
     for (seed, ulps) in [0.0, 1.0, 2.0, 9.0, 1e3, 1e6].into_iter().enumerate() {
         let (n, angle) = (generic(3, seed).normalize(), below(ulps));
-        // N^2 = -1 of a unit vector
+        // N^2 = -1 for a unit vector
         let turn = su2.generator(&n) * 2.0;
         let g = DMatrix::identity(4, 4) * angle.cos() + turn * angle.sin();
         let x = su2.log(&g).unwrap();
@@ -306,13 +311,13 @@ fn the_largest_angles_below_a_half_turn() {
             }
         }
     }
-    // in other planes the rounding of entries decides
+    // in other planes the rounding errors of entries determine the direction
     let basis = so4.exp(&generic(6, 1));
     let mut g = DMatrix::identity(4, 4);
     (g[(0, 0)], g[(1, 1)]) = (-1.0, -1.0);
     (g[(0, 1)], g[(1, 0)]) = (-below(0.0).sin(), below(0.0).sin());
     assert!(so4.log(&(&basis * g * basis.transpose())).is_err());
-    // a half turn has no direction
+    // the direction of a half turn is not determined
     let mut g = DMatrix::identity(4, 4);
     (g[(0, 0)], g[(1, 1)]) = (-1.0, -1.0);
     let half_turn = so4.log(&g).unwrap_err().to_string();

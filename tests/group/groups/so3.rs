@@ -1,4 +1,5 @@
-//! SO(3) to a few roundings everywhere, against values of 1000-digit arithmetic; peers beside it.
+//! SO(3) is accurate to a few ulps everywhere, compared with 1000-digit arithmetic; so are other
+//! libraries, for comparison.
 //!
 //! `cargo test --test rotation_accuracy -- --ignored --nocapture` prints the table of docs/rotations.md.
 
@@ -17,7 +18,7 @@ use std::f64::consts::{PI, TAU};
 
 const EPS: f64 = f64::EPSILON;
 
-/// The stored points of one kind: numbers of a line.
+/// The stored points of one kind: the numbers of a line.
 fn points(kind: &str) -> impl Iterator<Item = Vec<f64>> {
     let lines = include_str!("../../data/so3.txt").lines();
     lines.filter_map(move |line| {
@@ -26,7 +27,7 @@ fn points(kind: &str) -> impl Iterator<Item = Vec<f64>> {
     })
 }
 
-/// Norm without overflow or underflow.
+/// The norm, without overflow or underflow.
 fn norm(v: &[f64]) -> f64 {
     let largest = v.iter().fold(0.0, |m: f64, c| m.max(c.abs()));
     if largest == 0.0 {
@@ -40,7 +41,7 @@ fn distance(u: &[f64], v: &[f64]) -> f64 {
     norm(&difference)
 }
 
-/// The relative error in machine epsilons; infinite for what is not a number.
+/// The relative error in units of the machine precision; infinite for NaN.
 fn error(found: &[f64], exact: &[f64], scale: f64) -> f64 {
     let error = distance(found, exact);
     if error == 0.0 && found.iter().all(|c| c.is_finite()) {
@@ -50,28 +51,29 @@ fn error(found: &[f64], exact: &[f64], scale: f64) -> f64 {
     if relative.is_nan() { f64::INFINITY } else { relative }
 }
 
-/// A point, its error, and the condition number that the error may be multiplied with.
+/// A point, its error, and the factor by which the error may be larger: a condition number.
 struct Row {
     angle: f64,
     error: f64,
     condition: f64,
 }
 
-/// From the numbers of a point.
+/// Computes a row from the numbers of a point.
 type Judge = Box<dyn Fn(&[f64]) -> Row>;
 
-/// The errors of a method at all points where it has the function.
+/// The errors of a method at all points of its functions.
 fn rows(peer: &Peer, kind: &str) -> Option<Vec<Row>> {
     let three = |p: &[f64]| -> [f64; 3] { p[..3].try_into().unwrap() };
     let row: Judge = match kind {
-        // vector part and the whole each to its own length, so that tiny rotations count
+        // the vector part and the whole, each relative to its own length, so that tiny rotations
+        // count
         "exp" => {
             let f = peer.exp?;
             Box::new(move |p| {
                 let (found, angle) = (f(three(p)), norm(&p[..3]));
                 let whole = error(&found, &p[3..7], 1.0);
                 let vector = error(&found[1..], &p[4..7], norm(&p[4..7]));
-                // beyond pi the vector part shrinks again
+                // beyond pi the vector part is smaller again
                 let error = if angle < 3.0 { whole.max(vector) } else { whole };
                 Row { angle, error, condition: angle.max(1.0) }
             })
@@ -117,7 +119,7 @@ fn rows(peer: &Peer, kind: &str) -> Option<Vec<Row>> {
                 let (size, angle) = (norm(&p[..3]) + norm(&p[3..6]), norm(exact));
                 let mut error = error(&found, exact, angle);
                 if angle > 3.0 {
-                    // on either side of pi
+                    // on both sides of pi
                     let other: Vec<f64> = exact.iter().map(|c| c * (1.0 - TAU / angle)).collect();
                     error = error.min(self::error(&found, &other, angle));
                 }
@@ -131,8 +133,9 @@ fn rows(peer: &Peer, kind: &str) -> Option<Vec<Row>> {
 
 const KINDS: [&str; 6] = ["exp", "log", "matrix", "left", "inverse", "product"];
 
-/// At most 8 machine epsilons, times the condition number where it is above 1: the angle for
-/// `exp`, the norm of the operator for `T^-1`, `(|x| + |y|)/|x*y|` for products.
+/// Errors are at most 8 units of the machine precision, times the condition number if it is above
+/// 1. The condition number is the angle for `exp`, the norm of the operator for `T^-1`, and `(|x| +
+/// |y|)/|x*y|` for products.
 #[test]
 fn within_eight_roundings() {
     for kind in KINDS {
@@ -143,7 +146,7 @@ fn within_eight_roundings() {
     }
 }
 
-/// From the matrix, also at and near `pi`.
+/// Logarithms from the matrix, also at and near `pi`.
 #[test]
 fn logarithms_of_matrices() {
     for p in points("matrix") {
@@ -171,7 +174,8 @@ fn matrices_are_orthogonal() {
     }
 }
 
-/// The float nearest to `pi` is a little less, so the vector returns, by the quaternion and by the matrix.
+/// The float nearest to `pi` is slightly smaller, so the vector is found again, from the quaternion
+/// and from the matrix.
 #[test]
 fn the_largest_angle_below_a_half_turn() {
     for x in [Vector3::z() * PI, Vector3::y() * -PI, Vector3::x() * -PI] {
@@ -195,7 +199,7 @@ fn the_sign_at_a_half_turn() {
     }
 }
 
-/// A float of any bits but NaN and infinity.
+/// A finite float with random bits.
 fn finite() -> impl Strategy<Value = f64> {
     any::<u64>().prop_map(f64::from_bits).prop_filter("finite", |x| x.is_finite())
 }
@@ -224,7 +228,7 @@ properties! {
         }
     }
 
-    /// Tangent operators undo each other, and the logarithm the exponential.
+    /// Tangent operators and their inverses, and exp and log, are inverse to each other.
     #[test]
     fn inverses(
         x in [-1.8..1.8f64, -1.8..1.8, -1.8..1.8],
@@ -239,7 +243,8 @@ properties! {
     }
 }
 
-/// Rows give what single calls give, also in blocks with an element out of the ordinary.
+/// Kernels for many rows give the values of single calls, also in blocks with an exceptional
+/// element.
 #[test]
 fn batches() {
     let vectors: Vec<Vector3<f64>> =
@@ -274,7 +279,8 @@ fn batches() {
     assert!(found[1][0].is_nan());
 }
 
-/// The table: largest error in machine epsilons, divided by the condition number.
+/// Prints the table: the largest error in units of the machine precision, divided by the condition
+/// number.
 #[test]
 #[ignore = "prints the table of docs/rotations.md"]
 fn table() {

@@ -1,8 +1,8 @@
-//! Elliptic functions and integrals, against mpmath and quadrature.
+//! Elliptic functions and integrals agree with mpmath and quadrature.
 
 use affinor::mechanics::bodies::elliptic::{Jacobi, first_kind, third_kind};
 
-/// The stored lines of a kind.
+/// The stored lines of one kind.
 fn lines(kind: &str) -> impl Iterator<Item = Vec<f64>> {
     include_str!("../../data/elliptic.txt").lines().filter_map(move |line| {
         let numbers = line.strip_prefix(kind)?.strip_prefix(' ')?;
@@ -14,7 +14,7 @@ fn jacobi(complement: f64) -> Jacobi {
     Jacobi::new(((1.0 - complement) * (1.0 + complement)).sqrt(), complement)
 }
 
-/// `found`, to a relative tolerance in machine epsilons.
+/// Expects `found`, to a relative tolerance in units of the machine precision.
 #[track_caller]
 fn assert_close(found: f64, exact: f64, epsilons: f64, what: &[f64]) {
     let error = (found - exact).abs() / f64::EPSILON;
@@ -29,7 +29,7 @@ fn quarter_periods() {
         count += 1;
     }
     assert_eq!(count, 7);
-    // where only the complement is left: log(4/k')
+    // if only the complementary modulus is given: log(4/k')
     for complement in [1e-20, 1e-100, 1e-300] {
         let exact = 4_f64.ln() - f64::ln(complement);
         assert_close(jacobi(complement).quarter_period(), exact, 3.0, &[complement]);
@@ -48,7 +48,7 @@ fn functions_and_the_integral_of_the_first_kind() {
             assert!(error < 2.0 * scale * f64::EPSILON, "{line:?}: {found}, {error:e} off");
         }
         let exact = [line[2], line[3], line[4]];
-        // an inverse sine loses digits towards its end, but not with cn beside it
+        // an inverse sine loses accuracy towards its end, but not if cn is known too
         assert_close(first_kind(exact), line[1], 8.0, &line);
         count += 1;
     }

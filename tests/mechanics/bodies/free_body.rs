@@ -1,4 +1,5 @@
-//! The free rigid body: exact against Taylor series in 50 digits, its invariants, and steps against it.
+//! The free rigid body: the exact solution agrees with Taylor series in 50 digits, its invariants
+//! are conserved, and steps agree with it.
 
 use crate::common::property::properties;
 use crate::ode;
@@ -32,7 +33,7 @@ fn references() -> Vec<Reference> {
     include_str!("../../data/free_body.txt").lines().map(line).collect()
 }
 
-/// The larger of the distances of quaternions (not of rotations: also the sign counts) and of momenta.
+/// The larger of the distances of quaternions (including their sign) and of momenta.
 fn distance(x: &BodyState, y: &BodyState) -> f64 {
     let turn = (x.attitude.coords - y.attitude.coords).norm();
     turn.max((x.momentum - y.momentum).norm())
@@ -53,10 +54,10 @@ fn states_are_those_of_taylor_series() {
     assert!(references.len() > 120);
     for Reference { name, inertia, start, time, end } in references {
         let found = FreeBody::new(&inertia, &start).unwrap().at(time);
-        // the roundings of the angle; near the middle axis neighbouring motions leave each other
+        // the rounding errors of the angle; near the middle axis neighbouring motions diverge
         let angle = (inertia.velocity(&start.momentum).norm() * time).abs();
         let unstable = ["near-middle", "near-sep", "dzhan"].iter().any(|x| name.starts_with(x));
-        // principal axes of a dense matrix are a few roundings off
+        // the principal axes of a dense matrix have a few rounding errors
         let factor = if unstable { 10.0 } else { f64::from(1 + u8::from(name == "dense")) };
         let tolerance = 4e-16 * (10.0 + angle) * factor;
         let error = distance(&found, &end);
@@ -82,7 +83,7 @@ fn periods_have_twelve_digits() {
         assert!((found / period - 1.0).abs() < 1e-14, "{found}, not {period}");
         let back = body.at(period).momentum;
         assert!((back - Vector3::from(momentum)).norm() < 1e-13, "{momentum:?} {back}");
-        // half of it changes two signs, and none smaller brings all back
+        // half of the period changes two signs, and no smaller time restores all components
         let half = body.at(period / 2.0).momentum;
         let signs = half.component_div(&Vector3::from(momentum)).map(f64::signum);
         assert!((half.abs() - Vector3::from(momentum).abs()).norm() < 1e-13, "{half} {signs}");
@@ -104,7 +105,7 @@ fn the_separatrix_is_sech_and_tanh() {
             assert!((state.momentum - exact).norm() < 4e-15, "{time}: {}", state.momentum);
             assert!((state.space_momentum() - Vector3::new(x, 0.0, z)).norm() < 4e-15);
         }
-        // at the end a steady turn about the middle axis, at |H|/J_2 = 1
+        // at the end the rotation about the middle axis is steady, at |H|/J_2 = 1
         let (q, p) = (body.at(100.0).attitude, body.at(101.0).attitude);
         assert!((q.angle_to(&p) - 1.0).abs() < 1e-13);
     }
@@ -114,7 +115,7 @@ fn the_separatrix_is_sech_and_tanh() {
 fn a_body_turned_about_its_middle_axis_flips() {
     let body = body([1.0, 2.0, 3.0], [0.0, 2.0, 1e-6]);
     let period = body.period().unwrap();
-    // nearly all the time the middle axis is along the momentum or against it
+    // nearly all the time the middle axis is parallel or antiparallel to the momentum
     let along = |t: f64| (body.at(t).attitude * Vector3::y()).y;
     for (share, sign) in
         [(0.0, 1.0), (0.1, 1.0), (0.2, 1.0), (0.3, -1.0), (0.5, -1.0), (0.7, -1.0), (0.8, 1.0)]
@@ -124,7 +125,7 @@ fn a_body_turned_about_its_middle_axis_flips() {
     }
 }
 
-/// Momentum in space, energy and length of `H` as at the start.
+/// Checks that momentum in space, energy and length of `H` are as at the start.
 fn assert_invariants(inertia: &Inertia, start: &BodyState, state: &BodyState, tolerance: f64) {
     let size = start.momentum.norm();
     let space = (state.space_momentum() - start.space_momentum()).norm() / size;
@@ -139,13 +140,13 @@ fn nothing_drifts_in_a_million() {
     for Reference { inertia, start, .. } in references() {
         let body = FreeBody::new(&inertia, &start).unwrap();
         for time in [1e3, -1e4, 1e5, 1e6, 1e12] {
-            // the needle's energy is in its small moment
+            // the energy of the needle is in its small moment
             assert_invariants(&inertia, &start, &body.at(time), 2e-14);
         }
     }
 }
 
-/// Moments in `[0.3, 4]`, some of them equal.
+/// Moments in `[0.3, 4]`, sometimes with equal ones.
 fn moments() -> impl Strategy<Value = [f64; 3]> {
     let moment = 0.3..4.0;
     (moment.clone(), moment.clone(), moment, 0..6).prop_map(|(x, y, z, kind)| match kind {
@@ -164,13 +165,13 @@ fn rotation() -> impl Strategy<Value = UnitQuaternion<f64>> {
     vector().prop_map(UnitQuaternion::new)
 }
 
-/// In axes turned by `a`.
+/// The body in axes that are rotated by `a`.
 fn turned(moments: [f64; 3], a: &UnitQuaternion<f64>) -> Inertia {
     let a = a.to_rotation_matrix().into_inner();
     Inertia::new(&(a * Matrix3::from_diagonal(&moments.into()) * a.transpose())).unwrap()
 }
 
-/// `y = (q, H)`.
+/// The time derivative of `y = (q, H)`.
 fn rate(inertia: &Inertia, y: &DVector<f64>) -> DVector<f64> {
     let (q, momentum) = (Quaternion::new(y[0], y[1], y[2], y[3]), Vector3::new(y[4], y[5], y[6]));
     let velocity = inertia.velocity(&momentum);
@@ -203,7 +204,7 @@ properties! {
         let start = BodyState { attitude: attitude * a.inverse(), momentum: a * momentum };
         let found = FreeBody::new(&turned(moments, &a), &start).unwrap().at(time);
         let moved = BodyState { attitude: exact.attitude * a.inverse(), momentum: a * exact.momentum };
-        // neighbours of an unstable motion leave it as exp(time)
+        // neighbours of an unstable motion diverge like exp(time)
         prop_assert!(distance(&found, &moved) < 1e-9);
     }
 
@@ -219,7 +220,7 @@ properties! {
         let mut whole = body.at(first + second);
         prop_assert!(distance(&later, &whole) < 1e-9);
         assert_invariants(&inertia, &start, &whole, 1e-13);
-        // a period is a turn about the momentum
+        // after a period the body is rotated about the momentum
         if let Some(phase) = body.phase() {
             whole = body.at(first + phase.period);
             let axis = nalgebra::Unit::new_normalize(start.space_momentum());
@@ -238,7 +239,7 @@ properties! {
         if phase.period > 40.0 {
             return Ok(()); // more points would be needed
         }
-        // the axis about which H circulates is the one whose component keeps its sign
+        // H circulates about the axis whose component does not change its sign
         let count = 2000;
         let times = (0..count).map(|i| phase.period * f64::from(i) / f64::from(count));
         let curve: Vec<_> = times.map(|t| body.at(t).momentum / momentum.norm()).collect();
@@ -407,9 +408,9 @@ properties! {
         let method = MoserVeselov::new(&inertia, MoserVeselovOrder::Ten);
         let end = method.steps(&start, step, 20).unwrap();
         prop_assert!(distance(&end, &exact) < 1e-12);
-        // and back
+        // and the inverse
         prop_assert!(distance(&method.steps(&end, -step, 20).unwrap(), &start) < 1e-13);
-        // one by one is the same
+        // one by one gives the same
         let mut state = start;
         for _ in 0..20 {
             state = method.step(&state, step).unwrap();

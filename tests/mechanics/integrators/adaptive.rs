@@ -1,4 +1,4 @@
-//! Steps under control: a step is accepted within the tolerance, whatever length was tried first.
+//! Adaptive steps: a step is accepted within the tolerance, whatever length was tried first.
 
 use super::full;
 use affinor::group::{Coordinates, Embedded, LieGroup, Se2, Se3, Sl2, So3, TranslationSplit};
@@ -31,7 +31,7 @@ where
         assert!(next >= 0.9 * taken, "{tried}: {next} after {taken}");
         rejected += usize::from(taken < tried);
     }
-    // both kinds occur
+    // steps of both kinds occur
     assert!((5..45).contains(&rejected), "{rejected}");
 }
 

@@ -1,4 +1,5 @@
-//! Projected steps: free motions against the equations of their momentum, and groups without a projection.
+//! Projected steps: free motions compared with the equations of their momentum, and groups without
+//! a projection.
 
 use super::{affine_line, full};
 use affinor::group::{
@@ -9,7 +10,8 @@ use affinor::mechanics::{Adaptive, EulerPoincare, Integrator, Projected};
 use affinor::{CanonicalConnection, Connection};
 use nalgebra::{DMatrix, DVector};
 
-/// A free motion takes its momentum from the displacement in a step; a torque of zeros is integrated with the momentum.
+/// A free motion computes its momentum from the displacement in a step; with a torque of zeros the
+/// momentum is integrated too.
 fn free_as_with_a_torque_of_zeros<G: Embedded + TranslationSplit + Clone>(
     group: G,
     velocity: &[f64],
@@ -54,7 +56,8 @@ fn free_motions_as_with_a_torque_of_zeros() {
     free_as_with_a_torque_of_zeros(Product(So3, Se2), &[0.5, -0.3, 0.6, 1.2, 0.8, -0.6]);
 }
 
-/// Points near a group of matrices are not projected, and its elements have no factor without a translation.
+/// Points near a group of matrices are not projected, and the factors of its elements without a
+/// translation are an error.
 #[test]
 fn a_group_without_a_projection_is_refused() {
     let group = affine_line();

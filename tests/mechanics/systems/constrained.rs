@@ -1,4 +1,5 @@
-//! Constrained systems: the heavy top on R^3 x SO(3) and on SE(3) against 30 digits, and simpler ones against closed forms.
+//! Constrained systems: the heavy top on R^3 x SO(3) and on SE(3) compared with 30 digits, and
+//! simpler systems with closed forms.
 
 use crate::common::steps::run;
 use affinor::group::{
@@ -20,7 +21,7 @@ const MASS: f64 = 15.0;
 const GRAVITY: f64 = 9.81;
 const MOMENTS: [f64; 3] = [0.234375, 0.46875, 0.234375];
 const SPIN: Vector3<f64> = Vector3::new(0.0, 150.0, -4.61538);
-/// The centre of mass from the fixed point, in the body.
+/// The centre of mass relative to the fixed point, in the body.
 const ARM: Vector3<f64> = Vector3::new(0.0, 1.0, 0.0);
 
 type Space = Product<Translations<Const<3>>, So3>;
@@ -32,7 +33,7 @@ fn metric<G: TranslationSplit>(group: &G, diagonal: &[f64]) -> Metric<f64> {
     Metric::new(group.algebra().unwrap().labels(), tensor).unwrap()
 }
 
-/// With the connection `plus`.
+/// The constrained system with the connection `plus`.
 fn constrained<G: TranslationSplit, C: Constraint<G>, M: Torque<G>>(
     group: G,
     metric: &Metric<f64>,
@@ -47,7 +48,7 @@ fn rotation(q: &UnitQuaternion<f64>) -> Matrix3<f64> {
     q.to_rotation_matrix().into_inner()
 }
 
-/// `-x + R X = 0`.
+/// The constraint `-x + R X = 0`.
 #[derive(Clone, Debug)]
 struct Support;
 
@@ -78,7 +79,7 @@ impl Constraint<Se3> for Support {
     }
 }
 
-/// What the two descriptions of the top have in common.
+/// The common interface of the two descriptions of the top.
 trait Top: TranslationSplit + Copy {
     fn forces() -> impl Torque<Self>;
     fn masses() -> [f64; 6];
@@ -140,7 +141,7 @@ impl Top for Se3 {
     }
 }
 
-/// A state of the top.
+/// A reference state of the top.
 struct Known {
     time: f64,
     centre: Vector3<f64>,
@@ -185,7 +186,7 @@ where
     (system, start)
 }
 
-/// Of several errors, over four halvings.
+/// Checks order 2 of several errors, over four halvings.
 fn order_two<const N: usize>(error: impl Fn(usize) -> [f64; N], steps: usize) {
     let errors: Vec<_> = (0..5).map(|halving| error(steps << halving)).collect();
     for pair in errors.windows(2) {
@@ -223,7 +224,8 @@ fn the_heavy_top_in_poses() {
     top_has_order_two(Se3, 0.9);
 }
 
-/// The published state at `t = 2`, by extrapolation of the error `h^2`; constraints and energy on the way.
+/// The published state at `t = 2`, by extrapolation of the error `h^2`; constraints and energy are
+/// checked on the way.
 #[test]
 fn the_heavy_top_after_two_seconds() {
     let (system, start) = top(SPACE);
@@ -252,8 +254,8 @@ fn the_heavy_top_after_two_seconds() {
     assert!(worst(3200)[0] < 1e-4);
 }
 
-/// From the first step on: the largest error of the multipliers in the first twentieth of a second, against the unconstrained
-/// top on SO(3).
+/// The largest error of the multipliers in the first twentieth of a second is of second order from
+/// the first step on, compared with the unconstrained top on SO(3).
 #[test]
 fn multipliers_have_no_transient() {
     let moments = [MOMENTS[0] + MASS, MOMENTS[1], MOMENTS[2] + MASS];
@@ -291,7 +293,7 @@ fn multipliers_have_no_transient() {
     );
 }
 
-/// No equations at all.
+/// No constraint equations.
 struct Nothing;
 
 impl<G: TranslationSplit> Constraint<G> for Nothing {
@@ -327,7 +329,7 @@ fn a_free_body_is_a_case() {
     }
 }
 
-/// With other connections, too: the zero one against the system without constraints.
+/// Other connections too: `zero` is compared with the system without constraints.
 #[test]
 fn a_connection_is_a_choice() {
     let metric = metric(&So3, &[0.6, 0.8, 1.0]);
@@ -349,7 +351,7 @@ fn a_connection_is_a_choice() {
     order_two(error, 100);
 }
 
-/// `(|x|^2 - 1)/2 = 0`.
+/// The constraint `(|x|^2 - 1)/2 = 0`.
 struct Rod;
 
 impl Constraint<Translations<Const<2>>> for Rod {
@@ -368,7 +370,8 @@ fn pendulum() -> Constrained<Translations<Const<2>>, Rod, impl Torque<Translatio
     constrained(plane, &metric(&plane, &[1.0, 1.0]), gravity, Rod).unwrap()
 }
 
-/// From the horizontal the angle is that of `sin(angle/2) = k sn(K - t)`, `k^2 = 1/2`, and the rod carries `-3 y`.
+/// For a release at the horizontal, the angle satisfies `sin(angle/2) = k sn(K - t)` with `k^2 =
+/// 1/2`, and the force of the rod is `-3 y`.
 #[test]
 fn the_pendulum_is_elliptic() {
     let k = 0.5_f64.sqrt();
@@ -378,7 +381,8 @@ fn the_pendulum_is_elliptic() {
     let (half_sine, half_rate) = (k * sn, -k * cn);
     let half_cosine = (1.0 - half_sine * half_sine).sqrt();
     let exact = Vector2::new(2.0 * half_sine * half_cosine, 2.0 * half_sine * half_sine - 1.0);
-    // the rate of the angle is 2 k d(sn)/dt over the cosine of its half, where dn is that cosine
+    // the time derivative of the angle is 2 k d(sn)/dt over the cosine of the half angle, and dn is
+    // that cosine
     let velocity = Vector2::new(-exact.y, exact.x) * (2.0 * half_rate);
     let system = pendulum();
     let start = system.state(0.0, Vector2::new(1.0, 0.0), &Vector2::zeros()).unwrap();
@@ -391,12 +395,12 @@ fn the_pendulum_is_elliptic() {
         };
         order_two(error, 200);
     }
-    // backwards the motion is the same
+    // backwards in time the motion is the same
     let end = run(&GeneralisedAlpha::default(), &system, &start, -time, 1000);
     assert!((end.element - exact).norm() < 1e-4 && (end.velocity + velocity).norm() < 1e-4);
 }
 
-/// `b = sin x` for the map `s -> a s + b` and a number `x`.
+/// The constraint `b = sin x` for the map `s -> a s + b` and a number `x`.
 #[derive(Clone)]
 struct Curve;
 
@@ -412,7 +416,8 @@ impl Constraint<Line> for Curve {
     }
 }
 
-/// On the affine group of the line, which is not unimodular, with a metric that is not diagonal: the energy stays.
+/// The energy is conserved on the affine group of the line, which is not unimodular, with a metric
+/// that is not diagonal.
 #[test]
 fn energy_on_the_affine_group() {
     let stretch = DMatrix::from_row_slice(2, 2, &[1.0, 0.0, 0.0, 0.0]);
@@ -425,7 +430,7 @@ fn energy_on_the_affine_group() {
     let start = system.state(0.0, group.identity(), &dvector![0.8, 0.5, 0.5]).unwrap();
     let method = GeneralisedAlpha::default();
     let fine = run(&method, &system, &start, 2.0, 1600);
-    // extrapolated: those of shorter steps are rounded to 2e-9
+    // extrapolated, because multipliers of shorter steps have rounding errors of 2e-9
     let [coarser, finer] = [400, 800].map(|n| run(&method, &system, &start, 2.0, n).multipliers);
     let multipliers = &finer + (&finer - coarser) / 3.0;
     let error = |steps: usize| {
@@ -570,7 +575,7 @@ fn steps_that_cannot_be_leave_the_state() {
     for spectral_radius in [-0.1, 1.1, f64::NAN] {
         unchanged(&GeneralisedAlpha { spectral_radius }, 0.1);
     }
-    // a force that ends
+    // a force that is undefined after some time
     let plane = Translations(Const::<2>);
     let gravity = |t: f64, _: &Vector2<f64>, _: &Vector2<f64>| Vector2::new(0.0, -(1.0 - t).sqrt());
     let system = constrained(plane, &metric(&plane, &[1.0, 1.0]), gravity, Rod).unwrap();

@@ -1,4 +1,4 @@
-//! Euler-Poincare systems on groups: what is conserved, rates by the equations, and what is refused.
+//! Euler-Poincare systems on groups: conserved quantities, time derivatives, and errors.
 
 use crate::common::steps::run;
 use affinor::geometry::equations::Equations;
@@ -43,7 +43,8 @@ fn rigid(moments: [f64; 3]) -> Metric<f64> {
     Metric::new(algebra.labels(), metric).unwrap()
 }
 
-/// Without a torque `plus` conserves the spatial momentum to the last bit on rotations, here of four dimensions, as matrices.
+/// Without a torque `plus` conserves the spatial momentum to the last bit on rotations: here in
+/// four dimensions, as matrices.
 #[test]
 fn spatial_momentum_of_rotations_is_exact() {
     let turn = |j: usize, k: usize| {
@@ -62,7 +63,8 @@ fn spatial_momentum_of_rotations_is_exact() {
     assert!((body.velocity(&end) - body.velocity(&start)).norm() > 0.05);
 }
 
-/// The scales of a body are its largest moment of inertia, its mass, and the radius of gyration `sqrt(J/m)` in the unit of length.
+/// The scales of a body are its largest moment of inertia, its mass, and the radius of gyration
+/// `sqrt(J/m)` in the unit of length.
 #[test]
 fn scales_have_their_units() {
     for unit in [1e-3, 1.0, 1e4] {
@@ -108,13 +110,13 @@ fn spatial_momentum_is_conserved() {
     let h = [&start, &end].map(|state| state.spatial_momentum(&line));
     assert!((&h[0] - &h[1]).norm() < 1e-12, "{h:?}");
     assert!((body.energy(&end) - body.energy(&start)).abs() < 1e-9);
-    // it moves
+    // the body moves
     assert!((body.velocity(&end) - body.velocity(&start)).norm() > 0.05);
 }
 
-/// The free body of Hairer and Vilmart: after the period of Omega the velocity is back, with `plus`.
-/// With `zero` it takes twice as long (the wrong factor 1/2), which the energy does not show, but
-/// `R H` does.
+/// The free body of Hairer and Vilmart: after the period of Omega the velocity is back, with
+/// `plus`. With `zero` the period is twice as long (the wrong factor 1/2). The energy does not show
+/// this, but `R H` does.
 #[test]
 fn zero_runs_at_half_speed() {
     let period = 6.862_616_178_058_116;
@@ -137,8 +139,9 @@ fn zero_runs_at_half_speed() {
     assert!(back < 1e-10, "{back}");
 }
 
-/// The velocity changes as [`Equations`] say, on a group where brackets and adjoint action are another piece of
-/// code, for both connections: this sees a wrong side or sign of `Ad*`, which energy and Casimirs do not.
+/// The velocity changes as [`Equations`] say, for both connections, on a group whose brackets and
+/// adjoint action are separate code. This detects a wrong side or sign of `Ad*`, which energy and
+/// Casimirs do not.
 fn rates<G: TranslationSplit + Clone>(group: G, velocity: &G::Vector) {
     let n = group.dimension();
     let (algebra, metric) = (group.algebra().unwrap(), full(&group));
@@ -147,7 +150,7 @@ fn rates<G: TranslationSplit + Clone>(group: G, velocity: &G::Vector) {
         let moment = G::Vector::from_components(&force);
         let body =
             system(group.clone(), which, &metric, move |_: f64, _: &_, _: &_| moment.clone());
-        // not at the identity, where both sides are one
+        // not at the identity, where left and right are the same
         let start = body.state(0.0, group.exp(&(velocity.clone() * 0.7)), velocity);
         let dt = 1e-4;
         let after = |t: f64| {
@@ -175,7 +178,7 @@ fn rates_are_those_of_the_equations() {
     rates(Heisenberg::<Const<3>>::new(), &Vector3::new(0.9, -0.5, 1.1));
 }
 
-/// The rates are Euler's equations for an inertia that is not diagonal.
+/// The equations are Euler's equations for an inertia that is not diagonal.
 #[test]
 fn rates_are_eulers() {
     let inertia = Matrix3::new(2.0, 0.3, -0.2, 0.3, 3.0, 0.5, -0.2, 0.5, 4.0);
@@ -194,7 +197,8 @@ fn rates_are_eulers() {
     assert!((slope - euler).norm() < 1e-8, "{slope} {euler}");
 }
 
-/// Structure constants of another basis, or of another algebra, are not taken for those of the group.
+/// Structure constants of another basis, or of another algebra, are not mistaken for those of the
+/// group.
 #[test]
 fn a_connection_of_another_group_is_refused() {
     let algebra = Se2.algebra().unwrap();

@@ -1,4 +1,5 @@
-//! Isospectral flows: states against references of 30 digits, orders, spectra that stay, other ways to the same motion.
+//! Isospectral flows: states compared with references of 30 digits, orders, conserved spectra, and
+//! other descriptions of the same motion.
 
 use crate::common::algebras::catalogued;
 use crate::common::steps::{expect_order, run};
@@ -15,7 +16,7 @@ use nalgebra::{Complex, ComplexField, DMatrix, DVector};
 const MIDPOINT: IsospectralMidpoint = IsospectralMidpoint;
 const FOURTH: Composed<IsospectralMidpoint> = Composed(IsospectralMidpoint);
 
-/// Size, time and numbers of the references of a name.
+/// The size, time and numbers of the references with this name.
 fn references(name: &str) -> Vec<(usize, f64, Vec<f64>)> {
     let lines = include_str!("../../data/isospectral.txt").lines();
     let lines = lines.filter_map(|line| line.strip_prefix(name));
@@ -35,7 +36,7 @@ fn distance<T: MatrixEntry>(x: &MatrixState<T>, y: &DMatrix<T>) -> f64 {
     (&x.matrix - y).norm()
 }
 
-/// Orders 2 and 4 over four halvings.
+/// Observed orders 2 and 4 over four halvings.
 fn orders<S: Isospectral>(
     system: &S,
     start: &MatrixState<S::Entry>,
@@ -73,7 +74,7 @@ fn toda_states_are_exact() {
         let found = Toda.exact(&start, time).unwrap();
         assert_eq!(found.time, time);
         assert!(distance(&found, &matrix(end)) < 2e-15 * (10.0 + time), "{n} at {time}");
-        // and back
+        // and back again
         let back = Toda.exact(&found, 0.0).unwrap();
         assert!(distance(&back, &start.matrix) < 1e-13 || time > 2.0, "{n} from {time}");
         if time == 2.0 {
@@ -82,7 +83,8 @@ fn toda_states_are_exact() {
     }
 }
 
-/// Newton's equations of the chain, and particles that end in the order of the eigenvalues.
+/// Newton's equations of the Toda chain; the particles finally have the velocities of the sorted
+/// eigenvalues.
 #[test]
 fn toda_is_a_chain_of_particles() {
     let (q, p) = ([0.3, -0.2, 0.5, 0.1], [0.4, -0.7, 0.2, 0.9]);
@@ -137,7 +139,7 @@ fn manakov_orders_and_integrals() {
         let body = Manakov::new(masses).unwrap();
         let start = body.state(0.0, antisymmetric(n, start)).unwrap();
         let exact = antisymmetric(n, end);
-        // of the motion, as the reference knows it
+        // of the exact motion, from the reference
         let integrals = |m: &DMatrix<f64>| {
             let powers = (2..=5).flat_map(|power| (0..power).map(move |degree| (power, degree)));
             let mut values: Vec<f64> = powers.map(|(p, d)| body.integral(m, p, d)).collect();
@@ -156,7 +158,8 @@ fn manakov_orders_and_integrals() {
     }
 }
 
-/// The integrals by their formulas. With the mass tensor `A` in the place of `A^2` they are none.
+/// The integrals agree with their formulas. With the mass tensor `A` instead of `A^2` the formulas
+/// are not conserved.
 #[test]
 fn manakov_integrals_have_squares_of_masses() {
     let masses = [1.0, 1.5, 2.5, 4.0];
@@ -178,7 +181,7 @@ fn manakov_integrals_have_squares_of_masses() {
     let end = run(&FOURTH, &body, &body.state(0.0, start.clone()).unwrap(), 5.0, 2000).matrix;
     assert!((by_formula(&end, &squares) / value - 1.0).abs() < 1e-9);
     assert!((by_formula(&end, &a) / by_formula(&start, &a) - 1.0).abs() > 1e-3);
-    // Pf^2 = det, with pivots, in six dimensions
+    // Pf^2 = det, by elimination with pivots, in six dimensions
     let body = Manakov::new(&[1.0; 6]).unwrap();
     let numbers: Vec<f64> =
         (0..15).map(|k| if k == 0 { 0.0 } else { (2.7 * k as f64).sin() }).collect();
@@ -187,7 +190,7 @@ fn manakov_integrals_have_squares_of_masses() {
     assert!(body.pfaffian(&m) != 0.0);
 }
 
-/// The same motion by structure constants on the group, from another integrator.
+/// The same motion by structure constants on the group, with another integrator.
 #[test]
 fn manakov_is_euler_poincare() {
     for (n, time, numbers) in references("manakov").into_iter().filter(|(_, t, _)| *t <= 5.0) {
@@ -263,7 +266,7 @@ fn zeitlin_states_are_exact() {
     }
 }
 
-/// `Y_lm` is a basis of eigenvectors; the bracket with `Y_10` turns about the axis.
+/// `Y_lm` is a basis of eigenvectors; the bracket with `Y_10` is a rotation about the axis.
 #[test]
 fn harmonics_are_eigenvectors() {
     for (n, degrees) in
@@ -291,7 +294,8 @@ fn harmonics_are_eigenvectors() {
     }
 }
 
-/// The wave of Rossby and Haurwitz: on a rotation by `O` a harmonic turns by `O (1 - 2/(l(l+1)))`, with all of `N`.
+/// The Rossby-Haurwitz wave: on a rotation by `O` a harmonic rotates by `O (1 - 2/(l(l+1)))`, for
+/// all `N`.
 #[test]
 fn rossby_haurwitz_waves_turn() {
     let (rotation, l, m) = (0.7, 4, 3);
@@ -307,14 +311,15 @@ fn rossby_haurwitz_waves_turn() {
         let end = fluid.vorticity(&end).unwrap();
         let found = run(&FOURTH, &fluid, &start, time, 8 * n);
         assert!(distance(&found, &end) / end.norm() < 1e-6, "{n}: {}", distance(&found, &end));
-        // a rotation of the sphere has the moment 8 pi/3 O
+        // a rotation of the sphere has the angular momentum 8 pi/3 O
         let [x, y, z] = fluid.angular_momentum(&found.matrix);
         let moment = 2.0 * rotation * scale * scale;
         assert!(x.abs().max(y.abs()) < 1e-13 && (z / moment - 1.0).abs() < 1e-13);
     }
 }
 
-/// Ten thousand steps: spectrum and moment at rounding, the energy bounded and without a drift.
+/// After ten thousand steps, spectrum and angular momentum have rounding errors only, and the
+/// energy is bounded without a drift.
 #[test]
 fn long_runs_keep_the_spectrum() {
     let fluid = Zeitlin::new(9).unwrap();
@@ -364,7 +369,7 @@ fn larger_fluids() {
         let [before, after] = [&start, &state].map(|state| fluid.enstrophy(&state.matrix));
         assert!((after / before - 1.0).abs() < 1e-13, "{n}: {before} {after}");
         assert!((&state.matrix - &start.matrix).norm() > 1e-2 * start.matrix.norm());
-        // there and back
+        // there and back again
         for _ in 0..steps.min(20) {
             MIDPOINT.step(&fluid, &mut state, -0.05).unwrap();
         }
@@ -372,7 +377,7 @@ fn larger_fluids() {
             assert!(distance(&state, &start.matrix) < 1e-12 * start.matrix.norm());
         }
     }
-    // the first numbers of SplitMix64 from 1234567, as published with it
+    // the first numbers of SplitMix64 from 1234567, as published
     let fluid = Zeitlin::new(5).unwrap();
     let random = fluid.random(1234567, 2).unwrap();
     for (m, bits) in
@@ -381,13 +386,13 @@ fn larger_fluids() {
         let expected = bits as f64 / 2.0_f64.powi(63) - 1.0;
         assert!((fluid.coefficient(&random, 1, m).unwrap() - expected).abs() < 1e-14);
     }
-    // a seed is the same field for all N
+    // a seed gives the same field for all N
     let [small, large] = [9, 40].map(|n| Zeitlin::new(n).unwrap());
     let [a, b] = [&small, &large].map(|fluid| fluid.enstrophy(&fluid.random(3, 8).unwrap()));
     assert!((a / b - 1.0).abs() < 1e-13);
 }
 
-/// Matrices without a symmetry, whose spectrum is complex: traces of powers.
+/// Matrices without symmetry, whose spectrum is complex: traces of powers are conserved.
 #[test]
 fn any_matrix_flows() {
     let flow = Flow::new(|l: &DMatrix<f64>| l.map(f64::sin) * 0.5);
@@ -401,7 +406,7 @@ fn any_matrix_flows() {
     orders(&flow, &start, &exact.matrix, 1.0, 8);
     let hermitian =
         DMatrix::from_fn(3, 3, |i, j| Complex::new((i + j) as f64, i as f64 - j as f64));
-    // Brockett's flow of complex matrices ends in the spectrum, sorted
+    // Brockett's flow of complex matrices converges to the sorted spectrum
     let d = DMatrix::from_diagonal(&DVector::from_fn(3, |i, _| Complex::from(i as f64)));
     let flow = Flow::new(move |l: &DMatrix<Complex<f64>>| &d * l - l * &d);
     let flow = flow.on(Symmetry::Hermitian);
@@ -482,7 +487,7 @@ fn the_smallest_and_what_is_at_rest() {
     assert!((fluid.energy(&start.matrix) / fluid.enstrophy(&start.matrix) - 0.25).abs() < 1e-15);
     let still = fluid.state(0.0, fluid.vorticity(&[]).unwrap()).unwrap();
     assert_eq!(run(&FOURTH, &fluid, &still, 1.0, 2).matrix, still.matrix);
-    // the plane body turns evenly
+    // the planar body rotates steadily
     let body = Manakov::new(&[1.0, 2.0]).unwrap();
     let start = body.state(0.0, antisymmetric(2, &[0.7])).unwrap();
     assert_eq!(run(&MIDPOINT, &body, &start, 1.0, 2).matrix, start.matrix);
@@ -501,7 +506,7 @@ fn steps_that_are_too_long_leave_the_state() {
         assert!(FOURTH.step(&fluid, &mut state, h).is_err());
         assert_eq!(state, start);
     }
-    // an error on the way of a composition, too
+    // an error within a composition, too
     let count = std::cell::Cell::new(0);
     let flow = Flow::new(move |l: &DMatrix<f64>| {
         count.set(count.get() + 1);

@@ -7,7 +7,7 @@ use proptest::prelude::*;
 use std::ops::Range;
 
 /// A random contraction. The result is antisymmetric in its bracketed letters, because every term
-/// stands there in all their orders, with the sign of each.
+/// occurs in all their orders, each with its sign.
 #[derive(Clone, Debug)]
 pub struct Case<S = Rational> {
     pub text: String,
@@ -33,7 +33,7 @@ impl Case {
         self.mapped(|_, value| value.to_f64())
     }
 
-    /// Dual numbers, exact if the values are integers; some have no real part.
+    /// Dual numbers, exact if the values are integers; some have a zero real part.
     pub fn duals(&self) -> Case<Dual<true>> {
         self.mapped(|at, value| {
             let parity = at.iter().sum::<usize>() % 3;
@@ -43,16 +43,16 @@ impl Case {
     }
 }
 
-/// Which numbers stand in the operands.
+/// The kinds of numbers in the operands.
 #[derive(Clone, Copy, Debug)]
 pub enum Values {
-    /// Small integers: sums on machine integers, exact in floats too.
+    /// Small integers: sums use machine integers, and are exact in floats too.
     Integers,
-    /// Small fractions: sums on machine integers over one denominator.
+    /// Small fractions: sums use machine integers over one denominator.
     Fractions,
-    /// Around the places where sums of products of words leave 64 bits.
+    /// Integers for which sums of products are near the limit of 64 bits.
     Words,
-    /// Beyond 64 bits.
+    /// Integers beyond 64 bits.
     Huge,
 }
 
@@ -76,11 +76,11 @@ pub fn cases_of_ranks(ranks: Range<usize>, values: Values) -> impl Strategy<Valu
     })
 }
 
-/// What chance decided, read from a tape that proptest can shrink.
+/// The random choices, read from a tape that proptest can shrink.
 struct Choices(std::vec::IntoIter<u16>);
 
 impl Choices {
-    /// A number below `bound`; 0 when the tape has run out.
+    /// A number below `bound`; 0 if the tape is at its end.
     fn below(&mut self, bound: usize) -> usize {
         usize::from(self.0.next().unwrap_or(0)) % bound
     }
@@ -150,7 +150,7 @@ fn variance(choices: &mut Choices) -> Variance {
     if choices.one_in(2) { Up } else { Down }
 }
 
-/// No, one or two runs of two or three positions.
+/// No, one or two groups of two or three consecutive positions.
 fn groups(choices: &mut Choices, rank: usize) -> Vec<Range<usize>> {
     let mut groups = vec![];
     let mut from = 0;
@@ -219,7 +219,7 @@ fn value(choices: &mut Choices, values: Values) -> Rational {
     }
 }
 
-/// All orders of the positions that move only within the groups, with their signs.
+/// All permutations of the positions within the groups, with their signs.
 fn orders(rank: usize, groups: &[Range<usize>]) -> Vec<(i64, Vec<usize>)> {
     let mut orders = vec![(1, (0..rank).collect::<Vec<_>>())];
     for group in groups {
@@ -241,7 +241,7 @@ fn orders(rank: usize, groups: &[Range<usize>]) -> Vec<(i64, Vec<usize>)> {
     orders
 }
 
-/// A term with its coefficient, in one of the ways to write it.
+/// A term with its coefficient, in one of the possible notations.
 fn term(choices: &mut Choices, leads: bool, coefficient: i64, factors: &[Factor]) -> String {
     let factors: Vec<String> =
         factors.iter().map(|(at, letters)| format!("T{at}{}", indices(letters))).collect();

@@ -6,8 +6,8 @@ use num_traits::{One, Zero};
 use std::fmt;
 use std::ops::{Add, Mul, Neg, Sub};
 
-/// Dual numbers of num-dual, whose own equality and zero look at the real part alone.
-/// `WHOLE` says whether ours look at both.
+/// Dual numbers of num-dual, whose own equality and zero test use the real part only. `WHOLE` says
+/// whether ours use both parts.
 #[derive(Clone, Copy, Debug)]
 pub struct Dual<const WHOLE: bool>(pub Dual64);
 

@@ -1,4 +1,4 @@
-//! Matrices for tests, and what counts as equal.
+//! Matrices for tests, and their comparison.
 
 use affinor_tensors::linear::Matrix;
 use affinor_tensors::{Kind, Notation, Scalar};
@@ -21,7 +21,7 @@ pub fn square(n: usize) -> impl Strategy<Value = Vec<Vec<i64>>> {
     vec(vec(-3i64..=3, n), n)
 }
 
-/// Exactly equal, or for floats up to rounding.
+/// Checks for equality, in floats up to rounding errors.
 pub fn same<S: Notation + Scalar>(a: &S, b: &S) -> bool {
     match (S::KIND, a.to_f64(), b.to_f64()) {
         (Kind::Float, Some(a), Some(b)) => (a - b).abs() <= 1e-9 * (1.0 + a.abs() + b.abs()),

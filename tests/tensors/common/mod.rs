@@ -1,4 +1,4 @@
-//! What several modules of tests share.
+//! Common parts of several test modules.
 
 pub mod cases;
 pub mod dual;

@@ -1,17 +1,18 @@
-//! Contraction by hand: every pair of components tried, every letter looked up.
+//! Contraction by definition: all combinations of components are tried, and indices are matched by
+//! letter.
 
 use affinor_tensors::{Scalar, Tensor};
 use std::collections::BTreeMap;
 
-/// Components by their indices, none of them zero.
+/// The nonzero components by their indices.
 pub type Components<S> = BTreeMap<Vec<usize>, S>;
 
-/// The components of a tensor as they are stored.
+/// The stored components of a tensor.
 pub fn stored<S: Scalar>(tensor: &Tensor<S>) -> Vec<(Vec<usize>, S)> {
     tensor.components().map(|(at, value)| (at.to_vec(), value.clone())).collect()
 }
 
-/// What `text` means, evaluated without the kernel; brackets are not looked at.
+/// Evaluates `text` without the kernel; brackets are ignored.
 pub fn oracle<S: Scalar>(text: &str, operands: &[(&str, &Tensor<S>)]) -> Components<S> {
     let (sum, result) = text.split_once("->").unwrap();
     let result = letters(result);
@@ -39,7 +40,8 @@ fn letters(text: &str) -> Vec<char> {
     text.chars().filter(|c| c.is_alphabetic()).collect()
 }
 
-/// Adds one term: a value for each way to choose a component of every factor whose indices agree.
+/// Adds one term: a value for each choice of a component of every factor such that the indices
+/// agree.
 fn add_term<S: Scalar>(
     total: &mut Components<S>,
     sign: i64,

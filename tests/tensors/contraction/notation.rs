@@ -1,9 +1,9 @@
-//! What the notation refuses, and why it says so.
+//! Errors of the notation, and their messages.
 
 use crate::common::property::properties;
 use affinor_tensors::{Down, Rational, Tensor, TensorError, Up, contract};
 
-/// `v^i`, `w_i`, `m^i_j` and `s`, all ones, in dimension 2.
+/// The operands `v^i`, `w_i`, `m^i_j` and `s` in dimension 2, with all components 1.
 fn operands() -> [(&'static str, Tensor<Rational>); 4] {
     let one = || Rational::from(1);
     [
@@ -20,7 +20,7 @@ fn run(text: &str) -> Result<Tensor<Rational>, TensorError> {
     contract(text, &borrowed)
 }
 
-/// Whether the name stands in the expression or not.
+/// Whether or not the name occurs in the expression.
 #[test]
 fn operands_have_different_names() {
     let operands = operands();
@@ -55,40 +55,40 @@ fn what_does_not_fit_is_refused_with_its_reason() {
         ("1/0 v^i -> ^i", "`1/0` is not a name with indices"),
         ("1/2/3 v^i -> ^i", "`1/2/3` is not a name with indices"),
         ("1/3037000500 1/3037000500 v^i -> ^i", "a coefficient is too large"),
-        ("v^i+v^i -> ^i", "`+` in the indices `^i+v^i`"),
+        ("v^i+v^i -> ^i", "`+` is not allowed in the indices `^i+v^i`"),
         ("v^i * w_j -> ^i_j", "`*` is not a name with indices"),
         // variance and rank
-        ("v_i -> _i", "the indices of `v` are not those of its slots"),
-        ("v^ij -> ^ij", "the indices of `v` are not those of its slots"),
-        ("s^i -> ^i", "the indices of `s` are not those of its slots"),
-        ("v -> ", "the indices of `v` are not those of its slots"),
-        ("v^i -> _i", "`i` changes its variance"),
-        ("w_i -> ^i", "`i` changes its variance"),
-        ("v^i v^i -> ", "`i` is summed on one level"),
-        ("w_i w_i -> ", "`i` is summed on one level"),
+        ("v_i -> _i", "the indices of `v` do not match its slots"),
+        ("v^ij -> ^ij", "the indices of `v` do not match its slots"),
+        ("s^i -> ^i", "the indices of `s` do not match its slots"),
+        ("v -> ", "the indices of `v` do not match its slots"),
+        ("v^i -> _i", "`i` is upper on one side of `->` and lower on the other"),
+        ("w_i -> ^i", "`i` is upper on one side of `->` and lower on the other"),
+        ("v^i v^i -> ", "`i` is summed, but not once upper and once lower"),
+        ("w_i w_i -> ", "`i` is summed, but not once upper and once lower"),
         // letters
-        ("v^i -> ", "`i` does not stand once or in a pair"),
-        ("m^i_j -> ^i", "`j` does not stand once or in a pair"),
-        ("m^i_i v^i -> ^i", "`i` does not stand once or in a pair"),
-        ("m^i_i v^i -> ", "`i` does not stand once or in a pair"),
-        ("m^i_i -> ^i", "`i` does not stand once or in a pair"),
-        ("m^i_i -> ^i_i", "`i` stands twice in the result"),
-        ("v^i -> ^ii", "`i` stands twice in the result"),
+        ("v^i -> ", "`i` is neither an index of the result nor summed in a pair"),
+        ("m^i_j -> ^i", "`j` is neither an index of the result nor summed in a pair"),
+        ("m^i_i v^i -> ^i", "`i` is neither an index of the result nor summed in a pair"),
+        ("m^i_i v^i -> ", "`i` is neither an index of the result nor summed in a pair"),
+        ("m^i_i -> ^i", "`i` is neither an index of the result nor summed in a pair"),
+        ("m^i_i -> ^i_i", "`i` occurs twice in the result"),
+        ("v^i -> ^ii", "`i` occurs twice in the result"),
         ("v^i -> ^ij", "a term lacks `j`"),
         ("m^i_j + v^i -> ^i_j", "a term lacks `j`"),
         ("s -> ^i", "a term lacks `i`"),
         // marks
-        ("v^i -> i", "`i` in the indices `i`"),
-        ("v^1 -> ^i", "`1` in the indices `^1`"),
-        ("v^i -> ^i ^j", "` ` in the indices `^i ^j`"),
-        ("v^i -> ^i -> ^i", "` ` in the indices `^i -> ^i`"),
+        ("v^i -> i", "`i` is not allowed in the indices `i`"),
+        ("v^1 -> ^i", "`1` is not allowed in the indices `^1`"),
+        ("v^i -> ^i ^j", "` ` is not allowed in the indices `^i ^j`"),
+        ("v^i -> ^i -> ^i", "` ` is not allowed in the indices `^i -> ^i`"),
         // brackets
-        ("m^i_j -> ^[i_j]", "`_` in the indices `^[i_j]`"),
+        ("m^i_j -> ^[i_j]", "`_` is not allowed in the indices `^[i_j]`"),
         ("v^i v^j -> ^[ij", "`[` without `]`"),
         ("v^i v^j -> ^ij]", "`]` without `[`"),
-        ("v^i v^j -> ^[[ij]]", "`[` in the indices `^[[ij]]`"),
-        ("v^i v^j -> [ij]", "`[` in the indices `[ij]`"),
-        ("v^[i] -> ^i", "brackets belong to the result alone"),
+        ("v^i v^j -> ^[[ij]]", "`[` is not allowed in the indices `^[[ij]]`"),
+        ("v^i v^j -> [ij]", "`[` is not allowed in the indices `[ij]`"),
+        ("v^[i] -> ^i", "brackets are allowed in the result only"),
     ] {
         match run(text) {
             Err(TensorError::Notation { expression, error }) => {
@@ -124,7 +124,7 @@ fn what_fits_is_taken() -> Result<(), TensorError> {
         assert_eq!(run(text)?.to_scalar(), Some(Rational::from(value)), "{text}");
     }
     assert_eq!(run("v^i v^j -> ^[i]^[j]")?.len(), 4);
-    // the coefficient that has no counterpart of the other sign
+    // the coefficient without a counterpart of the opposite sign
     assert!(run("-9223372036854775808 v^i v^j + v^j v^i -> ^[ij]").is_ok());
     Ok(())
 }
@@ -135,7 +135,7 @@ fn dimensions_must_agree() {
     let result = contract("a^i_j b^j_k -> ^i_k", &[("a", &a), ("b", &b)]);
     assert_eq!(result, Err(TensorError::Dimension(2, 3)));
     let message = result.unwrap_err().to_string();
-    assert_eq!(message, "operands have dimensions 2 and 3");
+    assert_eq!(message, "the operands have different dimensions, 2 and 3");
 }
 
 #[test]
@@ -145,7 +145,7 @@ fn results_beyond_the_engine_are_refused() {
     let square = Tensor::<Rational>::zero(1 << 17, &[Up, Up]).unwrap();
     let result = contract("m^ij m^kl -> ^ijkl", &[("m", &square)]);
     assert_eq!(result, too_large(1 << 17, 4));
-    // fits the keys, but not the table over the last two indices
+    // fits the keys, but exceeds the table over the last two indices
     let vast = Tensor::<Rational>::from_components(1 << 31, &[Up, Down], [([1, 1], 1.into())]);
     let result = contract("m^i_j -> ^i_j", &[("m", &vast.unwrap())]);
     assert_eq!(result, too_large(1 << 31, 2));

@@ -1,6 +1,6 @@
-//! Every path of the kernel computes what the notation says: tables of all rows, tables of nonempty rows,
-//! bisection, one thread and two, integers and the ring, with small tensors and lowered sizes, and with large
-//! dimensions and few components at the sizes themselves.
+//! Every path of the kernel evaluates the notation: tables of all rows, tables of nonempty rows,
+//! bisection, one thread and two, integers and ring elements. Small tensors with lowered size
+//! limits are tested, and large dimensions with few components at the original limits.
 
 use crate::common::cases;
 use crate::common::oracle;
@@ -21,10 +21,10 @@ static POOLS: LazyLock<[ThreadPool; 2]> = LazyLock::new(|| {
     [1, 2].map(|threads| ThreadPoolBuilder::new().num_threads(threads).build().unwrap())
 });
 
-/// The limits of the tables: no rows, rows up to some multiple of the dimension, all rows.
+/// The limits of the tables: no rows, rows up to multiples of the dimension, all rows.
 fn tables(dimension: usize) -> Vec<(u64, u64)> {
     let mut tables = vec![];
-    // rows are counted in whole words of 64
+    // rows are counted in full words of 64
     for rows in (0..4).map(|power| 64 * (dimension as u64).pow(power)).chain([0, 1 << 16]) {
         tables.extend([0, 2, 1 << 16].map(|marked| (rows, marked)));
     }
@@ -32,9 +32,9 @@ fn tables(dimension: usize) -> Vec<(u64, u64)> {
     tables
 }
 
-/// Every combination of paths, with the pool it runs in.
+/// Every combination of paths, with the thread pool that runs it.
 fn paths(dimension: usize) -> impl Iterator<Item = (KernelThresholds, &'static ThreadPool)> {
-    // in the ring, in integers of any size, and in machine integers
+    // in the ring, in integers of arbitrary size, and in machine integers
     let never = usize::MAX;
     let arithmetics =
         [(0, 0, never), (0, 0, 0), (u64::MAX, 0, never), (u64::MAX, 2, 0), (u64::MAX, 64, 62)];
@@ -59,7 +59,7 @@ fn paths(dimension: usize) -> impl Iterator<Item = (KernelThresholds, &'static T
     })
 }
 
-/// Every path agrees with the oracle, in order, and no zero is stored.
+/// Every path agrees with the oracle, including the order, and no zero is stored.
 fn agrees<S: Scalar>(case: &Case<S>) -> Result<(), TestCaseError> {
     let (text, operands) = (&case.text, case.operands());
     let expected: Vec<_> = oracle(text, &operands).into_iter().collect();
@@ -97,7 +97,7 @@ properties! {
         agrees(&case)?;
     }
 
-    /// A bound between the sizes of small sums, so that either arithmetic is taken.
+    /// A bound between the sizes of small sums, so that both kinds of arithmetic are used.
     #[test]
     fn integers_up_to_a_bound(
         case in cases_of_ranks(0..6, Values::Fractions),
@@ -109,7 +109,7 @@ properties! {
         prop_assert_eq!(stored(&result), expected, "{}", case.text);
     }
 
-    /// Floats are the same to the last bit on every path, and near the exact values.
+    /// Floats are the same to the last bit on every path, and close to the exact values.
     #[test]
     fn floats(case in cases_of_ranks(0..9, Values::Fractions)) {
         let exact = contract(&case.text, &case.operands())?.map(Rational::to_f64);
@@ -139,8 +139,8 @@ properties! {
 properties! {
     #![cases(100)]
 
-    /// Indices far apart, so that accumulators have rows of several words and tables have gaps: the components are those of
-    /// the indices themselves.
+    /// Indices far apart: accumulators have rows of several words, and tables have gaps. The
+    /// components must have the right indices.
     #[test]
     fn indices_far_apart(
         case in cases_of_ranks(0..5, Values::Integers),
@@ -158,7 +158,7 @@ properties! {
         };
         let operands: Vec<_> = case.operands();
         let Ok(wide) = operands.iter().map(|(_, t)| apart(t)).collect::<Result<Vec<_>, _>>() else {
-            // too many places for a key
+            // the index combinations exceed a key
             return Ok(());
         };
         let wide: Vec<_> = operands.iter().zip(&wide).map(|((name, _), t)| (*name, t)).collect();
@@ -178,7 +178,7 @@ properties! {
 properties! {
     #![cases(12)]
 
-    /// Parameters and constants side by side, and constants alone, which run on integers.
+    /// Parameters and constants together, and constants alone, which use integers.
     #[test]
     fn symbols(case in cases_of_ranks(0..5, Values::Fractions), constants in any::<bool>()) {
         let [a, b] = ["a", "b"].map(Symbolic::parameter);
@@ -194,7 +194,7 @@ properties! {
     }
 }
 
-/// The paths of a size are refused nowhere but at `places`.
+/// The paths of a size are errors only at `places`.
 #[test]
 fn places_are_refused_past_their_limit() {
     let identity = Tensor::<Rational>::identity(5);
@@ -229,7 +229,7 @@ fn the_largest_accumulators() {
     let product = contract("a^i_p b^pj - a^j_p b^pi -> ^[ij]", &[("a", &a), ("b", &b)]).unwrap();
     let above = (0..n).step_by(64).map(|i| {
         let value = Rational::from((i as i64 + 1) * (i as i64 + 1));
-        // a moves i to the index before it, and 0 to the last one
+        // a maps i to the index before it, and 0 to the last one
         if i > 0 { (vec![i - 1, i], value) } else { (vec![0, 4095], -value) }
     });
     let mut expected: Vec<_> =
@@ -243,7 +243,7 @@ type Test = Result<(), TensorError>;
 /// Ranks with the largest dimension whose leading indices, all but two, take at most 2^22 values.
 const EDGES: [(usize, usize); 5] = [(4, 2048), (5, 161), (6, 45), (7, 21), (8, 12)];
 
-/// Numbers without a pattern: the generator of D. E. Knuth's MMIX.
+/// Pseudorandom numbers: D. E. Knuth's MMIX generator.
 struct Numbers(u64);
 
 impl Numbers {
@@ -254,7 +254,7 @@ impl Numbers {
     }
 }
 
-/// Few components anywhere, some of them at the first and the last indices.
+/// A few components at random indices, some at the first and the last indices.
 fn sparse(n: usize, slots: &[Variance], count: usize, seed: u64) -> Tensor<Rational> {
     let mut numbers = Numbers(seed);
     let components: Vec<_> = (0..count)
@@ -279,7 +279,7 @@ fn agrees_at_size(text: &str, operands: &[(&str, &Tensor<Rational>)]) {
     assert_eq!(stored(&result), expected, "{text} in dimension {}", result.dimension());
 }
 
-/// Orders of so many letters: backwards, turned round, two exchanged.
+/// Permutations of this number of letters: reversed, rotated, two exchanged.
 fn orders(letters: &str) -> Vec<String> {
     let (first, rest) = letters.split_at(1);
     let (head, tail) = letters.split_at(letters.len() - 2);
@@ -306,7 +306,7 @@ fn slots_in_another_order() {
     }
 }
 
-/// The means over the orders of some slots, against the same by `permute`.
+/// The means over permutations of some slots agree with sums by `permute`.
 #[test]
 fn symmetrisers() -> Test {
     for (rank, edge) in EDGES {
@@ -345,7 +345,7 @@ fn symmetrisers() -> Test {
     Ok(())
 }
 
-/// A declared antisymmetry, of two and of three letters, at the end and in the loops.
+/// A declared antisymmetry, of two and of three letters, in the last indices and in the loops.
 #[test]
 fn declared_antisymmetries() -> Test {
     for (rank, edge) in EDGES {
@@ -372,7 +372,8 @@ fn declared_antisymmetries() -> Test {
     Ok(())
 }
 
-/// Two factors: the tables of all rows and of nonempty rows at the edge, in either factor.
+/// Products of two factors: tables of all rows and of nonempty rows at their limits, in either
+/// factor.
 #[test]
 fn products() {
     for (edge, a, b, texts) in [
@@ -402,7 +403,7 @@ fn products() {
     }
 }
 
-/// Results of rank 0 to 2 in dimensions whose tables and bits would not fit a memory.
+/// Results of rank 0 to 2 in dimensions for which tables and bit masks would exceed the memory.
 #[test]
 fn low_ranks_in_high_dimensions() -> Test {
     let components = |n: usize, slots: &[Variance], seed| sparse(n, slots, 120, seed);

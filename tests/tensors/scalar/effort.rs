@@ -22,26 +22,26 @@ fn the_limit_is_the_number_of_terms() {
     let whole = effort.bound(|| squares(4)).unwrap().unwrap();
     let terms = effort.terms();
     assert!(terms > 100, "{terms}");
-    // the same number each time, and enough
+    // the same number each time, and large enough
     let same = Effort::new(terms);
     assert_eq!(same.bound(|| squares(4)).unwrap().unwrap(), whole);
     assert_eq!(same.terms(), terms);
     let refused = Effort::new(terms - 1).bound(|| squares(4)).unwrap_err();
     assert_eq!(refused.limit, terms - 1);
-    // without a limit nothing is counted, also after one
+    // without a limit nothing is counted, also after a limit
     assert_eq!(squares(4).unwrap(), whole);
     assert_eq!(same.terms(), terms);
 }
 
 #[test]
 fn what_passes_the_limit_ends_soon() {
-    // dimension 8 alone would take minutes
+    // dimension 8 alone would need minutes
     for limit in [1, 100, 5_000] {
         let refused = Effort::new(limit).bound(|| squares(8)).unwrap_err();
         assert_eq!(refused.limit, limit);
         assert!(refused.to_string().contains("the formulas pass the limit of "));
     }
-    // expressions of functions, and their text
+    // expressions with functions, and their text
     let text = "(sin(x) + a*cos(y))^6/(1 + b*sin(x - y))^3";
     let effort = Effort::new(20);
     let read = effort.bound(|| text.parse::<Symbolic>().map(|value| value.to_string()));

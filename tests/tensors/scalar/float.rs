@@ -8,8 +8,8 @@ fn power_of_ten(exponent: i32) -> Rational {
     if exponent < 0 { power.recip().unwrap() } else { power }
 }
 
-/// Kept to a rounding, or refused: above the largest float, and below the smallest normal one unless
-/// the number is the shortest decimal of a float.
+/// A conversion is exact to rounding error, or an error: above the largest float, and below the
+/// smallest normal float unless the number is the shortest decimal of a float.
 #[test]
 fn conversion_keeps_the_digits_or_refuses() {
     for exponent in -420..=420 {

@@ -1,4 +1,4 @@
-//! Jets against num-dual's second derivatives, which we did not write.
+//! Jets agree with the second derivatives of the crate num-dual.
 
 use crate::common::property::properties;
 use affinor_tensors::{Field, Jet, Ring};
@@ -6,7 +6,7 @@ use num_dual::{DualNum, HyperDual64};
 use num_traits::{One, Zero};
 use proptest::prelude::*;
 
-/// One formula for both.
+/// The same formula for both types.
 macro_rules! formula {
     ($x:expr, $y:expr, $one:expr) => {{
         let (x, y, one) = ($x, $y, $one);

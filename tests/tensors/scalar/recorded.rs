@@ -1,4 +1,4 @@
-//! Recorded values are those of the formulas: against rational functions, rationals and jets.
+//! Recorded programs agree with the formulas: with rational functions, rationals and jets.
 
 mod solution;
 
@@ -19,7 +19,7 @@ enum Formula {
     Sum(Box<Formula>, Box<Formula>),
     Difference(Box<Formula>, Box<Formula>),
     Product(Box<Formula>, Box<Formula>),
-    /// The quotient, or the numerator where the denominator vanishes.
+    /// The quotient, or the numerator if the denominator vanishes.
     Quotient(Box<Formula>, Box<Formula>),
 }
 
@@ -101,7 +101,7 @@ properties! {
         laws::field(&a, &b, &c, Tolerance::new(0.0).unwrap())?;
     }
 
-    /// Equality, zero and constants are those of rational functions.
+    /// Equality, zero and constants agree with rational functions.
     #[test]
     fn they_are_zero_where_rational_functions_are(f in formula(), g in formula()) {
         let symbols = NAMES.map(Symbolic::parameter);
@@ -114,7 +114,7 @@ properties! {
         prop_assert_eq!(Recorded::try_from(&p).unwrap(), x);
     }
 
-    /// A program gives the numbers of the formula, and those of its derivatives.
+    /// A program computes the values of the formula and of its derivatives.
     #[test]
     fn programs_compute_the_formula(f in formula(), g in formula(), point in point()) {
         let symbols = NAMES.map(Symbolic::parameter);
@@ -131,13 +131,13 @@ properties! {
         let program = StraightLine::new(&outputs);
         let found = program.evaluate(at(&point), |_, x| x.clone());
         let expected: Option<Vec<_>> = expected.iter().map(|v| substituted(v, &point)).collect();
-        // a pole of the program need not be one of the reduced fraction
+        // a pole of the program may cancel in the reduced fraction
         if let (Some(found), Some(expected)) = (found, expected) {
             prop_assert_eq!(found, expected);
         }
     }
 
-    /// Derivatives against forward differentiation in floats.
+    /// Derivatives agree with forward differentiation in floats.
     #[test]
     fn derivatives_are_those_of_jets(f in formula(), point in [1.0..2.0f64, 2.0..3.0, 3.0..4.0]) {
         let jet = f.value(&Jet::coordinates(point));
@@ -153,7 +153,7 @@ properties! {
         }
     }
 
-    /// The inverse of a full symmetric matrix: against the exact inverse at a point.
+    /// The inverse of a full symmetric matrix agrees with the exact inverse at a point.
     #[test]
     fn inverses_are_programs(entries in prop::collection::vec(-9i64..9, 10)) {
         let (upper, n) = (|i: usize, j: usize| format!("g{}{}", i.min(j), i.max(j)), 4);
@@ -179,7 +179,7 @@ properties! {
     }
 }
 
-/// A common subexpression is one step, also when it is written in another way or negated.
+/// A common subexpression is computed once, also if it is written in another form or negated.
 #[test]
 fn equal_values_are_one_step() {
     let [a, b, c] = inputs();
@@ -201,7 +201,7 @@ fn equal_values_are_one_step() {
     assert_eq!(program.count(), count);
 }
 
-/// What no output uses is no step.
+/// Values that no output uses are not computed.
 #[test]
 fn dead_code_is_dropped() {
     let [a, b, _] = inputs();
@@ -212,7 +212,7 @@ fn dead_code_is_dropped() {
     assert!(StraightLine::new(&[a.clone() - &a, Recorded::one()]).steps().is_empty());
 }
 
-/// Sines and cosines obey their relation.
+/// Sines and cosines of equal arguments satisfy sin^2 + cos^2 = 1.
 #[test]
 fn sines_and_cosines_are_dependent() {
     let [x, ..] = inputs();
@@ -230,7 +230,8 @@ fn sines_and_cosines_are_dependent() {
     assert!(Recorded::function("gamma", &x).is_err());
 }
 
-/// The addition theorems hold for sums of products of inputs, also in parts, and whatever their signs.
+/// The addition theorems hold for sums of products of inputs, also for some of the terms, and for
+/// any signs.
 #[test]
 fn functions_of_sums_obey_the_addition_theorems() {
     let [a, b, c] = inputs();
@@ -278,7 +279,7 @@ fn float(function: Function, x: &f64) -> f64 {
     function.value(*x)
 }
 
-/// Numbers that a prime of the certificate divides are no zeros.
+/// Nonzero numbers that a prime of the certificate divides are not taken for zero.
 #[test]
 fn multiples_of_the_primes_do_not_vanish() {
     let [a, b, _] = inputs();

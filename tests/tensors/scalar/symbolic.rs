@@ -1,5 +1,5 @@
-//! Rational functions of parameters, against exact values at rational points computed beside
-//! them, Euclid's algorithm in one variable, closed forms and finite differences.
+//! Rational functions of parameters, compared with exact values at rational points, Euclid's
+//! algorithm in one variable, closed forms and finite differences.
 
 mod denominator;
 mod elementary;
@@ -91,13 +91,14 @@ fn values<T>(
     NAMES.into_iter().zip(point).map(|(name, x)| (name.to_owned(), f(x))).collect()
 }
 
-/// The exact value at a point.
+/// The exact value of a quotient at a point.
 fn at(value: &Symbolic, point: &[Rational; 3]) -> Option<Rational> {
     let constant = value.substitute(&values(point.clone(), Symbolic::constant))?;
     Some(constant.as_constant().expect("free of parameters").clone())
 }
 
-/// Coefficients by rising powers of one parameter, the others at a point; no zeros at the end.
+/// Coefficients by rising powers of one parameter, with values for the others; without zeros at the
+/// end.
 fn image(polynomial: &Symbolic, name: &str, point: &[Rational; 3]) -> Vec<Rational> {
     let mut image: Vec<Rational> = Vec::new();
     for (powers, c) in polynomial.terms() {
@@ -140,8 +141,8 @@ fn euclid(mut f: Vec<Rational>, mut g: Vec<Rational>) -> usize {
     f.len() - 1
 }
 
-/// Whether numerator and denominator are seen to be coprime: for every parameter some point where
-/// the leading coefficients survive and the images have no common divisor.
+/// Whether numerator and denominator are proved to be coprime: for every parameter there is a point
+/// where the leading coefficients do not vanish and the images have no common divisor.
 fn coprime(value: &Symbolic, points: &[[Rational; 3]]) -> bool {
     let (above, below) = (value.numerator(), value.denominator());
     let degree = |f: &Symbolic, name: &str| {
@@ -158,7 +159,7 @@ fn coprime(value: &Symbolic, points: &[[Rational; 3]]) -> bool {
     })
 }
 
-/// Reads the text form: sums of products of powers, the usual precedence.
+/// Reads the text form: sums of products of powers, with the usual precedence.
 fn read(text: &str) -> Symbolic {
     fn sum(s: &mut &str) -> Symbolic {
         let mut value = product(s);
@@ -291,7 +292,7 @@ properties! {
 
     #[test]
     fn derivatives_agree_with_difference_quotients(x in quotient(), p in point()) {
-        // the points a + h and a - h are exact, so the error is h^2 f'''/6 alone
+        // the points a + h and a - h are exact, so the error is only h^2 f'''/6
         let h = rational(1, 1 << 20);
         let shifted = |h: Rational| [p[0].clone() + &h, p[1].clone(), p[2].clone()];
         let values = (x.at(&shifted(h.clone())), x.at(&shifted(-h.clone())));
@@ -317,7 +318,7 @@ properties! {
 
     #[test]
     fn substitution_is_simultaneous_composition(x in quotient(), y in quotient(), z in quotient(), p in point()) {
-        // a -> y, b -> z, c stays
+        // a -> y, b -> z, c is unchanged
         let images = [("a".to_owned(), y.value.clone()), ("b".to_owned(), z.value.clone())].into();
         let inner = y.at(&p).zip(z.at(&p));
         let (Some((u, v)), Some(composed)) = (inner, x.value.substitute(&images)) else {
@@ -333,7 +334,7 @@ properties! {
         let Some(exact) = x.at(&p) else { return Ok(()) };
         let float = |name: &str| NAMES.iter().position(|n| *n == name).map(|k| p[k].to_f64());
         let value = x.value.evaluate(float);
-        // well away from poles, so that rounding in the denominator stays small
+        // far from poles, so that the rounding error of the denominator is small
         prop_assume!(x.below.at(&p).to_f64().abs() > 1e-2);
         let value = value.expect("finite");
         let exact = exact.to_f64();
@@ -360,7 +361,7 @@ fn text_is_what_a_person_would_write() {
         ("(2*a + 2*b)/3", "2*(a + b)/3", r"\frac{2 \left(a + b\right)}{3}"),
         ("2*t^2 - 2*t", "2*t^2 - 2*t", "2 t^{2} - 2 t"),
         ("-(a + b)^3*c", "-c*(a + b)^3", r"-c \left(a + b\right)^{3}"),
-        // Heron's, as in Milnor's Ricci curvatures
+        // Heron's formula, as in Milnor's Ricci curvatures
         (
             "(a^2 - (b - c)^2)/(2*b*c)",
             "(a + b - c)*(a - b + c)/(2*b*c)",
@@ -401,7 +402,7 @@ fn equal_values_are_equal_whatever_their_history() {
     let [a, b] = ["a", "b"].map(parameter);
     let squares = a.clone() * &a - &(b.clone() * &b);
     assert_eq!(squares / &(a.clone() - &b), a.clone() + &b);
-    // parameters that cancel leave no trace
+    // parameters that cancel do not occur in the result
     let value = (a.clone() + &b) - &b;
     assert_eq!(value, a);
     assert_eq!(value.parameters(), ["a"]);
@@ -451,7 +452,7 @@ fn traits_speak_for_constants_and_fractions() {
     for name in ["", "2", "a b", "a+b", "1a", "\u{7}"] {
         assert_eq!(<Symbolic as Notation>::parameter(name), None);
     }
-    // simple pivots first, and any constant before any fraction
+    // simple pivots first, and constants before fractions
     let sum = a.clone() + &parameter("b");
     let pivots = [number(1, 1), number(i64::MAX, 7), a.clone(), sum.clone()];
     assert!(pivots.is_sorted_by(|x, y| x.pivot_weight() > y.pivot_weight()));
@@ -526,9 +527,10 @@ fn numbers_beyond_words_stay_exact() {
     assert_eq!((a / &big).to_string(), "1/717897987691852588770249*a");
 }
 
-/// so(3) with the metric diag(a, b, c): J. Milnor, *Adv. Math.* 21 (1976), Theorem 4.3. In an
-/// orthonormal frame l_i = (a, b, c)/sqrt(abc) and m_i = (l_1 + l_2 + l_3)/2 - l_i, the sectional
-/// curvature of the first plane is l_3 m_3 - m_1 m_2, and R_1212 = a b times that.
+/// so(3) with the metric diag(a, b, c): J. Milnor, *Adv. Math.* 21 (1976), Theorem 4.3. Let l_i =
+/// (a, b, c)/sqrt(abc) in an orthonormal frame, and m_i = (l_1 + l_2 + l_3)/2 - l_i. Then the
+/// sectional curvature of the first plane is l_3 m_3 - m_1 m_2, and R_1212 is a b times the
+/// curvature.
 #[test]
 fn milnors_curvature_of_the_rotation_group() {
     let [a, b, c] = NAMES.map(parameter);
@@ -562,7 +564,7 @@ fn parameters_are_in_natural_order() {
         assert_eq!(sum.parameters(), names);
         assert_eq!(sum.to_string(), names.join(" + "));
     }
-    // functions stand behind all names, by their arguments, the sine first
+    // functions come after all names, ordered by their arguments, the sine first
     let sum: Symbolic = "sin(y) + exp(x) + cos(x) + sin(x) + z".parse().unwrap();
     assert_eq!(sum.to_string(), "z + sin(x) + cos(x) + exp(x) + sin(y)");
 }

@@ -1,5 +1,5 @@
-//! Floats that track their rounding: the values of `f64`, its verdicts within one sum of inputs,
-//! and right ones beyond.
+//! Floats that track their rounding errors: the values of `f64`, the same zero tests within one sum
+//! of inputs, and right zero tests beyond.
 
 use crate::common::property::properties;
 use affinor_tensors::linear::Matrix;
@@ -19,14 +19,14 @@ fn float(value: &Rational) -> Float {
     TrackedFloat::from_rational(value).unwrap()
 }
 
-/// Whether a value less its error is the exact one, to the second order of the rounding.
+/// Whether the value minus its error is the exact value, to the second order of the rounding error.
 fn is_right(value: &Float, exact: &Rational) -> bool {
     let exact = exact.to_f64();
     let left = (value.value() - exact) - value.error();
     left.abs() <= 1e-13 * exact.abs() + 1e-3 * value.error().abs()
 }
 
-/// Thirds, sevenths and tenths, which no float holds.
+/// Thirds, sevenths and tenths, which are not exact in floats.
 fn quotient() -> impl Strategy<Value = Rational> {
     let denominators = prop::sample::select(vec![1i64, 3, 7, 10]);
     (-9i64..=9, denominators).prop_map(|(n, d)| Rational::new(n, d).unwrap())
@@ -59,7 +59,7 @@ fn places<S: Scalar>(matrix: &Matrix<S>) -> Vec<(usize, usize)> {
     matrix.entries().map(|(i, j, _)| (i, j)).collect()
 }
 
-/// Numbers without a pattern, between -1 and 1.
+/// Random numbers between -1 and 1.
 fn noise() -> impl FnMut() -> f64 {
     let mut state = 1u64;
     move || {
@@ -85,7 +85,8 @@ properties! {
         laws::field(&a, &b, &c, Tolerance::default())?;
     }
 
-    /// One sum of products of inputs is judged as in `f64`, to the last bit of the tolerance.
+    /// For one sum of products of inputs the zero test agrees with `f64`, to the last bit of the
+    /// tolerance.
     #[test]
     fn one_sum_is_judged_as_in_f64(
         products in vec((-2.0..2.0f64, -2.0..2.0f64), 1..6),
@@ -94,7 +95,7 @@ properties! {
         let sum: f64 = products.iter().map(|(a, b)| a * b).sum();
         let size: f64 = products.iter().map(|(a, b)| (a * b).abs()).sum::<f64>() + sum.abs();
         let tolerance = Tolerance::default();
-        // what brings the sum to the threshold
+        // the term that brings the sum to the threshold
         let last = -sum * (1.0 + f64::from(near) * f64::EPSILON)
             + tolerance.relative() * size * (1.0 + f64::from(near) * f64::EPSILON);
         let mut plain = <f64 as Summable>::Sum::term(&last);
@@ -107,7 +108,8 @@ properties! {
         prop_assert_eq!(tracked.finish(tolerance), plain);
     }
 
-    /// Products in two orders, whatever the units: their difference is zero, and nothing else is.
+    /// Products in two orders, in any units: their difference counts as zero, but other values do
+    /// not.
     #[test]
     fn rounding_is_zero_in_later_stages(
         [a, b, c] in [matrix(4), matrix(4), matrix(4)],
@@ -144,8 +146,8 @@ properties! {
         }
     }
 
-    /// The inverse has the zeros of the exact one, in any units of rows and columns, also where the
-    /// elimination divides by what is small in them.
+    /// The inverse has the zeros of the exact inverse, in any units of rows and columns, also if
+    /// the elimination divides by small entries.
     #[test]
     fn inverses_have_their_zeros(
         rows in (1..=7usize).prop_flat_map(matrix),
@@ -163,7 +165,7 @@ properties! {
         }
     }
 
-    /// The error is that of the value, in every operation.
+    /// The error belongs to the value, in every operation.
     #[test]
     fn errors_are_those_of_the_values(
         [a, b, c, d] in [quotient(), quotient(), quotient(), quotient()],
@@ -180,7 +182,7 @@ properties! {
         }
     }
 
-    /// Rows that depend on others by way of rounded products do so in floats.
+    /// Rows that are dependent through rounded products are dependent in floats too.
     #[test]
     fn ranks_of_products(
         n in 2..=6usize,
@@ -191,13 +193,13 @@ properties! {
         let exact = a.mul(&b)?;
         let product = a.map(float).mul(&b.map(float))?;
         prop_assert_eq!(product.rank()?, exact.rank()?);
-        // with the rounding of several stages in every entry
+        // with rounding errors of several stages in every entry
         let square = product.transpose().mul(&product)?;
         prop_assert_eq!(square.rank()?, exact.rank()?);
     }
 }
 
-/// The values are those of `f64`, whatever is computed.
+/// The values are those of `f64`, in every computation.
 #[test]
 fn values_are_those_of_f64() {
     let mut next = noise();
@@ -213,7 +215,7 @@ fn values_are_those_of_f64() {
     assert_eq!(found.iter().map(|v| v.value()).collect::<Vec<_>>(), solution);
 }
 
-/// Errors go through the elimination of large matrices without growing.
+/// The tracked errors do not grow in the elimination of large matrices.
 #[test]
 fn large_inverses_keep_their_digits() {
     for n in [20, 50, 120] {
@@ -232,7 +234,7 @@ fn large_inverses_keep_their_digits() {
     }
 }
 
-/// A NaN or an overflow is never taken for zero, and does no harm to its neighbours.
+/// NaN or an overflow never counts as zero, and does not affect other entries.
 #[test]
 fn what_is_no_number_stays() {
     for wild in [f64::NAN, f64::INFINITY, -f64::INFINITY] {
@@ -243,7 +245,7 @@ fn what_is_no_number_stays() {
         let sum = sum.finish(Tolerance::default()).unwrap();
         assert!(!sum.is_number() && (sum * Float::zero()).value().is_nan());
     }
-    // magnitudes that overflow judge nothing
+    // magnitudes that overflow do not decide
     let large = Float::from(1e308);
     let mut sum = <Float as Summable>::Sum::term(&large);
     sum.add_term(&large);
@@ -254,7 +256,7 @@ fn what_is_no_number_stays() {
     assert!(singular.inverse().is_none());
 }
 
-/// No tolerance: only what is exactly zero is.
+/// With zero tolerance only exact zeros count as zero.
 #[test]
 fn without_a_tolerance_rounding_is_kept() {
     let exactly = Tolerance::new(0.0).unwrap();

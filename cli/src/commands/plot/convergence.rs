@@ -1,4 +1,4 @@
-//! Convergence of methods: error at the end time over step size and computing time.
+//! Convergence of methods: error at the end time against step size and computing time.
 
 use super::super::failure::Failure;
 use super::super::stages::Stages;
@@ -10,16 +10,16 @@ use affinor_tensors::Effort;
 use clap::Args;
 use std::time::Instant;
 
-/// Larger errors are left out: they do not show the order of a method.
+/// The largest error that is shown; larger ones do not show the order of a method.
 const USEFUL: f64 = 1.0;
 
 /// One run of a method.
 pub struct Trial {
-    /// The step size; with step-size control, the mean.
+    /// The step size; with step-size control, the mean step size.
     pub step: f64,
-    /// The largest difference from the reference, over the columns at the end time.
+    /// The largest difference from the reference, among the columns at the end time.
     pub error: f64,
-    /// The computing time in seconds, the least of three runs.
+    /// The computing time in seconds, the minimum of three runs.
     pub seconds: f64,
 }
 
@@ -87,11 +87,11 @@ impl Comparison {
     }
 }
 
-/// The method of a name that an option gives.
+/// The method with this name given by an option.
 pub fn method_of(name: &str) -> Result<Method, Failure> {
     Method::from_name(name.trim()).ok_or_else(|| {
         let all = Method::ALL.iter().map(|method| method.name()).collect::<Vec<_>>().join(", ");
-        let message = format!("--method: there is no method `{}`", name.escape_debug());
+        let message = format!("--method: unknown method `{}`", name.escape_debug());
         InputError::usage(message).help(format!("the methods are {all}")).into()
     })
 }
@@ -140,7 +140,7 @@ fn trials(
     Ok(all)
 }
 
-/// A problem whose solution is more accurate than all others.
+/// A problem whose solution is more accurate than the compared runs.
 fn reference(problem: &Problem, step: f64, halvings: u32) -> Problem {
     let fine = step * 0.5_f64.powi(halvings as i32 + 2);
     match problem.own_class() {
@@ -167,7 +167,7 @@ fn end(problem: &Problem) -> Result<(Vec<f64>, f64, f64), InputError> {
     Ok((row.collect(), whole / motion.steps().max(1) as f64, seconds))
 }
 
-/// The error over the step size, with lines of whole slopes, and over the computing time.
+/// The errors against the step size, with lines of integer slopes, and against the computing time.
 pub fn diagram(name: &str, trials: &[Trials]) -> Diagram {
     let lines = |x: fn(&Trial) -> f64| -> Vec<Line> {
         let line = |trials: &Trials| {
@@ -194,7 +194,7 @@ pub fn diagram(name: &str, trials: &[Trials]) -> Diagram {
     Diagram { title: format!("{name}: error over step size and computing time"), graphs }
 }
 
-/// A line of each whole slope that a method has, below its errors.
+/// A line for each integer slope that a method has, below its errors.
 fn guides(all: &[Trials]) -> Vec<Line> {
     let mut slopes: Vec<i32> = vec![];
     let mut guides = vec![];
@@ -208,7 +208,7 @@ fn guides(all: &[Trials]) -> Vec<Line> {
         let least = trials.trials.iter().map(|trial| trial.error).fold(f64::INFINITY, f64::min);
         let (from, error) = (first.step, 0.3 * first.error);
         let finest = trials.trials.iter().map(|trial| trial.step).fold(from, f64::min);
-        // no lower than the errors, whose slope ends at rounding
+        // not below the errors, whose slope ends at rounding errors
         let lowest = from * (least.max(f64::MIN_POSITIVE) / error).powf(1.0 / f64::from(slope));
         let to = finest.max(lowest).min(from);
         let points = vec![[from, error], [to, error * (to / from).powi(slope)]];

@@ -14,7 +14,7 @@ use affinor_documents::problem::Problem;
 use affinor_tensors::Effort;
 use clap::Args;
 
-/// The number of intervals of a motion in closed form, which has no steps.
+/// The number of intervals of a motion in closed form, for which there are no steps.
 const SAMPLES: u32 = 400;
 
 /// A problem of mechanics, and the methods whose drift is drawn.
@@ -25,7 +25,8 @@ pub struct Comparison {
     /// Draw the rows of this CSV file of `affinor simulate`, instead of integrating the problem
     #[arg(long, value_name = "FILE", conflicts_with_all = ["methods", "step", "tolerance", "end", "every"])]
     rows: Option<String>,
-    /// A method to compare; may be repeated, or a list with commas [default: that of the problem]
+    /// A method to compare; may be repeated, or a list with commas [default: the method of the
+    /// problem]
     #[arg(long = "method", value_name = "NAME", value_delimiter = ',')]
     methods: Vec<String>,
     /// Divide each change by the size of the initial value, where that is not zero
@@ -77,7 +78,7 @@ impl Comparison {
     }
 }
 
-/// The names of the columns that are expected to be conserved, and their places.
+/// The names of the columns that are expected to be conserved, and their positions.
 fn watched(problem: &Problem) -> Result<(Vec<String>, Vec<usize>), Failure> {
     let columns = problem.motion(0)?.columns;
     let found = columns.iter().enumerate().filter(|(_, column)| column.watched);

@@ -1,4 +1,4 @@
-//! Pictures as PNG and films as GIF, from SVG, with the fonts of the system.
+//! Pictures as PNG and animations as GIF, converted from SVG with the fonts of the system.
 
 use affinor_documents::picture::{Picture, svg};
 use gif::{Encoder, Frame, Repeat};
@@ -7,16 +7,16 @@ use resvg::usvg::fontdb::{Database, Family, Query};
 use resvg::usvg::{Options, Tree};
 use std::error::Error;
 
-/// Fonts that have the symbols of figures, in the order of preference.
+/// Fonts that contain the symbols of figures, in the order of preference.
 const SANS: [&str; 5] = ["DejaVu Sans", "Noto Sans", "Liberation Sans", "Arial", "Helvetica"];
 const SERIF: [&str; 5] =
     ["DejaVu Serif", "Noto Serif", "Liberation Serif", "Times New Roman", "Times"];
 
-/// The time of a frame of a GIF, in hundredths of a second.
+/// The duration of a GIF frame, in hundredths of a second.
 const FRAME: u16 = 5;
 /// The largest number of frames of a GIF.
 const FRAMES: u32 = 600;
-/// How coarsely the colours of a frame are chosen, from 1 to 30.
+/// The coarseness of the colour selection for a frame, from 1 to 30.
 const COARSE: i32 = 10;
 
 /// Draws pictures with the fonts of the system.
@@ -28,7 +28,7 @@ impl Renderer<'_> {
         let fonts = options.fontdb_mut();
         fonts.load_system_fonts();
         if fonts.is_empty() {
-            return Err("a picture of pixels needs fonts, and this system has none".into());
+            return Err("PNG and GIF pictures need fonts, but this system has none".into());
         }
         if let Some(name) = installed(fonts, &SANS) {
             fonts.set_sans_serif_family(name);
@@ -39,7 +39,7 @@ impl Renderer<'_> {
         Ok(Renderer(options))
     }
 
-    /// The pixels, as many across as `width` says.
+    /// The pixels of a picture that is `width` pixels wide.
     fn pixels(&self, picture: &Picture, width: u32) -> Result<Pixmap, Box<dyn Error>> {
         let tree = Tree::from_str(&svg(picture, width), &self.0)?;
         let size = tree.size().to_int_size();
@@ -50,18 +50,19 @@ impl Renderer<'_> {
     }
 }
 
-/// The picture as PNG, `width` pixels wide. A film is its first frame.
+/// The picture as PNG, `width` pixels wide. Of an animation the first frame is used.
 ///
 /// # Errors
-/// A system without fonts; a picture of too many pixels.
+/// An error for a system without fonts, and for a picture with too many pixels.
 pub fn png(picture: &Picture, width: u32) -> Result<Vec<u8>, Box<dyn Error>> {
     Ok(Renderer::new()?.pixels(picture, width)?.encode_png()?)
 }
 
-/// The film as GIF, `width` pixels wide, 20 frames a second, repeated without end. A picture that does not move is one frame.
+/// The animation as GIF, `width` pixels wide, 20 frames per second, repeated forever. A picture
+/// without animation is one frame.
 ///
 /// # Errors
-/// As [`png`]; a picture of more than 65535 pixels in one direction.
+/// Those of [`png`]; an error for a picture of more than 65535 pixels in one direction.
 pub fn gif(picture: &Picture, width: u32) -> Result<Vec<u8>, Box<dyn Error>> {
     let renderer = Renderer::new()?;
     let seconds = picture.seconds().unwrap_or(0.0);
@@ -90,7 +91,7 @@ pub fn gif(picture: &Picture, width: u32) -> Result<Vec<u8>, Box<dyn Error>> {
     Ok(file)
 }
 
-/// The first of the names that the system has.
+/// The first of the names that is installed.
 fn installed(fonts: &Database, names: &[&'static str]) -> Option<&'static str> {
     let has = |name: &&str| {
         fonts.query(&Query { families: &[Family::Name(name)], ..Query::default() }).is_some()

@@ -21,14 +21,14 @@ const ENTRIES: [&str; 9] = ["g11", "g12", "g13", "g21", "g22", "g23", "g31", "g3
 /// The entries of a position.
 const POSITION: [&str; 3] = ["g14", "g24", "g34"];
 /// The reason why a problem has no attitude.
-const NO_ATTITUDE: &str = "an attitude needs a rotating body, as on so(3) and se(3)";
+const NO_ATTITUDE: &str = "a plot of the attitude needs a rotating body, on so(3) or se(3)";
 
-/// A problem of mechanics, and its trajectory if it is computed already.
+/// A problem of mechanics, and a file with its rows if they are already computed.
 #[derive(Args)]
 pub struct Trajectory {
     #[command(flatten)]
     problem: ProblemOptions,
-    /// The method of integration, instead of that of the file
+    /// Override the method of integration of the file
     #[arg(long, value_name = "M")]
     method: Option<String>,
     /// Draw the rows of this CSV file of `affinor simulate`, instead of integrating the problem
@@ -41,7 +41,8 @@ pub struct Trajectory {
 pub struct Columns {
     #[command(flatten)]
     trajectory: Trajectory,
-    /// The columns, separated by commas: names of the output, such as H or g11, or of `[quantities]`
+    /// The columns, separated by commas: names of the output, such as H or g11, or names in
+    /// `[quantities]`
     #[arg(long, value_name = "NAMES", value_delimiter = ',', required = true)]
     columns: Vec<String>,
 }
@@ -53,13 +54,13 @@ impl Columns {
         Ok(series::over_time(&rows, &names)?)
     }
 
-    /// One column over the other, as a curve.
+    /// One column against the other, as a curve.
     pub fn phase(&self) -> Result<Diagram, Failure> {
         let (rows, names) = self.curve()?;
         Ok(series::phase(&rows, &two(names)?)?)
     }
 
-    /// One column over the other, as points at the section of the problem.
+    /// One column against the other, as points at the section of the problem.
     pub fn section(&self) -> Result<Diagram, Failure> {
         let Columns { trajectory, .. } = self;
         let problem = trajectory.problem()?;
@@ -99,7 +100,7 @@ impl Columns {
         Ok((rows, names))
     }
 
-    /// The problem with the columns, and their names in its rows: `H` is `H1`, `H2`, ..
+    /// The problem with the columns, and their names in its rows: `H` means `H1`, `H2`, ....
     fn extended(&self, problem: &Problem) -> Result<(Problem, Vec<String>), Failure> {
         let own = problem.motion(0)?.columns;
         let (mut names, mut others) = (vec![], vec![]);
@@ -110,7 +111,7 @@ impl Columns {
             }
             others.push(wanted);
             let all = problem.with_columns(&[wanted]).motion(0)?.columns;
-            // named quantities and Casimir functions go by their own names
+            // named quantities and Casimir functions have single names, which are not abbreviated
             let all = all.into_iter().filter(|column| column.formula.is_none());
             let all: Vec<String> = all.map(|column| column.name).collect();
             let exactly = |name: &&String| *name == wanted;
@@ -121,7 +122,7 @@ impl Columns {
                 found = all.iter().filter(stem).cloned().collect();
             }
             if found.is_empty() || wanted.is_empty() {
-                let message = format!("`{}` is no column of this motion", wanted.escape_debug());
+                let message = format!("`{}` is not a column of this motion", wanted.escape_debug());
                 let help = format!("the columns are {}", all.join(", "));
                 return Err(InputError::usage(message).help(help).into());
             }
@@ -188,13 +189,14 @@ impl Trajectory {
         Ok((rows_of_one(problem, file)?, problem.motion(0)?))
     }
 
-    /// The problem with the columns that a figure needs; `reason` says which problems have them.
+    /// The problem with the columns that a figure needs; `reason` explains which problems have
+    /// them.
     fn with_columns(&self, columns: &[&str], reason: &str) -> Result<Problem, Failure> {
         let problem = self.problem()?;
-        // errors of the problem itself come first
+        // errors of the problem itself are reported first
         problem.motion(0)?;
         let extended = problem.with_columns(columns);
-        // an isospectral flow has only its own columns
+        // an isospectral flow has fixed columns
         let has = |ready: &Ready| {
             columns.iter().all(|name| ready.columns.iter().any(|column| column.name == *name))
         };
@@ -204,7 +206,7 @@ impl Trajectory {
         }
     }
 
-    /// The body axes in space, of each factor that rotates.
+    /// The body axes in space, for each factor that rotates.
     pub fn attitude(&self) -> Result<Figure, Failure> {
         let factors: Vec<_> =
             rotating(&self.problem()?)?.iter().map(|(_, one)| one.number).collect();
@@ -216,14 +218,14 @@ impl Trajectory {
     }
 
     pub fn momentum(&self) -> Result<Figure, Failure> {
-        let reason = "a momentum sphere needs a rotating body: space = \"so3\"";
-        // only rotations have a quaternion
+        let reason = "a plot of the momentum sphere needs a rotating body: space = \"so3\"";
+        // only rotations have a quaternion, so this column tests for them
         let columns = ["H1", "H2", "H3", "qw"];
         let problem = self.with_columns(&columns, reason)?;
         let (rows, ready) = self.rows(&problem, &columns[..3])?;
         let inertia = ready.inertia.filter(|inertia| inertia.shape() == (3, 3));
         let Some(inertia) = inertia else {
-            let message = "an energy ellipsoid needs a body with an inertia";
+            let message = "a plot of the energy ellipsoid needs a body with an inertia";
             return Err(InputError::mathematics(message).into());
         };
         let inertia = Inertia::new(&inertia.fixed_view::<3, 3>(0, 0).into_owned())?;
@@ -232,7 +234,7 @@ impl Trajectory {
         })
     }
 
-    /// The bodies in motion, in a film of some seconds.
+    /// The animated bodies, with a duration in seconds.
     pub fn animation(&self, seconds: f64) -> Result<Figure, Failure> {
         let factors = rotating(&self.problem()?)?;
         let numbers: Vec<_> = factors.iter().map(|(_, factor)| factor.number).collect();
@@ -243,14 +245,14 @@ impl Trajectory {
         for places in &places {
             let with: Vec<&str> =
                 columns.iter().copied().chain(places.iter().map(String::as_str)).collect();
-            // factors without a position turn about a point
+            // factors without a position rotate about a fixed point
             if let Ok(extended) = self.with_columns(&with, "") {
                 (problem, columns) = (extended, with);
             }
         }
         let (rows, ready) = self.rows(&problem, &columns)?;
         let moving = |(at, factor): &(usize, Factor)| {
-            // a motion with a given velocity has no metric
+            // a motion with a prescribed velocity has no metric
             let inertia = match &ready.inertia {
                 Some(inertia) => {
                     inertia.fixed_view::<3, 3>(factor.first, factor.first).into_owned()
@@ -265,8 +267,8 @@ impl Trajectory {
     }
 }
 
-/// The factors of the group that rotate bodies, with their indices. A group without other factors may be any one: its elements
-/// are refused where they are not rotations.
+/// The factors of the group that rotate bodies, with their indices. A group with a single factor
+/// may be any group; elements that are not rotations are then an error.
 fn rotating(problem: &Problem) -> Result<Vec<(usize, Factor)>, Failure> {
     let factors = problem.motion(0)?.factors;
     let is_single = factors.len() == 1;
@@ -278,7 +280,7 @@ fn rotating(problem: &Problem) -> Result<Vec<(usize, Factor)>, Failure> {
     Ok(found)
 }
 
-/// The names of columns of each of the factors with these numbers.
+/// The names of columns for each of the factors with these numbers.
 fn names(factors: &[Option<usize>], columns: &[&str]) -> Vec<String> {
     let of = |factor: &Option<usize>| {
         let factor = *factor;
@@ -294,7 +296,8 @@ fn no_attitude(error: Error) -> InputError {
     InputError::from(error).help(if turns { NO_ATTITUDE } else { rows })
 }
 
-/// The rows of a motion in a file, which has no other member of an ensemble.
+/// The rows of a motion in a file, after checking that they belong to a single member of an
+/// ensemble.
 pub fn rows_of_one(problem: &Problem, file: &str) -> Result<RunRows, Failure> {
     let (columns, rows) = read_rows(file)?;
     let run = RunRows { name: problem.name.clone(), columns, rows };
@@ -303,7 +306,7 @@ pub fn rows_of_one(problem: &Problem, file: &str) -> Result<RunRows, Failure> {
     {
         let message =
             format!("{file} has the rows of several members, such as {} and {other}", members[0]);
-        let help = "leave the rows of one member in the file";
+        let help = "keep the rows of one member only";
         return Err(InputError::usage(message).help(help).into());
     }
     Ok(run)

@@ -1,7 +1,9 @@
-//! Checkpoints of ensembles: the members that are complete, so that a killed run resumes and ends with the same results.
+//! Checkpoints of ensembles: the complete members, so that a killed run can be resumed and ends
+//! with the same results.
 //!
-//! The rows are in `FILE.rows`, beside the checkpoint. They are flushed to the disk first; then the new checkpoint,
-//! which counts them, replaces the old one by a rename. So one of the two checkpoints is always complete.
+//! The rows are in `FILE.rows`, next to the checkpoint. They are flushed to the disk first; then
+//! the new checkpoint, which counts them, replaces the old one by a rename. One of the two
+//! checkpoints is therefore always complete.
 
 use super::super::failure::Failure;
 use super::super::note::{counted, note};
@@ -21,9 +23,9 @@ const SCHEMA: &str = "affinor.checkpoint/4";
 #[derive(Serialize, Deserialize)]
 pub struct Checkpoint {
     schema: String,
-    /// The version of the program; another one may round differently.
+    /// The version of the program, because another one may round differently.
     version: String,
-    /// The text of the problem; a run resumes only with the same one.
+    /// The text of the problem; only a run with the same text can be resumed.
     problem: String,
     /// The files that the problem reads, with their fingerprints.
     files: Vec<(String, u64)>,
@@ -36,7 +38,7 @@ pub struct Checkpoint {
     pub stopped: Option<String>,
 }
 
-/// The checkpoint that a run begins with, before any file is written.
+/// The checkpoint plan of a run, made before any file is written.
 pub struct Plan {
     path: Option<PathBuf>,
     every: Duration,
@@ -101,7 +103,8 @@ impl Plan {
         Ok(Plan { path: Some(path), every, checkpoint: found.unwrap_or(fresh), resumed })
     }
 
-    /// Opens the file of rows. A checkpoint is written first, so that the rows always have one.
+    /// Opens the file of rows. A checkpoint is written first, so that there are never rows without
+    /// a checkpoint.
     pub fn begin(self, width: usize) -> Result<Store, Failure> {
         let spool = match &self.path {
             None => Spool::temporary(width).map_err(failed)?,
@@ -142,12 +145,12 @@ impl Store {
         self.plan.path.is_some() && self.last.elapsed() >= self.plan.every
     }
 
-    /// Records why a member of an ensemble failed, if it is the first.
+    /// Records the failure of a member of an ensemble, if it is the first.
     pub fn stop(&mut self, reason: String) {
         self.plan.checkpoint.stopped.get_or_insert(reason);
     }
 
-    /// Why the first failed member failed.
+    /// The reason why the first failed member failed.
     pub fn stopped(&self) -> Option<&str> {
         self.plan.checkpoint.stopped.as_deref()
     }
@@ -168,7 +171,7 @@ impl Store {
     pub fn finished(&self) {
         if let Some(path) = &self.plan.path {
             for file in [rows_of(path), path.clone()] {
-                // a file that remains does no harm
+                // failure to delete a file does no harm
                 let _ = fs::remove_file(file);
             }
         }
@@ -185,7 +188,7 @@ fn rows_of(path: &Path) -> PathBuf {
     name.into()
 }
 
-/// The checkpoint in a file, if there is one. It must belong to the same run.
+/// Reads the checkpoint in a file, if there is one, and checks that it belongs to the same run.
 fn read(path: &Path, fresh: &Checkpoint) -> Result<Option<Checkpoint>, Failure> {
     let shown = shown(path);
     let text = match fs::read_to_string(path) {
@@ -204,7 +207,7 @@ fn read(path: &Path, fresh: &Checkpoint) -> Result<Option<Checkpoint>, Failure> 
         let before = found.options.get(at);
         (option.0.clone(), before == Some(option))
     }));
-    // the same problem names its files in the same order, perhaps from another folder
+    // the same problem refers to its files in the same order, perhaps from another folder
     same.extend(fresh.files.iter().enumerate().map(|(at, (file, fingerprint))| {
         let before = found.files.get(at).map(|(_, before)| before);
         (format!("content of {}", file.escape_debug()), before == Some(fingerprint))

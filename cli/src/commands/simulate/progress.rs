@@ -1,17 +1,18 @@
-//! A progress bar on a terminal: the share of the motion computed, and the time remaining.
+//! A progress bar on a terminal: the completed fraction of the motion, and the remaining time.
 
 use indicatif::{HumanDuration, ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 use std::fmt::Write;
 use std::time::Duration;
 
-/// The length of the bar, in counts.
+/// The number of counts of the whole bar.
 const WHOLE: f64 = 1e6;
 
-/// The share of the motion that is computed, up to 1.
+/// A progress bar for the completed fraction of the motion, up to 1.
 pub struct Progress(ProgressBar);
 
 impl Progress {
-    /// A bar for a run that begins at the share `begun`, above 0 if it resumes a checkpoint.
+    /// A bar for a run that begins at the fraction `begun`, which is above 0 if it resumes a
+    /// checkpoint.
     pub fn from(begun: f64) -> Self {
         let target = ProgressDrawTarget::stderr_with_hz(8);
         let bar = ProgressBar::with_draw_target(Some(WHOLE as u64), target);
@@ -29,7 +30,7 @@ impl Progress {
         Progress(bar)
     }
 
-    /// Moves the bar to a share of the motion.
+    /// Moves the bar to a fraction of the motion.
     pub fn reach(&self, share: f64) {
         self.0.set_position((share * WHOLE) as u64);
     }
@@ -46,7 +47,7 @@ impl Drop for Progress {
     }
 }
 
-/// The time for the rest at the mean pace of this run; none before it has made progress.
+/// The remaining time at the mean speed of this run; `None` before it has made progress.
 fn remaining(elapsed: Duration, begun: f64, reached: f64) -> Option<Duration> {
     let seconds = elapsed.as_secs_f64() * (1.0 - reached) / (reached - begun);
     Duration::try_from_secs_f64(seconds).ok()
@@ -60,7 +61,7 @@ mod tests {
     fn the_remaining_time_is_proportional_to_the_remaining_share() {
         let seconds = Duration::from_secs;
         assert_eq!(remaining(seconds(10), 0.0, 0.25), Some(seconds(30)));
-        // the share computed before the checkpoint took none of its time
+        // the fraction computed before the checkpoint took no time in this run
         assert_eq!(remaining(seconds(10), 0.5, 0.75), Some(seconds(10)));
         for reached in [0.0, f64::NAN] {
             assert_eq!(remaining(seconds(10), 0.0, reached), None);

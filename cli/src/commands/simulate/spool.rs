@@ -15,12 +15,12 @@ pub struct Spool {
 const BYTES: usize = size_of::<f64>();
 
 impl Spool {
-    /// A spool in a nameless file, which the system deletes when the program ends.
+    /// A spool in an unnamed temporary file, which the system deletes when the program ends.
     pub fn temporary(width: usize) -> io::Result<Self> {
         Self::over(tempfile::tempfile()?, width, 0, 0)
     }
 
-    /// A spool in a named file, truncated to its first `kept` rows; none if it has fewer.
+    /// A spool in a named file, truncated to its first `kept` rows; `None` if it has fewer.
     pub fn named(path: &Path, width: usize, kept: u64) -> io::Result<Option<Self>> {
         let mut options = OpenOptions::new();
         options.read(true).write(true).create(kept == 0).truncate(false);
@@ -73,7 +73,7 @@ impl Spool {
     }
 }
 
-/// The failure to store rows.
+/// The failure for an error while storing rows.
 pub fn failed(error: io::Error) -> Failure {
     Failure::Output(error, "the rows of the run".into())
 }

@@ -9,14 +9,15 @@ use affinor_documents::rows::Head;
 use comfy_table::{CellAlignment, ColumnConstraint, ContentArrangement, Table, presets};
 use std::io;
 
-/// The width of the table, with the blank after the last column, which is not written. Long formulas wrap.
+/// The width of the table, plus the blank after the last column, which is not written. Long
+/// formulas wrap.
 const WIDTH: u16 = 80 + 1;
-/// Numbers from here on are written with an exponent.
+/// The magnitude from which numbers are written with an exponent.
 const LARGE: f64 = 1e6;
 
 /// Prints the summary on standard error.
 pub fn show(head: &Head, columns: &[Column], spool: &mut Spool) -> io::Result<()> {
-    // value at the start, at the end, and the largest change
+    // the value at the start, the value at the end, and the largest change
     let mut changes: Option<Vec<[f64; 3]>> = None;
     for row in spool.rows()? {
         let row = row?;

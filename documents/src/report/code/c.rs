@@ -1,4 +1,4 @@
-//! C99: the arrays are arguments that are written.
+//! C99: the arrays are output arguments.
 
 use super::parts::{CodeFunction, split};
 use super::routine::{Array, Dialect, Routine, lengths};
@@ -7,7 +7,7 @@ use affinor_tensors::scalar::Function;
 
 struct C;
 
-/// An array without indices has one component.
+/// The shape of the array; an array without indices has one component.
 fn shape(array: &Array) -> &[usize] {
     if array.shape.is_empty() { &[1] } else { &array.shape }
 }

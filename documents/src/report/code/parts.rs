@@ -1,29 +1,30 @@
-//! Long functions in C, split into parts: compilers take more than linear time for one long function.
+//! Splits long functions in C into parts, because compilers take more than linear time for one long
+//! function.
 //!
-//! A value that several parts use stands in the array `t`, the parameters in the array `p`. All other
-//! values are local to their part.
+//! A value that several parts use is stored in the array `t`, the parameters in the array `p`. All
+//! other values are local to their part.
 
 use std::collections::{BTreeMap, BTreeSet};
 
-/// The statements of one part.
+/// The number of statements of a part.
 const PART: usize = 150;
 
-/// Functions of fewer statements stay whole.
+/// The number of statements below which a function is not split.
 const WHOLE: usize = 2 * PART;
 
-/// What a function consists of.
+/// The elements of a function.
 pub struct CodeFunction<'f> {
     pub name: &'f str,
-    /// Declarations of the vectors among its arguments, with the names.
+    /// Declarations of the vectors among its arguments, with their names.
     pub vectors: Vec<(String, String)>,
-    /// Its parameters, `p_a`.
+    /// The names of its parameters, `p_a`.
     pub parameters: &'f [String],
-    /// Declarations of its arrays, with the names.
+    /// Declarations of its arrays, with their names.
     pub arrays: Vec<(String, String)>,
 }
 
-/// The functions before it, and the statements of the function that calls them; `None` if there are few
-/// statements.
+/// The functions for the parts, and the statements of the function that calls them; `None` if there
+/// are few statements.
 pub fn split(function: &CodeFunction, statements: &[String]) -> Option<(String, Vec<String>)> {
     if statements.len() <= WHOLE {
         return None;
@@ -76,7 +77,7 @@ pub fn split(function: &CodeFunction, statements: &[String]) -> Option<(String, 
     Some((before, calls))
 }
 
-/// A statement with its names as they are within a part.
+/// A statement with the names used within a part.
 fn in_part(
     line: &str,
     parameters: &[String],
@@ -113,7 +114,7 @@ fn is_temporary(name: &str) -> bool {
     !digits.is_empty() && digits.bytes().all(|b| b.is_ascii_digit())
 }
 
-/// The names in a text, in order. Digits of numbers are no names.
+/// The names in a text, in order. Digits are not names.
 fn names(text: &str) -> impl Iterator<Item = &str> {
     let word = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '.';
     text.split(move |c| !word(c)).filter(|word| word.starts_with(|c: char| c.is_ascii_alphabetic()))

@@ -46,7 +46,7 @@ pub fn write(routine: &Routine) -> Result<String, InputError> {
     let shapes = shapes.chain(numbers.iter().map(|name| format!("{name}.shape")));
     body.push(format!("shape = np.broadcast_shapes({})", list(shapes)));
     for Array { name, shape, .. } in &routine.arrays {
-        // contiguous in each component; the indices are moved behind at the end
+        // contiguous for each component; at the end, the indices are moved to the last axes
         body.push(format!("{name} = np.zeros({} + shape)", tuple(shape)));
     }
     body.extend(routine.statements(&Python)?);

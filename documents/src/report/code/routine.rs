@@ -1,4 +1,4 @@
-//! A function to be written in some language: its arguments, its arrays, and the steps as statements.
+//! A function to be written in some language: its arguments, its arrays, and its statements.
 
 use super::super::head::printable;
 use super::super::identifiers::identifiers;
@@ -7,7 +7,7 @@ use affinor_tensors::scalar::{Count, Function, Output, Step, StraightLine, Varia
 use affinor_tensors::{Notation, Rational, Recorded, Summable};
 use num_traits::{One, Zero};
 
-/// The widest line of a long sum.
+/// The largest width of a line of a long sum.
 const WIDTH: usize = 96;
 
 /// An array of results.
@@ -21,13 +21,13 @@ pub struct Array {
 }
 
 impl Array {
-    /// Whether some component vanishes identically, and is not assigned.
+    /// Whether some components vanish identically, so that they are not assigned.
     pub fn has_zeros(&self) -> bool {
         self.entries.len() < self.shape.iter().product()
     }
 }
 
-/// A function: it computes arrays from vectors and parameters.
+/// A function that computes arrays from vectors and parameters.
 pub struct Routine {
     pub function: String,
     /// Lines of the comment before the function.
@@ -42,13 +42,13 @@ pub struct Routine {
     program: StraightLine,
 }
 
-/// What differs between the languages within a function.
+/// The parts of a function that depend on the language.
 pub trait Dialect {
     /// The component of a vector.
     fn component(&self, vector: &str, at: usize) -> String;
     /// A function of a value.
     fn call(&self, function: Function, argument: &str) -> String;
-    /// `x` if the size of `a` is at least the size of `b`, else `y`.
+    /// An expression that is `x` if the size of `a` is at least the size of `b`, otherwise `y`.
     fn select(&self, values: [String; 4]) -> String;
     /// The definition of a temporary value.
     fn definition(&self, name: &str, value: &str) -> String;
@@ -102,7 +102,7 @@ impl Routine {
         self.parameters.iter().map(|(_, name)| name.clone()).collect()
     }
 
-    /// Whether functions like the sine are called, or absolute values compared.
+    /// Whether functions such as the sine are called, or absolute values compared.
     pub fn calls(&self) -> bool {
         self.program.count().functions + self.program.count().comparisons > 0
     }
@@ -110,7 +110,7 @@ impl Routine {
     /// The statements: temporary values, then the components of all arrays.
     ///
     /// # Errors
-    /// A constant beyond the range of floats.
+    /// An error for a constant beyond the range of floats.
     pub fn statements(&self, dialect: &dyn Dialect) -> Result<Vec<String>, InputError> {
         let mut lines = Vec::new();
         let mut texts: Vec<Text> = Vec::new();
@@ -202,7 +202,7 @@ fn remarks(count: Count) -> Vec<String> {
     lines
 }
 
-/// Source code and how tightly it binds.
+/// Source code of an expression, and its precedence.
 struct Text {
     text: String,
     binds: Binds,
@@ -230,7 +230,7 @@ fn product(a: &Text, b: &Text) -> Text {
     Text { text, binds: Binds::Product }
 }
 
-/// A multiple of a text, without the sign of the factor.
+/// A multiple of an expression, without the sign of the factor.
 fn multiple(factor: &Rational, text: &Text) -> Result<String, InputError> {
     let size = factor.clone().abs();
     if size.is_one() {
@@ -252,7 +252,7 @@ fn sum(
     if !constant.is_zero() {
         parts.push((constant.is_negative(), number(&constant.clone().abs())?));
     }
-    // no minus sign in front where another order avoids it
+    // another order may avoid a leading minus sign
     if let Some(at) = parts.iter().position(|(negative, _)| !negative) {
         parts.swap(0, at);
     }
@@ -290,8 +290,8 @@ fn written(output: &Output, texts: &[Text]) -> Result<String, InputError> {
     Ok(if output.factor.is_negative() { format!("-{text}") } else { text })
 }
 
-/// A number that is not negative: in digits where these are exact, else as a quotient of integers, or rounded where the
-/// integers are not exact either.
+/// A nonnegative number: in decimal digits if these are exact, otherwise as a quotient of integers,
+/// or rounded if the integers are not exact either.
 fn number(value: &Rational) -> Result<String, InputError> {
     if let Some((above, below)) = Rational::clear_denominators(std::iter::once(value)) {
         let above = above.first().copied().unwrap_or_default();
@@ -312,12 +312,12 @@ fn number(value: &Rational) -> Result<String, InputError> {
     })
 }
 
-/// The shape, each length in `open` and `close`, from the first to the last.
+/// Writes the lengths of a shape, each between `open` and `close`, from the first to the last.
 pub fn lengths(shape: &[usize], open: &str, close: &str) -> String {
     shape.iter().map(|n| format!("{open}{n}{close}")).collect()
 }
 
-/// A list of numbers with commas.
+/// A list of numbers separated by commas.
 pub fn list<T: ToString>(values: impl IntoIterator<Item = T>) -> String {
     values.into_iter().map(|value| value.to_string()).collect::<Vec<_>>().join(", ")
 }

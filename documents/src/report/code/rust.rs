@@ -1,4 +1,4 @@
-//! Rust: the arrays are returned, several as a tuple.
+//! Rust: the arrays are returned, several arrays as a tuple.
 
 use super::routine::{Array, Dialect, Routine, lengths};
 use crate::input::InputError;
@@ -26,7 +26,7 @@ impl Dialect for Rust {
     }
 }
 
-/// The array of that element: its type, or its value.
+/// A nested array with this element: its type, or its value.
 fn nested(array: &Array, element: &str) -> String {
     array.shape.iter().rev().fold(element.to_string(), |inner, n| format!("[{inner}; {n}]"))
 }

@@ -14,7 +14,7 @@ pub(in crate::report) struct Names {
     pub dimension: usize,
     /// The names of the basis vectors and coordinates, each with its index from 0.
     pub indices: Vec<(String, usize)>,
-    /// Parameters and coordinates, which are scalars also if a tensor has the same name.
+    /// Parameters and coordinates, which are scalars even if a tensor has the same name.
     pub scalars: BTreeSet<String>,
 }
 
@@ -31,9 +31,9 @@ pub(in crate::report) enum Index {
 #[derive(Clone, Debug)]
 pub(in crate::report) struct Occurrence {
     pub quantity: Quantity,
-    /// The bytes of the text.
+    /// The byte range in the text.
     pub span: Range<usize>,
-    /// The name as written, without the indices.
+    /// The name in the text, without the indices.
     pub name: String,
     /// The indices with their variances; `None` for the tensor as a whole.
     pub indices: Option<Vec<(Index, Variance)>>,
@@ -50,7 +50,7 @@ pub(in crate::report) struct Parsed {
 }
 
 impl Names {
-    /// The names of a geometry; these names are scalars.
+    /// The names of a geometry; `scalars` are names of scalars.
     pub fn new<S: Coefficient>(
         geometry: &Geometry<S>,
         scalars: impl IntoIterator<Item = String>,
@@ -74,7 +74,8 @@ impl Names {
     /// Parses an expression of tensors, parameters and numbers. A space between two tensors is a product.
     ///
     /// # Errors
-    /// The first syntax error; a tensor with a wrong number of indices, or an index that is out of range.
+    /// The first syntax error; an error for a tensor with a wrong number of indices, and for an
+    /// index that is out of range.
     pub fn parse(&self, text: &str) -> Result<Parsed, ExpressionError> {
         let mut occurrences: Vec<Occurrence> = Vec::new();
         let mut at = 0;
@@ -104,7 +105,8 @@ impl Names {
     fn occurrence(&self, text: &str, at: usize) -> Result<Option<Occurrence>, ExpressionError> {
         let rest = &text[at..];
         let word = name_length(rest);
-        // `c^2` and `c` are a parameter, if there is one, but `c^i_jk` is not a power
+        // if there is a parameter `c`, `c` and `c^2` refer to it, but `c^i_jk` is a tensor and not
+        // a power
         if self.scalars.contains(&rest[..word]) && !has_both_levels(text, at + word) {
             return Ok(None);
         }
@@ -114,7 +116,7 @@ impl Names {
             let indexed = behind.starts_with(['^', '_']) && !quantity.slots().is_empty();
             indexed || !behind.starts_with(|c| is_name_character(c) || c == '(')
         };
-        // of equal names the first: `g` is the metric
+        // of several tensors with the same name the first one is meant: `g` is the metric
         let longest = names.filter(begins).rev().max_by_key(|(_, name)| name.len());
         let Some((quantity, name)) = longest else { return Ok(None) };
         let rank = quantity.slots().len();
@@ -140,7 +142,7 @@ impl Names {
         Ok(Some(Occurrence { quantity, span, name, indices, placeholder: String::new() }))
     }
 
-    /// The indices of a run: names, numbers or letters. Commas or spaces may separate them.
+    /// The indices of a run: names, numbers or letters. They may be separated by commas or spaces.
     fn indices(&self, run: &str) -> Result<Vec<Index>, String> {
         let mut indices = Vec::new();
         for piece in run.split([',', ' ']).filter(|piece| !piece.is_empty()) {
@@ -150,7 +152,7 @@ impl Names {
             }
             let mut rest = piece;
             while let Some(first) = rest.chars().next() {
-                // beyond dimension 9 an index may have several digits
+                // above dimension 9 an index may have several digits
                 let length = match first.is_ascii_digit() && self.dimension > 9 {
                     true => rest.find(|c: char| !c.is_ascii_digit()).unwrap_or(rest.len()),
                     false => first.len_utf8(),
@@ -181,19 +183,19 @@ impl Names {
     }
 }
 
-/// Whether upper and then lower indices begin at a byte of the text.
+/// Whether upper and then lower indices begin at this byte of the text.
 fn has_both_levels(text: &str, at: usize) -> bool {
     text[at..].starts_with('^')
         && run(text, at + 1)
             .is_ok_and(|(_, length)| length > 0 && text[at + 1 + length..].starts_with('_'))
 }
 
-/// The bytes of the name at the start of a text.
+/// The length in bytes of the name at the start of a text.
 fn name_length(text: &str) -> usize {
     text.find(|c| !is_name_character(c)).unwrap_or(text.len())
 }
 
-/// The indices behind a mark, `212`, `10,2` or `{theta phi}`, and the bytes that they take.
+/// The indices after `^` or `_`, such as `212`, `10,2` or `{theta phi}`, and their length in bytes.
 fn run(text: &str, at: usize) -> Result<(&str, usize), ExpressionError> {
     let rest = &text[at..];
     if let Some(inside) = rest.strip_prefix('{') {
@@ -215,7 +217,8 @@ fn run(text: &str, at: usize) -> Result<(&str, usize), ExpressionError> {
     Ok((&rest[..end], end))
 }
 
-/// The text with a name of the same length in place of every tensor with indices, and `*` between neighbours.
+/// Replaces every tensor with indices by a name of the same length, and inserts `*` between
+/// neighbours.
 fn masked(text: &str, occurrences: &mut [Occurrence]) -> Result<String, ExpressionError> {
     let unused = |prefix: &char| {
         !text
@@ -249,7 +252,7 @@ fn masked(text: &str, occurrences: &mut [Occurrence]) -> Result<String, Expressi
     Ok(masked + &text[end..])
 }
 
-/// Whether the name of a whole tensor is a name of the grammar.
+/// Whether the name of a whole tensor is also a name in the grammar of expressions.
 fn is_plain(text: &str) -> bool {
     text.chars().all(|c| c.is_ascii_alphanumeric() || c == '_') && {
         Quantity::ALL.into_iter().any(|q| q.symbol() == text || q.key() == text)

@@ -1,4 +1,5 @@
-//! Structure constants with square roots: a basis in which they are rational, and its row.
+//! A basis in which structure constants with square roots become rational, and its row in the
+//! report.
 
 use super::{Cell, Info, SHOWN, printable};
 use crate::input::InputError;
@@ -9,7 +10,8 @@ use affinor_tensors::{Symbolic, Tolerance};
 use num_traits::Zero;
 use serde_json::json;
 
-/// The algebra of a definition in its own basis, and in one in which the structure constants have no roots.
+/// The algebra of a definition in its given basis, and in a basis in which the structure constants
+/// contain no roots.
 pub(super) struct InBases {
     given: LieAlgebra<Symbolic>,
     pub rational: RationalBasis,
@@ -17,8 +19,8 @@ pub(super) struct InBases {
 
 impl InBases {
     /// # Errors
-    /// Brackets that define no Lie algebra; a chart; structure constants that no division of basis vectors by square
-    /// roots makes rational.
+    /// An error for brackets that do not define a Lie algebra, for a chart, and for structure
+    /// constants that cannot be made rational by dividing basis vectors by square roots.
     pub fn of(definition: &Definition) -> Result<Self, InputError> {
         let given = definition.algebra::<Symbolic>(Tolerance::default())?;
         let rational = RationalBasis::of(&given).map_err(|error| definition.refused(error))?;
@@ -35,7 +37,7 @@ impl InBases {
 }
 
 impl Info {
-    /// Adds the rows of a basis that is not the given one.
+    /// Adds the rows about a basis that differs from the given one.
     pub(super) fn describe(&mut self, bases: &InBases) {
         if !bases.rational.is_new() {
             return;

@@ -7,12 +7,12 @@ use affinor::algebra::structure::{GroundField, StructureTheory};
 use affinor_tensors::{Kind, Rational, Symbolic};
 use serde_json::json;
 
-/// The highest degree of Casimir functions, the largest number of monomials of that degree, and the largest product of that
-/// number and the number of structure constants, which are many in a dense basis.
+/// Limits on Casimir functions: the highest degree, the number of monomials of this degree, and the
+/// product of this number and the number of structure constants, which is large in a dense basis.
 const CASIMIR_DEGREE: u32 = 4;
 const MONOMIALS: usize = 350;
 const TERMS: usize = 60_000;
-/// The same product where the brackets have parameters.
+/// The limit on this product if the brackets have parameters.
 const TERMS_OF_PARAMETERS: usize = 6_000;
 impl Notes {
     /// Polynomial Casimir functions up to a degree, in the basis of the algebra.
@@ -58,7 +58,7 @@ impl Notes {
     }
 }
 
-/// Generators of the Casimir functions, and the degree up to which they were sought.
+/// Generators of the Casimir functions, and the degree up to which they were searched.
 fn casimirs<S: GroundField + Coefficient>(
     structure: &StructureTheory<S>,
 ) -> Option<(u32, Vec<Symbolic>)> {
@@ -79,14 +79,15 @@ fn is_coordinate(name: &str) -> bool {
     name.strip_prefix("mu").is_some_and(|number| number.parse::<usize>().is_ok())
 }
 
-/// The degree of a homogeneous polynomial in `mu1, mu2, ..`, whose coefficients may have parameters.
+/// The degree of a homogeneous polynomial in `mu1, mu2, ...`, whose coefficients may contain
+/// parameters.
 fn degree_in_mu(polynomial: &Symbolic) -> u32 {
     let terms = polynomial.terms();
     let powers = terms.first().into_iter().flat_map(|(powers, _)| powers);
     powers.filter(|(variable, _)| is_coordinate(variable.text())).map(|(_, power)| power).sum()
 }
 
-/// How many monomials of a degree there are in `n` variables.
+/// The number of monomials of a degree in `n` variables.
 fn monomials(n: usize, degree: u32) -> usize {
     (1..=degree as usize).fold(1, |count, k| count * (n + k - 1) / k)
 }

@@ -1,4 +1,4 @@
-//! The values of a parameter at which an answer differs from the generic one.
+//! The exceptional values of a parameter, at which an answer differs from the generic one.
 
 use super::{Cell, Info};
 use crate::space::Definition;
@@ -6,7 +6,7 @@ use affinor::algebra::structure::exceptional::{Candidates, MAX_DIMENSION};
 use affinor_tensors::{Rational, Symbolic};
 use serde_json::{Map, Value, json};
 
-/// The most values at which the answers are compared with the generic ones.
+/// The largest number of values at which answers are compared with the generic ones.
 const MOST: usize = 60;
 /// The answers that are compared.
 const COMPARED: [&str; 15] = [
@@ -27,7 +27,7 @@ const COMPARED: [&str; 15] = [
     "contact",
 ];
 
-/// The part of an answer that does not depend on a basis.
+/// The part of an answer that does not depend on the basis.
 fn dimensions(answer: &Value) -> Value {
     let exists = |form: &Value| form["exists"].clone();
     match answer {
@@ -38,7 +38,7 @@ fn dimensions(answer: &Value) -> Value {
     }
 }
 
-/// Whether two algebras have generators of their Casimir functions in the same degrees, as far as both were searched.
+/// Whether two algebras have Casimir generators of the same degrees, as far as both were searched.
 fn same_casimirs(a: &Value, b: &Value) -> bool {
     let [first, second] = [a, b].map(|found| found["degree"].as_u64().unwrap_or(0));
     let up_to = |found: &Value| -> Vec<u64> {
@@ -49,8 +49,8 @@ fn same_casimirs(a: &Value, b: &Value) -> bool {
 }
 
 impl Info {
-    /// Adds the values of the parameter at which an answer differs from the generic one, of the roots of the polynomials that
-    /// the computation met.
+    /// Adds the parameter values at which an answer differs from the generic one. The candidates
+    /// are the roots of the polynomials that occurred in the computation.
     pub(super) fn exceptional_values(
         &mut self,
         parameters: &[String],

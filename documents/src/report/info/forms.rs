@@ -90,7 +90,7 @@ impl Notes {
         let n = structure.dimension();
         let [any, exact] =
             [structure.symplectic_form(forms), structure.exact_symplectic_form(forms)];
-        // an exact form is the better witness
+        // an exact form is the better witness, so it is shown if there is one
         let best = if matches!(exact, Existence::Witness(_)) { &exact } else { &any };
         let (text, witness) = match best {
             Existence::Witness(form) if best == &exact => {
@@ -113,7 +113,7 @@ impl Notes {
                 );
                 ("none".into(), why)
             }
-            // of an exact form alone, which is shown where it is a witness
+            // this concerns exact forms only, which are shown only as witnesses
             Existence::Index(_) | Existence::Open => ("-".into(), "none found".to_string()),
         };
         let (text, long) = self.shortened(text);
@@ -155,7 +155,7 @@ impl Notes {
         self.json.insert("contact".into(), contact);
     }
 
-    /// A form, or where to read a long one.
+    /// A form; if it is long, the place where to read it.
     fn shortened(&self, text: String) -> (String, &'static str) {
         match text.len() <= LONGEST {
             true => (text, ""),
@@ -204,7 +204,7 @@ impl Notes {
     }
 }
 
-/// Why closed 2-forms are absent.
+/// The reason why closed 2-forms are missing.
 fn no_forms() -> String {
     format!(
         "not computed beyond dimension {MAX_FORMS}, nor beyond {MAX_FORMS_WITH_PARAMETERS} with parameters or in a dense basis"
@@ -224,12 +224,12 @@ fn existence<S>(found: &Existence<S>, form: impl Fn(&Row<S>) -> Value) -> Value 
     }
 }
 
-/// `[[i, "v"], ...]`
+/// A 1-form in JSON: `[[i, "v"], ...]`.
 fn json_of_one<S: GroundField>(row: &Row<S>) -> Value {
     row.iter().map(|(at, value)| json!([at + 1, value.to_string()])).collect()
 }
 
-/// `[[i, j, "v"], ...]` with `i < j`
+/// A 2-form in JSON: `[[i, j, "v"], ...]` with `i < j`.
 fn json_of_two<S: GroundField>(n: usize, row: &Row<S>) -> Value {
     row.iter().map(|(at, value)| json!([at / n + 1, at % n + 1, value.to_string()])).collect()
 }

@@ -1,4 +1,4 @@
-//! Ideals of an algebra and its name.
+//! The ideals of an algebra, and its name.
 
 use super::{LONGEST, NOT_RATIONAL, Notes, SHOWN, SOLVABLE, certainty};
 use crate::input::InputError;
@@ -10,7 +10,7 @@ use affinor_tensors::Rational;
 use affinor_tensors::text::combination;
 use serde_json::{Value, json};
 
-/// Why an algebra has no name.
+/// The reason why an algebra has no name.
 const UNNAMED: &str = "not named: names are known up to dimension 4, of nilpotent algebras up to dimension 6, and of sums of \
                        simple, Heisenberg and named ideals";
 
@@ -45,7 +45,7 @@ impl Notes {
             let [plus, minus] = ideal.signature;
             let name = ideal.names.join(" or ");
             let dimension = ideal.dimension();
-            // an ideal that is the whole algebra, or not rational, has no basis here
+            // an ideal that is the whole algebra, or is not rational, is listed without a basis
             let basis = levi.filter(|_| over_q == real.len()).and_then(|levi| {
                 let within = levi.within(rational.get(ideal.within)?);
                 (within.dimension() < levi.ambient()).then(|| self.basis(&within))

@@ -1,4 +1,4 @@
-//! The rows and the keys of a report, as they are found.
+//! The rows and the keys of a report, in the order in which they are computed.
 
 use super::rows::Rows;
 use super::{Cell, Grid, Info, LONGEST, SCHEMA, SHOWN, certainty};
@@ -12,12 +12,12 @@ use affinor_tensors::text::combination;
 use serde_json::{Map, Value, json};
 use std::collections::BTreeMap;
 
-/// The rows and the keys, as they are found.
+/// The rows and the keys of a report.
 pub(super) struct Notes {
     pub labels: Vec<String>,
     rows: Vec<Vec<Cell>>,
     pub json: Map<String, Value>,
-    /// Of keys that are null: the reason.
+    /// The reasons for keys that are null.
     reasons: Map<String, Value>,
     matrices: BTreeMap<&'static str, Rows>,
 }
@@ -38,7 +38,7 @@ impl Notes {
         self.rows.push(vec![notion.into(), answer.into(), witness.into()]);
     }
 
-    /// The row of an answer that there is not: `-` where it is not computed.
+    /// The row of a missing answer: `-` if it is not computed.
     pub(super) fn absent(&mut self, notion: &str, key: &str, answer: &str, reason: &str) {
         self.row(notion, answer, reason);
         self.null(key, reason);
@@ -50,7 +50,7 @@ impl Notes {
         self.reason(key, reason);
     }
 
-    /// A number, or the reason why there is none.
+    /// A number, or the reason why it is missing.
     pub(super) fn number(&mut self, key: &str, number: Option<usize>, reason: &str) {
         self.json.insert(key.into(), json!(number));
         if number.is_none() {
@@ -58,7 +58,7 @@ impl Notes {
         }
     }
 
-    /// Why a key, or a part of its value, is null.
+    /// Stores the reason why a key, or a part of its value, is null.
     pub(super) fn reason(&mut self, key: &str, reason: &str) {
         self.reasons.insert(key.into(), reason.into());
     }

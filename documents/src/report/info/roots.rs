@@ -11,16 +11,18 @@ use affinor::algebra::structure::{RootSpaces, StructureTheory, Subspace};
 use affinor_tensors::{Rational, Tolerance};
 use serde_json::{Value, json};
 
-/// The reason in the row of the type, where none is found.
+/// The reason in the row of the type, if no type is found.
 const NOT_FOUND: &str = "the Dynkin type is not found";
-/// Cartan matrices of higher rank are written in JSON only.
+/// The rank above which Cartan matrices are written in JSON only.
 const SHOWN_RANK: usize = 8;
 
-/// The types of the simple factors of the Levi subalgebra over the complex numbers; none of a solvable algebra.
+/// The types of the simple factors of the Levi subalgebra over the complex numbers; empty for a
+/// solvable algebra.
 ///
 /// # Errors
-/// Brackets that define no Lie algebra; a chart; structure constants that no division of basis vectors by square
-/// roots makes rational; a type that is not found.
+/// An error for brackets that do not define a Lie algebra, for a chart, for structure constants
+/// that cannot be made rational by dividing basis vectors by square roots, and for a type that is
+/// not found.
 pub fn dynkin_type(definition: &Definition) -> Result<Vec<CartanType>, InputError> {
     let definition = definition.algebra_alone();
     let types = if definition.is_rational() {
@@ -81,7 +83,7 @@ impl Notes {
         self.row("Cartan matrix", matrices, "<a_i, a_j^v>: row i, column j");
     }
 
-    /// The roots of the Levi subalgebra, with their values on a Cartan subalgebra where it splits.
+    /// The roots of the Levi subalgebra, with their values on a Cartan subalgebra if it splits.
     pub(super) fn roots(
         &mut self,
         types: Option<&[CartanType]>,

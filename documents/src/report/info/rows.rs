@@ -4,7 +4,7 @@ use affinor_tensors::Scalar;
 use serde_json::Value;
 use std::io::{self, Write};
 
-/// A matrix of numbers in text, the last entry of an object of JSON.
+/// A matrix of numbers as text, written as the last entry of a JSON object.
 #[derive(Clone, Debug)]
 pub(super) struct Rows {
     key: &'static str,
@@ -23,7 +23,8 @@ impl Rows {
         Rows { key, columns, rows: rows.map(row).collect() }
     }
 
-    /// An object without its last brace, as `{"dimension":1`, then `,"key":[["1","0"]]}`.
+    /// Writes an object without its last brace, such as `{"dimension":1`, then
+    /// `,"key":[["1","0"]]}`.
     pub fn write_into(&self, object: &Value, out: &mut dyn Write) -> io::Result<()> {
         let object = object.to_string();
         write!(out, "{},{}:[", object.strip_suffix('}').unwrap_or(&object), Value::from(self.key))?;

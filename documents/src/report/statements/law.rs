@@ -1,4 +1,4 @@
-//! Properties of a geometry that a statement may name, as `affinor properties` does.
+//! The properties of a geometry that a statement may name, as in `affinor properties`.
 
 use crate::Coefficient;
 use affinor::geometry::properties::Property;
@@ -18,12 +18,13 @@ pub(super) const NAMES: [&str; 10] = [
     "naturally reductive",
 ];
 
-/// The name in [`NAMES`], in upper or lower case.
+/// The property with this name, ignoring case.
 pub(super) fn named(text: &str) -> Option<&'static str> {
     NAMES.into_iter().find(|name| name.eq_ignore_ascii_case(text))
 }
 
-/// Whether a property holds, else its witness in words; `None` if the property is not defined for the geometry.
+/// Whether a property holds; if it fails, its witness as text. `None` if the property is not
+/// defined for the geometry.
 pub(super) fn holds<S: Coefficient>(
     name: &str,
     geometry: &Geometry<S>,
@@ -35,7 +36,7 @@ pub(super) fn holds<S: Coefficient>(
         })
     }
     let connection = geometry.connection();
-    // the frame of a chart may have constant structure functions, but no invariant metric
+    // on a chart structure functions may be constant although there is no invariant metric
     let algebra = geometry.algebra().filter(|_| geometry.frame_origin().fields().is_none());
     Ok(match (name, geometry.metric(), algebra) {
         ("torsion-free", ..) => verdict(connection.torsion_free()),

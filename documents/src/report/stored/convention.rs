@@ -1,4 +1,4 @@
-//! Conventions of stored tables: how their components follow from those of a computed table.
+//! Conventions of stored tables: formulas for their components in terms of the computed ones.
 
 use super::super::indexed::{Index, Names, Tensors};
 use super::super::statements::scalar;
@@ -11,8 +11,8 @@ use affinor_tensors::expression::ExpressionError;
 use affinor_tensors::{Symbolic, Tensor, contract};
 use std::collections::BTreeMap;
 
-/// The convention of a stored tensor: its component on the left, and on the right an expression in the tensors of
-/// this program.
+/// The convention of a stored tensor: its component on the left-hand side, and an expression in the
+/// tensors of this program on the right-hand side.
 ///
 /// | convention | the stored table has |
 /// |---|---|
@@ -29,16 +29,17 @@ const FORM: &str =
     "write the stored component, =, and its value here, as in \"R^i_jkl = -R^i_jkl\"";
 
 impl Convention {
-    /// A convention by its text.
+    /// Parses a convention.
     pub fn new(text: &str) -> Self {
         Convention { source: Source::new("--convention", text) }
     }
 
-    /// Puts the tensor of a table into this convention, if the table has it, and returns which one it is. These names are scalars; parameters that have been set have
-    /// `values`.
+    /// Converts a tensor of a table to this convention, if the table contains it. Returns which
+    /// tensor it is. `scalars` are names of scalars; parameters that have been set have `values`.
     ///
     /// # Errors
-    /// A text without a component and its value; an expression that has no value, or other indices.
+    /// An error for a text without a component and its value, and for an expression that has no
+    /// value, or other indices.
     pub(in crate::report) fn apply<S: Coefficient>(
         &self,
         table: &mut Table<S>,
@@ -57,7 +58,7 @@ impl Convention {
         Ok(quantity)
     }
 
-    /// The refusal of this convention.
+    /// The error for an invalid convention.
     pub(in crate::report) fn refused(&self, reason: String) -> InputError {
         InputError::usage(reason).at(&self.source.whole(&self.source.text))
     }
@@ -72,7 +73,7 @@ impl Convention {
         };
         let text = self.source.content();
         let Some((left, right)) = text.split_once('=').map(|(a, b)| (a.trim(), b.trim())) else {
-            return Err(refused(text, "a convention is an equation".into()));
+            return Err(refused(text, "the convention is not an equation".into()));
         };
         let within = |part: &str, ExpressionError { span, reason }: ExpressionError| {
             InputError::usage(reason).at(&self.source.find(part, span)).help(FORM)
@@ -92,7 +93,7 @@ impl Convention {
         let Some((quantity, letters)) = result else {
             return Err(refused(
                 left,
-                "the left side is one tensor with a letter for each index".into(),
+                "the left side must be one tensor with a letter for each index".into(),
             ));
         };
         let value = names.parse(right).and_then(|parsed| tensors.value(&parsed));

@@ -1,4 +1,4 @@
-//! Differences of a stored table from a computed one, and the report about one or many tables.
+//! Differences between a stored and a computed table, and the report about one or several tables.
 
 use super::super::components::plain;
 use super::super::grid::{Grid, head_of_grid};
@@ -9,7 +9,7 @@ use affinor_tensors::{Sum, Tensor};
 use serde_json::{Value, json};
 use std::io::{self, Write};
 
-/// The largest number of differing components that are shown unless all are asked for; all are counted.
+/// The largest number of differing components that are shown by default; all are counted.
 const SHOWN: usize = 20;
 
 /// The components whose stored values differ from the computed ones.
@@ -51,7 +51,8 @@ impl Differences {
         self.found.is_empty()
     }
 
-    /// The component, `R^1_212`, its stored and its computed value; 0 where there is none.
+    /// The components, such as `R^1_212`, with their stored and computed values; 0 if a value is
+    /// missing.
     pub fn iter(&self) -> impl Iterator<Item = &[String; 3]> {
         self.found.iter()
     }
@@ -76,7 +77,7 @@ impl Differences {
     }
 }
 
-/// `3 components differ`, and how many of them are shown.
+/// The text `3 components differ`, with the number of those that are shown.
 fn count(all: usize, shown: usize) -> String {
     match all {
         1 => "1 component differs".into(),

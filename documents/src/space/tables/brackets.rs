@@ -1,7 +1,9 @@
-//! Brackets as papers print them: `[x, y] = z, [y, z] = x`, separated by commas, semicolons or lines; `#` begins a comment.
+//! Brackets in the notation of papers: `[x, y] = z, [y, z] = x`, separated by commas, semicolons or
+//! lines; `#` begins a comment.
 //!
-//! The basis is the line `basis x y z` before them, or else deduced: names in brackets are basis vectors, and so is the
-//! last name of a term that has no other one. Their order is that of [`order_of`].
+//! The basis is given by a first line `basis x y z`, or deduced: names in brackets are basis
+//! vectors, and so is the last name of a term without other basis vectors. Their order is
+//! determined by [`order_of`].
 
 use super::{add, basis_vectors, first_line, of_brackets, split_at_top};
 use crate::input::{InputError, Source};
@@ -59,7 +61,7 @@ pub(super) fn definition(source: &Source) -> Result<Definition, InputError> {
     Ok(definition)
 }
 
-/// The basis vectors in statements, in the order of their appearance, perhaps repeated.
+/// The basis vectors in statements, in the order of their occurrence, possibly repeated.
 fn vectors<'t>(statements: &[&'t str]) -> Vec<&'t str> {
     let sides = |line: &&'t str| {
         let inside = line.trim().strip_prefix('[')?;
@@ -89,8 +91,9 @@ fn names_in(term: &str) -> Vec<&str> {
     words.filter(|word| word.starts_with(|c: char| c.is_alphabetic() || c == '_')).collect()
 }
 
-/// The names as a basis. If all are one stem with numbers from 1, as `e1`, `e4`, the basis is `e1`, `e2`, ... up to the
-/// highest number; other names are in the order of their first appearance.
+/// The names as a basis. If all names are one stem with numbers from 1, such as `e1`, `e4`, the
+/// basis is `e1`, `e2`, ... up to the highest number. Otherwise they are in the order of their
+/// first occurrence.
 pub(super) fn order_of(names: &[&str]) -> Result<Vec<String>, InputError> {
     let mut distinct: Vec<String> = vec![];
     let mut seen = BTreeSet::new();

@@ -1,4 +1,5 @@
-//! Tables of structure constants of GAP: as a program of `SetEntrySCTable`, or as the list that GAP prints.
+//! Tables of structure constants of GAP: a program with `SetEntrySCTable`, or a list as printed by
+//! GAP.
 
 use super::{Entry, expect_characteristic_0, list as items, numbered, refuse};
 use crate::input::{InputError, Source};
@@ -10,7 +11,7 @@ pub(super) fn is_table(text: &str) -> bool {
         || (text.trim_start().starts_with("[ [") && list_end(text).is_some())
 }
 
-/// What a printed table ends with: the symmetry and the zero.
+/// The end of a printed table, which contains the symmetry and the zero.
 fn list_end(text: &str) -> Option<&str> {
     let inside = text.trim().trim_end_matches(';').trim_end().strip_suffix(']')?;
     inside.rsplit_once(']').map(|(_, end)| end).filter(|end| end.matches(',').count() == 2)
@@ -29,7 +30,7 @@ pub(super) fn definition(source: &Source) -> Result<Definition, InputError> {
 
 type Table<'t> = (usize, Vec<Entry<'t>>);
 
-/// `EmptySCTable( n, .. )` and lines `SetEntrySCTable( T, j, k, [ v, i, .. ] )`.
+/// Parses `EmptySCTable( n, ... )` and lines `SetEntrySCTable( T, j, k, [ v, i, ... ] )`.
 fn program<'t>(source: &Source, text: &'t str) -> Result<Table<'t>, InputError> {
     const HEAD: &str = "EmptySCTable";
     const ENTRY: &str = "SetEntrySCTable";
@@ -37,7 +38,7 @@ fn program<'t>(source: &Source, text: &'t str) -> Result<Table<'t>, InputError> 
     let number = behind.trim_start().strip_prefix('(').and_then(|rest| rest.split_once(','));
     let number = number.map_or("", |(number, _)| number).trim();
     let Ok(dimension) = number.parse() else {
-        return refuse(source, number, "EmptySCTable begins with the dimension");
+        return refuse(source, number, "the first argument of EmptySCTable must be the dimension");
     };
     let mut entries = vec![];
     for statement in text.split(';').filter(|statement| !is_comment(statement)) {
@@ -70,7 +71,7 @@ fn is_comment(statement: &str) -> bool {
     statement.lines().all(|line| line.trim().is_empty() || line.trim_start().starts_with('#'))
 }
 
-/// `[ [ [ [ i, .. ], [ v, .. ] ], .. ], .., symmetry, 0 ]`: row `j`, column `k`.
+/// Parses `[ [ [ [ i, ... ], [ v, ... ] ], ... ], ..., symmetry, 0 ]`: row `j`, column `k`.
 fn list<'t>(source: &Source, text: &'t str) -> Result<Table<'t>, InputError> {
     let trimmed = text.trim().trim_end_matches(';').trim();
     let rows = items(trimmed).unwrap_or_default();
@@ -90,11 +91,11 @@ fn list<'t>(source: &Source, text: &'t str) -> Result<Table<'t>, InputError> {
                 return refuse(
                     source,
                     column,
-                    "an entry is a list of indices and a list of values",
+                    "an entry must be a list of indices and a list of values",
                 );
             };
             if indices.len() != values.len() {
-                return refuse(source, column, "as many values as indices are needed");
+                return refuse(source, column, "the numbers of indices and values differ");
             }
             entries.extend(indices.iter().zip(values).map(|(i, value)| Entry {
                 j: (j + 1).to_string().into(),

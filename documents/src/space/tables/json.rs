@@ -1,4 +1,5 @@
-//! The structure constants of a table in JSON, `affinor.table/1`, as `affinor table --format json` writes it.
+//! The structure constants in a JSON table, `affinor.table/1`, as written by `affinor table
+//! --format json`.
 
 use super::{add_constant, number, of_brackets};
 use crate::input::forms::{Entries, Number, Text};
@@ -11,12 +12,12 @@ use std::collections::BTreeMap;
 /// The schema of a table.
 const SCHEMA: &str = "affinor.table/1";
 
-/// Whether a text is an object of JSON with a schema, which keys of a definition have not.
+/// Whether a text is a JSON object with a schema, which definition files do not have.
 pub(super) fn is_table(text: &str) -> bool {
     text.trim_start().starts_with('{') && text.contains("\"schema\"")
 }
 
-/// The keys of a table that matter here.
+/// The keys of a table that are used here.
 #[derive(serde::Deserialize)]
 struct Table {
     schema: Text,
@@ -54,7 +55,7 @@ pub(super) fn definition(source: &Source) -> Result<Definition, InputError> {
     }
     if table.chart.is_some() {
         return Err(source
-            .refused("chart", "a table over a chart does not define its space")
+            .refused("chart", "a space cannot be read from a table over a chart")
             .help("give the definition file of the space"));
     }
     let frame = table.conventions.and_then(|conventions| conventions.frame);

@@ -1,5 +1,6 @@
-//! Lie algebras of Maple, package DifferentialGeometry: `LieAlgebraData([[x, y] = z], [x, y, z], Alg)`, which affinor
-//! writes, and `_DG([["LieAlgebra", Alg, [n]], [[[i, j, k], v], ...]])` for `[e_i, e_j] = ... + v e_k`, which Maple prints.
+//! Lie algebras of Maple, package DifferentialGeometry: `LieAlgebraData([[x, y] = z], [x, y, z],
+//! Alg)`, as written by affinor, and `_DG([["LieAlgebra", Alg, [n]], [[[i, j, k], v], ...]])` for
+//! `[e_i, e_j] = ... + v e_k`, as printed by Maple.
 
 use super::{Entry, add, basis_vectors, enclosed, items, list, numbered, of_brackets, refuse};
 use crate::input::{InputError, Source};
@@ -15,7 +16,7 @@ pub(super) fn is_table(text: &str) -> bool {
     call(text, DATA).or_else(|| call(text, PRINTED)).is_some()
 }
 
-/// The text behind a name, from its parenthesis on.
+/// The text after a name, beginning with its parenthesis.
 fn call<'t>(text: &'t str, name: &str) -> Option<&'t str> {
     let mut calls = text.match_indices(name).map(|(at, _)| text[at + name.len()..].trim_start());
     calls.find(|rest| rest.starts_with('('))
@@ -28,7 +29,7 @@ pub(super) fn definition(source: &Source) -> Result<Definition, InputError> {
         Some(call) => data(source, call)?,
         None => printed(source, call(text, PRINTED).unwrap_or_default())?,
     };
-    // the name of Maple for pi
+    // Pi is the name of the constant in Maple
     if definition.parameters().iter().any(|name| name == "Pi") {
         definition.set(&[("Pi".to_string(), Symbolic::pi())].into())?;
     }

@@ -1,7 +1,9 @@
-//! Structure constants in rows of CSV: `i,j,k,value` for `[e_j, e_k] = ... + value e_i`, the order of affinor's own tables.
+//! Structure constants in CSV rows: `i,j,k,value` for `[e_j, e_k] = ... + value e_i`, the column
+//! order of affinor's own tables.
 //!
-//! A head line names the columns `i`, `j`, `k` and `value` (or `c`) in any order. With a column `tensor` only the rows
-//! `structure` count. Columns are separated by commas, semicolons, tabs or spaces.
+//! A header names the columns `i`, `j`, `k` and `value` (or `c`) in any order. If there is a column
+//! `tensor`, only rows with the value `structure` are used. Columns are separated by commas,
+//! semicolons, tabs or spaces.
 
 use super::{Entry, first_line, numbered, refuse};
 use crate::input::{InputError, Source, shown};
@@ -11,7 +13,8 @@ use std::collections::BTreeSet;
 /// Names of the column of values.
 const VALUE: [&str; 5] = ["value", "c", "v", "coefficient", "constant"];
 
-/// Whether the first line is a head that names `i`, `j` and `k`, or at least four columns without brackets and `=`.
+/// Whether the first line is a header that names `i`, `j` and `k`, or has at least four columns
+/// without brackets and `=`.
 pub(super) fn is_table(text: &str) -> bool {
     let first = first_line(text);
     let fields = fields(first, separator(first));
@@ -32,12 +35,12 @@ struct Columns {
 }
 
 impl Columns {
-    /// The order of tables without a head.
+    /// The order of columns in tables without a header.
     fn default() -> Self {
         Columns { tensor: None, indices: [0, 1, 2], value: 3, all: vec![0, 1, 2], count: 4 }
     }
 
-    /// The columns that a head names.
+    /// The columns named by a header.
     fn named(head: &[&str], line: &str, source: &Source) -> Result<Self, InputError> {
         let names: Vec<String> = head.iter().map(|name| name.to_lowercase()).collect();
         let find = |name: &str| names.iter().position(|other| other == name);
@@ -127,7 +130,7 @@ fn is_index(field: &str) -> bool {
     field.starts_with(|c: char| c.is_ascii_digit())
 }
 
-/// The separator of columns: a tab, a semicolon, a comma, or else spaces.
+/// The separator of columns: a tab, a semicolon, a comma, otherwise spaces.
 fn separator(line: &str) -> char {
     ['\t', ';', ','].into_iter().find(|separator| line.contains(*separator)).unwrap_or(' ')
 }

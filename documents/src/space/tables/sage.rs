@@ -1,6 +1,8 @@
-//! Dictionaries of Sage: `{('x', 'y'): {'z': 1}}` for `[x, y] = z`, alone or in a call of `LieAlgebra`.
+//! Dictionaries of Sage: `{('x', 'y'): {'z': 1}}` for `[x, y] = z`, on their own or in a call of
+//! `LieAlgebra`.
 //!
-//! The basis is `names='x,y,z'` or `L.<x,y,z>` of the program, else the names in the order of [`order_of`].
+//! The basis is given by `names='x,y,z'` or `L.<x,y,z>` in the program; otherwise the names are in
+//! the order of [`order_of`].
 
 use super::brackets::order_of;
 use super::{
@@ -12,12 +14,13 @@ use crate::space::Definition;
 use crate::space::notation::basis;
 use affinor_tensors::expression::canonical_name;
 
-/// Whether a text has a dictionary of pairs, `{('x', ...`, or a call of `LieAlgebra` with a dictionary.
+/// Whether a text contains a dictionary of pairs, `{('x', ...`, or a call of `LieAlgebra` with a
+/// dictionary.
 pub(super) fn is_table(text: &str) -> bool {
     dictionary(text).is_some()
 }
 
-/// The text from the brace on that opens the dictionary.
+/// The text from the opening brace of the dictionary on.
 fn dictionary(text: &str) -> Option<&str> {
     let is_program = text.contains("LieAlgebra(");
     let braces = text.match_indices('{').map(|(at, _)| &text[at..]);
@@ -88,7 +91,7 @@ fn pair_of<'t>(names: &[&'t str]) -> Option<[&'t str; 2]> {
     Some([unquoted(x), unquoted(y)])
 }
 
-/// A value without the parent that converts it: `1/2` in `QQ('1/2')`.
+/// A value without the parent that converts it: `1/2` for `QQ('1/2')`.
 fn number(value: &str) -> &str {
     let value = value.trim();
     let inside = ["QQ", "ZZ", "Rational", "Integer"].iter().find_map(|parent| {

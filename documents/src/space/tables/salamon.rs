@@ -1,8 +1,8 @@
 //! Nilmanifolds in Salamon's notation: `(0,0,12)` lists `de^1`, `de^2`, `de^3` with `12` for `e^1 e^2`.
 //!
-//! `de^k = sum of a_ij e^i e^j` means `[e_i, e_j] = - a_ij e_k`, since `de^k(x, y) = -e^k([x, y])`. Indices of
-//! several digits have a dot between them, `1.10`, or a comma in braces, `{1,10}`. Terms may have factors, `2*13`. `0^3` is
-//! `0,0,0`.
+//! `de^k = sum of a_ij e^i e^j` means `[e_i, e_j] = - a_ij e_k`, because `de^k(x, y) = -e^k([x,
+//! y])`. Indices of several digits are separated by a dot, `1.10`, or by a comma in braces,
+//! `{1,10}`. Terms may have factors, `2*13`. `0^3` means `0,0,0`.
 
 use super::{Entry, enclosed, first_line, items, numbered, refuse};
 use crate::input::{InputError, Source, shown};
@@ -25,7 +25,7 @@ pub(super) fn definition(source: &Source) -> Result<Definition, InputError> {
     let (_, rest) = text.split_once(line).unwrap_or_default();
     let second = first_line(rest);
     if !second.is_empty() {
-        let message = "a second algebra follows, but a space has one";
+        let message = "a second algebra follows: give only one";
         let help = "give one list: affinor table \"(0,0,12)\"";
         return Err(InputError::usage(message).at(&source.whole(second)).help(help));
     }
@@ -44,7 +44,7 @@ pub(super) fn definition(source: &Source) -> Result<Definition, InputError> {
                     .at(&source.whole(if term.is_empty() { item } else { term }))
                     .help("write 12 for e^1 e^2, 1.10 for e^1 e^10, 2*12 with a factor"));
             };
-            // e^j e^i = - e^i e^j
+            // because e^j e^i = - e^i e^j
             let rising = i.parse::<usize>().ok() <= j.parse().ok();
             let (first, second) = if rising { (i, j) } else { (j, i) };
             let (j, k, i) = (first.into(), second.into(), k.to_string().into());

@@ -1,7 +1,8 @@
 //! Names of the solvable real algebras of dimension 4, by the action on the nilradical.
 //!
-//! G. M. Mubarakzyanov, *Izv. Vyssh. Uchebn. Zaved. Mat.* 32 (1963) 114-123; the numbers are those of Patera,
-//! Sharp, Winternitz and Zassenhaus. Parameters that are not rational stay open, with equations that have rational coefficients.
+//! G. M. Mubarakzyanov, *Izv. Vyssh. Uchebn. Zaved. Mat.* 32 (1963) 114-123; the numbers are those
+//! of Patera, Sharp, Winternitz and Zassenhaus. For irrational parameters the answer gives
+//! equations with rational coefficients.
 
 use super::Identification;
 use crate::algebra::irreducible_factors;
@@ -13,16 +14,17 @@ use polycore::Uni;
 
 /// Eigenvalues of a real matrix.
 pub(in crate::algebra::structure) struct Spectrum {
-    /// The rational ones, with multiplicity.
+    /// The rational eigenvalues, with multiplicity.
     pub rational: Vec<Rational>,
-    /// Whether there are other real ones.
+    /// Whether there are irrational real eigenvalues.
     pub irrational: bool,
-    /// Real part and squared imaginary part of a pair; `Some(None)` if these are not rational.
+    /// Real part and squared imaginary part of a complex pair; `Some(None)` if these are
+    /// irrational.
     pub complex: Option<Option<(Rational, Rational)>>,
 }
 
 impl StructureTheory<Rational> {
-    /// The name of an algebra of dimension 4 that is not nilpotent.
+    /// The name of a real algebra of dimension 4 that is solvable, but not nilpotent.
     pub(super) fn real_of_dimension_four(&self) -> Option<Identification> {
         if !self.is_solvable() {
             let [plus, ..] = self.killing().signature()?;
@@ -59,7 +61,7 @@ impl StructureTheory<Rational> {
         modulo: Option<&Subspace<Rational>>,
     ) -> Option<Matrix<Rational>> {
         let ad = self.products.ad(x);
-        // a basis whose first vectors span the quotient
+        // a basis whose first vectors span a complement of the smaller subspace
         let zero = Subspace::zero(self.dimension());
         let modulo = modulo.unwrap_or(&zero);
         let mut span = modulo.clone();
@@ -96,13 +98,13 @@ fn by_name(name: String) -> Option<Identification> {
     Some(Identification::by_name(vec![name]))
 }
 
-/// A name whose parameters are not rational, with equations for them.
+/// A name with irrational parameters, and equations for them.
 fn open(name: &str, equations: String) -> Option<Identification> {
     let parameter = Some(equations);
     Some(Identification { parameter, ..Identification::by_name(vec![name.into()]) })
 }
 
-/// The equations of parameters of which no rational function is given.
+/// The text for parameters without known equations.
 fn unknown() -> String {
     "its parameters are not rational".into()
 }
@@ -115,7 +117,8 @@ fn trace(matrix: &Matrix<Rational>) -> Rational {
     (0..matrix.rows()).fold(Rational::from(0), |sum, i| sum + &matrix.get(i, i))
 }
 
-/// `x/y + y/x` for the eigenvalues `x`, `y` that are not zero, two of them: `tr D^2 / (x y)`.
+/// The rational number `x/y + y/x` if exactly two eigenvalues `x`, `y` are nonzero: `tr D^2 / (x
+/// y)`.
 fn ratios(action: &Matrix<Rational>) -> Option<Rational> {
     let squares = trace(&action.mul(action).ok()?);
     let product = (squared(&trace(action)) - &squares) * &Rational::new(1, 2)?;
@@ -165,7 +168,7 @@ pub(in crate::algebra::structure) fn spectrum(matrix: &Matrix<Rational>) -> Opti
     Some(found)
 }
 
-/// The nilradical is abelian of dimension 3.
+/// The case in which the nilradical is abelian of dimension 3.
 fn on_space(action: &Matrix<Rational>) -> Option<Identification> {
     let Spectrum { rational, irrational, complex } = spectrum(action)?;
     if let Some(pair) = complex {
@@ -215,7 +218,7 @@ fn on_space(action: &Matrix<Rational>) -> Option<Identification> {
         let other = rational.iter().find(|other| *other != root);
         match (size, blocks, other) {
             (3, 1, _) => return by_name("patera(4,4)".into()),
-            // a block of size 2 beside a simple eigenvalue, which may be the same
+            // a Jordan block of size 2 and a simple eigenvalue, which may be the same
             (3, 2, _) => return by_name("patera(4,2,a=1)".into()),
             (2, 1, Some(other)) => {
                 return by_name(match (root.recip(), other.vanishes()) {
@@ -230,7 +233,7 @@ fn on_space(action: &Matrix<Rational>) -> Option<Identification> {
     diagonal(&rational)
 }
 
-/// The action is diagonal: all scales by an eigenvalue of largest size, in order.
+/// The case of a diagonal action: the eigenvalues, divided by one of largest size, in order.
 fn diagonal(values: &[Rational]) -> Option<Identification> {
     let size = |value: &Rational| value.clone().abs().to_f64();
     let largest = values.iter().map(size).fold(0.0, f64::max);
@@ -260,7 +263,8 @@ fn diagonal(values: &[Rational]) -> Option<Identification> {
     })
 }
 
-/// The nilradical is the Heisenberg algebra; `action` is on its quotient by the centre.
+/// The case in which the nilradical is the Heisenberg algebra; `action` is the action on its
+/// quotient by the centre.
 fn on_heisenberg(action: &Matrix<Rational>) -> Option<Identification> {
     let Spectrum { rational, irrational, complex } = spectrum(action)?;
     if trace(action).vanishes() {

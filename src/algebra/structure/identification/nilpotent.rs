@@ -1,7 +1,8 @@
 //! Isomorphisms of nilpotent algebras of dimension 5 and 6 with those of the catalogue.
 //!
-//! An isomorphism takes the terms of both central series, and their centralizers, to those of the other algebra: linear equations for
-//! its matrix. `f([x, y]) = [f(x), f(y)]` for the basis gives quadratic ones. Solved with the images of generators first.
+//! An isomorphism maps the terms of both central series, and their centralizers, to those of the
+//! other algebra. This gives linear equations for its matrix. The equations `f([x, y]) = [f(x),
+//! f(y)]` for the basis are quadratic. They are solved for the images of generators first.
 
 use super::polynomials::{
     MAX_VARIABLES, Polynomial, Search, System, plus, product, value, variable,
@@ -12,16 +13,16 @@ use crate::algebra::BasisChange;
 use crate::algebra::structure::subspace::combination;
 use affinor_tensors::{Down, Rational, Ring, Tensor, Up};
 
-/// How many orders of the generators and values are tried, and how many steps each may take.
+/// The number of orders of the generators and values that are tried, and of steps of each attempt.
 const ATTEMPTS: usize = 24;
 const STEPS: usize = 160;
-/// The first vector of the basis gets these multiples of the second.
+/// The multiples of the second basis vector that are added to the first one.
 const SHEARS: [i64; 4] = [0, 1, -1, 2];
 
 impl StructureTheory<Rational> {
-    /// The images of the basis of a named nilpotent algebra; `None` if none was found.
+    /// The images of the basis of a named nilpotent algebra; `None` if no isomorphism was found.
     pub(super) fn onto_nilpotent(&self, named: &Self) -> Option<Vec<Vector>> {
-        // brackets are sparse in a basis that runs through the subspaces
+        // brackets are sparse in a basis that is adapted to the characteristic subspaces
         let n = self.dimension();
         let mut flags = self.flags();
         flags.sort_by_key(Subspace::dimension);
@@ -29,7 +30,7 @@ impl StructureTheory<Rational> {
         let vectors = flags.iter().flat_map(|flag| flag.basis().to_vec());
         let mut basis: Vec<Vector> = vectors.filter(|row| span.add(row.clone())).collect();
         basis.reverse();
-        // zeros and ones are tried first, so other first vectors are other attempts
+        // the solver tries zeros and ones first, so other first vectors are other attempts
         SHEARS.into_iter().find_map(|factor| {
             let mut sheared = basis.clone();
             sheared[0] = sum(&basis[0], &scale(&basis[1], &Rational::from(factor)));
@@ -59,7 +60,7 @@ impl StructureTheory<Rational> {
             if own.dimension() != other.dimension() {
                 return None;
             }
-            // functionals that are zero on the subspace
+            // linear functionals that vanish on the subspace
             let zero_on = Subspace::kernel(n, own.basis().iter().cloned());
             for (x, functional) in
                 other.basis().iter().flat_map(|x| zero_on.basis().iter().map(move |f| (x, f)))
@@ -85,7 +86,7 @@ impl StructureTheory<Rational> {
         let image_of: Vec<usize> =
             maps.basis().iter().map(|row| row.first().map_or(0, |(at, _)| at / n)).collect();
         (0..ATTEMPTS).find_map(|attempt| {
-            // generators in another order each time, then the other vectors
+            // the generators in a different order for each attempt, then the other vectors
             let mut rows = generators.clone();
             rows.rotate_left(attempt % generators.len());
             if attempt / generators.len() % 2 == 1 {
@@ -113,7 +114,7 @@ impl StructureTheory<Rational> {
         })
     }
 
-    /// Subspaces that every isomorphism respects.
+    /// Subspaces that every isomorphism preserves.
     fn flags(&self) -> Vec<Subspace<Rational>> {
         let mut flags = self.lower_central_series().to_vec();
         flags.extend(self.upper_central_series());
@@ -125,7 +126,7 @@ impl StructureTheory<Rational> {
         flags
     }
 
-    /// `f([e_i, e_j]) - [f(e_i), f(e_j)]`.
+    /// The components of `f([e_i, e_j]) - [f(e_i), f(e_j)]`.
     fn equations(&self, named: &Self, matrix: &[Polynomial]) -> Vec<Polynomial> {
         let n = self.dimension();
         let mut equations = vec![];

@@ -1,15 +1,19 @@
-//! Isomorphisms of nilpotent algebras of dimension 6 whose second centre pairs a plane with a plane: `degraaf(6,24,e=..)`.
+//! Isomorphisms with `degraaf(6,24,e=...)`: nilpotent algebras of dimension 6 whose second centre
+//! pairs a plane with a plane.
 //!
-//! Let `V` be the algebra modulo its second centre. The bracket with `[y_1, y_2]`, for a basis of `V`, is an isomorphism of `V` with the centre.
-//! The bracket with another vector `y_4` of the second centre, followed by the inverse, is a map `T` of `V`. Of all `y_4` up to
-//! a factor and up to central vectors one makes the trace zero; then `T^2` is a number `d`, and `e` is `d` up to squares.
+//! Let `V` be the algebra modulo its second centre. The bracket with `y_3 = [x_1, x_2]`, for a
+//! basis of `V`, is an isomorphism of `V` with the centre. The bracket with another vector `y_4` of
+//! the second centre, followed by the inverse of this isomorphism, is a map `T` of `V`. Up to a
+//! factor and central vectors, one `y_4` makes the trace of `T` zero. Then `T^2` is a number `d`,
+//! and `e` is `d` up to squares.
 
 use super::{StructureTheory, Subspace, Vector, scale, witness::sum};
 use affinor_tensors::linear::Matrix;
 use affinor_tensors::{Field, Rational, Ring};
 
 impl StructureTheory<Rational> {
-    /// The images of the basis of `degraaf(6,24,e=..)` with this value; `None` if the algebra is another.
+    /// The images of the basis of `degraaf(6,24,e=...)` with this value; `None` if the algebra is
+    /// not isomorphic to it.
     pub(super) fn onto_pairing(&self, e: &Rational) -> Option<Vec<Vector>> {
         let (centre, second) = (self.centre(), self.upper_central_series().get(2)?.clone());
         let units: Vec<Vector> =
@@ -38,7 +42,7 @@ impl StructureTheory<Rational> {
             None if e.vanishes() => Rational::from(1),
             None => return None,
         };
-        // x_2 is no eigenvector of T, and x_1 a multiple of its image
+        // x_2 must not be an eigenvector of T, and x_1 is a multiple of its image
         let apply = |[u, v]: &[Rational; 2]| {
             let below = c.clone() * u - &(a.clone() * v);
             [a.clone() * u + &(b.clone() * v), below]

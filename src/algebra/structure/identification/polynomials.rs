@@ -1,7 +1,9 @@
-//! Small systems of polynomial equations over the rationals: one solution, by elimination where it is possible and search else.
+//! Small systems of polynomial equations over the rationals: finds one solution, by elimination
+//! where possible and otherwise by search.
 //!
-//! A polynomial is a sparse row, and a monomial is the number made of its variables, six bits each. So a set of equations
-//! is a matrix, and its echelon form eliminates monomials: those of high degree, or those of low degree.
+//! A polynomial is a sparse row. The code of a monomial is made of its variables, six bits each. A
+//! set of equations is therefore a matrix, and its echelon form eliminates monomials: those of high
+//! degree, or those of low degree.
 
 use super::{Subspace, collected, scale};
 use crate::algebra::irreducible_factors;
@@ -11,14 +13,15 @@ use polycore::Uni;
 
 /// Bits of a variable in the code of a monomial.
 const BITS: usize = 6;
-/// The most variables of a system.
+/// The largest number of variables of a system.
 pub(super) const MAX_VARIABLES: usize = (1 << BITS) - 1;
-/// The highest degree that a substitution may reach; ten variables fit into a code.
+/// The largest degree that a substitution may reach; the code of a monomial has room for ten
+/// variables.
 const MAX_DEGREE: usize = 8;
-/// The longest polynomial that a substitution may reach.
+/// The largest number of terms that a substitution may reach.
 const MAX_TERMS: usize = 400;
 
-/// The code of a monomial, on machines of any width.
+/// The code of a monomial; 64 bits on every machine.
 type Monomial = u64;
 
 /// A polynomial: coefficients of monomials.
@@ -79,7 +82,7 @@ fn in_powers(polynomial: &Polynomial, of: usize) -> Vec<Polynomial> {
     powers.into_iter().map(collected).collect()
 }
 
-/// The polynomial with a variable replaced.
+/// The polynomial with a variable replaced by a polynomial.
 fn substituted(polynomial: &Polynomial, of: usize, by: &Polynomial) -> Option<Polynomial> {
     let powers = in_powers(polynomial, of);
     if powers.len() <= 1 {
@@ -92,7 +95,7 @@ fn substituted(polynomial: &Polynomial, of: usize, by: &Polynomial) -> Option<Po
     })
 }
 
-/// The variables that occur.
+/// The variables that occur in a polynomial.
 fn occurring(polynomial: &Polynomial) -> Vec<usize> {
     let mut all: Vec<usize> = polynomial.iter().flat_map(|(at, _)| variables(*at)).collect();
     all.sort_unstable();
@@ -108,7 +111,7 @@ pub(super) fn value(polynomial: &Polynomial, at: &impl Fn(usize) -> Rational) ->
     polynomial.iter().map(term).fold(Rational::from(0), |sum, term| sum + &term)
 }
 
-/// The rational roots of a polynomial in one variable; `coefficients` from the lowest.
+/// The rational roots of a polynomial in one variable; `coefficients` begin with the constant.
 fn roots(coefficients: &[Rational]) -> Vec<Rational> {
     let polynomial = Uni::new(coefficients.iter().map(BigRational::from).collect());
     let linear = irreducible_factors(&polynomial).into_iter().filter(|(f, _)| f.deg() == 1);
@@ -120,39 +123,39 @@ fn roots(coefficients: &[Rational]) -> Vec<Rational> {
         .collect()
 }
 
-/// Equations, and polynomials that take part in every substitution.
+/// A system: equations, and polynomials that are substituted along with them.
 #[derive(Clone)]
 pub(super) struct System {
     pub equations: Vec<Polynomial>,
     pub results: Vec<Polynomial>,
 }
 
-/// What one equation allows.
+/// A conclusion from one equation.
 enum Step {
     Replace(usize, Polynomial),
     Beside(Polynomial),
 }
 
-/// A search with a limit.
+/// A search with a limited number of steps.
 pub(super) struct Search<'a> {
-    /// Whether the results may still become a solution.
+    /// Whether the substituted polynomials may still lead to a solution.
     pub admissible: &'a dyn Fn(&[Polynomial]) -> bool,
     /// The variables in the order in which values are tried.
     pub order: &'a [usize],
-    /// So many of them get values before polynomials of higher degree are eliminated.
+    /// The number of variables that get values before polynomials of higher degree are eliminated.
     pub first: usize,
-    /// Which values are tried first.
+    /// The seed of the order in which values are tried.
     pub seed: usize,
-    /// How many steps are left.
+    /// The number of remaining steps.
     pub left: usize,
 }
 
 impl Search<'_> {
-    /// The results as numbers.
+    /// The values of the substituted polynomials at a solution.
     pub fn solve(&mut self, mut system: System) -> Option<Vec<Rational>> {
         loop {
             self.left = self.left.checked_sub(1)?;
-            // columns count from the highest monomial
+            // in the reversed order, the columns begin with the highest monomial
             system.equations = turned(&reduced(&turned(&system.equations)));
             if system.equations.iter().any(|row| total(row) == 0)
                 || !(self.admissible)(&system.results)
@@ -225,9 +228,10 @@ impl Search<'_> {
         }
     }
 
-    /// A variable that an equation contains once, with a number as factor, and what it is equal to.
+    /// A variable that occurs in one term of an equation, with a constant factor, and the
+    /// polynomial that it equals.
     fn isolated(&self, row: &Polynomial) -> Option<(usize, Polynomial)> {
-        // those that would get a value last come first
+        // prefers variables that would get a value last
         self.order.iter().rev().find_map(|&at| {
             let powers = in_powers(row, at);
             let [rest, factor] = &powers[..] else { return None };
@@ -246,7 +250,7 @@ impl System {
     }
 }
 
-/// The echelon form.
+/// The echelon form of the equations.
 fn reduced(rows: &[Polynomial]) -> Vec<Polynomial> {
     let mut columns: Vec<Monomial> = rows.iter().flatten().map(|(at, _)| *at).collect();
     columns.sort_unstable();
@@ -260,7 +264,7 @@ fn reduced(rows: &[Polynomial]) -> Vec<Polynomial> {
     echelon.basis().iter().map(named).collect()
 }
 
-/// The columns in the opposite order.
+/// Reverses the order of the columns.
 fn turned(rows: &[Polynomial]) -> Vec<Polynomial> {
     let turn = |row: &Polynomial| {
         row.iter().rev().map(|(at, value)| (Monomial::MAX - at, value.clone())).collect()
@@ -268,7 +272,8 @@ fn turned(rows: &[Polynomial]) -> Vec<Polynomial> {
     rows.iter().map(turn).collect()
 }
 
-/// The cases of an equation with a common variable, in one variable, or homogeneous in two.
+/// The cases of an equation with a common variable, in one variable, or homogeneous in two
+/// variables.
 fn factors(row: &Polynomial) -> Option<Vec<Vec<Step>>> {
     let all = occurring(row);
     let common = all.iter().find(|at| row.iter().all(|(code, _)| variables(*code).contains(at)));
@@ -292,7 +297,7 @@ fn factors(row: &Polynomial) -> Option<Vec<Vec<Step>>> {
             Some(roots(&coefficients(at)).into_iter().map(by).collect())
         }
         [x, y] if row.iter().all(|(code, _)| degree(*code) == total(row)) => {
-            // x = r y, or both are zero
+            // a root r means x = r y; otherwise both are zero
             let by = |root| vec![Step::Replace(x, scale(&variable(y), &root))];
             let zero = vec![Step::Replace(x, vec![]), Step::Replace(y, vec![])];
             Some(roots(&coefficients(x)).into_iter().map(by).chain([zero]).collect())

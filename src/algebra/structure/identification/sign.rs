@@ -1,15 +1,18 @@
 //! The sign of the parameter of four nilpotent families of dimension 6, by invariant quadratic forms in two variables.
 //!
-//! de Graaf's algebras `6,19`, `6,21`, `6,22`, `6,24` with parameter `e` have the forms `q(y) = [y, [x_1, y]]`, with `x_1` in the
-//! centralizer of the derived algebra; `[y, [z, [x_1, x_2]]]` on `L/[L,L]`; the Pfaffian of `f([x, y])`, for `f` on the
-//! derived algebra; the determinant of the pairing of `L/Z_2` with `Z_2/Z`, for `f` on the centre `Z`. The first two are
-//! equivalent to `a^2 + e b^2`, the last two to `a^2 - e b^2`, up to a factor.
+//! De Graaf's algebras `6,19`, `6,21`, `6,22`, `6,24` with parameter `e` have the following
+//! quadratic forms. For `6,19`: `q(y) = [y, [x_1, y]]`, with `x_1` in the centralizer of the
+//! derived algebra. For `6,21`: `[y, [z, [x_1, x_2]]]` on `L/[L,L]`. For `6,22`: the Pfaffian of
+//! `f([x, y])`, for `f` on the derived algebra. For `6,24`: the determinant of the pairing of
+//! `L/Z_2` with `Z_2/Z`, for `f` on the centre `Z`. The first two are equivalent to `a^2 + e b^2`,
+//! the last two to `a^2 - e b^2`, up to a factor.
 
 use super::{StructureTheory, Subspace, Vector};
 use affinor_tensors::{Rational, Ring};
 
 impl StructureTheory<Rational> {
-    /// Whether the parameter of a family is positive; `None` for other names, or where a form is degenerate.
+    /// Whether the parameter of a family is positive; `None` for other names, or if the form is
+    /// degenerate.
     pub(super) fn has_positive_parameter(&self, name: &str) -> Option<bool> {
         let determinant = self.determinant_of_form(name)?;
         let definite = !determinant.vanishes() && !determinant.is_negative();
@@ -17,7 +20,7 @@ impl StructureTheory<Rational> {
         (!determinant.vanishes()).then_some(definite == is_sum)
     }
 
-    /// Four times the determinant of the form, known up to squares; `None` for other names.
+    /// Four times the determinant of the form, up to squares; `None` for other names.
     pub(super) fn determinant_of_form(&self, name: &str) -> Option<Rational> {
         let family = name.strip_prefix("degraaf(6,")?.split(',').next()?;
         // a form with coefficients (A, B, C) has the determinant A C - B^2 / 4
@@ -38,7 +41,7 @@ impl StructureTheory<Rational> {
         self.products.ad(x).image(y)
     }
 
-    /// The value of a vector in a subspace of dimension 1.
+    /// The coordinate of a vector in a subspace of dimension 1.
     fn on_line(line: &Subspace<Rational>, x: &Vector) -> Option<Rational> {
         (line.dimension() == 1).then_some(())?;
         Some(line.coordinates(x)?.pop().map_or_else(|| Rational::from(0), |(_, value)| value))
@@ -69,8 +72,9 @@ impl StructureTheory<Rational> {
         Some([value(y, y)?, value(y, z)? + &value(z, y)?, value(z, z)?])
     }
 
-    /// The Pfaffian of `f([x, y])` on the complement of a subspace of dimension 2, or the determinant of the pairing of the
-    /// complement of `right` with a complement of the subspace in `right`, as a quadratic form in `f`.
+    /// A quadratic form in `f`: the Pfaffian of `f([x, y])` on the complement of a subspace of
+    /// dimension 2, or the determinant of the pairing of the complement of `right` with a
+    /// complement of the subspace in `right`.
     fn values_at_functionals(
         &self,
         values: &Subspace<Rational>,

@@ -1,4 +1,4 @@
-//! Names of direct sums, part by part.
+//! Names of direct sums, summand by summand.
 
 use super::super::StructureTheory;
 use super::super::decomposition::MAX_DIMENSION;
@@ -6,7 +6,8 @@ use super::Identification;
 use affinor_tensors::Rational;
 
 impl StructureTheory<Rational> {
-    /// The name of a direct sum: `sl(2,C) + heisenberg(3) + R^2`. `None` if a part has no single name.
+    /// The name of a direct sum: `sl(2,C) + heisenberg(3) + R^2`. `None` if a summand has no unique
+    /// name.
     pub(super) fn as_sum(&self) -> Option<Identification> {
         let mut names = vec![];
         let mut proved = true;
@@ -32,7 +33,7 @@ impl StructureTheory<Rational> {
                 } else if inside.is_heisenberg() {
                     solvable.push(format!("heisenberg({})", inside.dimension()));
                 } else {
-                    // a part that is the whole algebra has no other name
+                    // a single summand is the whole algebra, which was already tried
                     let found = (ideals.len() > 1).then(|| inside.identify()).flatten()?;
                     let [name] = &found.names[..] else { return None };
                     if found.parameter.is_some() {
@@ -61,7 +62,7 @@ impl StructureTheory<Rational> {
         ideals.real.iter().map(|ideal| name(&ideal.names)).collect()
     }
 
-    /// Whether the derived algebra is a line, and the centre.
+    /// Whether the algebra is a Heisenberg algebra: the derived algebra is the centre, and a line.
     fn is_heisenberg(&self) -> bool {
         let (derived, centre) = (self.derived(), self.centre());
         derived.dimension() == 1 && derived == &centre

@@ -1,8 +1,10 @@
-//! Isomorphisms with algebras of the catalogue: both algebras are brought to one normal form, and the images are multiplied out.
+//! Isomorphisms with algebras of the catalogue: both algebras are brought to one normal form, and
+//! the images are verified.
 //!
-//! A solvable algebra of dimension 4, not nilpotent, is a nilradical of dimension 3 (abelian or Heisenberg) and one vector
-//! that acts on it, or two vectors that act on a plane. The action `D` of one algebra and that of the other, `D'`, satisfy
-//! `a D X = X D'`, linear equations in `X` once traces have given `a`.
+//! A solvable algebra of dimension 4 that is not nilpotent is a nilradical of dimension 3 (abelian
+//! or Heisenberg) and one vector that acts on it, or two vectors that act on a plane. The actions
+//! `D` and `D'` of the two algebras satisfy `a D X = X D'`. These equations are linear in `X` once
+//! `a` is known from traces.
 
 use super::{Vector, catalogued, scale};
 use crate::algebra::structure::subspace::{collected, combination};
@@ -13,21 +15,23 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::Zero;
 
-/// Integers up to these sizes are tried as components in the search for vectors of given length.
+/// The largest integers that are tried as components in the search for vectors of a prescribed
+/// length.
 const SMALL: i64 = 6;
 const SMALL_IN_PLANE: i64 = 24;
 const ON_CONIC: i64 = 100;
-/// How many first vectors of given length are tried.
+/// The search tries at most this number of first vectors of a prescribed length.
 const FIRST: usize = 60;
 
-/// The images of a basis; each is multiplied by the square root of a positive number.
+/// The images of a basis; each must be multiplied by the square root of a positive number.
 pub(super) struct Images {
     pub vectors: Vec<Vector>,
     pub under_root: Option<Vec<Rational>>,
 }
 
 impl StructureTheory<Rational> {
-    /// The images of the basis of a named algebra of dimension 3 (simple), 4, or 5 and 6 (nilpotent), where one is found.
+    /// The images of the basis of a named algebra of dimension 3 (simple), 4, or 5 and 6
+    /// (nilpotent), if an isomorphism is found.
     pub(super) fn isomorphism_with(&self, name: &str) -> Option<Images> {
         let named = StructureTheory::new(catalogued(name)?);
         if !self.is_solvable() {
@@ -35,12 +39,12 @@ impl StructureTheory<Rational> {
         }
         let forms = self.determinant_of_form(name).zip(named.determinant_of_form(name));
         if forms.is_some_and(|(own, other)| (own * &other).sqrt().is_none()) {
-            // isomorphic over the real numbers alone
+            // isomorphic over the real numbers only
             return None;
         }
         let vectors = match (self.is_nilpotent(), self.nilradical().dimension()) {
             (true, 5..) if name.starts_with("degraaf(6,24,") => {
-                // [x1, x4] = e x6
+                // the bracket [x1, x4] = e x6 determines e
                 let bracket = named.column_of(0, 3).pop();
                 self.onto_pairing(&bracket.map_or_else(|| Rational::from(0), |(_, e)| e))
             }
@@ -52,11 +56,12 @@ impl StructureTheory<Rational> {
         self.respects(&named, &vectors).then_some(Images { vectors, under_root: None })
     }
 
-    /// The number whose square root every isomorphism with a named algebra needs, if it is not rational; `None` where no
-    /// invariant shows one.
+    /// The number whose irrational square root occurs in every isomorphism with a named algebra.
+    /// `None` if no invariant shows that it does.
     ///
-    /// The invariants are known up to squares: the quadratic form of a nilpotent family; of two vectors that act on a plane the
-    /// square of the action without trace; of one vector that acts without trace `tr(D^2)`, because `a D` is conjugate to `D'`.
+    /// The invariants are known up to squares. For a nilpotent family it is the quadratic form; for
+    /// two vectors that act on a plane the square of the trace-free action; for one vector with a
+    /// trace-free action `tr(D^2)`, because `a D` is conjugate to `D'`.
     pub(super) fn needed_root(&self, name: &str) -> Option<Rational> {
         if !self.is_solvable() {
             return None;
@@ -76,7 +81,7 @@ impl StructureTheory<Rational> {
         (!product.vanishes() && !product.is_negative() && product.sqrt().is_none()).then_some(root)
     }
 
-    /// Whether `[f_i, f_j] = c^k_ij f_k` for the images `f_i`, which are a basis.
+    /// Whether the images `f_i` satisfy `[f_i, f_j] = c^k_ij f_k` and are a basis.
     pub(super) fn respects(&self, named: &Self, images: &[Vector]) -> bool {
         let n = self.dimension();
         let brackets = (0..n).all(|i| {
@@ -87,7 +92,8 @@ impl StructureTheory<Rational> {
         brackets && Subspace::span(n, images.iter().cloned()).dimension() == n
     }
 
-    /// `x, y, [x, y], [x, [x, y]]`, or `x, y, [x, y]` and a central vector, or any basis of an abelian algebra.
+    /// A basis `x, y, [x, y], [x, [x, y]]`, or `x, y, [x, y]` and a central vector, or any basis of
+    /// an abelian algebra.
     pub(in crate::algebra::structure) fn nilpotent_form(&self) -> Option<Vec<Vector>> {
         let units = self.unit_vectors();
         let derived = self.derived();
@@ -95,7 +101,7 @@ impl StructureTheory<Rational> {
         if derived.is_zero() {
             return Some(units);
         }
-        // y commutes with the derived algebra, x does not if it can
+        // y commutes with the derived algebra; x does not, if possible
         let centralizer = self.centralizer(derived);
         let outside = |y: &&Vector| !derived.contains(y);
         for y in centralizer.basis().iter().filter(outside) {
@@ -115,7 +121,8 @@ impl StructureTheory<Rational> {
         None
     }
 
-    /// `h` that acts as 1 on the nilradical, a plane, a vector `k` that acts without trace, and the square of its action.
+    /// For a nilradical that is a plane: the vector `h` that acts as 1 on it, a vector `k` with
+    /// trace-free action, and the square of its action.
     fn square_on_plane(&self) -> Option<(Vector, Vector, Rational)> {
         let plane = self.nilradical();
         let outside: Vec<usize> = plane.complement().collect();
@@ -136,7 +143,8 @@ impl StructureTheory<Rational> {
         })
     }
 
-    /// `u, v` in the nilradical, a plane, and commuting `h, k`: `h` acts as 1, `k` with square 1 or -1.
+    /// For a nilradical that is a plane: a basis `u, v`, and commuting vectors `h`, which acts as
+    /// 1, and `k`, whose action has the square 1 or -1.
     pub(in crate::algebra::structure) fn form_on_plane(&self) -> Option<Vec<Vector>> {
         let (h, k, square) = self.square_on_plane()?;
         let k = scale(&k, &square.clone().abs().sqrt()?.recip()?);
@@ -148,7 +156,7 @@ impl StructureTheory<Rational> {
         if square.is_negative() {
             return Some(vec![basis[0].clone(), ad.image(&basis[0]), h, k]);
         }
-        // k + 1 and k - 1 map to the eigenvectors
+        // k + 1 and k - 1 map to eigenvectors
         let eigenvector = |sign: i64| {
             let image = |v: &Vector| sum(&ad.image(v), &scale(v, &Rational::from(sign)));
             basis.iter().map(image).find(|v| !v.is_empty())
@@ -170,7 +178,7 @@ impl StructureTheory<Rational> {
             nilradical.basis().iter().filter(|row| span.add((*row).clone())).cloned().collect();
         let mut e = e;
         if let ([z], [v, w]) = (centre.basis(), &acted[..]) {
-            // n with [e + n, v] and [e + n, w] in the span of v, w
+            // chooses n such that [e + n, v] and [e + n, w] are in the span of v, w
             let basis = [v.clone(), w.clone(), z.clone()];
             let last = |x: &Vector| coordinates(n, &basis, x).map(|all| all[2].clone());
             let unit = last(&self.products.ad(v).image(w))?.recip()?;
@@ -245,14 +253,15 @@ impl StructureTheory<Rational> {
         None
     }
 
-    /// A simple algebra of dimension 3, perhaps beside a central line.
+    /// The case of a simple algebra of dimension 3, possibly with a central line.
     fn onto_simple(&self, named: &Self) -> Option<Images> {
         let other = named.frame(2)?.vectors;
         if let Some(own) = self.frame(2) {
             let vectors = images(&other, &own.vectors).filter(|all| self.respects(named, all))?;
             return Some(Images { vectors, under_root: None });
         }
-        // each image is a multiple of one vector of the frame, divided by the root of its square
+        // each image is a multiple of one vector of the frame, divided by the square root of its
+        // square
         let Frame { vectors, squares } = self.frame(0)?;
         let (mut found, mut under_root) = (vec![], vec![]);
         for unit in named.unit_vectors() {
@@ -265,8 +274,9 @@ impl StructureTheory<Rational> {
         Some(Images { vectors: found, under_root: Some(under_root) })
     }
 
-    /// Orthogonal vectors `x`, `y` with Killing squares `-2 s` and `+-2 t`, then `[x, y]` and the centre. The first `roots` of
-    /// `s`, `t` are squares, and `x` and `y` are divided by their roots.
+    /// Orthogonal vectors `x`, `y` with Killing squares `-2 s` and `+-2 t`, then `[x, y]` and the
+    /// centre. The first `roots` of the numbers `s`, `t` are squares; `x` and `y` are divided by
+    /// their roots.
     pub(in crate::algebra::structure) fn frame(&self, roots: usize) -> Option<Frame> {
         let (x, y, s, t) = self.orthogonal_vectors(roots).or_else(|| self.split_vectors())?;
         let z = self.products.ad(&x).image(&y);
@@ -279,7 +289,8 @@ impl StructureTheory<Rational> {
         Some(Frame { vectors, squares })
     }
 
-    /// `x`, `y`, `s` and `t` of [`frame`](Self::frame), by a search among small integers.
+    /// The vectors `x`, `y` and numbers `s`, `t` of [`frame`](Self::frame), by a search among small
+    /// integers.
     fn orthogonal_vectors(&self, roots: usize) -> Option<(Vector, Vector, Rational, Rational)> {
         let derived = self.derived();
         let basis = derived.basis();
@@ -324,8 +335,9 @@ impl StructureTheory<Rational> {
         })
     }
 
-    /// The same of an algebra that is sl(2) over the rationals: `e` with a Killing square 0 belongs to `[h, e] = 2 e`,
-    /// `[h, f] = -2 f`, `[e, f] = h`, and `x` and `y` are `(e - f)/2` and `h/2`.
+    /// The same for an algebra that is sl(2) over the rationals. A vector `e` with Killing square 0
+    /// belongs to a basis with `[h, e] = 2 e`, `[h, f] = -2 f`, `[e, f] = h`, and `x` and `y` are
+    /// `(e - f)/2` and `h/2`.
     fn split_vectors(&self) -> Option<(Vector, Vector, Rational, Rational)> {
         let bracket = |x: &Vector, y: &Vector| self.products.ad(x).image(y);
         let (half, minus) = (Rational::new(1, 2)?, Rational::from(-1));
@@ -345,8 +357,8 @@ impl StructureTheory<Rational> {
         Some((x, y, Rational::from(1), Rational::from(1)))
     }
 
-    /// A vector of the derived algebra, of dimension 3, with a Killing square 0: a point of the conic
-    /// `a i^2 + b j^2 + c k^2 = 0`, by a search among small `i` and `j`.
+    /// A vector of the derived algebra, of dimension 3, with Killing square 0. It is a point of the
+    /// conic `a i^2 + b j^2 + c k^2 = 0`, found by a search among small `i` and `j`.
     fn isotropic_vector(&self) -> Option<Vector> {
         let basis = self.derived().basis();
         let rows = Matrix::from_rows(self.dimension(), basis.iter().cloned()).ok()?;
@@ -370,13 +382,13 @@ impl StructureTheory<Rational> {
     }
 }
 
-/// Vectors of known Killing squares.
+/// Orthogonal vectors and their Killing squares.
 pub(in crate::algebra::structure) struct Frame {
     pub vectors: Vec<Vector>,
     squares: Vec<Rational>,
 }
 
-/// `tr D` and `tr D^2`.
+/// The traces `tr D` and `tr D^2`.
 fn traces(matrix: &Matrix<Rational>) -> Option<(Rational, Rational)> {
     let square = matrix.mul(matrix).ok()?;
     let trace =
@@ -384,7 +396,7 @@ fn traces(matrix: &Matrix<Rational>) -> Option<(Rational, Rational)> {
     Some((trace(matrix), trace(&square)))
 }
 
-/// An integer without squares of small numbers, and the number whose square leads to it.
+/// Factors a value into a number without small square factors and the square of another number.
 fn without_squares(value: &Rational) -> (Rational, Rational) {
     let value = BigRational::from(value);
     let (mut square, mut by) =
@@ -398,7 +410,7 @@ fn without_squares(value: &Rational) -> (Rational, Rational) {
     (Rational::from(BigRational::from(square)), Rational::from(by))
 }
 
-/// `m` for `x = m e`; `None` for 0.
+/// The factor `m` with `x = m e`; `None` for 0.
 fn multiple(x: &Vector, e: &Vector) -> Option<Rational> {
     let ((_, above), (_, below)) = (x.first()?, e.first()?);
     Some(above.clone() * &below.recip()?)

@@ -1,7 +1,9 @@
-//! Logarithms of rounded matrices: the vector of the algebra whose exponential is nearest to a matrix.
+//! Logarithms of matrices with rounding errors: the vector of the algebra whose exponential is
+//! nearest to a matrix.
 //!
-//! The principal logarithm of a matrix multiplies rounding errors by `|g| |g^-1|`, the square of the largest entry of a boost.
-//! These errors mostly leave the group. The nearest element of the group depends on `g` by `|g|` alone.
+//! The principal logarithm of a matrix multiplies rounding errors by `|g| |g^-1|`, for a boost the
+//! square of the largest entry. Most of these errors point out of the group. The error of the
+//! nearest element of the group is multiplied by `|g|` only.
 
 use super::span::Span;
 use crate::group::matrices::TOLERANCE;
@@ -10,20 +12,21 @@ use crate::numerics::exponential::{balance, balanced_by, exp};
 use affinor_tensors::stop::checkpoint;
 use nalgebra::{DMatrix, DVector};
 
-/// The largest number of steps of Gauss and Newton.
+/// The largest number of Gauss-Newton steps.
 const STEPS: usize = 8;
 
-/// The largest number of operations of a derivative, a multiplication each; larger groups are not fitted.
+/// The largest number of multiplications for a derivative; larger groups are not fitted.
 const WORK: usize = 10_000_000;
 
 /// The relative length of a step that ends the iteration.
 const SETTLED: f64 = 4.0 * f64::EPSILON;
 
-/// The largest relative distance of the nearest element, that of matrices that are read as elements.
+/// The largest relative distance of the nearest element, equal to the tolerance of matrices that
+/// are read as elements.
 const OFF: f64 = TOLERANCE;
 
-/// The coordinates `x` for which `|exp(x^i B_i) - g|` is least, from a first guess. `None` if `g` is farther from the group
-/// than rounding takes it, or the iteration does not converge.
+/// The coordinates `x` that minimize `|exp(x^i B_i) - g|`, from an initial guess. `None` if `g` is
+/// farther from the group than rounding errors explain, or the iteration does not converge.
 pub(super) fn nearest(span: &Span, g: &DMatrix<f64>, x: &DVector<f64>) -> Option<DVector<f64>> {
     let exponents = balance(g);
     let target = balanced_by(g, &exponents);
@@ -33,7 +36,7 @@ pub(super) fn nearest(span: &Span, g: &DMatrix<f64>, x: &DVector<f64>) -> Option
     for _ in 0..STEPS {
         checkpoint();
         let generator = balanced_by(&span.combination(&x), &exponents);
-        // cancellation: the difference is of the size of a rounding error
+        // in double-double arithmetic, because the difference is of the size of rounding errors
         let exact = span.double_combination(&x);
         let exact = exp_less_identity(&mapped(&exact, |m| balanced_by(m, &exponents)));
         let off = rounded(&(less_one.map(Into::into) - exact));
@@ -49,8 +52,8 @@ pub(super) fn nearest(span: &Span, g: &DMatrix<f64>, x: &DVector<f64>) -> Option
     None
 }
 
-/// A bound on the changes of the coordinates `x` of `log(g)`, if each entry of `g` is rounded once. `None` where the exponential
-/// is not a local chart.
+/// A bound on the changes of the coordinates `x` of `log(g)` if each entry of `g` is rounded once.
+/// `None` if the exponential is not a local chart there.
 pub(super) fn rounding(span: &Span, g: &DMatrix<f64>, x: &DVector<f64>) -> Option<f64> {
     let exponents = balance(g);
     let generator = balanced_by(&span.combination(x), &exponents);
@@ -80,7 +83,7 @@ fn derivative(span: &Span, x: &DMatrix<f64>, exponents: &[i32]) -> Option<DMatri
     Some(derivative)
 }
 
-/// `(J^T J)^-1 J^T` by QR; `None` if the columns are dependent or not finite.
+/// The pseudoinverse `(J^T J)^-1 J^T`, by QR; `None` if the columns are dependent or not finite.
 fn pseudoinverse(j: &DMatrix<f64>) -> Option<DMatrix<f64>> {
     let (q, r) = j.clone().qr().unpack();
     let inverse = r.solve_upper_triangular(&q.transpose())?;

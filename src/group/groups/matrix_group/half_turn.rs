@@ -1,4 +1,4 @@
-//! Logarithms of matrices with an angle near `pi`, where their square roots do not converge.
+//! Logarithms of matrices with an angle near `pi`, for which iterated square roots do not converge.
 
 use super::{CLOSE, MatrixGroup, fit, is_identity};
 use crate::Error;
@@ -9,33 +9,35 @@ use nalgebra::linalg::{SVD, Schur, SymmetricEigen};
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::PI;
 
-/// The size of the components of a vector that leads to a neighbour of an element.
+/// The size of the components of a vector whose exponential leads to a neighbour of an element.
 const NEIGHBOURHOOD: f64 = 1e-3;
 
-/// The number of lines through an element on which neighbours are sought.
+/// The number of directions in which neighbours of an element are sought.
 const NEIGHBOURS: usize = 8;
 
-/// The distance of angles from `pi` that floats tell apart.
+/// The distance of an angle from `pi` that floats can resolve.
 const BRANCH: f64 = 1e-14;
 
-/// The distance of an angle from `pi` at which a logarithm that is not found is ill-conditioned.
+/// The distance of an angle from `pi` below which a missing logarithm is called ill-conditioned.
 const NEAR_PI: f64 = 1e-6;
 
-/// The distance of angles from `pi` up to which they are computed from their sines.
+/// The distance of angles from `pi` below which they are computed from their sines.
 const ROUGHLY_PI: f64 = 1e-3;
 
-/// The ratio of the sine of an angle to the rounding of entries from which on it has a direction.
+/// The ratio of the sine of an angle to the rounding error of entries above which its direction is
+/// well determined.
 const DECIDED: f64 = 8.0;
 
 /// The largest number of iterations of a decomposition.
 const ITERATIONS: usize = 1000;
 
 impl MatrixGroup {
-    /// The logarithm of an element with an angle so near `pi` that square roots do not converge: from the logarithms of
-    /// elements in its neighbourhood. `None` if none of them leads to it, or the angle is `pi`.
+    /// The logarithm of an element with an angle so near `pi` that square roots do not converge, by
+    /// continuation from logarithms of elements in its neighbourhood. `None` if this fails, or the
+    /// angle is `pi`.
     pub(super) fn log_near_half_turn(&self, g: &DMatrix<f64>) -> Option<DVector<f64>> {
         let n = self.dimension();
-        // generic directions, the same in every run
+        // generic directions, which are the same in every run
         let entry = |at: usize| NEIGHBOURHOOD * (12.9898 * (at + 1) as f64).sin();
         let directions = (0..NEIGHBOURS).map(|k| DVector::from_fn(n, |i, _| entry(k * n + i)));
         directions.flat_map(|x| [x.clone(), -x]).find_map(|direction| {
@@ -45,16 +47,17 @@ impl MatrixGroup {
             let x = is_close.then(|| fit::nearest(&self.span, g, &guess)).flatten()?;
             let schur = Schur::try_new(self.generator(&x), f64::EPSILON, ITERATIONS)?;
             let angles = schur.complex_eigenvalues().map(|eigenvalue| eigenvalue.im.abs());
-            // beyond pi it is the logarithm of another branch
+            // beyond pi it would be the logarithm of another branch
             (angles.max() < PI - BRANCH).then_some(x)
         })
     }
 }
 
 impl MatrixGroup {
-    /// The logarithm of an orthogonal element `g = S + K` with angles so near `pi` that only the skew part `K` has their
-    /// distance from it. On the eigenspace of `S` near `-1`, `K = U sin(theta) W^T` is a singular value decomposition, and the
-    /// logarithm is `U theta W^T`. `None` if the rounding of entries decides about a direction, or the angle is `pi`.
+    /// The logarithm of an orthogonal element `g = S + K` with angles so near `pi` that only the
+    /// antisymmetric part `K` resolves the distance. On the eigenspace of `S` near `-1`, `K = U
+    /// sin(theta) W^T` is a singular value decomposition, and the logarithm is `U theta W^T`.
+    /// `None` if rounding errors of the entries decide a direction, or the angle is `pi`.
     pub(super) fn log_of_rotation(&self, g: &DMatrix<f64>) -> Option<DVector<f64>> {
         self.form.as_ref().filter(|form| is_identity(form))?;
         let [symmetric, skew] = [(g + g.transpose()) * 0.5, (g - g.transpose()) * 0.5];
@@ -85,7 +88,8 @@ impl MatrixGroup {
     }
 }
 
-/// The error about the logarithm of a matrix with an angle near `pi`; `None` if it has none, or the angle is `pi`.
+/// The error for the logarithm of a matrix with an angle near `pi`; `None` if there is no such
+/// angle, or if it is exactly `pi`.
 pub(super) fn near_pi(g: &DMatrix<f64>) -> Option<Error> {
     let eigenvalues = Schur::try_new(g.clone(), f64::EPSILON, ITERATIONS)?.complex_eigenvalues();
     let gaps = eigenvalues.iter().map(|eigenvalue| PI - eigenvalue.im.atan2(eigenvalue.re).abs());

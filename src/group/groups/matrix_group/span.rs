@@ -1,11 +1,11 @@
-//! The span of sparse matrices in floats, and the matrix of it that is nearest to a given one.
+//! The span of sparse matrices in floats, and the nearest matrix in it.
 
 use crate::Error;
 use crate::numerics::double::Double;
 use nalgebra::{DMatrix, DVector};
 use std::collections::BTreeMap;
 
-/// The entries `(place, value)` of a matrix that are not zero; the place counts column by column.
+/// The nonzero entries `(position, value)` of a matrix; positions count column by column.
 type Entries = Vec<(usize, f64)>;
 
 /// Independent matrices `B_i` of one size, by their nonzero entries.
@@ -13,7 +13,8 @@ type Entries = Vec<(usize, f64)>;
 pub(super) struct Span {
     size: usize,
     basis: Vec<Entries>,
-    /// For each `i` the form on matrices whose value is the coordinate `x^i` of the nearest `x^j B_j`.
+    /// For each `i` the linear form on matrices whose value is the coordinate `x^i` of the nearest
+    /// `x^j B_j`.
     nearest: Vec<Entries>,
 }
 
@@ -21,7 +22,7 @@ impl Span {
     /// The span of square matrices, given by their entries `(row, column, value)`.
     ///
     /// # Errors
-    /// [`Error::SingularBasis`] for matrices that are dependent to rounding.
+    /// [`Error::SingularBasis`] for matrices that are linearly dependent up to rounding errors.
     pub fn new<I>(size: usize, matrices: impl IntoIterator<Item = I>) -> Result<Self, Error>
     where
         I: IntoIterator<Item = (usize, usize, f64)>,
@@ -50,7 +51,7 @@ impl Span {
         self.basis.len()
     }
 
-    /// `x^i B_i`
+    /// The linear combination `x^i B_i`.
     pub fn combination(&self, x: &DVector<f64>) -> DMatrix<f64> {
         let mut sum = DMatrix::zeros(self.size, self.size);
         let places = sum.as_mut_slice();
@@ -60,7 +61,8 @@ impl Span {
         sum
     }
 
-    /// [`combination`](Self::combination) without rounding errors of sums of entries.
+    /// Like [`combination`](Self::combination), in double-double arithmetic, so that sums of
+    /// entries have no rounding errors.
     pub fn double_combination(&self, x: &DVector<f64>) -> DMatrix<Double> {
         let mut sum = DMatrix::zeros(self.size, self.size);
         let places = sum.as_mut_slice();
@@ -71,7 +73,7 @@ impl Span {
         sum
     }
 
-    /// The basis matrix of an index.
+    /// The basis matrix with an index.
     pub fn matrix(&self, at: usize) -> DMatrix<f64> {
         let mut matrix = DMatrix::zeros(self.size, self.size);
         let places = matrix.as_mut_slice();
@@ -91,10 +93,10 @@ impl Span {
         self.basis[at].iter().map(|(_, value)| value * value).sum::<f64>().sqrt()
     }
 
-    /// `g B_i h`
+    /// The product `g B_i h`.
     pub fn between(&self, g: &DMatrix<f64>, at: usize, h: &DMatrix<f64>) -> DMatrix<f64> {
         let n = self.size;
-        // the columns of g B_i that are not zero, and the rows of h that they meet
+        // only nonzero columns of g B_i, and the corresponding rows of h
         let entries = &self.basis[at];
         let columns: Vec<&[(usize, f64)]> = entries.chunk_by(|a, b| a.0 / n == b.0 / n).collect();
         let mut left = DMatrix::zeros(n, columns.len());
@@ -108,7 +110,7 @@ impl Span {
         left * right
     }
 
-    /// The coordinates of the nearest matrix of the span, entry by entry.
+    /// The coordinates of the nearest matrix in the span, in the Frobenius norm.
     pub fn coordinates(&self, m: &DMatrix<f64>) -> DVector<f64> {
         let places = m.as_slice();
         let value = |form: &Entries| form.iter().map(|(place, v)| v * places[*place]).sum();
@@ -116,9 +118,10 @@ impl Span {
     }
 }
 
-/// The matrices in groups, ascending; matrices of different groups have no common place.
+/// Partitions the matrices into sorted groups; matrices of different groups have no common nonzero
+/// position.
 fn blocks(basis: &[Entries]) -> Vec<Vec<usize>> {
-    // the groups are trees; the root is the least of a group
+    // each group is a tree whose root is its smallest index
     let mut above: Vec<usize> = (0..basis.len()).collect();
     fn root(above: &mut [usize], mut at: usize) -> usize {
         while above[at] != at {
@@ -142,7 +145,7 @@ fn blocks(basis: &[Entries]) -> Vec<Vec<usize>> {
     blocks.into_values().collect()
 }
 
-/// The forms of the matrices of a block: the pseudoinverse by QR.
+/// The linear forms of the matrices of a block: the pseudoinverse by QR.
 fn nearest_in_block(
     basis: &[Entries],
     block: &[usize],
@@ -165,8 +168,9 @@ fn nearest_in_block(
     }
     let (q, r) = columns.clone().qr().unpack();
     let forms = r.solve_upper_triangular(&q.transpose()).ok_or(Error::SingularBasis)?;
-    // beside translations of kilometres the factors know rotations to the rounding of a kilometre: Newton's step for
-    // forms columns = 1 brings each entry to its own
+    // If translations are large (kilometres), QR computes the rotations only to the rounding error
+    // of a kilometre; a Newton step for forms columns = 1 corrects each entry to its own rounding
+    // error
     let residual = DMatrix::identity(block.len(), block.len()) - &forms * &columns;
     let forms = &forms + residual * &forms;
     for (row, &at) in block.iter().enumerate() {

@@ -5,18 +5,19 @@ use crate::numerics::least_squares::least_squares;
 use affinor_tensors::Tensor;
 use nalgebra::{DMatrix, DVector};
 
-/// The relative rounding of a sum.
+/// The relative rounding error of a sum.
 const ROUNDING: f64 = 1e-10;
 
-/// The largest number of unknowns of a complement.
+/// The largest number of unknowns in the equations for a complement.
 const UNKNOWNS: usize = 400;
 
-/// The projection on the kernel `V` of the Killing form along a complementary subalgebra `K`, where `V` is abelian and there
-/// is such a subalgebra: `se(n) = so(n) + R^n`, `iso(p,q)`, `aff(1)`, direct sums of a semisimple algebra and `R^n`. `None`
-/// for others, and where `V = 0`.
+/// The projection onto the kernel `V` of the Killing form along a complementary subalgebra `K`, if
+/// `V` is abelian and such a subalgebra exists: for `se(n) = so(n) + R^n`, `iso(p,q)`, `aff(1)`,
+/// and direct sums of a semisimple algebra and `R^n`. `None` for other algebras, and if `V = 0`.
 ///
-/// With any complement `C` of `V`, `K` is the graph of a map `f: C -> V`. As `V` is abelian,
-/// `[c + f c, d + f d]` lies in the graph if `v + [c, f d] - [d, f c] = f e` for `[c, d] = e + v`: linear equations for `f`.
+/// For any complement `C` of `V`, `K` is the graph of a map `f: C -> V`. As `V` is abelian, `[c + f
+/// c, d + f d]` lies in the graph if `v + [c, f d] - [d, f c] = f e` for `[c, d] = e + v`. These
+/// are linear equations for `f`.
 pub(super) fn translations(structure: &Tensor<f64>) -> Option<DMatrix<f64>> {
     let n = structure.dimension();
     let constants = SparseBracket::of_tensor(structure);
@@ -37,7 +38,7 @@ pub(super) fn translations(structure: &Tensor<f64>) -> Option<DMatrix<f64>> {
     if p * q > UNKNOWNS {
         return None;
     }
-    // both are orthonormal, and orthogonal to each other
+    // both bases are orthonormal, and orthogonal to each other
     let on = |basis: &[DVector<f64>], x: &DVector<f64>| -> Vec<f64> {
         basis.iter().map(|b| b.dot(x)).collect()
     };
@@ -49,7 +50,7 @@ pub(super) fn translations(structure: &Tensor<f64>) -> Option<DMatrix<f64>> {
             DMatrix::from_vec(q, q, images)
         })
         .collect();
-    // the unknown f^v_c is number c q + v
+    // the unknown f^v_c has number c q + v
     let count = p * p.saturating_sub(1) / 2 * q;
     let (mut matrix, mut right) = (DMatrix::zeros(count, p * q), DVector::zeros(count));
     let mut row = 0;
@@ -79,7 +80,7 @@ pub(super) fn translations(structure: &Tensor<f64>) -> Option<DMatrix<f64>> {
         }
         f
     };
-    // P (x = c + v) = v - f c
+    // the projection P (x = c + v) = v - f c
     let mut projection = DMatrix::zeros(n, n);
     for (at, v) in inside.iter().enumerate() {
         projection += v * v.transpose();
@@ -87,12 +88,12 @@ pub(super) fn translations(structure: &Tensor<f64>) -> Option<DMatrix<f64>> {
             projection -= v * c.transpose() * f[b * q + at];
         }
     }
-    // entries near 0 or 1 are 0 or 1
+    // entries near 0 or 1 are rounded to 0 or 1
     Some(projection.map(|x| if (x - x.round()).abs() <= ROUNDING { x.round() } else { x }))
 }
 
-/// Orthonormal bases of the kernel of a symmetric matrix and of its complement; vectors of the standard basis where these
-/// span them. `None` if the kernel is 0.
+/// Orthonormal bases of the kernel of a symmetric matrix and of its complement, made of standard
+/// basis vectors if these span them. `None` if the kernel is 0.
 #[allow(clippy::type_complexity, reason = "two bases")]
 fn kernel(matrix: DMatrix<f64>, size: f64) -> Option<(Vec<DVector<f64>>, Vec<DVector<f64>>)> {
     let n = matrix.nrows();

@@ -5,14 +5,15 @@ use crate::Error;
 use nalgebra::{Matrix3, Vector3};
 use std::collections::HashMap;
 
-/// A volume below this share of the sum of its parts is rounding.
+/// A volume below this fraction of the sum of its parts counts as rounding error.
 const FLAT: f64 = 1e-12;
 
 /// A closed surface of triangles, counterclockwise as seen from outside.
 ///
-/// Every edge belongs to exactly two triangles, in opposite directions. So the surface bounds a volume of one or several
-/// pieces. The triangles of a cavity are counterclockwise as seen from within it. Intersections of pieces are not checked;
-/// where pieces overlap, the volume counts twice.
+/// Every edge belongs to exactly two triangles, in opposite directions, so the surface bounds a
+/// volume of one or several pieces. The triangles of a cavity are counterclockwise as seen from
+/// within it. Intersections of pieces are not checked; where pieces overlap, the volume counts
+/// twice.
 ///
 /// ```
 /// use affinor::mechanics::Mesh;
@@ -24,7 +25,7 @@ const FLAT: f64 = 1e-12;
 /// assert!((body.centre() - Vector3::repeat(0.25)).norm() < 1e-16);
 ///
 /// let open = Mesh::new(corners.to_vec(), faces[1..].to_vec()).unwrap_err();
-/// let reason = "no solid: the edge from (1, 0, 0) to (0, 0, 0) is missing beside triangle 1, which has its opposite";
+/// let reason = "invalid solid: the edge from (1, 0, 0) to (0, 0, 0) belongs to no triangle, but triangle 1 has the opposite edge";
 /// assert_eq!(open.to_string(), reason);
 /// # Ok::<(), affinor::Error>(())
 /// ```
@@ -37,14 +38,15 @@ pub struct Mesh {
 }
 
 impl Mesh {
-    /// The solid inside triangles, each by the indices of its vertices.
+    /// The solid bounded by triangles, each given by the indices of its vertices.
     ///
-    /// Triangles that have a vertex twice are left out.
+    /// Triangles in which a vertex occurs twice are left out.
     ///
     /// # Errors
-    /// [`Error::Invalid`], with an edge, for a surface that is not closed, branches, or has triangles of both orientations.
-    /// Also for a surface without a volume or inside out, and for an index without a vertex. [`Error::Overflow`] for vertices
-    /// that are not finite, or too large.
+    /// [`Error::Invalid`], with an edge, for a surface that is not closed, branches, or has
+    /// inconsistent orientations; also for a surface without volume or with inward orientation, and
+    /// for an index without a vertex. [`Error::Overflow`] for vertices that are not finite, or too
+    /// large.
     pub fn new(vertices: Vec<Vector3<f64>>, triangles: Vec<[usize; 3]>) -> Result<Self, Error> {
         for (at, vertex) in vertices.iter().enumerate() {
             if let Some(value) = vertex.iter().find(|value| !value.is_finite()) {
@@ -63,16 +65,17 @@ impl Mesh {
         Ok(Mesh { vertices, triangles, solid })
     }
 
-    /// The solid inside triangles, each by its corners; corners with equal coordinates are one vertex.
+    /// The solid bounded by triangles, each given by its corners; corners with equal coordinates
+    /// are one vertex.
     ///
     /// # Errors
-    /// As [`Mesh::new`].
+    /// Those of [`Mesh::new`].
     pub fn from_triangles(
         corners: impl IntoIterator<Item = [Vector3<f64>; 3]>,
     ) -> Result<Self, Error> {
         let (mut vertices, mut known) = (Vec::new(), HashMap::new());
         let mut index = |corner: Vector3<f64>| {
-            // -0 and 0 are equal
+            // adding 0 makes -0 and 0 equal
             let bits: [u64; 3] = corner.map(|x| (x + 0.0).to_bits()).into();
             *known.entry(bits).or_insert_with(|| {
                 vertices.push(corner);
@@ -93,8 +96,8 @@ impl Mesh {
         &self.triangles
     }
 
-    /// The body of density 1: sums over the tetrahedra from a point to the triangles, with signs. With the vertices
-    /// `a, b, c` seen from this point and `s = a + b + c`
+    /// The body of density 1: signed sums over the tetrahedra from a point to the triangles. With
+    /// the vertices `a, b, c` relative to this point and `s = a + b + c`
     ///
     /// ```text
     /// V = det(a, b, c)/6    int X dV = V s/4    int X X^T dV = V (a a^T + b b^T + c c^T + s s^T)/20
@@ -135,7 +138,7 @@ fn expect_closed(vertices: &[Vector3<f64>], triangles: &[[usize; 3]]) -> Result<
         if !owners.contains_key(&(to, from)) {
             let edge = written((to, from));
             return Err(refused(format!(
-                "{edge} is missing beside triangle {triangle}, which has its opposite"
+                "{edge} belongs to no triangle, but triangle {triangle} has the opposite edge"
             )));
         }
     }
@@ -143,11 +146,11 @@ fn expect_closed(vertices: &[Vector3<f64>], triangles: &[[usize; 3]]) -> Result<
 }
 
 fn solid(vertices: &[Vector3<f64>], triangles: &[[usize; 3]]) -> Result<MassProperties, Error> {
-    // relative to the mean of the vertices, so that a mesh far from the origin loses no digits
+    // relative to the mean of the vertices, to avoid cancellation for a mesh far from the origin
     let count = vertices.len().max(1) as f64;
     let middle = vertices.iter().fold(Vector3::zeros(), |sum, v| sum + v / count);
     let (mut volume, mut first, mut second) = (0.0, Vector3::zeros(), Matrix3::zeros());
-    // sums of moduli, as a bound of rounding
+    // sums of magnitudes, which bound the rounding errors
     let (mut size, mut size_of_second) = (0.0, 0.0);
     for triangle in triangles {
         let [a, b, c] = triangle.map(|at| vertices[at] - middle);

@@ -6,12 +6,13 @@ use crate::mechanics::invalid_inertia;
 use nalgebra::{Matrix3, Vector3};
 use std::f64::consts::PI;
 
-/// Shapes are centred at the origin, with axes along those of the coordinates.
+/// Shapes are centred at the origin, with axes along the coordinate axes.
 impl MassProperties {
-    /// Masses at points.
+    /// Point masses.
     ///
     /// # Errors
-    /// [`Error::Invalid`] for a mass that is not positive, and without masses; [`Error::Overflow`].
+    /// [`Error::Invalid`] for a mass that is not positive, or if there are no masses;
+    /// [`Error::Overflow`].
     pub fn points(masses: &[(f64, Vector3<f64>)]) -> Result<Self, Error> {
         let point = |(mass, place): &(f64, Vector3<f64>)| {
             Self::of_moments(positive("a mass", *mass)?, *place, Matrix3::zeros())
@@ -25,7 +26,7 @@ impl MassProperties {
         Self::of_moments(body.mass, body.centre, body.second)
     }
 
-    /// A box of three edges: `S = m diag(a^2, b^2, c^2)/12`.
+    /// A box with three edge lengths: `S = m diag(a^2, b^2, c^2)/12`.
     ///
     /// # Errors
     /// [`Error::Invalid`] for a length that is not positive; [`Error::Overflow`].
@@ -33,10 +34,10 @@ impl MassProperties {
         Self::shape(edges, 1.0, &(edges.component_mul(edges) / 12.0))
     }
 
-    /// An ellipsoid of three half axes: `S = m diag(a^2, b^2, c^2)/5`.
+    /// An ellipsoid with three half axes: `S = m diag(a^2, b^2, c^2)/5`.
     ///
     /// # Errors
-    /// As [`cuboid`](Self::cuboid).
+    /// Those of [`cuboid`](Self::cuboid).
     pub fn ellipsoid(half_axes: &Vector3<f64>) -> Result<Self, Error> {
         Self::shape(half_axes, 4.0 / 3.0 * PI, &(half_axes.component_mul(half_axes) / 5.0))
     }
@@ -44,7 +45,7 @@ impl MassProperties {
     /// A ball of unit density, centred at the origin.
     ///
     /// # Errors
-    /// As [`cuboid`](Self::cuboid).
+    /// Those of [`cuboid`](Self::cuboid).
     pub fn ball(radius: f64) -> Result<Self, Error> {
         Self::ellipsoid(&Vector3::repeat(radius))
     }
@@ -52,23 +53,24 @@ impl MassProperties {
     /// A cylinder about the third axis: `S = m diag(r^2/4, r^2/4, h^2/12)`.
     ///
     /// # Errors
-    /// As [`cuboid`](Self::cuboid).
+    /// Those of [`cuboid`](Self::cuboid).
     pub fn cylinder(radius: f64, height: f64) -> Result<Self, Error> {
         let across = radius * radius / 4.0;
         let squares = Vector3::new(across, across, height * height / 12.0);
         Self::shape(&Vector3::new(radius, radius, height), PI, &squares)
     }
 
-    /// A thin rod along the third axis, of density 1 by length: `S = m diag(0, 0, l^2/12)`.
+    /// A thin rod along the third axis, of linear density 1: `S = m diag(0, 0, l^2/12)`.
     ///
     /// # Errors
-    /// As [`cuboid`](Self::cuboid).
+    /// Those of [`cuboid`](Self::cuboid).
     pub fn rod(length: f64) -> Result<Self, Error> {
         let squares = Vector3::new(0.0, 0.0, length * length / 12.0);
         Self::shape(&Vector3::new(1.0, 1.0, length), 1.0, &squares)
     }
 
-    /// The shape with the volume `factor` times the product of the lengths, and the mean squares of its coordinates.
+    /// A shape whose volume is `factor` times the product of the lengths, with the mean squares of
+    /// its coordinates.
     fn shape(lengths: &Vector3<f64>, factor: f64, squares: &Vector3<f64>) -> Result<Self, Error> {
         for length in lengths.iter() {
             positive("a length", *length)?;

@@ -19,7 +19,7 @@ use std::ops::Range;
 #[derive(Clone, Debug, Default)]
 pub struct Constraints {
     scope: FormulaScope,
-    /// Each formula, and the same with its derivatives.
+    /// The formula of each constraint, and the formula with its derivatives.
     formulas: Vec<(Formula, Gradient)>,
 }
 
@@ -27,7 +27,8 @@ impl Constraints {
     /// Adds a constraint: a formula that must vanish.
     ///
     /// # Errors
-    /// As [`Formula::parse`]; also for quantities other than entries of the element and parameters.
+    /// Those of [`Formula::parse`]; also for quantities other than entries of the element and
+    /// parameters.
     pub fn add(&mut self, text: &str, names: &SymbolTable) -> Result<(), ExpressionError> {
         let allowed =
             |quantity| matches!(quantity, MotionQuantity::Parameter(_) | MotionQuantity::Entry(..));
@@ -37,14 +38,14 @@ impl Constraints {
     }
 }
 
-/// [`Constraints`] on a group.
+/// [`Constraints`] bound to a group.
 #[derive(Debug)]
 struct ConstraintsOn<G> {
     group: G,
     constraints: Constraints,
     rows: usize,
     generators: Vec<Generator>,
-    /// Also derivatives of a formula by the entries.
+    /// Buffers, also for derivatives of a formula with respect to the entries.
     buffers: RefCell<(Buffers, Vec<Partial>)>,
 }
 
@@ -92,9 +93,9 @@ impl<G: SimulationGroup> Constraint<G> for ConstraintsOn<G> {
     }
 }
 
-/// The data of a motion with constraints, beside the group.
+/// The specification of a motion with constraints; the group is given separately.
 pub struct ConstrainedSpec<'s> {
-    /// The connection `Lambda` of `DH/Dt = M`.
+    /// The connection `Lambda` in `DH/Dt = M`.
     pub connection: &'s Connection<f64>,
     /// The metric `J`.
     pub metric: &'s Metric<f64>,
@@ -112,8 +113,8 @@ pub struct ConstrainedSpec<'s> {
     pub method: Method,
     /// The largest step.
     pub step: f64,
-    /// A row has the first `visible` of the formulas, the Lagrange multipliers, the largest violation of a constraint, and the
-    /// other formulas.
+    /// The formulas of the columns. A row has the first `visible` formulas, the Lagrange
+    /// multipliers, the largest violation of a constraint, and the other formulas.
     pub columns: ColumnFormulas,
     /// The number of formulas before the multipliers.
     pub visible: usize,
@@ -123,7 +124,8 @@ impl ConstrainedSpec<'_> {
     /// The motion on a group.
     ///
     /// # Errors
-    /// As [`Constrained::new`] and [`Constrained::state`]; [`Error::Unsupported`] for a method of another class.
+    /// Those of [`Constrained::new`] and [`Constrained::state`]; [`Error::Unsupported`] for a
+    /// method of another class.
     pub fn start(self, group: &AnyGroup) -> Result<Box<dyn Motion>, Error> {
         visit(group, self)
     }
@@ -155,12 +157,12 @@ impl GroupVisitor for ConstrainedSpec<'_> {
     }
 }
 
-/// The motion with its columns.
+/// The motion with the values of its columns.
 struct Moving<G: SimulationGroup> {
     system: Constrained<G, ConstraintsOn<G>, ForcesOn<G>>,
     columns: ColumnFormulas,
     visible: usize,
-    /// The number of multipliers and of the violation.
+    /// The number of columns for the multipliers and the violation.
     count: usize,
     buffers: RefCell<Buffers>,
 }
@@ -189,7 +191,7 @@ impl<G: SimulationGroup> ObservedMotion for Moving<G> {
         };
         let (visible, behind) = (self.visible, self.visible + self.count);
         let buffers = &mut *self.buffers.borrow_mut();
-        // the columns of formulas on one side, by their numbers among the formulas
+        // appends the columns of formulas whose numbers are in a range
         let mut formulas = |range: Range<usize>, list: &mut Vec<f64>| {
             let observables = forces.forces.observables();
             self.columns.values(range, group, observables, &point, &load, buffers, list);

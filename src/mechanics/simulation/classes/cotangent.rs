@@ -1,4 +1,5 @@
-//! Motions of systems of an element and a momentum: what free, forced and Lie-Poisson systems have in common.
+//! Motions of systems of an element and a momentum: the common code of free, forced and Lie-Poisson
+//! systems.
 
 use crate::Error;
 use crate::group::{Coordinates, Embedded as _, LieGroup as _};
@@ -24,12 +25,12 @@ pub(super) trait ObservedSystem:
     /// The observables.
     fn observables(&self) -> &Observables;
 
-    /// The forces, if it may have some.
+    /// The forces, if the system can have forces.
     fn forces(&self) -> Option<&ForcesOn<Self::Group>> {
         None
     }
 
-    /// Calls a function with the point of a state.
+    /// Calls a function with the observation point of a state.
     fn at<R>(
         &self,
         state: &State<Self::Group>,
@@ -42,7 +43,7 @@ pub(super) struct CotangentMotion<S> {
     system: S,
     columns: ColumnFormulas,
     buffers: RefCell<Buffers>,
-    /// For the spectral radius of `ad_Omega`.
+    /// Buffers for the spectral radius of `ad_Omega`.
     matrices: RefCell<[DMatrix<f64>; 2]>,
 }
 
@@ -107,7 +108,7 @@ impl<S: ObservedSystem> ObservedMotion for CotangentMotion<S> {
 const NO_PROJECTION: &str =
     "it is for so(2), so(3), se(2), se(3), sl(2) and other groups in closed form, left-invariant";
 
-/// The steps of a method for all groups and forces; `None` for methods of other classes.
+/// The stepper of a method for all groups and forces; `None` for methods of other classes.
 ///
 /// # Errors
 /// [`Error::Unsupported`] for a projection method on a group without a projection.
@@ -124,8 +125,8 @@ pub(super) fn any_system<S: CotangentSystem<Group: SimulationGroup> + 'static>(
     Ok(method.any_system(step, control))
 }
 
-/// The largest `|lambda|` of an eigenvalue, by Gelfand's `|A^k|^(1/k)`: not much above, and 0 for a nilpotent matrix. Both
-/// matrices are overwritten.
+/// The spectral radius, by Gelfand's formula `|A^k|^(1/k)`: an upper bound that is nearly sharp,
+/// and 0 for a nilpotent matrix. Both matrices are overwritten.
 fn spectral_radius(matrix: &mut DMatrix<f64>, power: &mut DMatrix<f64>) -> f64 {
     let size = matrix.norm();
     if size == 0.0 || !size.is_finite() {

@@ -15,9 +15,9 @@ use crate::{Connection, Error, Metric};
 use nalgebra::DVector;
 use std::any::Any;
 
-/// The data of a motion of Euler-Poincare equations, beside the group.
+/// The specification of a motion of Euler-Poincare equations; the group is given separately.
 pub struct EulerPoincareSpec<'s> {
-    /// The connection `Lambda` of `DH/Dt = M`.
+    /// The connection `Lambda` in `DH/Dt = M`.
     pub connection: &'s Connection<f64>,
     /// The metric `J`.
     pub metric: &'s Metric<f64>,
@@ -29,7 +29,7 @@ pub struct EulerPoincareSpec<'s> {
     pub element: DVector<f64>,
     /// The initial momentum, in the frame of the equations.
     pub momentum: DVector<f64>,
-    /// The method; by default the one of this class of problems.
+    /// The method and its settings; without a method, the default of this class of problems.
     pub integration: Integration,
     /// The columns.
     pub columns: ColumnFormulas,
@@ -39,12 +39,13 @@ impl EulerPoincareSpec<'_> {
     /// The motion on a group.
     ///
     /// # Errors
-    /// As [`EulerPoincare::new`]; [`Error::Unsupported`] with the reason for a method that does not solve this problem.
+    /// Those of [`EulerPoincare::new`]; [`Error::Unsupported`] with the reason for a method that
+    /// does not apply to this problem.
     pub fn start(self, group: &AnyGroup) -> Result<Started, Error> {
         visit(group, self)
     }
 
-    /// The method of this class of problems: exact for a free body, and else by the forces and the step.
+    /// The default method: exact for a free body, otherwise chosen by the forces and the step.
     fn default_method(&self, is_body: bool) -> Method {
         let free = self.forces.is_empty();
         match (is_body, self.integration.step) {
@@ -63,7 +64,8 @@ impl GroupVisitor for EulerPoincareSpec<'_> {
     fn visit<G: SimulationGroup>(self, group: &G) -> Result<Started, Error> {
         let inertia = self.metric.components().to_dmatrix()?;
         let body = group.body(&inertia).filter(|_| is_plus(self.connection));
-        // only a definite metric is the inertia of a body; others take the methods of all groups
+        // only a definite metric is the inertia of a body; for others the methods for all groups
+        // are used
         let is_body = matches!(body, Some(Ok(_)));
         let method = self.integration.method.unwrap_or_else(|| self.default_method(is_body));
         let free = self.forces.is_empty();
@@ -97,7 +99,8 @@ impl GroupVisitor for EulerPoincareSpec<'_> {
     }
 }
 
-/// The steps of a method for bodies; `None` on groups other than SO(3), and for methods of other classes.
+/// The stepper of a method for bodies; `None` on groups other than SO(3), and for methods of other
+/// classes.
 fn body_stepper<G: SimulationGroup>(
     method: Method,
     inertia: Inertia,
@@ -109,13 +112,13 @@ fn body_stepper<G: SimulationGroup>(
     let state: &State<So3> = (start as &dyn Any).downcast_ref()?;
     let momentum = body.momentum(state);
     let stepper = method.body(&FreeStart { inertia, state: state.clone(), momentum }, step)?;
-    // `G` is SO(3) here
+    // `G` is SO(3) here, so the cast to its own type succeeds
     let own_type = |stepper| (Box::new(stepper) as Box<dyn Any>).downcast().ok();
     stepper.map(own_type).transpose().map(|stepper| stepper.map(|stepper| *stepper))
 }
 
-/// The factor `s` of a connection `Lambda = s c`, if it is of this family: its equations have `s` times the rate of change of
-/// `H` that those of Euler and Poincare have without forces.
+/// The factor `s` if the connection is `Lambda = s c`. Without forces, its equations have `s` times
+/// the time derivative of `H` of the Euler-Poincare equations.
 pub fn cartan_schouten_factor(connection: &Connection<f64>) -> Option<f64> {
     let (gamma, structure) = (connection.affinities(), connection.frame().structure_functions());
     let (indices, value) = structure.components().next()?;
@@ -123,7 +126,7 @@ pub fn cartan_schouten_factor(connection: &Connection<f64>) -> Option<f64> {
     (*gamma == structure.scale(&share)).then_some(share)
 }
 
-/// Whether the connection is `plus`, that of the Euler-Poincare equations.
+/// Whether the connection is `plus`, the connection of the Euler-Poincare equations.
 pub fn is_plus(connection: &Connection<f64>) -> bool {
     connection.affinities() == connection.frame().structure_functions()
 }

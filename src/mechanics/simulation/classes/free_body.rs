@@ -35,10 +35,11 @@ pub(in crate::mechanics::simulation) fn exact(
     Ok(Stepper::exact(at, rate))
 }
 
-/// The largest rotation, in radians, by the rounding of a time.
+/// The largest rotation, in radians, that the rounding of a time may cause.
 const PHASE: f64 = 1e-3;
 
-/// Checks that the rounding of a time leaves the attitude of a body determined, at a bound of its angular velocity.
+/// Checks that the rounding of a time determines the attitude of a body, whose angular velocity has
+/// the bound `rate`.
 fn expect_phase(rate: f64, t: f64, elapsed: f64) -> Result<(), Error> {
     let turn = f64::EPSILON * rate * t.abs().max(elapsed.abs());
     if turn <= PHASE {
@@ -46,6 +47,8 @@ fn expect_phase(rate: f64, t: f64, elapsed: f64) -> Result<(), Error> {
     }
     Err(stopped(
         t,
-        format!("the time is too long: its rounding alone turns the body by {turn:.1e} radians"),
+        format!(
+            "the time is too long: its rounding error alone rotates the body by {turn:.1e} radians"
+        ),
     ))
 }

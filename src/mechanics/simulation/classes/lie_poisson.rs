@@ -15,21 +15,23 @@ use affinor_tensors::expression::ExpressionError;
 use nalgebra::DVector;
 use std::cell::RefCell;
 
-/// `E(H)` as a formula of the components of the momentum and the parameters.
+/// The Hamiltonian `E(H)` as a formula of the components of the momentum and the parameters.
 #[derive(Clone, Debug)]
 pub struct Hamiltonian {
     scope: FormulaScope,
     gradient: Gradient,
     text: String,
-    /// Values of the quantities, and derivatives by the components of the momentum.
+    /// Buffers for values of the quantities, and derivatives with respect to the components of the
+    /// momentum.
     buffers: RefCell<(Vec<f64>, Vec<f64>, Workspace)>,
 }
 
 impl Hamiltonian {
-    /// Reads the formula.
+    /// Parses the formula.
     ///
     /// # Errors
-    /// As [`Formula::parse`](crate::mechanics::formula::Formula::parse); also for quantities other than components of the momentum and parameters.
+    /// Those of [`Formula::parse`](crate::mechanics::formula::Formula::parse); also for quantities
+    /// other than components of the momentum and parameters.
     pub fn read(text: &str, observables: &Observables) -> Result<Self, ExpressionError> {
         let mut scope = FormulaScope::default();
         let allowed = |quantity| {
@@ -39,7 +41,7 @@ impl Hamiltonian {
         Ok(Hamiltonian { scope, gradient, text: text.trim().into(), buffers: RefCell::default() })
     }
 
-    /// The value, and its derivatives by the components of the momentum.
+    /// The value, and its derivatives with respect to the components of the momentum.
     fn evaluate<V: Coordinates>(&self, momentum: &V) -> (f64, V) {
         let (values, slopes, workspace) = &mut *self.buffers.borrow_mut();
         let h = momentum.components();
@@ -63,7 +65,7 @@ impl Hamiltonian {
     }
 }
 
-/// The data of a motion of Lie-Poisson equations, beside the group.
+/// The specification of a motion of Lie-Poisson equations; the group is given separately.
 pub struct LiePoissonSpec {
     /// The names of quantities.
     pub observables: Observables,
@@ -75,7 +77,8 @@ pub struct LiePoissonSpec {
     pub element: DVector<f64>,
     /// The initial momentum, in the frame of the equations.
     pub momentum: DVector<f64>,
-    /// The method; by default `rkmk4` with a step, and else a controlled one.
+    /// The method and its settings; by default `rkmk4` if there is a step, otherwise a method with
+    /// step-size control.
     pub integration: Integration,
     /// The columns.
     pub columns: ColumnFormulas,
@@ -85,7 +88,7 @@ impl LiePoissonSpec {
     /// The motion on a group.
     ///
     /// # Errors
-    /// [`Error::Unsupported`] for a method that is for bodies.
+    /// [`Error::Unsupported`] for a method that applies to bodies only.
     pub fn start(self, group: &AnyGroup) -> Result<Started, Error> {
         visit(group, self)
     }
@@ -116,7 +119,7 @@ impl GroupVisitor for LiePoissonSpec {
     }
 }
 
-/// The Lie-Poisson equations of a Hamiltonian that is a formula.
+/// The Lie-Poisson equations of a Hamiltonian given by a formula.
 struct HamiltonianSystem<G> {
     group: G,
     hamiltonian: Hamiltonian,

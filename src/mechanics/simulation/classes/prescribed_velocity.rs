@@ -1,4 +1,4 @@
-//! Kinematics: a velocity that is a given function of time, `g' = g Omega(t)`.
+//! Kinematics: a prescribed velocity, `g' = g Omega(t)`.
 
 use crate::Error;
 use crate::group::{AnyGroup, Coordinates, LieGroup};
@@ -17,7 +17,7 @@ use nalgebra::DVector;
 use std::cell::RefCell;
 use std::ops::Range;
 
-/// A velocity over time: formulas of `t` and the parameters for its components.
+/// A prescribed velocity: formulas of `t` and the parameters for its components.
 #[derive(Clone, Debug, Default)]
 pub struct VelocityFormulas {
     scope: FormulaScope,
@@ -26,10 +26,10 @@ pub struct VelocityFormulas {
 }
 
 impl VelocityFormulas {
-    /// Adds the next component.
+    /// Adds the formula of the next component.
     ///
     /// # Errors
-    /// As [`Formula::parse`], and if the formula uses other names than `t` and parameters.
+    /// Those of [`Formula::parse`]; also for names other than `t` and parameters.
     pub fn add(&mut self, text: &str, names: &SymbolTable) -> Result<(), ExpressionError> {
         let allowed =
             |quantity| matches!(quantity, MotionQuantity::Time | MotionQuantity::Parameter(_));
@@ -44,7 +44,7 @@ impl VelocityFormulas {
     }
 }
 
-/// The data of a motion with a prescribed velocity, beside the group.
+/// The specification of a motion with a prescribed velocity; the group is given separately.
 pub struct PrescribedVelocitySpec {
     /// The velocity, in the frame of the equations.
     pub velocity: VelocityFormulas,
@@ -94,7 +94,7 @@ impl GroupVisitor for PrescribedVelocitySpec {
 
 type Rate<G> = Box<dyn Fn(f64) -> <G as LieGroup>::Vector + Send>;
 
-/// The motion with its columns.
+/// The motion with the values of its columns.
 struct Moving<G: LieGroup> {
     system: PrescribedVelocity<G, Rate<G>>,
     velocity: VelocityFormulas,

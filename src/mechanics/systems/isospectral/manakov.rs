@@ -5,12 +5,13 @@ use crate::Error;
 use crate::mechanics::invalid_inertia;
 use nalgebra::{Complex, DMatrix};
 
-/// The free rigid body in n dimensions, on so(n): `M' = [M, Omega]`, `M = A Omega + Omega A`, with the mass tensor
-/// `A = diag(a_1, .., a_n)`, so that `Omega_ij = M_ij/(a_i + a_j)`.
+/// The free rigid body in n dimensions, on so(n): `M' = [M, Omega]`, `M = A Omega + Omega A`, with
+/// the mass tensor `A = diag(a_1, ..., a_n)`, so that `Omega_ij = M_ij/(a_i + a_j)`.
 ///
-/// `M` is the momentum in body components; with `B = -Omega` the flow is isospectral. As `[M, A] = [Omega,
-/// A^2]` it is that of `M + z A^2` for any number `z`, whose powers give all [`Manakov::integral`]s. S. V.
-/// Manakov, *Funct. Anal. Appl.* 10 (1976) 328-329. Methods panic for matrices of another size than `A`, as nalgebra does.
+/// `M` is the momentum in body components; with `B = -Omega` the flow is isospectral. Because `[M,
+/// A] = [Omega, A^2]`, it is also the flow of `M + z A^2` for any number `z`. The traces of powers
+/// of this matrix give all [`Manakov::integral`]s. S. V. Manakov, *Funct. Anal. Appl.* 10 (1976)
+/// 328-329. Methods panic for matrices of a size other than that of `A`, as nalgebra does.
 ///
 /// ```
 /// use affinor::mechanics::systems::isospectral::Manakov;
@@ -50,7 +51,7 @@ impl Manakov {
         &self.masses
     }
 
-    /// A state of momentum `M`.
+    /// The state with the momentum `M`.
     ///
     /// # Errors
     /// [`Error::Shape`] unless `M` has a row and a column for each mass; [`Error::Invalid`] unless it is finite and
@@ -59,31 +60,32 @@ impl Manakov {
         checked(time, momentum, Some(self.masses.len()), self.symmetry())
     }
 
-    /// `Omega`, in body components.
+    /// The angular velocity `Omega` in body components.
     pub fn velocity(&self, momentum: &DMatrix<f64>) -> DMatrix<f64> {
         let a = &self.masses;
         momentum.map_with_location(|i, j, m| if i == j { 0.0 } else { m / (a[i] + a[j]) })
     }
 
-    /// `T = sum_(i<j) M_ij Omega_ij/2`.
+    /// The kinetic energy `T = sum_(i<j) M_ij Omega_ij/2`.
     pub fn energy(&self, momentum: &DMatrix<f64>) -> f64 {
         let velocity = self.velocity(momentum);
         pairs(self.masses.len()).map(|at| 0.5 * momentum[at] * velocity[at]).sum()
     }
 
-    /// `sum_(i<j) M_ij^2`, a Casimir.
+    /// The squared norm `sum_(i<j) M_ij^2`, a Casimir function.
     pub fn norm_squared(&self, momentum: &DMatrix<f64>) -> f64 {
         pairs(self.masses.len()).map(|at| momentum[at] * momentum[at]).sum()
     }
 
-    /// `Pf M`, a Casimir, with `Pf^2 = det M`: `M_12 M_34 - M_13 M_24 + M_14 M_23` for so(4), and 0 for odd n.
+    /// The Pfaffian `Pf M`, a Casimir function with `Pf^2 = det M`: `M_12 M_34 - M_13 M_24 + M_14
+    /// M_23` for so(4), and 0 for odd n.
     pub fn pfaffian(&self, momentum: &DMatrix<f64>) -> f64 {
         let (mut m, n) = (momentum.clone(), self.masses.len());
         if n % 2 == 1 {
             return 0.0;
         }
         let mut product = 1.0;
-        // elimination of two rows and columns at a time, with pivoting
+        // eliminates two rows and columns at a time, with pivoting
         for k in (0..n).step_by(2) {
             let size = |j: &usize| m[(k, *j)].abs();
             let pivot = (k + 1..n).max_by(|i, j| size(i).total_cmp(&size(j))).unwrap_or(k + 1);
@@ -105,15 +107,15 @@ impl Manakov {
         product
     }
 
-    /// The coefficient of `z^degree` in `tr (M + z A^2)^power`: an integral. `(2, 0)` is `-2` times the squared
-    /// norm, `(3, 1)` is `3 tr M^2 A^2`, and `(4, 2)` is `4 tr M^2 A^4 + 2 tr M A^2 M A^2`; 0 where the rest of
-    /// the degree is odd.
+    /// The coefficient of `z^degree` in `tr (M + z A^2)^power`, which is a conserved quantity. `(2,
+    /// 0)` is `-2` times the squared norm, `(3, 1)` is `3 tr M^2 A^2`, and `(4, 2)` is `4 tr M^2
+    /// A^4 + 2 tr M A^2 M A^2`. It is 0 if `power - degree` is odd.
     pub fn integral(&self, momentum: &DMatrix<f64>, power: usize, degree: usize) -> f64 {
         let n = self.masses.len();
         if degree > power {
             return 0.0;
         }
-        // the coefficients of a power up to the degree
+        // the coefficients of a power of M + z A^2, up to the degree
         let mut coefficients = vec![DMatrix::zeros(n, n); degree + 1];
         coefficients[0] = DMatrix::identity(n, n);
         for _ in 0..power {
@@ -135,7 +137,7 @@ impl Manakov {
     }
 }
 
-/// `i < j`.
+/// The pairs `i < j` below `n`.
 fn pairs(n: usize) -> impl Iterator<Item = (usize, usize)> {
     (0..n).flat_map(move |i| (i + 1..n).map(move |j| (i, j)))
 }

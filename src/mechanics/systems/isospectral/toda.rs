@@ -6,12 +6,13 @@ use crate::mechanics::stopped;
 use crate::numerics::exponential::exp;
 use nalgebra::DMatrix;
 
-/// The Toda lattice `q_k'' = exp(q_(k-1) - q_k) - exp(q_k - q_(k+1))` with free ends, as the flow of a real symmetric
-/// matrix: `L' = [B(L), L]`, `B` the upper less the lower triangle of `L`.
+/// The Toda lattice `q_k'' = exp(q_(k-1) - q_k) - exp(q_k - q_(k+1))` with free ends, as the flow
+/// of a real symmetric matrix: `L' = [B(L), L]`, where `B` is the upper minus the lower triangle of
+/// `L`.
 ///
-/// [`Toda::lattice`] is tridiagonal. Any symmetric `L` is allowed (the full lattice), as the errors of steps are not
-/// tridiagonal. H. Flaschka, *Phys. Rev. B* 9 (1974) 1924-1925; the solution by `QR` is
-/// that of W. W. Symes, *Physica D* 4 (1982) 275-280.
+/// [`Toda::lattice`] is tridiagonal. Any symmetric `L` is allowed (the full lattice), because the
+/// errors of steps are not tridiagonal. H. Flaschka, *Phys. Rev. B* 9 (1974) 1924-1925; the
+/// solution by `QR` follows W. W. Symes, *Physica D* 4 (1982) 275-280.
 ///
 /// ```
 /// use affinor::mechanics::systems::isospectral::Toda;
@@ -24,14 +25,15 @@ use nalgebra::DMatrix;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Toda;
 
-/// The most `QR` decompositions for one state.
+/// The largest number of `QR` decompositions for one state.
 const PIECES: f64 = 1e5;
 
 impl Toda {
-    /// Flaschka's matrix of positions `q` and momenta `p`: `L_kk = -p_k/2`, `L_(k,k+1) = exp((q_k - q_(k+1))/2)/2`.
+    /// Flaschka's matrix for positions `q` and momenta `p`: `L_kk = -p_k/2`, `L_(k,k+1) =
+    /// exp((q_k - q_(k+1))/2)/2`.
     ///
     /// # Errors
-    /// [`Error::Shape`] unless there are as many momenta as positions, and one at least.
+    /// [`Error::Shape`] unless there are as many momenta as positions, and at least one.
     pub fn lattice(positions: &[f64], momenta: &[f64]) -> Result<DMatrix<f64>, Error> {
         let n = positions.len();
         if momenta.len() != n || n == 0 {
@@ -45,7 +47,7 @@ impl Toda {
         }))
     }
 
-    /// A state.
+    /// The state with the matrix `L`.
     ///
     /// # Errors
     /// [`Error::Shape`] unless `L` is square; [`Error::Invalid`] unless it is finite and symmetric.
@@ -53,7 +55,7 @@ impl Toda {
         checked(time, matrix, None, self.symmetry())
     }
 
-    /// `H = sum p_k^2/2 + sum exp(q_k - q_(k+1)) = 2 tr L^2`.
+    /// The energy `H = sum p_k^2/2 + sum exp(q_k - q_(k+1)) = 2 tr L^2`.
     pub fn energy(&self, matrix: &DMatrix<f64>) -> f64 {
         2.0 * matrix.dot(&matrix.transpose())
     }
@@ -63,8 +65,9 @@ impl Toda {
         spectrum(matrix)
     }
 
-    /// The exact state at a time: `L(t) = Q^T L Q` with `exp((t - t_0) L) = Q R`, the diagonal of `R` positive. Long times are
-    /// divided into intervals with exponentials of moderate size; their number is `|t - t_0|` times the largest column sum of `|L|`.
+    /// The exact state at a time: `L(t) = Q^T L Q` with `exp((t - t_0) L) = Q R` and a positive
+    /// diagonal of `R`. Long times are divided into intervals with exponentials of moderate size.
+    /// The number of intervals is `|t - t_0|` times the largest column sum of `|L|`.
     ///
     /// # Errors
     /// [`Error::Shape`] unless `L` is square. [`Error::Integration`] for a time that is not finite, and for more than a hundred

@@ -10,17 +10,19 @@ use std::f64::consts::PI;
 
 type Matrix = DMatrix<Complex<f64>>;
 
-/// Zeitlin's model on su(N) of Euler's equations on the unit sphere: `W' = [P, W]/hbar`, `Delta P = W`, with
-/// `hbar = 2/sqrt(N^2 - 1)` and the Laplacian of Hoppe and Yau, `Delta = -sum_a ad(S_a)^2`.
+/// Zeitlin's model on su(N) of Euler's equations on the unit sphere: `W' = [P, W]/hbar`, `Delta P =
+/// W`, with `hbar = 2/sqrt(N^2 - 1)` and the Laplacian of Hoppe and Yau, `Delta = -sum_a
+/// ad(S_a)^2`.
 ///
 /// The vorticity `w` is represented by the antihermitian `W = i sqrt(N/4pi) sum w_lm Y_lm`, where `Y_lm`, `l < N`, is
 /// the matrix of the real spherical harmonic ([`Zeitlin::harmonic`]). The bracket `{f, g}` becomes `[F, G]/(i hbar)`, and the
 /// velocity is `u = x cross grad psi`, `Delta psi = w`. Energy, enstrophy and angular momentum are integrals over the sphere of the
 /// field with these coefficients. The flow conserves all `tr W^k`, the energy and the angular momentum.
 ///
-/// `Delta` is a tridiagonal matrix on each diagonal of `P`, so it is inverted in `O(N^2)`; a rate of change takes two products
-/// of matrices. V. Zeitlin, *Phys. Rev. Lett.* 93 (2004) 264501; J. Hoppe and S.-T. Yau,
-/// *Commun. Math. Phys.* 195 (1998) 67-77; K. Modin and M. Viviani, *J. Fluid Mech.* 884 (2020) A22.
+/// `Delta` is a tridiagonal matrix on each diagonal of `P`, so it is inverted in `O(N^2)`. A time
+/// derivative takes two matrix products. V. Zeitlin, *Phys. Rev. Lett.* 93 (2004) 264501; J. Hoppe
+/// and S.-T. Yau, *Commun. Math. Phys.* 195 (1998) 67-77; K. Modin and M. Viviani, *J. Fluid Mech.*
+/// 884 (2020) A22.
 ///
 /// ```
 /// use affinor::mechanics::{Integrator, IsospectralMidpoint, Zeitlin};
@@ -61,21 +63,21 @@ impl Zeitlin {
         Ok(Zeitlin { laplacian: Laplacian::new(size), hbar })
     }
 
-    /// `N`.
+    /// The size `N` of the matrices.
     pub fn size(&self) -> usize {
         self.laplacian.size()
     }
 
-    /// `hbar = 2/sqrt(N^2 - 1)`.
+    /// The constant `hbar = 2/sqrt(N^2 - 1)`.
     pub fn hbar(&self) -> f64 {
         self.hbar
     }
 
-    /// A state of a vorticity matrix, in su(N).
+    /// The state with a vorticity matrix, in su(N).
     ///
     /// # Errors
-    /// [`Error::Shape`] unless it has `N` rows and columns; [`Error::Invalid`] unless it is finite,
-    /// antihermitian and without a trace.
+    /// [`Error::Shape`] unless the matrix has `N` rows and columns; [`Error::Invalid`] unless it is
+    /// finite, antihermitian and trace-free.
     pub fn state(&self, time: f64, vorticity: Matrix) -> Result<MatrixState<Complex<f64>>, Error> {
         let state = checked(time, vorticity, Some(self.size()), self.symmetry())?;
         let trace = state.matrix.trace().im;
@@ -88,20 +90,22 @@ impl Zeitlin {
         Ok(state)
     }
 
-    /// `P`, antihermitian and without a trace, with `Delta P = W`: only `W_ij` with `i <= j` is read, and its
-    /// trace is left out.
+    /// The matrix `P` of the stream function, antihermitian and trace-free, with `Delta P = W`.
+    /// Only `W_ij` with `i <= j` is read, and its trace is ignored.
     pub fn stream(&self, vorticity: &Matrix) -> Matrix {
         self.laplacian.solve(vorticity)
     }
 
-    /// `Delta P = -sum_a [S_a, [S_a, P]]`, the inverse of [`Zeitlin::stream`]; `-l(l+1)` on harmonics.
+    /// The Laplacian `Delta P = -sum_a [S_a, [S_a, P]]`, the inverse of [`Zeitlin::stream`];
+    /// `-l(l+1)` on harmonics.
     pub fn laplacian(&self, stream: &Matrix) -> Matrix {
         self.laplacian.apply(stream)
     }
 
-    /// The matrix of the real spherical harmonic `Y_lm`, `|m| <= l < N`: Hermitian, of Frobenius norm 1. Those
-    /// of degree 1 are along `y`, `z`, `x` for `m = -1, 0, 1`; in all, without the sign of Condon and Shortley,
-    /// `cos(m phi)` or, for `m < 0`, `sin(|m| phi)` has a positive factor near the north pole.
+    /// The matrix of the real spherical harmonic `Y_lm`, `|m| <= l < N`: Hermitian, of Frobenius
+    /// norm 1. The harmonics of degree 1 are along `y`, `z`, `x` for `m = -1, 0, 1`. Without the
+    /// Condon-Shortley sign, the factor of `cos(m phi)` or, for `m < 0`, of `sin(|m| phi)` is
+    /// positive near the north pole.
     ///
     /// # Errors
     /// [`Error::Shape`] for `l` or `m` out of range.
@@ -117,7 +121,8 @@ impl Zeitlin {
     /// The vorticity matrix of coefficients `(l, m, w_lm)` of real spherical harmonics, `l >= 1`.
     ///
     /// # Errors
-    /// As [`Zeitlin::harmonic`]; [`Error::Shape`] for `l = 0`, as vorticity has no mean.
+    /// Those of [`Zeitlin::harmonic`]; [`Error::Shape`] for `l = 0`, because vorticity has zero
+    /// mean.
     pub fn vorticity(&self, coefficients: &[(usize, i64, f64)]) -> Result<Matrix, Error> {
         let mut sum = Matrix::zeros(self.size(), self.size());
         for &(l, m, coefficient) in coefficients {
@@ -133,13 +138,14 @@ impl Zeitlin {
     /// The coefficient `w_lm` of a vorticity.
     ///
     /// # Errors
-    /// As [`Zeitlin::harmonic`].
+    /// Those of [`Zeitlin::harmonic`].
     pub fn coefficient(&self, vorticity: &Matrix, l: usize, m: i64) -> Result<f64, Error> {
         Ok(self.harmonic(l, m)?.dotc(vorticity).im / self.scale())
     }
 
-    /// A random vorticity from a seed: every `w_lm` with `1 <= l <= degree` is `1/l` times a number of `[-1, 1)`. The numbers are
-    /// the upper 53 bits of the generator SplitMix64, in ascending order of `l`, then `m`. The field is the same for every `N`.
+    /// A random vorticity from a seed: every `w_lm` with `1 <= l <= degree` is `1/l` times a number
+    /// in `[-1, 1)`. The numbers are the upper 53 bits of the generator SplitMix64, in ascending
+    /// order of `l`, then `m`. The field is the same for every `N`.
     ///
     /// # Errors
     /// [`Error::Shape`] unless `degree < N`.
@@ -164,7 +170,7 @@ impl Zeitlin {
         self.integral(vorticity, vorticity)
     }
 
-    /// `int w x` over the sphere, for the three coordinates `x`.
+    /// The angular momentum `int w x` over the sphere, for the three coordinates `x`.
     pub fn angular_momentum(&self, vorticity: &Matrix) -> [f64; 3] {
         // x is sqrt(4pi/3) times a harmonic
         let scale = (4.0 * PI / 3.0).sqrt() / self.scale();
@@ -176,12 +182,12 @@ impl Zeitlin {
         spectrum(&vorticity.map(|w| Complex::new(w.im, -w.re)))
     }
 
-    /// `sqrt(N/4pi)`, the norm of the matrix of a field of norm 1.
+    /// The factor `sqrt(N/4pi)`, the norm of the matrix of a field of norm 1.
     fn scale(&self) -> f64 {
         (self.size() as f64 / (4.0 * PI)).sqrt()
     }
 
-    /// `int f g` of two fields: `4 pi/N tr F^* G`.
+    /// The integral `int f g` of two fields: `4 pi/N tr F^* G`.
     fn integral(&self, f: &Matrix, g: &Matrix) -> f64 {
         f.dotc(g).re / (self.scale() * self.scale())
     }

@@ -5,11 +5,11 @@ use crate::{Sum, Tolerance};
 use num_traits::Zero;
 
 /// A sum `numerator / denominator + rest`: an unreduced fraction in machine integers, and a
-/// remainder for the terms that do not fit there.
+/// remainder for terms that do not fit the fraction.
 #[derive(Clone, Debug)]
 pub struct RationalSum {
     numerator: i128,
-    /// Positive.
+    /// The denominator, which is positive.
     denominator: i64,
     rest: Rational,
 }
@@ -21,7 +21,7 @@ impl Default for RationalSum {
 }
 
 impl RationalSum {
-    /// Adds `n / d` to the fraction. If the result does not fit, adds nothing and returns `None`.
+    /// Adds `n / d` to the fraction. Returns `None` and adds nothing if the result does not fit.
     #[inline]
     fn add_words(&mut self, n: i128, d: i64) -> Option<()> {
         if self.numerator == 0 {
@@ -39,7 +39,7 @@ impl RationalSum {
         Some(())
     }
 
-    /// Adds `words` to the fraction if they exist and fit, otherwise `value` to the remainder.
+    /// Adds `words` to the fraction if they exist and fit; otherwise adds `value` to the remainder.
     #[inline]
     fn add(&mut self, words: Option<(i128, i64)>, value: impl FnOnce() -> Rational) {
         if words.and_then(|(n, d)| self.add_words(n, d)).is_none() {

@@ -6,7 +6,7 @@ use num_traits::{One, Zero};
 use std::collections::HashMap;
 use std::sync::Arc;
 
-/// The partial derivatives of several values by the input of that name.
+/// The partial derivatives of several values with respect to the input of that name.
 ///
 /// The derivative of a common subexpression is recorded once.
 ///
@@ -30,14 +30,14 @@ pub fn derivatives(values: &[Recorded], name: &str) -> Vec<Recorded> {
     values.iter().map(|value| of_value(value, &of)).collect()
 }
 
-/// The derivative of a value; `of` returns the derivatives of nodes, unless they vanish.
+/// The derivative of a value. `of` returns the derivatives of nodes, unless they vanish.
 fn of_value<'k>(value: &Recorded, of: &dyn Fn(&Arc<Node>) -> Option<&'k Recorded>) -> Recorded {
     let rate = value.node.as_ref().and_then(of);
     rate.map_or_else(Recorded::zero, |rate| rate.clone().scaled(&value.factor))
 }
 
-/// The derivative of a node; `of` returns the derivatives of its arguments, unless they vanish. `solutions` stores the derivatives
-/// of the components of a solution, which are computed together.
+/// The derivative of a node. `of` returns the derivatives of its arguments, unless they vanish.
+/// `solutions` caches the derivatives of the components of a solution, which are computed together.
 fn rate<'k>(
     node: &Arc<Node>,
     name: &str,

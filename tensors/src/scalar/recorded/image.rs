@@ -1,9 +1,10 @@
-//! Values at a fixed point modulo two primes: the certificate by which recorded values differ.
+//! Images: values at a fixed point modulo two primes. They certify that recorded values differ.
 //!
-//! Two rational functions with different images are different. Two different ones of degree `d` share
-//! an image with a probability below `d^2 / 2^122` (R. Zippel, *EUROSAM* 1979, 216-226; J. T. Schwartz,
-//! *J. ACM* 27 (1980) 701-717): the coordinates of the point are hashes of the names. Sines and
-//! cosines are rational functions of `tan(x/2)`, as in [`Symbolic`](crate::Symbolic), of a fixed part of the angle `x`.
+//! Two rational functions with different images are different. Two different rational functions of
+//! degree `d` share an image with a probability below `d^2 / 2^122` (R. Zippel, *EUROSAM* 1979,
+//! 216-226; J. T. Schwartz, *J. ACM* 27 (1980) 701-717), because the coordinates of the point are
+//! hashes of the names. Sines and cosines of `x` are rational functions of the tangent of a fixed
+//! fraction of `x`, similar to `tan(x/2)` in [`Symbolic`](crate::Symbolic).
 
 use super::Function;
 use crate::Rational;
@@ -12,8 +13,8 @@ use num_integer::Integer;
 use num_rational::{BigRational, Ratio};
 use num_traits::ToPrimitive;
 
-/// The parts of an argument whose functions obey the addition theorems: 100 times the least common multiple of the
-/// numbers to 20.
+/// The fraction of arguments in which images of functions are computed, so that the addition
+/// theorems hold: 100 times the least common multiple of the numbers up to 20.
 const PARTS: i64 = 23_279_256_000;
 
 const PRIMES: [u64; 2] = [(1 << 61) - 1, (1 << 62) - 57];
@@ -39,7 +40,7 @@ impl Image {
 
     pub fn mul(self, other: Self) -> Self {
         let product = |at| u128::from(self.0[at]) * u128::from(other.0[at]);
-        // below a prime of 62 bits
+        // both factors are below a prime of 62 bits
         Self::each(|at| (product(at) % u128::from(PRIMES[at])) as u64)
     }
 
@@ -59,7 +60,7 @@ impl Image {
         Some(Self::each(inverse))
     }
 
-    /// The image of the value or of its negative, the same for both.
+    /// A representative of the image and its negative, the same for both.
     pub fn up_to_sign(self) -> Self {
         self.min(self.negated())
     }
@@ -88,12 +89,12 @@ impl Image {
     /// The coordinate of the point that belongs to a function of values with these images.
     pub fn named(function: &str, arguments: &[Image]) -> Self {
         let residues = arguments.iter().flat_map(|own| own.0).flat_map(u64::to_le_bytes);
-        // no name has parentheses
+        // names contain no parentheses, so calls and names have different hashes
         Self::coordinate(function.bytes().chain([b'(']).chain(residues))
     }
 
     fn coordinate(bytes: impl Iterator<Item = u8>) -> Self {
-        // FNV-1a, then the finaliser of SplitMix64
+        // FNV-1a, followed by the finalizer of SplitMix64
         let hash = bytes.fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| {
             (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
         });
@@ -106,8 +107,8 @@ impl Image {
         Self::each(|at| 2 + mixed(at as u64 + 1) % (PRIMES[at] - 4))
     }
 
-    /// The image of the sine, cosine or exponential of a sum of multiples of values, by the addition
-    /// theorems; `None` if a multiple is not one of `1/PARTS`.
+    /// The image of the sine, cosine or exponential of a sum of multiples of values, by the
+    /// addition theorems; `None` if a coefficient is not a multiple of `1/PARTS`.
     pub fn function(function: Function, multiples: &[(Rational, Image)]) -> Option<Self> {
         let parts = Rational::from(PARTS);
         let parts_of = |factor: &Rational| {
@@ -154,7 +155,8 @@ impl Image {
         }
     }
 
-    /// The image with a vanishing residue is no certificate: `None`, unless both vanish.
+    /// The image, unless exactly one residue vanishes: then it proves nothing, and the result is
+    /// `None`.
     pub fn certain(self) -> Option<Self> {
         (self == Self::ZERO || !self.0.contains(&0)).then_some(self)
     }

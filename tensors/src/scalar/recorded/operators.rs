@@ -1,4 +1,4 @@
-//! The operators of recorded values, and their short text.
+//! The operators of recorded values, and their abbreviated text.
 
 use super::image::Image;
 use super::{Function, Node, Operation, Recorded};
@@ -39,17 +39,17 @@ impl Mul<&Recorded> for Recorded {
     }
 }
 
-/// The product as one operation.
+/// The product as a single operation.
 fn product(a: &Arc<Node>, b: &Arc<Node>) -> Recorded {
     let image = a.image.zip(b.image).map(|(a, b): (Image, Image)| a.mul(b));
     Recorded::of(Operation::Product(a.clone(), b.clone()), image)
 }
 
-/// The most factors of a product in which a common factor is sought.
+/// The largest number of factors of a product in which common factors are searched.
 const FACTORS: usize = 8;
 
-/// The product without the factors that cancel, and with the arguments of roots for their squares, in products of a few;
-/// `None` if none does.
+/// The product with factors cancelled, and with squares of roots replaced by their arguments. It is
+/// tried for products of few factors; `None` if nothing cancels.
 fn cancelled(a: &Arc<Node>, b: &Arc<Node>) -> Option<Recorded> {
     let mut parts = [vec![], vec![]];
     let mut open = vec![(a, false), (b, false)];
@@ -103,7 +103,7 @@ impl Neg for Recorded {
 forward_operators!(Recorded: Add add AddAssign add_assign, Sub sub SubAssign sub_assign,
     Mul mul MulAssign mul_assign);
 
-/// Equal images; equal operations where there are none.
+/// Values are equal if their images are, or without images if their operations are.
 impl PartialEq for Recorded {
     fn eq(&self, other: &Self) -> bool {
         match (&self.node, &other.node) {
@@ -115,7 +115,7 @@ impl PartialEq for Recorded {
     }
 }
 
-/// The value as text, cut below so many levels of operations.
+/// The value as text; operations below this number of levels are left out.
 pub(super) fn written(value: &Recorded, levels: usize) -> String {
     let Recorded { factor, node } = value;
     let Some(node) = node else { return factor.to_string() };

@@ -1,4 +1,5 @@
-//! Solutions of linear systems of recorded values, by an elimination whose pivots are chosen when the program runs.
+//! Solutions of linear systems of recorded values, by an elimination whose pivots are chosen when
+//! the program runs.
 //!
 //! The method is partial pivoting. Sizes are compared in the matrix `A_ij / (d_i d_j)` with `d_i^2 = max(|A_ii|, m_i^2 / M)`, where
 //! `m_i` is the largest size in row `i` and `M` the largest size in the matrix. The relative error of the inverse of that matrix
@@ -18,7 +19,7 @@ use std::sync::Arc;
 pub(super) struct Solution {
     factors: Arc<Factors>,
     right: Vec<Recorded>,
-    /// The components, as a program computes them.
+    /// The components, as computed by elimination in a program.
     eliminated: Vec<Recorded>,
 }
 
@@ -91,7 +92,7 @@ impl Factors {
         Some(Factors { matrix, inverse, moves, triangle })
     }
 
-    /// The solution for a right side, as a program computes it.
+    /// The solution for a right-hand side, as computed by elimination in a program.
     fn eliminated(&self, mut x: Vec<Recorded>) -> Vec<Recorded> {
         self.moves.iter().for_each(|own| own.apply(&mut x));
         for (k, (column, unit)) in self.triangle.iter().enumerate().rev() {
@@ -140,18 +141,18 @@ impl Solution {
         self.eliminated.iter().enumerate().map(component).collect()
     }
 
-    /// A component, as a program computes it.
+    /// A component, as computed by elimination in a program.
     pub(super) fn eliminated(&self, i: usize) -> &Recorded {
         &self.eliminated[i]
     }
 
-    /// The entries of the matrix and of the right side.
+    /// The entries of the matrix and of the right-hand side.
     pub(super) fn arguments(&self) -> impl Iterator<Item = &Arc<Node>> {
         let values = self.factors.matrix.iter().flatten().chain(&self.right);
         values.filter_map(|value| value.node.as_ref())
     }
 
-    /// The derivatives `A^-1 (db - dA x)` of the components, for the derivatives of the arguments.
+    /// The derivatives `A^-1 (db - dA x)` of the components, from the derivatives of the arguments.
     pub(super) fn rates(self: &Arc<Self>, of: impl Fn(&Recorded) -> Recorded) -> Vec<Recorded> {
         let mut right: Vec<Recorded> = self.right.iter().map(&of).collect();
         for (column, x) in self.factors.matrix.iter().zip(self.components()) {
@@ -163,7 +164,8 @@ impl Solution {
     }
 }
 
-/// The solution `X` of `A X = B`, if the square matrix `A` has an inverse and a block of several rows that is not constant.
+/// The solution `X` of `A X = B`. `None` unless the square matrix `A` is invertible and has a block
+/// of several rows that is not constant.
 pub(super) fn solved(
     matrix: &Matrix<Recorded>,
     right: &Matrix<Recorded>,
@@ -200,7 +202,7 @@ pub(super) fn solved(
     Matrix::from_rows(right.columns(), rows).ok()
 }
 
-/// The solutions for several right sides, of a matrix with two columns: Cramer's rule.
+/// The solutions for several right-hand sides and a matrix with two columns, by Cramer's rule.
 fn by_adjugate(
     first: &[Recorded],
     second: &[Recorded],
@@ -214,7 +216,8 @@ fn by_adjugate(
     Some(right.iter().map(solution).collect())
 }
 
-/// The solutions for several right sides. The inverse of a symmetric matrix is computed on and below its diagonal.
+/// The solutions for several right-hand sides. The inverse of a symmetric matrix is computed on and
+/// below its diagonal.
 fn pivoted(matrix: Vec<Vec<Recorded>>, right: Vec<Vec<Recorded>>) -> Option<Vec<Vec<Recorded>>> {
     let n = matrix.len();
     let symmetric = (0..n).all(|i| (0..i).all(|j| matrix[i][j] == matrix[j][i]));
@@ -232,7 +235,8 @@ fn pivoted(matrix: Vec<Vec<Recorded>>, right: Vec<Vec<Recorded>>) -> Option<Vec<
     Some(solutions.into_iter().map(|solution| Arc::new(solution).components()).collect())
 }
 
-/// The rows and columns in blocks without entries between them.
+/// The diagonal blocks of a matrix: sets of rows and columns without entries between different
+/// sets.
 fn blocks(matrix: &Matrix<Recorded>) -> Vec<Vec<usize>> {
     let mut first: Vec<usize> = (0..matrix.rows()).collect();
     let mut changed = true;

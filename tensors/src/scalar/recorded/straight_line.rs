@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 /// A straight-line program: steps that use earlier ones, and outputs that are multiples of steps.
 ///
-/// Equal values are computed once, also up to sign, and every step is used by an output.
+/// Values that are equal up to sign are computed once, and every step is used by an output.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StraightLine {
     steps: Vec<Step>,
@@ -28,12 +28,13 @@ pub enum Step {
     Product(usize, usize),
     /// One divided by a step.
     Reciprocal(usize),
-    /// The third value if the size of the first one is at least the size of the second one, else the fourth value.
+    /// The third value if the size of the first one is at least that of the second one, otherwise
+    /// the fourth value.
     Select(Box<[Output; 4]>),
 }
 
 impl Step {
-    /// The steps that are used, a square twice.
+    /// The steps that this step uses; a square uses its operand twice.
     pub fn operands(&self) -> Vec<usize> {
         match self {
             Step::Input(_) => vec![],
@@ -66,7 +67,7 @@ pub struct Output {
     pub step: Option<usize>,
 }
 
-/// The number of operations of a program.
+/// The numbers of operations of a program.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Count {
     /// Additions and subtractions.
@@ -81,7 +82,7 @@ pub struct Count {
     pub comparisons: usize,
 }
 
-/// The step of each value, and whether it is negated.
+/// For each value the step that computes it, and whether the step is negated.
 type Known = HashMap<Key, (usize, bool)>;
 
 /// A value as a multiple of a step.
@@ -207,7 +208,7 @@ impl StraightLine {
         inputs.collect::<std::collections::BTreeMap<_, _>>().into_values()
     }
 
-    /// How often each step is used, by other steps and by outputs.
+    /// For each step, the number of its uses by other steps and by outputs.
     pub fn uses(&self) -> Vec<usize> {
         let mut uses = vec![0; self.steps.len()];
         let operands = self.steps.iter().flat_map(Step::operands);
@@ -215,7 +216,7 @@ impl StraightLine {
         uses
     }
 
-    /// The number of operations.
+    /// The numbers of operations.
     pub fn count(&self) -> Count {
         let mut count = Count::default();
         let plain = |factor: &Rational| factor.clone().abs().is_one();
@@ -242,10 +243,10 @@ impl StraightLine {
         count
     }
 
-    /// The outputs for inputs of any field; `function` returns the values of functions. Sizes are compared by
-    /// [`pivot_weight`](Field::pivot_weight), and zero is the smallest.
+    /// Evaluates the outputs over any field; `function` returns the values of functions. Sizes are
+    /// compared by [`pivot_weight`](Field::pivot_weight), and zero is the smallest.
     ///
-    /// `None` if a divisor is no unit, or a constant does not exist in the field.
+    /// Returns `None` if a divisor is not a unit, or a constant does not exist in the field.
     pub fn evaluate<S: Field>(
         &self,
         input: impl Fn(&str) -> S,

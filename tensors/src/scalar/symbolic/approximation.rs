@@ -7,15 +7,16 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{Signed, Zero, pow};
 
-/// The binary digits behind the point of the approximation of a root.
+/// The number of binary digits after the point, for approximations of roots.
 const DIGITS: u32 = 256;
 
-/// The digits of pi, the first one before the point.
+/// The decimal digits of pi; the first one is before the point.
 const PI: &str = "31415926535897932384626433832795028841971693993751058209749445923078164062862089";
 
 impl Symbolic {
-    /// A rational number near a number: far nearer than the next float, unless terms of the value cancel to more than 30 digits
-    /// or other functions than roots occur.
+    /// A rational approximation of a number with roots and pi. It is far more accurate than a
+    /// float, unless terms of the value cancel to more than 30 digits or functions other than roots
+    /// occur.
     ///
     /// Returns `None` if the value has parameters.
     ///

@@ -1,11 +1,14 @@
 //! Arguments of functions, as rational multiples of the members of a basis.
 //!
-//! Exponentials of arguments that are linearly independent over the rationals, also modulo constants, are algebraically
-//! independent, and so are half tangents (J. Ax, *Ann. Math.* 93 (1971) 252-268; M. Rothstein, B. Caviness, *SIAM J.
-//! Comput.* 8 (1979) 357-367). So an argument is written in a basis of all values over the rationals, which does not depend
-//! on the computation: products of powers of variables, also with a denominator, `x^2*y/M`, and for denominators that
-//! are sums their partial fractions in the first variable, then in the next. Angles within arguments occur as the
-//! powers of cosines, and those times the sine.
+//! Exponentials of arguments that are linearly independent over the rationals, also modulo
+//! constants, are algebraically independent, and so are half tangents (J. Ax, *Ann. Math.* 93
+//! (1971) 252-268; M. Rothstein, B. Caviness, *SIAM J. Comput.* 8 (1979) 357-367).
+//!
+//! An argument is therefore written in a basis of all values over the rationals, which does not
+//! depend on the computation. Its members are products of powers of variables, also with a
+//! denominator: `x^2*y/M`. If a denominator is a sum, they are the partial fractions in the first
+//! variable, then in the next. For angles within arguments, the members are powers of cosines,
+//! alone and times the sine.
 
 use super::fraction::{Fraction, lowest_terms};
 use super::normal_form::{in_cosines, in_half_tangents, is_written};
@@ -19,7 +22,7 @@ use num_traits::{One, Zero};
 use polycore::Poly;
 use std::collections::BTreeMap;
 
-/// The part `count * of / parts` of an argument.
+/// A summand of an argument: `count * of / parts`.
 pub(super) struct Multiple {
     pub of: Symbolic,
     pub count: i64,
@@ -27,19 +30,20 @@ pub(super) struct Multiple {
 }
 
 impl Multiple {
-    /// The member of the basis in the parts of this multiple.
+    /// The member of the basis divided by the parts of this multiple.
     pub fn part(&self) -> Part {
         Part { of: self.of.clone(), parts: self.parts }
     }
 }
 
-/// Denominators with more terms or a higher degree are not taken apart.
+/// Denominators with more terms or a higher degree are not decomposed into partial fractions.
 const MAX_DEGREE: usize = 24;
 
-/// The value in the basis of arguments.
+/// Expands an argument in the basis of arguments.
 ///
 /// # Errors
-/// In words: a denominator whose factors are not known, or that contains sines; numbers beyond 64 bits.
+/// A message: the factors of a denominator are unknown, a denominator contains sines, or numbers
+/// exceed 64 bits.
 pub(super) fn multiples(function: &str, value: &Symbolic) -> Result<Vec<Multiple>, String> {
     let refuse = |reason: &str| Err(format!("the argument of {function}, {value}, {reason}"));
     let Some(flat) = in_cosines(value) else {
@@ -87,8 +91,8 @@ fn members(value: &Symbolic) -> Option<Vec<(Symbolic, Rational)>> {
     partial_fractions(f)
 }
 
-/// The members in a value with sums in its denominator: partial fractions in the first variable of these sums, whose
-/// coefficients have members in the other variables.
+/// The members of a value whose denominator contains sums, by partial fractions in the first
+/// variable of these sums. The coefficients are expanded in the other variables.
 fn partial_fractions(f: &Fraction) -> Option<Vec<(Symbolic, Rational)>> {
     let factors = f.denominator.irreducible(&f.variables)?;
     let sums = factors.iter().filter(|(factor, _)| factor.terms.len() > 1);
@@ -112,7 +116,7 @@ fn partial_fractions(f: &Fraction) -> Option<Vec<(Symbolic, Rational)>> {
     }
     let whole = above.len().saturating_sub(degree);
     let variable = Symbolic::variable(x);
-    // the parts, and the polynomials that they have over the common denominator
+    // the partial fractions, and their polynomials over the common denominator
     let mut parts: Vec<Symbolic> =
         (0..whole).map(|power| num_traits::pow(variable.clone(), power)).collect();
     for (factor, exponent) in &own {
@@ -141,7 +145,7 @@ fn partial_fractions(f: &Fraction) -> Option<Vec<(Symbolic, Rational)>> {
     Some(all)
 }
 
-/// The coefficients of the powers of a variable in a polynomial, the constant first.
+/// The coefficients of a polynomial in one variable, the constant first.
 pub(super) fn by_power(polynomial: &Symbolic, variable: Variable) -> Vec<Symbolic> {
     let mut coefficients = Vec::new();
     for ([at], part) in by_powers(polynomial, [variable]) {
@@ -151,7 +155,7 @@ pub(super) fn by_power(polynomial: &Symbolic, variable: Variable) -> Vec<Symboli
     coefficients
 }
 
-/// A polynomial by the powers of some variables: the rest of the terms with each.
+/// Groups the terms of a polynomial by their powers of some variables.
 pub(super) fn by_powers<const N: usize>(
     polynomial: &Symbolic,
     variables: [Variable; N],
@@ -165,14 +169,14 @@ pub(super) fn by_powers<const N: usize>(
     for (monomial, c) in &f.numerator.terms {
         let mut rest = monomial.exps().to_vec();
         let powers = columns.map(|k| k.map_or(0, |k| std::mem::take(&mut rest[k]) as usize));
-        // of equal powers, so that the order of the terms stays
+        // terms of equal powers stay together, so that their order does not change
         parts.entry(powers).or_default().push((polycore::Monomial::new(rest), c.clone()));
     }
     let polynomial = |terms| Poly { terms, ..f.numerator.clone() };
     parts.into_iter().map(|(at, terms)| (at, f.polynomial(&polynomial(terms)))).collect()
 }
 
-/// Whether the logarithm is a member by itself: `log(p)` in `exp(2*log(p))`.
+/// The argument `p` if the value is the logarithm `log(p)` alone, as in `exp(2*log(p))`.
 pub(super) fn logarithm(of: &Symbolic) -> Option<&'static Symbolic> {
     let [variable] = of.variables() else { return None };
     match variable.kind() {

@@ -1,15 +1,17 @@
-//! Results that are kept while there is room for them.
+//! A hash table of results with a bounded number of entries.
 
 use std::hash::Hasher;
 
-/// Entries by hashes, in buckets of a few. The number of buckets grows with the entries, up to `MOST`, a power of two.
-/// Then, in a full bucket, a new entry takes the place of an older one.
+/// Entries by their hashes, in buckets of a few. The number of buckets grows with the number of
+/// entries, up to `MOST`, a power of two. After that, a new entry in a full bucket replaces an
+/// older one.
 pub(super) struct Cache<T, const MOST: usize> {
     buckets: Vec<[Option<(u64, T)>; WAYS]>,
     entries: usize,
 }
 
-/// With a pointer for each entry, a bucket is as long as a cache line of the processor.
+/// The entries of a bucket. With one pointer per entry, a bucket is as long as a cache line of the
+/// processor.
 const WAYS: usize = 4;
 
 impl<T, const MOST: usize> Default for Cache<T, MOST> {
@@ -19,14 +21,15 @@ impl<T, const MOST: usize> Default for Cache<T, MOST> {
 }
 
 impl<T, const MOST: usize> Cache<T, MOST> {
-    /// The entry with a hash. Other values may have the same hash.
+    /// The entry with a hash. The caller must compare the value, because other values may have the
+    /// same hash.
     pub fn get(&self, hash: u64) -> Option<&T> {
         let bucket = self.buckets.get(self.bucket(hash))?;
         let found = bucket.iter().flatten().find(|(own, _)| *own == hash);
         found.map(|(_, entry)| entry)
     }
 
-    /// Remembers an entry in the place of any other with this hash.
+    /// Stores an entry, and replaces another one with the same hash.
     pub fn put(&mut self, hash: u64, entry: T) {
         if self.entries >= 2 * self.buckets.len() && self.buckets.len() < MOST {
             let buckets = (4 * self.buckets.len()).clamp(16, MOST);
@@ -43,13 +46,13 @@ impl<T, const MOST: usize> Cache<T, MOST> {
         let at = self.bucket(hash);
         let bucket = &mut self.buckets[at];
         let way = bucket.iter().position(|slot| slot.as_ref().is_none_or(|(own, _)| *own == hash));
-        // the last bits do not choose the bucket
+        // the lowest bits of the hash do not choose the bucket, so they can choose the entry
         let way = way.unwrap_or(hash as usize % WAYS);
         self.entries += usize::from(bucket[way].is_none());
         bucket[way] = Some((hash, entry));
     }
 
-    /// The first bits of a hash; out of range as long as there are no buckets.
+    /// The bucket of a hash, by its first bits; out of range as long as there are no buckets.
     fn bucket(&self, hash: u64) -> usize {
         match self.buckets.len() {
             0 => 0,

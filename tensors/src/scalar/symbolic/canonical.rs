@@ -1,11 +1,13 @@
-//! The unique form of values with functions.
+//! The unique form of values that contain functions.
 //!
-//! Functions of `u/2` and of `u/3` are functions of `u/6`. Before values meet, every argument `u` is brought into common
-//! parts; afterwards into as few parts as the result allows. So `2 sin(x/2) cos(x/2)` is `sin(x)`.
+//! Functions of `u/2` and of `u/3` are functions of `u/6`. Before values are combined, every
+//! argument `u` is divided into common parts; afterwards it is divided into as few parts as the
+//! result allows. For example, `2 sin(x/2) cos(x/2)` is `sin(x)`.
 //!
-//! The variable `v = p^(1/n)` has the relation `v^n = p`. It occurs in no denominator, and below the power `n` in
-//! the numerator. Irreducible polynomials and primes are independent modulo powers, so are
-//! their roots over the rational functions, and this form is unique.
+//! The variable `v = p^(1/n)` has the relation `v^n = p`. In the unique form it does not occur in
+//! the denominator, and in the numerator only with exponents below `n`. Irreducible polynomials and
+//! primes are independent modulo powers, so their roots are independent over the rational
+//! functions, and this form is unique.
 
 use super::denominator::Denominator;
 use super::fraction::{Fraction, lowest_terms};
@@ -20,17 +22,19 @@ use polycore::{Monomial, Order, Poly};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-/// A function of each family, in the parts in which all functions of the family meet.
+/// For each family of functions of one argument, a function and the number of parts that all
+/// functions of the family share.
 pub(super) type Parts = Vec<(&'static Kind, u32)>;
 
-/// The functions and parts of a fraction.
+/// The functions in a fraction, with the number of parts of their arguments.
 fn functions(f: &Fraction) -> impl Iterator<Item = (usize, &'static Kind, u32)> {
     let last = if f.has_functions() { f.variables.len() } else { 0 };
     let kinds = f.variables[..last].iter().map(|variable| variable.kind()).enumerate();
     kinds.filter_map(|(at, kind)| Some((at, kind, kind.part()?.parts)))
 }
 
-/// The parts in which the functions of each argument meet; `None` if no argument is in different parts.
+/// The numbers of parts that the functions of each argument share; `None` if every argument is
+/// already in equal parts.
 pub(super) fn common_parts<'f>(
     fractions: impl Iterator<Item = &'f Arc<Fraction>>,
 ) -> Option<Parts> {
@@ -53,7 +57,7 @@ pub(super) fn common_parts<'f>(
     different.then_some(finest)
 }
 
-/// The fraction with its functions in these parts.
+/// The fraction with its functions rewritten for these numbers of parts.
 pub(super) fn in_parts(f: &Arc<Fraction>, parts: &Parts) -> Arc<Fraction> {
     let mut refined = f.clone();
     let coarse = |f: &Fraction| {
@@ -98,7 +102,8 @@ fn primes(n: u32) -> impl Iterator<Item = u32> {
     })
 }
 
-/// `1 / f`, without roots in the denominator: `1/(a + b v) = (a - b v)/(a^2 - b^2 p)` for a square root.
+/// The reciprocal `1 / f` without roots in the denominator: `1/(a + b v) = (a - b v)/(a^2 - b^2 p)`
+/// for a square root.
 pub(super) fn reciprocal(f: &Fraction) -> Option<Symbolic> {
     let root = functions(f).filter_map(|(at, kind, _)| match kind {
         Kind::Root(part) => Some((at, part)),
@@ -116,7 +121,7 @@ pub(super) fn reciprocal(f: &Fraction) -> Option<Symbolic> {
         .collect();
     let mut present = (0..n).filter(|e| !coefficients[*e].is_zero());
     if let (Some(e @ 1..), None) = (present.next(), present.next()) {
-        // a single power
+        // a single power of the root
         let inverse = coefficients[e].recip()? / p;
         return Some(num_traits::pow(v, n - e) * &below * &inverse);
     }
@@ -124,7 +129,8 @@ pub(super) fn reciprocal(f: &Fraction) -> Option<Symbolic> {
         let norm = a.clone() * a - &(b.clone() * b * p);
         return Some((a.clone() - &(b.clone() * &v)) * &below * &norm.recip()?);
     }
-    // the coefficients of the inverse, from the matrix of the multiplication
+    // otherwise solves for the coefficients of the inverse with the matrix of the multiplication by
+    // f
     let entry = |row: usize, column: usize| match row.checked_sub(column) {
         Some(e) => coefficients[e].clone(),
         None => coefficients[n + row - column].clone() * p,
@@ -138,7 +144,7 @@ pub(super) fn reciprocal(f: &Fraction) -> Option<Symbolic> {
     let terms = terms.map(|(e, value)| value * &num_traits::pow(v.clone(), e));
     Some(terms.fold(Symbolic::zero(), |sum, term| sum + &term) * &below)
 }
-/// The parts of a polynomial by the power of a variable, without that variable.
+/// The coefficients of a polynomial in a variable, by its exponent.
 fn by_power(f: &Polynomial, at: usize) -> BTreeMap<u32, Polynomial> {
     let mut parts: BTreeMap<u32, Vec<(Monomial, Rational)>> = BTreeMap::new();
     for (m, c) in &f.terms {
@@ -163,7 +169,8 @@ fn without_powers(f: &Fraction, at: usize, Part { of: p, parts: n }: &Part) -> S
     settled(terms.fold(Symbolic::zero(), |sum, term| sum + &term) * &below)
 }
 
-/// Numerator and denominator of `tan(k x)` for `tan(x) = t`, or of `t^k`; `t` is the variable at a place.
+/// Numerator and denominator of `tan(k x)` for `tan(x) = t`, or of `t^k`, where `t` is the variable
+/// at position `at`.
 fn multiple(kind: &Kind, at: usize, n: usize, k: u32) -> [Polynomial; 2] {
     let t: Polynomial = Poly::var(at, n, Order::GrLex);
     let [zero, one] = [Rational::zero(), Rational::one()].map(|c| constant(c, n));
@@ -175,7 +182,7 @@ fn multiple(kind: &Kind, at: usize, n: usize, k: u32) -> [Polynomial; 2] {
     }
 }
 
-/// The fraction with the argument of a function in `k` times as many parts.
+/// The fraction with the argument of a function divided into `k` times as many parts.
 fn in_more_parts(f: &Fraction, at: usize, k: u32) -> Fraction {
     let kind = f.variables[at].kind();
     let n = f.variables.len();
@@ -192,7 +199,7 @@ fn in_more_parts(f: &Fraction, at: usize, k: u32) -> Fraction {
     quotient(f, at, parts, image(&f.numerator), image(&below))
 }
 
-/// The fraction with the argument of a function in a `k`th of its parts, if it is a function of that.
+/// The fraction with `k` times fewer parts of the argument of a function, if it can be written so.
 fn in_fewer_parts(f: &Fraction, at: usize, k: u32) -> Option<Fraction> {
     let kind = f.variables[at].kind();
     let parts = kind.part()?.parts;
@@ -213,7 +220,7 @@ fn in_fewer_parts(f: &Fraction, at: usize, k: u32) -> Option<Fraction> {
     Some(quotient(f, at, parts / k, above, coarse(&f.expanded_denominator())?))
 }
 
-/// The polynomial in `t^k`, as one in `t`.
+/// The polynomial in `t^k` as a polynomial in `t`.
 fn in_powers(g: &Polynomial, at: usize, k: u32) -> Option<Polynomial> {
     let term = |(m, c): &(Monomial, Rational)| {
         let mut exponents = m.exps().to_vec();
@@ -231,7 +238,7 @@ fn in_multiples(kind: &Kind, g: &Polynomial, at: usize, k: u32, m: u32) -> Optio
     let t: Polynomial = Poly::var(at, n, Order::GrLex);
     let (mut rest, mut sum) = (g.clone(), constant(Rational::zero(), n));
     for e in 0..=m {
-        // q = k t + ..., p = 1 + ...
+        // the numerator is q = k t + ..., the denominator p = 1 + ...
         let Some(part) = by_power(&rest, at).remove(&e) else { continue };
         let part = part.scale(&Rational::new(1, i64::from(k).checked_pow(e)?)?);
         rest = &rest - &product(&part, &product(&power(&q, e), &power(&p, m - e)));
@@ -240,7 +247,8 @@ fn in_multiples(kind: &Kind, g: &Polynomial, at: usize, k: u32, m: u32) -> Optio
     rest.is_zero().then_some(sum)
 }
 
-/// The quotient of coprime polynomials, in the variables of `f`, but for one that has other parts.
+/// The quotient of coprime polynomials in the variables of `f`, one of which has another number of
+/// parts.
 fn quotient(f: &Fraction, at: usize, parts: u32, above: Polynomial, below: Polynomial) -> Fraction {
     let mut all: Vec<(usize, Variable)> = f.variables.iter().copied().enumerate().collect();
     if let Some(kind) = f.variables[at].kind().in_parts(parts) {
@@ -249,12 +257,12 @@ fn quotient(f: &Fraction, at: usize, parts: u32, above: Polynomial, below: Polyn
     all.sort_by_key(|(_, variable)| *variable);
     let columns: Vec<_> = all.iter().map(|(at, _)| Some(*at)).collect();
     let variables: Variables = all.into_iter().map(|(_, variable)| variable).collect();
-    // another order of the variables is another order of the terms
+    // if the order of the variables changes, the order of the terms does too
     let [numerator, below] = [above, below].map(|f| {
         let f = select(&f, &columns);
         Poly::new(f.terms, f.nvars, Order::GrLex)
     });
-    // the content has the sign of the first coefficient
+    // the content has the sign of the first coefficient, so this makes the coefficient positive
     let unit = Rational::one() / &content(&below);
     let denominator = Denominator::of(&variables, &below.scale(&unit));
     Fraction::new(variables, numerator.scale(&unit), denominator)

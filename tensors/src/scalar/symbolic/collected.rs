@@ -1,29 +1,28 @@
 //! Sums with common factors of their terms taken out: `a*(b + c) + d`.
 //!
-//! The factor is the variable that saves most letters, with all that its terms share; then the
-//! same is done for the terms that have it and for the rest (a greedy Horner scheme). The part
-//! with the leading term stands first, so that the sum begins with the sign of its expanded form.
+//! A greedy Horner scheme: takes out the variable that saves most characters, with all factors that
+//! its terms share. Then the same is done for the terms that contain it and for the others. The
+//! part with the leading term is first, so that the sum begins with the sign of its expanded form.
 
 use super::super::Rational;
 use super::polynomial::Polynomial;
 use super::variable::Variables;
 use num_traits::One;
 
-/// A deeper nesting is not begun. Expressions may be nested
-/// [`MAX_DEPTH`](crate::expression::MAX_DEPTH) deep.
+/// The deepest nesting. Expressions may be nested [`MAX_DEPTH`](crate::expression::MAX_DEPTH) deep.
 const MAX_NESTING: usize = 40;
 
-/// The variables of a monomial by their places, and their exponents.
+/// A monomial: the positions of its variables, and their exponents.
 pub(super) type Powers = Vec<(usize, u32)>;
 
-/// `coefficient * monomial * (inner)`; without parentheses if there are no inner parts.
+/// `coefficient * monomial * (inner)`; without the last factor if `inner` is empty.
 pub(super) struct Part {
     pub coefficient: Rational,
     pub powers: Powers,
     pub inner: Vec<Part>,
 }
 
-/// The parts of a nonzero sum of terms; a single term has one part.
+/// Splits a nonzero sum into parts; a single term has one part.
 pub(super) fn parts(sum: &Polynomial, variables: &Variables) -> Vec<Part> {
     let powers = |exponents: &[u32]| -> Powers {
         exponents.iter().copied().enumerate().filter(|(_, e)| *e > 0).collect()
@@ -44,11 +43,11 @@ pub(super) fn parts(sum: &Polynomial, variables: &Variables) -> Vec<Part> {
 /// A term.
 #[derive(Default)]
 struct Term {
-    /// Its place in the sum.
+    /// The position of the term in the sum.
     place: usize,
     coefficient: Rational,
     powers: Powers,
-    /// The letters without the sign.
+    /// The printed length in characters, without the sign.
     letters: usize,
 }
 
@@ -57,7 +56,7 @@ impl Term {
         self.powers.iter().find(|(place, _)| *place == at).map_or(0, |(_, e)| *e)
     }
 
-    /// The term over another, of which it has all powers.
+    /// Divides the term in place by a coefficient and powers that it contains.
     fn divide(&mut self, inverse: &Rational, powers: &[(usize, u32)], lengths: &[usize]) {
         for (at, e) in powers {
             self.powers.iter_mut().filter(|(place, _)| place == at).for_each(|(_, own)| *own -= e);
@@ -67,7 +66,7 @@ impl Term {
         self.letters = letters(&self.coefficient, &self.powers, lengths);
     }
 
-    /// The term times another; its letters stay those of the quotient.
+    /// Multiplies the term in place; the cached length stays that of the quotient.
     fn multiply(&mut self, unit: &Rational, powers: &[(usize, u32)]) {
         for (at, e) in powers {
             match self.powers.binary_search_by_key(at, |(place, _)| *place) {
@@ -86,14 +85,15 @@ impl Term {
 }
 
 struct Collector {
-    /// The lengths of the names.
+    /// The lengths of the names of the variables.
     lengths: Vec<usize>,
-    /// Zeros, one for each variable.
+    /// A counter for each variable, which is zero between uses.
     counts: Vec<usize>,
 }
 
 impl Collector {
-    /// The parts, and the letters of their text. The order of the terms may change, they do not.
+    /// Collects terms. Returns the parts, and the length of their text. The terms are reordered,
+    /// but not changed.
     fn collect(&mut self, terms: &mut [Term], nesting: usize) -> (Vec<Part>, usize) {
         let all = terms.iter().map(|term| SIGN + term.letters);
         let length = all.sum::<usize>().saturating_sub(SIGN);
@@ -126,7 +126,8 @@ impl Collector {
         (parts, collected)
     }
 
-    /// The variable that saves most letters, the first of several; `None` if no two terms share one.
+    /// The variable that saves most characters, the first one if several do; `None` if no two terms
+    /// share a variable.
     fn shared(&mut self, terms: &[Term]) -> Option<usize> {
         let all = || terms.iter().flat_map(|term| &term.powers).map(|(at, _)| *at);
         all().for_each(|at| self.counts[at] += 1);
@@ -137,7 +138,7 @@ impl Collector {
     }
 }
 
-/// The terms with a variable first, and the others, each in their order.
+/// Partitions the terms stably: those with a variable, and the others.
 fn apart(terms: &mut [Term], at: usize) -> (&mut [Term], &mut [Term]) {
     let (with, without): (Vec<_>, Vec<_>) =
         terms.iter_mut().map(std::mem::take).partition(|term| term.exponent(at) > 0);
@@ -147,10 +148,10 @@ fn apart(terms: &mut [Term], at: usize) -> (&mut [Term], &mut [Term]) {
     terms.split_at_mut(count)
 }
 
-/// The letters of a sign between terms, with its spaces.
+/// The length of a sign between terms, with its spaces.
 const SIGN: usize = 3;
 
-/// The terms, each a part.
+/// Each term as a part of its own.
 fn single(terms: &[Term]) -> Vec<Part> {
     let part = |Term { coefficient, powers, .. }: &Term| Part {
         coefficient: coefficient.clone(),
@@ -160,7 +161,7 @@ fn single(terms: &[Term]) -> Vec<Part> {
     terms.iter().map(part).collect()
 }
 
-/// The powers that all terms have.
+/// The powers that all terms contain.
 fn common(terms: &[Term]) -> Powers {
     let Some((first, others)) = terms.split_first() else { return vec![] };
     let mut powers = first.powers.clone();
@@ -171,7 +172,7 @@ fn common(terms: &[Term]) -> Powers {
     powers
 }
 
-/// The letters of a term without its sign.
+/// The printed length of a term in characters, without its sign.
 fn letters(coefficient: &Rational, powers: &[(usize, u32)], lengths: &[usize]) -> usize {
     let exponent = |e: u32| if e > 1 { 2 + e.ilog10() as usize } else { 0 };
     let powers = powers.iter().map(|(at, e)| 1 + lengths[*at] + exponent(*e));

@@ -1,4 +1,4 @@
-//! Factors that several values share, written by names.
+//! Names for factors that several values share.
 
 use super::denominator::Factor;
 use super::fraction::Fraction;
@@ -29,24 +29,24 @@ use std::sync::{Arc, Mutex};
 #[derive(Debug, Default)]
 pub struct CommonFactors {
     named: Vec<(String, Arc<Factor>)>,
-    /// Values with functions, as they are written.
+    /// Written forms of values with functions.
     written: Mutex<HashMap<Symbolic, Symbolic>>,
 }
 
-/// Shorter sums are written out, so that short values keep their form.
+/// The shortest text of a factor that gets a name; shorter sums are written out.
 const SHORTEST: usize = 16;
 
 /// The names are one of these letters, or begin with it.
 const LETTERS: [&str; 4] = ["D", "W", "Q", "D_"];
 
 impl CommonFactors {
-    /// Whether there are none.
+    /// Whether there are no named factors.
     pub fn is_empty(&self) -> bool {
         self.named.is_empty()
     }
 
-    /// The names, and what they stand for. Sines and cosines are variables of these values, which
-    /// serve for writing only.
+    /// The names and the values that they abbreviate. In these values sines and cosines are
+    /// variables without relations, so they serve for writing only.
     pub fn iter(&self) -> impl Iterator<Item = (&str, Symbolic)> {
         self.named.iter().map(|(name, factor)| (name.as_str(), value(factor)))
     }
@@ -66,7 +66,7 @@ impl CommonFactors {
         self.name(&Factor::new(variables, f, false))
     }
 
-    /// The form of a value in which it is written.
+    /// The value in its written form.
     pub(super) fn written<'v>(&self, value: &'v Symbolic) -> Cow<'v, Symbolic> {
         if !value.has_written_form() {
             return Cow::Borrowed(value);
@@ -82,7 +82,8 @@ impl CommonFactors {
         Cow::Owned(form)
     }
 
-    /// The factors that are worth a name; `taken` are names in use.
+    /// Finds the factors for which a name makes the text shorter; `taken` contains names that are
+    /// in use.
     pub(super) fn of(values: &mut dyn Iterator<Item = &Symbolic>, taken: &[String]) -> Self {
         let mut factors = CommonFactors::default();
         let mut found: Vec<(Arc<Factor>, usize)> = Vec::new();
@@ -106,12 +107,12 @@ impl CommonFactors {
                 places.insert(Arc::as_ptr(factor), at);
                 found[at].1 += 1;
             }
-            // keeps the addresses valid
+            // the forms must stay alive while their addresses are compared
             forms.extend(value.has_written_form().then_some(f));
         }
         found.retain(|(factor, count)| {
             let length = value(factor).to_string().len();
-            // "(...)" becomes "D1"; once there is a line "D1 = ..."
+            // "(...)" becomes "D1" in each place, and a line "D1 = ..." is added once
             length >= SHORTEST && count * length > length + "where D1 = ".len() + 1
         });
         let prefix = LETTERS.into_iter().find(|letter| {
@@ -130,7 +131,7 @@ impl CommonFactors {
     }
 }
 
-/// Whether two factors are the same polynomial, whatever is known of them.
+/// Whether two factors are the same polynomial, whether or not they are known to be irreducible.
 fn same(a: &Factor, b: &Factor) -> bool {
     a.variables == b.variables && a.polynomial == b.polynomial
 }

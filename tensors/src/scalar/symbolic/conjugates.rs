@@ -1,8 +1,10 @@
-//! Written forms whose denominators contain roots: `1/(2 + sqrt(x))^2`, and not `(x - 4*sqrt(x) + 4)/(x - 4)^2`.
+//! Written forms with roots in denominators: `1/(2 + sqrt(x))^2` instead of `(x - 4*sqrt(x) +
+//! 4)/(x - 4)^2`.
 //!
-//! The unique form of a value has no roots in its denominator. There a factor `g = q r` may be a product of conjugates, such
-//! as `x - 4` of `sqrt(x) - 2` and `sqrt(x) + 2`. The numerator is divided by `q` as often as that is exact. Otherwise the
-//! written form would be `0/0` where `q` vanishes.
+//! The unique form of a value has no roots in its denominator. A factor `g = q r` of it may be a
+//! product of conjugates: `x - 4` is the product of `sqrt(x) - 2` and `sqrt(x) + 2`. The numerator
+//! is divided by `q` as often as the division is exact. Otherwise the written form would be `0/0`
+//! where `q` vanishes.
 
 use super::argument::by_power;
 use super::fraction::Fraction;
@@ -11,7 +13,7 @@ use super::{Form, Symbolic};
 use crate::scalar::{Field, Ring};
 use num_traits::{One, Zero, pow};
 
-/// The value with roots in its denominator, where this cancels a factor of the numerator.
+/// The value with roots in its denominator, if this cancels a factor of the numerator.
 pub(super) fn cancelled(value: Symbolic) -> Symbolic {
     let Form::Fraction(f) = &value.0 else { return value };
     let root = |variable: &Variable| match variable.kind() {
@@ -26,7 +28,7 @@ pub(super) fn cancelled(value: Symbolic) -> Symbolic {
     found.unwrap_or(value)
 }
 
-/// A root `v^n = p`, and a variable that stands for it without this relation.
+/// A root `v^n = p`, and a variable that represents the root without this relation.
 struct Root {
     v: Variable,
     part: &'static Part,
@@ -34,8 +36,8 @@ struct Root {
 }
 
 impl Root {
-    /// Where `p = a*x + b` for a number `a` and a variable `x` of nothing else, the value is a quotient of polynomials in `v`
-    /// instead of `x`, which has lowest terms.
+    /// If `p = a*x + b` for a number `a` and a variable `x` that occurs in no function, the value
+    /// is written as a quotient of polynomials in `v` instead of `x`, in lowest terms.
     fn as_variable(&self, f: &Fraction) -> Option<Symbolic> {
         let (p, n) = (&self.part.of, self.part.parts);
         let alone = |x: &Variable| {
@@ -73,7 +75,7 @@ impl Root {
             })
             .sum();
         let lost = degree - left - power;
-        // a power of the root alone is written below the line anyway
+        // a power of the root alone is moved to the denominator elsewhere
         if lost == 0 || left == 0 {
             return None;
         }
@@ -91,7 +93,7 @@ impl Root {
         by_power(polynomial, self.free).len().saturating_sub(1)
     }
 
-    /// The polynomial with powers of `p` in place of high powers of the root.
+    /// The polynomial with high powers of the root in place of powers of `p`.
     fn in_roots(&self, polynomial: &Symbolic) -> Symbolic {
         let (p, n) = (&self.part.of, self.part.parts as usize);
         let free = Symbolic::variable(self.free);
@@ -107,8 +109,8 @@ impl Root {
         terms.fold(Symbolic::zero(), |sum, c| sum * &free + &c)
     }
 
-    /// Divides by common divisors of the numerator and a factor below, as polynomials in a variable that `p` does not
-    /// depend on.
+    /// Divides the value by common divisors of the numerator and a factor of the denominator, as
+    /// polynomials in a variable on which `p` does not depend.
     fn by_divisors(&self, f: &Fraction) -> Option<Symbolic> {
         let factors = f.denominator.irreducible(&f.variables)?;
         let value = Symbolic::from(f.clone());
@@ -142,7 +144,8 @@ impl Root {
         found.then(|| self.freed(&numerator) * &inverse)
     }
 
-    /// The factors `q` and `r` of `g = q r`, by their coefficients, where `q` divides the numerator too.
+    /// The factors `q` and `r` of `g = q r`, by their coefficients, if `q` divides the numerator
+    /// too.
     fn split(&self, numerator: &Symbolic, g: &Symbolic, z: Variable) -> Option<[Vec<Symbolic>; 2]> {
         let below = by_power(g, z);
         if below.len() > MAX_LENGTH || !numerator.variables().contains(&self.v) {
@@ -164,10 +167,10 @@ impl Root {
     }
 }
 
-/// Longer polynomials are not split.
+/// The largest number of coefficients of a polynomial that is split.
 const MAX_LENGTH: usize = 9;
 
-/// The quotient, if there is no remainder and it is a polynomial.
+/// The quotient, if the division is exact and the quotient is a polynomial.
 fn divided(f: &[Symbolic], g: &[Symbolic]) -> Option<Vec<Symbolic>> {
     let (quotient, rest) = remainder(f, g)?;
     (rest.is_empty() && quotient.iter().all(|c| c.denominator().is_one())).then_some(quotient)

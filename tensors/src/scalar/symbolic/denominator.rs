@@ -1,8 +1,8 @@
 //! Denominators as products of powers of coprime factors.
 //!
 //! A factor is found once, when a polynomial is inverted. Sums and products then compare factors
-//! and add exponents, and search no common divisors. A factor that is proven irreducible cancels by
-//! trial division. Any other factor cancels by greatest common divisors.
+//! and add exponents, without a search for common divisors. A factor that is proven irreducible
+//! cancels by trial division. Any other factor cancels by greatest common divisors.
 
 use super::super::Rational;
 use super::factors::{self, Part};
@@ -12,8 +12,8 @@ use num_traits::One;
 use polycore::{Monomial, Order, Poly};
 use std::sync::Arc;
 
-/// A primitive polynomial with a positive leading coefficient that no variable divides. It depends
-/// on each of its variables.
+/// A primitive polynomial with a positive leading coefficient. No variable divides it, and it
+/// depends on each of its variables.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) struct Factor {
     pub variables: Variables,
@@ -44,7 +44,7 @@ impl Factor {
         Arc::new(Factor { variables: names, polynomial, irreducible })
     }
 
-    /// The polynomial over these variables, which include those that it depends on.
+    /// The polynomial over other variables, which include all variables on which it depends.
     pub fn over(&self, variables: &Variables) -> Polynomial {
         let places = places(&self.variables, variables);
         let column = |k| places.iter().position(|place| *place == k);
@@ -58,12 +58,12 @@ impl Denominator {
         self.monomial.is_empty() && self.factors.is_empty()
     }
 
-    /// The exponent of the variable at a place.
+    /// The exponent of the variable at a position.
     pub fn exponent(&self, at: usize) -> u32 {
         self.monomial.get(at).copied().unwrap_or(0)
     }
 
-    /// The factorisation of a nonzero primitive polynomial with a positive leading coefficient.
+    /// The factorization of a nonzero primitive polynomial with a positive leading coefficient.
     pub fn of(variables: &Variables, polynomial: &Polynomial) -> Self {
         let least = polynomial.min_exps();
         let rest = lowered(polynomial, &least);
@@ -79,7 +79,7 @@ impl Denominator {
         Denominator { monomial, factors: coprime(factors) }
     }
 
-    /// The sum of its terms, over the variables of the fraction.
+    /// The denominator expanded into a sum of terms, over the variables of the fraction.
     pub fn expanded(&self, variables: &Variables) -> Polynomial {
         let exponents: Vec<u32> = (0..variables.len()).map(|at| self.exponent(at)).collect();
         let mut expanded = constant(Rational::one(), variables.len());
@@ -89,7 +89,7 @@ impl Denominator {
         expanded.mul_term(&Rational::one(), &Monomial::new(exponents))
     }
 
-    /// Its variables and factors, each alone, with the exponents.
+    /// The variables and factors of the denominator as separate denominators, with the exponents.
     pub fn parts(&self, variables: &Variables) -> Vec<(Self, u32)> {
         let single = |at: usize| {
             let exponents = (0..variables.len()).map(|other| u32::from(other == at));
@@ -103,13 +103,13 @@ impl Denominator {
         singles.chain(self.factors.iter().map(factor)).collect()
     }
 
-    /// Its variables and factors with the exponents; `None` if one may be reducible.
+    /// The variables and factors with their exponents; `None` if a factor may be reducible.
     pub fn irreducible(&self, variables: &Variables) -> Option<Vec<(Polynomial, u32)>> {
         let known = self.factors.iter().all(|(factor, _)| factor.irreducible);
         known.then(|| self.all(variables))
     }
 
-    /// Its variables and factors with the exponents.
+    /// The variables and factors with their exponents.
     pub fn all(&self, variables: &Variables) -> Vec<(Polynomial, u32)> {
         let n = variables.len();
         let monomial = self.monomial.iter().enumerate().filter(|(_, e)| **e > 0);
@@ -125,10 +125,10 @@ impl Denominator {
         self.factors.iter().map(power).fold(1, u64::saturating_mul)
     }
 
-    /// The power.
+    /// The power of the denominator.
     ///
     /// # Panics
-    /// When an exponent passes `u32::MAX`.
+    /// If an exponent exceeds `u32::MAX`.
     pub fn power(&self, exponent: u32) -> Self {
         let times = |e: u32| e.checked_mul(exponent).expect("an exponent passes u32::MAX");
         Denominator {
@@ -147,7 +147,7 @@ impl Denominator {
 }
 
 impl PartialEq for Denominator {
-    /// Over equal variables.
+    /// Compares denominators over equal variables.
     fn eq(&self, other: &Self) -> bool {
         let found = |(factor, exponent): &(Arc<Factor>, u32)| {
             other.factors.iter().any(|(f, e)| e == exponent && f == factor)
@@ -162,7 +162,7 @@ impl PartialEq for Denominator {
         if irreducible(self) && irreducible(other) {
             return false;
         }
-        // equal products of other factors
+        // the factors differ, but their products may be equal
         let names = self.factors.iter().chain(&other.factors).map(|(f, _)| &f.variables);
         let variables = names.fold(Variables::from([]), |all, names| union(&all, names));
         let [own, others] = [self, other].map(|d| {
@@ -175,7 +175,7 @@ impl PartialEq for Denominator {
 
 impl Eq for Denominator {}
 
-/// The same product with pairwise coprime factors.
+/// The same product, written with pairwise coprime factors.
 pub(super) fn coprime(factors: Powers) -> Powers {
     if factors.len() < 2 || factors.iter().all(|(factor, _)| factor.irreducible) {
         return factors;

@@ -1,9 +1,9 @@
-//! Differences with roots as factors of their own, in forms where nothing cancels: `sqrt(x + 1) - 1` is
+//! Differences with roots as separate factors, rewritten without cancellation: `sqrt(x + 1) - 1` is
 //! `x/(sqrt(x + 1) + 1)`.
 //!
-//! A polynomial with a root `v^n = p` is divided by `v - c` for numbers `c`, by `v - w` for another root `w`, and by
-//! conjugates of other factors, as often as the quotient is a polynomial of a lower degree. The degree of `v` is that of `p`
-//! divided by `n`.
+//! A polynomial with a root `v^n = p` is divided by `v - c` for numbers `c`, by `v - w` for another
+//! root `w`, and by conjugates of other factors. This is repeated as long as the quotient is a
+//! polynomial of a lower degree. The degree of `v` is the degree of `p` divided by `n`.
 
 use super::argument::by_power;
 use super::factors::factors;
@@ -12,10 +12,10 @@ use super::{Form, Rational, Symbolic};
 use crate::scalar::Field;
 use num_traits::{One, Zero, pow};
 
-/// Factors with more terms are not divided.
+/// The largest number of terms of a factor that is divided.
 const MAX_TERMS: usize = 100;
 
-/// The product with differences as factors of their own.
+/// Splits differences off the factors of a product.
 pub(super) fn separated(all: Vec<(Symbolic, i64)>) -> Vec<(Symbolic, i64)> {
     let mut roots: Vec<&'static Part> = Vec::new();
     for part in all.iter().flat_map(|(factor, _)| factor.variables().iter().filter_map(root)) {
@@ -67,7 +67,7 @@ pub(super) fn separated(all: Vec<(Symbolic, i64)>) -> Vec<(Symbolic, i64)> {
 struct Difference {
     value: Symbolic,
     inverse: Symbolic,
-    /// Numerator and denominator of the form in which nothing cancels.
+    /// Numerator and denominator of the form without cancellation.
     quotient: Option<[Symbolic; 2]>,
 }
 
@@ -94,7 +94,7 @@ impl Difference {
         squares.then(|| Self::new(v.clone() - &w, Some([above, v + &w])))?
     }
 
-    /// A factor with `-v` in place of a square root.
+    /// The factor with `-v` in place of a square root `v`.
     fn conjugate(part: &Part, factor: &Symbolic) -> Option<Self> {
         if part.parts != 2 || terms(factor) > 8 {
             return None;
@@ -115,7 +115,7 @@ impl Difference {
     }
 }
 
-/// The part whose root a variable is.
+/// The part of a root, if the variable is a root.
 fn root(variable: &Variable) -> Option<&'static Part> {
     match variable.kind() {
         Kind::Root(part) | Kind::FreeRoot(part) => Some(part),
@@ -127,7 +127,7 @@ fn variable(part: &Part) -> Symbolic {
     Symbolic::variable(Variable::function(Kind::Root(part.clone())))
 }
 
-/// The polynomial with roots in place of variables without their relations.
+/// The polynomial with the roots in place of the variables that represent them.
 fn related(polynomial: &Symbolic) -> Symbolic {
     let free = |v: &Variable| matches!(v.kind(), Kind::FreeRoot(_));
     let all: Vec<Variable> = polynomial.variables().iter().copied().filter(free).collect();
@@ -144,7 +144,8 @@ fn terms(value: &Symbolic) -> usize {
     }
 }
 
-/// The degree of a polynomial times a scale; `None` where a root is not one of a polynomial in parameters.
+/// The degree of a polynomial times a scale; `None` if it contains a root of something other than a
+/// polynomial in parameters.
 fn weight(value: &Symbolic, scale: u32) -> Option<u32> {
     let Form::Fraction(f) = &value.0 else { return Some(0) };
     let of_variable = |variable: &Variable| match root(variable) {
@@ -175,7 +176,8 @@ fn square_root_at_zero(part: &Part) -> Option<Rational> {
     }
 }
 
-/// The rational values of the root, of a linear `p = a*x + b`, at which a polynomial in `x` and the root vanishes.
+/// The rational values of the root of a linear `p = a*x + b` at which a polynomial in `x` and the
+/// root vanishes.
 fn zeros(part: &Part, factor: &Symbolic) -> Vec<Rational> {
     let found = || {
         let [x] = part.of.variables() else { return None };

@@ -1,12 +1,14 @@
 //! Elementary functions of values, as rational functions of further variables.
 //!
-//! Sines, cosines and exponentials of a member `u` of the basis of arguments ([`argument`](super::argument)), like `x`,
-//! `a*x` or `Phi(r)`, are rational in `t = tan(u/2)` and `E = exp(u)`: `sin u = 2t/(1 + t^2)`,
-//! `cos u = (1 - t^2)/(1 + t^2)`, `dt/du = (1 + t^2)/2`, `dE/du = E`. The functions `t` and `E` of all members are
-//! algebraically independent, and each is a variable of the fractions. Lowest terms are therefore unique, and
-//! equality is exact. The variables `sin x` and `cos x` would not be independent: `1 - sin^2 x - cos^2 x`
-//! is zero, nor would `tan(x/2)` and `tan(x/4)`: a value has one of them, that of the largest part of `x` with
-//! which it can be written ([`canonical`](super::canonical)).
+//! Let `u` be a member of the basis of arguments ([`argument`](super::argument)), like `x`, `a*x`
+//! or `Phi(r)`. Its sine, cosine and exponential are rational in `t = tan(u/2)` and `E = exp(u)`:
+//! `sin u = 2t/(1 + t^2)`, `cos u = (1 - t^2)/(1 + t^2)`, `dt/du = (1 + t^2)/2`, `dE/du = E`.
+//!
+//! The functions `t` and `E` of all members are algebraically independent, and each is a variable
+//! of the fractions. Lowest terms are therefore unique, and equality is exact. The variables `sin
+//! x` and `cos x` would not be independent, because `1 - sin^2 x - cos^2 x` is zero. Neither would
+//! `tan(x/2)` and `tan(x/4)`. A value therefore contains only one of them, for the largest part of
+//! `x` in which it can be written ([`canonical`](super::canonical)).
 //!
 //! | variable | stands for | made by |
 //! |---|---|---|
@@ -36,7 +38,7 @@ const MAX_ANGLES: u64 = 64;
 const MAX_MULTIPLE: u64 = 10_000;
 
 impl Variable {
-    /// The derivative of the variable by a parameter, by the chain rule.
+    /// The derivative of the variable with respect to a parameter, by the chain rule.
     fn rate(self, parameter: Variable) -> Symbolic {
         let own = Symbolic::variable(self);
         match self.kind() {
@@ -52,7 +54,7 @@ impl Variable {
                 own / of * &(of.derivative_by(parameter) / &Symbolic::from_i64((*parts).into()))
             }
             Kind::Applied(applied) => applied.derivative(parameter),
-            // written forms are not differentiated
+            // written forms are never differentiated
             Kind::Written(..) | Kind::FreeRoot(_) | Kind::Secant(_) => Symbolic::zero(),
         }
     }
@@ -78,13 +80,14 @@ impl Variable {
         }
     }
 
-    /// Whether the variable changes where these parameters and functions get values.
+    /// Whether a substitution changes the variable.
     pub(super) fn changes(self, values: &Substitution) -> bool {
         self.parameters().any(|parameter| values.parameter(parameter.text()).is_some())
             || self.calls(values)
     }
 
-    /// Whether the variable is a function that gets a value, or has one in its arguments.
+    /// Whether the variable is a function that the substitution replaces, or contains one in its
+    /// arguments.
     fn calls(self, values: &Substitution) -> bool {
         let own = match self.kind() {
             Kind::Applied(applied) => {
@@ -97,10 +100,10 @@ impl Variable {
             && arguments.any(|value| value.variables().iter().any(|inner| inner.calls(values)))
     }
 
-    /// The variable with values for parameters and functions.
+    /// The variable after a substitution of parameters and functions.
     ///
     /// # Errors
-    /// In words: the function has no value there.
+    /// A message: the function has no value there.
     pub(super) fn image(
         self,
         positive: &PositiveFactors,
@@ -112,7 +115,7 @@ impl Variable {
                 None => Symbolic::variable(self),
             }),
             Kind::HalfTangent(part) => {
-                // not the tangent of an angle, which would have twice as many parts
+                // not the tangent of the half angle, which would have twice as many parts
                 let angle = part.value().substitute_where(positive, values)?;
                 let [p, q] = half_angle("sin", &multiples("sin", &angle)?)?;
                 let undefined = || format!("{} is not defined there", self.text());
@@ -130,7 +133,7 @@ impl Variable {
             Kind::Applied(applied) => applied.image(positive, values),
             Kind::Written(function, part) => positive
                 .function(function.name(), &part.value().substitute_where(positive, values)?),
-            // programs are not changed
+            // programs are not substituted into
             Kind::Pi | Kind::Secant(_) => Ok(Symbolic::variable(self)),
         }
     }
@@ -142,7 +145,7 @@ impl Part {
         self.of.clone() / &Symbolic::from_i64(self.parts.into())
     }
 
-    /// The derivative of a fraction of the part.
+    /// The derivative of a multiple of the part.
     fn derivative(&self, of: i64, parameter: Variable) -> Symbolic {
         self.of.derivative_by(parameter) / &Symbolic::from_i64(of * i64::from(self.parts))
     }
@@ -157,8 +160,8 @@ pub(super) fn written_value(function: Function, part: &Part) -> Symbolic {
 }
 
 impl Symbolic {
-    /// The partial derivative by the parameter of that name; functions of it follow the chain
-    /// rule.
+    /// The partial derivative with respect to the parameter of that name; functions follow the
+    /// chain rule.
     ///
     /// ```
     /// use affinor_tensors::{Notation, Symbolic};
@@ -191,19 +194,19 @@ impl PositiveFactors {
     /// An elementary function of one argument, a power as the function `pow`, or a free function.
     ///
     /// # Errors
-    /// In words: an unknown function, or arguments of which it has no exact value.
+    /// A message: the function is unknown, or has no exact value at these arguments.
     pub fn call(&self, name: &str, arguments: &[Symbolic]) -> Result<Symbolic, String> {
         match arguments {
             [argument] if is_elementary(name) => self.function(name, argument),
             [base, exponent] if name == POWER => self.power(base, exponent),
-            // names of functions in the field, which would be taken for free functions
+            // otherwise well-known functions would be taken for free functions
             _ if UNKNOWN.contains(&name) => Err(unknown(name)),
             _ => Applied::read(name, arguments),
         }
     }
 }
 
-/// Functions without exact values here.
+/// Well-known functions without exact values here.
 const UNKNOWN: [&str; 13] = [
     "abs", "acos", "acosh", "asin", "asinh", "atan", "atan2", "atanh", "erf", "gamma", "max",
     "min", "sign",
@@ -213,7 +216,7 @@ fn unknown(name: &str) -> String {
     format!("`{name}` is not a function here: there are {}, and free functions", names())
 }
 
-/// A function of a sum of multiples of members of the basis of arguments.
+/// The value of a function at a sum of basis arguments with integer factors.
 pub(super) fn function_of_sum(name: &str, argument: &Symbolic) -> Result<Symbolic, String> {
     if !is_elementary(name) {
         return Err(unknown(name));

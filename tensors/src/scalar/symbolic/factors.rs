@@ -1,7 +1,8 @@
-//! Partial factorisation of polynomials, by greatest common divisors and square roots.
+//! Partial factorization of polynomials, by greatest common divisors and square roots.
 //!
 //! It finds contents in each variable, repeated factors, and the two factors of a quadratic whose
-//! discriminant is a square. It need not be complete: a part is known to be irreducible, or it is not.
+//! discriminant is a square. The factorization may be incomplete: each part is marked as known to
+//! be irreducible, or not.
 
 use super::super::Rational;
 use super::polynomial::{Polynomial, certainly_coprime, cofactors, constant, primitive};
@@ -9,13 +10,13 @@ use num_traits::One;
 use polycore::{Monomial, Order, Poly};
 use std::cmp::{Ordering, Reverse};
 
-/// Polynomials with more terms or a higher degree are not factored: it takes long, and the result is
-/// too long to read.
+/// The largest number of terms of a polynomial that is factored. The factors of longer ones take
+/// long to find, and are too long to read.
 const MAX_TERMS: usize = 60;
 const MAX_DEGREE: u32 = 24;
 
-/// Larger polynomials are split by a variable of degree one only if the parts are quickly proven
-/// coprime.
+/// Above this number of terms, a polynomial of degree one in a variable is split only if the parts
+/// are quickly proven coprime.
 const MAX_LINEAR_TERMS: usize = 2000;
 
 /// `content * f^e * g^d * ...`: different primitive factors with positive leading coefficients.
@@ -54,8 +55,8 @@ pub(super) fn within_limits(f: &Polynomial) -> bool {
     f.terms.len() <= MAX_TERMS && f.total_degree() <= MAX_DEGREE
 }
 
-/// The same as [`factors`] of the product, from its irreducible factors; `None` if [`factors`] might not
-/// find them all.
+/// The same as [`factors`] of the product, computed from its irreducible factors; `None` if
+/// [`factors`] might not find all of them.
 ///
 /// Factors that depend on different sets of variables are separated by their contents.
 pub(super) fn known(content: Rational, factors: &[(Polynomial, u32)]) -> Option<Factors> {
@@ -71,7 +72,7 @@ pub(super) fn known(content: Rational, factors: &[(Polynomial, u32)]) -> Option<
     let mut order = Vec::new();
     separate((0..factors.len()).collect(), &sets, &mut order);
     let mut factors: Vec<_> = order.into_iter().map(|at| factors[at].clone()).collect();
-    // the variables stand in their order
+    // variables are sorted in their order
     factors.sort_by_key(|(f, _)| (f.terms.len() == 1).then(|| Reverse(f.degrees())));
     factors.sort_by_key(|(factor, exponent)| (factor.terms.len(), *exponent));
     Some(Factors { content, factors })
@@ -93,8 +94,8 @@ fn separate(all: Vec<usize>, sets: &[Vec<bool>], order: &mut Vec<usize>) {
     }
 }
 
-/// Sorts factors in an order that depends on nothing else: single variables first, then the simpler
-/// sums.
+/// Sorts factors in an order that depends only on the factors: single variables first, then the
+/// simpler sums.
 pub(super) fn sort(factors: &mut [(Polynomial, u32)]) {
     let terms = |f: &Polynomial, g: &Polynomial| {
         let pairs = f.terms.iter().zip(&g.terms);
@@ -106,8 +107,8 @@ pub(super) fn sort(factors: &mut [(Polynomial, u32)]) {
     });
 }
 
-/// The factors of a primitive polynomial with a positive leading coefficient, each as often as it
-/// occurs.
+/// The factors of a primitive polynomial with a positive leading coefficient, each repeated by its
+/// multiplicity.
 pub(super) fn parts(f: &Polynomial) -> Vec<Part> {
     let mut parts = Vec::new();
     split(f, &mut parts);
@@ -116,9 +117,9 @@ pub(super) fn parts(f: &Polynomial) -> Vec<Part> {
 
 /// Appends the factors of a primitive polynomial with a positive leading coefficient.
 ///
-/// A polynomial `a x + b` is irreducible if `a` and `b` are coprime. One of degree two in `x` is
-/// irreducible if its coefficients are coprime and its discriminant is no square, so it is if no
-/// [`divisor`] is found.
+/// A polynomial `a x + b` is irreducible if `a` and `b` are coprime. A polynomial of degree two in
+/// `x` is irreducible if its coefficients are coprime and its discriminant is not a square; this
+/// holds if no [`divisor`] is found.
 fn split(f: &Polynomial, parts: &mut Vec<Part>) {
     if f.is_constant() {
         return;
@@ -152,7 +153,7 @@ fn split(f: &Polynomial, parts: &mut Vec<Part>) {
     }
 }
 
-/// A divisor that is neither constant nor a multiple of the polynomial, if one is found.
+/// A proper divisor of the polynomial, if one is found.
 fn divisor(f: &Polynomial) -> Option<Polynomial> {
     let degrees = f.degrees();
     let proper = |g: &Polynomial| !g.is_constant() && g.total_degree() < f.total_degree();
@@ -208,7 +209,7 @@ fn square_root(f: &Polynomial) -> Option<Polynomial> {
     let (lead_monomial, lead_value) = lead.terms.first().cloned()?;
     let twice = lead_value * Rational::from(2);
     let mut square_root = lead;
-    // every step finds a term of the root, which has at most as many terms as the square
+    // every step finds a term of the root, and the root has at most as many terms as the square
     for _ in 0..=f.terms.len() {
         let rest = f - &(&square_root * &square_root);
         let Some((m, c)) = rest.terms.first() else { return Some(square_root) };

@@ -10,7 +10,7 @@ use polycore::{Monomial, Order, Poly};
 use std::ops::Deref;
 use std::sync::Arc;
 
-/// The most terms of a short value.
+/// The largest number of terms of a short value.
 const MAX_SHORT: usize = 48;
 
 /// A quotient that depends on each of its variables, of which there is at least one.
@@ -20,11 +20,12 @@ pub(super) struct Fraction {
     pub(super) quotient: Arc<Quotient>,
 }
 
-/// A quotient of polynomials in any variables: the fractions `a/(a + b)` and `x/(x + y)` share theirs.
+/// A quotient of polynomials in unnamed variables: the fractions `a/(a + b)` and `x/(x + y)` share
+/// one quotient.
 ///
-/// Numerator and denominator are coprime; the denominator has coprime integer coefficients, the
-/// leading one positive. Equal values have equal numerators, and equal denominators once these are
-/// expanded. Only the factors of denominators know their variables.
+/// Numerator and denominator are coprime. The denominator has coprime integer coefficients, and its
+/// leading coefficient is positive. Equal values have equal numerators, and their expanded
+/// denominators are equal. Only the factors of denominators refer to named variables.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) struct Quotient {
     pub(super) numerator: Polynomial,
@@ -52,28 +53,28 @@ impl Fraction {
         Fraction::new(Arc::new([variable]), numerator, Denominator::default())
     }
 
-    /// Whether other names may be given to its variables, and nothing else changes.
+    /// Whether its variables can be renamed without any other change.
     pub(super) fn is_nameless(&self) -> bool {
         self.denominator.factors.is_empty() && !self.has_functions()
     }
 
-    /// Whether a variable is a function. Functions are the last variables.
+    /// Whether one of the variables is a function. Functions are the last variables.
     pub(super) fn has_functions(&self) -> bool {
         self.variables.last().is_some_and(|variable| !variable.is_parameter())
     }
 
-    /// The larger of the total degrees of numerator and denominator.
+    /// The larger of the total degrees of the numerator and the denominator.
     pub(super) fn degree(&self) -> u32 {
         self.numerator.total_degree().max(self.denominator.degree())
     }
 
-    /// Whether it has few terms. Only short values are remembered, because long ones seldom repeat.
+    /// Whether it has few terms. Only short values are cached, because long ones seldom repeat.
     pub(super) fn is_short(&self) -> bool {
         let below = self.denominator.factors.iter().map(|(f, _)| f.polynomial.terms.len());
         below.fold(self.numerator.terms.len(), usize::saturating_add) <= MAX_SHORT
     }
 
-    /// The denominator as a sum of terms.
+    /// The denominator, expanded into a sum of terms.
     pub(super) fn expanded_denominator(&self) -> Polynomial {
         self.denominator.expanded(&self.variables)
     }
@@ -103,7 +104,8 @@ impl Fraction {
         Some(Fraction::new(self.variables.clone(), numerator, denominator))
     }
 
-    /// `self^exponent` for a positive exponent: coprime parts have coprime powers.
+    /// The power `self^exponent` for a positive exponent. Powers of coprime polynomials are
+    /// coprime, so no common divisors are searched.
     pub(super) fn power(&self, exponent: u32) -> Self {
         let numerator = power(&self.numerator, exponent);
         Fraction::new(self.variables.clone(), numerator, self.denominator.power(exponent))
@@ -116,7 +118,7 @@ impl From<Fraction> for Symbolic {
     }
 }
 
-/// The value of a quotient in lowest terms that may depend on only some of the variables.
+/// The value of a quotient in lowest terms; some of the variables may be unused.
 pub(super) fn lowest_terms(
     variables: &Variables,
     numerator: Polynomial,

@@ -1,8 +1,10 @@
-//! Functions that are not given: `a(t)`, `f(r,theta)`, and their derivatives `a_t(t)`, `f_r_theta(r,theta)`.
+//! Undetermined (free) functions `a(t)`, `f(r,theta)`, and their derivatives `a_t(t)`,
+//! `f_r_theta(r,theta)`.
 //!
-//! Such a function and its partial derivatives are variables of the fractions, independent of each other and of all
-//! parameters, also at different arguments. Second derivatives do not depend on the order, so the positions by which a
-//! function is differentiated are sorted. The derivative by the first argument of `A(r/t)` is written `A_1(r/t)`.
+//! Such a function and its partial derivatives are variables of the fractions. They are independent
+//! of each other and of all parameters, also at different arguments. Second derivatives do not
+//! depend on the order, so the positions of the arguments by which a function is differentiated are
+//! sorted. The derivative with respect to the first argument of `A(r/t)` is written `A_1(r/t)`.
 
 use super::substitution::Substitution;
 use super::variable::{Kind, Variable};
@@ -22,7 +24,7 @@ pub struct FreeFunction {
     conditions: Conditions,
 }
 
-/// Partial derivatives that have values, in terms of the arguments by their names and of the functions.
+/// Prescribed values of partial derivatives, in terms of the named arguments and of functions.
 type Conditions = Option<Arc<Vec<Condition>>>;
 
 #[derive(Debug, PartialEq, Eq, Hash)]
@@ -49,7 +51,8 @@ impl FreeFunction {
     /// The function or derivative `head` of these arguments: `a_t` of `t`. The derivative by the first argument is also `a_1`.
     ///
     /// # Errors
-    /// In words, if an argument is not a name or occurs twice, or `head` does not name a function of these arguments.
+    /// A message, if an argument is not a name or occurs twice, or `head` does not name a function
+    /// of these arguments.
     ///
     /// ```
     /// use affinor_tensors::scalar::FreeFunction;
@@ -74,13 +77,13 @@ impl FreeFunction {
         let (name, by) = positions(head, arguments.len(), &place)?;
         let by = by.ok_or_else(|| {
             let (name, all) = (&name, arguments.join(", "));
-            format!("`{head}` is no derivative of a function of {all}: {name}_{}", arguments[0])
+            format!("`{head}` is not a derivative of a function of {all}: {name}_{}", arguments[0])
         })?;
         Ok(FreeFunction { name, arguments, by, conditions: None })
     }
 
-    /// Functions with values for some of their derivatives, in terms of their arguments and of the functions without conditions.
-    /// Higher derivatives follow.
+    /// Functions with prescribed values for some of their derivatives, in terms of their arguments
+    /// and of functions without conditions. The values of higher derivatives follow.
     ///
     /// ```
     /// use affinor_tensors::scalar::FreeFunction;
@@ -94,8 +97,8 @@ impl FreeFunction {
     /// ```
     ///
     /// # Errors
-    /// In words: not a derivative of a function, a derivative that has two values, a value that depends on the derivative
-    /// itself, or two conditions whose mixed derivatives differ.
+    /// A message: a left side is not a derivative of a function, a derivative has two values, a
+    /// value depends on the derivative itself, or the mixed derivatives of two conditions differ.
     pub fn under_conditions(
         functions: &[Self],
         conditions: &[(&str, Symbolic)],
@@ -146,13 +149,14 @@ impl FreeFunction {
         Ok(functions.iter().map(conditioned).collect())
     }
 
-    /// Reads a function as it is declared: `f(r, theta)`.
+    /// Parses a declared function: `f(r, theta)`.
     ///
     /// # Errors
-    /// As [`new`](Self::new).
+    /// Those of [`new`](Self::new).
     pub fn read(text: &str) -> Result<Self, String> {
         let inside = text.trim().strip_suffix(')').and_then(|rest| rest.split_once('('));
-        let (head, inside) = inside.ok_or_else(|| format!("`{text}` is no function like a(t)"))?;
+        let (head, inside) =
+            inside.ok_or_else(|| format!("`{text}` is not a function of the form a(t)"))?;
         let arguments: Vec<&str> = inside.split(',').map(str::trim).collect();
         Self::new(head.trim(), &arguments)
     }
@@ -167,24 +171,24 @@ impl FreeFunction {
         &self.arguments
     }
 
-    /// The arguments by which it is differentiated, in their order.
+    /// The names of the arguments by which the function is differentiated, in their order.
     pub fn differentiated_by(&self) -> impl Iterator<Item = &str> {
         self.by.iter().map(|at| self.arguments[*at].as_str())
     }
 
-    /// The function as it is declared: `f(r,theta)`.
+    /// The declaration of the function: `f(r,theta)`.
     pub fn declaration(&self) -> String {
         format!("{}({})", self.name, self.arguments.join(","))
     }
 
-    /// The function or derivative at its own arguments.
+    /// The value of the function or derivative at its declared arguments.
     pub fn value(&self) -> Symbolic {
         let arguments: Vec<_> =
             self.arguments.iter().map(|name| Symbolic::parameter(name)).collect();
         self.applied(&arguments).value()
     }
 
-    /// The function or derivative at these arguments.
+    /// The value of the function or derivative at these arguments.
     ///
     /// ```
     /// use affinor_tensors::scalar::FreeFunction;
@@ -194,7 +198,7 @@ impl FreeFunction {
     /// ```
     ///
     /// # Errors
-    /// In words, for another number of arguments, or if all arguments are numbers.
+    /// A message, if the number of arguments differs or all arguments are numbers.
     pub fn at(&self, arguments: &[Symbolic]) -> Result<Symbolic, String> {
         if arguments.len() != self.arguments.len() {
             return Err(format!("it is declared as {}", self.declaration()));
@@ -211,7 +215,8 @@ impl FreeFunction {
         }
     }
 
-    /// The partial derivative by an argument; `None` for another name.
+    /// The partial derivative with respect to an argument; `None` if there is no argument of this
+    /// name.
     pub fn derivative(&self, argument: &str) -> Option<Self> {
         let at = self.arguments.iter().position(|own| own == argument)?;
         let mut derivative = self.clone();
@@ -222,7 +227,7 @@ impl FreeFunction {
     /// The function or derivative of that name, with the conditions of this function: `f_r` for `f`.
     ///
     /// # Errors
-    /// As [`new`](Self::new).
+    /// Those of [`new`](Self::new).
     pub fn named(&self, head: &str) -> Result<Self, String> {
         let conditions = self.conditions.clone();
         Ok(FreeFunction { conditions, ..Self::new(head, &self.arguments)? })
@@ -233,7 +238,8 @@ impl FreeFunction {
         FreeFunction { by: vec![], ..self.clone() }
     }
 
-    /// The partial derivative that a value is, if it is one of this function at its own arguments.
+    /// The partial derivative, if the value is a partial derivative of this function at its
+    /// declared arguments.
     pub fn of_value(&self, value: &Symbolic) -> Option<Self> {
         let [variable] = value.variables() else { return None };
         let Kind::Applied(applied) = variable.kind() else { return None };
@@ -242,7 +248,7 @@ impl FreeFunction {
     }
 }
 
-/// Whether a sorted list contains another one.
+/// Whether a sorted list contains all members of another one.
 fn contains(by: &[usize], other: &[usize]) -> bool {
     by.len() >= other.len() && without(by, other).len() == by.len() - other.len()
 }
@@ -259,7 +265,7 @@ fn without(by: &[usize], other: &[usize]) -> Vec<usize> {
 }
 
 impl Symbolic {
-    /// The free functions that the value contains, those in arguments included.
+    /// The free functions in the value, including those in arguments.
     fn functions(&self) -> Vec<&'static Applied> {
         let mut all = Vec::new();
         for variable in self.variables() {
@@ -306,11 +312,12 @@ fn is_plain(name: &str) -> bool {
     is_name(name) && !name.contains('_')
 }
 
-/// The name of a function, and the positions of the arguments by which it is differentiated: `f_r_1` is `f` by the
-/// argument `r` and the first one; `None` for an argument that the function does not have.
+/// Parses the name of a function and the arguments by which it is differentiated: `f_r_1` is the
+/// derivative of `f` with respect to `r` and to the first argument. `None` if the function does not
+/// have such an argument.
 ///
 /// # Errors
-/// In words, if it does not name a function.
+/// A message, if `head` does not name a function.
 fn positions(
     head: &str,
     count: usize,
@@ -319,7 +326,7 @@ fn positions(
     let mut parts = head.split('_');
     let name = parts.next().unwrap_or_default().to_string();
     if !is_plain(&name) || count == 0 {
-        return Err(format!("`{head}` is no name of a function"));
+        return Err(format!("`{head}` is not the name of a function"));
     }
     if is_elementary(&name) {
         return Err(format!("`{name}` is another function"));
@@ -337,22 +344,24 @@ fn positions(
 }
 
 impl Applied {
-    /// The function or derivative `head` at arguments, of which those that are names may occur in `head`.
+    /// The function or derivative `head` at these arguments. Arguments that are names may occur in
+    /// `head`.
     ///
     /// # Errors
-    /// In words, if `head` does not name a function of these arguments, or all arguments are numbers.
+    /// A message, if `head` does not name a function of these arguments, or all arguments are
+    /// numbers.
     pub fn read(head: &str, arguments: &[Symbolic]) -> Result<Symbolic, String> {
         let names: Vec<Option<&str>> = arguments.iter().map(Symbolic::as_parameter).collect();
         let place = |part: &str| names.iter().position(|name| *name == Some(part));
         let (name, by) = positions(head, arguments.len(), &place)?;
         let by = by.ok_or_else(|| {
             let all: Vec<String> = arguments.iter().map(Symbolic::to_string).collect();
-            format!("`{head}` is no derivative of a function of {}: {name}_1", all.join(", "))
+            format!("`{head}` is not a derivative of a function of {}: {name}_1", all.join(", "))
         })?;
         Applied { name: name.into(), by, arguments: arguments.to_vec(), conditions: None }.checked()
     }
 
-    /// The value of the function; an error in words if all arguments are numbers.
+    /// The value of the function; an error if all arguments are numbers.
     fn checked(self) -> Result<Symbolic, String> {
         if self.arguments.iter().all(|value| value.parameters().is_empty()) {
             return Err(format!("the value of `{}` at a number is not known", self.name));
@@ -360,7 +369,7 @@ impl Applied {
         Ok(self.value())
     }
 
-    /// The value; by the conditions of the function for a derivative that has one.
+    /// The value. A derivative with a condition gets its prescribed value.
     pub fn value(self) -> Symbolic {
         let conditions = self.conditions.clone();
         let mut all = conditions.iter().flat_map(|all| all.iter());
@@ -373,7 +382,7 @@ impl Applied {
         }
     }
 
-    /// The value of a derivative by a condition, differentiated as often as is left.
+    /// The value of a derivative that follows from a condition by further differentiation.
     fn under(&self, condition: &Condition) -> Symbolic {
         let by = without(&self.by, &condition.by).into_iter();
         let by = by.map(|at| Variable::parameter(&condition.arguments[at]));
@@ -397,7 +406,8 @@ impl Applied {
         (!(0..names.len()).any(twice)).then_some(names)
     }
 
-    /// The arguments by which it is differentiated: their names, or else their numbers, from 1.
+    /// The arguments by which the function is differentiated: their names, or if they are not names
+    /// their numbers, from 1.
     pub fn differentiated_by(&self) -> Vec<String> {
         match self.names() {
             Some(names) => self.by.iter().map(|at| names[*at].to_string()).collect(),
@@ -405,7 +415,7 @@ impl Applied {
         }
     }
 
-    /// The partial derivative by a parameter, by the chain rule.
+    /// The partial derivative with respect to a parameter, by the chain rule.
     pub fn derivative(&self, parameter: Variable) -> Symbolic {
         let terms = self.arguments.iter().enumerate().map(|(at, argument)| {
             let slope = argument.derivative_by(parameter);
@@ -419,10 +429,11 @@ impl Applied {
         terms.fold(Symbolic::zero(), |sum, term| sum + &term)
     }
 
-    /// The function with values for some functions and parameters.
+    /// The function after a substitution of functions and parameters.
     ///
     /// # Errors
-    /// In words: the arguments become numbers, or the value of the function has none at its arguments.
+    /// A message: the arguments become numbers, or the substituted function has no value at its
+    /// arguments.
     pub fn image(
         &self,
         positive: &PositiveFactors,

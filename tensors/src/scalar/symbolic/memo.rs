@@ -1,6 +1,7 @@
-//! Shapes and texts of values that occur again and again.
+//! Caches of the shapes and texts of values.
 //!
-//! A shape is known by the address of its quotient and the lengths of the names, a text by the variables.
+//! A shape is looked up by the address of its quotient and the lengths of the names, a text also by
+//! the variables.
 
 use super::super::effort::Counted;
 use super::cache::{Cache, hash};
@@ -18,7 +19,7 @@ type Memo<T> = Cache<Box<Entry<T>>, { 1 << 14 }>;
 
 struct Entry<T> {
     key: Box<[u64]>,
-    /// It is kept alive, so that no other quotient takes its address.
+    /// Stored so that the address of the quotient is not reused while the entry exists.
     _quotient: Arc<Quotient>,
     value: T,
     counted: Counted,
@@ -29,13 +30,13 @@ thread_local! {
     static TEXTS: RefCell<Memo<Arc<str>>> = RefCell::default();
 }
 
-/// Forgets the shapes and texts that this thread remembers.
+/// Clears the caches of shapes and texts of this thread.
 pub(super) fn clear() {
     SHAPES.take();
     TEXTS.take();
 }
 
-/// The shape of a fraction, which is made if it is not known.
+/// The shape of a fraction, from the cache or by `make`.
 pub(super) fn shape(f: &Fraction, make: impl FnOnce() -> Shape) -> Arc<Shape> {
     if !f.is_short() {
         return make().into();
@@ -49,7 +50,7 @@ pub(super) fn shape(f: &Fraction, make: impl FnOnce() -> Shape) -> Arc<Shape> {
     known(&SHAPES, f, key.collect(), || make().into())
 }
 
-/// The text of a value, which is written if it is not known.
+/// The text of a value, from the cache or by `write`.
 pub(super) fn text(value: &Symbolic, markup: Markup, write: impl FnOnce() -> String) -> String {
     let f = match &value.0 {
         Form::Fraction(f) if f.is_short() => f,

@@ -1,12 +1,13 @@
-//! The form in which functions are written: angles in sines and cosines, roots below the line where that is shorter.
+//! The written form of functions: angles in sines and cosines, and roots in the denominator if that
+//! is shorter.
 //!
-//! Hyperbolic functions are written in the same way, from `T = tanh(x/2)`.
-//! Numerator and denominator are divided by the least power of `1 + t^2`, with `t = tan(x/2)`, that
-//! makes both polynomials in `sin x` and `cos x`. They are linear in the sine: `1/(1 + t^2)` is
+//! With `t = tan(x/2)`, numerator and denominator are divided by the least power of `1 + t^2` that
+//! makes both polynomials in `sin x` and `cos x`. These are linear in the sine: `1/(1 + t^2)` is
 //! `(1 + cos x)/2`, `t/(1 + t^2)` is `sin(x)/2`, `t^2/(1 + t^2)` is `(1 - cos x)/2`. Then factors
 //! `1 - cos^2 x` become `sin^2 x`. Polynomials are written in sines, or in powers of one total
 //! degree, if that takes fewer terms: `a^2*sin(x)^2 + b^2*cos(x)^2`. Sines stay in denominators:
-//! `1/(1 + sin x)` is shorter than `(1 - sin x)/cos^2 x`.
+//! `1/(1 + sin x)` is shorter than `(1 - sin x)/cos^2 x`. Hyperbolic functions are written in the
+//! same way, from `T = tanh(x/2)`.
 
 use super::argument::{by_power, by_powers};
 use super::conjugates::cancelled;
@@ -20,7 +21,7 @@ use crate::function::Function;
 use crate::scalar::{Field, Ring, Sum};
 use num_traits::{One, Zero, pow};
 
-/// The value as it is written.
+/// The written form of a value.
 pub(super) fn written(value: &Symbolic) -> Symbolic {
     let value = in_sines(&cancelled(value.clone()));
     let root = |variable: &Variable| matches!(variable.kind(), Kind::Root(_));
@@ -28,12 +29,13 @@ pub(super) fn written(value: &Symbolic) -> Symbolic {
     roots.iter().fold(value, |value, root| below_the_line(&value, *root).unwrap_or(value))
 }
 
-/// Whether a variable occurs in written forms only.
+/// Whether a variable occurs only in written forms.
 pub(super) fn is_written(variable: &Variable) -> bool {
     matches!(variable.kind(), Kind::Written(..))
 }
 
-/// `1/sqrt(p)` for `sqrt(p)/p`; `None` unless a power of the root is a factor above and `p` one below.
+/// Rewrites `sqrt(p)/p` as `1/sqrt(p)`. `None` unless a power of the root is a factor of the
+/// numerator and `p` a factor of the denominator.
 fn below_the_line(value: &Symbolic, root: Variable) -> Option<Symbolic> {
     let (Form::Fraction(f), Kind::Root(Part { of, parts })) = (&value.0, root.kind()) else {
         return None;
@@ -67,12 +69,12 @@ fn below_the_line(value: &Symbolic, root: Variable) -> Option<Symbolic> {
     Some(coefficient.clone() * &lowest_terms(&f.variables, one, denominator))
 }
 
-/// The value with variables `sin(x)` and `cos(x)` in place of every `tan(x/2)`, and hyperbolic ones in place of
-/// exponentials that occur in powers of `x` and `-x` alike. It is for writing
-/// only, because it does not contain the relation `sin^2 + cos^2 = 1`.
+/// The value with variables `sin(x)` and `cos(x)` in place of every `tan(x/2)`. Exponentials that
+/// occur symmetrically in powers of `x` and `-x` become hyperbolic functions. The result serves for
+/// writing only, because it does not contain the relation `sin^2 + cos^2 = 1`.
 fn in_sines(value: &Symbolic) -> Symbolic {
     let mut value = value.clone();
-    // a coefficient may be a function of a larger part of another angle
+    // a coefficient may be a function of another angle
     while let Some((t, x)) = angle(&value) {
         value = shortest(&gathered(over_sines(&value, t, x), x), x);
     }
@@ -87,7 +89,7 @@ fn in_sines(value: &Symbolic) -> Symbolic {
     })
 }
 
-/// A half tangent of the value, and its angle.
+/// A half tangent that occurs in the value, and its angle.
 fn angle(value: &Symbolic) -> Option<(Variable, Angle)> {
     value.variables().iter().find_map(|variable| match variable.kind() {
         Kind::HalfTangent(part) => Some((*variable, Angle { part, hyperbolic: false })),
@@ -95,8 +97,9 @@ fn angle(value: &Symbolic) -> Option<(Variable, Angle)> {
     })
 }
 
-/// Whether the value is `p(E)/q(E)` for an exponential `E = exp(x)`, where the mean of the lowest and the
-/// highest power is the same in `p` and in `q`, as for `sinh(x)^2` and unlike `exp(2*x)`.
+/// Whether the value is `p(E)/q(E)` for an exponential `E = exp(x)`, and the mean of the lowest and
+/// the highest power is the same in `p` and in `q`. This holds for `sinh(x)^2`, but not for
+/// `exp(2*x)`.
 pub(super) fn is_balanced(value: &Symbolic, exponential: Variable) -> bool {
     let (Form::Fraction(f), Kind::Exponential(part)) = (&value.0, exponential.kind()) else {
         return false;
@@ -110,14 +113,15 @@ pub(super) fn is_balanced(value: &Symbolic, exponential: Variable) -> bool {
         polynomial.degrees()[at] * e
     });
     let below = below.sum::<u32>() + 2 * f.denominator.exponent(at);
-    // powers of logarithms are exponentials as well
+    // powers such as x^p are stored as exponentials of logarithms
     above == below && !part.of.variables().iter().any(logarithm)
 }
 
-/// The value in hyperbolic functions of `x`, if it is balanced in `E = exp(x)`, and functions of `x` and `-x` are alike or
-/// divide.
+/// The value in hyperbolic functions of `x`, if it is balanced in `E = exp(x)` and its numerator or
+/// denominator is symmetric in `x` and `-x` or has such a factor.
 ///
-/// For `T = tanh(x/2)` it is `E = (1 + T)/(1 - T)`, and equal powers of `1 + T` and `1 - T` remain.
+/// With `T = tanh(x/2)`, `E = (1 + T)/(1 - T)`. In a balanced quotient equal powers of `1 + T` and
+/// `1 - T` remain.
 fn over_hyperbolic(value: &Symbolic, exponential: Variable) -> Option<(Symbolic, Angle)> {
     let (Form::Fraction(f), Kind::Exponential(part)) = (&value.0, exponential.kind()) else {
         return None;
@@ -146,7 +150,7 @@ fn over_hyperbolic(value: &Symbolic, exponential: Variable) -> Option<(Symbolic,
     }
     let one = constant(Rational::one(), f.variables.len());
     let monomial = lowest_terms(&f.variables, one, rest);
-    // powers of 1 - T^2
+    // divides out powers of 1 - T^2
     let square = vec![Symbolic::one(), Symbolic::zero(), -Symbolic::one()];
     let power = f.denominator.exponent(at);
     (power..lowest).for_each(|_| above = times(&above, &square));
@@ -157,7 +161,8 @@ fn over_hyperbolic(value: &Symbolic, exponential: Variable) -> Option<(Symbolic,
     Some((over(&above, below, x) * &monomial, x))
 }
 
-/// A polynomial of even degree `d` in `t = tan(x/2)`, divided by `(1 + t^2)^(d/2)`, as it is written.
+/// A polynomial of even degree `d` in `t = tan(x/2)`, divided by `(1 + t^2)^(d/2)`, in its written
+/// form.
 pub(super) fn in_angles(polynomial: &Symbolic, t: Variable, part: &'static Part) -> Symbolic {
     let x = Angle { part, hyperbolic: false };
     let coefficients = by_power(polynomial, t);
@@ -202,8 +207,8 @@ pub(super) fn in_bounded(
     terms.fold(Symbolic::zero(), |sum, term| sum + &term)
 }
 
-/// The polynomial `sum c_k E^k` as one in `T`, without the power of `E` that divides it and times a power of `1 - T`.
-/// Returns the lowest power of `E` as well.
+/// Rewrites the polynomial `sum c_k E^k`, divided by its lowest power of `E` and multiplied by a
+/// power of `1 - T`, as a polynomial in `T`. Returns the lowest power of `E` as well.
 fn in_tangents(coefficients: &[Symbolic]) -> (Vec<Symbolic>, u32) {
     let lowest = coefficients.iter().take_while(|c| c.vanishes()).count();
     let own = &coefficients[lowest.min(coefficients.len())..];
@@ -233,7 +238,8 @@ fn times(a: &[Symbolic], b: &[Symbolic]) -> Vec<Symbolic> {
     sums.iter().map(SymbolicSum::value).collect()
 }
 
-/// The value with cosines and first powers of sines in place of half tangents; `None` if they occur in a denominator.
+/// The value with cosines and first powers of sines in place of half tangents; `None` if half
+/// tangents occur in a denominator.
 pub(super) fn in_cosines(value: &Symbolic) -> Option<Symbolic> {
     let mut value = value.clone();
     while let Some((t, x)) = angle(&value) {
@@ -267,7 +273,7 @@ pub(super) fn in_half_tangents(value: &Symbolic) -> Symbolic {
     value
 }
 
-/// An angle, or the argument of hyperbolic functions.
+/// The argument of trigonometric or hyperbolic functions.
 #[derive(Clone, Copy)]
 struct Angle {
     part: &'static Part,
@@ -280,7 +286,8 @@ impl Angle {
         Variable::function(Kind::Written(function, self.part.clone()))
     }
 
-    /// The value, or the negative of it for hyperbolic functions: `1 - cos^2` is `sin^2`, `1 - cosh^2` is `-sinh^2`.
+    /// The value, negated for hyperbolic functions: `1 - cos^2` is `sin^2`, but `1 - cosh^2` is
+    /// `-sinh^2`.
     fn signed(self, value: Symbolic) -> Symbolic {
         if self.hyperbolic { -value } else { value }
     }
@@ -304,8 +311,9 @@ fn cosine(x: Angle) -> Symbolic {
 
 /// The value in the sine and cosine of `x`, where `t` is the variable `tan(x/2)`.
 ///
-/// A polynomial of degree `d` in `t` becomes one in sine and cosine times `(1 + cos x)^h`, with `h = d/2` rounded up. Factors of the
-/// denominator that are even in `t` contain no sines, and stay apart.
+/// A polynomial of degree `d` in `t` becomes a polynomial in sine and cosine times `(1 + cos x)^h`,
+/// with `h = d/2` rounded up. Factors of the denominator that are even in `t` contain no sines, and
+/// are treated separately.
 fn over_sines(value: &Symbolic, t: Variable, x: Angle) -> Symbolic {
     let Form::Fraction(f) = &value.0 else { return value.clone() };
     let below = f.denominator.parts(&f.variables).into_iter().map(|(part, exponent)| {
@@ -390,7 +398,8 @@ fn gathered(value: Symbolic, x: Angle) -> Symbolic {
     value * &pow(ratio.clone(), above) / &pow(ratio, below)
 }
 
-/// Whether a polynomial is divisible by `1 - cos^2 x`: zero where `cos x` is 1 and where it is -1.
+/// Whether a polynomial is divisible by `1 - cos^2 x`: it vanishes at `cos x = 1` and at `cos x =
+/// -1`.
 fn divisible(polynomial: &Symbolic, x: Angle) -> bool {
     let mut sums = [SymbolicSum::default(), SymbolicSum::default()];
     for ([power], part) in by_powers(polynomial, [cosine_variable(x)]) {
@@ -399,10 +408,10 @@ fn divisible(polynomial: &Symbolic, x: Angle) -> bool {
     sums.iter().all(|sum| sum.value().vanishes())
 }
 
-/// Polynomials of a higher degree are written in only one form.
+/// The degree above which polynomials are written in one form only.
 const DEGREE: usize = 64;
 
-/// The value with numerator and denominator each in the form with the fewest terms.
+/// The value with its numerator and its denominator each in the form with the fewest terms.
 fn shortest(value: &Symbolic, x: Angle) -> Symbolic {
     let Form::Fraction(f) = &value.0 else { return value.clone() };
     let [above, below] = [value.numerator(), value.denominator()].map(|part| {

@@ -1,10 +1,13 @@
-//! Values over another scalar, in a form that is accurate in floats.
+//! Evaluation of values over another scalar, in a form that is accurate in floats.
 //!
-//! A quotient with functions is computed factor by factor. Powers of `t = tan(x/2)`, `1 - t^2` and `1 + t^2` are powers of
-//! sines and cosines of `x` and `x/2`. If the exponentials of `x` and `-x` occur alike in a factor `p(E)` of degree `d` in
-//! `E = exp(x)`, or in the whole quotient, the factor is `E^(d/2)` times a power of `cosh` and a polynomial in `tanh` and
-//! `1/cosh`, which neither overflows for large `x` nor cancels for small ones: `E - 1` is `2 sinh(x/2) E^(1/2)`. Factors that
-//! grow exponentially are divided by one another before they are raised to powers.
+//! A quotient with functions is evaluated factor by factor. Powers of `t = tan(x/2)`, `1 - t^2` and
+//! `1 + t^2` are powers of sines and cosines of `x` and `x/2`.
+//!
+//! A factor `p(E)` of degree `d` in `E = exp(x)` is written as `E^(d/2)` times a power of `cosh`
+//! and a polynomial in `tanh` and `1/cosh`, if the factor or the whole quotient is symmetric in the
+//! exponentials of `x` and `-x`. This form neither overflows for large `x` nor cancels for small
+//! `x`: `E - 1` is `2 sinh(x/2) E^(1/2)`. Factors that grow exponentially are divided by one
+//! another before they are raised to powers.
 
 use super::argument::by_power;
 use super::common::CommonFactors;
@@ -25,7 +28,7 @@ impl Symbolic {
     /// The value over a scalar with elementary functions; `variable` gives the values of parameters and free functions.
     ///
     /// # Errors
-    /// In words: a number or a function that the scalar does not have, or a division by zero.
+    /// A message: the scalar lacks a number or a function, or a divisor is zero.
     pub(in crate::scalar) fn in_scalars<S: Notation>(
         &self,
         variable: &dyn Fn(Variable) -> S,
@@ -46,25 +49,25 @@ fn number<S: Notation>(c: &Rational) -> Result<S, String> {
     S::from_rational(c).ok_or_else(|| "the number is beyond the range of f64".into())
 }
 
-/// The operations of a scalar.
+/// The evaluator of expressions over the scalar.
 fn meaning<S: Notation>() -> impl Evaluator<Value = S> {
     Scalars(|name: &str| Err::<S, _>(format!("`{name}` is unknown")), no_function)
 }
 
-/// The fraction in the shape in which it is written.
+/// Evaluates the fraction in its written shape.
 fn shaped<S: Notation>(f: &Fraction, variable: &dyn Fn(Variable) -> S) -> Result<S, String> {
     let names = CommonFactors::default();
     let shape = memo::shape(f, || Shaping { names: &names }.fraction(f));
     shape.evaluate(&meaning(), &mut |at, e| f.variables[at].power_in(e, variable))
 }
 
-/// The computation of a fraction with functions.
+/// The evaluation of a fraction with functions.
 struct Numeric<'f, S> {
     f: &'f Fraction,
     variable: &'f dyn Fn(Variable) -> S,
 }
 
-/// A polynomial with an exponent, negative below the line.
+/// A polynomial with an exponent, which is negative in the denominator.
 type Power = (Symbolic, i64);
 
 impl<S: Notation> Numeric<'_, S> {
@@ -114,7 +117,8 @@ impl<S: Notation> Numeric<'_, S> {
         let value = match &factor.0 {
             Form::Constant(c) => number(c)?,
             Form::Fraction(f) => match factor.as_variable() {
-                // one function of a multiple of the exponent
+                // all powers of one exponential are evaluated as one function of the multiple of
+                // its exponent
                 Some(own) if matches!(own.kind(), Kind::Exponential(_)) => {
                     let size = u32::try_from(e.unsigned_abs()).map_err(|_| "too large")?;
                     return signed(own.power_in(size, self.variable)?, e.signum());
@@ -126,7 +130,7 @@ impl<S: Notation> Numeric<'_, S> {
     }
 }
 
-/// Whether a factor has values near the ends of the range of floats at moderate arguments, so that its powers overflow.
+/// Whether a factor is so large or small at moderate arguments that its powers may overflow.
 fn grows((factor, _): &Power) -> bool {
     let exponential = |variable: &Variable| {
         use Function::{Cosh, Sinh};
@@ -135,7 +139,8 @@ fn grows((factor, _): &Power) -> bool {
     factor.variables().iter().any(exponential)
 }
 
-/// The factors with `v - 1` and `v + 1` apart from others: they vanish at special arguments of functions.
+/// Splits factors `v - 1` and `v + 1` off the others, because they vanish at special arguments of
+/// functions.
 fn separated(all: Vec<Power>, v: Variable) -> Vec<Power> {
     let mut apart = Vec::new();
     for (mut factor, e) in all {
@@ -157,13 +162,14 @@ fn separated(all: Vec<Power>, v: Variable) -> Vec<Power> {
     apart
 }
 
-/// A power with an exponent of any sign. The reciprocal comes first, because a power may overflow.
+/// A power with an exponent of any sign. For a negative exponent the reciprocal is taken first,
+/// because the power may overflow.
 fn signed<S: Notation>(value: S, e: i64) -> Result<S, String> {
     let base = if e < 0 { meaning().reciprocal(value)? } else { value };
     Ok(pow(base, e.unsigned_abs() as usize))
 }
 
-/// The product with every factor once.
+/// The product with equal factors collected.
 fn collected(all: Vec<Power>) -> Vec<Power> {
     let mut different: Vec<Power> = Vec::new();
     for (factor, e) in all {
@@ -191,7 +197,7 @@ fn angular(all: Vec<Power>, t: Variable, angle: &'static Part) -> Vec<Power> {
     let square = variable.clone() * &variable;
     let [minus, plus] = [one() - &variable, one() + &variable];
     let mut rest = Vec::new();
-    // the exponents of sin(x/2), cos(x/2), 1 - t, 1 + t
+    // the exponents of sin(x/2), cos(x/2), 1 - t and 1 + t
     let (mut sines, mut cosines, mut less, mut more) = (0i64, 0i64, 0i64, 0i64);
     for (factor, e) in all {
         let degree = by_power(&factor, t).len() as i64 - 1;
@@ -201,7 +207,7 @@ fn angular(all: Vec<Power>, t: Variable, angle: &'static Part) -> Vec<Power> {
         } else if factor == variable {
             sines += e;
         } else if factor == one() + &square {
-            // 1/cos(x/2)^2
+            // a factor 1/cos(x/2)^2
         } else if factor == plus {
             more += e;
         } else if factor == minus || factor == -minus.clone() {
@@ -228,14 +234,14 @@ fn angular(all: Vec<Power>, t: Variable, angle: &'static Part) -> Vec<Power> {
     rest
 }
 
-/// Whether the coefficients are the same from both ends, up to a common sign.
+/// Whether the list of coefficients is symmetric or antisymmetric.
 fn is_symmetric(coefficients: &[Symbolic]) -> bool {
     let pairs = || coefficients.iter().zip(coefficients.iter().rev());
     pairs().all(|(a, b)| a == b) || pairs().all(|(a, b)| *a == -b.clone())
 }
 
-/// The factors with hyperbolic functions in place of an exponential: all factors, or those in which it occurs with its
-/// inverse alike.
+/// The factors with hyperbolic functions in place of an exponential: either all factors, or those
+/// that are symmetric in the exponential and its inverse.
 fn hyperbolic(
     all: Vec<Power>,
     exponential: Variable,
@@ -261,7 +267,7 @@ fn hyperbolic(
             continue;
         }
         exponents += degree as i64 * e;
-        // in x for an even degree, in x/2 for an odd one
+        // functions of x for an even degree, of x/2 for an odd one
         let (parts, half) =
             if degree.is_multiple_of(2) { (*parts, degree / 2) } else { (2 * parts, degree) };
         let [tanh, cosh] =
@@ -308,7 +314,7 @@ fn hyperbolic(
 }
 
 impl Variable {
-    /// A power of the variable over a scalar.
+    /// A power of the variable, evaluated over a scalar.
     fn power_in<S: Notation>(self, e: u32, variable: &dyn Fn(Variable) -> S) -> Result<S, String> {
         let fraction = |value: &Symbolic, above: u32, below: u32| {
             let factor = Rational::new(above.into(), below.into()).unwrap_or_else(Rational::one);

@@ -1,10 +1,11 @@
-//! Sums that occur again and again are computed and stored once.
+//! Caches of sums, so that a sum that occurs again is computed and stored once.
 //!
-//! The tensors of a large algebra have millions of components with a few thousand different values, or as many up to the
-//! names of the parameters: `(a - b)/c` and `(x - y)/z` are one quotient of polynomials in three variables. A sum is
-//! known by the addresses of its quotients, and by the places of their variables among all variables of the sum. Equal
-//! results share one address, so the sums of the next tensor are recognised too. Only short sums of short values are
-//! remembered.
+//! The tensors of a large algebra have millions of components, but only a few thousand different
+//! values, sometimes up to the names of the parameters: `(a - b)/c` and `(x - y)/z` are one
+//! quotient of polynomials in three variables. A sum is looked up by the addresses of its
+//! quotients, and by the positions of their variables among all variables of the sum. Equal results
+//! share one address, so the sums of the next tensor are found too. Only short sums of short values
+//! are cached.
 
 use super::super::effort::Counted;
 use super::cache::{Cache, Mixer, hash};
@@ -17,15 +18,17 @@ use std::cell::RefCell;
 use std::hash::{Hash, Hasher};
 use std::sync::Arc;
 
-/// Longer sums are not remembered: they are computed slowly, and seldom repeated.
+/// The largest number of products in a cached sum. Longer sums take long to compute anyway, and
+/// seldom repeat.
 const MAX_PRODUCTS: usize = 24;
 
 thread_local! {
     static KNOWN: RefCell<Known> = RefCell::default();
 }
 
-/// At most four times the numbers of entries written here, per thread: 131,072 sums of at most 24 products, 32,768 multiples,
-/// 65,536 quotients and 16,384 values, each with at most 48 terms.
+/// The caches of a thread. At most four times the stated numbers of entries are stored: 131,072
+/// sums of at most 24 products, 32,768 multiples, 65,536 quotients and 16,384 values, each with at
+/// most 48 terms.
 #[derive(Default)]
 struct Known {
     sums: Cache<Box<Sum>, { 1 << 15 }>,
@@ -37,13 +40,13 @@ struct Known {
 
 type Quotients = Cache<Arc<Quotient>, { 1 << 14 }>;
 
-/// Few, so that they stay at hand: with many parameters most values are new.
+/// A small cache, which stays in fast memory: with many parameters most values are new.
 type Values = Cache<Arc<Fraction>, { 1 << 12 }>;
 
 /// A sum with its value.
 struct Sum {
     key: Box<[u64]>,
-    /// They are kept alive, so that no other quotient takes their addresses.
+    /// Stored so that the addresses of the quotients are not reused while the entry exists.
     _quotients: Vec<Arc<Quotient>>,
     value: Value,
     counted: Counted,
@@ -58,23 +61,26 @@ struct Multiple {
 }
 
 enum Value {
-    /// With the names of its variables. A value of functions may have other variables than the sum.
+    /// A value with the names of its variables. The value of functions may have other variables
+    /// than the sum.
     Named(Symbolic),
-    /// A quotient of polynomials in these of the variables of the sum.
+    /// A quotient of polynomials, and the positions of its variables among those of the sum.
     Nameless(Arc<Quotient>, Box<[u8]>),
 }
 
-/// A sum as it is looked up.
+/// The key of a sum in the cache.
 #[derive(Default)]
 struct Pattern {
-    /// The names of all variables, in their order.
+    /// All variables, in their order.
     names: Vec<Variable>,
-    /// Coefficients, addresses and places; the addresses of the names, where these matter.
+    /// Coefficients, addresses of quotients and positions of variables; and addresses of variables,
+    /// if the value depends on the names.
     key: Vec<u64>,
 }
 
 impl Pattern {
-    /// Describes a sum. Whether that is possible: the numbers fit machine words, and there are few names.
+    /// Describes a sum. Returns whether this is possible: the numbers fit machine words, and there
+    /// are few variables.
     fn describe(&mut self, constant: &Rational, products: &[Product]) -> bool {
         let fractions = || products.iter().flat_map(|p| p.factors.iter().flatten());
         self.names.clear();
@@ -115,7 +121,7 @@ impl Pattern {
         let Ok(number) = Ratio::<i64>::try_from(number) else { return false };
         let (above, below) = (*number.numer(), *number.denom());
         match above.checked_mul(2) {
-            // odd
+            // an odd number marks an integer
             Some(twice) if below == 1 => self.key.push(twice as u64 + 1),
             _ => self.key.extend([0, above as u64, below as u64]),
         }
@@ -123,12 +129,12 @@ impl Pattern {
     }
 }
 
-/// Forgets the sums that this thread remembers.
+/// Clears the caches of this thread.
 pub(super) fn clear() {
     KNOWN.take();
 }
 
-/// The value of `constant + products`, which is computed if it is not known.
+/// The value of `constant + products`, from the cache or computed.
 pub(super) fn value(
     constant: &Rational,
     products: &[Product],
@@ -189,7 +195,7 @@ pub(super) fn value(
     })
 }
 
-/// `c f` for a number other than zero.
+/// The product `c f` for a nonzero number `c`.
 pub(super) fn multiple(coefficient: &Rational, f: &Arc<Fraction>) -> Symbolic {
     let compute = || f.times(coefficient);
     if !f.is_short() {
@@ -220,7 +226,7 @@ pub(super) fn multiple(coefficient: &Rational, f: &Arc<Fraction>) -> Symbolic {
     })
 }
 
-/// The quotient, at the address of an equal one that is known.
+/// Returns the cached quotient that equals this one, or caches this one.
 fn equal(known: &mut Quotients, quotient: &Arc<Quotient>) -> Arc<Quotient> {
     let mut mixer = Mixer::default();
     quotient.numerator.terms.hash(&mut mixer);
@@ -240,7 +246,7 @@ fn with_names_of(known: &mut Values, quotient: &Arc<Quotient>, f: &Fraction) -> 
     shared(known, quotient, f.variables.iter().copied(), || f.variables.clone())
 }
 
-/// The quotient with these names, at the address of an equal value that is known.
+/// The quotient with these names; an equal value in the cache is reused.
 fn shared(
     known: &mut Values,
     quotient: &Arc<Quotient>,

@@ -26,9 +26,9 @@ impl Add<&Symbolic> for Symbolic {
 impl Mul<&Symbolic> for Symbolic {
     type Output = Symbolic;
     /// # Panics
-    /// When a total degree passes `u32::MAX`, rather than wrap an exponent; so do sums of fractions.
-    /// [`Notation::size`](crate::Notation::size) is at least the degree: bound it where input
-    /// could lead there.
+    /// If a total degree exceeds `u32::MAX`; sums of fractions panic likewise.
+    /// [`Notation::size`](crate::Notation::size) is at least the degree, so input can be limited by
+    /// it.
     fn mul(self, other: &Symbolic) -> Symbolic {
         match (self.0, &other.0) {
             (Form::Constant(a), Form::Constant(b)) => Symbolic::constant(a * b),
@@ -52,7 +52,7 @@ fn scaled(form: Form, c: &Rational) -> Symbolic {
 impl Div<&Symbolic> for Symbolic {
     type Output = Symbolic;
     /// # Panics
-    /// On division by zero, as the integers do; [`Field::recip`] answers `None` instead.
+    /// On division by zero, as for integers; [`Field::recip`] returns `None` instead.
     fn div(self, other: &Symbolic) -> Symbolic {
         self.mul(&other.recip().expect("division by zero"))
     }
@@ -80,7 +80,8 @@ impl From<Rational> for Symbolic {
 impl std::str::FromStr for Symbolic {
     type Err = ExpressionError;
 
-    /// Reads an [`Expression`] over any parameters: `(a^2 - b)/(4*c)`, `sin(2*x)`, and free functions `f(x)`.
+    /// Parses an [`Expression`] over any parameters: `(a^2 - b)/(4*c)`, `sin(2*x)`, and free
+    /// functions `f(x)`.
     fn from_str(text: &str) -> Result<Self, ExpressionError> {
         let value =
             |name: &str| if name == "pi" { Symbolic::pi() } else { Symbolic::parameter(name) };
@@ -89,7 +90,7 @@ impl std::str::FromStr for Symbolic {
     }
 }
 
-/// Equal values have equal variables and numerators, so equal hashes.
+/// Equal values have equal variables and numerators, therefore equal hashes.
 impl Hash for Symbolic {
     fn hash<H: Hasher>(&self, state: &mut H) {
         match &self.0 {

@@ -1,9 +1,11 @@
-//! Polynomials with exponents packed into one machine word: sums of products and exact quotients.
+//! Polynomials whose exponents are packed into one machine word: sums of products and exact
+//! quotients.
 //!
-//! All polynomials of one computation share a [`Layout`]. A monomial is a word in which every
-//! exponent has room for its largest value and a guard bit above it, so a product of monomials is a
-//! sum of words. Coefficients are integers of 128 bits. Sums of products are gathered in a hash table;
-//! quotients are computed with a heap (M. Monagan and R. Pearce, *J. Symb. Comp.* 46 (2011) 807-822).
+//! All polynomials of one computation share a [`Layout`]. A monomial is a word. Every exponent has
+//! enough bits for its largest value, and a guard bit above them, so that a product of monomials is
+//! a sum of words. Coefficients are integers of 128 bits. Sums of products are gathered in a hash
+//! table; quotients are computed with a heap (M. Monagan and R. Pearce, *J. Symb. Comp.* 46 (2011)
+//! 807-822).
 
 use super::polynomial::{Residue, coordinate};
 use crate::stop::checkpoint;
@@ -13,7 +15,7 @@ use std::collections::BinaryHeap;
 
 /// A word of packed exponents.
 pub(super) trait Word: PrimInt + Send + Sync + 'static {
-    /// A hash; its high bits are used.
+    /// A hash, of which the high bits are used.
     fn hash(self) -> u64;
 }
 
@@ -34,7 +36,7 @@ impl Word for u128 {
     }
 }
 
-/// The place of each exponent in a word, the first variable highest.
+/// The bits of each exponent in a word, the first variable in the highest bits.
 pub(super) struct Layout {
     shifts: Vec<u32>,
     widths: Vec<u32>,
@@ -43,7 +45,7 @@ pub(super) struct Layout {
 }
 
 impl Layout {
-    /// Room for exponents up to these; `None` beyond 128 bits.
+    /// A layout for exponents up to these; `None` if it needs more than 128 bits.
     pub fn new(degrees: &[u64]) -> Option<Self> {
         let mut bits = 0;
         let widths: Vec<u32> = degrees.iter().map(|d| 65 - d.leading_zeros()).collect();
@@ -89,7 +91,7 @@ impl Layout {
     }
 }
 
-/// A sum of terms, each monomial once.
+/// A sum of terms in a hash table, each monomial once.
 pub(super) struct Gathered<K> {
     words: Vec<K>,
     values: Vec<i128>,
@@ -97,7 +99,7 @@ pub(super) struct Gathered<K> {
 }
 
 impl<K: Word> Gathered<K> {
-    /// An empty sum of about as many terms.
+    /// An empty sum with room for this number of terms.
     pub fn with_room(terms: usize) -> Self {
         let room = (2 * terms).clamp(8, 1 << 12).next_power_of_two();
         Gathered { words: vec![K::max_value(); room], values: vec![0; room], filled: 0 }
@@ -125,7 +127,7 @@ impl<K: Word> Gathered<K> {
                 self.values[at] += value;
                 return;
             }
-            // the guard bits of a monomial are zero, so no monomial has all bits set
+            // the guard bits of a monomial are zero, so the word of all ones can mark an empty slot
             if self.words[at] == K::max_value() {
                 self.words[at] = word;
                 self.values[at] = value;
@@ -136,7 +138,7 @@ impl<K: Word> Gathered<K> {
         }
     }
 
-    /// Makes room for as many new terms.
+    /// Makes room for this number of new terms.
     fn reserve(&mut self, terms: usize) {
         let needed = 2 * (self.filled + terms);
         if needed <= self.words.len() {
@@ -154,7 +156,7 @@ impl<K: Word> Gathered<K> {
         }
     }
 
-    /// The terms that are not zero, highest first.
+    /// The nonzero terms, highest first.
     pub fn sorted(self) -> Vec<(K, i128)> {
         let terms = self.words.into_iter().zip(self.values);
         let mut terms: Vec<_> =
@@ -164,12 +166,12 @@ impl<K: Word> Gathered<K> {
     }
 }
 
-/// A coefficient passes 128 bits.
+/// The error for a coefficient that exceeds 128 bits.
 #[derive(Debug)]
 pub(super) struct Overflow;
 
-/// The quotient `f / g` of two sums of terms, highest first; `None` if there is a remainder. `g` is
-/// primitive, so that an exact quotient has integer coefficients.
+/// The exact quotient `f / g` of two sums of terms, highest first; `None` if there is a remainder.
+/// `g` must be primitive, so that an exact quotient has integer coefficients.
 pub(super) fn exact<K: Word>(
     layout: &Layout,
     f: &[(K, i128)],
@@ -189,7 +191,7 @@ pub(super) fn exact<K: Word>(
         (rest & guard == guard).then(|| rest & !guard)
     };
     let mut quotient: Vec<(K, i128)> = Vec::new();
-    // the next product of each term of `g` with a term of the quotient, if that is known
+    // the next product of each term of `g` with a term of the quotient, once that term is known
     let mut heap: BinaryHeap<(K, usize)> = BinaryHeap::new();
     let mut next = vec![0usize; g.len()];
     let mut waiting: Vec<usize> = (1..g.len()).collect();
@@ -226,7 +228,7 @@ pub(super) fn exact<K: Word>(
         if value % unit != 0 {
             return Ok(None);
         }
-        // every waiting term has used all known terms of the quotient
+        // these terms of `g` waited for a new term of the quotient
         for at in waiting.drain(..) {
             heap.push((g[at].0 + word, at));
         }
@@ -234,11 +236,11 @@ pub(super) fn exact<K: Word>(
     }
 }
 
-/// Quotients of fewer terms are tried at once.
+/// Below this number of terms the division is tried at once.
 const CERTIFIED: usize = 64;
 
-/// A quick proof that `g` does not divide `f`: it does not divide it at a point for all variables
-/// but one, modulo a prime. `false` proves nothing.
+/// A quick proof that `g` does not divide `f`: all variables but one are replaced by numbers, and
+/// the division fails modulo a prime. `false` proves nothing.
 fn certainly_indivisible<K: Word>(
     layout: &Layout,
     (f, above): (&[(K, i128)], &[u32]),

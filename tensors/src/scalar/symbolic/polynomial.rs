@@ -1,7 +1,7 @@
 //! Polynomials over the rationals: the numerators and denominators of fractions.
 //!
-//! Terms stand in graded lexicographic order, highest first: by total degree, then by the order of
-//! the variables. Selecting or inserting variables keeps that order.
+//! Terms are in graded lexicographic order, highest first: by total degree, then by the order of
+//! the variables. Selecting or inserting variables preserves this order.
 
 use super::super::{Rational, effort};
 use crate::stop::detached;
@@ -17,7 +17,7 @@ pub(super) fn constant(c: Rational, n: usize) -> Polynomial {
     Poly::constant(c, n, Order::GrLex)
 }
 
-/// The polynomial in other variables: variable `k` of the result is variable `columns[k]` of `f`,
+/// The polynomial over other variables: variable `k` of the result is variable `columns[k]` of `f`,
 /// or a new one.
 pub(super) fn select(f: &Polynomial, columns: &[Option<usize>]) -> Polynomial {
     let exponents = |m: &Monomial| -> Vec<u32> {
@@ -30,7 +30,7 @@ pub(super) fn select(f: &Polynomial, columns: &[Option<usize>]) -> Polynomial {
 /// The product `f g`.
 ///
 /// # Panics
-/// When its total degree passes `u32::MAX`; a wrapped exponent would be a wrong result.
+/// If its total degree exceeds `u32::MAX`, because a wrapped exponent would give a wrong result.
 pub(super) fn product(f: &Polynomial, g: &Polynomial) -> Polynomial {
     match (f.is_constant(), g.is_constant()) {
         (true, _) => scaled(g, f),
@@ -53,7 +53,7 @@ fn scaled(f: &Polynomial, c: &Polynomial) -> Polynomial {
     }
 }
 
-/// A gcd takes longer than a few milliseconds if the product of the numbers of terms is larger.
+/// The product of the numbers of terms above which a gcd may take longer than a few milliseconds.
 const LONG: usize = 1 << 14;
 
 /// `(h, f / h, g / h)` for the greatest common divisor `h`, primitive with positive leading
@@ -76,7 +76,7 @@ pub(super) fn cofactors(f: &Polynomial, g: &Polynomial) -> (Polynomial, Polynomi
     if certainly_coprime(f, g) {
         return (one(), f.clone(), g.clone());
     }
-    // likely with repeated denominators, and a failure is found quickly
+    // repeated denominators often divide each other, and a failure is found quickly
     if let Some(quotient) = f.exact(g) {
         return (g.clone(), quotient, one());
     }
@@ -97,16 +97,16 @@ pub(super) fn cofactors(f: &Polynomial, g: &Polynomial) -> (Polynomial, Polynomi
     (h, f, g)
 }
 
-/// Whether no variable occurs in both. Then only constants divide both.
+/// Whether the polynomials have no variable in common. Then only constants divide both.
 fn disjoint(f: &Polynomial, g: &Polynomial) -> bool {
     f.degrees().iter().zip(g.degrees()).all(|(a, b)| *a == 0 || b == 0)
 }
 
-/// A quick proof that only constants divide both, for the most frequent case.
+/// A quick proof that only constants divide both polynomials, for the most frequent case.
 ///
-/// Modulo a prime and at a point for all variables but one, a common divisor that depends on this
-/// one keeps its degree where `f` does; a constant greatest common divisor of the images excludes
-/// it. `false` proves nothing.
+/// All variables but one are replaced by numbers modulo a prime. A common divisor that depends on
+/// the remaining variable does not lose degree if `f` does not. A constant gcd of the images
+/// therefore excludes such a divisor. `false` proves nothing.
 pub(super) fn certainly_coprime(f: &Polynomial, g: &Polynomial) -> bool {
     let residue = |c: &Rational| {
         let c = Ratio::<i64>::try_from(c).ok()?;
@@ -130,8 +130,8 @@ pub(super) fn certainly_coprime(f: &Polynomial, g: &Polynomial) -> bool {
 
 pub(super) type Residue = Gf<{ (1 << 61) - 1 }>;
 
-/// A coordinate of the point: a multiple of the golden section of 2^64, so that there are no small
-/// relations between the coordinates.
+/// A coordinate of the point at which polynomials are compared: a multiple of the golden ratio of
+/// 2^64, so that there are no small relations between the coordinates.
 pub(super) fn coordinate(k: u64) -> Residue {
     Residue::new(k.wrapping_mul(0x9e37_79b9_7f4a_7c15))
 }
@@ -142,8 +142,8 @@ pub(super) fn lowered(f: &Polynomial, m: &Monomial) -> Polynomial {
     Poly { terms: terms.collect(), nvars: f.nvars, order: f.order.clone() }
 }
 
-/// The rational `q`, with the sign of the leading coefficient, for which `f / q` has coprime
-/// integer coefficients.
+/// The rational `q` for which `f / q` has coprime integer coefficients. It has the sign of the
+/// leading coefficient.
 pub(super) fn content(f: &Polynomial) -> Rational {
     Rational::content(f.terms.iter().map(|(_, c)| c))
 }
@@ -161,7 +161,7 @@ pub(super) fn primitive(f: &Polynomial) -> (Rational, Polynomial) {
 /// The power of a polynomial.
 ///
 /// # Panics
-/// As [`product`].
+/// Those of [`product`].
 pub(super) fn power(f: &Polynomial, exponent: u32) -> Polynomial {
     let degree = f.total_degree().checked_mul(exponent);
     degree.expect("total degree of a power passes u32::MAX");

@@ -1,8 +1,9 @@
 //! Roots, logarithms and powers of functions that are positive.
 //!
-//! `sqrt(f g)` is `sqrt(f) sqrt(g)` where `f` and `g` are positive, and not where both are negative. So arguments are split
-//! into irreducible factors, each with the sign with which it is positive: declared, inferred because all of its terms are
-//! positive, or the only sign that makes the argument positive.
+//! The root `sqrt(f g)` is `sqrt(f) sqrt(g)` if `f` and `g` are positive, but not if both are
+//! negative. Arguments are therefore split into irreducible factors, each with the sign that makes
+//! it positive. This sign is declared, or inferred because all terms are positive, or because only
+//! one sign makes the argument positive.
 
 use super::denominator::Denominator;
 use super::elementary::function_of_sum;
@@ -18,10 +19,10 @@ use num_rational::Ratio;
 use num_traits::{One, Zero};
 use std::collections::BTreeMap;
 
-/// Primes above are not searched.
+/// The largest prime that is searched as a factor of a number.
 const MAX_PRIME: u64 = 1 << 21;
 
-/// Functions that are declared to be positive, and what follows from that for their factors.
+/// Functions that are declared to be positive, and the signs of their factors that follow.
 ///
 /// ```
 /// use affinor_tensors::scalar::PositiveFactors;
@@ -48,11 +49,12 @@ struct Oriented {
 }
 
 impl PositiveFactors {
-    /// Adds a function.
+    /// Declares a function as positive.
     ///
     /// # Errors
-    /// Unless it is a polynomial or a quotient of parameters, its irreducible factors are found, the sign of
-    /// one of them at most is open, and it is not negative already.
+    /// A message, unless the function is a polynomial or a quotient in parameters whose irreducible
+    /// factors are found, at most one of them has unknown sign, and the function is not already
+    /// negative.
     pub fn declare(&mut self, function: &Symbolic) -> Result<(), String> {
         let Oriented { factors, .. } = self.oriented("a positive function", function, true)?;
         let new = factors.into_iter().filter(|(_, e)| e % 2 != 0).map(|(factor, _)| factor);
@@ -61,8 +63,8 @@ impl PositiveFactors {
         Ok(())
     }
 
-    /// The functions with values of their parameters, which have to leave them positive, as far as the signs of their terms
-    /// show it.
+    /// The functions after a substitution of parameters. The substituted functions must still be
+    /// positive, as far as the signs of their terms show.
     ///
     /// ```
     /// use affinor_tensors::scalar::PositiveFactors;
@@ -78,7 +80,7 @@ impl PositiveFactors {
     /// ```
     ///
     /// # Errors
-    /// In words: a function becomes zero, or a sum of negative terms.
+    /// A message: a function becomes zero, or a sum of negative terms.
     pub fn with_values(&self, values: &BTreeMap<String, Symbolic>) -> Result<Self, String> {
         let images = self.factors.iter().map(|factor| (factor, factor.substitute(values)));
         let images: Vec<_> = images.filter_map(|(factor, image)| Some((factor, image?))).collect();
@@ -92,12 +94,13 @@ impl PositiveFactors {
             }
         }
         let mut there = Self::default();
-        // where the factors of an image are not known, nothing is
+        // images whose factors are unknown are not declared
         images.iter().for_each(|(_, image)| drop(there.declare(image)));
         Ok(there)
     }
 
-    /// As [`Symbolic::substitute`], with square roots and logarithms where these functions are positive.
+    /// Like [`Symbolic::substitute`], but square roots and logarithms are evaluated under the
+    /// assumption that these functions are positive.
     ///
     /// ```
     /// use affinor_tensors::scalar::PositiveFactors;
@@ -113,7 +116,7 @@ impl PositiveFactors {
     /// ```
     ///
     /// # Errors
-    /// In words, where [`Symbolic::substitute`] has no value.
+    /// A message, if [`Symbolic::substitute`] has no value.
     pub fn substitute(
         &self,
         value: &Symbolic,
@@ -122,10 +125,11 @@ impl PositiveFactors {
         value.substitute_where(self, &Substitution::from(values))
     }
 
-    /// A function of an argument; `sqrt` and `log` where these functions are positive.
+    /// A function of an argument; `sqrt` and `log` are evaluated under the assumption that these
+    /// functions are positive.
     ///
     /// # Errors
-    /// In words: an unknown function, or an argument of which it has no exact value.
+    /// A message: the function is unknown, or has no exact value at this argument.
     pub fn function(&self, name: &str, argument: &Symbolic) -> Result<Symbolic, String> {
         match name {
             "sqrt" => self.root(argument, 2),
@@ -146,7 +150,7 @@ impl PositiveFactors {
     /// ```
     ///
     /// # Errors
-    /// In words, if the sign of the base is not known, or the power is too large.
+    /// A message, if the sign of the base is not known, or the power is too large.
     pub fn power(&self, base: &Symbolic, exponent: &Symbolic) -> Result<Symbolic, String> {
         let Some(number) = exponent.as_constant() else {
             let logarithm = self.logarithm(base)?;
@@ -156,12 +160,12 @@ impl PositiveFactors {
         let small =
             number.filter(|n| n.numer().abs() <= MAX_EXPONENT && *n.denom() <= MAX_EXPONENT);
         let Some(number) = small else {
-            return Err(format!("an exponent has numbers of at most {MAX_EXPONENT}"));
+            return Err(format!("the numbers of an exponent must be at most {MAX_EXPONENT}"));
         };
         let root = match u32::try_from(*number.denom()) {
             Ok(1) => base.clone(),
             Ok(n) => self.root(base, n)?,
-            Err(_) => return Err("an exponent has a positive denominator".into()),
+            Err(_) => return Err("the denominator of an exponent must be positive".into()),
         };
         let exponent = *number.numer();
         if root.size().saturating_mul(exponent.unsigned_abs() as usize) > MAX_SIZE {
@@ -173,8 +177,8 @@ impl PositiveFactors {
         Ok(power(&root, exponent))
     }
 
-    /// As [`power`](Self::power) for an exponent with parameters, where the base and its variables are taken as positive if their signs are
-    /// not known; from then on they are declared.
+    /// Like [`power`](Self::power) for an exponent with parameters. If the signs of the base and
+    /// its variables are not known, they are taken as positive, and declared so from then on.
     ///
     /// ```
     /// use affinor_tensors::scalar::PositiveFactors;
@@ -186,7 +190,7 @@ impl PositiveFactors {
     /// ```
     ///
     /// # Errors
-    /// As there, if signs of several sums are not known.
+    /// Those of [`power`](Self::power), if the signs of several sums are not known.
     pub fn assumed_power(
         &mut self,
         base: &Symbolic,
@@ -213,7 +217,7 @@ impl PositiveFactors {
     /// The root `argument^(1/n)`.
     ///
     /// # Errors
-    /// In words, if the sign of a factor is not known.
+    /// A message, if the sign of a factor is not known.
     pub(super) fn root(&self, argument: &Symbolic, n: u32) -> Result<Symbolic, String> {
         if argument.is_zero() {
             return Ok(Symbolic::zero());
@@ -244,8 +248,8 @@ impl PositiveFactors {
         Ok(primes.map(|(p, e)| (Symbolic::constant(p.into()), e)).chain(factors).collect())
     }
 
-    /// The factors of a positive function, each positive. Where the function is `declared`, squares of factors of
-    /// unknown sign are left out.
+    /// The factors of a positive function, each with the sign that makes it positive. If the
+    /// function is `declared`, squares of factors of unknown sign are left out.
     fn oriented(&self, what: &str, value: &Symbolic, declared: bool) -> Result<Oriented, String> {
         let (mut content, factors) = factors(what, value)?;
         let mut oriented = Vec::new();
@@ -313,12 +317,12 @@ fn factors(what: &str, value: &Symbolic) -> Result<(Rational, Vec<(Symbolic, i64
 }
 
 impl PositiveFactors {
-    /// Whether a primitive polynomial is positive: declared, or because its terms are.
+    /// Whether a primitive polynomial is positive: it is declared so, or its terms are positive.
     fn is_positive(&self, factor: &Symbolic) -> bool {
         self.factors.contains(factor) || self.has_positive_terms(factor)
     }
 
-    /// Whether no term of a polynomial is negative, and one is positive.
+    /// Whether a polynomial has a positive term and no negative ones.
     fn has_positive_terms(&self, polynomial: &Symbolic) -> bool {
         let f = match &polynomial.0 {
             Form::Constant(c) => return !c.is_negative() && !c.is_zero(),
@@ -343,7 +347,8 @@ impl PositiveFactors {
     }
 }
 
-/// The root `p^(1/n)` of a positive irreducible polynomial or a prime. Roots of roots and of exponentials are such.
+/// The root `p^(1/n)` of a positive irreducible polynomial or a prime. A root of a root or of an
+/// exponential is a root or exponential of a smaller part.
 pub(super) fn root_of_factor(p: &Symbolic, n: u32) -> Symbolic {
     let within = p.as_variable().and_then(|variable| variable.kind().in_parts_of(n));
     let kind = within.unwrap_or_else(|| Kind::Root(Part { of: p.clone(), parts: n }));
@@ -387,7 +392,7 @@ fn prime_powers(function: &str, value: &Rational) -> Result<Vec<(i64, i64)>, Str
         match rest {
             1 => {}
             _ if prime * prime > rest => all.push((rest as i64, sign)),
-            // a square of a prime, because it has no factor below its cube root
+            // a number without factors up to its cube root is a square of a prime if it is a square
             _ if root * root == rest => all.push((root as i64, 2 * sign)),
             _ => return Err(large()),
         }

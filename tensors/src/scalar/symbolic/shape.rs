@@ -1,7 +1,7 @@
-//! The shape of a written fraction: a tree whose leaves are the positions of its variables.
+//! The shape of a written fraction: a tree whose leaves are numbers and positions of variables.
 //!
-//! A shape is a fraction as it is written, in text and in LaTeX, and as programs compute it. It depends on the lengths of
-//! names, but not on the names.
+//! Text, LaTeX and programs are written from the same shape. It depends on the lengths of names,
+//! but not on the names.
 
 use super::collected::{self, Part};
 use super::common::CommonFactors;
@@ -25,16 +25,16 @@ pub(super) enum Shape {
     /// A power of a sum.
     Power(Box<Shape>, u32),
     Product(Vec<Shape>),
-    /// Terms, each with whether it is subtracted.
+    /// Terms; the flag marks a subtracted term.
     Sum(Vec<(bool, Shape)>),
     Quotient(Box<Shape>, Box<Shape>),
 }
 
 impl Shape {
-    /// The value under a meaning; `variable` gives the values of the powers of variables.
+    /// Evaluates the shape; `variable` gives the values of the powers of variables.
     ///
     /// # Errors
-    /// Those of the meaning.
+    /// Those of the evaluator.
     pub fn evaluate<M: Evaluator>(
         &self,
         meaning: &M,
@@ -69,7 +69,7 @@ impl Shape {
     }
 }
 
-/// Chooses the shape of fractions.
+/// The construction of shapes of fractions.
 #[derive(Clone, Copy)]
 pub(super) struct Shaping<'w> {
     /// The factors that have names.
@@ -77,8 +77,8 @@ pub(super) struct Shaping<'w> {
 }
 
 impl Shaping<'_> {
-    /// `1/2*a` for one term without a denominator; otherwise integer polynomials above and below,
-    /// in factors where that is shorter.
+    /// The shape of a fraction: `1/2*a` for one term without a denominator. Otherwise numerator and
+    /// denominator have integer coefficients, and are written in factors if that is shorter.
     pub fn fraction(self, f: &Fraction) -> Shape {
         let whole = f.denominator.is_one();
         if whole && f.numerator.terms.len() == 1 {
@@ -100,10 +100,10 @@ impl Shaping<'_> {
         signed(negative, Shape::Quotient(top.into(), bottom.into()))
     }
 
-    /// The denominator times a number.
+    /// The denominator, multiplied by a number.
     ///
-    /// Its known factors are written where one has a name, where [`factors`] would find the same, or
-    /// gives up.
+    /// The known factors are written separately if one has a name, or if [`factors`] would find the
+    /// same ones or would give up.
     fn denominator(self, f: &Fraction, unit: Rational) -> Shape {
         if f.denominator.factors.iter().any(|(factor, _)| self.names.name(factor).is_some()) {
             let mut factors = f.denominator.all(&f.variables);
@@ -166,7 +166,7 @@ impl Shaping<'_> {
         }
         let product = self.product(f, found);
         let length = |shape: &Shape, place| writing::text_at(shape, &f.variables, place).len();
-        // a sum is counted with its parentheses, also where a common factor is taken out of it
+        // a sum is counted with its parentheses, also if a common factor is taken out of it
         let parentheses = if place == Place::Alone { 0 } else { 2 };
         let longer = length(&sum, Place::Alone) + parentheses;
         if length(&product, place) < longer { Ok(product) } else { Err(sum) }
@@ -190,7 +190,7 @@ impl Shaping<'_> {
         product(number.into_iter().chain(found.factors.iter().map(factor)))
     }
 
-    /// A sum of terms, with common factors taken out where that is shorter.
+    /// A sum of terms, with common factors taken out if that is shorter.
     fn sum(self, f: &Fraction, part: &Polynomial) -> Shape {
         if part.terms.len() < 3 {
             return self.expanded(part);
@@ -198,7 +198,7 @@ impl Shaping<'_> {
         parts(&collected::parts(part, &f.variables))
     }
 
-    /// The sum of its terms.
+    /// The sum of the terms without common factors taken out.
     fn expanded(self, part: &Polynomial) -> Shape {
         sum(part.terms.iter().map(|(m, c)| {
             let powers = m.exps().iter().copied().enumerate().filter(|(_, e)| *e > 0);
@@ -215,7 +215,7 @@ fn parts(all: &[Part]) -> Shape {
     }))
 }
 
-/// A coefficient other than zero times powers of variables and a sum.
+/// A nonzero coefficient times powers of variables and a sum.
 fn term(
     coefficient: &Rational,
     powers: impl Iterator<Item = (usize, u32)>,
@@ -227,7 +227,7 @@ fn term(
     product(number.into_iter().chain(powers).chain(inner))
 }
 
-/// The product of shapes; a single one stays.
+/// The product of shapes; a single shape is returned unchanged.
 fn product(factors: impl Iterator<Item = Shape>) -> Shape {
     let mut factors: Vec<Shape> = factors.collect();
     match factors.len() {
@@ -236,7 +236,7 @@ fn product(factors: impl Iterator<Item = Shape>) -> Shape {
     }
 }
 
-/// The sum of terms; a single positive one stays.
+/// The sum of terms; a single positive term is returned unchanged.
 fn sum(terms: impl Iterator<Item = (bool, Shape)>) -> Shape {
     let mut terms: Vec<(bool, Shape)> = terms.collect();
     match &terms[..] {
@@ -257,11 +257,11 @@ pub(super) enum Place {
     Below,
 }
 
-/// A product that may have more terms than this is not expanded to compare the lengths of both
+/// The largest number of terms for which a product is expanded to compare the lengths of both
 /// texts.
 const MAX_EXPANDED: u64 = 4096;
 
-/// Whether the leading coefficient is negative. Then the text starts with a minus sign.
+/// Whether the leading coefficient is negative, so that the text begins with a minus sign.
 pub(super) fn leads_negative(f: &Polynomial) -> bool {
     f.lc().is_some_and(Rational::is_negative)
 }

@@ -9,10 +9,10 @@ use crate::scalar::Field;
 use num_traits::Zero;
 use std::collections::BTreeMap;
 
-/// The largest total degree that a substitution may lead to.
+/// The largest total degree of the result of a substitution.
 const DEGREE_LIMIT: u64 = 1 << 30;
 
-/// Values for parameters, and for free functions of named arguments.
+/// Values of parameters, and of free functions of named arguments.
 #[derive(Clone, Default)]
 pub(super) struct Substitution {
     parameters: BTreeMap<String, Symbolic>,
@@ -24,7 +24,7 @@ impl Substitution {
         Substitution { parameters, functions: vec![] }
     }
 
-    /// Adds the value of a function of arguments of these names, unless it has one.
+    /// Adds the value of a function with these argument names, unless it already has one.
     pub fn add_function(&mut self, name: &str, arguments: &[String], value: Symbolic) {
         if self.function(name, arguments.len()).is_none()
             && let Ok(function) = FreeFunction::new(name, arguments)
@@ -50,7 +50,7 @@ impl Substitution {
 }
 
 impl From<&BTreeMap<String, Symbolic>> for Substitution {
-    /// Values by the names of parameters, and by functions as they are declared, `a(t)`.
+    /// Builds a substitution from names of parameters and declarations of functions, `a(t)`.
     fn from(values: &BTreeMap<String, Symbolic>) -> Self {
         let mut substitution = Substitution::default();
         for (name, value) in values {
@@ -65,10 +65,12 @@ impl From<&BTreeMap<String, Symbolic>> for Substitution {
 
 impl Symbolic {
     /// The value with `values[name]` substituted for every parameter `name`, simultaneously. Other
-    /// parameters stay. A free function as it is declared, `a(t)`, may get a value too, which its derivatives follow.
+    /// parameters are unchanged. A declared free function `a(t)` may be substituted too; its
+    /// derivatives follow.
     ///
-    /// `None` when the denominator becomes zero, when a total degree could pass `2^30`, or when a function
-    /// gets an argument of which it has no exact value, such as `log(-1)`, or `a(2)` for a free function.
+    /// Returns `None` if the denominator becomes zero, if a total degree could exceed `2^30`, or if
+    /// a function has no exact value at its new argument, such as `log(-1)`, or `a(2)` for a free
+    /// function.
     ///
     /// ```
     /// use affinor_tensors::Symbolic;
@@ -81,7 +83,8 @@ impl Symbolic {
         self.substitute_where(&PositiveFactors::default(), &values.into()).ok()
     }
 
-    /// The same with square roots and logarithms where these functions are positive.
+    /// Like [`substitute`](Self::substitute), but square roots and logarithms are evaluated under
+    /// the assumption that these functions are positive.
     pub(super) fn substitute_where(
         &self,
         positive: &PositiveFactors,
@@ -110,10 +113,11 @@ impl Symbolic {
         Ok(value)
     }
 
-    /// The value as a float, each parameter looked up by its name.
+    /// The value as a float; `lookup` returns the value of each parameter.
     ///
-    /// `None` when a parameter is not found or the value is not a finite number. Numerator and denominator are evaluated as polynomials
-    /// of `tan(x/2)` and `exp(x)`: near `x = pi`, for large exponents, and where terms cancel, they overflow or lose digits.
+    /// Returns `None` if a parameter is not found or the value is not a finite number. Numerator
+    /// and denominator are evaluated as polynomials of `tan(x/2)` and `exp(x)`. They overflow or
+    /// lose accuracy near `x = pi`, for large exponents, and where terms cancel.
     pub fn evaluate(&self, lookup: impl Fn(&str) -> Option<f64>) -> Option<f64> {
         self.evaluate_at(&lookup)
     }
@@ -140,7 +144,7 @@ fn at(f: &Polynomial, point: &[f64]) -> f64 {
     f.terms.iter().map(|(m, c)| term(m.exps(), c.to_f64())).sum()
 }
 
-/// The polynomial at values of its variables.
+/// The value of the polynomial at symbolic values of its variables.
 fn image(f: &Polynomial, values: &[Symbolic]) -> Symbolic {
     let mut powers = vec![BTreeMap::new(); values.len()];
     f.terms.iter().fold(Symbolic::zero(), |sum, (m, c)| {
@@ -161,8 +165,8 @@ fn power(value: &Symbolic, exponent: u32) -> Symbolic {
 }
 
 /// A bound for the total degrees of all intermediate numerators and denominators. The images of `N`
-/// and `D` have a common denominator, whose degree is at most the sum over the variables; adding two
-/// fractions at most doubles the degree.
+/// and `D` have a common denominator, whose degree is at most the sum over the variables. Adding
+/// two fractions at most doubles the degree.
 fn degree_bound(f: &Fraction, values: &[Symbolic]) -> u64 {
     let degrees = f.numerator.degrees().into_iter().zip(f.expanded_denominator().degrees());
     let degrees = degrees.map(|(n, d)| u64::from(n) + u64::from(d));

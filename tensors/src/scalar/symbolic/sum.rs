@@ -1,9 +1,9 @@
 //! Sums of products of rational functions over one common denominator.
 //!
-//! A sum only collects its terms. At its end all numerators are brought over the least common
-//! denominator, whose factors are known ([`denominator`](super::denominator)), and multiplied and
-//! added as polynomials. Then each factor is divided out once. No common divisors are searched,
-//! unless a factor is not known to be irreducible.
+//! A sum first only collects its terms. When it is finished, all numerators are brought over the
+//! least common denominator, whose factors are known ([`denominator`](super::denominator)), and
+//! multiplied and added as polynomials. Then each factor is divided out once. Common divisors are
+//! searched only if a factor is not known to be irreducible.
 
 use super::super::effort;
 use super::denominator::{Denominator, Factor, Powers, common_base, coprime};
@@ -21,7 +21,7 @@ use polycore::{Monomial, Order, Poly};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-/// A sum of terms and products that is brought to lowest terms once, at its end.
+/// A sum of terms and products that is brought to lowest terms once, when it is finished.
 #[derive(Clone, Debug, Default)]
 pub struct SymbolicSum {
     constant: Rational,
@@ -123,7 +123,7 @@ impl SymbolicSum {
 struct Common<'s> {
     variables: Variables,
     terms: Vec<Term<'s>>,
-    /// The missing factors of the terms: exponents of variables, then of the base.
+    /// The factors by which the terms must be multiplied: exponents of variables, then of the base.
     groups: Vec<Vec<u32>>,
     /// Coprime factors, and their polynomials over all variables.
     base: Vec<(Arc<Factor>, Polynomial)>,
@@ -196,7 +196,7 @@ impl<'s> Common<'s> {
                         .for_each(|(total, share)| *total += share * e),
                 }
             }
-            // a product, unlike a fraction, need not be in lowest terms
+            // a product of two fractions need not be in lowest terms
             let weight = if factors[1].is_some() { 2 } else { 1 };
             let group = group(exponents, weight);
             terms.push(Term { coefficient: &p.coefficient, factors, group });
@@ -227,7 +227,7 @@ impl<'s> Common<'s> {
         self.within_limit().unwrap_or_else(ended)
     }
 
-    /// The value; `None` if the limit on terms is passed.
+    /// The value; `None` if the limit on terms is exceeded.
     fn within_limit(mut self) -> Option<Symbolic> {
         let length = |f: &Option<(&Polynomial, _)>| f.as_ref().map_or(1, |(f, _)| f.terms.len());
         let products =
@@ -328,7 +328,7 @@ impl<'s> Common<'s> {
         let factor_degrees: Vec<Vec<u32>> = self.base.iter().map(|(_, f)| f.degrees()).collect();
         let factor_norms: Vec<u128> =
             self.base.iter().map(|(_, f)| Some(integral(f)?.norm)).collect::<Option<_>>()?;
-        // the degrees and the sizes of the sums of the groups, and the common denominator
+        // the degrees and magnitudes of the sums of the groups, and of the common denominator
         let mut degrees = vec![vec![0u64; n]; self.groups.len()];
         let mut operands = Vec::with_capacity(self.terms.len());
         let mut denominator = 1i128;
@@ -372,7 +372,7 @@ impl<'s> Common<'s> {
         let mut all: Vec<u64> =
             (0..n).map(|at| degrees.iter().map(|own| own[at]).max().unwrap_or(0)).collect();
         for degrees in &factor_degrees {
-            // room for the divisors, too
+            // the layout also needs room for the divisors
             all.iter_mut().zip(degrees).for_each(|(all, d)| *all = (*all).max((*d).into()));
         }
         let layout = Layout::new(&all)?;
@@ -405,7 +405,7 @@ impl<'s> Common<'s> {
             let room = a.len().saturating_mul(b.len());
             sum.get_or_insert_with(|| Gathered::with_room(room)).add_product(*scale, a, b);
         }
-        // the first group without missing factors takes up the others
+        // the first group without missing factors collects the others
         let mut total = match self.groups.iter().position(|missing| missing.iter().all(|e| *e == 0))
         {
             Some(at) => sums[at].take(),
@@ -481,8 +481,8 @@ impl<'s> Common<'s> {
     }
 }
 
-/// What stands for a value that is no longer computed: neither zero nor a polynomial, so that no loop
-/// waits for one.
+/// The placeholder for values that are no longer computed. It is neither zero nor a polynomial, so
+/// that no loop waits for such a value.
 fn ended() -> Symbolic {
     Fraction::variable(Variable::parameter("limit"))
         .recip()
@@ -496,7 +496,7 @@ struct Integral {
     norm: u128,
 }
 
-/// `None` if a number passes a machine word.
+/// Returns `None` if a number does not fit a machine word.
 fn integral(f: &Polynomial) -> Option<Integral> {
     let mut denominator = 1i64;
     for (_, c) in &f.terms {
@@ -517,8 +517,8 @@ fn numerator_over(c: &Rational, denominator: i64) -> Option<i128> {
     Some(i128::from(*c.numer()) * i128::from(denominator / c.denom()))
 }
 
-/// The integer polynomial that [`integral`] describes, highest terms first; `None` if it does not
-/// fit.
+/// The integer polynomial of [`integral`], highest terms first; `None` if it does not fit the
+/// layout.
 fn packed<K: Word>(layout: &Layout, f: &Polynomial, columns: &[usize]) -> Option<Vec<(K, i128)>> {
     let denominator = integral(f)?.denominator;
     let mut terms = Vec::with_capacity(f.terms.len());
@@ -530,7 +530,7 @@ fn packed<K: Word>(layout: &Layout, f: &Polynomial, columns: &[usize]) -> Option
     Some(terms)
 }
 
-/// The polynomial divided by an integer, in the order of polynomials.
+/// The polynomial divided by an integer, with its terms in the order of polynomials.
 fn unpacked<K: Word>(layout: &Layout, terms: &[(K, i128)], denominator: i128) -> Polynomial {
     let monomial = |word: K| {
         let exponents = (0..layout.variables()).map(|at| layout.exponent(word, at));
@@ -540,7 +540,7 @@ fn unpacked<K: Word>(layout: &Layout, terms: &[(K, i128)], denominator: i128) ->
         .iter()
         .map(|(word, value)| (monomial(*word), Rational::reduced(*value, denominator)))
         .collect();
-    // graded: the words are in lexicographic order
+    // the words are in lexicographic order, but polynomials in graded order
     terms.sort_by_key(|(monomial, _)| std::cmp::Reverse(monomial.degree()));
     Poly { terms, nvars: layout.variables(), order: Order::GrLex }
 }

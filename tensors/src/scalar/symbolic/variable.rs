@@ -1,7 +1,7 @@
 //! Variables: the generators of the field of values, each stored once.
 //!
-//! A variable has a [`Kind`] and, for functions, arguments that are values themselves. It is read once and written once:
-//! its text serves writing and the order of variables, and is never taken apart.
+//! A variable has a [`Kind`] and, for functions, arguments that are themselves values. Its text is
+//! written once; it serves for output and for the order of variables, and is never parsed.
 
 use super::free::Applied;
 use super::{Symbolic, writing};
@@ -27,9 +27,9 @@ pub(super) enum Kind {
     Logarithm(Symbolic),
     /// The root `of^(1/parts)` of an irreducible polynomial or a prime.
     Root(Part),
-    /// A function that is not given, or a derivative of one, at arguments.
+    /// A free function, or a derivative of one, at its arguments.
     Applied(Applied),
-    /// A function in the form in which it is written, such as the sine. It occurs in written forms only.
+    /// A function in its written form, such as the sine. It occurs in written forms only.
     Written(Function, Part),
     /// A root without its relation, in written forms only.
     FreeRoot(Part),
@@ -37,12 +37,12 @@ pub(super) enum Kind {
     Secant(Part),
 }
 
-/// The part `of / parts` of an argument.
+/// A part of an argument: `of / parts`.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(super) struct Part {
     /// A member of the basis of arguments, such as `x` or `a*x^2`.
     pub of: Symbolic,
-    /// A positive number.
+    /// The number of parts, which is positive.
     pub parts: u32,
 }
 
@@ -59,10 +59,11 @@ struct Entry {
     order: Order,
     /// The parameters that the variable depends on, in their order; empty for a parameter.
     parameters: Variables,
-    /// Numbers in the order of the variables. Of variables with equal numbers, [`Order`] decides.
+    /// A number that respects the order of the variables. [`Order`] decides between variables with
+    /// equal numbers.
     rank: u64,
     hash: u64,
-    /// The number of variables that were stored before.
+    /// The number of variables that were stored before this one.
     index: usize,
 }
 
@@ -74,8 +75,8 @@ enum Order {
     Function { arguments: Box<str>, name: Box<str> },
 }
 
-/// All variables of this process. A value refers to its variables without counting, so they stay until the process ends: a few
-/// hundred bytes for each different parameter and function.
+/// All variables of this process. A value refers to its variables without counting references, so
+/// they are never freed: a few hundred bytes for each different parameter and function.
 #[derive(Default)]
 struct Stored {
     parameters: HashMap<&'static str, Variable>,
@@ -107,12 +108,13 @@ impl Variable {
         variable
     }
 
-    /// The function of that kind.
+    /// The variable of that kind.
     pub(super) fn function(kind: Kind) -> Self {
         if let Some(known) = Stored::lock().functions.get(&kind) {
             return *known;
         }
-        // arguments have variables of their own, so the text is written before the table is locked again
+        // arguments contain other variables, so the text is written before the table is locked
+        // again
         let text = writing::variable(&kind);
         let [name, arguments] = writing::call(&kind).map(Box::from);
         let order = Order::Function { arguments, name };
@@ -166,7 +168,8 @@ impl Variable {
         }
     }
 
-    /// The argument `p` and the order `n` of a root `p^(1/n)`, a prime or an irreducible polynomial; `None` for other variables.
+    /// The argument `p` and the order `n` of a root `p^(1/n)`; `p` is a prime or an irreducible
+    /// polynomial. `None` for other variables.
     ///
     /// ```
     /// use affinor_tensors::{Symbolic, scalar::PositiveFactors};
@@ -190,7 +193,7 @@ impl Variable {
 }
 
 impl Kind {
-    /// The values that the function is taken of.
+    /// The arguments of the function.
     pub fn arguments(&self) -> Vec<&Symbolic> {
         match self {
             Kind::Parameter(_) | Kind::Pi => vec![],
@@ -205,8 +208,8 @@ impl Kind {
         }
     }
 
-    /// The part of its argument, of half tangents, exponentials and roots. Functions of the same kind and of the same
-    /// argument depend on each other.
+    /// The part of its argument, for half tangents, exponentials and roots. Functions of the same
+    /// kind and argument depend on each other algebraically.
     pub fn part(&self) -> Option<&Part> {
         match self {
             Kind::HalfTangent(part) | Kind::Exponential(part) | Kind::Root(part) => Some(part),
@@ -214,7 +217,7 @@ impl Kind {
         }
     }
 
-    /// The function of the same kind in another number of parts of its argument.
+    /// The function of the same kind and argument, for another number of parts.
     pub fn in_parts(&self, parts: u32) -> Option<Kind> {
         let part = Part { of: self.part()?.of.clone(), parts };
         Some(match self {
@@ -224,7 +227,8 @@ impl Kind {
         })
     }
 
-    /// The root of order `n` of a root or an exponential: the function of an `n`th of its part.
+    /// The root of order `n` of a root or an exponential: the same function of an `n` times smaller
+    /// part.
     pub fn in_parts_of(&self, n: u32) -> Option<Kind> {
         match self {
             Kind::Exponential(part) | Kind::Root(part) => self.in_parts(part.parts.checked_mul(n)?),
@@ -232,7 +236,7 @@ impl Kind {
         }
     }
 
-    /// Whether two functions are of the same kind and of the same argument, in any parts.
+    /// Whether two functions have the same kind and argument, for any numbers of parts.
     pub fn is_related(&self, other: &Self) -> bool {
         std::mem::discriminant(self) == std::mem::discriminant(other)
             && self.part().zip(other.part()).is_some_and(|(own, other)| own.of == other.of)
@@ -257,7 +261,7 @@ impl Ord for Variable {
     fn cmp(&self, other: &Self) -> Ordering {
         match self.0.rank.cmp(&other.0.rank) {
             Ordering::Equal if self != other => {
-                // of different functions with one text the first is the one that was stored first
+                // of different functions with the same text, the one that was stored first is first
                 self.0.order.cmp(&other.0.order).then(self.0.index.cmp(&other.0.index))
             }
             order => order,
@@ -293,7 +297,7 @@ impl fmt::Debug for Variable {
 /// Variables in their order, each once.
 pub(super) type Variables = Arc<[Variable]>;
 
-/// All variables of these lists, each once, in no order.
+/// All variables of these lists, each once, in arbitrary order.
 pub(super) fn distinct<'v>(lists: impl Iterator<Item = &'v [Variable]>) -> Vec<Variable> {
     let mut found: Vec<Option<Variable>> = Vec::new();
     for variable in lists.flatten() {
@@ -318,8 +322,8 @@ pub(super) fn union(a: &Variables, b: &Variables) -> Variables {
 }
 
 impl Order {
-    /// A number that is less or equal where the order is less: the first letters of a name, the number of digits behind
-    /// them and the first digits.
+    /// A number that respects the order of names: the first letters of a name, the number of digits
+    /// after them, and the first digits.
     fn rank(&self) -> u64 {
         match self {
             Order::Name(name) => rank(name),
@@ -363,7 +367,7 @@ fn rank(name: &str) -> u64 {
     u64::from(u32::from_be_bytes(first)) << 28 | number
 }
 
-/// The position of each variable in `all`, which includes the variables.
+/// The position of each variable in `all`, which must include the variables.
 pub(super) fn places(variables: &Variables, all: &Variables) -> Vec<usize> {
     let mut at = 0;
     let place = |variable: &Variable| {
@@ -376,12 +380,12 @@ pub(super) fn places(variables: &Variables, all: &Variables) -> Vec<usize> {
     variables.iter().map(place).collect()
 }
 
-/// Alphabetical, with numbers compared by value: `J2 < J10 < K1`.
+/// Natural order: alphabetical, with numbers compared by value, `J2 < J10 < K1`.
 pub(super) fn natural(a: &str, b: &str) -> Ordering {
     pieces(a).cmp(pieces(b)).then_with(|| a.cmp(b))
 }
 
-/// Letters and the number behind them, piece by piece; numbers as (length, digits).
+/// Splits a name into pairs of letters and a number; numbers are compared as (length, digits).
 fn pieces(name: &str) -> impl Iterator<Item = (&str, usize, &str)> {
     let mut rest = name;
     std::iter::from_fn(move || {

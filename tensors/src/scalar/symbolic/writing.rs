@@ -1,4 +1,4 @@
-//! Values as text and as LaTeX.
+//! Conversion of values to text and LaTeX.
 
 use super::common::CommonFactors;
 use super::free::Applied;
@@ -10,7 +10,7 @@ use crate::scalar::{Notation, Ring};
 use num_integer::Integer;
 use num_traits::One;
 
-/// The two ways to write a value.
+/// The two output formats of a value.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Markup {
     Text,
@@ -41,18 +41,18 @@ impl Symbolic {
     }
 }
 
-/// How tightly an operation binds.
+/// The precedence of operations.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Binds {
     Sum,
     Product,
-    /// A single factor, as below a fraction.
+    /// A single factor, as in a denominator.
     Factor,
     /// The base of a power.
     Atom,
 }
 
-/// Writes shapes over variables.
+/// The writer of shapes with named variables.
 #[derive(Clone, Copy)]
 struct Writer<'w> {
     markup: Markup,
@@ -60,7 +60,7 @@ struct Writer<'w> {
 }
 
 impl Writer<'_> {
-    /// Appends a shape to a text, in parentheses where an operation around it binds tighter.
+    /// Appends a shape to a text, in parentheses if the surrounding operation binds more tightly.
     fn write(self, shape: &Shape, around: Binds, text: &mut String) {
         let own = match shape {
             Shape::Number(_) | Shape::Variable(..) | Shape::Named(..) => Binds::Atom,
@@ -122,7 +122,7 @@ impl Writer<'_> {
     }
 }
 
-/// The text of a shape at its place.
+/// The text of a shape at a position in a fraction.
 pub(super) fn text_at(shape: &Shape, variables: &[Variable], place: Place) -> String {
     let around = match place {
         Place::Alone => Binds::Sum,
@@ -134,7 +134,7 @@ pub(super) fn text_at(shape: &Shape, variables: &[Variable], place: Place) -> St
     text
 }
 
-/// An exponent after its base; 1 is not written.
+/// An exponent after its base; the exponent 1 is omitted.
 fn exponent(exponent: u32, markup: Markup) -> String {
     match (exponent, markup) {
         (1, _) => String::new(),
@@ -148,7 +148,8 @@ pub(super) fn variable(kind: &Kind) -> String {
     kind_power(kind, 1, Markup::Text)
 }
 
-/// The name of a function, and the text of its arguments with the closing parenthesis, by which functions are ordered.
+/// The name of a function, and the text of its arguments with the closing parenthesis. Functions
+/// are ordered by them.
 pub(super) fn call(kind: &Kind) -> [String; 2] {
     let [name, arguments] = match kind {
         Kind::Parameter(name) => [name.to_string(), String::new()],
@@ -177,7 +178,8 @@ fn power(variable: Variable, e: u32, markup: Markup) -> String {
     }
 }
 
-/// `sin(x)^2`, `exp(2*x)`, `\sin^{2} x`, `e^{2 x}`, `\sqrt{x}`, `x^(2/3)`, `t^(2*p)`.
+/// The text of a power of a function: `sin(x)^2`, `exp(2*x)`, `\sin^{2} x`, `e^{2 x}`, `\sqrt{x}`,
+/// `x^(2/3)`, `t^(2*p)`.
 fn kind_power(kind: &Kind, e: u32, markup: Markup) -> String {
     match kind {
         Kind::Parameter(name) => parameter(name, markup) + &exponent(e, markup),
@@ -219,7 +221,7 @@ fn powered(base: &Symbolic, exponent: &str, markup: Markup) -> String {
     }
 }
 
-/// A value as the base of a power, in parentheses unless it is a name or a positive integer.
+/// A value as the base of a power, in parentheses unless it is a name or a nonnegative integer.
 fn atom(base: &Symbolic, markup: Markup) -> String {
     let plain = base.as_variable().is_some_and(|variable| match variable.kind() {
         Kind::Parameter(_) => true,
@@ -235,7 +237,7 @@ fn atom(base: &Symbolic, markup: Markup) -> String {
     }
 }
 
-/// The base `p` and the part `u` of an exponent, if the argument is `u*log(p)`.
+/// The base `p` and the exponent `u`, if the argument is `u*log(p)`.
 fn symbolic_power(part: &Part) -> Option<(Symbolic, Part)> {
     let mut logarithms = part.of.variables().iter().filter_map(|variable| match variable.kind() {
         Kind::Logarithm(p) => Some((*variable, p)),
@@ -259,7 +261,7 @@ fn called(function: &str, part: Part, e: u32, markup: Markup) -> String {
     }
 }
 
-/// `2*a*x/3`: a multiple of a part of an argument.
+/// The text of a multiple of a part of an argument: `2*a*x/3`.
 fn multiple(part: Part, count: u32, markup: Markup) -> String {
     let common = count.gcd(&part.parts);
     let (count, parts) = (i64::from(count / common), i64::from(part.parts / common));
@@ -285,7 +287,7 @@ impl Part {
 }
 
 impl Applied {
-    /// The name with derivatives: `f_r_theta`.
+    /// The name of the function with its derivatives: `f_r_theta`.
     pub(super) fn head(&self) -> String {
         self.differentiated_by().iter().fold(self.name.to_string(), |head, by| head + "_" + by)
     }
@@ -300,8 +302,8 @@ impl Applied {
         self.arguments.iter().map(write).collect::<Vec<_>>().join(comma)
     }
 
-    /// `f_r_theta(r,theta)`; in LaTeX `f_{,r \theta}`, `f_{1,t}` for `f1_t(t)`, and `A_{,1}(\frac{r}{t})` at arguments that
-    /// are not names.
+    /// The text of a free function: `f_r_theta(r,theta)`. In LaTeX `f_{,r \theta}`, `f_{1,t}` for
+    /// `f1_t(t)`, and `A_{,1}(\frac{r}{t})` at arguments that are not names.
     fn written(&self, markup: Markup) -> String {
         if markup == Markup::Text {
             return format!("{}({})", self.head(), self.list(markup));
@@ -329,7 +331,8 @@ fn parameter(name: &str, markup: Markup) -> String {
         Markup::Text => name.to_owned(),
     }
 }
-/// `J11` is `J_{11}`, `lambda` is `\lambda`, `abc_x` is `\mathit{abc}_{x}`.
+/// The LaTeX form of a name: `J11` is `J_{11}`, `lambda` is `\lambda`, `abc_x` is
+/// `\mathit{abc}_{x}`.
 fn latex_name(name: &str) -> String {
     let stem = name.trim_end_matches(|c: char| c.is_ascii_digit());
     let (stem, index) = match name.split_once('_') {
@@ -359,7 +362,7 @@ fn latex_stem(stem: &str) -> String {
     }
 }
 
-/// The Greek letters that LaTeX knows by name.
+/// The Greek letters that have LaTeX commands.
 const GREEK: &str = "alpha beta gamma delta epsilon varepsilon zeta eta theta vartheta iota kappa \
     lambda mu nu xi pi varpi rho varrho sigma varsigma tau upsilon phi varphi chi psi omega \
     Gamma Delta Theta Lambda Xi Pi Sigma Upsilon Phi Psi Omega";

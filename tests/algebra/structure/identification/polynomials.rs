@@ -1,4 +1,5 @@
-//! Parameters that are invariants of the action, rational where eigenvalues and isomorphisms are not.
+//! Parameters are rational invariants of the action, even if eigenvalues and isomorphisms are
+//! irrational.
 
 use super::respects_under_roots;
 use crate::algebra::structure::scrambled;
@@ -34,7 +35,7 @@ fn identified(algebra: &Algebra) -> Identification {
     plain
 }
 
-/// Numbers with their parts without squares, which are not 1.
+/// Numbers with their square-free parts, which are not 1.
 const NUMBERS: [(i64, i64); 9] =
     [(2, 2), (3, 3), (5, 5), (8, 2), (12, 3), (18, 2), (30, 30), (45, 5), (1_000_003, 1_000_003)];
 
@@ -69,7 +70,7 @@ fn eigenvalues_with_the_ratio_minus_one() {
     }
 }
 
-/// Squares need no root.
+/// If the squares are rational, no root is needed.
 #[test]
 fn rational_eigenvalues_with_the_ratio_minus_one() {
     for c in [1, 4, 9, 49] {
@@ -105,7 +106,7 @@ fn two_vectors_on_a_plane() {
     }
 }
 
-/// The parameter of a nilpotent family is known up to squares.
+/// The parameter of a nilpotent family is determined up to squares.
 #[test]
 fn nilpotent_families() {
     for family in [19, 21, 22, 24] {
@@ -120,8 +121,8 @@ fn nilpotent_families() {
     }
 }
 
-/// Eigenvalues 1 +- sqrt(2), and 1/2 +- i sqrt(7)/2, beside 0, beside 1 and on the Heisenberg algebra: the parameters are not
-/// rational, their squares or sums are.
+/// Eigenvalues 1 +- sqrt(2) and 1/2 +- i sqrt(7)/2, with a third eigenvalue 0 or 1, and on the
+/// Heisenberg algebra. The parameters are irrational, but their squares or sums are rational.
 #[test]
 fn equations_of_irrational_parameters() {
     let rows = [
@@ -158,7 +159,7 @@ fn equations_of_irrational_parameters() {
     }
 }
 
-/// A multiple of the acting vector, and any basis, leave the parameters.
+/// Scaling the acting vector and changing the basis do not change the parameters.
 #[test]
 fn multiples_of_the_acting_vector() {
     let names = [

@@ -93,7 +93,7 @@ fn evaluate(text: &str) -> Vec<Result<(), ExpressionError>> {
         let names = |text: &str| name(text).ok_or("no value".to_string());
         let meaning = Scalars(names, S::call);
         let value = Expression::parse(text)?.evaluate(&meaning)?;
-        // a value is written, read, and stays itself
+        // a value is printed and read back as the same value
         let again = Expression::parse(&value.to_string())?.evaluate(&meaning)?;
         assert!(S::KIND == affinor_tensors::Kind::Float || again == value, "{value}");
         Ok(())
@@ -111,7 +111,7 @@ fn check(text: String) {
     drop(Expression::parse_beside(&text, &|name| name == "e1"));
 }
 
-/// Sums, products, quotients and powers that are well formed, and may be far too large.
+/// Sums, products, quotients and powers that are well formed, but may be much too large.
 fn formulas() -> impl Strategy<Value = String> {
     let leaf = prop_oneof![
         4 => select(&["a", "b", "c", "d"][..]).prop_map(String::from),

@@ -1,4 +1,4 @@
-//! Texts that are nearly right.
+//! Texts that are valid except for a few random changes.
 
 use proptest::collection::vec;
 use proptest::prelude::*;
@@ -14,7 +14,7 @@ enum Change {
     Swap(Index, Index),
 }
 
-/// One of `seeds` with some changes, which may bring in `words`.
+/// One of `seeds` with some changes, which may insert words of `words`.
 pub fn mutants(
     seeds: &'static [&'static str],
     words: &'static [&'static str],
@@ -38,7 +38,7 @@ pub fn mutants(
     })
 }
 
-/// Words in a row.
+/// Sequences of words.
 pub fn sentences(words: &'static [&'static str], most: usize) -> impl Strategy<Value = String> {
     vec(select(words), 0..=most).prop_map(|words| words.concat())
 }

@@ -30,7 +30,7 @@ const NAMES: &[&str] = &[
     "M(3)@zero",
 ];
 
-/// Without two digits in a row, which would name large algebras.
+/// Words without two consecutive digits, which would name large algebras.
 const WORDS: &[&str] = &[
     "(",
     ")",
@@ -154,13 +154,13 @@ fn check(request: Request) {
     }
 }
 
-/// A name that is no path: the test must not depend on the files of a disk.
+/// A name that is not a path: the test must not depend on the files of a disk.
 fn space(name: String) -> Request {
     let name = name.replace('/', "");
     Request { space: Some(if name == "-" { String::new() } else { name }), ..Request::default() }
 }
 
-/// The first digit of each row of digits.
+/// Keeps only the first digit of consecutive digits.
 fn with_single_digits(name: &str) -> String {
     let before = std::iter::once(' ').chain(name.chars());
     let pairs = before.zip(name.chars());

@@ -122,7 +122,7 @@ properties! {
     }
 }
 
-/// Definitions and stored tables are told apart.
+/// Definitions and stored tables are distinguished.
 #[test]
 fn a_definition_is_no_table() {
     let definition = "{\"dimension\": 2, \"brackets\": \"\"}";

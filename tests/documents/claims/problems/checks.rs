@@ -1,4 +1,4 @@
-//! What is true of each problem.
+//! Checks that hold for each problem.
 
 use super::references::*;
 use super::run::{Run, open};
@@ -6,7 +6,7 @@ use affinor::mechanics::MassProperties;
 use affinor_documents::problem::Problem;
 use nalgebra::{DMatrix, Isometry3, Matrix3, Vector3};
 
-/// A file of the folder, and what is true of its motion.
+/// A file of the folder, and a check of its motion.
 pub type Check = (&'static str, fn(&str));
 
 pub const CHECKS: &[Check] = &[
@@ -14,13 +14,13 @@ pub const CHECKS: &[Check] = &[
         free_body(&open(name), "hairer-vilmart", 1e-13);
         taylor(&Run::new(&open(name), 0), "hairer-vilmart", 1e-13);
     }),
-    // neighbours of the middle axis leave each other
+    // initial conditions near the middle axis diverge
     ("dzhanibekov", |name| free_body(&open(name), "dzhanibekov", 1e-11)),
     ("dzhanibekov_long", |name| free_body(&open(name), "dzhanibekov-long", 1e-9)),
     ("hairer_lubich_wanner", |name| {
         free_body(&open(name), "hairer-lubich-wanner", 1e-13);
         let notes = open(name).motion(0).unwrap().notes;
-        assert!(notes[0].contains("no masses have them"), "{notes:?}");
+        assert!(notes[0].contains("no body has these moments"), "{notes:?}");
     }),
     ("small_axis", |name| free_body(&open(name), "small-axis", 1e-13)),
     ("separatrix", |name| {
@@ -41,7 +41,7 @@ pub const CHECKS: &[Check] = &[
             off(&run.values(0, &["energy", "h3"]), &[5435.696790865547, -70.3124296875]) < 1e-14
         );
     }),
-    // the vertical in the body is the second half of the momentum
+    // the second half of the momentum is the vertical direction in the body
     ("heavy_top_reduced", |name| {
         let run = Run::new(&open(name), 0);
         let all = references();
@@ -56,7 +56,7 @@ pub const CHECKS: &[Check] = &[
         }
         run.keeps(&["energy"], 1e-10);
     }),
-    // the same top by its constraints, of order 2
+    // the same top with constraints, of order 2
     ("heavy_top_held", |name| {
         let error = |problem: &Problem| {
             let run = Run::new(problem, 0);
@@ -108,7 +108,7 @@ pub const CHECKS: &[Check] = &[
         let run = Run::new(&open(name), 0);
         let coning = &references()["coning"];
         let row = run.at(number(&coning["time"]));
-        // three unit moments: the momentum is the velocity
+        // with three unit moments the momentum equals the velocity
         let velocity = off(&run.vector(row, "Omega"), &numbers(&coning["momentum"]));
         let element = off(run.matrix(row).transpose().as_slice(), &numbers(&coning["element"]));
         println!("coning: {element:.1e} {velocity:.1e}");
@@ -128,7 +128,7 @@ pub const CHECKS: &[Check] = &[
     ("manakov_so5", |name| manakov(name, 5)),
     ("euler_poincare_so4", |name| {
         let run = Run::new(&open(name), 0);
-        // e1.. are the planes from the last, with alternating signs
+        // e1, e2, ... are the planes from the last, with alternating signs
         let mut turned = Run { name: run.name.clone(), names: run.names.clone(), rows: vec![] };
         let at = |i: usize| run.names.iter().position(|own| *own == format!("H{i}")).unwrap();
         for row in &run.rows {
@@ -161,7 +161,8 @@ pub const CHECKS: &[Check] = &[
         taylor(&run, "se(2)", 1e-11);
         run.keeps(&["energy", "P_P"], 1e-11);
     }),
-    // g of a right-invariant metric is the inverse of that of the left-invariant one, turning backwards
+    // g for a right-invariant metric is the inverse of g for the left-invariant metric with the
+    // opposite velocity
     ("fluid_se2", |name| {
         let problem = open(name);
         let text = problem.text().replace("\"right\"", "\"left\"");
@@ -216,7 +217,7 @@ pub const CHECKS: &[Check] = &[
         let limit = std::f64::consts::PI / 360.0;
         assert!(rate(run.at(214.0)) > limit && rate(run.at(216.0)) < limit && rate(last) < 1e-6);
     }),
-    // the axis turns about the vertical at a constant tilt and a constant rate
+    // the axis precesses about the vertical with constant tilt and rate
     ("precessing_top", |name| {
         let run = Run::new(&open(name), 0);
         let (sin, cos) = std::f64::consts::FRAC_PI_6.sin_cos();
@@ -235,7 +236,7 @@ pub const CHECKS: &[Check] = &[
         run.keeps(&["energy"], 1e-8);
         run.keeps(&["h3"], 1e-12);
     }),
-    // (109): the energy changes by the power, here integrated by Simpson's rule
+    // (109): the energy changes by the power, which is integrated by Simpson's rule here
     ("friction", |name| {
         let run = Run::new(&open(name), 0);
         let (energy, power) = (run.column("energy"), run.column("power"));
@@ -257,7 +258,7 @@ pub const CHECKS: &[Check] = &[
         assert!(!run.has("casimir1"));
         let energy = run.column("energy");
         assert!(energy.windows(2).all(|pair| pair[1] <= pair[0] + 1e-14));
-        // all about the axis of the largest moment
+        // all members rotate about the axis of the largest moment
         let square = run.column("length")[0].powi(2);
         assert!((energy[energy.len() - 1] - square / 5.0).abs() < 1e-12);
     }),
@@ -280,7 +281,7 @@ pub const CHECKS: &[Check] = &[
         let all: Vec<Vec<f64>> = (0..100).map(|member| problem.variation(member)).collect();
         let mean = |k: usize| all.iter().map(|values| values[k]).sum::<f64>() / 100.0;
         let square = |k: usize| all.iter().map(|values| values[k].powi(2)).sum::<f64>() / 100.0;
-        // of the normal deviation 0.01, and of the uniform numbers 0.1/sqrt(3)
+        // standard deviations: normal 0.01, uniform 0.1/sqrt(3)
         assert!(mean(0).abs() < 0.004 && (0.007..0.013).contains(&square(0).sqrt()));
         assert!(mean(1).abs() < 0.02 && (0.045..0.07).contains(&square(1).sqrt()));
         assert!(all.iter().all(|values| values[1].abs() <= 0.1 && values[2].abs() <= 0.1));
@@ -344,7 +345,7 @@ pub const CHECKS: &[Check] = &[
         let opposite: Vec<f64> = q.iter().map(|x| -x).collect();
         assert!(off(&found, &q).min(off(&found, &opposite)) < 1e-8, "{found:?}");
     }),
-    // of order 2, with the forces of the joints
+    // of order 2, with constraint forces of the joints
     ("double_pendulum", |name| {
         let expected = &joints()[name];
         let axes = ["g13_1", "g23_1", "g33_1", "g13_2", "g23_2", "g33_2"];

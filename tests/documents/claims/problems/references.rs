@@ -1,4 +1,4 @@
-//! Runs against stored references and closed forms.
+//! Runs are compared with stored references and closed forms.
 
 use super::run::{Run, open};
 use affinor_documents::problem::Problem;
@@ -12,7 +12,7 @@ pub fn numbers(value: &Value) -> Vec<f64> {
     value.as_array().unwrap().iter().map(number).collect()
 }
 
-/// The largest difference, relative to the size of what is expected where that is above 1.
+/// The largest difference, relative to the expected size if that is above 1.
 pub fn off(found: &[f64], expected: &[f64]) -> f64 {
     assert_eq!(found.len(), expected.len());
     let size = expected.iter().fold(1.0_f64, |size, x| size.max(x.abs()));
@@ -23,12 +23,12 @@ pub fn references() -> Value {
     serde_json::from_str(include_str!("../../../../tests/data/motions.json")).unwrap()
 }
 
-/// The states of bodies with wheels and joints, by equations that use no product of groups.
+/// The states of bodies with wheels and joints, computed without products of groups.
 pub fn joints() -> Value {
     serde_json::from_str(include_str!("../../../../tests/data/joints.json")).unwrap()
 }
 
-/// The states of a motion of `motions.json` that are within its times: elements and body momenta.
+/// The states of a motion of `motions.json` up to its end time: elements and body momenta.
 pub fn taylor(run: &Run, name: &str, bound: f64) {
     let all = references();
     let motions = all["motions"].as_array().unwrap();
@@ -71,7 +71,8 @@ pub fn free_body(problem: &Problem, name: &str, bound: f64) {
     run.keeps(&["h1", "h2", "h3", "energy", "casimir1"], 1e-13);
 }
 
-/// The states of `isospectral.txt` of a flow and a size, behind as many numbers as say the start.
+/// The states in `isospectral.txt` for a flow and a size. Each row begins with numbers that
+/// describe the start.
 pub fn isospectral(run: &Run, name: &str, given: usize, columns: &[String], bound: f64) {
     let lines = include_str!("../../../../tests/data/isospectral.txt").lines();
     let lines: Vec<&str> = lines.filter_map(|line| line.strip_prefix(name)).collect();

@@ -1,4 +1,4 @@
-//! A problem of the examples, run.
+//! Runs a problem of the examples.
 
 use affinor_documents::problem::Problem;
 use nalgebra::{DMatrix, Isometry3, Quaternion, UnitQuaternion, Vector3};
@@ -13,7 +13,7 @@ pub fn open(name: &str) -> Problem {
     Problem::read(path.to_str().unwrap()).unwrap_or_else(|error| panic!("{name}: {error}"))
 }
 
-/// The rows of a motion, by the names of their columns.
+/// The rows of a motion, with columns found by name.
 pub struct Run {
     pub name: String,
     pub names: Vec<String>,
@@ -43,7 +43,7 @@ impl Run {
         self.rows.iter().map(|row| row[at]).collect()
     }
 
-    /// The row nearest to a time, which is one of the motion.
+    /// The row at a time of the motion, up to rounding.
     pub fn at(&self, time: f64) -> usize {
         let times = self.column("t");
         let row = times.iter().position(|t| (t - time).abs() < 1e-9);
@@ -62,7 +62,7 @@ impl Run {
         names.iter().map(|name| self.column(name)[row]).collect()
     }
 
-    /// The matrix of the element, from whichever coordinates there are.
+    /// The matrix of the element, from the coordinates that the motion has.
     pub fn matrix(&self, row: usize) -> DMatrix<f64> {
         let value = |name: &str| self.column(name)[row];
         if self.has("qw") {
@@ -85,7 +85,7 @@ impl Run {
         DMatrix::from_fn(n, n, |i, j| value(&format!("g{}{}", i + 1, j + 1)))
     }
 
-    /// The largest change of a column, relative to its size where that is above 1.
+    /// The largest change of a column, relative to its size if that is above 1.
     pub fn drift(&self, name: &str) -> f64 {
         let column = self.column(name);
         let change = column.iter().map(|x| (x - column[0]).abs()).fold(0.0, f64::max);

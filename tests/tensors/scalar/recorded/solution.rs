@@ -1,4 +1,5 @@
-//! Programs of inverses and solutions choose their pivots: against exact elimination at the same numbers.
+//! Programs of inverses and solutions choose their pivots; they agree with exact elimination at the
+//! same numbers.
 
 use crate::common::property::properties;
 use affinor_tensors::linear::Matrix;
@@ -14,7 +15,7 @@ fn name(i: usize, j: usize) -> String {
     format!("g{}{}", i.min(j), i.max(j))
 }
 
-/// The matrix with a parameter for each entry that does not vanish.
+/// The matrix with a parameter for each nonzero entry.
 fn symbols(numbers: &Numbers) -> Vec<Vec<Recorded>> {
     let symbol = |i: usize, j: usize| match numbers[i][j].is_zero() {
         true => Recorded::zero(),
@@ -48,7 +49,7 @@ fn symmetric(n: usize, entries: &[Rational]) -> Numbers {
     (0..n).map(|i| (0..n).map(|j| at(i, j)).collect()).collect()
 }
 
-/// Symmetric matrices of small integers, in which a part of the entries vanishes.
+/// Symmetric matrices of small integers, some of which are zero.
 fn sparse() -> impl Strategy<Value = Numbers> {
     (3..=5usize).prop_flat_map(|n| {
         let entry = prop_oneof![1 => Just(0i64), 3 => -4..=4i64].prop_map(Rational::from);
@@ -56,7 +57,8 @@ fn sparse() -> impl Strategy<Value = Numbers> {
     })
 }
 
-/// Symmetric matrices of dyadic numbers in which a leading minor is as small as `10^-decade` times others.
+/// Symmetric matrices of dyadic numbers with a leading minor that is smaller than the others by a
+/// factor of `10^-decade`.
 fn nearly_singular_corner() -> impl Strategy<Value = Numbers> {
     (3..=6usize, 2..=12i32).prop_flat_map(|(n, decade)| {
         let entry = (-4096..=4096i64).prop_map(|k| Rational::new(k, 1024).unwrap());
@@ -92,13 +94,13 @@ fn definite_in_units() -> impl Strategy<Value = (Numbers, Vec<f64>)> {
     })
 }
 
-/// The largest sum of the sizes in a row.
+/// The largest sum of the sizes of the entries in a row.
 fn norm(rows: &[Vec<f64>]) -> f64 {
     rows.iter().map(|row| row.iter().map(|x| x.abs()).sum()).fold(0.0, f64::max)
 }
 
-/// The largest error of an inverse relative to its norm, in units of the machine precision and the condition number, of the
-/// matrices in the basis with these scales.
+/// The largest error of the inverses of the matrices in the basis with these scales, relative to
+/// the norm, in units of the machine precision and the condition number.
 fn error(numbers: &Numbers, found: &[f64], scales: &[f64]) -> Option<f64> {
     let n = numbers.len();
     let scaled = |rows: &Numbers, sign: i32| -> Vec<Vec<f64>> {
@@ -120,7 +122,8 @@ fn error(numbers: &Numbers, found: &[f64], scales: &[f64]) -> Option<f64> {
 properties! {
     #![cases(128)]
 
-    /// The inverse is exact in exact arithmetic, symmetric, and the inverse of its matrix as a function.
+    /// The inverse is exact in exact arithmetic, symmetric, and equals the inverse of the matrix as
+    /// a function.
     #[test]
     fn inverses_are_exact(numbers in sparse()) {
         let (n, matrix) = (numbers.len(), Matrix::from_dense(&symbols(&numbers)).unwrap());
@@ -128,7 +131,8 @@ properties! {
             (Some(own), expected) => {
                 prop_assert_eq!(matrix.mul(&own).unwrap(), Matrix::identity(n));
                 prop_assert_eq!(own.transpose(), own.clone());
-                // `None` where a divisor vanishes: small blocks are eliminated in the order of their rows
+                // `None` if a divisor vanishes: small blocks are eliminated in the order of their
+                // rows
                 let found = program(&numbers).unwrap().evaluate(|x| value(&numbers, x), |_, x| x.clone());
                 if let Some(found) = found {
                     prop_assert_eq!(Some(found), expected.map(|rows| rows.concat()));
@@ -138,10 +142,10 @@ properties! {
         }
     }
 
-    /// A full matrix needs no other condition than that it is invertible.
+    /// The only condition on a full matrix is that it is invertible.
     #[test]
     fn full_matrices_have_pivots(entries in prop::collection::vec(1..=3i64, 10), zeros in 0..1024u32) {
-        // entries that are 0 as numbers, but not as functions
+        // entries that are 0 for these numbers, but not as functions
         let entries = entries.iter().enumerate();
         let entries = entries.map(|(at, x)| Rational::from(if zeros >> at & 1 == 1 { 0 } else { *x }));
         let numbers = symmetric(4, &entries.collect::<Vec<_>>());
@@ -157,7 +161,7 @@ properties! {
         let Some(x) = inverse(&numbers) else { return Ok(()) };
         let matrix = Matrix::from_dense(&symbols(&numbers)).unwrap();
         let own = matrix.inverse().unwrap().to_dense().concat();
-        // a right side with the parameter of the derivative
+        // a right side that depends on the parameter of the derivative
         let at = (0..n).flat_map(|i| (0..=i).map(move |j| (i, j)));
         let Some((p, q)) = at.clone().find(|(i, j)| !numbers[*i][*j].is_zero()) else { return Ok(()) };
         let parameter = Recorded::parameter(&name(p, q)).unwrap();
@@ -236,7 +240,8 @@ properties! {
     }
 }
 
-/// Numbers beside a matrix change nothing in its program, and a block of two rows is eliminated as it is alone.
+/// Numbers next to a matrix do not change its program, and a block of two rows is eliminated as it
+/// would be alone.
 #[test]
 fn blocks_are_eliminated_alone() {
     let ones = |n: usize| symmetric(n, &vec![Rational::one(); n * (n + 1) / 2]);

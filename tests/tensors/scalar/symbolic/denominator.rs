@@ -13,8 +13,8 @@ use zippel_gcd::Frac;
 
 const NAMES: [&str; 3] = ["a", "b", "c"];
 
-/// Polynomials that are inverted: irreducible ones, products, powers, and cubes in all variables that
-/// no rule of the engine proves irreducible or splits.
+/// Polynomials that become denominators: irreducible ones, products, powers, and cubes in all
+/// variables, which no rule of the engine proves irreducible or factors.
 const PARTS: [&str; 12] = [
     "a",
     "a + b",
@@ -30,11 +30,11 @@ const PARTS: [&str; 12] = [
     "a^3 + c^3 + 2",
 ];
 
-/// A value under test, and the same by greatest common divisors.
+/// A value under test, and the same value by greatest common divisors.
 #[derive(Clone, Debug)]
 struct Pair(Symbolic, Frac);
 
-/// The polynomial in three variables of a value without a denominator.
+/// The polynomial in three variables that equals a value without a denominator.
 fn polynomial(value: &Symbolic) -> Poly<BigRational> {
     let terms = value.terms().into_iter().map(|(powers, c)| {
         let mut exponents = vec![0; NAMES.len()];
@@ -53,7 +53,7 @@ impl Pair {
         Pair(value, fraction)
     }
 
-    /// Both are the same quotient in lowest terms.
+    /// Checks that both are the same quotient in lowest terms.
     fn agrees(&self) -> Result<(), TestCaseError> {
         let Pair(value, fraction) = self;
         let (above, below) = (polynomial(&value.numerator()), polynomial(&value.denominator()));
@@ -70,7 +70,7 @@ fn steps() -> impl Strategy<Value = Vec<(u8, usize, usize)>> {
     prop::collection::vec((0u8..5, 0..PARTS.len(), 0..PARTS.len()), 1..=5)
 }
 
-/// The values after each step; equal values meet again with other histories.
+/// The values after each step; equal values occur again with other histories.
 fn history(steps: &[(u8, usize, usize)]) -> Vec<Pair> {
     let parts: Vec<Pair> = PARTS.iter().map(|text| Pair::of(text)).collect();
     let mut values = vec![Pair::of("1")];
@@ -99,7 +99,7 @@ properties! {
         }
     }
 
-    /// A sum that is brought over one denominator at its end is the sum of its partial sums.
+    /// A sum that is reduced once at its end equals the sum of its partial sums.
     #[test]
     fn sums_at_once_are_sums_in_steps(left in steps(), right in steps()) {
         let (left, right) = (history(&left), history(&right));
@@ -118,7 +118,8 @@ properties! {
         prop_assert_eq!(sum.finish(Tolerance::default()), None);
     }
 
-    /// Exponents and coefficients beyond machine words take another path to the same values.
+    /// Exponents and coefficients beyond machine integers use another code path, with the same
+    /// values.
     #[test]
     fn substitution_commutes_with_sums(steps in steps(), large in 20u32..=60) {
         let power = |name: &str| num_traits::pow(Symbolic::parameter(name), large as usize);
@@ -156,7 +157,7 @@ fn inverses_have_the_determinant_below() {
     }
 }
 
-/// The determinant of two blocks is no factor of its own: a sum over one block has one factor.
+/// The determinant of two blocks is not a separate factor: a sum over one block has one factor.
 #[test]
 fn blocks_have_factors_of_their_own() {
     let [a, b] = ["x*y - z^2", "u*v - w^2"].map(|text| text.parse::<Symbolic>().unwrap());

@@ -1,4 +1,4 @@
-//! Sines, cosines and exponentials of parameters: exact, differentiated, written and read back.
+//! Sines, cosines and exponentials of parameters: exact values, derivatives, printing and parsing.
 
 use crate::common::property::properties;
 use affinor_tensors::expression::{Expression, Scalars};
@@ -148,7 +148,7 @@ fn what_has_no_exact_value_is_refused() {
     }
 }
 
-/// Substitution reaches the arguments: of a quotient of functions, and of the value itself.
+/// Substitution applies to arguments: of a quotient of functions, and of the value itself.
 #[test]
 fn substitution_reaches_arguments() {
     let set = |pairs: &[(&str, &str)]| -> std::collections::BTreeMap<String, Symbolic> {
@@ -223,7 +223,7 @@ properties! {
         let f = value(&text);
         prop_assert_eq!(&value(&f.to_string()), &f);
         prop_assert_eq!((-f.clone()).vanishes() || f.is_negative() != (-f.clone()).is_negative(), true);
-        // against the functions of f64
+        // compared with the functions of f64
         let found = f.evaluate(|name| Some(if name == "x" { 0.7 } else { -1.3 })).unwrap();
         prop_assert!((found - at).abs() <= 1e-6 * (1.0 + at.abs()), "{} {}", found, at);
         if let Some(inverse) = f.recip() {

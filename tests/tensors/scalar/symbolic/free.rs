@@ -1,4 +1,4 @@
-//! Functions that are not given: differentiated, replaced by functions that are, written and read back.
+//! Undetermined functions: derivatives, substitution, printing and parsing.
 
 use crate::common::property::properties;
 use affinor_tensors::scalar::{FreeFunction, PositiveFactors, laws};
@@ -73,7 +73,7 @@ fn substitution_reaches_functions_and_their_arguments() {
     let square = given(&[("f(x)", "x^2")]);
     assert_eq!(value("f_1(r/t)").substitute(&square), Some(value("2*r/t")));
     assert_eq!(value("f(r/t)").derivative("t"), value("-r*f_1(r/t)/t^2"));
-    // a function is taken at the new argument
+    // a function is evaluated at the new argument
     let both = given(&[("f(x)", "x^3"), ("x", "2")]);
     assert_eq!(value("f_x(x) + x").substitute(&both), Some(value("14")));
     assert_eq!(value("f_x(x)").evaluate(|name| (name == "f_x(x)").then_some(0.5)), Some(0.5));
@@ -126,7 +126,7 @@ properties! {
         prop_assert_eq!(laws::field(&a, &b, &c, Tolerance::default()), Ok(()));
     }
 
-    /// The derivative of a value in which the functions are replaced is the replaced derivative.
+    /// Replacing functions commutes with derivatives.
     #[test]
     fn replacing_functions_commutes_with_derivatives(
         v in values(), f in polynomials(&["x", "y"]), g in polynomials(&["y"]),
@@ -134,7 +134,7 @@ properties! {
         let given = BTreeMap::from([("f(x,y)".to_string(), f), ("g(y)".to_string(), g)]);
         if let Some(replaced) = v.substitute(&given) {
             for name in ["x", "y", "a"] {
-                // the free functions do not depend on `a`, their replacements may
+                // the free functions do not depend on `a`, but their replacements may
                 if name != "a" || !given.values().any(|f| f.parameters().contains(&"a".into())) {
                     prop_assert_eq!(v.derivative(name).substitute(&given), Some(replaced.derivative(name)));
                 }
@@ -147,7 +147,7 @@ properties! {
         prop_assert_eq!(value(&v.to_string()), v);
     }
 
-    /// A program of the derivative computes the derivative.
+    /// The program of a derivative computes the derivative.
     #[test]
     fn programs_of_derivatives(v in values(), f in polynomials(&["x", "y"]), g in polynomials(&["y"])) {
         let recorded = Recorded::try_from(&v).unwrap().derivative("y");

@@ -1,4 +1,4 @@
-//! Sums that occur again and again, from values that are dropped and made again.
+//! Sums that occur repeatedly, from values that are dropped and computed again.
 
 use crate::common::property::properties;
 use affinor_tensors::{Field, Rational, Ring, Sum, Summable, Symbolic, Tolerance};
@@ -7,14 +7,14 @@ use std::collections::BTreeMap;
 
 const NAMES: [&str; 3] = ["a", "b", "c"];
 
-/// A value by its text, made anew each time.
+/// The value of a text, computed anew each time.
 fn value(at: usize) -> Symbolic {
     const TEXTS: [&str; 9] =
         ["a", "b", "-a", "a + b", "1/a", "c/(a + b)", "(a - b)/(a*c)", "2", "a*b*c + 1/3"];
     TEXTS[at].parse().unwrap()
 }
 
-/// The value where the parameters are 2, 3 and 7.
+/// The value at the parameters 2, 3 and 7.
 fn number(value: &Symbolic) -> Rational {
     let point =
         NAMES.iter().zip([2, 3, 7]).map(|(name, n)| (name.to_string(), Symbolic::from_i64(n)));
@@ -25,7 +25,7 @@ fn number(value: &Symbolic) -> Rational {
 type Terms = Vec<(usize, usize)>;
 
 fn terms() -> impl Strategy<Value = Vec<Terms>> {
-    // few different sums, and some that are longer than those that are remembered
+    // few different sums, and some that are too long to be remembered
     let short = prop::collection::vec((0..9usize, 0..9usize), 1..4);
     let long = prop::collection::vec((0..9usize, 0..9usize), 20..30);
     prop::collection::vec(prop_oneof![9 => short, 1 => long], 1..60)
@@ -47,7 +47,7 @@ properties! {
             let expected = terms.iter().fold(Rational::from(0), |total, (a, b)| {
                 total + &(number(&kept[*a]) * &number(&kept[*b]))
             });
-            // from the same values, and from values that end with the sum
+            // from the same values, and from values that are dropped with the sum
             let [same, anew] = [sum(terms, &|at| kept[at].clone()), sum(terms, &value)];
             prop_assert_eq!(number(&same), expected.clone());
             prop_assert_eq!(&same, &anew);
@@ -60,7 +60,7 @@ properties! {
     }
 }
 
-/// Names of several lengths, whose order is that of their letters, of their numbers, or decided by the last digit.
+/// Names of several lengths, ordered by their letters, by their numbers, or by the last digit.
 const ORDERED: [&str; 10] =
     ["J1000000", "J1000001", "K", "a", "b2", "b10", "b10c", "omega1", "omega2", "x_1"];
 
@@ -90,7 +90,7 @@ fn shapes() -> impl Strategy<Value = Shapes> {
     prop_oneof![2 => plain, 1 => all]
 }
 
-/// The sum in these names, as text and in LaTeX; and its negative.
+/// The sum with these names, as text and in LaTeX; and its negative.
 fn written(shapes: &Shapes, names: [&str; 3]) -> [String; 4] {
     let value = |(at, x, y): (usize, usize, usize)| {
         shape(at, [names[x], names[if y == x { (x + 1) % 3 } else { y }]])
@@ -121,7 +121,7 @@ properties! {
     }
 }
 
-/// More different sums than are remembered.
+/// There are more different sums than are remembered.
 #[test]
 fn many_different_sums() {
     let [a, b] = ["a", "b"].map(Symbolic::parameter);

@@ -47,7 +47,7 @@ fn identities_hold_exactly() {
     }
 }
 
-/// Factors are taken out of roots with the sign that is declared, or that follows.
+/// Factors are taken out of roots with the declared or deduced sign.
 #[test]
 fn signs_of_factors_are_those_declared() {
     for (declared, root) in [
@@ -114,7 +114,7 @@ fn they_are_written_and_differentiated() {
     assert_eq!(value("sqrt(a*x + b)*log(y) + sqrt(2)").parameters(), ["a", "b", "x", "y"]);
 }
 
-/// The value of a root stays positive where its argument is substituted.
+/// The value of a root remains positive if its argument is substituted.
 #[test]
 fn substitution_reaches_arguments() {
     let set = |name: &str, text: &str| BTreeMap::from([(name.to_string(), value(text))]);

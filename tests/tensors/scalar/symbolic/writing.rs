@@ -1,5 +1,5 @@
-//! Written sums and common factors: never longer than the sum of terms, read back as the same value,
-//! and with the sign that the value says.
+//! Printed sums and common factors: never longer than the sum of terms, read back as the same
+//! value, and with the sign of the value.
 
 use crate::common::property::properties;
 use affinor_tensors::scalar::Variable;
@@ -11,7 +11,7 @@ fn value(text: &str) -> Symbolic {
     text.parse().unwrap()
 }
 
-/// The sum of the terms of a polynomial with integer coefficients, one by one.
+/// The sum of the terms of a polynomial with integer coefficients, written one by one.
 fn expanded(polynomial: &Symbolic) -> String {
     let mut text = String::new();
     for (powers, c) in polynomial.terms() {
@@ -38,7 +38,7 @@ fn common_factors_of_terms_are_taken_out() {
     for (terms, written) in [
         ("a*b*c + a*b*d + a*b*e + 7", "a*b*(c + d + e) + 7"),
         ("7*x^3*y + 14*x^2*y*z - 21*x*y + w", "7*x*y*(x^2 + 2*x*z - 3) + w"),
-        // nothing is gained
+        // factoring does not make the text shorter
         ("a*b + a*c + d", "a*b + a*c + d"),
         ("a*b - c^2", "a*b - c^2"),
         ("x^2 + y^2 + 1", "x^2 + y^2 + 1"),
@@ -125,8 +125,8 @@ properties! {
         }
     }
 
-    /// Names substituted give the values back; the negative of a value differs by a sign alone in what
-    /// is below.
+    /// Substituting the factors for the names gives the values back; the written forms of a value
+    /// and its negative differ only by a sign.
     #[test]
     fn names_stand_for_their_factors(
         above in prop::collection::vec(polynomial(), 1..6),

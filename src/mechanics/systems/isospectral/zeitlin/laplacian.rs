@@ -3,18 +3,18 @@
 use nalgebra::{Complex, DMatrix};
 use std::f64::consts::FRAC_1_SQRT_2;
 
-/// `Delta P = -sum_a [S_a, [S_a, P]]` with the spin matrices `S_a` of size `N`. On the entries `(a, a + d)` of
-/// `P` it is the symmetric tridiagonal matrix
+/// The Laplacian `Delta P = -sum_a [S_a, [S_a, P]]` with the spin matrices `S_a` of size `N`. On
+/// the entries `(a, a + d)` of `P` it is the symmetric tridiagonal matrix
 ///
 /// ```text
 /// 2 m_a m_(a+d) - (N^2 - 1)/2 on the diagonal, c_a c_(a+d) beside it,   m_a = (N - 1)/2 - a,   c_a^2 = (a + 1)(N - 1 - a)
 /// ```
 ///
-/// which is negative definite, but for the multiples of the identity at `d = 0`.
+/// which is negative definite, except for the multiples of the identity at `d = 0`.
 #[derive(Clone, Debug)]
 pub(in crate::mechanics) struct Laplacian {
     size: usize,
-    /// `L D L^T` of each diagonal: the entry of `L`, and the inverse pivot.
+    /// The decomposition `L D L^T` for each diagonal: the entry of `L`, and the inverse pivot.
     factors: Vec<Vec<(f64, f64)>>,
 }
 
@@ -29,14 +29,14 @@ impl Laplacian {
         self.size
     }
 
-    /// On the diagonal of the block `d`.
+    /// The diagonal entry of the matrix of the diagonal `d`.
     fn own(&self, d: usize, a: usize) -> f64 {
         let n = self.size as f64;
         let [m, other] = [a, a + d].map(|a| 0.5 * (n - 1.0) - a as f64);
         2.0 * m * other - 0.5 * (n * n - 1.0)
     }
 
-    /// Beside the diagonal, between `a` and `a + 1`.
+    /// The entry next to the diagonal, between `a` and `a + 1`.
     fn beside(&self, d: usize, a: usize) -> f64 {
         let square = |a: usize| ((a + 1) * (self.size - 1 - a)) as f64;
         (square(a) * square(a + d)).sqrt()
@@ -51,12 +51,12 @@ impl Laplacian {
             factors.push((beside / pivot, 1.0 / pivot));
             pivot = self.own(d, a + 1) - beside * beside / pivot;
         }
-        // the last pivot of the main diagonal is 0: there the solution starts from 0
+        // the last pivot of the main diagonal is 0; the solution is 0 there
         factors.push((0.0, if d == 0 { 0.0 } else { 1.0 / pivot }));
         factors
     }
 
-    /// The antihermitian `P` without a trace with `Delta P = W - tr W/N`, from `W_ij`, `i <= j`.
+    /// The antihermitian trace-free `P` with `Delta P = W - tr W/N`, from `W_ij`, `i <= j`.
     pub(in crate::mechanics) fn solve(&self, w: &DMatrix<Complex<f64>>) -> DMatrix<Complex<f64>> {
         let n = self.size;
         let mut p = DMatrix::zeros(n, n);
@@ -88,7 +88,7 @@ impl Laplacian {
         p
     }
 
-    /// `Delta P`.
+    /// The matrix `Delta P`.
     pub(in crate::mechanics) fn apply(&self, p: &DMatrix<Complex<f64>>) -> DMatrix<Complex<f64>> {
         let n = self.size;
         DMatrix::from_fn(n, n, |i, j| {
@@ -121,8 +121,9 @@ impl Laplacian {
         harmonic
     }
 
-    /// Of the eigenvalue `-l(l+1)` on the diagonal `d`, its first entry positive: by recurrence from the end,
-    /// where it grows, to the middle; the rest by its parity.
+    /// The eigenvector of the eigenvalue `-l(l+1)` on the diagonal `d`, with a positive first
+    /// entry. It is computed by recurrence from the end, where it grows, to the middle; the rest
+    /// follows by its parity.
     fn eigenvector(&self, d: usize, l: usize) -> Vec<f64> {
         let length = self.size - d;
         let eigenvalue = -((l * (l + 1)) as f64);
