@@ -184,7 +184,9 @@ fn a_limit_keeps_the_rows_of_a_simulation() {
     let simulate = ["simulate", "problem.toml", "-o", "rows.csv", "--timeout", "0.5"];
     let outcome = run(folder.path(), &simulate, b"");
     assert_eq!(outcome.status, 1, "{}", outcome.err);
-    for part in ["exceeds its time limit of 0.5 s", "rows up to this time to rows.partial.csv"] {
+    for part in
+        ["exceeds its time limit of 0.5 s", "rows up to this time to rows.partial.csv", "--timeout"]
+    {
         assert!(outcome.err.contains(part), "{part}: {}", outcome.err);
     }
     let rows = fs::read_to_string(folder.path().join("rows.partial.csv")).unwrap();

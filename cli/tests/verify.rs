@@ -473,6 +473,29 @@ fn stated_conventions() {
     }
 }
 
+/// A convention of a tensor that no stored table has is named, and the outcome is that of the other tensors.
+#[test]
+fn unused_conventions_are_named() {
+    let folder = TempDir::new().unwrap();
+    for (file, show) in [("a.csv", "structure"), ("b.json", "structure,ricci")] {
+        let format = file.split_once('.').unwrap().1;
+        let table = ["table", "so3@zero", "--show", show, "--format", format, "-o", file];
+        assert_eq!(run(folder.path(), &table, b"").status, 0);
+    }
+    let verify = |files: &[&str], convention: &str| {
+        let arguments = [&["verify", "so3@zero"], files, &["--convention", convention]].concat();
+        let outcome = run(folder.path(), &arguments, b"");
+        assert_eq!(outcome.status, 0, "{}{}", outcome.out, outcome.err);
+        outcome.err.matches("is not used").count()
+    };
+    let torsion = "tau^i_jk = -tau^i_jk";
+    assert_eq!(verify(&["a.csv"], torsion), 1);
+    assert_eq!(verify(&["a.csv", "b.json"], torsion), 1);
+    // one table has it
+    assert_eq!(verify(&["a.csv", "b.json"], "Ric_jl = Ric_lj"), 0);
+    assert_eq!(verify(&["a.csv"], "Ric_jl = Ric_lj"), 1);
+}
+
 /// Several tables, or the tables of a folder, are compared in one run, each with its own result.
 #[test]
 fn many_tables() {

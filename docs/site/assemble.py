@@ -81,7 +81,11 @@ def main(program: str, folder: Path) -> None:
     for name in sorted(affinor.__all__, key=str.lower):
         found = getattr(affinor, name)
         kind = "autoclass" if isinstance(found, type) else "autofunction" if callable(found) else "autodata"
-        lines += [name, "-" * len(name), "", f".. {kind}:: {name}", *(["   :members:"] if kind == "autoclass" else []), ""]
+        members = ["   :members:"] if kind == "autoclass" else []
+        # those of a base class that has no section of its own
+        if kind == "autoclass" and affinor._bulk.Bulk in found.__mro__:
+            members.append("   :inherited-members:")
+        lines += [name, "-" * len(name), "", f".. {kind}:: {name}", *members, ""]
     (folder / "python.rst").write_text("\n".join(lines), encoding="utf-8")
 
 

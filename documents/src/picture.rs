@@ -49,6 +49,19 @@ pub struct Picture {
     pub shapes: Vec<Shape>,
 }
 
+impl Picture {
+    /// Whether all points are within the range of floats; other pictures cannot be drawn.
+    pub fn is_finite(&self) -> bool {
+        let finite = |point: &Point| point.iter().all(|x| x.is_finite());
+        self.shapes.iter().all(|shape| match shape {
+            Shape::Line { points, .. } | Shape::Area { points, .. } => points.iter().all(finite),
+            Shape::Film { frames, .. } => frames.iter().flatten().all(finite),
+            Shape::Disc { at, radius, .. } => finite(at) && radius.is_finite(),
+            Shape::Text { at, .. } => finite(at),
+        })
+    }
+}
+
 /// One element of a picture.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Shape {

@@ -33,7 +33,7 @@ pub use solid::Solid;
 
 use crate::input::{InputError, Source, file, numbers::numbers_in, parse_keys};
 use crate::space::setting::no_parameter;
-use affinor::mechanics::simulation::{ForceFrame, ForceFunction, Method};
+use affinor::mechanics::simulation::{Class as MethodClass, ForceFrame, ForceFunction, Method};
 use constrained::Constrained;
 use ensemble::Ensemble;
 use euler_poincare::EulerPoincare;
@@ -350,10 +350,11 @@ impl Problem {
         Problem { output: self.output.with_columns(names, &self.source), ..self.clone() }
     }
 
-    /// The same problem with rows at the initial time and at these times.
+    /// The same problem with rows at the initial time and at these times, and none at a section.
     #[must_use]
     pub fn at_times(&self, times: &[f64]) -> Self {
         let mut problem = self.clone();
+        problem.output.section = None;
         problem.output.times = self.output.times.listed(times, &self.source);
         problem
     }
@@ -366,13 +367,18 @@ impl Problem {
         problem
     }
 
-    /// The most accurate method of a class without step-size control.
-    pub fn own_class(&self) -> Option<Method> {
-        match &self.class {
-            Class::MatrixFlow(_) => Some(Method::Isospectral4),
-            Class::PrescribedVelocity(..) => Some(Method::Magnus6),
-            _ => None,
-        }
+    /// The methods of a class that has no step-size control, the most accurate one last; none for other classes.
+    pub fn own_methods(&self) -> Vec<Method> {
+        let class = match &self.class {
+            Class::MatrixFlow(_) => MethodClass::MatrixFlow,
+            Class::PrescribedVelocity(..) => MethodClass::PrescribedVelocity,
+            Class::Constrained(..) => MethodClass::Constrained,
+            Class::EulerPoincare(..) | Class::LiePoisson(..) => return vec![],
+        };
+        let own = Method::ALL.iter().copied().filter(|method| method.class() == class);
+        let mut own: Vec<Method> = own.collect();
+        own.sort_by_key(|method| method.order());
+        own
     }
 
     /// The terminal event, at which the motion ends.

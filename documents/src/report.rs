@@ -1,7 +1,8 @@
 //! Tables of tensors, comparisons and equations, written in several formats.
 //!
 //! In reading order: [`Quantity`] names the tensors, [`Table`] computes them, and one module for
-//! each format writes them; [`tensors_as_code`] writes them as a program. [`Comparison`] compares
+//! each format writes them; [`tensors_as_code`] writes them as a program, and a
+//! [`TensorProgram`] computes them from numbers. [`Comparison`] compares
 //! two geometries, with the [`Claim`]s of the paper about them. [`EquationReport`] writes equations
 //! of motion, also as source code. [`StoredTable`] compares a table with a stored one.
 //! [`Statements`] are claims about a geometry, each tested. [`Info`] is the structure of an
@@ -29,6 +30,7 @@ mod json;
 mod latex;
 mod lists;
 mod markdown;
+mod points;
 mod program;
 mod properties;
 mod quantity;
@@ -41,11 +43,12 @@ pub use claims::Claim;
 pub use code::{Language, Programmed, tensors_as_code};
 pub use comparison::{ComparedSide, Comparison};
 pub use components::{GROUPED, Group, groups, independent};
-pub use computation::{Computation, Selection, TableReport};
+pub use computation::{Compared, Computation, SIMPLIFIED_AT_POINTS, Selection, TableReport};
 pub use equations::EquationReport;
 pub use info::{Info, dynkin_type};
 pub use latex::{components_in_latex, labelled_in_latex};
 pub use lists::{catalogue, catalogue_where, certificate, conventions, listing};
+pub use points::TensorProgram;
 pub use program::Program;
 pub use properties::Properties;
 pub use quantity::Quantity;
@@ -112,6 +115,8 @@ pub struct Table<S> {
     /// The components of the metric, if there is one, because its determinant may be a common
     /// factor.
     pub metric: Option<Tensor<S>>,
+    /// The point at which components are computed, by the names of its coordinates and of parameters; empty for functions.
+    pub point: Vec<(String, f64)>,
     /// The tensors, in the order in which they are shown.
     pub tensors: Vec<TableEntry<S>>,
 }
@@ -180,6 +185,7 @@ impl<S: Coefficient> Table<S> {
             common_factors: false,
             index_names: None,
             metric: geometry.metric().map(|metric| metric.components().clone()),
+            point: vec![],
             tensors,
         })
     }

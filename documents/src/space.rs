@@ -19,6 +19,7 @@ mod named;
 pub(crate) mod notation;
 pub mod paper;
 mod plane;
+mod point;
 mod read;
 mod request;
 pub(crate) mod setting;
@@ -28,4 +29,5 @@ pub use definition::Definition;
 use definition::{
     ConnectionChoice, Given, MatrixEntries, MetricChoice, Origin, Pairs, add, check_dimension,
 };
+pub use point::Point;
 pub use request::{Request, ScalarChoice, Space};

@@ -25,10 +25,12 @@ pub fn internal(py: Python<'_>, text: &str) -> PyErr {
 pub fn limit(py: Python<'_>, message: &str, memory: bool, stage: &str) -> PyErr {
     let made = || -> PyResult<PyErr> {
         let data = PyDict::new(py);
-        data.set_item("limit", if memory { "memory" } else { "timeout" })?;
+        let argument = if memory { "memory" } else { "timeout" };
+        let help = format!("raise {argument}= in affinor.limits to allow more");
+        data.set_item("limit", argument)?;
         data.set_item("stage", Some(stage).filter(|stage| !stage.is_empty()))?;
         let class = py.import("affinor.errors")?.getattr("LimitError")?;
-        Ok(PyErr::from_value(class.call1((message, None::<&str>, None::<&str>, data))?))
+        Ok(PyErr::from_value(class.call1((message, help, None::<&str>, data))?))
     };
     made().unwrap_or_else(|failed| failed)
 }
@@ -122,7 +124,41 @@ fn in_words_of_python(text: &str) -> String {
         }
         rest = &option[2 + name.len()..];
     }
-    (words + rest).replace("`affinor list`", "`affinor.catalogue()`")
+    let words = (words + rest).replace("`affinor list`", "`affinor.catalogue()`");
+    let words = words
+        .replace("expected a table, or a list of tables", "expected a dict, or a list of dicts");
+    tables_as_keys(&words)
+}
+
+/// Tables of a TOML file as keys of Python: ``a table [events]`` as ``a dict `events` ``, and ``one table [[inertia]]`` as
+/// ``one dict in the list `inertia` ``.
+fn tables_as_keys(text: &str) -> String {
+    let mut words = String::with_capacity(text.len());
+    let mut rest = text;
+    while let Some(at) = rest.find('[') {
+        let (before, from) = rest.split_at(at);
+        let open = from.len() - from.trim_start_matches('[').len();
+        let inner = &from[open..];
+        let end = |c: char| !(c.is_ascii_lowercase() || c == '.' || c == '_');
+        let name = &inner[..inner.find(end).unwrap_or(inner.len())];
+        let close = "]".repeat(open);
+        let is_table = name.len() > 3 && open <= 2 && inner[name.len()..].starts_with(&close);
+        let begins = before.chars().last().is_none_or(|c| c.is_whitespace() || "`\"(".contains(c));
+        if !(is_table && begins) {
+            words += before;
+            words += &from[..open];
+            rest = inner;
+            continue;
+        }
+        match before.strip_suffix(" table ") {
+            Some(start) if open == 2 => words += &format!("{start} dict in the list "),
+            Some(start) => words += &format!("{start} dict "),
+            None => words += before,
+        }
+        words += &format!("`{name}`");
+        rest = &inner[name.len() + open..];
+    }
+    words + rest
 }
 
 #[cfg(test)]
@@ -136,6 +172,16 @@ mod tests {
             ("give --max-step, or `--basis \"x y\"`", "give max_step, or `basis \"x y\"`"),
             ("a--b -- c ---", "a--b -- c ---"),
             ("`affinor list` shows the names", "`affinor.catalogue()` shows the names"),
+            ("on so(3) also [inertia]", "on so(3) also `inertia`"),
+            ("in a table [events], by", "in a dict `events`, by"),
+            (
+                "one table [[initial.parts]] for each",
+                "one dict in the list `initial.parts` for each",
+            ),
+            (
+                "[x, y] = z, [1, 2], [[1, 0]], c[omega], a [",
+                "[x, y] = z, [1, 2], [[1, 0]], c[omega], a [",
+            ),
         ] {
             assert_eq!(in_words_of_python(text), words);
         }

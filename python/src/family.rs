@@ -1,16 +1,18 @@
-//! Geometries in bulk: one algebra with a connection, and many numeric metrics.
+//! Geometries in bulk: recorded programs of quantities, evaluated for rows of floats.
 
 use crate::arrays::{Floats, fresh};
+use crate::geometries::Geometries;
 use crate::group::Array;
 use crate::run::{run, run_here};
 use crate::source::PySource;
 use crate::values::error;
 use affinor::Geometry;
 use affinor::numerics::blocks::{BlockProgram, Column};
+use affinor_documents::Coefficient;
 use affinor_documents::input::InputError;
-use affinor_documents::report::Quantity;
-use affinor_tensors::scalar::StraightLine;
-use affinor_tensors::{Recorded, Tensor, Tolerance};
+use affinor_documents::report::{Programmed, Quantity, SIMPLIFIED_AT_POINTS, TensorProgram};
+use affinor_documents::space::Space;
+use affinor_tensors::{Effort, Recorded, Tensor, Tolerance};
 use nalgebra::DMatrix;
 use numpy::{PyArrayMethods, PyUntypedArrayMethods};
 use pyo3::exceptions::PyValueError;
@@ -19,22 +21,32 @@ use rayon::prelude::*;
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// An algebra with a connection, and a metric whose entries are inputs of recorded programs.
+/// A geometry whose quantities are computed for rows of numbers: metrics of one algebra, or points of a chart.
 #[pyclass(name = "Family", frozen, module = "affinor._engine")]
 pub struct PyFamily {
-    geometry: Geometry<Recorded>,
-    dimension: usize,
+    recorder: Arc<Recorder>,
     parameters: Vec<String>,
-    /// The names of the inputs: the upper triangle of the metric row by row, parameters, and two
-    /// vectors.
-    inputs: Vec<String>,
-    /// The programs by the names of their quantities; at most one for each quantity.
+    /// The place of each input in a row: metric and parameters, or coordinates and parameters, then two vectors.
+    inputs: HashMap<String, usize>,
+    /// The names of the inputs before the vectors, if they are those of a point.
+    point: Vec<String>,
+}
+
+/// The programs of the quantities of a geometry, recorded when they are first asked for.
+pub struct Recorder {
+    geometry: Geometry<Recorded>,
+    /// The geometry over expressions, in which terms cancel.
+    simplified: Option<Geometries>,
+    dimension: usize,
+    /// The programs by the names of their quantities: at most one for each quantity.
     programs: Mutex<HashMap<String, Arc<Recording>>>,
 }
 
 /// The program of a quantity, and the shape of its arrays.
 struct Recording {
+    tensor: TensorProgram,
     program: BlockProgram,
+    inputs: Vec<&'static str>,
     shape: Vec<usize>,
 }
 
@@ -123,8 +135,32 @@ fn is_regular(g: &[f64], n: usize) -> bool {
     true
 }
 
-impl PyFamily {
-    /// The program of a quantity, recorded on first use.
+impl Recorder {
+    /// The recorder of a geometry, and of the same geometry over expressions.
+    pub fn new(geometry: Geometry<Recorded>, simplified: Option<Geometries>) -> Self {
+        let dimension = geometry.frame().dimension();
+        Recorder { geometry, simplified, dimension, programs: Mutex::default() }
+    }
+
+    /// The program of a quantity; `None` where it is not defined.
+    fn tensor(&self, quantity: Quantity) -> Result<Option<TensorProgram>, InputError> {
+        fn of<S: Programmed + Coefficient>(
+            quantity: Quantity,
+            geometry: &Geometry<S>,
+        ) -> Result<Option<TensorProgram>, InputError> {
+            quantity.of(geometry)?.map(|tensor| TensorProgram::new(&tensor)).transpose()
+        }
+        let simplified = match &self.simplified {
+            Some(Geometries::Exact(geometry)) => Some(of(quantity, geometry)),
+            Some(Geometries::Symbolic(geometry)) => {
+                Effort::new(SIMPLIFIED_AT_POINTS).bound(|| of(quantity, geometry)).ok()
+            }
+            _ => None,
+        };
+        simplified.unwrap_or_else(|| of(quantity, &self.geometry))
+    }
+
+    /// The program of a quantity, recorded when it is first asked for.
     fn recording(&self, py: Python<'_>, key: &str) -> PyResult<Arc<Recording>> {
         let known = || self.programs.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(found) = known().get(key) {
@@ -136,45 +172,80 @@ impl PyFamily {
             let reason = format!("{key:?} is not one of {}", keys.join(", "));
             return Err(PyValueError::new_err(reason));
         }
-        let n = self.dimension;
-        let values = run(py, || match quantity {
-            Some(quantity) => Ok(quantity.of(&self.geometry)?),
-            None => Ok(self.sectional()?.map(|value| {
-                Tensor::from_components(n, &[], [([], value)]).expect("a tensor of rank 0")
-            })),
+        let tensor = run(py, || match quantity {
+            Some(quantity) => self.tensor(quantity),
+            None => self.sectional(),
         })?;
         let undefined = || {
             let reason = format!("{key} is not defined for these geometries");
             error(py, "MathematicsError", (reason,))
         };
-        let values = values.ok_or_else(undefined)?;
-        let recording = run(py, || {
-            let shape = vec![n; values.rank()];
-            let place = |at: &[usize]| at.iter().fold(0, |place, i| place * n + i);
-            let (places, mut entries): (Vec<usize>, Vec<Recorded>) =
-                values.components().map(|(at, value)| (place(&at), value.clone())).unzip();
-            let mut assigned = vec![false; shape.iter().product()];
-            places.iter().for_each(|place| assigned[*place] = true);
-            let zeros: Vec<usize> = (0..assigned.len()).filter(|at| !assigned[*at]).collect();
-            entries.extend(zeros.iter().map(|_| Recorded::default()));
-            let places = [places, zeros].concat();
-            let program = BlockProgram::new(&StraightLine::new(&entries), &self.inputs, &places);
-            let refused = || InputError::usage("a constant is beyond the range of floats");
-            Ok(Recording { program: program.ok_or_else(refused)?, shape })
-        })?;
+        let tensor = tensor.ok_or_else(undefined)?;
+        let rank = quantity.map_or(0, |quantity| quantity.slots().len());
+        let recording = run(py, || Recording::new(tensor, vec![self.dimension; rank]))?;
         Ok(known().entry(key.into()).or_insert_with(|| recording.into()).clone())
     }
 
     /// The sectional curvature of the plane of the two vectors.
-    fn sectional(&self) -> Result<Option<Recorded>, InputError> {
-        let n = self.dimension;
-        let behind = self.inputs.len() - 2 * n;
-        let vector = |start: usize| -> Vec<Recorded> {
-            self.inputs[start..start + n].iter().map(|name| Recorded::input(name)).collect()
+    fn sectional(&self) -> Result<Option<TensorProgram>, InputError> {
+        let vector = |letter: &str| -> Vec<Recorded> {
+            vector(letter, self.dimension).map(|name| Recorded::input(&name)).collect()
         };
         let metric = self.geometry.metric().ok_or(affinor::Error::NoMetric)?;
-        let (x, y) = (vector(behind), vector(behind + n));
-        Ok(self.geometry.connection().sectional_curvature(metric, &x, &y)?)
+        let (x, y) = (vector("x"), vector("y"));
+        let value = self.geometry.connection().sectional_curvature(metric, &x, &y)?;
+        let Some(value) = value else { return Ok(None) };
+        let scalar = Tensor::from_components(self.dimension, &[], [([], value)])?;
+        TensorProgram::new(&scalar).map(Some)
+    }
+}
+
+/// The names of the components of a vector. With a space: no parameter has such a name.
+fn vector(letter: &str, dimension: usize) -> impl Iterator<Item = String> {
+    (1..=dimension).map(move |i| format!("{letter} {i}"))
+}
+
+impl Recording {
+    fn new(tensor: TensorProgram, shape: Vec<usize>) -> Result<Self, InputError> {
+        let n = shape.first().copied().unwrap_or_default();
+        let place = |at: &Vec<usize>| at.iter().fold(0, |place, i| place * n + i);
+        let places: Vec<usize> = tensor.indices.iter().map(place).collect();
+        let inputs: Vec<&str> = tensor.inputs().collect();
+        let program = BlockProgram::new(&tensor.program, &inputs, &places);
+        let refused = || InputError::usage("a constant is beyond the range of floats");
+        let mut program = program.ok_or_else(refused)?;
+        program.fill(shape.iter().product());
+        Ok(Recording { tensor, program, inputs, shape })
+    }
+}
+
+impl PyFamily {
+    /// A family with these inputs before the vectors. Of equal names the first one counts.
+    fn new(recorder: Arc<Recorder>, names: &[String], parameters: Vec<String>) -> Self {
+        let n = recorder.dimension;
+        let names = names.iter().cloned().chain(vector("x", n)).chain(vector("y", n));
+        let mut inputs = HashMap::new();
+        names.enumerate().for_each(|(at, name)| {
+            inputs.entry(name).or_insert(at);
+        });
+        PyFamily { recorder, parameters, inputs, point: vec![] }
+    }
+
+    /// The family of points, by the names of their coordinates, parameters and functions.
+    pub fn at_points(
+        py: Python<'_>,
+        recorder: Arc<Recorder>,
+        space: &Space,
+        others: &[String],
+        names: &[String],
+    ) -> PyResult<Self> {
+        let point: Vec<String> = run(py, || {
+            names.iter().map(|name| space.input(name, others)).collect::<Result<_, _>>()
+        })?;
+        if let Some(at) = (1..point.len()).find(|at| point[..*at].contains(&point[*at])) {
+            return Err(PyValueError::new_err(format!("{} is given twice", point[at])));
+        }
+        Ok(PyFamily { point: point.clone(), ..Self::new(recorder, &point, vec![]) })
     }
 
     /// The exception for an invalid matrix.
@@ -195,8 +266,7 @@ impl PyFamily {
 
 #[pymethods]
 impl PyFamily {
-    /// The family of a source whose metric has parameters with these names as the entries of its
-    /// upper triangle.
+    /// The family of a source whose metric has the entries of a matrix, row by row, as parameters of these names.
     #[new]
     fn __new__(
         py: Python<'_>,
@@ -211,14 +281,10 @@ impl PyFamily {
             ground.algebra_for("geometries in bulk")?;
             definition.geometry_over(ground, tolerance)
         })?;
-        let dimension = geometry.frame().dimension();
         let mut parameters = definition.parameters();
         parameters.retain(|name| !entries.contains(name));
-        // the names contain a space, so no parameter has the same name
-        let vector = |letter: &str| (1..=dimension).map(move |i| format!("{letter} {i}")).collect();
-        let (x, y): (Vec<String>, Vec<String>) = (vector("x"), vector("y"));
-        let inputs = [entries, parameters.clone(), x, y].concat();
-        Ok(PyFamily { geometry, dimension, parameters, inputs, programs: Mutex::default() })
+        let names = [entries, parameters.clone()].concat();
+        Ok(Self::new(Recorder::new(geometry, None).into(), &names, parameters))
     }
 
     /// The names of the parameters of the brackets and the connection, sorted.
@@ -229,12 +295,12 @@ impl PyFamily {
 
     #[getter]
     fn dimension(&self) -> usize {
-        self.dimension
+        self.recorder.dimension
     }
 
     /// The shape of the arrays of a quantity.
     fn shape(&self, py: Python<'_>, key: &str) -> PyResult<Vec<usize>> {
-        Ok(self.recording(py, key)?.shape.clone())
+        Ok(self.recorder.recording(py, key)?.shape.clone())
     }
 
     /// Checks matrices (count, n n): metrics, or derivatives of metrics.
@@ -245,7 +311,7 @@ impl PyFamily {
         matrices: Floats<'_>,
         regular: bool,
     ) -> PyResult<()> {
-        let (n, numbers) = (self.dimension, matrices.as_slice()?);
+        let (n, numbers) = (self.recorder.dimension, matrices.as_slice()?);
         let size = n * n;
         let first = |(start, rows): (usize, &[f64])| {
             let mut rows = rows.chunks_exact(size).enumerate();
@@ -263,40 +329,48 @@ impl PyFamily {
         found.map_or(Ok(()), |(at, defect)| Err(self.refused(py, what, at, &defect)))
     }
 
-    /// A quantity (count, components) for metrics (count, n n), parameters (count, p) and vectors
-    /// x, y (count, 2 n). If derivatives of the metrics (count, n n) are given, the derivative of
-    /// the quantity. An argument of one row is used for all rows.
-    #[pyo3(signature = (key, count, metrics, parameters, vectors, rates=None))]
-    #[allow(clippy::too_many_arguments, reason = "called by the class of Python alone")]
+    /// A quantity (count, components) for arrays (count, k) whose columns are the inputs, the vectors last; its derivative if
+    /// there are rates of the first array (count, k). An array of one row stands for all rows; `batch` is the shape of the
+    /// batch of `count` rows.
+    #[pyo3(signature = (key, batch, arrays, rates=None))]
     fn evaluate<'py>(
         &self,
         py: Python<'py>,
         key: &str,
-        count: usize,
-        metrics: Floats<'py>,
-        parameters: Floats<'py>,
-        vectors: Floats<'py>,
+        batch: Vec<usize>,
+        arrays: Vec<Floats<'py>>,
         rates: Option<Floats<'py>>,
     ) -> PyResult<Array<'py>> {
-        let recording = self.recording(py, key)?;
-        let (program, n) = (&recording.program, self.dimension);
+        let recording = self.recorder.recording(py, key)?;
+        let count = batch.iter().product();
         let width: usize = recording.shape.iter().product();
         let out = fresh(py, &[count], &recording.shape)?;
-        let columns = |array: &'_ Floats<'py>| rows(array, count).map(|(_, step)| step);
-        let steps = [columns(&metrics)?, columns(&parameters)?, columns(&vectors)?];
-        let arrays = [metrics.as_slice()?, parameters.as_slice()?, vectors.as_slice()?];
-        let inputs: Vec<Column<'_>> = self.columns(arrays, steps).collect();
+        let mut columns = Vec::new();
+        for array in &arrays {
+            let (numbers, step) = rows(array, count)?;
+            columns.extend((0..array.shape()[1]).map(|offset| Column { numbers, offset, step }));
+        }
+        let missing = |name: &str| {
+            let reason = format!("the quantity {key} depends on {name}, which has no value");
+            PyValueError::new_err(reason)
+        };
+        let place = |name: &&str| self.inputs.get(*name).copied().ok_or_else(|| missing(name));
+        let places: Vec<usize> = recording.inputs.iter().map(place).collect::<PyResult<_>>()?;
+        let inputs: Vec<Column<'_>> = places.iter().map(|place| columns[*place]).collect();
         let zero = [0.0];
         let none = Column { numbers: &zero, offset: 0, step: 0 };
         let moving: Option<Vec<Column<'_>>> = match &rates {
             None => None,
             Some(rates) => {
-                let (numbers, step) = rows(rates, count)?;
-                let entry = |(i, j)| Column { numbers, offset: i * n + j, step };
-                let rest = std::iter::repeat_n(none, self.inputs.len() - n * (n + 1) / 2);
-                Some(triangle(n).map(entry).chain(rest).collect())
+                let ((numbers, step), width) = (rows(rates, count)?, rates.shape()[1]);
+                let rate = |place: &usize| match *place < width {
+                    true => Column { numbers, offset: *place, step },
+                    false => none,
+                };
+                Some(places.iter().map(rate).collect())
             }
         };
+        let program = &recording.program;
         let task = |start: usize, out: &mut [f64]| {
             match &moving {
                 None => program.evaluate(&inputs, start, out, width),
@@ -309,14 +383,8 @@ impl PyFamily {
             }
             let bad = |row: &[f64]| !row.iter().all(|x| x.is_finite());
             let at = start + out.chunks_exact(width).position(bad).unwrap_or(0);
-            let reason = match key {
-                SECTIONAL => "the plane is degenerate",
-                _ => "the result is not finite",
-            };
-            Err(InputError::from(affinor::Error::Invalid {
-                what: "geometry",
-                reason: format!("{reason} in row {at} of the batch"),
-            }))
+            let row: Vec<f64> = inputs.iter().map(|column| column.number(at)).collect();
+            Err(self.undefined(key, &recording, &row, at, &batch))
         };
         {
             let mut target = out.readwrite();
@@ -343,7 +411,7 @@ impl PyFamily {
         metrics: Floats<'py>,
         forms: Floats<'py>,
     ) -> PyResult<Option<Array<'py>>> {
-        let (n, count) = (self.dimension, forms.shape()[0]);
+        let (n, count) = (self.recorder.dimension, forms.shape()[0]);
         let (numbers, step) = rows(&metrics, count)?;
         let forms = forms.as_slice()?;
         let out = fresh(py, &[count], &[n])?;
@@ -380,17 +448,51 @@ impl PyFamily {
 }
 
 impl PyFamily {
-    /// The columns of all inputs, as views of the arrays of metrics, parameters and vectors.
-    fn columns<'a>(
+    /// The error of a row without a finite result.
+    fn undefined(
         &self,
-        [metrics, parameters, vectors]: [&'a [f64]; 3],
-        steps: [usize; 3],
-    ) -> impl Iterator<Item = Column<'a>> {
-        let n = self.dimension;
-        let entry = move |(i, j)| Column { numbers: metrics, offset: i * n + j, step: steps[0] };
-        let parameter = move |offset| Column { numbers: parameters, offset, step: steps[1] };
-        let component = move |offset| Column { numbers: vectors, offset, step: steps[2] };
-        let entries = triangle(n).map(entry);
-        entries.chain((0..self.parameters.len()).map(parameter)).chain((0..2 * n).map(component))
+        key: &str,
+        recording: &Recording,
+        row: &[f64],
+        at: usize,
+        batch: &[usize],
+    ) -> InputError {
+        if self.point.is_empty() {
+            let reason = match key {
+                SECTIONAL => "the plane is degenerate",
+                _ => "the result is not finite",
+            };
+            let reason = format!("{reason} in row {at} of the batch");
+            return affinor::Error::Invalid { what: "geometry", reason }.into();
+        }
+        let names = recording.inputs.iter().zip(row);
+        let value = |name: &str| {
+            names.clone().find(|(own, _)| **own == name).map_or(f64::NAN, |(_, value)| *value)
+        };
+        let reason = recording.tensor.program.failure(value);
+        let reason = reason.unwrap_or_else(|| "the result is not finite".into());
+        let given = self.point.iter().filter(|name| recording.inputs.contains(&name.as_str()));
+        let listed: Vec<String> = given.map(|name| format!("{name} = {}", value(name))).collect();
+        let place = match batch {
+            [] => String::new(),
+            _ => format!("[{}], ", indices(at, batch).join(", ")),
+        };
+        let place = format!("the point {place}{}", listed.join(", "));
+        InputError::mathematics(format!("the quantity {key} is not defined at {place}: {reason}"))
     }
+}
+
+/// The index of a row in a batch, one number for each axis.
+fn indices(mut at: usize, batch: &[usize]) -> Vec<String> {
+    let mut indices: Vec<String> = batch
+        .iter()
+        .rev()
+        .map(|length| {
+            let index = at % length;
+            at /= length;
+            index.to_string()
+        })
+        .collect();
+    indices.reverse();
+    indices
 }

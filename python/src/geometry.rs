@@ -2,8 +2,10 @@
 
 use crate::algebra::PyAlgebra;
 use crate::class::{New, Object, Optional, constructors, immutable, in_python, properties};
-use crate::components::Held;
-use crate::geometries::{Geometries, Grounded, each};
+use crate::components::{Held, parameters};
+use crate::errors::refused;
+use crate::family::{PyFamily, Recorder};
+use crate::geometries::{Geometries, Grounded, each, in_floats};
 use crate::run::run;
 use crate::source::PySource;
 use crate::tensor::{Names, PyTensor};
@@ -13,9 +15,11 @@ use affinor::{Error, Geometry};
 use affinor_documents::Coefficient;
 use affinor_documents::input::InputError;
 use affinor_documents::report::Quantity;
+use affinor_tensors::Tolerance;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple, PyType};
+use std::sync::{Arc, OnceLock};
 
 /// Geometry: a frame with a connection and perhaps a metric. Every quantity of ``affinor table`` is a property.
 ///
@@ -62,6 +66,8 @@ pub struct PyGeometry {
     frame: String,
     pub symbols: Py<PyDict>,
     pub values: Geometries,
+    /// The recorded programs of the quantities.
+    recorder: OnceLock<Arc<Recorder>>,
 }
 
 /// The quantity of a name.
@@ -265,7 +271,8 @@ impl PyGeometry {
                 Ok(each!(&values, geometry => Grounded::geometry(geometry.in_right_frame()?)))
             })?;
         }
-        Ok(PyGeometry { source: source.unbind(), extra, frame: frame.extract()?, symbols, values })
+        let (source, frame, recorder) = (source.unbind(), frame.extract()?, OnceLock::new());
+        Ok(PyGeometry { source, extra, frame, symbols, values, recorder })
     }
 
     /// Factor lambda of a connection ``Lambda = lambda c``; None for other connections.
@@ -299,6 +306,64 @@ impl PyGeometry {
         let extra = PyDict::new(py);
         self.extra.iter().try_for_each(|(key, tensor)| extra.set_item(key, tensor))?;
         Ok((extra, &self.frame))
+    }
+
+    /// The values of the quantities at points, in floats.
+    ///
+    /// Each formula is simplified and compiled once, and then runs over all points on all cores.
+    ///
+    /// Parameters
+    /// ----------
+    /// points : array of the shape (..., n), or dict of arrays
+    ///     The coordinates of the points, in their order; or values of coordinates, parameters and functions by name or symbol.
+    ///     Values that a quantity does not depend on may be left out.
+    /// **values : arrays
+    ///     Values of parameters and coordinates by name, broadcast with the batch of points.
+    ///
+    /// Returns
+    /// -------
+    /// PointValues
+    ///     Every quantity as an array with the axes of the batch in front. NaN and infinity are errors, in points and in results:
+    ///     the error names the index and the coordinates of the point.
+    ///
+    /// Examples
+    /// --------
+    /// >>> sphere = Geometry.on_chart("theta phi", ["r^2", "r^2*sin(theta)^2"])
+    /// >>> sphere.at([[1, 0], [2, 0], [3, 0]], r=2).scalar_curvature
+    /// array([0.5, 0.5, 0.5])
+    /// >>> sphere.at({"theta": 1}, r=[1, 2]).metric.shape
+    /// (2, 2, 2)
+    #[pyo3(signature = (points=None, /, **values))]
+    fn at<'py>(
+        slf: &Bound<'py, Self>,
+        points: Optional<'py>,
+        values: Option<Bound<'py, PyDict>>,
+    ) -> New<'py> {
+        python(slf.py(), "_points", "at")?.call1((slf, points, values))
+    }
+
+    /// The recorded programs of the quantities, for values of these names.
+    fn _at(&self, py: Python<'_>, names: Vec<String>) -> PyResult<PyFamily> {
+        let space = self.source.get().space(py)?;
+        if matches!(self.values, Geometries::Float(_)) {
+            return Err(refused(py, in_floats("the geometry at points")));
+        }
+        let recorder = match self.recorder.get() {
+            Some(recorder) => recorder.clone(),
+            None => {
+                let (given, values) = (PyTensor::given(&self.extra)?, self.values.clone());
+                let right = self.frame == "right";
+                let recorder = run(py, || {
+                    let geometry = given.geometry(&space.definition, Tolerance::default())?;
+                    let geometry = if right { geometry.in_right_frame()? } else { geometry };
+                    Ok(Recorder::new(geometry, Some(values)))
+                })?;
+                self.recorder.get_or_init(|| recorder.into()).clone()
+            }
+        };
+        let others = self.extra.iter().flat_map(|(_, tensor)| parameters(&tensor.get().values));
+        let others: Vec<String> = others.collect();
+        PyFamily::at_points(py, recorder, &space, &others, &names)
     }
 
     /// Lie algebra of the frame.

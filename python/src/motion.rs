@@ -308,6 +308,11 @@ impl PyProblem {
         Ok((names, table(py, rows.concat(), width)?))
     }
 
+    /// The names of the methods of a class without step-size control, the most accurate one last; none for other classes.
+    fn _own_methods(&self) -> Vec<&'static str> {
+        self.0.own_methods().into_iter().map(Method::name).collect()
+    }
+
     /// The same problem with rows at the initial time and at these times.
     fn _at_times(&self, times: Vec<f64>) -> Self {
         PyProblem(self.0.at_times(&times), self.1)

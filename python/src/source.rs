@@ -107,11 +107,11 @@ impl Given<'_> {
         tensors.into_iter().flatten().any(|tensor| matches!(tensor, Values::Symbolic(_)))
     }
 
-    fn geometry<S: Grounded>(
+    pub fn geometry<S: Coefficient>(
         self,
         definition: &Definition,
         tolerance: Tolerance,
-    ) -> Result<Geometries, InputError> {
+    ) -> Result<Geometry<S>, InputError> {
         let ground = definition.ground(tolerance)?;
         let name = definition.name.clone();
         let geometry = match self {
@@ -146,7 +146,7 @@ impl Given<'_> {
                 Geometry::new(name, ground, kind, Some(metric))?
             }
         };
-        Ok(S::geometry(geometry))
+        Ok(geometry)
     }
 }
 
@@ -188,7 +188,9 @@ impl PySource {
                 ScalarChoice::Exact if given.has_parameters() => Kind::Symbolic,
                 _ => space.kind(choice)?,
             };
-            over_kind!(kind, S => given.geometry::<S>(&space.definition, tolerance))
+            over_kind!(kind, S => {
+                Ok(Grounded::geometry(given.geometry::<S>(&space.definition, tolerance)?))
+            })
         })
     }
 

@@ -271,6 +271,19 @@ def test_messages_are_in_the_words_of_python():
     with pytest.raises(af.AffinorError) as caught:
         af.LieAlgebra("so(q)")
     assert "--" not in str(caught.value) and "affinor list" not in str(caught.value)
+    motion = {"space": "so3", "initial": {"velocity": [0, 0, 1]}, "output": {"end": 1}}
+    body = {"moments": [1, 2, 3]}
+    sum_of_two = {"space": "so3+so3", "metric": "identity", "initial": {"velocity": [0] * 6, "parts": [{}]}}
+    for keys, words in [
+        ({}, "also `inertia`"),
+        ({"inertia": [body, body]}, "one dict in the list `inertia`"),
+        ({"inertia": 3}, "expected a dict, or a list of dicts"),
+        ({"inertia": body, "output": {"end": 1, "stop": "a"}}, "a dict `events`"),
+        (sum_of_two, "one dict in the list `initial.parts`"),
+    ]:
+        with pytest.raises(af.AffinorError) as caught:
+            af.simulate(**{**motion, **keys})
+        assert words in str(caught.value) and "table" not in str(caught.value), str(caught.value)
 
 
 @pytest.mark.parametrize(

@@ -7,6 +7,7 @@ import pickle
 import signal
 import threading
 import time
+import tomllib
 import warnings
 from pathlib import Path
 
@@ -137,6 +138,17 @@ def test_plots():
         errors.plot(plt.figure())
     kick, _ = errors.plot().lines
     np.testing.assert_array_equal(kick.get_xydata(), np.column_stack([[0.1, 0.05], errors["simo-wong"]]))
+
+
+def test_convergence_in_classes_without_a_tolerance():
+    """The reference is a run by a method of the class: errors fall with the order of the method."""
+    pendulum = tomllib.loads((MOTIONS / "double_pendulum.toml").read_text())
+    pendulum["output"].update(end=0.2, every=0.1)
+    coning = tomllib.loads((MOTIONS / "coning.toml").read_text())
+    coning["output"].update(end=2, every=1)
+    for problem, column, method, order in ((pendulum, "qx_2", "generalised-alpha", 2), (coning, "qx", "magnus6", 6)):
+        errors = af.convergence(problem, column, [method], [0.1 / 8, 0.1 / 16] if order == 2 else [0.5, 0.25])[method]
+        assert order - 0.6 < np.log2(errors[0] / errors[1]) < order + 0.6, (method, errors)
 
 
 def test_events():
@@ -285,9 +297,11 @@ def test_runs_that_end_early_have_no_later_times():
     assert stopped([0.3, 0.1, 0.5]).t.tolist() == [0.3, 0.1, 0.5]
     with pytest.raises(ValueError, match=r"the run ends at t = 0\.5, and t has the time 0\.7"):
         stopped([0.1, 0.9, 0.7])
+    # rows at a section give way to the times
     section = af.simulate(**{**keys, "output": {"end": 4, "section": "half"}})
-    with pytest.raises(ValueError, match="without section"):
-        section(0.1)
+    assert section.t.tolist() == pytest.approx([0.5])
+    plain = af.simulate(**{**keys, "output": {"end": 4}})
+    np.testing.assert_array_equal(section([0.1, 0.7]).rows, plain([0.1, 0.7]).rows)
 
 
 def test_curves_are_smooth_whatever_the_rows():

@@ -104,7 +104,7 @@ def test_a_timeout_ends_every_call(name):
     with pytest.raises(af.LimitError, match="exceeds its time limit of 0.4 s") as found:
         with af.limits(timeout=0.4):
             LONG[name]()
-    assert found.value.limit == "timeout"
+    assert found.value.limit == "timeout" and "timeout=" in found.value.help
     # limits that are not reached change nothing
     with af.limits(timeout=1000):
         assert af.Geometry("so3@zero").scalar == "exact"

@@ -150,7 +150,7 @@ impl Value for Moving {
     #[inline(always)]
     fn function(self, function: Function) -> Self {
         let value = self.0.function(function);
-        let slope = self.0.zip(value, |x, value| slope(function, x, value));
+        let slope = self.0.zip(value, |x, value| function.slope(x, value));
         Moving(value, self.1 * slope)
     }
     #[inline(always)]
@@ -161,21 +161,6 @@ impl Value for Moving {
     #[inline(always)]
     fn result(&self) -> &[f64; LANES] {
         &self.1.0
-    }
-}
-
-/// The slope of a function at `x`; `value` is the value of the function there.
-fn slope(function: Function, x: f64, value: f64) -> f64 {
-    match function {
-        Function::Sin => x.cos(),
-        Function::Cos => -x.sin(),
-        Function::Tan => 1.0 + value * value,
-        Function::Exp => value,
-        Function::Sinh => x.cosh(),
-        Function::Cosh => x.sinh(),
-        Function::Tanh => 1.0 - value * value,
-        Function::Log => 1.0 / x,
-        Function::Sqrt => 0.5 / value,
     }
 }
 
@@ -346,6 +331,31 @@ impl BlockProgram {
         }
     }
 
+    /// Makes all places below `width` results: those without one are 0.
+    ///
+    /// ```
+    /// use affinor::numerics::blocks::BlockProgram;
+    /// use affinor::tensors::{Recorded, scalar::StraightLine};
+    /// let program = StraightLine::new(&[Recorded::input("x")]);
+    /// let mut program = BlockProgram::new(&program, &["x"], &[1]).unwrap();
+    /// program.fill(3);
+    /// let mut row = [f64::NAN; 3];
+    /// let x = affinor::numerics::blocks::Column { numbers: &[2.0], offset: 0, step: 0 };
+    /// program.evaluate(&[x], 0, &mut row, 3);
+    /// assert_eq!(row, [0.0, 2.0, 0.0]);
+    /// ```
+    pub fn fill(&mut self, width: usize) {
+        let mut assigned = vec![false; width];
+        let stored = self.code.iter().filter_map(|instruction| match instruction {
+            Instruction::Store(_, _, place) => Some(*place),
+            _ => None,
+        });
+        let places = stored.chain(self.constants.iter().map(|(place, _)| *place));
+        places.filter(|place| *place < width).for_each(|place| assigned[place] = true);
+        let free = assigned.iter().enumerate().filter(|(_, assigned)| !**assigned);
+        self.constants.extend(free.map(|(place, _)| (place, 0.0)));
+    }
+
     /// The approximate number of operations for one row.
     pub fn size(&self) -> usize {
         self.code.len() + self.terms.len()
@@ -382,11 +392,20 @@ impl Instruction {
 }
 
 impl Column<'_> {
+    /// The number of a row.
+    ///
+    /// # Panics
+    /// If the column is shorter.
+    #[inline(always)]
+    pub fn number(&self, row: usize) -> f64 {
+        self.numbers[self.offset + row * self.step]
+    }
+
     #[inline(always)]
     fn load(&self, rows: [usize; LANES]) -> Lanes {
         let mut lanes = Lanes::splat(0.0);
         for (value, row) in lanes.0.iter_mut().zip(rows) {
-            *value = self.numbers[self.offset + row * self.step];
+            *value = self.number(row);
         }
         lanes
     }

@@ -73,6 +73,21 @@ impl Function {
             Function::Sqrt => x.sqrt(),
         }
     }
+
+    /// The derivative in floats at `x`, where the function has this value.
+    pub fn slope(self, x: f64, value: f64) -> f64 {
+        match self {
+            Function::Sin => x.cos(),
+            Function::Cos => -x.sin(),
+            Function::Tan => 1.0 + value * value,
+            Function::Exp => value,
+            Function::Sinh => x.cosh(),
+            Function::Cosh => x.sinh(),
+            Function::Tanh => 1.0 - value * value,
+            Function::Log => 1.0 / x,
+            Function::Sqrt => 0.5 / value,
+        }
+    }
 }
 
 impl fmt::Display for Function {

@@ -73,6 +73,7 @@ fn single<S: Coefficient>(quantity: Quantity, tensor: Tensor<S>) -> Table<S> {
         independent: false,
         common_factors: false,
         index_names: None,
+        point: vec![],
         metric: None,
         tensors: vec![TableEntry { quantity, tensor }],
     }

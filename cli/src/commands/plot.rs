@@ -317,6 +317,11 @@ impl Image {
     }
 
     fn print(&self, picture: &Picture) -> Result<(), Failure> {
+        if !picture.is_finite() {
+            let message = format!("{}: the numbers are too large to be drawn", picture.title);
+            let help = "choose units in which lengths and momenta are below 1e150";
+            return Err(InputError::mathematics(message).help(help).into());
+        }
         let bytes = self.encoded(picture)?;
         deliver(self.file.as_deref(), &[], |out| out.write_all(&bytes))
     }

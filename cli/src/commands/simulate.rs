@@ -153,7 +153,9 @@ impl Arguments {
                         Failure::Signal(signal, Some(message))
                     }
                     (Ending::Limit(_), Failure::Input(error)) => {
-                        error.help(format!("{kept}{resume}")).into()
+                        let advice = error.help.iter().map(|help| format!("; {help}"));
+                        let help = format!("{kept}{resume}{}", advice.collect::<String>());
+                        error.help(help).into()
                     }
                     (Ending::Limit(_), failure) => failure,
                 });

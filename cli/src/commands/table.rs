@@ -24,6 +24,10 @@ pub struct Arguments {
     /// the basis vectors
     #[arg(long, value_enum, default_value_t = Labels::Numbers)]
     pub labels: Labels,
+    /// Compute in floats at a point: values of coordinates, parameters and functions, as in
+    /// "r=3,theta=pi/2,M=1"; may be repeated
+    #[arg(long, value_name = "NAME=VALUE,...", conflicts_with = "code")]
+    pub at: Vec<String>,
     #[command(flatten)]
     pub code: CodeOptions,
     #[command(flatten)]
@@ -98,7 +102,10 @@ impl Arguments {
             let code = computation.table_as_code(&selection, language, &by)?;
             return code::print(&code, &space, &self.shared, &stages);
         }
-        let table = stages.bound(|| computation.table(&selection))??;
+        let table = stages.bound(|| match self.at.as_slice() {
+            [] => computation.table(&selection),
+            values => computation.table_at(&selection, &space.point(&values.join(","))?),
+        })??;
         let absent: Vec<&str> = table.absent.iter().map(|quantity| quantity.key()).collect();
         let known = self.selection.quantities();
         if self.selection.show.is_some() && known.iter().all(|one| table.absent.contains(one)) {

@@ -67,7 +67,8 @@ impl Arguments {
         let found =
             stages.bound(|| computation.differences(&stored, &selection, &conventions))??;
         let mut outcomes = vec![];
-        for (table, (differences, remarks)) in stored.iter().zip(found) {
+        found.remarks.iter().for_each(|remark| note(remark));
+        for (table, (differences, remarks)) in stored.iter().zip(found.tables) {
             let origin =
                 if stored.len() > 1 { format!("{}: ", table.name()) } else { String::new() };
             remarks.iter().for_each(|remark| note(&(origin.clone() + remark)));

@@ -430,6 +430,66 @@ fn large_values() {
     assert!(refused.err.contains("too large for a plot"), "{}", refused.err);
 }
 
+/// Figures of positions and momenta whose squares are beyond the range of floats are refused, and contain no NaN.
+#[test]
+fn large_figures() {
+    let problem = |space: &str, metric: &str, velocity: &str, end: f64| {
+        let step = end / 10.0;
+        let text = format!(
+            "space = \"{space}\"\nmetric = \"diag({metric})\"\ninitial.velocity = [{velocity}]\n\
+             integrator = {{ method = \"rkmk4\", step = {step:e} }}\noutput = {{ end = {end:e}, every = {step:e} }}\n"
+        );
+        folder(&[("a.toml", &text)])
+    };
+    let thrown =
+        |size: f64| problem("se3", "1, 2, 3, 1, 1, 1", &format!("0, 0, 1, {size:e}, 0, 0"), 1.0);
+    let turning =
+        |size: f64| problem("so3", "1, 2, 3", &format!("{size:e}, 0, {size:e}"), 1.0 / size);
+    for (kind, folder) in [("animation", thrown(1e160)), ("momentum", turning(1e160))] {
+        let outcome = affinor(&folder, &[kind, "a.toml"]);
+        assert_eq!(outcome.status, 1, "{kind}: {}", outcome.err);
+        assert!(outcome.err.contains("too large to be drawn"), "{kind}: {}", outcome.err);
+    }
+    for (kind, folder) in [("animation", thrown(1e140)), ("momentum", turning(1e140))] {
+        let svg = drawn(&folder, &[kind, "a.toml"]);
+        assert!(!svg.contains("NaN") && !svg.contains("inf"), "{kind}");
+    }
+}
+
+/// Without `--method` the methods are those of the class of the problem, and so is the method of the reference.
+#[test]
+fn convergence_in_every_class() {
+    for (name, end, methods) in [
+        ("double_pendulum", "0.1", "generalised-alpha"),
+        ("coning", "1", "magnus6"),
+        ("toda", "1", "isospectral2 isospectral4"),
+        ("free_body", "1", "rkmk4 cf4"),
+    ] {
+        let text = fs::read_to_string(example(name)).unwrap();
+        let shorter = |line: &str| match line.split('=').next().map(str::trim) {
+            Some("end") => format!("end = {end}\n"),
+            Some("every") => format!("every = {end}\n"),
+            _ => format!("{line}\n"),
+        };
+        let text: String = text.lines().map(shorter).collect();
+        let folder = folder(&[("a.toml", &text)]);
+        let outcome = affinor(&folder, &["convergence", "a.toml", "--halvings", "3"]);
+        assert_eq!(outcome.status, 0, "{name}: {}", outcome.err);
+        let found: Vec<&str> = outcome
+            .err
+            .lines()
+            .filter_map(|line| line.split_once(": observed"))
+            .map(|(m, _)| m)
+            .collect();
+        assert_eq!(found.join(" "), methods, "{name}: {}", outcome.err);
+    }
+    let outcome = affinor(
+        &TempDir::new().unwrap(),
+        &["convergence", &example("double_pendulum"), "--method", "rkmk853"],
+    );
+    assert!(outcome.err.contains("generalised-alpha"), "{}", outcome.err);
+}
+
 /// Rows with gaps are read, and rows of different members are not joined by a line.
 #[test]
 fn rows_of_a_file() {

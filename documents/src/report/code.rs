@@ -14,7 +14,7 @@ use crate::input::InputError;
 use affinor::geometry::Geometry;
 use affinor::geometry::equations::Variable;
 use affinor_tensors::scalar::derivatives;
-use affinor_tensors::{Recorded, Symbolic, Up};
+use affinor_tensors::{Notation, Rational, Recorded, Symbolic, Up};
 use num_traits::Zero;
 use routine::{Array, Routine};
 
@@ -28,6 +28,16 @@ pub trait Programmed: Coefficient {
 
     /// The partial derivatives of values with respect to the parameter of that name.
     fn rates(values: &[Self], name: &str) -> Vec<Self>;
+}
+
+impl Programmed for Rational {
+    fn program(&self) -> Result<Recorded, String> {
+        Recorded::from_rational(self)
+            .ok_or_else(|| format!("{self} has no counterpart in a program"))
+    }
+    fn rates(values: &[Self], _: &str) -> Vec<Self> {
+        vec![Rational::zero(); values.len()]
+    }
 }
 
 impl Programmed for Recorded {

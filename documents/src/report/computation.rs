@@ -9,7 +9,7 @@ use super::{
 };
 use crate::certificate::{Check, certify};
 use crate::input::InputError;
-use crate::space::{ScalarChoice, Space};
+use crate::space::{Point, ScalarChoice, Space};
 use crate::{Coefficient, over_kind};
 use affinor::geometry::equations::{EquationKind, Equations};
 use affinor::{Error, Geometry};
@@ -62,9 +62,28 @@ pub struct TableReport {
     pub absent: Vec<Quantity>,
 }
 
-/// The limit on terms for the simplification of the components of a program. If it is exceeded, the
-/// program computes by the formulas.
+/// Stored tables, compared with a space.
+pub struct Compared {
+    /// The differences of each table, and remarks on the comparison.
+    pub tables: Vec<(Differences, Vec<String>)>,
+    /// Remarks on all comparisons: conventions that no table uses.
+    pub remarks: Vec<String>,
+}
+
+impl TableReport {
+    fn new<S: Coefficient>(table: Table<S>, selection: &Selection) -> Self {
+        let shown = |q: &Quantity| table.tensors.iter().any(|entry| entry.quantity == *q);
+        let absent = selection.quantities.iter().filter(|q| !shown(q)).copied().collect();
+        TableReport { report: Box::new(table), absent }
+    }
+}
+
+/// The terms that the simplification of the components of a program may form. Beyond, the program computes as the formulas
+/// do.
 const SIMPLIFIED: u64 = 3_000_000;
+
+/// The same for values at points, which a program of the plain formulas computes sooner where simplification takes seconds.
+pub const SIMPLIFIED_AT_POINTS: u64 = 100_000;
 
 impl<'a> Computation<'a> {
     /// An exact computation.
@@ -85,14 +104,44 @@ impl<'a> Computation<'a> {
     pub fn table(&self, selection: &Selection) -> Result<TableReport, InputError> {
         over_kind!(self.kind()?, S => {
             let table = self.tensors::<S>(&self.geometry(selection)?, selection)?;
-            let shown = |q: &Quantity| table.tensors.iter().any(|entry| entry.quantity == *q);
-            let absent = selection.quantities.iter().filter(|q| !shown(q)).copied().collect();
-            Ok(TableReport { report: Box::new(table), absent })
+            Ok(TableReport::new(table, selection))
         })
     }
 
-    /// The components of tensors as source code, with their partial derivatives with respect to
-    /// these parameters or coordinates.
+    /// The table of tensors in floats at a point.
+    ///
+    /// # Errors
+    /// As [`table`](Self::table); a tensor that depends on a name without a value, or that is not defined at the point.
+    pub fn table_at(
+        &self,
+        selection: &Selection,
+        point: &Point,
+    ) -> Result<TableReport, InputError> {
+        let table = self.simplified(
+            SIMPLIFIED_AT_POINTS,
+            || self.tensors::<Symbolic>(&self.geometry(selection)?, selection)?.at(point),
+            || self.tensors::<Recorded>(&self.geometry(selection)?, selection)?.at(point),
+        )?;
+        Ok(TableReport::new(table, selection))
+    }
+
+    /// The values of programs: on a chart those of simplified expressions if these stay small, so that terms that cancel are
+    /// not computed; else those of the formulas as they are.
+    fn simplified<T>(
+        &self,
+        terms: u64,
+        symbolic: impl FnOnce() -> T,
+        recorded: impl FnOnce() -> T,
+    ) -> T {
+        if self.space.definition.is_on_chart()
+            && let Ok(values) = Effort::new(terms).bound(symbolic)
+        {
+            return values;
+        }
+        recorded()
+    }
+
+    /// The components of tensors as source code, with their partial derivatives by these parameters or coordinates.
     ///
     /// # Errors
     /// Those of [`table`](Self::table).
@@ -102,16 +151,11 @@ impl<'a> Computation<'a> {
         language: Language,
         by: &[String],
     ) -> Result<String, InputError> {
-        // on a chart the components are simplified first, so that terms that cancel are not
-        // computed
-        if self.space.definition.is_on_chart() {
-            let simplified =
-                Effort::new(SIMPLIFIED).bound(|| self.code::<Symbolic>(selection, language, by));
-            if let Ok(code) = simplified {
-                return code;
-            }
-        }
-        self.code::<Recorded>(selection, language, by)
+        self.simplified(
+            SIMPLIFIED,
+            || self.code::<Symbolic>(selection, language, by),
+            || self.code::<Recorded>(selection, language, by),
+        )
     }
 
     fn code<S: Programmed>(
@@ -182,7 +226,7 @@ impl<'a> Computation<'a> {
         })
     }
 
-    /// The differences between stored tables and the space, and remarks on each comparison. Components of the stored
+    /// The differences between stored tables and the space, and remarks on the comparisons. Components of the stored
     /// tables follow these conventions.
     ///
     /// # Errors
@@ -193,18 +237,21 @@ impl<'a> Computation<'a> {
         stored: &[StoredTable],
         selection: &Selection,
         conventions: &[Convention],
-    ) -> Result<Vec<(Differences, Vec<String>)>, InputError> {
+    ) -> Result<Compared, InputError> {
         over_kind!(self.kind()?, S => {
             let geometry = self.geometry::<S>(selection)?;
             let mut table = self.tensors(&geometry, selection)?;
             let scalars = self.space.definition.known_parameters();
-            let mut stated = vec![];
+            let (mut stated, mut remarks) = (vec![], vec![]);
             for convention in conventions {
-                let quantity = convention.apply(&mut table, &geometry, &scalars, &self.space.values)?;
+                let (quantity, used) = convention.apply(&mut table, &geometry, &scalars, &self.space.values)?;
                 if stated.contains(&quantity) {
                     return Err(convention.refused(format!("two conventions state the {}", quantity.title().to_lowercase())));
                 }
                 stated.push(quantity);
+                if !used {
+                    remarks.push(convention.unused(quantity));
+                }
             }
             (self.stage)("comparison");
             let outcome = |stored: &StoredTable| {
@@ -216,7 +263,8 @@ impl<'a> Computation<'a> {
                 }
                 Ok((found, remarks))
             };
-            stored.iter().map(outcome).collect()
+            let tables = stored.iter().map(outcome).collect::<Result<_, InputError>>()?;
+            Ok(Compared { tables, remarks })
         })
     }
 

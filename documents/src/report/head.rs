@@ -54,6 +54,10 @@ impl<S: Coefficient> Table<S> {
                 lines.insert(4, ("fields", equal.collect::<Vec<_>>().join(", ")));
             }
         }
+        if !self.point.is_empty() {
+            let point = self.point.iter().map(|(name, value)| format!("{name} = {value}"));
+            lines.push(("point", printable(&point.collect::<Vec<_>>().join(", "))));
+        }
         if self.independent {
             lines.push(("components", "one of each set that is equal by symmetry".into()));
         }

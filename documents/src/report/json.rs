@@ -39,6 +39,10 @@ pub(super) fn write<S: Coefficient>(table: &Table<S>, out: &mut dyn Write) -> io
     if let Some(OnChart { coordinates, fields }) = &table.chart {
         writeln!(out, "  \"chart\": {},", json!({ "coordinates": coordinates, "fields": fields }))?;
     }
+    if !table.point.is_empty() {
+        let point = table.point.iter().map(|(name, value)| (name.clone(), Value::from(*value)));
+        writeln!(out, "  \"point\": {},", Value::Object(point.collect()))?;
+    }
     write!(out, "  \"conventions\": {{")?;
     for (position, (key, text)) in conventions(table).into_iter().enumerate() {
         out.write_all(if position == 0 { b"\n" } else { b",\n" })?;

@@ -141,7 +141,7 @@ impl Space {
     }
 
     /// The numbers of the basis vectors, by their names.
-    fn labels(&self) -> BTreeMap<String, usize> {
+    pub(super) fn labels(&self) -> BTreeMap<String, usize> {
         let labels = self.definition.labels.iter().enumerate();
         labels.map(|(at, label)| (label.clone(), at)).collect()
     }

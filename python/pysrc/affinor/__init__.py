@@ -9,6 +9,7 @@ from importlib.metadata import version as _version
 from affinor._engine import clear_caches, set_threads, threads
 from affinor._geometries import Geometries
 from affinor._limits import limits
+from affinor._points import PointValues
 from affinor._sweep import RandomSample, SimulationTask, Sweep, sweep
 from affinor.algebra import Check, LieAlgebra, catalogue
 from affinor.errors import (
@@ -63,6 +64,7 @@ __all__ = [
     "MathematicsError",
     "MetricError",
     "SimulationTask",
+    "PointValues",
     "Problem",
     "Property",
     "Report",

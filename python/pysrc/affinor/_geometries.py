@@ -9,8 +9,9 @@ from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from affinor._bulk import Bulk, Floats, common
 from affinor._engine import Family, Geometry, LieAlgebra, Source
 from affinor._scalars import floats, merged
 from affinor._source import Names, source_of
@@ -19,8 +20,6 @@ from affinor.geometry import completed, connection_text
 
 __all__ = ["Geometries"]
 
-Floats = NDArray[np.float64]
-
 _FAMILIES: OrderedDict[str, Family] = OrderedDict()
 """The most recently used families with their recorded programs."""
 
@@ -28,7 +27,7 @@ _MOST_FAMILIES = 32
 _LOCK = threading.Lock()
 
 
-class Geometries:
+class Geometries(Bulk):
     """Left-invariant geometries of one Lie algebra, for an array of metrics in floats.
 
     Every quantity of a :class:`Geometry` with ``scalar="float"`` is an array with the axes of the batch in front. The formula
@@ -75,7 +74,7 @@ class Geometries:
     array([ -6., -14.])
     """
 
-    __slots__ = ("_family", "_metrics", "_parameters", "batch_shape", "dimension")
+    __slots__ = ("_metrics",)
 
     def __init__(
         self,
@@ -102,141 +101,19 @@ class Geometries:
             raise ValueError(f"values of the parameters are missing: {', '.join(missing)}")
         family.check("metric", g.reshape(-1, n * n), True)
         values = [given[name] for name in family.parameters]
-        shape = _common(g.shape[:-2], *(value.shape for value in values))
-        columns = [np.broadcast_to(value, shape) for value in values]
-        self._family = family
-        # a copy, because the caller may change the array
+        shape = common(g.shape[:-2], *(value.shape for value in values))
+        # the array of the caller may change
         self._metrics = g.copy()
-        self._parameters = np.stack(columns, axis=-1) if columns else np.zeros((1, 0))
-        self.batch_shape: tuple[int, ...] = shape
-        """The shape of the batch, to which metrics and parameters are broadcast."""
-        self.dimension: int = n
-        """The dimension of the algebra."""
-
-    def __repr__(self) -> str:
-        return f"<Geometries of dimension {self.dimension}, batch of the shape {self.batch_shape}>"
+        rows = self._metrics.reshape((*g.shape[:-2], n * n))
+        super().__init__(family, [rows, *(value[..., np.newaxis].copy() for value in values)], shape)
 
     def __reduce__(self) -> Any:
         raise TypeError("geometries in bulk are not pickled: pickle the algebra and the metrics")
-
-    def quantity(self, key: str) -> Floats:
-        """Quantity by its name in tables.
-
-        Parameters
-        ----------
-        key : str
-            ``"ricci"``, ``"weyl"``, ``"kretschmann"`` or another name of a quantity.
-
-        Returns
-        -------
-        array of the shape (..., n, ...)
-            The axes of the batch, then the indices in the order of :class:`Geometry`.
-
-        Raises
-        ------
-        ValueError
-            The name is unknown.
-
-        Examples
-        --------
-        >>> import numpy as np
-        >>> Geometries("so3", np.eye(3)).quantity("kretschmann")
-        array(0.75)
-        """
-        self._check_key(key)
-        return self._evaluate(key, self.batch_shape)
 
     @property
     def metric(self) -> Floats:
         """Metrics ``g_ij``, shape (..., n, n)."""
         return np.broadcast_to(self._metrics, (*self.batch_shape, self.dimension, self.dimension)).copy()
-
-    @property
-    def affinities(self) -> Floats:
-        """Affinities ``Lambda^i_jk``, shape (..., n, n, n): ``nabla_{e_j} e_k = Lambda^i_jk e_i``, the direction first."""
-        return self.quantity("affinities")
-
-    @property
-    def torsion(self) -> Floats:
-        """Torsion ``tau^i_jk``, shape (..., n, n, n)."""
-        return self.quantity("torsion")
-
-    @property
-    def curvature(self) -> Floats:
-        """Curvature ``R^i_jkl``, shape (..., n, n, n, n): ``R(e_k, e_l) e_j = R^i_jkl e_i``."""
-        return self.quantity("curvature")
-
-    @property
-    def ricci(self) -> Floats:
-        """Ricci tensors ``Ric_jl = R^i_jil``, shape (..., n, n).
-
-        Examples
-        --------
-        >>> import numpy as np
-        >>> Geometries("so3", [np.eye(3), 2 * np.eye(3)]).ricci[:, 0, 0]
-        array([0.5, 0.5])
-        """
-        return self.quantity("ricci")
-
-    @property
-    def scalar_curvature(self) -> Floats:
-        """Scalar curvatures ``S = g^jl Ric_jl``, shape (...)."""
-        return self.quantity("scalar_curvature")
-
-    @property
-    def ricci_eigenvalues(self) -> NDArray[Any]:
-        """Eigenvalues of the symmetric part of ``Ric`` with respect to the metric, shape (..., n).
-
-        Floats in ascending order if all metrics are positive definite, else complex numbers.
-
-        Examples
-        --------
-        >>> import numpy as np
-        >>> Geometries("so3", [np.eye(3), 2 * np.eye(3)]).ricci_eigenvalues
-        array([[0.5 , 0.5 , 0.5 ],
-               [0.25, 0.25, 0.25]])
-        """
-        n, ricci = self.dimension, self.ricci
-        ricci = (ricci + np.swapaxes(ricci, -1, -2)) / 2
-        count = ricci.size // (n * n)
-        metrics = self._rows(self._metrics.reshape((*self._metrics.shape[:-2], n * n)), self.batch_shape)
-        found = self._family.eigenvalues(metrics, ricci.reshape(count, n * n))
-        if found is None:
-            return np.linalg.eigvals(np.linalg.solve(self._metrics, ricci)).astype(np.complex128)
-        return found.reshape((*self.batch_shape, n))
-
-    def sectional_curvature(self, x: ArrayLike, y: ArrayLike) -> Floats:
-        """Sectional curvatures ``g(R(x,y)y, x)/(g(x,x) g(y,y) - g(x,y)^2)`` of planes.
-
-        Parameters
-        ----------
-        x, y : array of the shape (..., n)
-            Vectors that span the planes, broadcast with the batch.
-
-        Returns
-        -------
-        array of the shape (...)
-
-        Raises
-        ------
-        MathematicsError
-            A plane is degenerate.
-
-        Examples
-        --------
-        >>> import numpy as np
-        >>> Geometries("so3", np.diag([1, 1, 2])).sectional_curvature([[1, 0, 0], [0, 1, 0]], [0, 0, 1])
-        array([0.5, 0.5])
-        """
-        vectors = [floats(v) for v in (x, y)]
-        for name, v in zip("xy", vectors, strict=True):
-            if v.ndim == 0 or v.shape[-1] != self.dimension:
-                raise ValueError(f"{name} should be an array of the shape (..., {self.dimension}), not of the shape {v.shape}")
-            if not np.isfinite(v).all():
-                raise ValueError(f"{name} should be finite, not {v[~np.isfinite(v)][0]}")
-        planes = _common(*(v.shape[:-1] for v in vectors))
-        both = np.concatenate([np.broadcast_to(v, (*planes, self.dimension)) for v in vectors], axis=-1)
-        return self._evaluate("sectional_curvature", _common(self.batch_shape, planes), vectors=both)
 
     def derivative(self, key: str, direction: ArrayLike | None = None) -> Floats:
         """Derivative of a quantity with respect to the metric.
@@ -288,48 +165,7 @@ class Geometries:
         if rates.ndim < 2 or rates.shape[-2:] != (n, n):
             raise ValueError(f"the direction should be an array of the shape (..., {n}, {n}), not of the shape {rates.shape}")
         self._family.check("direction", rates.reshape(-1, n * n), False)
-        return self._evaluate(key, _common(self.batch_shape, rates.shape[:-2]), rates=rates)
-
-    def _check_key(self, key: str) -> None:
-        """Rejects the sectional curvature, which the engine evaluates for two vectors only."""
-        if key == "sectional_curvature":
-            try:
-                self._family.shape("")
-            except ValueError as error:
-                listed = str(error).removeprefix('""')
-                raise ValueError(f'"{key}"{listed}; the method sectional_curvature(x, y) takes the vectors of a plane') from None
-
-    def _evaluate(
-        self, key: str, shape: tuple[int, ...], *, vectors: Floats | None = None, rates: Floats | None = None
-    ) -> Floats:
-        """A quantity over a batch of this shape, or its derivative along rates."""
-        n, family = self.dimension, self._family
-        metrics = self._rows(self._metrics.reshape((*self._metrics.shape[:-2], n * n)), shape)
-        parameters = self._rows(self._parameters, shape)
-        planes = np.zeros((1, 2 * n)) if vectors is None else self._rows(vectors, shape)
-        moving = None if rates is None else self._rows(rates.reshape((*rates.shape[:-2], n * n)), shape)
-        count = int(np.prod(shape, dtype=np.int64))
-        found = family.evaluate(key, count, metrics, parameters, planes, moving)
-        return found.reshape((*shape, *found.shape[1:]))
-
-    @staticmethod
-    def _rows(array: Floats, shape: tuple[int, ...]) -> Floats:
-        """Rows (count, k) of the batch, or one row that is used for all."""
-        width = array.shape[-1]
-        if array.size == width:
-            return np.ascontiguousarray(array.reshape(1, width))
-        if array.shape[:-1] != shape:
-            array = np.broadcast_to(array, (*shape, width))
-        return np.ascontiguousarray(array.reshape(-1, width))
-
-
-def _common(*shapes: tuple[int, ...]) -> tuple[int, ...]:
-    """The common shape of batches that are broadcast together."""
-    try:
-        return np.broadcast_shapes(*shapes)
-    except ValueError:
-        written = " and ".join(map(str, shapes))
-        raise ValueError(f"the batches {written} cannot be broadcast together") from None
+        return self._evaluate(key, common(self.batch_shape, rates.shape[:-2]), rates=rates)
 
 
 def _with_connection(space: Any, connection: Any, basis: Names) -> tuple[Source, Any]:
@@ -384,7 +220,7 @@ def _family_of(space: Source, connection: Any, shape: tuple[int, ...], may_have_
     dimension = geometry.dimension
     if dimension != n:
         raise ValueError(f"metrics should be an array of the shape (..., {dimension}, {dimension}), not of the shape {shape}")
-    family = Family(source, [names[i][j] for i in range(n) for j in range(i, n)])
+    family = Family(source, [name for row in names for name in row])
     with _LOCK:
         _FAMILIES[key] = family
         while len(_FAMILIES) > _MOST_FAMILIES:

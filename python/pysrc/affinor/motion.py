@@ -422,8 +422,6 @@ class Trajectory:
             raise ValueError(f"t should have finite times, not {times[~np.isfinite(times)][0]}")
         problem, member = self._motion
         rows, at = _rows_at(problem, member, [])
-        if not len(rows["rows"]):
-            raise ValueError("the rows of this run are those of output.section: simulate the problem without section for other times")
         start = float(rows["rows"][0, at])
         wanted = np.unique(times)
         if len(wanted) and wanted[0] < start:
@@ -710,7 +708,9 @@ def convergence(
     steps : list of float
         Step sizes.
     reference : float, optional
-        Exact value of the column; by default that of ``rkmk853`` with the tolerance 1e-13.
+        Exact value of the column; by default that of ``rkmk853`` with the tolerance 1e-13; for
+        constraints, flows of matrices and a velocity over time, whose methods have no tolerance, that of the most accurate method
+        with a quarter of the least step.
 
     Returns
     -------
@@ -725,7 +725,9 @@ def convergence(
     True
     """
     if reference is None:
-        exact = simulate(problem, method="rkmk853", tolerance=1e-13, on_interrupt="raise")
+        own = Problem(problem, method=methods[0], step=min(steps))._own_methods() if len(methods) and len(steps) else []
+        keys: ProblemKeys = {"method": own[-1], "step": min(steps) / 4} if own else {"method": "rkmk853", "tolerance": 1e-13}
+        exact = simulate(problem, on_interrupt="raise", **keys)
         reference = float(exact[column][-1])
 
     def error(method: str, step: float) -> float:

@@ -192,6 +192,14 @@ impl Recorded {
         Self::variable(Variable::parameter(name))
     }
 
+    /// The parameter or free function that the value is; `None` for any other value.
+    pub fn as_input(&self) -> Option<Variable> {
+        match (&self.node.as_ref()?.operation, self.factor.is_one()) {
+            (Operation::Input(variable), true) => Some(*variable),
+            _ => None,
+        }
+    }
+
     /// The input that represents a parameter or a free function.
     fn variable(variable: Variable) -> Self {
         Self::of(Operation::Input(variable), Some(Image::variable(variable.text())))
@@ -442,10 +450,7 @@ impl Notation for Recorded {
         if let ([argument], true) = (arguments, is_elementary(name)) {
             return Self::function(name, argument);
         }
-        let input = |value: &Self| match (&value.node.as_ref()?.operation, value.factor.is_one()) {
-            (Operation::Input(variable), true) => Some(Symbolic::variable(*variable)),
-            _ => None,
-        };
+        let input = |value: &Self| value.as_input().map(Symbolic::variable);
         let inputs = arguments.iter().map(input).collect::<Option<Vec<_>>>();
         let inputs =
             inputs.ok_or_else(|| format!("`{name}` has an argument that is not a name"))?;

@@ -9,7 +9,9 @@ use super::double_double::DoubleDouble;
 use super::printed::{FreeFunction, Point, number};
 use crate::common::root;
 use affinor_documents::input::InputError;
-use affinor_documents::report::{Format, Quantity, Report, StoredTable, Table};
+use affinor_documents::report::{
+    Computation, Format, Quantity, Report, Selection, StoredTable, Table,
+};
 use affinor_documents::space::{Request, ScalarChoice, Space};
 use affinor_documents::{Coefficient, over_kind};
 use affinor_tensors::scalar::StraightLine;
@@ -220,6 +222,67 @@ fn programs_have_the_same_values() {
         let evaluated = space(row, None).and_then(|space| in_floats(row, &space));
         messages(evaluated)
     });
+}
+
+/// `--at` has the same values, where the functions of the chart are at its own coordinates.
+#[test]
+fn tables_at_a_point_have_the_same_values() {
+    let charts = charts().into_iter().step_by(2);
+    let plain = |row: &Value| {
+        let functions = row["functions"].as_array().into_iter().flatten();
+        let own = functions.flat_map(|function| {
+            let names = function["arguments"].as_array().unwrap().iter();
+            names.zip(function["at"].as_array().unwrap()).map(|(name, at)| (name, at, row))
+        });
+        let same = |(name, at, row): (&Value, &Value, &Value)| {
+            let coordinate = row["point"][name.as_str().unwrap()].as_str();
+            coordinate.is_some_and(|text| (number(text) - number(at.as_str().unwrap())).high == 0.0)
+        };
+        row["definition"]["chart"]["where"].is_null() && own.into_iter().all(same)
+    };
+    let charts: Vec<Value> = charts.filter(plain).collect();
+    assert!(charts.len() > 60, "{}", charts.len());
+    for_each(&charts, |row| messages(space(row, None).and_then(|space| at_its_point(row, &space))));
+}
+
+fn at_its_point(row: &Value, space: &Space) -> Result<Vec<String>, InputError> {
+    let names = row["point"].as_object().unwrap().iter();
+    let names = names.map(|(name, value)| format!("{name}={}", value.as_str().unwrap()));
+    let functions = row["functions"].as_array().into_iter().flatten().flat_map(|function| {
+        let name = function["name"].as_str().unwrap();
+        let arguments = function["arguments"].as_array().unwrap().iter();
+        let arguments: Vec<&str> = arguments.map(|name| name.as_str().unwrap()).collect();
+        let arguments = arguments.join(",");
+        function["values"].as_object().unwrap().iter().map(move |(by, value)| {
+            let by = if by.is_empty() { String::new() } else { format!("_{by}") };
+            format!("{name}{by}({arguments})={}", value.as_str().unwrap())
+        })
+    });
+    let known = space.definition.known_parameters();
+    let known = |text: &String| {
+        text.contains('(') || known.iter().any(|name| text.starts_with(&format!("{name}=")))
+    };
+    let point: Vec<String> = names.chain(functions).filter(known).collect();
+    let point = space.point(&point.join(","))?;
+    let selection = Selection { quantities: QUANTITIES.to_vec(), ..Selection::default() };
+    let report = Computation::of(space).table_at(&selection, &point)?.report;
+    let mut json = vec![];
+    report.write(Format::Json, &mut json).unwrap();
+    let json: Value = serde_json::from_slice(&json).unwrap();
+    let mut found = vec![];
+    for (quantity, at, text) in references(row) {
+        let components = json["tensors"][quantity.key()]["components"].as_array().unwrap();
+        let at: Vec<usize> = at.iter().map(|index| index + 1).collect();
+        let value = components.iter().find(|entry| entry[0] == serde_json::json!(at));
+        let value = value.map_or(0.0, |entry| entry[1].as_f64().unwrap());
+        let reference = number(text).high;
+        let largest = references(row).filter(|(other, ..)| *other == quantity);
+        let scale = largest.map(|(.., text)| number(text).high.abs()).fold(1.0, f64::max);
+        if (value - reference).abs() > 1e-9 * scale {
+            found.push(format!("{} {at:?} is {value} instead of {text}", quantity.key()));
+        }
+    }
+    Ok(found)
 }
 
 fn in_floats(row: &Value, space: &Space) -> Result<Vec<String>, InputError> {

@@ -308,3 +308,27 @@ fn long_chains_need_no_stack() {
     assert_eq!(value.parameters(), ["a", "b"]);
     assert!(StraightLine::new(&[value]).count().divisions > 100_000);
 }
+
+/// The first operation without a finite value is named, and none is named where all results are finite.
+#[test]
+fn failures_are_named() {
+    let [a, b] = ["a", "b"].map(Recorded::input);
+    let function = |name, argument: &Recorded| Recorded::function(name, argument).unwrap();
+    let quotient = (a.clone() - &b).recip().unwrap();
+    let large = Recorded::from_rational(&Rational::from_f64(1e300).unwrap()).unwrap();
+    for (value, [x, y], expected) in [
+        (quotient.clone(), [1.0, 2.0], None),
+        (quotient.clone(), [2.0, 2.0], Some("division by zero")),
+        (function("log", &a), [-1.5, 0.0], Some("log(-1.5)")),
+        (function("log", &a), [0.0, 0.0], Some("log(0)")),
+        (function("sqrt", &(a.clone() * &b)), [-1.0, 4.0], Some("sqrt(-4)")),
+        (function("exp", &a), [1000.0, 0.0], Some("a number beyond the range of floats")),
+        (a.clone() * &b, [1e200, 1e200], Some("a number beyond the range of floats")),
+        (a.clone() * &large, [1e20, 0.0], Some("a number beyond the range of floats")),
+        (a.clone() * &b, [f64::NAN, 1.0], Some("a = NaN")),
+    ] {
+        let program = StraightLine::new(&[value]);
+        let found = program.failure(|name| if name == "a" { x } else { y });
+        assert_eq!(found.as_deref(), expected);
+    }
+}

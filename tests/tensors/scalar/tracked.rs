@@ -3,7 +3,7 @@
 
 use crate::common::property::properties;
 use affinor_tensors::linear::Matrix;
-use affinor_tensors::scalar::laws;
+use affinor_tensors::scalar::{Function, laws};
 use affinor_tensors::{
     Down, Field, Notation, Rational, Ring, Scalar, Sum, Summable, Tensor, Tolerance, TrackedFloat,
     Up, contract,
@@ -265,4 +265,32 @@ fn without_a_tolerance_rounding_is_kept() {
     let twice = Float::from(2.0) * product;
     assert!(<Float as Summable>::Sum::term(&twice).finish(exactly).is_some());
     assert!(<Float as Summable>::Sum::term(&twice).finish(Tolerance::default()).is_none());
+}
+
+/// An argument that a large term has made wrong by some 1e-7 has the function of the right argument, once corrected.
+#[test]
+fn functions_follow_the_rounding_of_their_arguments() {
+    let large = float(&Rational::from(1i64 << 30));
+    for function in Function::ALL {
+        for n in 1..40 {
+            let exact = Rational::new(n, 7).unwrap();
+            let argument = float(&exact) + large - large;
+            assert!(argument.error() != 0.0 || n % 7 == 0, "{function} {exact}");
+            let expected = function.value(exact.to_f64());
+            if expected.abs() > 10.0 && function == Function::Tan {
+                // next to a pole the second order of the error counts
+                continue;
+            }
+            let found = argument.applied(function);
+            assert!(
+                (found.corrected() - expected).abs() <= 1e-12 * (1.0 + expected.abs()),
+                "{function}({exact}) is {expected}, not {found:?}"
+            );
+        }
+    }
+    // the slope of a root is infinite at zero
+    assert_eq!(Float::zero().applied(Function::Sqrt).corrected(), 0.0);
+    let third = float(&Rational::new(1, 3).unwrap());
+    let noise = third + large - large - third;
+    assert!(noise.value() != 0.0 && noise.significant(Tolerance::default()).is_none());
 }

@@ -54,8 +54,9 @@ pub struct Comparison {
     /// The problem, a TOML file
     #[arg(value_name = "FILE")]
     problem: String,
-    /// A method to compare; may be repeated, or a list with commas
-    #[arg(long = "method", value_name = "NAME", value_delimiter = ',', default_values = ["rkmk4", "cf4"])]
+    /// A method to compare; may be repeated, or a list with commas [default: rkmk4,cf4, or the methods for constraints,
+    /// for flows of matrices, or for a velocity over time]
+    #[arg(long = "method", value_name = "NAME", value_delimiter = ',')]
     methods: Vec<String>,
     /// The largest step size [default: a sixteenth of the time span]
     #[arg(long, value_name = "H")]
@@ -70,7 +71,13 @@ impl Comparison {
     pub fn trials(&self) -> Result<(String, Vec<Trials>), Failure> {
         let problem = Problem::read(&self.problem)?;
         let methods = self.methods.iter().map(|name| method_of(name));
-        let methods = methods.collect::<Result<Vec<_>, _>>()?;
+        let mut methods = methods.collect::<Result<Vec<_>, _>>()?;
+        if methods.is_empty() {
+            methods = problem.own_methods();
+        }
+        if methods.is_empty() {
+            methods = vec![Method::MuntheKaas4, Method::CommutatorFree4];
+        }
         let times = problem.times(0)?;
         let whole = times[times.len() - 1] - times[0];
         let step = self.step.unwrap_or(whole.abs() / 16.0);
@@ -143,8 +150,8 @@ fn trials(
 /// A problem whose solution is more accurate than the compared runs.
 fn reference(problem: &Problem, step: f64, halvings: u32) -> Problem {
     let fine = step * 0.5_f64.powi(halvings as i32 + 2);
-    match problem.own_class() {
-        Some(method) => problem.with_method(method, Some(fine), Some(1e-13)),
+    match problem.own_methods().last() {
+        Some(&method) => problem.with_method(method, Some(fine), Some(1e-13)),
         None => problem.with_method(Method::to(1e-13), None, Some(1e-13)),
     }
 }

@@ -34,8 +34,8 @@ impl Convention {
         Convention { source: Source::new("--convention", text) }
     }
 
-    /// Converts a tensor of a table to this convention, if the table contains it. Returns which
-    /// tensor it is. `scalars` are names of scalars; parameters that have been set have `values`.
+    /// Puts the tensor of a table into this convention, if the table has it. Returns which one it is, and whether the table has
+    /// it. These names are scalars; parameters that have been set have `values`.
     ///
     /// # Errors
     /// An error for a text without a component and its value, and for an expression that has no
@@ -46,16 +46,20 @@ impl Convention {
         geometry: &Geometry<S>,
         scalars: &[String],
         values: &BTreeMap<String, Symbolic>,
-    ) -> Result<Quantity, InputError> {
+    ) -> Result<(Quantity, bool), InputError> {
         let names = Names::new(geometry, scalars.iter().cloned());
         let scalar = |name: &str| scalar::<S>(name, &names, values);
         let tensors = Tensors::new(geometry, &scalar);
         let (quantity, tensor) = self.stored(&names, &tensors)?;
         let entry = table.tensors.iter_mut().find(|entry| entry.quantity == quantity);
-        if let Some(entry) = entry {
-            entry.tensor = tensor;
-        }
-        Ok(quantity)
+        let used = entry.map(|entry| entry.tensor = tensor).is_some();
+        Ok((quantity, used))
+    }
+
+    /// The remark that no stored table has the tensor of this convention.
+    pub(in crate::report) fn unused(&self, quantity: Quantity) -> String {
+        let text = crate::input::shown(self.source.text.trim());
+        format!("--convention \"{text}\" is not used: no stored table has {}", quantity.key())
     }
 
     /// The error for an invalid convention.

@@ -287,6 +287,59 @@ impl StraightLine {
     }
 }
 
+impl StraightLine {
+    /// The first operation without a finite value for these inputs, in words: `division by zero`, `log(-1)`.
+    ///
+    /// ```
+    /// use affinor_tensors::{Notation, Recorded, scalar::StraightLine};
+    /// let x = Recorded::parameter("x").unwrap();
+    /// let program = StraightLine::new(&[Recorded::function("log", &x)?]);
+    /// assert_eq!(program.failure(|_| -2.0), Some("log(-2)".into()));
+    /// assert_eq!(program.failure(|_| 2.0), None);
+    /// # Ok::<(), String>(())
+    /// ```
+    pub fn failure(&self, input: impl Fn(&str) -> f64) -> Option<String> {
+        let mut values: Vec<f64> = Vec::with_capacity(self.steps.len());
+        for step in &self.steps {
+            let of =
+                |value: &Output| value.factor.to_f64() * value.step.map_or(1.0, |at| values[at]);
+            let value = match step {
+                Step::Input(variable) => input(variable.text()),
+                Step::Function(function, a) => function.value(values[*a]),
+                Step::Sum(constant, terms) => {
+                    let terms = terms.iter().map(|(factor, at)| factor.to_f64() * values[*at]);
+                    constant.to_f64() + terms.sum::<f64>()
+                }
+                Step::Product(a, b) => values[*a] * values[*b],
+                Step::Reciprocal(a) => 1.0 / values[*a],
+                Step::Select(choice) => {
+                    let [a, b, x, y] = &**choice;
+                    of(if of(b).abs() > of(a).abs() { y } else { x })
+                }
+            };
+            if !value.is_finite() {
+                return Some(match step {
+                    Step::Input(variable) => format!("{variable} = {value}"),
+                    Step::Reciprocal(a) if values[*a] == 0.0 => "division by zero".into(),
+                    Step::Function(function, a) if value.is_nan() || values[*a] == 0.0 => {
+                        format!("{function}({})", values[*a])
+                    }
+                    _ => BEYOND.into(),
+                });
+            }
+            values.push(value);
+        }
+        let beyond = |value: &Output| {
+            let value = value.factor.to_f64() * value.step.map_or(1.0, |at| values[at]);
+            !value.is_finite()
+        };
+        self.outputs.iter().any(beyond).then(|| BEYOND.into())
+    }
+}
+
+/// An overflow, in words.
+const BEYOND: &str = "a number beyond the range of floats";
+
 /// A rational number in a field.
 fn constant_in<S: Field>(value: &Rational) -> Option<S> {
     if let Ok(words) = num_rational::Ratio::<i64>::try_from(value) {

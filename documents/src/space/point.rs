@@ -1,0 +1,118 @@
+//! Points: values of the coordinates, parameters and functions of a space, in floats.
+
+use super::notation::{Names, split};
+use super::request::Space;
+use super::setting::no_parameter;
+use crate::Coefficient;
+use crate::input::{InputError, Source, shown};
+use affinor_tensors::scalar::StraightLine;
+use affinor_tensors::{Recorded, Symbolic, TrackedFloat};
+
+/// Values of coordinates, parameters and functions by their texts, in the order in which they are given.
+#[derive(Clone, Debug, Default)]
+pub struct Point(Vec<(String, TrackedFloat)>);
+
+impl Point {
+    /// The value of a coordinate, a parameter or a function.
+    pub fn get(&self, name: &str) -> Option<TrackedFloat> {
+        self.iter().find(|(own, _)| *own == name).map(|(_, value)| value)
+    }
+
+    /// The names with their values.
+    pub fn iter(&self) -> impl Iterator<Item = (&str, TrackedFloat)> {
+        self.0.iter().map(|(name, value)| (name.as_str(), *value))
+    }
+}
+
+impl Space {
+    /// The texts by which programs know a coordinate, a parameter, or a function that is not given, such as `a(t)` and its
+    /// derivative `a_t(t)`. `others` are further parameters.
+    ///
+    /// # Errors
+    /// A name that is unknown, or that has a value.
+    pub fn input(&self, text: &str, others: &[String]) -> Result<String, InputError> {
+        self.input_in(&Source::new("the name of a value", text), text, others)
+    }
+
+    fn input_in(
+        &self,
+        source: &Source,
+        text: &str,
+        others: &[String],
+    ) -> Result<String, InputError> {
+        let place = source.whole(text);
+        let labels = self.labels();
+        let names = Names::open(&labels, self.definition.functions());
+        let value = names.scalar(text, source)?;
+        let input = Recorded::try_from(&value).ok().and_then(|value| value.as_input());
+        let input = input.ok_or_else(|| {
+            let message = format!(
+                "`{}` is not a coordinate, a parameter or a function without a value",
+                shown(text.trim())
+            );
+            InputError::usage(message).at(&place)
+        })?;
+        let name = input.text().to_string();
+        if let Some(value) = self.values.get(&name) {
+            let message = format!("{} has the value {value} already", shown(&name));
+            return Err(InputError::usage(message).at(&place));
+        }
+        let mut known = self.definition.known_parameters();
+        known.retain(|name| !self.values.contains_key(name));
+        known.extend_from_slice(others);
+        if input.is_parameter() && !known.contains(&name) {
+            return Err(no_parameter(&name, &known).at(&place));
+        }
+        Ok(name)
+    }
+
+    /// A point, `name=value,...`: values are numbers such as `1/2`, `0.1` or `pi/3`.
+    ///
+    /// ```
+    /// use affinor_documents::space::{Request, Space};
+    /// let name = Some("so3@levi-civita;metric=diag(a,a,b)".into());
+    /// let space = Space::open(&Request { space: name, ..Request::default() })?;
+    /// let point = space.point("a=1/2, b=pi")?;
+    /// assert_eq!(point.get("a").map(|a| a.value()), Some(0.5));
+    /// assert!(space.point("c=1").unwrap_err().message.contains("`c` is no parameter"));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// A name that is unknown, that has a value, or that occurs twice; a value that is not a number.
+    pub fn point(&self, text: &str) -> Result<Point, InputError> {
+        let source = Source::new("--at", text);
+        let labels = self.labels();
+        let names = Names::open(&labels, self.definition.functions());
+        let mut point = Point::default();
+        for part in split(&source.text) {
+            let place = source.whole(part);
+            let Some((name, value)) = part.split_once('=') else {
+                let error = InputError::usage("a value of a point is name=value").at(&place);
+                return Err(error.help("separate several by commas, as in --at \"r=3,theta=pi/2\""));
+            };
+            let name = self.input_in(&source, name, &[])?;
+            let number = number(&names.scalar(value, &source)?).ok_or_else(|| {
+                let message = format!("`{}` is not a finite number", shown(value.trim()));
+                InputError::usage(message).at(&source.whole(value))
+            })?;
+            if point.get(&name).is_some() {
+                let message = format!("{} is given twice", shown(&name));
+                return Err(InputError::usage(message).at(&place));
+            }
+            point.0.push((name, number));
+        }
+        Ok(point)
+    }
+}
+
+/// The value of an expression without parameters.
+fn number(value: &Symbolic) -> Option<TrackedFloat> {
+    let exact = || TrackedFloat::from_symbolic(value);
+    let computed = || {
+        let program = StraightLine::new(&[Recorded::try_from(value).ok()?]);
+        let input = |_: &str| TrackedFloat::new(f64::NAN);
+        program.evaluate(input, |function, x: &TrackedFloat| x.applied(function))?.pop()
+    };
+    exact().or_else(computed).filter(|number| number.value().is_finite())
+}
