@@ -132,7 +132,7 @@ fn points_that_are_refused() {
     for (arguments, status, says) in [
         (&["--at", "r=2,M=1,theta=1"][..], 1, "at r = 2, M = 1, theta = 1: division by zero"),
         (&["--at", "r=2,theta=1"], 2, "depends on M, which has no value"),
-        (&["--at", "q=2"], 2, "`q` is no parameter here"),
+        (&["--at", "q=2"], 2, "`q` is not a parameter here"),
         (&["--at", "r"], 2, "a value of a point is name=value"),
         (&["--at", "r=x"], 2, "`x` is not a finite number"),
         (&["--at", "r=1e400"], 2, "is not a finite number"),

@@ -25,7 +25,7 @@ const DOCUMENTS: [&str; 10] = [
     "docs/programs.md",
 ];
 
-/// What `affinor ARGUMENTS` prints on standard output.
+/// The standard output of `affinor ARGUMENTS`.
 fn output(command: &str) -> Result<String, Box<dyn std::error::Error>> {
     let arguments = command.strip_prefix("affinor ").ok_or("not a command of affinor")?;
     let outcome = run(root(), &words(arguments), b"");

@@ -1,7 +1,7 @@
 //! Tables of tensors, comparisons and equations, written in several formats.
 //!
 //! In reading order: [`Quantity`] names the tensors, [`Table`] computes them, and one module for
-//! each format writes them; [`tensors_as_code`] writes them as a program, and a
+//! each format writes them. [`tensors_as_code`] writes them as a program, and a
 //! [`TensorProgram`] computes them from numbers. [`Comparison`] compares
 //! two geometries, with the [`Claim`]s of the paper about them. [`EquationReport`] writes equations
 //! of motion, also as source code. [`StoredTable`] compares a table with a stored one.

@@ -330,7 +330,7 @@ impl PyFamily {
     }
 
     /// A quantity (count, components) for arrays (count, k) whose columns are the inputs, the vectors last; its derivative if
-    /// there are rates of the first array (count, k). An array of one row stands for all rows; `batch` is the shape of the
+    /// there are rates of the first array (count, k). An array of one row is used for all rows; `batch` is the shape of the
     /// batch of `count` rows.
     #[pyo3(signature = (key, batch, arrays, rates=None))]
     fn evaluate<'py>(

@@ -57,8 +57,8 @@ const FEW: usize = 64;
 ///
 /// All methods broadcast as NumPy does, with the axes of the batch in front. Vectors are components in the basis of the
 /// algebra, of the shape (..., dimension); angles are in radians, lengths in any consistent units. Elements are embedding
-/// coordinates of the shape (..., coordinates): a unit quaternion ``w, x, y, z`` for rotations, a quaternion and a position
-/// for SE(3), matrix entries column by column for groups of matrices, coordinates for R^n and nilpotent groups. Vectors of
+/// coordinates of the shape (..., coordinates). Rotations have a unit quaternion ``w, x, y, z``, SE(3) a quaternion and a
+/// position, groups of matrices their entries column by column, R^n and nilpotent groups coordinates. Vectors of
 /// se(3) have the rotation first. Groups are equal if they are made from the same name or the same definition.
 ///
 /// Parameters

@@ -496,7 +496,7 @@ in_python! { PyGroup, "group":
     interpolate (g, h, t) [g, h, t];
     /// Mean of elements: the solution ``m`` of ``sum w_i log(m^-1 g_i) = 0`` found by iteration from the first element.
     ///
-    /// For rotations it is the Karcher mean, which minimizes the weighted sum of squared distances; elements should lie within
+    /// For rotations it is the Karcher mean, which minimizes the weighted sum of squared distances; elements should be within
     /// half a turn of each other. On other groups it is the group exponential mean, which commutes with translations.
     ///
     /// Parameters

@@ -158,8 +158,8 @@ impl<S: Field + Scalar> Equations<S> {
     }
 
     /// Whether these equations and those of another connection with the same metric have the same
-    /// solutions: the symmetric parts of the quadratic terms must be equal, `q_ijk + q_ikj =
-    /// p_ijk + p_ikj`, up to the tolerance of floats.
+    /// solutions. The symmetric parts of the quadratic terms must be equal up to the tolerance of
+    /// floats: `q_ijk + q_ikj = p_ijk + p_ikj`.
     ///
     /// ```
     /// use affinor::algebra::catalogue;

@@ -367,7 +367,7 @@ fn constants_are_quotients_of_large_components() {
     assert!((curvature.value() + 1.0).abs() < 1e-12, "{curvature:?}");
 }
 
-/// What is not a number is called so, with its component, and not unsymmetric.
+/// A NaN is reported with its component, and not as a missing symmetry.
 #[test]
 fn what_is_no_number_is_named() {
     fn all<S: Scalar + affinor_tensors::Field + From<f64>>() {

@@ -34,7 +34,7 @@ fn quaternion(g: &UnitQuaternion<f64>) -> [f64; 4] {
     [g.w, g.i, g.j, g.k]
 }
 
-/// The quaternion with the sign of the one read off a matrix, whose largest component is positive.
+/// The quaternion with the sign that a matrix gives: its largest component is positive.
 fn signed_as(read: [f64; 4], quaternion: [f64; 4]) -> [f64; 4] {
     let [least, most] = [f64::min, f64::max].map(|end| read.into_iter().fold(0.0, end));
     assert!(most >= -least - 1e-15, "{read:?}");

@@ -430,7 +430,7 @@ fn large_values() {
     assert!(refused.err.contains("too large for a plot"), "{}", refused.err);
 }
 
-/// Figures of positions and momenta whose squares are beyond the range of floats are refused, and contain no NaN.
+/// Positions and momenta whose squares are beyond the range of floats are rejected. No figure contains NaN.
 #[test]
 fn large_figures() {
     let problem = |space: &str, metric: &str, velocity: &str, end: f64| {

@@ -125,8 +125,8 @@ impl<'a> Computation<'a> {
         Ok(TableReport::new(table, selection))
     }
 
-    /// The values of programs: on a chart those of simplified expressions if these stay small, so that terms that cancel are
-    /// not computed; else those of the formulas as they are.
+    /// The values of programs. On a chart the expressions are simplified first if they stay small, so that terms that cancel are
+    /// not computed; elsewhere the programs compute by the formulas.
     fn simplified<T>(
         &self,
         terms: u64,

@@ -74,7 +74,7 @@ impl Space {
     /// let space = Space::open(&Request { space: name, ..Request::default() })?;
     /// let point = space.point("a=1/2, b=pi")?;
     /// assert_eq!(point.get("a").map(|a| a.value()), Some(0.5));
-    /// assert!(space.point("c=1").unwrap_err().message.contains("`c` is no parameter"));
+    /// assert!(space.point("c=1").unwrap_err().message.contains("`c` is not a parameter"));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///

@@ -170,7 +170,7 @@ class Bulk:
 
     @staticmethod
     def _rows(array: Floats, shape: tuple[int, ...]) -> Floats:
-        """Rows (count, k) of the batch, or one row that stands for all."""
+        """Rows (count, k) of the batch, or one row for all elements."""
         width = array.shape[-1]
         if array.size == width:
             return np.ascontiguousarray(array.reshape(1, width))

@@ -131,7 +131,7 @@ def with_axes(what: str, value: Any, counts: Sequence[int]) -> NDArray[np.float6
 
 def _refuse(item: object) -> float:
     """Raises the TypeError of an object that is not a number."""
-    raise TypeError(f"{item!r} is no number")
+    raise TypeError(f"{item!r} is not a number")
 
 
 def index(what: str, value: Any) -> int:

@@ -23,8 +23,8 @@ class Spline:
 
         ``g_i exp(B_1(u) a) exp(B_2(u) b) exp(B_3(u) c)``,  ``B = 1 - (1-u)^3, 3 u^2 - 2 u^3, u^3``,
 
-    with ``3 a/h`` and ``3 c/h`` the body velocities at both ends of an interval of length ``h``, and ``b`` such that the
-    curve passes through the next element. It is continuously differentiable and commutes with left translations. By default
+    with ``3 a/h`` and ``3 c/h`` the body velocities at the ends of an interval of length ``h``; the choice of ``b`` makes the
+    curve pass through the next element. It is continuously differentiable and commutes with left translations. By default
     the velocities are those of the parabola through three neighbours.
 
     Parameters

@@ -181,7 +181,7 @@ class ClosureError(_Pair):
 
 
 class ConstructionError(_Pair):
-    """Construction whose condition fails: that of an ideal, a subalgebra, a cocycle, a derivation, an action, a limit, or a
+    """Construction whose condition fails, such as the condition of an ideal, a subalgebra, a cocycle, a derivation, an action, a limit, or a
     commutative, associative algebra.
 
     ``data`` has the witness: ``pair`` or ``triple``, ``residual``, and ``derivation``, ``vector`` or ``component``.

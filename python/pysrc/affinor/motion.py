@@ -708,9 +708,8 @@ def convergence(
     steps : list of float
         Step sizes.
     reference : float, optional
-        Exact value of the column; by default that of ``rkmk853`` with the tolerance 1e-13; for
-        constraints, flows of matrices and a velocity over time, whose methods have no tolerance, that of the most accurate method
-        with a quarter of the least step.
+        Exact value of the column. By default ``rkmk853`` computes it with the tolerance 1e-13. Constraints, flows of matrices and
+        prescribed velocities have no such method: the most accurate one computes it with a quarter of the smallest step.
 
     Returns
     -------

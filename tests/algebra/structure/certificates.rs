@@ -112,8 +112,8 @@ fn betti_numbers_of_higher_dimension() {
     assert_eq!(betti("heisenberg(13)"), (expected, false));
 }
 
-/// Beyond the dimensions of equations, of reductive algebras: a derivation is inner but for the maps of the centre, and an
-/// invariant form is a multiple of the Killing form on each simple ideal, and any symmetric form on the centre.
+/// Reductive algebras whose dimension is beyond the limit of the equations. A derivation is inner but for the maps of the
+/// centre. An invariant form is a multiple of the Killing form on each simple ideal, and any symmetric form on the centre.
 #[test]
 fn reductive_algebras_of_large_dimensions() {
     for (name, derivations, forms) in

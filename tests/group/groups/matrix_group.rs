@@ -371,7 +371,7 @@ fn each_condition_of_an_element_rejects() {
     // unimodular, and not orthogonal
     let shear = DMatrix::from_row_slice(3, 3, &[1.0, 1e-4, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0]);
     let rotations = of_catalogue("so(3)");
-    assert!(refused(&rotations, &shear).contains("Ad takes basis vector"));
+    assert!(refused(&rotations, &shear).contains("Ad maps basis vector"));
     // commutes with the generator, whose multiples are all logarithms
     let beside = affinor::numerics::exponential::exp(&(diagonal(&[1.0, 1.0, -2.0]) * 1e-4));
     assert!(refused(&line, &(&g * beside)).contains("its logarithm leaves the algebra by 2.4"));

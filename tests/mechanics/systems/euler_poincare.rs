@@ -139,7 +139,7 @@ fn zero_runs_at_half_speed() {
     assert!(back < 1e-10, "{back}");
 }
 
-/// The velocity changes as [`Equations`] say, for both connections, on a group whose brackets and
+/// The velocity changes as [`Equations`] say, for two connections, on a group whose brackets and
 /// adjoint action are separate code. This detects a wrong side or sign of `Ad*`, which energy and
 /// Casimirs do not.
 fn rates<G: TranslationSplit + Clone>(group: G, velocity: &G::Vector) {
