@@ -223,7 +223,7 @@ WRONG = [
     (lambda: schwarzschild(np.ones((5, 4)), M=[1, 2, 3]), ValueError, r"broadcast together: points \(5,\), M \(3,\)"),
     (lambda: schwarzschild({r: 1}, r=2), ValueError, "r is given twice"),
     (lambda: schwarzschild([3, 3, 1, 1], r=2), ValueError, "r is given twice"),
-    (lambda: schwarzschild({"q": 1}), af.InputError, "`q` is no parameter here"),
+    (lambda: schwarzschild({"q": 1}), af.InputError, "`q` is not a parameter here"),
     (lambda: schwarzschild({"2*r": 1}), af.InputError, "is not a coordinate, a parameter or a function"),
     (lambda: schwarzschild({r: 1j}), TypeError, "complex"),
     (lambda: schwarzschild("3 3 1 1"), TypeError, "real numbers"),
