@@ -50,7 +50,7 @@ def _called(function: Callable[..., Any], core: tuple[int, ...], arguments: tupl
     return jax.pure_callback(host, shape, *arguments, vmap_method="expand_dims")
 
 
-def _differentiable(operation: Operation) -> Callable[..., Any]:
+def _with_rule(operation: Operation) -> Callable[..., Any]:
     """The operation with its differentials as a function of JAX."""
 
     @jax.custom_jvp
@@ -88,8 +88,14 @@ def _floats(*arguments: Any) -> Any:
 class Group(DifferentiableGroup):
     __doc__ = DifferentiableGroup.__doc__
     library = "JAX"
-    _differentiable = staticmethod(_differentiable)
-    _dtype = staticmethod(_floats)
+
+    @staticmethod
+    def _differentiable(operation: Operation) -> Callable[..., Any]:
+        return _with_rule(operation)
+
+    @staticmethod
+    def _dtype(*arguments: Any) -> Any:
+        return _floats(*arguments)
 
     def identity(self, dtype: Any = None) -> Any:
         """Identity element.

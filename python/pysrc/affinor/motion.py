@@ -13,7 +13,7 @@ import warnings
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextvars import ContextVar
 from pathlib import Path
-from typing import Any, Self, TypedDict, TypeVar, Unpack
+from typing import Any, ClassVar, Self, TypedDict, TypeVar, Unpack
 
 import numpy as np
 from numpy.typing import NDArray
@@ -161,6 +161,8 @@ class Problem(_engine.Problem):
     >>> simulate(top)["Omega3"]
     array([5., 5., 5.])
     """
+
+    __signature__: ClassVar[inspect.Signature]
 
     __slots__ = ("_arguments", "_in_memory")
 
