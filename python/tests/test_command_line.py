@@ -109,4 +109,4 @@ def test_groups():
         numbers = run("exp", "se3", "--format", "json", ",".join(map(repr, row.tolist()))).stdout
         matrix = np.array(json.loads(numbers)["rows"][0] if isinstance(json.loads(numbers), dict) else json.loads(numbers)).reshape(4, 4)
         # rows of arrays use one series for all angles, single elements a shorter one for small angles
-        np.testing.assert_allclose(af.SE3.matrix(af.SE3.exp(row)), matrix, rtol=0, atol=4 * np.finfo(float).eps)
+        np.testing.assert_allclose(af.SE3.matrix(af.SE3.exp(row)), matrix, rtol=1e-15, atol=4e-16)

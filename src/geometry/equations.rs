@@ -43,15 +43,16 @@ impl EquationKind {
         Self::ALL.into_iter().find(|kind| kind.name() == name)
     }
 
-    /// The statement of the equations, in the notation of the paper.
-    pub fn statement(self) -> &'static str {
+    /// The law of the equations and the law in components, in the notation of the paper: (104),
+    /// (B7) and (B5).
+    pub fn statement(self) -> [&'static str; 2] {
         match self {
-            EquationKind::EulerPoincare => {
-                "DH/Dt = M: g_ij dOmega^j/dt = Lambda^j_ki Omega^k H_j + M_i, \
-                 H_j = g_jm Omega^m"
-            }
-            EquationKind::Autoparallel => "nabla_v v = 0: dv^i/dt = -Lambda^i_jk v^j v^k",
-            EquationKind::Transport => "nabla_w u = 0: du^i/dt = -Lambda^i_jk w^j u^k",
+            EquationKind::EulerPoincare => [
+                "DH/Dt = M",
+                "g_ij dOmega^j/dt = Lambda^j_ki Omega^k H_j + M_i, H_j = g_jm Omega^m",
+            ],
+            EquationKind::Autoparallel => ["nabla_v v = 0", "dv^i/dt = -Lambda^i_jk v^j v^k"],
+            EquationKind::Transport => ["nabla_w u = 0", "du^i/dt = -Lambda^i_jk w^j u^k"],
         }
     }
 }

@@ -222,7 +222,7 @@ impl EquationReport<Recorded> {
         };
         let about = vec![
             format!("{}, connection {}.", self.title(), self.connection[0]),
-            motion.statement().to_string(),
+            motion.statement().join(": "),
         ];
         let coordinates = self.position.as_ref().map_or(vec![], |(names, _)| names.clone());
         let position = if coordinates.is_empty() { "" } else { "x" }.to_string();

@@ -149,7 +149,10 @@ impl<S: Coefficient> EquationReport<S> {
         page(&self.title(), out, |out| {
             writeln!(out, "<main>\n<h1>{}</h1>", escaped(&self.title()))?;
             let lines = self.head(&names).into_iter().map(|(title, line)| match title {
-                "statement" => (title, statement(&line)),
+                "statement" => {
+                    let inline = |text: &String| mathml::inline(&formula::formula(text));
+                    (title, self.statement(&names).each_ref().map(inline).join(": "))
+                }
                 _ => (title, escaped(&line)),
             });
             html::head(lines, out)?;
@@ -214,7 +217,7 @@ impl<S: Coefficient> EquationReport<S> {
             "schema": "affinor.equations/1",
             "name": self.name,
             "motion": self.equations.kind().name(),
-            "statement": self.statement(&names),
+            "statement": self.statement(&names).join(": "),
             "connection": { "name": self.connection[0] },
             "scalar": kind_name(S::KIND),
             "basis": self.labels,
@@ -258,17 +261,19 @@ impl<S: Coefficient> EquationReport<S> {
         vec![
             ("basis", printable_list(&self.labels)),
             ("connection", self.connection[1].clone()),
-            ("statement", self.statement(names)),
+            ("statement", self.statement(names).join(": ")),
             ("unknowns", format!("{state} {what}{beside}{time}; in {frame}")),
         ]
     }
 
-    /// The statement of the equations, with the name of the parameter of the curve.
-    fn statement(&self, names: &Names) -> String {
-        let statement = self.equations.kind().statement();
-        ["/d", "/D"].iter().fold(statement.to_string(), |text, rate| {
-            text.replace(&format!("{rate}t"), &format!("{rate}{}", names.time))
-        })
+    /// The law of the equations and the law in components, with the name of the parameter of the curve.
+    fn statement(&self, names: &Names) -> [String; 2] {
+        let named = |text: &str| {
+            ["/d", "/D"].iter().fold(text.to_string(), |text, rate| {
+                text.replace(&format!("{rate}t"), &format!("{rate}{}", names.time))
+            })
+        };
+        self.equations.kind().statement().map(named)
     }
 
     /// The left-hand and right-hand sides of each equation, as formulas.
@@ -400,13 +405,6 @@ impl Names {
         let right = row.right.iter().map(|(value, factors)| (plain(value), self.product(factors)));
         [combination(left), combination(right)]
     }
-}
-
-/// `DH/Dt = M: g_ij dOmega^j/dt = ...` in HTML.
-fn statement(text: &str) -> String {
-    let Some((law, components)) = text.split_once(": ") else { return escaped(text) };
-    let [law, components] = [law, components].map(|text| mathml::inline(&formula::formula(text)));
-    format!("{law}: {components}")
 }
 
 /// A letter with an index, from 0.
