@@ -409,7 +409,7 @@ fn properties_of_geometries() {
     };
     assert!(by("plus").contains("Einstein and K are of the connection above"), "{}", by("plus"));
     assert!(by("levi-civita").contains("metric       given\n"), "{}", by("levi-civita"));
-    // without a metric there are no claims about one
+    // claims about a metric need a metric
     let bare = of(&["so3@zero"]);
     let names: Vec<&Value> =
         bare["properties"].as_array().unwrap().iter().map(|p| &p["name"]).collect();

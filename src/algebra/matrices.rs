@@ -253,8 +253,8 @@ fn flat<S: Field + Scalar>(matrix: &Matrix<S>) -> impl Iterator<Item = (usize, S
     matrix.entries().map(move |(i, j, v)| (i * columns + j, v.clone()))
 }
 
-/// The entry of the largest pivot weight, which for floats is the largest magnitude; zero if there
-/// is no entry.
+/// The entry of the largest pivot weight, which for floats is the largest magnitude; zero for
+/// an empty matrix.
 fn largest<S: Field + Scalar>(matrix: &Matrix<S>) -> S {
     let entries = matrix.entries().map(|(_, _, value)| value);
     let largest = entries.max_by(|a, b| a.pivot_weight().total_cmp(&b.pivot_weight()));

@@ -16,7 +16,7 @@ pub fn inline(formula: &[Node]) -> String {
     math(formula, INLINE, "").join("<wbr/>")
 }
 
-/// A formula that stands alone after a label: as within text, but in display style.
+/// A formula after a label, broken like a formula within text but in display style.
 pub fn alone(formula: &[Node]) -> String {
     math(formula, INLINE, " displaystyle=\"true\"").join("<wbr/>")
 }

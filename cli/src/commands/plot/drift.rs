@@ -14,7 +14,7 @@ use affinor_documents::problem::Problem;
 use affinor_tensors::Effort;
 use clap::Args;
 
-/// The number of intervals of a motion in closed form, for which there are no steps.
+/// The number of intervals of a motion in closed form, which needs no steps.
 const SAMPLES: u32 = 400;
 
 /// A problem of mechanics, and the methods whose drift is drawn.
