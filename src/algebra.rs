@@ -112,27 +112,67 @@ impl<S: Scalar> LieAlgebra<S> {
 
     /// The opposite algebra, with the bracket `-[x, y]`. Its left-invariant frame is the
     /// right-invariant frame of this algebra.
+    ///
+    /// ```
+    /// use affinor::algebra::catalogue;
+    /// use affinor::Rational;
+    /// let so3 = catalogue::algebra::<Rational>("so(3)")?;
+    /// assert_eq!(so3.opposite().structure_constants().get(&[2, 0, 1]), (-1).into());
+    /// # Ok::<(), affinor::Error>(())
+    /// ```
+    #[doc(alias("right-invariant"))]
     pub fn opposite(&self) -> Self {
         LieAlgebra { frame: self.right_frame() }
     }
 
     /// The structure constants `c^i_jk`, `[e_j, e_k] = c^i_jk e_i`.
+    ///
+    /// ```
+    /// use affinor::algebra::catalogue;
+    /// use affinor::Rational;
+    /// let so3 = catalogue::algebra::<Rational>("so(3)")?;
+    /// // [e1, e2] = e3
+    /// assert_eq!(so3.structure_constants().get(&[2, 0, 1]), 1.into());
+    /// # Ok::<(), affinor::Error>(())
+    /// ```
+    #[doc(alias("commutator", "structure constants", "brackets"))]
     pub fn structure_constants(&self) -> &Tensor<S> {
         self.frame.structure_functions()
     }
 
     /// The matrix of `[n, .]`: `(ad_n)^i_k = c^i_jk n^j`, slots `[Up, Down]`.
     ///
+    /// ```
+    /// use affinor::algebra::catalogue;
+    /// use affinor::Rational;
+    /// let so3 = catalogue::algebra::<Rational>("so(3)")?;
+    /// let ad = so3.ad(&[1, 0, 0].map(Rational::from))?;
+    /// // [e1, e2] = e3
+    /// assert_eq!(ad.get(&[2, 1]), 1.into());
+    /// # Ok::<(), affinor::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`Error::Shape`] unless `n` has as many components as the algebra.
+    #[doc(alias("adjoint representation"))]
     pub fn ad(&self, n: &[S]) -> Result<Tensor<S>, Error> {
         ad(self.structure_constants(), n)
     }
 
     /// The bracket of two vectors, `[x, y]^i = c^i_jk x^j y^k`.
     ///
+    /// ```
+    /// use affinor::algebra::catalogue;
+    /// use affinor::Rational;
+    /// let so3 = catalogue::algebra::<Rational>("so(3)")?;
+    /// let [x, y] = [[1, 0, 0], [0, 1, 0]].map(|v| v.map(Rational::from));
+    /// assert_eq!(so3.bracket(&x, &y)?, [0, 0, 1].map(Rational::from));
+    /// # Ok::<(), affinor::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`Error::Shape`] unless `x` and `y` have as many components as the algebra.
+    #[doc(alias("commutator"))]
     pub fn bracket(&self, x: &[S], y: &[S]) -> Result<Vec<S>, Error> {
         let (ad, y) = (self.ad(x)?, self.vector(y)?);
         let bracket = formula("a^i_k y^k -> ^i", &[("a", &ad), ("y", &y)]);
@@ -140,6 +180,16 @@ impl<S: Scalar> LieAlgebra<S> {
     }
 
     /// The Killing form `K_ij = c^m_il c^l_jm = tr(ad_i ad_j)`, slots `[Down, Down]`.
+    ///
+    /// ```
+    /// use affinor::algebra::catalogue;
+    /// use affinor::Rational;
+    /// let so3 = catalogue::algebra::<Rational>("so(3)")?;
+    /// // -2 times the identity
+    /// assert_eq!(so3.killing_form().get(&[0, 0]), (-2).into());
+    /// # Ok::<(), affinor::Error>(())
+    /// ```
+    #[doc(alias("Cartan-Killing form"))]
     pub fn killing_form(&self) -> Tensor<S> {
         formula("c^m_il c^l_jm -> _ij", &[("c", self.structure_constants())])
     }
@@ -147,8 +197,18 @@ impl<S: Scalar> LieAlgebra<S> {
     /// The direct sum, in the basis of this algebra followed by the basis of `other`. A label of
     /// `other` that this algebra also has gets a prime.
     ///
+    /// ```
+    /// use affinor::algebra::catalogue;
+    /// use affinor::Rational;
+    /// let so3 = catalogue::algebra::<Rational>("so(3)")?;
+    /// let line = catalogue::algebra("R^1")?;
+    /// assert_eq!(so3.direct_sum(&line)?.dimension(), 4);
+    /// # Ok::<(), affinor::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`Error::Tensor`] if the dimension of the sum is too large for the indices of a tensor, 64 bits.
+    #[doc(alias("direct product"))]
     pub fn direct_sum(&self, other: &Self) -> Result<Self, Error> {
         let (n, m) = (self.dimension(), other.dimension());
         let labels = join_labels(self.labels(), other.labels());
@@ -172,8 +232,18 @@ impl<S: Scalar> LieAlgebra<S> {
 
     /// The same algebra over another scalar, by a homomorphism of rings.
     ///
+    /// ```
+    /// use affinor::algebra::catalogue;
+    /// use affinor::Rational;
+    /// let so3 = catalogue::algebra::<Rational>("so(3)")?;
+    /// let floats = so3.map(Rational::to_f64)?;
+    /// assert_eq!(floats.structure_constants().get(&[2, 0, 1]), 1.0);
+    /// # Ok::<(), affinor::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`Law::Jacobi`](crate::Law::Jacobi) or [`Law::Antisymmetry`](crate::Law::Antisymmetry) when `f` is not a homomorphism.
+    #[doc(alias("convert scalars"))]
     pub fn map<T: Scalar>(&self, f: impl Fn(&S) -> T) -> Result<LieAlgebra<T>, Error> {
         Bracket::new(self.labels(), self.structure_constants().map(f))?.try_into()
     }
@@ -184,6 +254,7 @@ impl<S: Field + Scalar> LieAlgebra<S> {
     ///
     /// # Errors
     /// [`Error::Shape`] unless `A` has the dimension of the algebra.
+    #[doc(alias("basis change"))]
     pub fn change_basis(&self, change: &BasisChange<S>) -> Result<Self, Error> {
         let structure = change.apply(self.structure_constants())?;
         let labels = (1..=self.dimension()).map(|a| format!("e{a}"));

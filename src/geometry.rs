@@ -44,6 +44,7 @@ use std::fmt;
 /// assert_eq!(body.frame_name(), "left-invariant");
 /// # Ok::<(), affinor::Error>(())
 /// ```
+#[doc(alias("manifold"))]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Geometry<S> {
     name: String,

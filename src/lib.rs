@@ -1,34 +1,83 @@
 //! Differential geometry of Lie groups: torsion, curvature and the tensors derived from them, for
 //! any Lie algebra, over exact, symbolic and floating-point scalars.
 //!
-//! Each formula is implemented once, for all scalars and all frames. [`conventions`] fixes signs
-//! and index orders. The modules in reading order:
+//! A Lie algebra comes from a name, a table of brackets or matrices. With a connection and a metric
+//! it has torsion, curvature, Ricci tensor, equations of motion; its groups have exponentials,
+//! parallel transport and integrators that keep the state on the group. [`conventions`] fixes signs
+//! and the order of indices, which count from 0.
 //!
-//! - [`tensors`]: the re-exported package `affinor-tensors`, with scalars, sparse tensors,
-//!   contraction by index letters and linear algebra. It contains no geometry;
-//! - [`algebra`]: frames, brackets, Lie algebras, the catalogue of named algebras;
-//! - [`geometry`]: connections, metrics, torsion, curvature, charts, forms, homogeneous spaces;
-//! - [`group`]: group elements in `f64`: exp, log, adjoint, parallel transport;
-//! - [`numerics`]: matrix exponentials and tableaux, below groups and mechanics;
-//! - [`mechanics`]: rigid bodies, Euler-Poincare and Lie-Poisson systems, integrators.
+//! # Geometry
 //!
-//! Three types represent the geometry. A [`Frame`] has structure functions and derivations. A
-//! [`LieAlgebra`] is a frame with constant structure that satisfies the Jacobi identity. A
-//! [`Connection`] is a frame with affinities (connection coefficients).
+//! The curvature of a left-invariant metric with letters, exactly:
 //!
 //! ```
-//! use affinor::{Bracket, CanonicalConnection, Connection, LieAlgebra, Rational};
-//! // the Heisenberg algebra: [x, y] = z
-//! let bracket = Bracket::from_fn(["x", "y", "z"], |j, k| match (j, k) {
-//!     (0, 1) => vec![(2, Rational::from(1))],
-//!     _ => vec![],
-//! })?;
-//! let heisenberg = LieAlgebra::try_from(bracket)?;
-//! let plus = Connection::canonical(&heisenberg, CanonicalConnection::Plus);
-//! assert_eq!(plus.torsion(), *heisenberg.structure_constants());
-//! assert!(plus.curvature().is_empty());
+//! use affinor::algebra::catalogue;
+//! use affinor::{Connection, Metric, Symbolic};
+//! let so3 = catalogue::algebra::<Symbolic>("so(3)")?;
+//! let metric = Metric::diagonal([Symbolic::parameter("a"), "1".parse()?, "1".parse()?])?;
+//! let connection = Connection::levi_civita(so3.left_frame(), &metric)?;
+//! assert_eq!(connection.ricci().get(&[0, 0]).to_string(), "1/2*a^2");
+//! assert!(connection.bianchi_first().is_empty());
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # Algebra
+//!
+//! Structure theory of a table of brackets, over the rationals:
+//!
+//! ```
+//! use affinor::algebra::structure::StructureTheory;
+//! use affinor::{Bracket, LieAlgebra, Rational};
+//! // [t, x] = y, [t, y] = -x: the plane with its rotations
+//! let constants = [(0, 1, 2, 1), (0, 2, 1, -1)].map(|(j, k, i, c)| (j, k, i, Rational::from(c)));
+//! let algebra = LieAlgebra::try_from(Bracket::from_constants(["t", "x", "y"], constants)?)?;
+//! let structure = StructureTheory::new(algebra);
+//! assert!(structure.is_solvable() && !structure.is_nilpotent() && structure.is_unimodular());
 //! # Ok::<(), affinor::Error>(())
 //! ```
+//!
+//! # Mechanics
+//!
+//! A free rigid body, integrated to a tolerance on the rotation group. Time, length and mass may have
+//! any consistent units; angles are radians:
+//!
+//! ```
+//! use affinor::group::{LieGroup, So3};
+//! use affinor::mechanics::{Adaptive, EulerPoincare};
+//! use affinor::{CanonicalConnection, Connection, Metric};
+//! use nalgebra::{UnitQuaternion, Vector3};
+//! let plus = Connection::canonical(&So3.algebra()?, CanonicalConnection::Plus);
+//! let inertia = Metric::diagonal([1.0, 2.0, 3.0])?;
+//! let torque = |_: f64, _: &UnitQuaternion<f64>, _: &Vector3<f64>| Vector3::zeros();
+//! let body = EulerPoincare::new(So3, &plus, &inertia, torque)?;
+//! let start = body.state(0.0, UnitQuaternion::identity(), &Vector3::new(0.1, 2.0, 0.1));
+//! let end = Adaptive::of_order_8(1e-12).states(&body, &start, &[10.0])?.remove(0);
+//! assert!((body.energy(&end) - body.energy(&start)).abs() < 1e-10);
+//! # Ok::<(), affinor::Error>(())
+//! ```
+//!
+//! # Modules
+//!
+//! | module | contents |
+//! |---|---|
+//! | [`tensors`] | the re-exported package `affinor-tensors`: scalars, sparse tensors, [`contract!`], linear algebra |
+//! | [`algebra`] | [`Frame`], [`Bracket`], [`LieAlgebra`], the [`catalogue`](algebra::catalogue), [`structure`](algebra::structure) theory, roots |
+//! | [`geometry`] | [`Connection`], [`Metric`], torsion, curvature, [`Chart`], forms, homogeneous spaces ([`ReductivePair`]), equations of motion |
+//! | [`group`] | group elements in `f64`: exponential, logarithm, adjoint, parallel transport, rotations |
+//! | [`mechanics`] | rigid bodies, Euler-Poincare and Lie-Poisson systems, integrators, events |
+//! | [`numerics`] | matrix exponentials, tableaux of Runge-Kutta methods |
+//!
+//! Each formula is implemented once, for the scalars [`Rational`], [`Symbolic`], `f64` and those of a
+//! user ([`Scalar`]). A [`LieAlgebra`] is a [`Frame`] with constant structure that satisfies the
+//! Jacobi identity; a [`Connection`] is a frame with affinities (connection coefficients).
+//!
+//! # Features
+//!
+//! - `serde`: scalars, tensors, algebras, metrics, connections, geometries and states of motions are
+//!   values of serde;
+//! - `ndarray`: tensors to and from arrays of `ndarray`;
+//! - `num-dual`: dual numbers of `num-dual` as scalars;
+//! - `simd`: batches of rotations by the vector instructions of the processor.
 
 pub mod algebra;
 pub mod conventions;

@@ -8,6 +8,7 @@ use affinor_tensors::{Down, Field, Scalar, Tensor, Up};
 use std::collections::BTreeMap;
 
 /// A change of basis `e'_a = A^i_a e_i` with invertible `A`: constants, or functions over a chart.
+#[doc(alias("change of basis"))]
 #[derive(Clone, Debug, PartialEq)]
 pub struct BasisChange<S> {
     matrix: Tensor<S>,

@@ -34,6 +34,7 @@ impl<S: Field + Scalar> LieAlgebra<S> {
     /// # Errors
     /// [`Error::Shape`]; [`Error::Tensor`] if an integer up to the order has no inverse in the
     /// scalars.
+    #[doc(alias("Baker-Campbell-Hausdorff"))]
     pub fn bch(&self, x: &[S], y: &[S], order: usize) -> Result<Vec<Vec<S>>, Error> {
         let (_, _) = (self.vector(x)?, self.vector(y)?);
         let zeta = bernoulli(order / 2)?;

@@ -51,10 +51,20 @@ impl<S: Scalar> Bracket<S> {
     /// Each pair may be given in one order, or in both orders with opposite values. Definition files
     /// follow the same rule.
     ///
+    /// ```
+    /// use affinor::{Bracket, LieAlgebra, Rational};
+    /// // [e1, e2] = e2, indices from 0
+    /// let bracket = Bracket::from_constants(["e1", "e2"], [(0, 1, 1, Rational::from(1))])?;
+    /// let affine = LieAlgebra::try_from(bracket)?;
+    /// assert_eq!(affine.to_string(), "[e1, e2] = e2");
+    /// # Ok::<(), affinor::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// An index out of range; [`Error::NotFinite`]; [`Law::GivenOnce`] for a component given twice;
     /// [`Law::OppositeOrders`] for a pair with nonzero `[x, y] + [y, x]`; [`Law::Antisymmetry`] for
     /// a nonzero `[x, x]`.
+    #[doc(alias("structure constants"))]
     pub fn from_constants(
         labels: impl IntoIterator<Item: AsRef<str>>,
         constants: impl IntoIterator<Item = (usize, usize, usize, S)>,
@@ -102,6 +112,16 @@ impl<S: Scalar> Bracket<S> {
 
     /// The Jacobi residual, slots `^i_jkl`:
     /// `[[e_j,e_k],e_l] + [[e_k,e_l],e_j] + [[e_l,e_j],e_k]`. Zero for a Lie algebra.
+    ///
+    /// ```
+    /// use affinor::{Bracket, Rational};
+    /// let one = Rational::from(1);
+    /// // [x, y] = x and [y, z] = z violate the identity
+    /// let bracket = Bracket::from_constants(["x", "y", "z"], [(0, 1, 0, one.clone()), (0, 2, 1, one)])?;
+    /// assert!(!bracket.jacobi().is_empty());
+    /// # Ok::<(), affinor::Error>(())
+    /// ```
+    #[doc(alias("Jacobi identity"))]
     pub fn jacobi(&self) -> Tensor<S> {
         self.frame.jacobi()
     }
@@ -112,6 +132,7 @@ impl<S: Scalar> Bracket<S> {
     /// With rational constants, it is enough to test the triples that begin with a generator,
     /// because the `x` for which `[x, .]` is a derivation are closed under the bracket. All triples
     /// are computed only if one of these fails.
+    #[doc(alias("Jacobi identity"))]
     pub fn jacobi_violation(&self) -> Option<Error> {
         if let Some(generators) = matrices_of_generators(self.structure_constants())
             && self.are_derivations(&generators)

@@ -14,6 +14,7 @@ use std::sync::Arc;
 /// constants. The right-invariant frame (that of the opposite algebra), moving and coordinate
 /// frames, and the tangent space of a homogeneous space ([`ReductivePair`](crate::ReductivePair))
 /// are frames too. Every formula of differential geometry is therefore written once.
+#[doc(alias("tetrad", "vielbein", "moving frame"))]
 #[derive(Clone)]
 pub struct Frame<S> {
     labels: Arc<[String]>,
@@ -28,9 +29,22 @@ pub type Derivations<S> = Arc<dyn Fn(usize, &S) -> S + Send + Sync>;
 impl<S: Scalar> Frame<S> {
     /// An invariant frame: constant structure `c^i_jk`, and zero derivations.
     ///
+    /// ```
+    /// use affinor::{CanonicalConnection, Connection, Frame, Metric, Rational};
+    /// use affinor::algebra::catalogue;
+    /// let algebra = catalogue::algebra::<Rational>("heisenberg(3)")?;
+    /// let constants = algebra.structure_constants().clone();
+    /// let frame = Frame::invariant(["x", "y", "z"], constants)?;
+    /// let metric = Metric::identity(3)?;
+    /// let scalar = Connection::levi_civita(&frame, &metric)?.scalar_curvature(&metric)?;
+    /// assert_eq!(Some(scalar), Rational::new(-1, 2));
+    /// # Ok::<(), affinor::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`Error::Shape`] unless `structure` has the slots `^i_jk` in the dimension of the labels; [`Error::Invalid`] for
     /// an empty label, or two equal labels; [`Error::NotFinite`]; [`Law::Antisymmetry`].
+    #[doc(alias("left-invariant frame"))]
     pub fn invariant(
         labels: impl IntoIterator<Item: AsRef<str>>,
         structure: Tensor<S>,

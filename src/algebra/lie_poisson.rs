@@ -26,6 +26,7 @@ use affinor_tensors::{Down, Field, Ring, Scalar, Symbolic, Tensor, Up};
 /// assert_eq!(body.casimirs(2)?[0].to_string(), "mu1^2 + mu2^2 + mu3^2");
 /// # Ok::<(), affinor::Error>(())
 /// ```
+#[doc(alias("Poisson bracket", "coadjoint orbit"))]
 #[derive(Clone, Debug)]
 pub struct LiePoisson {
     coordinates: Vec<Symbolic>,

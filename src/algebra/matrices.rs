@@ -48,6 +48,7 @@ impl<S: Field + Scalar> MatrixBasis<S> {
     /// # Errors
     /// [`Error::Shape`] for an entry outside the matrix or a wrong number of labels;
     /// [`Error::NotFinite`]; [`Law::Independent`] with a vanishing combination.
+    #[doc(alias("matrix Lie algebra"))]
     pub fn new(
         labels: impl IntoIterator<Item: AsRef<str>>,
         size: usize,

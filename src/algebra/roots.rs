@@ -26,6 +26,7 @@ pub use chevalley::{basis_names, chevalley_constants};
 /// assert_eq!(roots, [[1, 0], [0, 1], [1, 1], [2, 1], [3, 1], [3, 2]]);
 /// # Ok::<(), affinor::algebra::roots::RootError>(())
 /// ```
+#[doc(alias("roots", "Weyl group"))]
 #[derive(Clone, Debug)]
 pub struct RootSystem {
     cartan_type: CartanType,

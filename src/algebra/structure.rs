@@ -105,6 +105,7 @@ use std::cell::OnceCell;
 /// assert_eq!(motions.levi()?.dimension(), 3);
 /// # Ok::<(), affinor::Error>(())
 /// ```
+#[doc(alias("Levi decomposition", "ideals", "radical"))]
 #[derive(Clone, Debug)]
 pub struct StructureTheory<S> {
     algebra: LieAlgebra<S>,

@@ -43,6 +43,7 @@ use std::sync::Arc;
 /// assert_eq!(connection.scalar_curvature(&metric)?, Symbolic::from_i64(2));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
+#[doc(alias("coordinates", "manifold"))]
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Chart {
     coordinates: Arc<[String]>,

@@ -45,8 +45,19 @@ impl<S: Scalar> fmt::Display for Connection<S> {
 impl<S: Scalar> Connection<S> {
     /// The connection with the affinities `Lambda^i_jk`, slots `[Up, Down, Down]`.
     ///
+    /// ```
+    /// use affinor::algebra::catalogue;
+    /// use affinor::{Connection, Rational};
+    /// let so3 = catalogue::algebra::<Rational>("so(3)")?;
+    /// // the affinities of `plus` are the structure constants
+    /// let plus = Connection::new(so3.left_frame().clone(), so3.structure_constants().clone())?;
+    /// assert!(plus.curvature().is_empty());
+    /// # Ok::<(), affinor::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`Error::Shape`] if the affinities do not fit the frame; [`Error::NotFinite`] if one is NaN or infinite.
+    #[doc(alias("affine connection"))]
     pub fn new(frame: Frame<S>, gamma: Tensor<S>) -> Result<Self, Error> {
         expect_slots("the affinities", &gamma, frame.dimension(), &[Up, Down, Down])?;
         expect_numbers("the affinities", &gamma)?;
@@ -63,6 +74,18 @@ impl<S: Scalar> Connection<S> {
     }
 
     /// The affinities `Lambda^i_jk`, slots `[Up, Down, Down]`; `j` is the direction.
+    ///
+    /// ```
+    /// use affinor::algebra::catalogue;
+    /// use affinor::{Connection, Metric, Rational};
+    /// let so3 = catalogue::algebra::<Rational>("so(3)")?;
+    /// let metric = Metric::diagonal([1, 1, 3].map(Rational::from))?;
+    /// let connection = Connection::levi_civita(so3.left_frame(), &metric)?;
+    /// // Lambda^1_23 = (g_11 - g_22 + g_33)/(2 g_11)
+    /// assert_eq!(Some(connection.affinities().get(&[0, 1, 2])), Rational::new(3, 2));
+    /// # Ok::<(), affinor::Error>(())
+    /// ```
+    #[doc(alias("Christoffel symbols", "christoffel", "connection coefficients", "Gamma"))]
     pub fn affinities(&self) -> &Tensor<S> {
         &self.gamma
     }
@@ -71,9 +94,20 @@ impl<S: Scalar> Connection<S> {
     /// Lambda^i_mp T^p_j - Lambda^p_mj T^i_p`. The direction `m` is the first lower index of the
     /// result. Over the frame of a homogeneous space the tensor must be invariant.
     ///
+    /// ```
+    /// use affinor::algebra::catalogue;
+    /// use affinor::{Connection, Metric, Rational};
+    /// let so3 = catalogue::algebra::<Rational>("so(3)")?;
+    /// let metric = Metric::diagonal([1, 2, 3].map(Rational::from))?;
+    /// let connection = Connection::levi_civita(so3.left_frame(), &metric)?;
+    /// assert!(connection.nabla(metric.components())?.is_empty());
+    /// # Ok::<(), affinor::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`Error::Shape`] if the dimensions differ; [`Error::Tensor`] if the result is too large for
     /// the indices of a tensor, 64 bits.
+    #[doc(alias("covariant derivative"))]
     pub fn nabla(&self, tensor: &Tensor<S>) -> Result<Tensor<S>, Error> {
         let derivative = self.frame.derivative(tensor)?;
         let letters = &LETTERS[..tensor.rank()];

@@ -16,6 +16,16 @@ const CURVATURE: &str =
 
 impl<S: Scalar> Connection<S> {
     /// The torsion (B10), slots `^i_jk`: `tau^i_jk = Lambda^i_jk - Lambda^i_kj - c^i_jk`.
+    ///
+    /// ```
+    /// use affinor::algebra::catalogue;
+    /// use affinor::{CanonicalConnection, Connection, Rational};
+    /// let so3 = catalogue::algebra::<Rational>("so(3)")?;
+    /// let plus = Connection::canonical(&so3, CanonicalConnection::Plus);
+    /// assert_eq!(plus.torsion(), *so3.structure_constants());
+    /// # Ok::<(), affinor::Error>(())
+    /// ```
+    #[doc(alias("torsion tensor"))]
     pub fn torsion(&self) -> Tensor<S> {
         formula(
             "L^i_jk - L^i_kj - c^i_jk -> ^i_[jk]",
@@ -33,6 +43,7 @@ impl<S: Scalar> Connection<S> {
     /// Over the frame of a homogeneous space the isotropy `h^i_jkl` is subtracted.
     ///
     /// It is computed on the first call and stored.
+    #[doc(alias("Riemann tensor", "riemann"))]
     pub fn curvature(&self) -> &Tensor<S> {
         let _stage = stage("curvature");
         let cell = &self.curvature;
@@ -53,6 +64,16 @@ impl<S: Scalar> Connection<S> {
     /// For scalars that grow ([`GROWS`](affinor_tensors::Summable::GROWS)), it is computed without
     /// the curvature unless this is already known, because the components of the curvature may be
     /// much longer.
+    ///
+    /// ```
+    /// use affinor::algebra::catalogue;
+    /// use affinor::{CanonicalConnection, Connection, Rational};
+    /// let so3 = catalogue::algebra::<Rational>("so(3)")?;
+    /// let zero = Connection::canonical(&so3, CanonicalConnection::Zero);
+    /// assert_eq!(Some(zero.ricci().get(&[0, 0])), Rational::new(1, 2));
+    /// # Ok::<(), affinor::Error>(())
+    /// ```
+    #[doc(alias("Ricci curvature"))]
     pub fn ricci(&self) -> Tensor<S> {
         let _stage = stage("ricci");
         if S::GROWS && self.curvature.get().is_none() {
@@ -100,6 +121,16 @@ impl<S: Scalar> Connection<S> {
     /// The residual of the first Bianchi identity with torsion, slots `^i_jkl`: the cyclic sum over
     /// `j, k, l` of `R^i_jkl - tau^m_kl tau^i_mj - (nabla_k tau)^i_lj`. It vanishes for every
     /// connection over a frame whose structure satisfies the Jacobi identity.
+    ///
+    /// ```
+    /// use affinor::algebra::catalogue;
+    /// use affinor::{CanonicalConnection, Connection, Rational};
+    /// let so3 = catalogue::algebra::<Rational>("so(3)")?;
+    /// let plus = Connection::canonical(&so3, CanonicalConnection::Plus);
+    /// assert!(plus.bianchi_first().is_empty());
+    /// # Ok::<(), affinor::Error>(())
+    /// ```
+    #[doc(alias("Bianchi identity"))]
     pub fn bianchi_first(&self) -> Tensor<S> {
         let _stage = stage("first Bianchi identity");
         let (torsion, nabla) = (self.torsion(), self.nabla_torsion());

@@ -13,6 +13,7 @@ use affinor_tensors::stop::stage;
 use affinor_tensors::{Down, Field, Scalar, Tensor, Up};
 
 /// The kind of equations of motion.
+#[doc(alias("geodesic equation", "Euler-Poincare", "Euler-Arnold"))]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum EquationKind {
     /// `DH/Dt = M` for the covector `H = g(Omega, .)` (104). For the connection `plus` these are

@@ -50,8 +50,19 @@ impl<S: Scalar> Form<S> {
     /// The exterior product, `a ^ b = (p+q)!/(p! q!) Alt(a b)`: the signed sum of `a_{i...}
     /// b_{j...}` over all ways to distribute the indices.
     ///
+    /// ```
+    /// use affinor::algebra::catalogue;
+    /// use affinor::Rational;
+    /// let so3 = catalogue::algebra::<Rational>("so(3)")?;
+    /// let e = so3.left_frame().coframe();
+    /// let area = e[0].wedge(&e[1])?;
+    /// assert_eq!(area.components().get(&[1, 0]), (-1).into());
+    /// # Ok::<(), affinor::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`TensorError::Dimension`]; [`TensorError::TooLarge`] beyond degree 8.
+    #[doc(alias("exterior product"))]
     pub fn wedge(&self, other: &Self) -> Result<Self, Error> {
         let (p, degree) = (self.degree(), self.degree() + other.degree());
         let letters = letters(self.0.dimension(), degree)?;
@@ -94,6 +105,18 @@ impl<S: Scalar> Form<S> {
 impl<S: Scalar> Frame<S> {
     /// The dual forms `e^1 ... e^n`, `e^i(e_j) = delta^i_j`. For an algebra they are its
     /// Maurer-Cartan forms, with `de^i = -1/2 c^i_jk e^j ^ e^k`.
+    ///
+    /// ```
+    /// use affinor::algebra::catalogue;
+    /// use affinor::Rational;
+    /// let so3 = catalogue::algebra::<Rational>("so(3)")?;
+    /// let frame = so3.left_frame();
+    /// // de^3 = -e^1 ^ e^2
+    /// let form = frame.exterior_derivative(&frame.coframe()[2])?;
+    /// assert_eq!(form.components().get(&[0, 1]), (-1).into());
+    /// # Ok::<(), affinor::Error>(())
+    /// ```
+    #[doc(alias("Maurer-Cartan", "dual basis"))]
     pub fn coframe(&self) -> Vec<Form<S>> {
         let unit = |i: usize| {
             let mut components = vec![S::zero(); self.dimension()];
@@ -119,6 +142,7 @@ impl<S: Scalar> Frame<S> {
     ///
     /// # Errors
     /// [`Error::Shape`]; [`TensorError::TooLarge`] beyond degree 8.
+    #[doc(alias("differential"))]
     pub fn exterior_derivative(&self, form: &Form<S>) -> Result<Form<S>, Error> {
         let letters = letters(self.dimension(), form.degree() + 1)?;
         let derivative = self.derivative(&form.0)?;
@@ -169,9 +193,21 @@ impl<S: Scalar> Connection<S> {
     /// indexed by `i` and then `j`. Their components are the [`curvature`](Self::curvature),
     /// `W^i_j(e_k, e_l) = R^i_jkl`.
     ///
+    /// ```
+    /// use affinor::algebra::catalogue;
+    /// use affinor::{Connection, Metric, Rational};
+    /// let so3 = catalogue::algebra::<Rational>("so(3)")?;
+    /// let round = Metric::identity(3)?;
+    /// let connection = Connection::levi_civita(so3.left_frame(), &round)?;
+    /// let forms = connection.curvature_forms()?;
+    /// assert_eq!(Some(forms[0][1].components().get(&[0, 1])), Rational::new(1, 4));
+    /// # Ok::<(), affinor::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`Error::Unsupported`] on a homogeneous space, where the connection forms are defined on the
     /// group and not on `m`; [`Error::Tensor`] if the dimension is too large.
+    #[doc(alias("structure equations", "Cartan"))]
     pub fn curvature_forms(&self) -> Result<Vec<Vec<Form<S>>>, Error> {
         if !self.frame().isotropy()?.is_empty() {
             return Err(Error::Unsupported(

@@ -39,6 +39,7 @@ impl<S: Field + Scalar> Connection<S> {
     /// assert_eq!(levi_civita.holonomy()?.dimension(), 3);
     /// # Ok::<(), affinor::Error>(())
     /// ```
+    #[doc(alias("holonomy algebra"))]
     pub fn holonomy(&self) -> Result<Holonomy<S>, Error> {
         let n = self.frame().dimension();
         self.holonomy_up_to(n * n)

@@ -35,9 +35,22 @@ impl<S: Field + Scalar> fmt::Display for Metric<S> {
 impl<S: Field + Scalar> Metric<S> {
     /// The metric with these components, slots `[Down, Down]`.
     ///
+    /// ```
+    /// use affinor::{Down, Metric, Rational, Tensor};
+    /// let lorentz = Tensor::from_fn(2, [Down, Down], |at| match at {
+    ///     [0, 0] => Rational::from(-1),
+    ///     [1, 1] => Rational::from(1),
+    ///     _ => Rational::from(0),
+    /// })?;
+    /// let metric = Metric::new(["t", "x"], lorentz)?;
+    /// assert_eq!(metric.inverse().get(&[0, 0]), (-1).into());
+    /// # Ok::<(), affinor::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`Error::Shape`]; [`Error::NotFinite`]; [`Law::SymmetricMetric`]; [`Error::Degenerate`] with a
     /// vector of the kernel.
+    #[doc(alias("inner product"))]
     pub fn new(
         labels: impl IntoIterator<Item: AsRef<str>>,
         components: Tensor<S>,
@@ -78,8 +91,16 @@ impl<S: Field + Scalar> Metric<S> {
 
     /// The metric `diag(values)`. Messages call the basis vectors `e1 ...`.
     ///
+    /// ```
+    /// use affinor::{Metric, Rational};
+    /// let metric = Metric::diagonal([1, 2, 3].map(Rational::from))?;
+    /// assert_eq!(Some(metric.inverse().get(&[2, 2])), Rational::new(1, 3));
+    /// # Ok::<(), affinor::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`Error::NotFinite`]; [`Error::Degenerate`] for a value without an inverse.
+    #[doc(alias("diagonal metric"))]
     pub fn diagonal(values: impl IntoIterator<Item = S>) -> Result<Self, Error> {
         let entries = values.into_iter().enumerate().map(|(i, value)| ([i, i], value));
         let entries: Vec<_> = entries.collect();
@@ -134,8 +155,16 @@ impl<S: Field + Scalar> Metric<S> {
 
     /// The covector `v_i = g_ij v^j` (97).
     ///
+    /// ```
+    /// use affinor::{Metric, Rational};
+    /// let metric = Metric::diagonal([1, 2, 3].map(Rational::from))?;
+    /// assert_eq!(metric.lower(&[1, 1, 1].map(Rational::from))?, [1, 2, 3].map(Rational::from));
+    /// # Ok::<(), affinor::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`Error::Shape`] unless `v` has as many components as the metric has rows.
+    #[doc(alias("flat", "lower an index"))]
     pub fn lower(&self, v: &[S]) -> Result<Vec<S>, Error> {
         let v = Tensor::vector(v, Up);
         expect_slots("the vector", &v, self.components.dimension(), &[Up])?;

@@ -15,8 +15,19 @@ use affinor_tensors::{Down, Field, Scalar, Tensor, TensorError, Up, contract};
 impl<S: Field + Scalar> Connection<S> {
     /// The nonmetricity `Q_kij = (nabla_k g)_ij`; zero if the metric is parallel.
     ///
+    /// ```
+    /// use affinor::algebra::catalogue;
+    /// use affinor::{CanonicalConnection, Connection, Metric, Rational};
+    /// let so3 = catalogue::algebra::<Rational>("so(3)")?;
+    /// let zero = Connection::canonical(&so3, CanonicalConnection::Zero);
+    /// let round = Metric::identity(3)?;
+    /// assert!(zero.nonmetricity(&round)?.is_empty());
+    /// # Ok::<(), affinor::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`Error::Shape`] when the dimensions differ.
+    #[doc(alias("nabla g"))]
     pub fn nonmetricity(&self, metric: &Metric<S>) -> Result<Tensor<S>, Error> {
         self.nabla(metric.components())
     }
@@ -31,6 +42,7 @@ impl<S: Field + Scalar> Connection<S> {
     /// # Errors
     /// [`Error::Shape`] when the dimensions differ; [`Law::IsotropyInvariance`] on a homogeneous space, unless the metric is
     /// invariant under its isotropy: `h^m_ikl g_mj + h^m_jkl g_im = 0`.
+    #[doc(alias("Christoffel symbols", "Koszul formula"))]
     pub fn levi_civita(frame: &Frame<S>, metric: &Metric<S>) -> Result<Self, Error> {
         let _stage = stage("levi-civita");
         let g = metric.components();
@@ -52,8 +64,20 @@ impl<S: Field + Scalar> Connection<S> {
     /// The unique connection compatible with `metric` that has this torsion, slots `^i_jk`, in any
     /// frame: Levi-Civita plus the [`contorsion`].
     ///
+    /// ```
+    /// use affinor::algebra::catalogue;
+    /// use affinor::{Connection, Metric, Rational};
+    /// let so3 = catalogue::algebra::<Rational>("so(3)")?;
+    /// let round = Metric::identity(3)?;
+    /// // the metric connection with the torsion of `plus` is `plus`
+    /// let plus = Connection::with_torsion(so3.left_frame(), &round, so3.structure_constants())?;
+    /// assert_eq!(plus.affinities(), so3.structure_constants());
+    /// # Ok::<(), affinor::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// Those of [`contorsion`].
+    #[doc(alias("metric connection with torsion"))]
     pub fn with_torsion(
         frame: &Frame<S>,
         metric: &Metric<S>,
@@ -69,6 +93,7 @@ impl<S: Field + Scalar> Connection<S> {
     ///
     /// # Errors
     /// [`Error::Shape`] when the dimensions differ.
+    #[doc(alias("contortion"))]
     pub fn contorsion(&self, metric: &Metric<S>) -> Result<Tensor<S>, Error> {
         contorsion(metric, &self.torsion())
     }

@@ -99,14 +99,35 @@ impl<S: Scalar> Connection<S> {
     }
 
     /// Whether the curvature vanishes, `R = 0`.
+    ///
+    /// ```
+    /// use affinor::algebra::catalogue;
+    /// use affinor::{CanonicalConnection, Connection, Rational};
+    /// let so3 = catalogue::algebra::<Rational>("so(3)")?;
+    /// let plus = Connection::canonical(&so3, CanonicalConnection::Plus);
+    /// assert!(plus.flat().holds().is_some() && plus.torsion_free().holds().is_none());
+    /// # Ok::<(), affinor::Error>(())
+    /// ```
+    #[doc(alias("zero curvature"))]
     pub fn flat(&self) -> Property<S> {
         vanishing(self.curvature(), "R^i_jkl".into(), "ijkl")
     }
 
     /// Whether the metric is parallel, `nabla g = 0`.
     ///
+    /// ```
+    /// use affinor::algebra::catalogue;
+    /// use affinor::{Connection, Metric, Rational};
+    /// let so3 = catalogue::algebra::<Rational>("so(3)")?;
+    /// let round = Metric::identity(3)?;
+    /// let connection = Connection::levi_civita(so3.left_frame(), &round)?;
+    /// assert!(connection.metric_compatible(&round)?.holds().is_some());
+    /// # Ok::<(), affinor::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`Error::Shape`] when the dimensions differ.
+    #[doc(alias("metric connection", "parallel metric"))]
     pub fn metric_compatible(&self, metric: &Metric<S>) -> Result<Property<S>, Error>
     where
         S: Field + Scalar,

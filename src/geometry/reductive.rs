@@ -37,6 +37,7 @@ use affinor_tensors::{Down, Field, Scalar, Tensor, TensorError, Up, Variance};
 /// assert_eq!(sphere.canonical().curvature().get(&[0, 1, 0, 1]), 1.into());
 /// # Ok::<(), affinor::Error>(())
 /// ```
+#[doc(alias("homogeneous space", "coset", "quotient", "symmetric space"))]
 #[derive(Clone, Debug, PartialEq)]
 pub struct ReductivePair<S> {
     algebra: LieAlgebra<S>,
@@ -161,8 +162,19 @@ impl<S: Field + Scalar> ReductivePair<S> {
     /// The Levi-Civita connection of an invariant metric `g_ij` on `m`:
     /// `Lambda(x) y = [x,y]_m / 2 + U(x,y)`.
     ///
+    /// ```
+    /// use affinor::algebra::catalogue;
+    /// use affinor::{Metric, Rational, ReductivePair};
+    /// let so3 = catalogue::algebra("so(3)")?;
+    /// let sphere = ReductivePair::orthogonal(&so3, &[[0, 0, 1].map(Rational::from).to_vec()])?;
+    /// let round = Metric::identity(2)?;
+    /// assert_eq!(sphere.levi_civita(&round)?.scalar_curvature(&round)?, 2.into());
+    /// # Ok::<(), affinor::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`Error::Shape`]; [`Law::IsotropyInvariance`] unless the metric is invariant under `h`.
+    #[doc(alias("Levi-Civita"))]
     pub fn levi_civita(&self, metric: &Metric<S>) -> Result<Connection<S>, Error> {
         let slots = [Down, Down];
         expect_slots("the metric", metric.components(), self.dimension(), &slots)?;

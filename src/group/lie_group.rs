@@ -30,6 +30,7 @@ use std::fmt::Debug;
 /// assert!((x.norm() - std::f64::consts::TAU / 3.0).abs() < 1e-15);
 /// # Ok::<(), affinor::Error>(())
 /// ```
+#[doc(alias("Lie group", "exponential map"))]
 pub trait LieGroup {
     /// The type of an element.
     type Element: Clone + Debug;

@@ -73,6 +73,7 @@ const NOISE: f64 = 1e-3;
 /// assert!((around(CanonicalConnection::Zero)? + 1.0).abs() < 1e-14);
 /// # Ok::<(), affinor::Error>(())
 /// ```
+#[doc(alias("parallel transport", "holonomy"))]
 #[derive(Clone, Debug)]
 pub struct ParallelTranslation<G> {
     group: G,

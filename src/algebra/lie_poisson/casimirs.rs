@@ -51,6 +51,7 @@ impl LiePoisson {
     ///
     /// # Errors
     /// [`Error::Size`] beyond [`MAX_DEGREE`] or [`MAX_MONOMIALS`].
+    #[doc(alias("Casimir invariants"))]
     pub fn casimirs(&self, degree: u32) -> Result<Vec<Symbolic>, Error> {
         let _stage = stage("casimirs");
         match self.constants::<Rational>() {

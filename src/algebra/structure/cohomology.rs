@@ -35,6 +35,15 @@ impl<S: GroundField> StructureTheory<S> {
     /// verified closed forms. Beyond, they are computed from ranks modulo two primes. In a
     /// unimodular algebra `d` on `Lambda^k` has the rank of `d` on `Lambda^(n-1-k)` (Poincare
     /// duality).
+    ///
+    /// ```
+    /// use affinor::algebra::{catalogue, structure::StructureTheory};
+    /// use affinor::Rational;
+    /// let algebra = StructureTheory::new(catalogue::algebra::<Rational>("heisenberg(3)")?);
+    /// assert_eq!(algebra.betti_numbers(), Some((vec![1, 2, 2, 1], true)));
+    /// # Ok::<(), affinor::Error>(())
+    /// ```
+    #[doc(alias("cohomology", "Chevalley-Eilenberg"))]
     pub fn betti_numbers(&self) -> Option<(Vec<u64>, bool)> {
         let _stage = stage("cohomology");
         let n = self.dimension();

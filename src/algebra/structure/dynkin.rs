@@ -28,6 +28,16 @@ use polycore::{Fp, Uni};
 impl<S: GroundField> StructureTheory<S> {
     /// The types of the simple factors of the Levi subalgebras over the algebraic closure, in
     /// order. `None` if all primes that are tried fail.
+    ///
+    /// ```
+    /// use affinor::algebra::{catalogue, structure::StructureTheory};
+    /// use affinor::Rational;
+    /// let algebra = StructureTheory::new(catalogue::algebra::<Rational>("so(5)")?);
+    /// let types = algebra.dynkin_type().unwrap_or_default();
+    /// assert_eq!(types[0].to_string(), "B2");
+    /// # Ok::<(), affinor::Error>(())
+    /// ```
+    #[doc(alias("Dynkin diagram", "Cartan type", "simple factors"))]
     pub fn dynkin_type(&self) -> Option<Vec<CartanType>> {
         let _stage = stage("type");
         self.types.get_or_init(|| self.find_types()).clone()

@@ -67,6 +67,7 @@ impl StructureTheory<Rational> {
     /// The name of the algebra, or of the summands of a direct sum: simple ideals by type and
     /// signature, Heisenberg and abelian ideals, and ideals of low dimension. `None` for other
     /// algebras.
+    #[doc(alias("classification", "name of an algebra"))]
     pub fn identify(&self) -> Option<Identification> {
         let _stage = stage("identification");
         let Some(found) = self.by_invariants() else { return self.as_sum() };

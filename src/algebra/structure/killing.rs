@@ -194,6 +194,15 @@ impl<S: GroundField> StructureTheory<S> {
     }
 
     /// The Killing form in a basis in which it is diagonal.
+    ///
+    /// ```
+    /// use affinor::algebra::{catalogue, structure::StructureTheory};
+    /// use affinor::Rational;
+    /// let algebra = StructureTheory::new(catalogue::algebra::<Rational>("sl(2)")?);
+    /// assert_eq!(algebra.killing().rank(), 3);
+    /// # Ok::<(), affinor::Error>(())
+    /// ```
+    #[doc(alias("Cartan-Killing form", "signature"))]
     pub fn killing(&self) -> &Killing<S> {
         self.killing.get_or_init(|| Killing::new(self.killing_matrix().clone()))
     }

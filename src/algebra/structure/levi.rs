@@ -15,8 +15,17 @@ impl<S: GroundField> StructureTheory<S> {
     /// central series of the radical, by linear equations (de Graaf, Ivanyos, Kuronya, Rónyai,
     /// *AAECC* 8 (1997) 291-303).
     ///
+    /// ```
+    /// use affinor::algebra::{catalogue, structure::StructureTheory};
+    /// use affinor::Rational;
+    /// let algebra = StructureTheory::new(catalogue::algebra::<Rational>("gl(2)")?);
+    /// assert_eq!(algebra.levi()?.dimension(), 3);
+    /// # Ok::<(), affinor::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// Those of [`subalgebra`](Self::subalgebra), which cannot occur for a Lie algebra.
+    #[doc(alias("Levi decomposition", "semisimple part"))]
     pub fn levi(&self) -> Result<&Subspace<S>, Error> {
         let _stage = stage("levi");
         if let Some(levi) = self.levi.get() {

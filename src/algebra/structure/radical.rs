@@ -19,6 +19,16 @@ pub(super) fn on_moment_curve<S: GroundField>(t: i64, count: usize) -> Vec<S> {
 impl<S: GroundField> StructureTheory<S> {
     /// The radical, the largest solvable ideal: the orthogonal complement of `[L, L]` for the Killing
     /// form (de Graaf 2.6).
+    ///
+    /// ```
+    /// use affinor::algebra::{catalogue, structure::StructureTheory};
+    /// use affinor::Rational;
+    /// let algebra = StructureTheory::new(catalogue::algebra::<Rational>("gl(2)")?);
+    /// // the scalar matrices
+    /// assert_eq!(algebra.radical().dimension(), 1);
+    /// # Ok::<(), affinor::Error>(())
+    /// ```
+    #[doc(alias("solvable radical"))]
     pub fn radical(&self) -> &Subspace<S> {
         let _stage = stage("radical");
         self.radical.get_or_init(|| {
@@ -42,6 +52,16 @@ impl<S: GroundField> StructureTheory<S> {
     /// common kernel. For an element `y` on which distinct weights have distinct values, it is the
     /// set of the `x` in `R` with `tr(ad_x ad_y^k) = 0` on `R` for all `k`. For any `y` this set
     /// contains the nilradical, so it equals the nilradical if it is a nilpotent ideal.
+    ///
+    /// ```
+    /// use affinor::algebra::{catalogue, structure::StructureTheory};
+    /// use affinor::Rational;
+    /// let algebra = StructureTheory::new(catalogue::algebra::<Rational>("se(2)")?);
+    /// // the translations
+    /// assert_eq!(algebra.nilradical().dimension(), 2);
+    /// # Ok::<(), affinor::Error>(())
+    /// ```
+    #[doc(alias("nilpotent radical"))]
     pub fn nilradical(&self) -> Subspace<S> {
         let _stage = stage("nilradical");
         let radical = self.radical();

@@ -29,6 +29,16 @@ impl<S: GroundField> StructureTheory<S> {
     }
 
     /// The derived series `L, [L,L], [[L,L],[L,L]], ...` until it is stable.
+    ///
+    /// ```
+    /// use affinor::algebra::{catalogue, structure::StructureTheory};
+    /// use affinor::Rational;
+    /// let algebra = StructureTheory::new(catalogue::algebra::<Rational>("se(2)")?);
+    /// let dimensions: Vec<usize> = algebra.derived_series().iter().map(|term| term.dimension()).collect();
+    /// assert_eq!(dimensions, [3, 2, 0]);
+    /// # Ok::<(), affinor::Error>(())
+    /// ```
+    #[doc(alias("commutator subalgebra"))]
     pub fn derived_series(&self) -> &[Subspace<S>] {
         self.derived.get_or_init(|| {
             if self.is_semisimple() {
@@ -76,6 +86,15 @@ impl<S: GroundField> StructureTheory<S> {
     }
 
     /// The centre.
+    ///
+    /// ```
+    /// use affinor::algebra::{catalogue, structure::StructureTheory};
+    /// use affinor::Rational;
+    /// let algebra = StructureTheory::new(catalogue::algebra::<Rational>("heisenberg(3)")?);
+    /// assert_eq!(algebra.centre().dimension(), 1);
+    /// # Ok::<(), affinor::Error>(())
+    /// ```
+    #[doc(alias("center", "central"))]
     pub fn centre(&self) -> Subspace<S> {
         let zero = || Subspace::zero(self.dimension());
         let find = || match self.is_semisimple() {

@@ -23,6 +23,17 @@ pub enum CanonicalConnection {
 
 impl<S: Scalar> Connection<S> {
     /// The connection `nabla_X Y = lambda [X, Y]` on left-invariant fields: `Lambda = lambda c`.
+    ///
+    /// ```
+    /// use affinor::algebra::catalogue;
+    /// use affinor::{Connection, Rational};
+    /// let so3 = catalogue::algebra::<Rational>("so(3)")?;
+    /// // the torsion is (2 lambda - 1) c
+    /// let connection = Connection::cartan_schouten(&so3, &2.into());
+    /// assert_eq!(connection.torsion().get(&[2, 0, 1]), 3.into());
+    /// # Ok::<(), affinor::Error>(())
+    /// ```
+    #[doc(alias("Cartan-Schouten", "lambda"))]
     pub fn cartan_schouten(algebra: &LieAlgebra<S>, lambda: &S) -> Self {
         Self::in_frame(algebra.left_frame(), lambda)
     }
@@ -37,8 +48,18 @@ impl<S: Field + Scalar> Connection<S> {
     /// The canonical connection `Lambda^i_jk = lambda c^i_jk` in the left-invariant frame, with `lambda = 1` (`Plus`), `1/2` (`Zero`)
     /// or `0` (`Minus`).
     ///
+    /// ```
+    /// use affinor::algebra::catalogue;
+    /// use affinor::{CanonicalConnection, Connection, Rational};
+    /// let so3 = catalogue::algebra::<Rational>("so(3)")?;
+    /// let zero = Connection::canonical(&so3, CanonicalConnection::Zero);
+    /// assert!(zero.torsion().is_empty() && !zero.curvature().is_empty());
+    /// # Ok::<(), affinor::Error>(())
+    /// ```
+    ///
     /// # Panics
     /// For [`CanonicalConnection::Zero`] over a field of characteristic 2; this package has none.
+    #[doc(alias("Cartan-Schouten", "canonical connection"))]
     pub fn canonical(algebra: &LieAlgebra<S>, which: CanonicalConnection) -> Self {
         Self::cartan_schouten(algebra, &which.lambda())
     }

@@ -39,8 +39,21 @@ impl<S: Field + Scalar> Connection<S> {
     /// The Weyl tensor, slots `^i_jkl`, in dimension 3 and more: `W^i_jkl = R^i_jkl - delta^i_k
     /// P_jl + delta^i_l P_jk - g_jl P^i_k + g_jk P^i_l`. In dimension 3 it is zero.
     ///
+    /// ```
+    /// use affinor::algebra::catalogue;
+    /// use affinor::{Connection, Metric, Rational};
+    /// let so3 = catalogue::algebra::<Rational>("so(3)")?;
+    /// let algebra = so3.direct_sum(&catalogue::algebra("R^1")?)?;
+    /// let metric = Metric::identity(4)?;
+    /// let product = Connection::levi_civita(algebra.left_frame(), &metric)?;
+    /// // the product of a sphere and a line is conformally flat
+    /// assert!(product.weyl(&metric)?.is_empty());
+    /// # Ok::<(), affinor::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// Those of [`schouten`](Self::schouten).
+    #[doc(alias("conformal curvature", "Weyl tensor"))]
     pub fn weyl(&self, metric: &Metric<S>) -> Result<Tensor<S>, Error> {
         let _stage = stage("weyl");
         let schouten = self.schouten(metric)?;

@@ -30,8 +30,19 @@ impl<S: Field + Scalar> Connection<S> {
 
     /// The scalar curvature `S = g^jl Ric_jl`.
     ///
+    /// ```
+    /// use affinor::algebra::catalogue;
+    /// use affinor::{Connection, Metric, Rational};
+    /// let so3 = catalogue::algebra::<Rational>("so(3)")?;
+    /// let round = Metric::identity(3)?;
+    /// let connection = Connection::levi_civita(so3.left_frame(), &round)?;
+    /// assert_eq!(Some(connection.scalar_curvature(&round)?), Rational::new(3, 2));
+    /// # Ok::<(), affinor::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`Error::Shape`] when the dimensions differ.
+    #[doc(alias("Ricci scalar"))]
     pub fn scalar_curvature(&self, metric: &Metric<S>) -> Result<S, Error> {
         metric.expect_dimension(self.frame().dimension())?;
         metric.trace(&self.ricci())
@@ -40,9 +51,21 @@ impl<S: Field + Scalar> Connection<S> {
     /// The Einstein tensor, slots `_jl`: `G_jl = Ric_jl - 1/2 S g_jl`. For a Levi-Civita connection
     /// it is divergence-free.
     ///
+    /// ```
+    /// use affinor::algebra::catalogue;
+    /// use affinor::{Connection, Metric, Rational};
+    /// let so3 = catalogue::algebra::<Rational>("so(3)")?;
+    /// let round = Metric::identity(3)?;
+    /// let connection = Connection::levi_civita(so3.left_frame(), &round)?;
+    /// // Ric = g/2 and S = 3/2
+    /// assert_eq!(Some(connection.einstein(&round)?.get(&[0, 0])), Rational::new(-1, 4));
+    /// # Ok::<(), affinor::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`Error::Shape`] when the dimensions differ; [`Error::Tensor`] over a field in which 2 has no
     /// inverse.
+    #[doc(alias("Einstein tensor"))]
     pub fn einstein(&self, metric: &Metric<S>) -> Result<Tensor<S>, Error> {
         let half = S::from_i64(2).recip().ok_or(TensorError::NotInvertible(2))?;
         self.ricci_less_trace(metric, &half)
@@ -75,8 +98,20 @@ impl<S: Field + Scalar> Connection<S> {
 
     /// The Kretschmann scalar `R_ijkl R^ijkl`.
     ///
+    /// ```
+    /// use affinor::algebra::catalogue;
+    /// use affinor::{Connection, Metric, Rational};
+    /// let so3 = catalogue::algebra::<Rational>("so(3)")?;
+    /// let round = Metric::identity(3)?;
+    /// let connection = Connection::levi_civita(so3.left_frame(), &round)?;
+    /// // twelve components of size 1/4
+    /// assert_eq!(Some(connection.kretschmann(&round)?), Rational::new(3, 4));
+    /// # Ok::<(), affinor::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`Error::Shape`] when the dimensions differ.
+    #[doc(alias("Kretschmann invariant"))]
     pub fn kretschmann(&self, metric: &Metric<S>) -> Result<S, Error> {
         let _stage = stage("kretschmann");
         metric.expect_dimension(self.frame().dimension())?;
@@ -90,8 +125,20 @@ impl<S: Field + Scalar> Connection<S> {
     /// The sectional curvature `K(x,y) = g(R(x,y)y, x) / (g(x,x) g(y,y) - g(x,y)^2)`; `None` if the
     /// plane is degenerate.
     ///
+    /// ```
+    /// use affinor::algebra::catalogue;
+    /// use affinor::{Connection, Metric, Rational};
+    /// let so3 = catalogue::algebra::<Rational>("so(3)")?;
+    /// let round = Metric::identity(3)?;
+    /// let connection = Connection::levi_civita(so3.left_frame(), &round)?;
+    /// let [x, y] = [[1, 0, 0], [0, 1, 0]].map(|v| v.map(Rational::from));
+    /// assert_eq!(connection.sectional_curvature(&round, &x, &y)?, Rational::new(1, 4));
+    /// # Ok::<(), affinor::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`Error::Shape`] unless the vectors and the metric have the dimension of the frame.
+    #[doc(alias("Gauss curvature"))]
     pub fn sectional_curvature(
         &self,
         metric: &Metric<S>,

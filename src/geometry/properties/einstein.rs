@@ -11,8 +11,19 @@ impl<S: Field + Scalar> Connection<S> {
     /// Whether the Ricci tensor is a constant multiple of the metric, `Ric = c g`, and the
     /// constant. For a Levi-Civita connection, this tells whether the metric is Einstein.
     ///
+    /// ```
+    /// use affinor::algebra::catalogue;
+    /// use affinor::{Connection, Metric, Rational};
+    /// let so3 = catalogue::algebra::<Rational>("so(3)")?;
+    /// let round = Metric::identity(3)?;
+    /// let connection = Connection::levi_civita(so3.left_frame(), &round)?;
+    /// assert!(connection.einstein_constant(&round)?.holds().is_some());
+    /// # Ok::<(), affinor::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`Error::Shape`] when the dimensions differ.
+    #[doc(alias("Einstein metric"))]
     pub fn einstein_constant(&self, metric: &Metric<S>) -> Result<Property<S, S>, Error> {
         metric.expect_dimension(self.frame().dimension())?;
         let equation = |c: &S| format!("Ric_jl - ({c}) g_jl");

@@ -17,9 +17,20 @@ impl<S: Field + Scalar> Metric<S> {
     /// metric it is the whole algebra. (The right-invariant fields are Killing fields of every
     /// left-invariant metric.)
     ///
+    /// ```
+    /// use affinor::algebra::catalogue;
+    /// use affinor::{Metric, Rational};
+    /// let so3 = catalogue::algebra::<Rational>("so(3)")?;
+    /// // a body with two equal moments turns about its third axis
+    /// let symmetric = Metric::diagonal([1, 1, 3].map(Rational::from))?;
+    /// assert_eq!(symmetric.killing_fields(&so3)?, [[0, 0, 1].map(Rational::from)]);
+    /// # Ok::<(), affinor::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`Error::Shape`] when the dimensions differ. [`Error::Linear`] over a ring that is
     /// not a field.
+    #[doc(alias("Killing vectors", "isometries"))]
     pub fn killing_fields(&self, algebra: &LieAlgebra<S>) -> Result<Vec<Vec<S>>, Error> {
         let _stage = stage("Killing fields");
         let (n, variation) = (algebra.dimension(), self.ad_invariance_defect(algebra)?);
@@ -35,8 +46,18 @@ impl<S: Field + Scalar> Metric<S> {
 
     /// Whether the metric is bi-invariant: `g([z,x],y) + g(x,[z,y]) = 0`.
     ///
+    /// ```
+    /// use affinor::algebra::catalogue;
+    /// use affinor::{Metric, Rational};
+    /// let so3 = catalogue::algebra::<Rational>("so(3)")?;
+    /// assert!(Metric::identity(3)?.bi_invariant(&so3)?.holds().is_some());
+    /// assert!(Metric::diagonal([1, 1, 3].map(Rational::from))?.bi_invariant(&so3)?.holds().is_none());
+    /// # Ok::<(), affinor::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`Error::Shape`] when the dimensions differ.
+    #[doc(alias("ad-invariant"))]
     pub fn bi_invariant(&self, algebra: &LieAlgebra<S>) -> Result<Property<S>, Error> {
         let equation = "g_mj c^m_ki + g_im c^m_kj".into();
         Ok(vanishing(&self.ad_invariance_defect(algebra)?, equation, "kij"))

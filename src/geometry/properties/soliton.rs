@@ -27,8 +27,17 @@ impl<S: Field + Scalar> Metric<S> {
     /// 715-733), over a solvable one the solvsolitons. If `D = 0`, the metric is Einstein. Over an
     /// abelian algebra, where every `c` is possible, it is 0.
     ///
+    /// ```
+    /// use affinor::algebra::catalogue;
+    /// use affinor::{Metric, Rational};
+    /// let algebra = catalogue::algebra::<Rational>("heisenberg(3)")?;
+    /// assert!(Metric::identity(3)?.ricci_soliton(&algebra)?.holds().is_some());
+    /// # Ok::<(), affinor::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`Error::Shape`] when the dimensions differ.
+    #[doc(alias("nilsoliton", "solvsoliton"))]
     pub fn ricci_soliton(&self, algebra: &LieAlgebra<S>) -> Result<Property<S, Soliton<S>>, Error> {
         let _stage = stage("Ricci soliton");
         let levi_civita = Connection::levi_civita(algebra.left_frame(), self)?;

@@ -20,6 +20,7 @@ use nalgebra::{DMatrix, Isometry2, UnitComplex, Vector1, Vector2, Vector3, Vecto
 /// let end = Se2.exp(&Vector3::new(quarter, quarter, 0.0)).translation.vector;
 /// assert!((end - nalgebra::Vector2::new(1.0, 1.0)).norm() < 1e-15);
 /// ```
+#[doc(alias("planar motions", "SE(2)"))]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Se2;
 

@@ -19,6 +19,7 @@ use nalgebra::{Isometry3, SVector, UnitQuaternion, Vector3, Vector6};
 /// assert!((Se3.log(&g)? - x).norm() < 1e-14);
 /// # Ok::<(), affinor::Error>(())
 /// ```
+#[doc(alias("rigid motions", "pose", "screw", "SE(3)", "twist"))]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Se3;
 

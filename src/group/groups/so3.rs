@@ -23,6 +23,7 @@ use nalgebra::{DMatrix, Quaternion, UnitQuaternion, Vector3, Vector4};
 /// assert_eq!(So3.log(&So3.exp(&x))?, x);
 /// # Ok::<(), affinor::Error>(())
 /// ```
+#[doc(alias("rotation group", "quaternion", "SO(3)"))]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct So3;
 

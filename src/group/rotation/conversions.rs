@@ -89,6 +89,7 @@ pub fn from_matrix(r: &Matrix3<f64>, tolerance: f64) -> Result<UnitQuaternion<f6
 ///
 /// # Errors
 /// [`Error::Invalid`] at the angle `pi`, or so near it that a component overflows.
+#[doc(alias("Gibbs vector", "Cayley"))]
 pub fn rodrigues(g: &UnitQuaternion<f64>) -> Result<Vector3<f64>, Error> {
     let vector = g.imag() / g.w;
     if vector.iter().all(|c| c.is_finite()) {

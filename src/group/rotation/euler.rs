@@ -43,6 +43,7 @@ pub enum AxesFrame {
 /// assert_eq!(aerospace.angles(&up).angles[2], 0.0);
 /// # Ok::<(), affinor::Error>(())
 /// ```
+#[doc(alias("Euler angles", "Cardan angles", "roll pitch yaw"))]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Sequence {
     axes: [Axis; 3],

@@ -30,6 +30,7 @@ impl<G: LieGroup> ParallelTranslation<G> {
     ///
     /// # Errors
     /// [`Error::Integration`]: an autoparallel may diverge in finite time.
+    #[doc(alias("geodesic"))]
     pub fn autoparallel(
         &self,
         start: &G::Element,

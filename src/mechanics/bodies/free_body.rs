@@ -52,6 +52,7 @@ const ON_SEPARATRIX: f64 = 4.0 * f64::EPSILON;
 /// assert!((flipped.space_momentum() - momentum).norm() < 1e-14);
 /// # Ok::<(), affinor::Error>(())
 /// ```
+#[doc(alias("Euler top", "torque-free motion", "Dzhanibekov effect", "tennis racket"))]
 #[derive(Clone, Debug, PartialEq)]
 pub struct FreeBody {
     inertia: Inertia,

@@ -38,6 +38,7 @@ impl BodyState {
 /// assert!(!Inertia::diagonal(&Vector3::new(1.0, 1.0, 3.0))?.is_physical());
 /// # Ok::<(), affinor::Error>(())
 /// ```
+#[doc(alias("moments of inertia", "rigid body"))]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Inertia {
     moments: Vector3<f64>,
@@ -57,9 +58,19 @@ impl Inertia {
     /// The inertia of a matrix, with its principal axes. For a diagonal matrix, the axes and their
     /// order are those of the body.
     ///
+    /// ```
+    /// use affinor::mechanics::Inertia;
+    /// use nalgebra::Matrix3;
+    /// let matrix = Matrix3::new(2.0, 1.0, 0.0, 1.0, 2.0, 0.0, 0.0, 0.0, 5.0);
+    /// let moments = *Inertia::new(&matrix)?.principal_moments();
+    /// assert!((moments.min() - 1.0).abs() < 1e-14 && (moments.sum() - 9.0).abs() < 1e-14);
+    /// # Ok::<(), affinor::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`Error::Invalid`] for a matrix that is not symmetric to 12 digits, or not positive
     /// definite.
+    #[doc(alias("inertia tensor"))]
     pub fn new(matrix: &Matrix3<f64>) -> Result<Self, Error> {
         let size = matrix.amax();
         if let Some(off) = asymmetry(matrix) {
@@ -145,6 +156,15 @@ impl Inertia {
     }
 
     /// The momentum `H = J Omega` (103) of a velocity, in the body frame.
+    ///
+    /// ```
+    /// use affinor::mechanics::Inertia;
+    /// use nalgebra::Vector3;
+    /// let body = Inertia::diagonal(&Vector3::new(1.0, 2.0, 3.0))?;
+    /// assert_eq!(body.momentum(&Vector3::new(0.0, 0.0, 2.0)), Vector3::new(0.0, 0.0, 6.0));
+    /// # Ok::<(), affinor::Error>(())
+    /// ```
+    #[doc(alias("angular momentum"))]
     pub fn momentum(&self, velocity: &Vector3<f64>) -> Vector3<f64> {
         self.axes * (self.axes.tr_mul(velocity)).component_mul(&self.moments)
     }
@@ -155,6 +175,15 @@ impl Inertia {
     }
 
     /// The kinetic energy `H . J^-1 H/2`.
+    ///
+    /// ```
+    /// use affinor::mechanics::Inertia;
+    /// use nalgebra::Vector3;
+    /// let body = Inertia::diagonal(&Vector3::new(1.0, 2.0, 3.0))?;
+    /// assert!((body.energy(&Vector3::new(0.0, 0.0, 6.0)) - 6.0).abs() < 1e-15);
+    /// # Ok::<(), affinor::Error>(())
+    /// ```
+    #[doc(alias("kinetic energy"))]
     pub fn energy(&self, momentum: &Vector3<f64>) -> f64 {
         0.5 * momentum.dot(&self.velocity(momentum))
     }

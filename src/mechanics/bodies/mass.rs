@@ -38,6 +38,7 @@ const ROUNDING: f64 = 1e-14;
 /// assert!(about_centre.is_physical() && about_end.principal_moments().max() > about_centre.principal_moments().max());
 /// # Ok::<(), affinor::Error>(())
 /// ```
+#[doc(alias("centre of mass", "rigid body", "inertia tensor"))]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MassProperties {
     mass: f64,

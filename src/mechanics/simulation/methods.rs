@@ -64,6 +64,7 @@ struct Row {
 macro_rules! methods {
     ($($Method:ident $name:literal $order:literal $why:literal $Class:ident $Steps:ident $make:expr;)+) => {
         /// A method of integration.
+        #[doc(alias("integrator", "integration method"))]
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         pub enum Method {
             $(#[doc = concat!("`", $name, "`: ", $why, ".")] $Method,)+

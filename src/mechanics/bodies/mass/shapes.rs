@@ -28,8 +28,18 @@ impl MassProperties {
 
     /// A box with three edge lengths: `S = m diag(a^2, b^2, c^2)/12`.
     ///
+    /// ```
+    /// use affinor::mechanics::MassProperties;
+    /// use nalgebra::Vector3;
+    /// // m (b^2 + c^2)/12
+    /// let brick = MassProperties::cuboid(&Vector3::new(1.0, 2.0, 3.0))?.of_mass(12.0)?;
+    /// assert!((brick.inertia_matrix()[(0, 0)] - 13.0).abs() < 1e-13);
+    /// # Ok::<(), affinor::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// [`Error::Invalid`] for a length that is not positive; [`Error::Overflow`].
+    #[doc(alias("box", "brick"))]
     pub fn cuboid(edges: &Vector3<f64>) -> Result<Self, Error> {
         Self::shape(edges, 1.0, &(edges.component_mul(edges) / 12.0))
     }
@@ -44,16 +54,34 @@ impl MassProperties {
 
     /// A ball of unit density, centred at the origin.
     ///
+    /// ```
+    /// use affinor::mechanics::MassProperties;
+    /// // 2/5 m r^2
+    /// let ball = MassProperties::ball(1.0)?.of_mass(5.0)?;
+    /// assert!((ball.inertia_matrix()[(0, 0)] - 2.0).abs() < 1e-14);
+    /// # Ok::<(), affinor::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// Those of [`cuboid`](Self::cuboid).
+    #[doc(alias("sphere"))]
     pub fn ball(radius: f64) -> Result<Self, Error> {
         Self::ellipsoid(&Vector3::repeat(radius))
     }
 
     /// A cylinder about the third axis: `S = m diag(r^2/4, r^2/4, h^2/12)`.
     ///
+    /// ```
+    /// use affinor::mechanics::MassProperties;
+    /// // m r^2/2 about its axis
+    /// let wheel = MassProperties::cylinder(1.0, 0.5)?.of_mass(4.0)?;
+    /// assert!((wheel.inertia_matrix()[(2, 2)] - 2.0).abs() < 1e-14);
+    /// # Ok::<(), affinor::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// Those of [`cuboid`](Self::cuboid).
+    #[doc(alias("disk"))]
     pub fn cylinder(radius: f64, height: f64) -> Result<Self, Error> {
         let across = radius * radius / 4.0;
         let squares = Vector3::new(across, across, height * height / 12.0);
