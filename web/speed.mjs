@@ -34,7 +34,7 @@ for (const [space, metric, show] of CASES) {
   }
   console.log(`| ${space} | ${metric.length > 14 ? "two blocks" : metric} | ${show} | ${inside.toFixed(1)} | ${(outside - start).toFixed(1)} | ${(inside / (outside - start)).toFixed(2)} |`);
 }
-// what the page promises: so(3) within a frame, the first table within a second
+// the promises of the page: so(3) within one frame of the screen, the first table within one second
 const ask = (request) => page.evaluate(async (request) => (await window.engine.ask(request)).ms, request);
 const times = [];
 for (let k = 0; k <= 40; k++) times.push(await ask({ report: "table", space: "so3", connection: `lambda=${k}/40` }));

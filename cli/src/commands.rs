@@ -39,13 +39,13 @@ use watch::{LimitOptions, Watch};
 
 /// Differential geometry of Lie groups, from a table of brackets.
 ///
-/// A SPACE is a geometry of the paper (M3, SO3), a name of the catalogue (so3, "so(3,1)", E8,
+/// A SPACE is a geometry of Paraskevopoulos and Natsiavas (M3, SO3), a name of the catalogue (so3, "so(3,1)", E8,
 /// "so3+R^3"), a file (x.toml, x.json, a table such as x.csv, or - for standard input), or brackets
 /// "[x,y]=z, [y,z]=x"; it is left out where --basis and --bracket define it. It may carry its
 /// connection and metric: "so3@levi-civita;metric=diag(1,2,3)".
 ///
 /// Exit status: 0 success; 1 valid input without a mathematical answer, such as brackets that
-/// violate the Jacobi identity, or a limit is exceeded; 2 wrong usage or unreadable input; 130, 143
+/// violate the Jacobi identity, or an exceeded limit; 2 wrong usage or unreadable input; 130, 143
 /// stopped by a signal.
 #[derive(Parser)]
 #[command(name = "affinor", version, max_term_width = 80)]
@@ -58,7 +58,7 @@ struct Cli {
 
 #[derive(Subcommand)]
 enum Command {
-    /// Compare two spaces; by default the paper's M(3) and SO(3)
+    /// Compare two spaces; by default M(3) and SO(3), the geometries of Paraskevopoulos and Natsiavas
     Compare(compare::Arguments),
     /// Print the tensors of a space
     Table(table::Arguments),
@@ -70,7 +70,7 @@ enum Command {
     Claims(claims::Arguments),
     /// Print the structure of a Lie algebra: series, radicals, types, ideals
     Info(info::Arguments),
-    /// Print the properties of a connection and a metric, with witnesses
+    /// Print the properties of a connection and a metric, each with its constant or a counterexample
     Properties(properties::Arguments),
     /// Print the equations of motion of a space
     Equations(equations::Arguments),
@@ -82,15 +82,15 @@ enum Command {
     Compose(on_group::Arguments),
     /// Print the matrix of Ad at exp(x)
     Adjoint(on_group::Arguments),
-    /// Transport vectors in parallel along arcs of a group
+    /// Parallel-transport vectors along arcs of a group
     Transport(transport::Arguments),
     /// Convert rotations: vectors, quaternions, matrices, Euler angles
     Convert(convert::Arguments),
     /// Integrate a problem of mechanics, or an ensemble of problems
     Simulate(simulate::Arguments),
-    /// Draw the figures of the paper, and trajectories
+    /// Draw the figures of Paraskevopoulos and Natsiavas (2013), and trajectories
     Plot(plot::Arguments),
-    /// Recompute the paper equation by equation
+    /// Recompute the paper of Paraskevopoulos and Natsiavas (2013), equation by equation
     Paper(paper::Arguments),
     /// List the catalogue of spaces
     List(list::Arguments),
@@ -149,6 +149,6 @@ fn run(command: Command, watch: &Watch) -> Result<(), Failure> {
         Command::Paper(arguments) => arguments.run(),
         Command::List(arguments) => arguments.run(),
         Command::Conventions(arguments) => arguments.run(),
-        Command::Completions(arguments) => arguments.run(&mut self::command()),
+        Command::Completions(arguments) => arguments.run(&self::command()),
     }
 }

@@ -101,6 +101,19 @@ pub fn size(text: &str) -> Result<u64, String> {
     bytes.map(|bytes| bytes as u64).ok_or_else(|| "write a size such as 800M or 2G".into())
 }
 
+/// The seconds of a text such as `30`, `0.5s`, `5m` or `2h`.
+///
+/// # Errors
+/// What to write, for any other text.
+pub fn seconds(text: &str) -> Result<f64, String> {
+    let text = text.trim();
+    let unit = [("min", 60.0), ("m", 60.0), ("h", 3600.0), ("s", 1.0)];
+    let unit = unit.iter().find_map(|(unit, seconds)| Some((text.strip_suffix(unit)?, *seconds)));
+    let (number, unit) = unit.unwrap_or((text, 1.0));
+    let number = number.trim().parse::<f64>().map(|number| number * unit);
+    number.map_err(|_| "write a time such as 30, 0.5s, 5m or 2h".into())
+}
+
 /// The size in the largest unit that does not exceed it, with at most one decimal.
 fn written_size(bytes: u64) -> String {
     let unit = UNITS.iter().find(|(_, unit)| bytes >= *unit);

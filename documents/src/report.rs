@@ -10,7 +10,7 @@
 //!
 //! Each of these is a [`Report`]. Short lists are [`conventions`], the [`catalogue`], a
 //! [`certificate`] and any other [`listing`]. A [`Computation`] creates the reports of a space,
-//! over the scalar that it needs.
+//! with the kind of scalars that the space needs.
 
 mod claims;
 mod code;

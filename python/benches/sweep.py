@@ -83,7 +83,7 @@ def main() -> None:
     }
     found = {}
     for title, (task, grid) in tasks.items():
-        # chunks of about a second of one thread
+        # one thread computes a chunk in about a second
         af.set_threads(1)
         probe = af.RandomSample(200, **grid.laws) if isinstance(grid, af.RandomSample) else {**grid, "numerator": grid["numerator"][:20]}
         af.sweep(task, probe, chunk=10_000)

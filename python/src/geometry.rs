@@ -196,7 +196,7 @@ properties! { PyGeometry, own:
     basis: Vec<String> = own.values.labels();
     /// Dimension of the space.
     dimension: usize = own.values.labels().len();
-    /// Scalar of the components: ``exact``, ``symbolic`` or ``float``.
+    /// Kind of the scalars: ``exact``, ``symbolic`` or ``float``.
     scalar: &'static str = own.values.scalar();
     /// Name of the connection: ``plus``, ``zero``, ``minus``, ``lambda``, ``levi-civita`` or ``affinities``.
     connection: String = each!(&own.values, geometry => geometry.kind().name().into());

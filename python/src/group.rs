@@ -57,8 +57,9 @@ const FEW: usize = 64;
 ///
 /// All methods broadcast as NumPy does, with the axes of the batch in front. Vectors are components in the basis of the
 /// algebra, of the shape (..., dimension); angles are in radians, lengths in any consistent units. Elements are embedding
-/// coordinates of the shape (..., coordinates). Rotations have a unit quaternion ``w, x, y, z``, SE(3) a quaternion and a
-/// position, groups of matrices their entries column by column, R^n and nilpotent groups coordinates. Vectors of
+/// coordinates of the shape (..., coordinates). Elements of SO(3) are unit quaternions ``w, x, y,
+/// z``; elements of SE(3) are a quaternion and a position. Elements of matrix groups are matrices,
+/// column by column; elements of R^n and of nilpotent groups are coordinates. Vectors of
 /// se(3) have the rotation first. Groups are equal if they are made from the same name or the same definition.
 ///
 /// Parameters
@@ -380,7 +381,7 @@ impl PyGroup {
         write_element(&self.group, &self.order, g, row);
     }
 
-    /// The elements of an array with some axes, after checking; quaternions are normalized.
+    /// Checks the elements of an array with `axes` axes, and returns them with normalized quaternions.
     pub fn checked(
         &self,
         what: &str,

@@ -504,7 +504,7 @@ in_python! { PyGroup, "group":
     /// g : array of the shape (..., coordinates)
     ///     Elements.
     /// weights : array, optional
-    ///     Nonnegative weights of the shape of the batch; for a single axis also a vector.
+    ///     Nonnegative weights, an array of the shape of the batch. For a single axis, a vector is enough.
     /// axis : int or tuple of ints, optional
     ///     Axes of the batch that are averaged; by default all.
     ///

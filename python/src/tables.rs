@@ -159,7 +159,7 @@ fn names(show: Bound<'_, PyAny>) -> PyResult<Vec<String>> {
 /// Parameters
 /// ----------
 /// first, second : Geometry, LieAlgebra or str
-///     Geometries, or spaces as for :class:`Geometry`; by default those of the table of the paper.
+///     Geometries, or spaces as for :class:`Geometry`; by default M(3) and SO(3) of Paraskevopoulos and Natsiavas.
 /// format : str
 ///     ``"text"``, ``"markdown"``, ``"latex"``, ``"csv"``, ``"json"`` or ``"html"``.
 ///

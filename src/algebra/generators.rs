@@ -37,7 +37,7 @@ pub(super) fn matrices_of_generators<S: Scalar>(structure: &Tensor<S>) -> Option
     let basis = among_the_basis(&constants);
     let among_basis = |j: usize| basis.binary_search(&j).is_ok();
     let few = 2 * basis.len() <= n;
-    // two random combinations would have full matrices
+    // two random combinations have full matrices, 2 n^2 entries together; basis vectors are better if their matrices have fewer
     let short = structure.components().filter(|(at, _)| among_basis(at[1])).count() <= 2 * n * n;
     let dense = (SMALLEST_DENSE..=LARGEST_DENSE).contains(&n) && structure.len() >= n * n;
     if dense

@@ -113,7 +113,7 @@ laws! {
     /// `x y - y x = 0` for a product of vectors.
     Commutative(pair: x y; residual) ConstructionError
         "the products do not commute: {x} {y} - {y} {x} = {residual}"
-        "the vectors span a commutative, associative algebra: change their products"
+        "the products must be commutative and associative: change them"
     /// `(x y) z - x (y z) = 0` for a product of vectors.
     Associative(triple: x y z; residual) ConstructionError
         "the products are not associative: ({x} {y}) {z} - {x} ({y} {z}) = {residual}"

@@ -1,7 +1,8 @@
 //! Charts: coordinates, and frames of functions over them.
 //!
-//! A coordinate frame has zero structure functions (A9), and (B14) with partial derivatives is
-//! (B12). Any other frame is the product of a coordinate frame and a matrix of functions
+//! A coordinate frame has zero structure functions (A9). There the curvature (B14) takes the form
+//! with partial derivatives (B12). Any other frame is the product of a coordinate frame and a
+//! matrix of functions
 //! ([`Frame::moved`]). Its structure functions are the brackets of its fields (A6), and affinities
 //! transform by the inhomogeneous law ([`Connection::moved`](crate::Connection::moved)).
 

@@ -58,7 +58,7 @@ fn advance(
     if !slope.iter().all(|slope| slope.is_finite()) {
         return Err(stop(t, "the right side is not finite"));
     }
-    // a hundredth of the time in which the slope would change y by its own size
+    // the first step: a hundredth of the time in which y would change by its own size
     let [size, speed] = [&y, &slope].map(|v| norm(v, &y, &y, tolerance));
     let mut next = if size > 1e-5 && speed > 1e-5 { 0.01 * size / speed } else { 1e-6 };
     for _ in 0..MAX_STEPS {

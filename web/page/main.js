@@ -350,7 +350,7 @@ async function check() {
   if (!by("stop").disabled || !used(report).includes("definition")) return;
   try {
     await engine.ask({ ...fields, report: "table", show: "structure", format: "csv" });
-    // the message of a computation stays
+    // clears only the message of a check; the message of a computation stays
     if (said === "check") complain();
   } catch (problem) {
     const { kind, refusal } = /** @type {any} */ (problem);

@@ -136,7 +136,7 @@ impl Request {
                 (self.problem.clone(), vec![])
             }
             report @ ("table" | "check" | "info" | "properties" | "equations") => {
-                // checked, because both are quoted in the copy
+                // reads the tensors and the equations to check them: the copy quotes both texts
                 self.quantities()?;
                 self.kind()?;
                 let space = self.open()?;

@@ -50,6 +50,10 @@ impl Arguments {
         let inputs: Vec<_> =
             space.file.into_iter().chain(files.iter().map(PathBuf::from)).collect();
         self.shared.print(&stages, &inputs, &verdicts)?;
-        if verdicts.all_hold() { Ok(()) } else { Err(Failure::Refuted) }
+        match verdicts.errors() {
+            [] if verdicts.all_hold() => Ok(()),
+            [] => Err(Failure::Refuted),
+            errors => Err(Failure::Several(errors.to_vec())),
+        }
     }
 }

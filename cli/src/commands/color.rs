@@ -12,7 +12,7 @@ pub enum Color {
 
 #[derive(Args)]
 pub struct ColorOption {
-    /// Colour messages
+    /// Choose when messages have colours
     #[arg(long = "color", id = "color", value_name = "WHEN", value_enum, default_value_t = Color::Auto)]
     _color: Color,
 }

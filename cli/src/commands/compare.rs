@@ -9,7 +9,7 @@ use clap::Args;
 
 #[derive(Args)]
 pub struct Arguments {
-    /// Two spaces; by default the paper's M(3) and SO(3)
+    /// Two spaces; by default M3 and SO3
     #[arg(num_args = 0..=2)]
     pub spaces: Vec<String>,
     #[command(flatten)]

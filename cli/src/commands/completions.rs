@@ -2,8 +2,16 @@
 
 use super::failure::Failure;
 use super::output::deliver;
-use clap::{Args, Command};
+use affinor::algebra::catalogue;
+use affinor::geometry::equations::EquationKind;
+use affinor::mechanics::simulation::Method;
+use affinor_documents::report::{Format, Language, Quantity};
+use clap::builder::PossibleValuesParser;
+use clap::{Arg, Args, Command};
 use clap_complete::{Shell, generate};
+
+/// The largest dimension of the algebras that are suggested.
+const LARGEST: usize = 6;
 
 #[derive(Args)]
 pub struct Arguments {
@@ -12,9 +20,37 @@ pub struct Arguments {
 }
 
 impl Arguments {
-    pub fn run(&self, command: &mut Command) -> Result<(), Failure> {
+    pub fn run(&self, command: &Command) -> Result<(), Failure> {
         let mut script = Vec::new();
-        generate(self.shell, command, "affinor", &mut script);
+        generate(self.shell, &mut suggesting(command.clone()), "affinor", &mut script);
         deliver(None, &[], |out| out.write_all(&script))
+    }
+}
+
+/// The command, whose arguments suggest the names that they accept among other texts.
+fn suggesting(command: Command) -> Command {
+    let suggested = |argument: Arg| match names(argument.get_id().as_str()) {
+        names if names.is_empty() => argument,
+        names => argument.value_parser(PossibleValuesParser::new(names)),
+    };
+    command.mut_args(suggested).mut_subcommands(suggesting)
+}
+
+/// The names for an argument; empty if there are none.
+fn names(argument: &str) -> Vec<String> {
+    let own = |names: &[&str]| names.iter().map(ToString::to_string).collect::<Vec<_>>();
+    match argument {
+        "space" => (1..=LARGEST).flat_map(catalogue::names).collect(),
+        "show" => Quantity::ALL.iter().map(|quantity| quantity.key().into()).collect(),
+        "connection" => own(&["plus", "zero", "minus", "levi-civita"]),
+        "metric" => own(&["identity", "killing"]),
+        "kind" => EquationKind::ALL.map(|kind| kind.name().into()).to_vec(),
+        "code" => Language::ALL.map(|language| language.name().into()).to_vec(),
+        "method" | "methods" => Method::ALL.iter().map(|method| method.name().into()).collect(),
+        "from" | "to" => {
+            own(&["vector", "quaternion", "matrix", "gibbs", "modified", "ZYX", "zyx"])
+        }
+        "format" => Format::ALL.map(|format| format.name().into()).to_vec(),
+        _ => vec![],
     }
 }

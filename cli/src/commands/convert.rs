@@ -19,8 +19,8 @@ const TOLERANCE: f64 = 1e-6;
 #[derive(Args)]
 pub struct Arguments {
     /// The input coordinates: vector (a rotation vector), quaternion (w,x,y,z or --order), matrix,
-    /// gibbs or modified (Rodrigues vectors), or Euler angles such as ZYX, about axes of the body,
-    /// or zyx, about axes of space
+    /// gibbs or modified (Rodrigues vectors), or Euler angles: upper case (ZYX) about the axes of
+    /// the body, lower case (zyx) about the axes of space
     #[arg(long, value_name = "KIND", value_parser = kind)]
     pub from: Kind,
     /// The output coordinates: one of the same kinds

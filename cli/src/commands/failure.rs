@@ -12,6 +12,8 @@ use std::ops::Range;
 pub enum Failure {
     /// An error of the input, or of the mathematics.
     Input(Box<InputError>),
+    /// Several errors of the input, in its order.
+    Several(Vec<InputError>),
     /// An error while writing the results to the named target.
     Output(io::Error, String),
     /// The results themselves report a mathematical failure.
@@ -48,12 +50,11 @@ impl Failure {
                 show(&InputError::usage(format!("cannot write {target}: {error}")), color);
                 2
             }
-            Failure::Input(error) => {
-                show(&error, color);
-                match error.refusal {
-                    Refusal::Mathematics => 1,
-                    Refusal::Usage => 2,
-                }
+            Failure::Input(error) => Failure::Several(vec![*error]).report(color),
+            Failure::Several(errors) => {
+                errors.iter().for_each(|error| show(error, color));
+                let usage = errors.iter().any(|error| matches!(error.refusal, Refusal::Usage));
+                if usage { 2 } else { 1 }
             }
         }
     }

@@ -11,7 +11,7 @@ use clap::Args;
 pub struct Arguments {
     /// The space; only its Lie algebra is used; see `affinor --help`
     pub space: Option<String>,
-    /// The basis of an algebra without a name, as in "x y z"
+    /// The names of the basis vectors, if no SPACE is given, as in "x y z"
     #[arg(long, value_name = "NAMES")]
     pub basis: Option<String>,
     /// Brackets over --basis, separated by ; as in "[x,y]=z"; may be repeated

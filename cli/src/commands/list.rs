@@ -10,7 +10,7 @@ use clap::Args;
 pub struct Arguments {
     /// Only entries that contain this text, ignoring case
     pub pattern: Option<String>,
-    /// Algebras up to dimension 6 with properties, as in "dimension=4, nilpotent, not abelian"
+    /// List algebras with these properties, up to dimension 6 or the given one (at most 10), as in "dimension=4, nilpotent"
     #[arg(long = "where", value_name = "CONDITION", conflicts_with = "pattern")]
     pub condition: Option<String>,
     #[command(flatten)]

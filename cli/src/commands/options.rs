@@ -17,7 +17,7 @@ use std::path::PathBuf;
 /// A space defined by options, and its connection and metric.
 #[derive(Args, Default)]
 pub struct SpaceOptions {
-    /// The basis of a space without a name, as in "x y z"
+    /// The names of the basis vectors, if no SPACE is given, as in "x y z"
     #[arg(long, value_name = "NAMES")]
     pub basis: Option<String>,
     /// Brackets over --basis, separated by ; as in "[x,y]=z"; may be repeated
@@ -71,7 +71,7 @@ pub struct ProblemOptions {
     /// Override the final time of the file: a number, or a formula in its parameters
     #[arg(long, value_name = "T", allow_hyphen_values = true)]
     pub end: Option<String>,
-    /// Override the time between rows of the file: a number, or a formula in its parameters
+    /// Override the time between output rows that the file sets: a number, or a formula in its parameters
     #[arg(long, value_name = "DT", allow_hyphen_values = true)]
     pub every: Option<String>,
 }

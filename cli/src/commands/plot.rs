@@ -84,7 +84,7 @@ enum Kind {
     Series(OnColumns),
     /// Problem of mechanics: one column against another, as a curve
     Phase(OnColumns),
-    /// Problem of mechanics: one column against another, as points at the section of the problem
+    /// Problem of mechanics: one column against another, as points of the Poincare section (`section` of the problem)
     Section(OnColumns),
     /// Problem of mechanics: drift of the conserved quantities over time, by one or several methods
     Drift {
@@ -93,7 +93,7 @@ enum Kind {
         #[command(flatten)]
         image: Image,
     },
-    /// Dynkin diagram of a Lie algebra: of its Levi subalgebra, over the complex numbers
+    /// Dynkin diagram of the Levi subalgebra of a Lie algebra, over the complex numbers
     Dynkin {
         /// The space; only its Lie algebra is used; see `affinor --help`
         space: String,

@@ -15,7 +15,7 @@ pub struct Arguments {
     /// Values of parameters, as in "J1=1/2,h=-1"; may be repeated
     #[arg(long, value_name = "NAME=VALUE,...")]
     pub set: Vec<String>,
-    /// The sectional curvature of the plane of two vectors, combinations of the basis as in "x1, y1+2*z"; may be repeated
+    /// Also print the sectional curvature of the plane that two vectors span, as in "x1, y1+2*z"; may be repeated
     #[arg(long, value_name = "X,Y")]
     pub plane: Vec<String>,
     #[command(flatten)]

@@ -14,8 +14,8 @@ const ADVICE: &str = "--restore replaces it by the nearest element of the group"
 /// The option whether matrices that are not on the group are accepted.
 #[derive(Args)]
 pub struct Restore {
-    /// Replace each matrix by the nearest element of the group, if no entry changes by more than 0.1
-    /// (or a tenth of an entry above 1), and note the largest change
+    /// Replace each matrix by the nearest element of the group, if no entry changes by more than
+    /// 0.1 (entries above 1: by more than a tenth of the entry), and report the largest change
     #[arg(long)]
     restore: bool,
 }

@@ -33,7 +33,7 @@ const CHUNK_TIME: Duration = Duration::from_secs(1);
 pub struct Arguments {
     #[command(flatten)]
     pub problem: ProblemOptions,
-    /// Override the method of integration of the file
+    /// Override the integration method that the file sets
     #[arg(long, value_name = "M")]
     pub method: Option<String>,
     /// Integrate every member of the ensemble of the problem, in parallel

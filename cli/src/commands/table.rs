@@ -20,8 +20,8 @@ pub struct Arguments {
     /// In JSON, write common factors of denominators once, under `where`, as the other formats do
     #[arg(long)]
     pub common_factors: bool,
-    /// Write the indices of components as numbers, or as names: of the coordinates, otherwise of
-    /// the basis vectors
+    /// Write the indices of components as numbers, or as names (of coordinates on a chart,
+    /// otherwise of basis vectors)
     #[arg(long, value_enum, default_value_t = Labels::Numbers)]
     pub labels: Labels,
     /// Compute in floats at a point: values of coordinates, parameters and functions, as in
@@ -39,7 +39,7 @@ pub struct Arguments {
 pub struct Choice {
     #[arg(long, value_name = "TENSORS", value_parser = quantities, help = tensors_to_show())]
     pub show: Option<Quantities>,
-    /// Show one component of each set that is equal by symmetry
+    /// Of components that are equal up to sign by symmetry, show only one
     #[arg(long)]
     pub independent: bool,
     /// The invariant frame of the components
@@ -149,9 +149,7 @@ impl Choice {
 
 fn tensors_to_show() -> String {
     let [basic, derived] = Quantity::names();
-    format!(
-        "Tensors to show, separated by commas: {basic}, or all for these; {derived}, or derived for these"
-    )
+    format!("Tensors to show or to compare, separated by commas: {basic} (together: all); {derived} (together: derived)")
 }
 
 fn quantities(text: &str) -> Result<Quantities, String> {

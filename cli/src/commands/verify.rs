@@ -19,7 +19,7 @@ pub struct Arguments {
     pub options: SpaceOptions,
     #[command(flatten)]
     pub selection: Choice,
-    /// The convention of a stored tensor: its component, =, and its value here, as in "R^i_jkl = -R^i_jkl" (sign) or
+    /// The convention of a stored tensor, as "stored component = the same component here": "R^i_jkl = -R^i_jkl" (sign) or
     /// "Lambda^i_jk = Lambda^i_kj" (order of indices); may be repeated
     #[arg(long, value_name = "EQUATION", allow_hyphen_values = true)]
     pub convention: Vec<String>,
@@ -42,14 +42,26 @@ impl Arguments {
         for path in paths {
             files.extend(tables(path)?);
         }
-        let mut stored =
-            files.iter().map(|file| StoredTable::read(file)).collect::<Result<Vec<_>, _>>()?;
+        let (mut stored, mut errors) = (vec![], vec![]);
+        for file in &files {
+            match StoredTable::read(file) {
+                Ok(table) => stored.push(table),
+                Err(error) => errors.push(error),
+            }
+        }
         if let Some(Quantities(chosen)) = &self.selection.show {
             stored.iter_mut().for_each(|table| table.select(chosen));
         }
         let space = self.shared.open(space, &self.options)?;
-        for table in &stored {
-            table.expect_basis(&space.definition.labels)?;
+        stored.retain(|table| match table.expect_basis(&space.definition.labels) {
+            Ok(()) => true,
+            Err(error) => {
+                errors.push(error);
+                false
+            }
+        });
+        if stored.is_empty() {
+            return Err(Failure::Several(errors));
         }
         let lists = stored.iter().map(StoredTable::quantities);
         let lists = lists.map(|list| if list.is_empty() { Quantity::BASIC.to_vec() } else { list });
@@ -68,17 +80,30 @@ impl Arguments {
             stages.bound(|| computation.differences(&stored, &selection, &conventions))??;
         let mut outcomes = vec![];
         found.remarks.iter().for_each(|remark| note(remark));
-        for (table, (differences, remarks)) in stored.iter().zip(found.tables) {
+        for (table, outcome) in stored.iter().zip(found.tables) {
+            let (differences, remarks) = match outcome {
+                Ok(outcome) => outcome,
+                Err(error) => {
+                    errors.push(error);
+                    continue;
+                }
+            };
             let origin =
                 if stored.len() > 1 { format!("{}: ", table.name()) } else { String::new() };
             remarks.iter().for_each(|remark| note(&(origin.clone() + remark)));
             let shown = if self.all { differences.showing_all() } else { differences };
             outcomes.push((table.name().to_string(), shown));
         }
+        let compared = outcomes.len();
         let verification = Verification::new(outcomes);
         let inputs: Vec<_> =
             space.file.into_iter().chain(files.iter().map(PathBuf::from)).collect();
-        self.shared.print(&stages, &inputs, &verification)?;
+        if compared > 0 {
+            self.shared.print(&stages, &inputs, &verification)?;
+        }
+        if !errors.is_empty() {
+            return Err(Failure::Several(errors));
+        }
         if verification.is_empty() { Ok(()) } else { Err(Failure::Refuted) }
     }
 }

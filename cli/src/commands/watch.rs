@@ -7,7 +7,7 @@
 use super::color::Color;
 use super::failure::Failure;
 use super::stages;
-use affinor_documents::budget::{Budget, size};
+use affinor_documents::budget::{Budget, seconds, size};
 use affinor_documents::input::InputError;
 use affinor_tensors::stop::{StopReason, StopToken};
 use clap::Args;
@@ -21,8 +21,8 @@ use std::time::Duration;
 /// The limits on a command.
 #[derive(Args)]
 pub struct LimitOptions {
-    /// End the command after this time, with exit status 1
-    #[arg(long, value_name = "SECONDS", global = true, help_heading = "Limits")]
+    /// End the command after this time, as in 30, 5m or 2h, with exit status 1
+    #[arg(long, value_name = "SECONDS", global = true, help_heading = "Limits", value_parser = seconds)]
     pub timeout: Option<f64>,
     /// End the command when it uses more memory, as in 800M or 2G, with exit status 1
     #[arg(long, value_name = "SIZE", global = true, help_heading = "Limits", value_parser = size)]

@@ -199,7 +199,7 @@ fn mapped_rows(
     }
     let place = reader.source.key("forces.columns");
     let Some(time) = time else {
-        let message = format!("no column has the time; they are {}", names.join(", "));
+        let message = format!("no column is the time `t`; the columns are {}", names.join(", "));
         return Err(InputError::usage(message).at(&place).help(format!("write {FORM}")));
     };
     let Some(width) = components.iter().map(|(component, _)| component + 1).max() else {

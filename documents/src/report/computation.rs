@@ -64,8 +64,9 @@ pub struct TableReport {
 
 /// Stored tables, compared with a space.
 pub struct Compared {
-    /// The differences of each table, and remarks on the comparison.
-    pub tables: Vec<(Differences, Vec<String>)>,
+    /// The differences of each table and remarks on its comparison; an error for a table that does
+    /// not fit the space.
+    pub tables: Vec<Result<(Differences, Vec<String>), InputError>>,
     /// Remarks on all comparisons: conventions that no table uses.
     pub remarks: Vec<String>,
 }
@@ -230,8 +231,7 @@ impl<'a> Computation<'a> {
     /// tables follow these conventions.
     ///
     /// # Errors
-    /// Those of [`table`](Self::table); an error for a stored table that does not fit the space,
-    /// and for a convention that cannot be parsed.
+    /// Those of [`table`](Self::table); an error for a convention that cannot be parsed.
     pub fn differences(
         &self,
         stored: &[StoredTable],
@@ -263,16 +263,15 @@ impl<'a> Computation<'a> {
                 }
                 Ok((found, remarks))
             };
-            let tables = stored.iter().map(outcome).collect::<Result<_, InputError>>()?;
+            let tables = stored.iter().map(outcome).collect();
             Ok(Compared { tables, remarks })
         })
     }
 
-    /// The outcomes of statements about the space.
+    /// The outcomes of statements about the space, and the errors of those that cannot be tested.
     ///
     /// # Errors
-    /// An error for an invalid space, and for a statement that cannot be parsed or is not defined
-    /// for the space.
+    /// An error for an invalid space.
     pub fn test(&self, statements: &Statements) -> Result<Verdicts, InputError> {
         let (space, scalars) = (self.space, self.space.definition.known_parameters());
         let kind = match self.kind()? {
@@ -289,7 +288,7 @@ impl<'a> Computation<'a> {
         over_kind!(kind, S => {
             let geometry = self.geometry::<S>(&Selection::default())?;
             (self.stage)("claims");
-            statements.test(&geometry, &scalars, &space.values)
+            Ok(statements.test(&geometry, &scalars, &space.values))
         })
     }
 

@@ -64,6 +64,8 @@ pub struct Verdict {
 pub struct Verdicts {
     name: String,
     verdicts: Vec<Verdict>,
+    /// The errors of statements that cannot be tested.
+    errors: Vec<InputError>,
     /// The rule by which a float counts as zero.
     zero: Option<String>,
 }
@@ -148,27 +150,29 @@ impl Statements {
     }
 
     /// Tests the statements about a geometry. `scalars` are the names of scalars; parameters that
-    /// have been set have `values`.
-    ///
-    /// # Errors
-    /// Errors for syntax errors, unknown names, tensors and properties that are not defined for the
-    /// geometry, sides whose indices do not fit, and inequalities whose order depends on
-    /// parameters.
+    /// have been set have `values`. A statement cannot be tested if it has a syntax error, an unknown
+    /// name, a tensor or a property that is not defined for the geometry, sides whose indices do not
+    /// fit, or an inequality whose order depends on parameters.
     pub(super) fn test<S: Coefficient>(
         &self,
         geometry: &Geometry<S>,
         scalars: &[String],
         values: &BTreeMap<String, Symbolic>,
-    ) -> Result<Verdicts, InputError> {
+    ) -> Verdicts {
         let mut names = Names::new(geometry, scalars.iter().chain(values.keys()).cloned());
         names.scalars.insert("pi".into());
         let scalar = |name: &str| scalar::<S>(name, &names, values);
         let tensors = Tensors::new(geometry, &scalar);
-        let mut verdicts = vec![];
+        let (mut verdicts, mut errors) = (vec![], vec![]);
         for (source, line, text) in self.lines() {
-            let refused = |error: InputError| error.or_at(&source.whole(text));
             let test = Test { source, names: &names, tensors: &tensors, geometry };
-            let found = test.statement(text).map_err(refused)?;
+            let found = match test.statement(text) {
+                Ok(found) => found,
+                Err(error) => {
+                    errors.push(error.or_at(&source.whole(text)));
+                    continue;
+                }
+            };
             let (component, sides) = found.clone().unwrap_or_default();
             verdicts.push(Verdict {
                 line,
@@ -180,7 +184,7 @@ impl Statements {
         }
         let tolerance = geometry.frame().structure_functions().tolerance();
         let zero = (S::KIND == Kind::Float).then(|| super::head::zero(tolerance));
-        Ok(Verdicts { name: geometry.name().into(), verdicts, zero })
+        Verdicts { name: geometry.name().into(), verdicts, errors, zero }
     }
 }
 
@@ -368,9 +372,14 @@ fn in_order<S: Coefficient>(
 }
 
 impl Verdicts {
-    /// Whether all statements hold.
+    /// Whether all statements could be tested, and hold.
     pub fn all_hold(&self) -> bool {
-        self.verdicts.iter().all(|verdict| verdict.holds)
+        self.errors.is_empty() && self.verdicts.iter().all(|verdict| verdict.holds)
+    }
+
+    /// The errors of the statements that cannot be tested, in their order.
+    pub fn errors(&self) -> &[InputError] {
+        &self.errors
     }
 
     /// The verdicts in the order of the statements.

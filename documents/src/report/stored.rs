@@ -138,8 +138,8 @@ impl StoredTable {
         Err(InputError::mathematics(message).at(&self.place))
     }
 
-    /// The table itself. If it lists no components, as CSV does if all tensors vanish, the basic
-    /// tensors of the computed table that vanish.
+    /// Returns this table. If it lists no components, as in CSV files of vanishing tensors, returns
+    /// the vanishing basic tensors of the computed table.
     ///
     /// # Errors
     /// An error if there are no components, and no tensor vanishes.
@@ -249,9 +249,9 @@ impl StoredTable {
                 Some(TableEntry { tensor, .. }) => tensor,
                 None if missing => continue,
                 None => {
-                    return Err(refused(format!(
-                        "{key} is stored, but does not apply to this space"
-                    )));
+                    let message = format!("{key} is stored, but it is not defined for this space");
+                    let help = "it may need a metric, as in --metric \"diag(1,2,3)\"";
+                    return Err(refused(message).help(help));
                 }
             };
             compared.push(*quantity);
@@ -399,7 +399,7 @@ impl StoredTable {
             let index = |field: &str| field.parse::<usize>().ok()?.checked_sub(1);
             let fields = (1..columns - 1).map(|at| &record[at]).filter(|field| !field.is_empty());
             let indices = fields.map(index).collect::<Option<Vec<_>>>();
-            let indices = indices.ok_or_else(|| here("an index is not an integer"))?;
+            let indices = indices.ok_or_else(|| here("an index is not a whole number from 1"))?;
             let component = (indices, record[columns - 1].into());
             match self.tensors.iter_mut().find(|(other, _)| *other == quantity) {
                 Some((_, components)) => components.push(component),

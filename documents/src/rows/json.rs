@@ -1,4 +1,4 @@
-//! Runs as JSON: names and columns, then the rows as lists.
+//! Writes a run in JSON: names and columns, then the rows as lists.
 
 use super::{Head, Rows};
 use serde_json::{Value, json};

@@ -94,7 +94,7 @@ impl Space {
         };
         let mut space = Self::of(definition);
         space.file = inside.space.filter(|name| is_path(name)).map(|name| match name.as_str() {
-            // a path for messages and comparisons, if the system has one
+            // the path of standard input, for messages and comparisons; some systems have no such path
             "-" => PathBuf::from("/dev/stdin"),
             path => PathBuf::from(path),
         });

@@ -472,7 +472,7 @@ def _partition(
         else:
             results, errors, found = _each(task, rows, count)
     finally:
-        # a worker may be a thread of a process that computes other things
+        # the process of a worker may compute other things, so its number of threads is restored
         if threads != before:
             _engine.set_threads(before)
     columns = {"row": list(range(start, start + count)), **rows, **results, "error": errors}

@@ -1,4 +1,4 @@
-"""Exceptions. Each has its witness as data, and the message of the command line."""
+"""Exceptions. Each exception has its witness as data, and the same message as the command line prints."""
 
 from __future__ import annotations
 

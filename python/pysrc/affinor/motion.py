@@ -576,7 +576,7 @@ def simulate(
     Parameters
     ----------
     problem : Problem, path or dict, optional
-        A problem, a TOML or JSON file, or a dict with its keys; by default the keys are arguments.
+        A problem, a TOML or JSON file, or a dict with its keys. Without it, give the keys as keyword arguments.
     member : int
         Number of the member of an ensemble, from 0.
     progress : bool or callable

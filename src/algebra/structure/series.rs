@@ -142,7 +142,7 @@ impl<S: GroundField> StructureTheory<S> {
                 generators.push(self.products.ad(&vector));
             }
         }
-        // left brackets with generators are enough
+        // brackets with a generator on the left generate the whole subalgebra
         let mut open: Vec<Row<S>> = span.basis().to_vec();
         while let Some(x) = open.pop() {
             for ad in &generators {

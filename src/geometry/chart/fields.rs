@@ -6,8 +6,8 @@ use crate::algebra::frame::Frame;
 use affinor_tensors::text::combination;
 use affinor_tensors::{Field, Scalar, Tensor};
 
-/// Vector fields `e_i = e_i^a d/dx^a` and the frame that they form. They are linearly independent
-/// where the determinant of `e^a_i` is not zero.
+/// Vector fields `e_i = e^a_i d/dx^a`, and the frame that they form. The fields are linearly
+/// independent where the determinant of `e^a_i` is not zero.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fields<S> {
     chart: Chart,

@@ -296,7 +296,7 @@ impl Search {
 /// Rational vectors that approximate a plane: two components are 1 and 0, the others are rounded.
 fn rounded(x: &DVector<f64>, y: &DVector<f64>) -> [Vec<Rational>; 2] {
     let n = x.len();
-    // the pair of components with the largest minor becomes 1 and 0
+    // chooses two components i, j with the largest minor; in these the two vectors become (1, 0) and (0, 1)
     let minor = |i: usize, j: usize| x[i] * y[j] - x[j] * y[i];
     let pairs = (0..n).flat_map(|i| (i + 1..n).map(move |j| (i, j)));
     let larger = |a: &(usize, usize), b: &(usize, usize)| {

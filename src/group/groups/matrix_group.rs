@@ -276,7 +276,7 @@ impl MatrixGroup {
         // the factors are orthogonal, so their norm is sqrt(n)
         let roundings = ACCURATE * self.size() as f64;
         match log {
-            // near a half turn, rounding errors do not stay in the algebra
+            // near a half turn, rounding errors move the logarithm out of the algebra
             Ok(log)
                 if terms <= roundings * size
                     && self.outside(&log) <= roundings * f64::EPSILON * log.norm() =>
@@ -364,8 +364,8 @@ fn derivations(algebra: &LieAlgebra<f64>) -> Result<Vec<DMatrix<f64>>, Error> {
     for (at, c) in algebra.structure_constants().components() {
         let [m, j, k] = [at[0], at[1], at[2]];
         for i in 0..n {
-            // adds D^i_m c^m_jk, c^m_ik D^i_j and c^m_ji D^i_k, with the index letters of this
-            // component
+            // this component adds three terms to the equations: D^i_m c^m_jk, c^m_ik D^i_j and
+            // c^m_ji D^i_k, in its own index letters
             rows[equation(i, j, k)].push((i * n + m, *c));
             rows[equation(m, i, k)].push((j * n + i, -c));
             rows[equation(m, j, i)].push((k * n + i, -c));

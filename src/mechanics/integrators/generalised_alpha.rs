@@ -98,7 +98,7 @@ impl Coefficients {
         h: f64,
     ) -> Option<ConstrainedState<G>> {
         let (v, a) = (&state.velocity, &state.acceleration);
-        // v'' by differences within the step, because forces may be discontinuous before the start
+        // computes v'' from differences at later times only, because a force may jump at the start
         let s = h / 8.0;
         let after = |s: f64| {
             let x = v.clone() * s + a.clone() * (0.5 * s * s);

@@ -20,7 +20,7 @@ pub struct Crossings {
 pub struct RecordedCrossing {
     /// The number of the event among the watched columns, from 0.
     pub event: usize,
-    /// The row at the event: the first one, within the resolution of time, after the sign change.
+    /// The row at the event: the first row after the sign change, up to the resolution of time.
     pub row: Vec<f64>,
     /// The time of the event.
     pub time: f64,

@@ -25,7 +25,7 @@ pub fn is_name(name: &str) -> bool {
 /// assert!(!is_name_character('²') && !is_name_character('·'));
 /// ```
 pub fn is_name_character(c: char) -> bool {
-    // the range of superscripts also contains letters, which names may contain
+    // excludes the superscripts ⁱ and ⁿ, which Unicode counts as letters: they are powers, not parts of a name
     let power = ('\u{2070}'..='\u{207f}').contains(&c);
     let letter = c.is_alphabetic() && !power && canonical(c) == c;
     letter || c == '_' || is_digit(c)

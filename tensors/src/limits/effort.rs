@@ -37,7 +37,7 @@ pub struct EffortExceeded {
 const PRODUCTS: u64 = 512;
 
 impl Effort {
-    /// The limit that the programs set: about 3 GB of formulas.
+    /// The default limit of the command line, in terms: about 3 GB of formulas.
     pub const DEFAULT: u64 = 20_000_000;
 
     /// A limit on the number of terms of all values together, including intermediate ones, and on

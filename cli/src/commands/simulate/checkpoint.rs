@@ -34,7 +34,7 @@ pub struct Checkpoint {
     rows: u64,
     /// The number of completed members.
     pub done: u64,
-    /// The error of the first member of an ensemble that failed.
+    /// The error of the first failed member of an ensemble.
     pub stopped: Option<String>,
 }
 

@@ -113,7 +113,7 @@ impl Notes {
                 );
                 ("none".into(), why)
             }
-            // this concerns exact forms only, which are shown only as witnesses
+            // only exact forms have these two results, and an exact form is shown only if it is a witness
             Existence::Index(_) | Existence::Open => ("-".into(), "none found".to_string()),
         };
         let (text, long) = self.shortened(text);

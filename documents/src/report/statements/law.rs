@@ -36,7 +36,7 @@ pub(super) fn holds<S: Coefficient>(
         })
     }
     let connection = geometry.connection();
-    // on a chart structure functions may be constant although there is no invariant metric
+    // on a chart, the structure functions may be constant although no metric is invariant
     let algebra = geometry.algebra().filter(|_| geometry.frame_origin().fields().is_none());
     Ok(match (name, geometry.metric(), algebra) {
         ("torsion-free", ..) => verdict(connection.torsion_free()),

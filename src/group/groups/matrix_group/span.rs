@@ -121,7 +121,7 @@ impl Span {
 /// Partitions the matrices into sorted groups; matrices of different groups have no common nonzero
 /// position.
 fn blocks(basis: &[Entries]) -> Vec<Vec<usize>> {
-    // each group is a tree whose root is its smallest index
+    // each set of matrices is a tree; its root is the smallest index
     let mut above: Vec<usize> = (0..basis.len()).collect();
     fn root(above: &mut [usize], mut at: usize) -> usize {
         while above[at] != at {

@@ -57,7 +57,9 @@ impl Mesh {
         for (at, triangle) in triangles.iter().enumerate() {
             if let Some(index) = triangle.iter().find(|index| **index >= vertices.len()) {
                 let (at, index, count) = (at + 1, index + 1, vertices.len());
-                return Err(refused(format!("triangle {at} has vertex {index} of {count}")));
+                return Err(refused(format!(
+                    "triangle {at} refers to vertex {index}, but there are {count} vertices"
+                )));
             }
         }
         expect_closed(&vertices, &triangles)?;
