@@ -33,6 +33,14 @@ fn the_exit_status_and_the_witness() {
         assert_eq!(refused.status, 2, "{arguments:?}");
         assert!(refused.err.contains(message), "{}", refused.err);
     }
+    // statements that cannot be tested do not hide the others
+    fs::write(folder.path().join("c.txt"), "torsion = 0\nRic_11 = q\nflat\nbach = 0\n").unwrap();
+    let mixed = claims(&["so3@zero", "c.txt"]);
+    assert_eq!(mixed.status, 2, "{}", mixed.err);
+    assert!(mixed.out.starts_with("Claims about so(3): 1 of 2 hold"), "{}", mixed.out);
+    for place in ["c.txt:2", "the space has no parameter q", "c.txt:4", "bach"] {
+        assert!(mixed.err.contains(place), "{place}: {}", mixed.err);
+    }
     let jacobi = ["--basis", "x y z", "--bracket", "[x,y]=z; [y,z]=y", "--claim", "flat"];
     assert_eq!(claims(&jacobi).status, 1);
 }

@@ -431,6 +431,11 @@ fn shells_complete_the_commands() {
             assert!(script.contains(word), "{shell}: {word}");
         }
     }
+    // names of algebras, tensors, connections, methods and formats are suggested
+    let script = stdout(&["completions", "zsh"]);
+    for word in ["heisenberg", "ricci", "levi-civita", "rkmk4", "latex", "quaternion"] {
+        assert!(script.contains(word), "{word}");
+    }
     let folder = TempDir::new().unwrap();
     let script = folder.path().join("affinor.bash");
     fs::write(&script, stdout(&["completions", "bash"])).unwrap();

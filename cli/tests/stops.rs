@@ -156,7 +156,11 @@ fn limits_are_sizes_and_seconds() {
         let outcome = run(Path::new("."), &["info", "so3", option, value], b"");
         assert_eq!(outcome.status, 2, "{option} {value}: {}", outcome.err);
     }
-    for value in ["-1", "nan", "soon"] {
+    for value in ["1000", "1e3s", "20m", "20 min", "2h"] {
+        let outcome = run(Path::new("."), &["info", "so3", &format!("--timeout={value}")], b"");
+        assert_eq!(outcome.status, 0, "{value}: {}", outcome.err);
+    }
+    for value in ["-1", "nan", "soon", "1d"] {
         let outcome = run(Path::new("."), &["info", "so3", &format!("--timeout={value}")], b"");
         assert_eq!(outcome.status, 2, "{value}: {}", outcome.err);
     }

@@ -140,6 +140,12 @@ fn what_is_verified_is_named() {
     let none = verify(&["so3@plus", "none.json"]);
     assert_eq!(none.status, 2);
     assert!(none.err.contains("it contains no tensor"), "{}", none.err);
+    // a table that cannot be read does not hide the others
+    let mixed = verify(&["so3@zero", "none.json", "structure.csv", "missing.csv"]);
+    assert_eq!((mixed.status, &*mixed.out), (2, "the stored table agrees: structure\n"));
+    for place in ["none.json", "it contains no tensor", "missing.csv"] {
+        assert!(mixed.err.contains(place), "{place}: {}", mixed.err);
+    }
     write("twice.csv", "tensor,i,j,k,l,value\nricci,1,1,,,1/4\nricci,1,1,,,1/4\n");
     let twice = verify(&["so3@zero", "twice.csv"]);
     assert_eq!(twice.status, 2);

@@ -286,7 +286,7 @@ fn mapped_columns_of_a_table() {
         ("{ t = 'time', M0 = 'yaw' }", "`M0` is neither t nor a component"),
         ("{ t = 'time', roll = 'M1' }", "the table has no column `M1`"),
         ("{ t = 'time', M4 = 'yaw' }", "the table has 4 components, but the dimension is 3"),
-        ("{ M1 = 'roll' }", "no column has the time"),
+        ("{ M1 = 'roll' }", "no column is the time"),
         ("{ t = 'time' }", "no column with a component"),
     ] {
         let forces = format!("[forces]\ntable = \"log.csv\"\ncolumns = {columns}");

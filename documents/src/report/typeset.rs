@@ -68,8 +68,8 @@ pub(super) fn brackets<S: Coefficient>(structure: &Tensor<S>, labels: &[String])
     brackets.into_iter().map(|(at, terms)| chain([pair(at), sum(terms)])).collect()
 }
 
-/// The symbol with its indices. Commas separate indices above dimension 9, and names of several
-/// characters.
+/// The symbol with its indices. Commas separate indices above dimension 9, and names that are not one
+/// symbol: `theta` is one, and a comma before an index would mean a derivative.
 fn with_scripts<S: Coefficient>(
     symbol: &[Node],
     dimension: usize,
@@ -82,11 +82,16 @@ fn with_scripts<S: Coefficient>(
         name if name.len() == 1 => formula(name),
         name => vec![label(name)],
     };
+    let is_symbol = |row: &[Node]| matches!(row, [Node::Letter(_) | Node::Scripts(..)]);
     let run = |(variance, run): (_, Vec<String>)| {
         let nodes = match run.len() {
             1 => single(&run[0]),
             _ if needs_commas(dimension, &run) => {
-                run.iter().map(single).collect::<Vec<_>>().join(&Node::Sign(","))
+                let rows: Vec<_> = run.iter().map(single).collect();
+                match rows.iter().all(|row| is_symbol(row)) {
+                    true => rows.concat(),
+                    false => rows.join(&Node::Sign(",")),
+                }
             }
             _ if run.iter().all(|index| index.is_ascii()) => vec![Node::Indices(run.concat())],
             _ => run.iter().flat_map(single).collect(),
