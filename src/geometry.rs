@@ -5,7 +5,7 @@
 //! - [`curvature`]: torsion, curvature, Bianchi identities, Ricci, Weyl and further tensors;
 //! - [`properties`]: parallel curvature, Einstein, bi-invariance, with witnesses; [`holonomy`];
 //! - [`chart`]: coordinates and moving frames; [`forms`]: differential forms;
-//! - [`reductive`]: homogeneous spaces G/H; [`equations`]: equations of motion;
+//! - [`reductive`]: homogeneous spaces G/H; [`homogeneous`]: the same by name; [`equations`]: equations of motion;
 //! - [`Geometry`]: frame, connection and metric together;
 //! - [`conditions`]: the conditions on parameters under which a tensor vanishes.
 
@@ -16,6 +16,7 @@ pub mod curvature;
 pub mod equations;
 pub mod forms;
 pub mod holonomy;
+pub mod homogeneous;
 pub mod metric;
 pub mod metric_affine;
 pub mod properties;

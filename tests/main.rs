@@ -32,6 +32,7 @@ mod geometry {
     mod equations;
     mod forms;
     mod holonomy;
+    mod homogeneous;
     mod metric_affine;
     mod properties;
     mod reductive;

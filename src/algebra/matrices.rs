@@ -179,6 +179,30 @@ impl<S: Field + Scalar> MatrixBasis<S> {
         Bracket::new(&self.labels, structure)
     }
 
+    /// The coordinates of a matrix, given by its nonzero entries (row, column, value) from 0; `None`
+    /// for a matrix outside the span.
+    ///
+    /// # Errors
+    /// [`Error::Shape`] for an entry outside the matrix; [`Error::NotFinite`].
+    pub fn coordinates(
+        &self,
+        entries: Vec<(usize, usize, Complex<S>)>,
+    ) -> Result<Option<Vec<S>>, Error> {
+        if !self.complex && entries.iter().any(|(.., value)| !value.im.vanishes()) {
+            return Ok(None);
+        }
+        let size = if self.complex { self.size() / 2 } else { self.size() };
+        let matrix = real_form(size, entries, self.complex, self.tolerance)?;
+        let (columns, mut found) = (self.entries(), vec![S::zero(); self.matrices.len()]);
+        for (column, value) in self.span.reduce(flat(&matrix)) {
+            match column.checked_sub(columns) {
+                Some(at) => found[at] = -value,
+                None => return Ok(None),
+            }
+        }
+        Ok(Some(found))
+    }
+
     /// The Frobenius product `<A, B> = Re tr(A^* B)`, slots `[Down, Down]`: equation (102).
     pub fn frobenius(&self) -> Tensor<S> {
         // the real form counts the trace of a complex matrix twice

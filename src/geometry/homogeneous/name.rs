@@ -1,0 +1,216 @@
+//! The names of homogeneous spaces.
+
+use crate::Error;
+use std::fmt;
+
+/// A factor of G or of H.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Factor {
+    Orthogonal(usize),
+    /// `SO(p,q)`.
+    IndefiniteOrthogonal(usize, usize),
+    SpecialUnitary(usize),
+    /// `SU(p,q)`.
+    IndefiniteUnitary(usize, usize),
+    Unitary(usize),
+    /// The compact group of quaternionic matrices.
+    Symplectic(usize),
+    /// `SL(n,R)`.
+    SpecialLinear(usize),
+    /// The rigid motions `SE(n)`.
+    Motions(usize),
+    /// The maximal torus of G.
+    Torus,
+    /// The circle `diag(k, l, -k-l)`.
+    Circle(i64, i64),
+    /// A compact exceptional group, such as `G2`.
+    Exceptional(&'static str),
+}
+
+/// The factors of G and of H.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Name {
+    pub group: Vec<Factor>,
+    pub isotropy: Vec<Factor>,
+    /// Whether H is written `S(...)`: its elements have determinant 1.
+    pub special: bool,
+}
+
+const EXCEPTIONAL: [&str; 5] = ["G2", "F4", "E6", "E7", "E8"];
+
+impl Name {
+    /// Reads a name.
+    ///
+    /// # Errors
+    /// [`Error::Name`] for a text that names no homogeneous space.
+    pub fn read(text: &str) -> Result<Self, Error> {
+        let compact: String = text.chars().filter(|c| !c.is_whitespace()).collect();
+        let named = compact.rsplit('=').next().unwrap_or_default();
+        let unknown = || {
+            let shown = text.trim().escape_debug();
+            Error::Name(format!(
+                "`{shown}` names no homogeneous space: write for instance SU(3)/U(2), S^5 or Gr(2,C^4)"
+            ))
+        };
+        if let Some(name) = family(named) {
+            return Ok(name);
+        }
+        let (group, isotropy) = named.split_once('/').ok_or_else(unknown)?;
+        let special = isotropy.strip_prefix("S(").and_then(|rest| rest.strip_suffix(')'));
+        let read = |text: &str| factors(text).ok_or_else(unknown);
+        Ok(Name {
+            group: read(group)?,
+            isotropy: read(special.unwrap_or(isotropy))?,
+            special: special.is_some(),
+        })
+    }
+
+    /// The error for groups of which no embedding is known.
+    pub fn without_embedding(&self) -> Error {
+        Error::Name(format!(
+            "{self}: no embedding of the second group in the first is known by name; \
+             give the vectors of the subalgebra"
+        ))
+    }
+}
+
+/// A name of a family, such as `S^5` or `Gr(2,C^4)`.
+fn family(text: &str) -> Option<Name> {
+    let of = |group, isotropy: &[Factor], special| {
+        Some(Name { group: vec![group], isotropy: isotropy.to_vec(), special })
+    };
+    use Factor::{IndefiniteOrthogonal, IndefiniteUnitary, Orthogonal, SpecialUnitary};
+    use Factor::{Symplectic, Torus, Unitary};
+    if let Some((head, n)) = text.split_once('^').filter(|(head, _)| !head.contains('(')) {
+        let n: usize = n.parse().ok().filter(|n| (1..=MAX_SIZE).contains(n))?;
+        return match head {
+            "S" if n >= 2 => of(Orthogonal(n + 1), &[Orthogonal(n)], false),
+            "H" if n >= 2 => of(IndefiniteOrthogonal(n, 1), &[Orthogonal(n)], false),
+            "CP" => of(SpecialUnitary(n + 1), &[Unitary(n), Unitary(1)], true),
+            "CH" => of(IndefiniteUnitary(n, 1), &[Unitary(n), Unitary(1)], true),
+            "HP" => of(Symplectic(n + 1), &[Symplectic(n), Symplectic(1)], false),
+            "OP" if n == 2 => of(Factor::Exceptional("F4"), &[Orthogonal(9)], false),
+            _ => None,
+        };
+    }
+    let (head, arguments) = text.strip_suffix(')')?.split_once('(')?;
+    if head == "Fl" {
+        let n: usize = arguments.parse().ok().filter(|n| (2..=MAX_SIZE).contains(n))?;
+        return of(SpecialUnitary(n), &[Torus], false);
+    }
+    let (k, space) = arguments.split_once(',')?;
+    let (field, n) = space.split_once('^')?;
+    let n: usize = n.parse().ok().filter(|n| (2..=MAX_SIZE).contains(n))?;
+    let k: usize = k.parse().ok().filter(|k| (1..n).contains(k))?;
+    let rest = n - k;
+    match (head, field) {
+        ("V", "R") if rest >= 2 => of(Orthogonal(n), &[Orthogonal(rest)], false),
+        ("V", "C") if rest >= 2 => of(SpecialUnitary(n), &[SpecialUnitary(rest)], false),
+        ("V", "H") => of(Symplectic(n), &[Symplectic(rest)], false),
+        ("Gr", "R") => {
+            let factors: Vec<_> =
+                [k, rest].into_iter().filter(|n| *n >= 2).map(Orthogonal).collect();
+            of(Orthogonal(n), &factors, false)
+        }
+        ("Gr", "C") => of(SpecialUnitary(n), &[Unitary(k), Unitary(rest)], true),
+        ("Gr", "H") => of(Symplectic(n), &[Symplectic(k), Symplectic(rest)], false),
+        _ => None,
+    }
+}
+
+/// The largest size of a matrix group, which keeps the dimension within that of the catalogue.
+const MAX_SIZE: usize = 40;
+
+/// The factors of a product, separated by `x`.
+fn factors(text: &str) -> Option<Vec<Factor>> {
+    text.split(['x', '*']).map(factor).collect()
+}
+
+fn factor(text: &str) -> Option<Factor> {
+    if let Some(name) = EXCEPTIONAL.iter().find(|name| **name == text) {
+        return Some(Factor::Exceptional(name));
+    }
+    if text == "T" || text.strip_prefix("T^").is_some_and(|n| n.parse::<usize>().is_ok()) {
+        return Some(Factor::Torus);
+    }
+    if let Some(weights) = text.strip_prefix("U(1)_") {
+        let weights = weights.trim_matches(['{', '}']);
+        let (k, l) = weights.split_once(',')?;
+        let small = |text: &str| text.parse().ok().filter(|k: &i64| k.abs() <= 1_000_000);
+        let (k, l) = (small(k)?, small(l)?);
+        return ((k, l) != (0, 0)).then_some(Factor::Circle(k, l));
+    }
+    let at = text.find(|c: char| !c.is_ascii_alphabetic())?;
+    let (head, arguments) = text.split_at(at);
+    let arguments = match arguments.strip_prefix('(') {
+        Some(rest) => rest.strip_suffix(')')?,
+        None => arguments,
+    };
+    let mut arguments: Vec<&str> = arguments.split(',').collect();
+    if head == "SL" && arguments.len() == 2 && arguments[1] == "R" {
+        arguments.pop();
+    }
+    let numbers: Option<Vec<usize>> = arguments.iter().map(|text| text.parse().ok()).collect();
+    let numbers = numbers?;
+    if numbers.iter().any(|n| *n == 0 || *n > MAX_SIZE) {
+        return None;
+    }
+    Some(match (head, numbers.as_slice()) {
+        ("SO" | "O" | "Spin", [n]) if *n >= 2 => Factor::Orthogonal(*n),
+        ("SO" | "O" | "Spin", [p, q]) => Factor::IndefiniteOrthogonal(*p, *q),
+        ("SU", [n]) if *n >= 2 => Factor::SpecialUnitary(*n),
+        ("SU", [p, q]) => Factor::IndefiniteUnitary(*p, *q),
+        ("U", [n]) => Factor::Unitary(*n),
+        ("Sp", [n]) => Factor::Symplectic(*n),
+        ("SL", [n]) if *n >= 2 => Factor::SpecialLinear(*n),
+        ("SE", [n]) if *n >= 2 => Factor::Motions(*n),
+        _ => return None,
+    })
+}
+
+impl Factor {
+    /// The name of its Lie algebra in the catalogue.
+    pub fn algebra(self) -> String {
+        match self {
+            Factor::Orthogonal(n) => format!("so({n})"),
+            Factor::IndefiniteOrthogonal(p, q) => format!("so({p},{q})"),
+            Factor::SpecialUnitary(n) => format!("su({n})"),
+            Factor::IndefiniteUnitary(p, q) => format!("su({p},{q})"),
+            Factor::Unitary(n) => format!("u({n})"),
+            Factor::Symplectic(n) => format!("usp({})", 2 * n),
+            Factor::SpecialLinear(n) => format!("sl({n})"),
+            Factor::Motions(n) => format!("se({n})"),
+            Factor::Torus | Factor::Circle(..) => "R^1".into(),
+            Factor::Exceptional(name) => format!("compact({name})"),
+        }
+    }
+}
+
+impl fmt::Display for Factor {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Factor::Orthogonal(n) => write!(f, "SO({n})"),
+            Factor::IndefiniteOrthogonal(p, q) => write!(f, "SO({p},{q})"),
+            Factor::SpecialUnitary(n) => write!(f, "SU({n})"),
+            Factor::IndefiniteUnitary(p, q) => write!(f, "SU({p},{q})"),
+            Factor::Unitary(n) => write!(f, "U({n})"),
+            Factor::Symplectic(n) => write!(f, "Sp({n})"),
+            Factor::SpecialLinear(n) => write!(f, "SL({n},R)"),
+            Factor::Motions(n) => write!(f, "SE({n})"),
+            Factor::Torus => write!(f, "T"),
+            Factor::Circle(k, l) => write!(f, "U(1)_{{{k},{l}}}"),
+            Factor::Exceptional(name) => write!(f, "{name}"),
+        }
+    }
+}
+
+impl fmt::Display for Name {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let joined = |factors: &[Factor]| {
+            factors.iter().map(Factor::to_string).collect::<Vec<_>>().join("x")
+        };
+        let isotropy = joined(&self.isotropy);
+        let isotropy = if self.special { format!("S({isotropy})") } else { isotropy };
+        write!(f, "{}/{isotropy}", joined(&self.group))
+    }
+}

@@ -1,0 +1,142 @@
+//! Homogeneous spaces by name: dimensions, isotropy and invariant metrics against the literature.
+
+use affinor::geometry::homogeneous::{HomogeneousSpace, is_name};
+use affinor::{Metric, ReductivePair};
+use affinor_tensors::{Down, Rational, Tensor};
+
+/// A name, the dimension of the space, whether the pair is symmetric, and the dimension of the cone of
+/// invariant metrics. The last one follows from the isotropy representation: a sum of `k` equivalent
+/// summands gives `k(k+1)/2` (real type), `k^2` (complex type) or `k(2k-1)` (quaternionic type). Isotropy
+/// representations: A. L. Besse, *Einstein Manifolds* (1987), 7.H and 9.K; M. Wang, W. Ziller, *J. Diff.
+/// Geom.* 31 (1990) 215-248.
+const SPACES: [(&str, usize, bool, usize); 50] = [
+    ("S^2", 2, true, 1),
+    ("S^3", 3, true, 1),
+    ("S^7", 7, true, 1),
+    ("H^3", 3, true, 1),
+    ("CP^2", 4, true, 1),
+    ("CP^3", 6, true, 1),
+    ("CH^2", 4, true, 1),
+    ("HP^2", 8, true, 1),
+    ("OP^2", 16, true, 1),
+    ("SO(3)/SO(2)", 2, true, 1),
+    ("SU(2)/U(1)", 2, true, 1),
+    ("SU(3)/U(2)", 4, true, 1),
+    ("SU(3)/SO(3)", 5, true, 1),
+    ("SU(4)/SO(4)", 9, true, 1),
+    ("SU(4)/Sp(2)", 5, true, 1),
+    ("SO(4)/U(2)", 2, true, 1),
+    ("SO(6)/U(3)", 6, true, 1),
+    ("SO(8)/U(4)", 12, true, 1),
+    ("Sp(2)/U(2)", 6, true, 1),
+    ("Sp(3)/U(3)", 12, true, 1),
+    ("Gr(2,R^5)", 6, true, 1),
+    // the four-dimensional representation splits under SO(2)xSO(2): a product of two spheres
+    ("Gr(2,R^4)", 4, true, 2),
+    ("Gr(2,C^4)", 8, true, 1),
+    ("Gr(1,H^2)", 4, true, 1),
+    ("SL(3,R)/SO(3)", 5, true, 1),
+    ("SL(2,R)/SO(2)", 2, true, 1),
+    ("SE(3)/SO(3)", 3, true, 1),
+    ("SO(3,1)/SO(3)", 3, true, 1),
+    ("G2/SO(4)", 8, true, 1),
+    ("F4/Sp(3)xSU(2)", 28, true, 1),
+    ("SU(2)xSU(2)/SU(2)", 3, true, 1),
+    ("SU(3)xSU(3)/SU(3)", 8, true, 1),
+    // strictly nearly Kaehler, and nearly parallel G2: irreducible, but not symmetric
+    ("S^6 = G2/SU(3)", 6, false, 1),
+    ("S^7 = Spin(7)/G2", 7, false, 1),
+    ("S^5 = SU(3)/SU(2)", 5, false, 2),
+    ("S^7 = SU(4)/SU(3)", 7, false, 2),
+    ("S^7 = Sp(2)/Sp(1)", 7, false, 7),
+    ("S^11 = Sp(3)/Sp(2)", 11, false, 7),
+    ("CP^3 = Sp(2)/Sp(1)xU(1)", 6, false, 2),
+    ("Fl(3)", 6, false, 3),
+    ("SU(3)/T^2", 6, false, 3),
+    ("SU(4)/T", 12, false, 6),
+    ("Sp(2)/T", 8, false, 4),
+    ("SO(5)/T", 8, false, 4),
+    ("V(2,R^5)", 7, false, 4),
+    ("V(2,R^4)", 5, false, 5),
+    ("SU(3)/U(1)_{1,2}", 7, false, 4),
+    ("SU(3)/U(1)_{1,1}", 7, false, 10),
+    ("SU(2)xSU(2)xSU(2)/SU(2)", 6, false, 3),
+    ("SU(4)/S(U(2)xU(1)xU(1))", 10, false, 3),
+];
+
+fn invariant_metrics(pair: &ReductivePair<Rational>) -> Vec<Tensor<Rational>> {
+    let forms = pair.invariant_tensors(&[Down, Down]).unwrap();
+    let symmetric =
+        |form: &Tensor<Rational>| form.components().all(|(at, x)| form.get(&[at[1], at[0]]) == *x);
+    // symmetric and antisymmetric forms are separate invariants
+    let sum = |form: &Tensor<Rational>| {
+        let n = form.dimension();
+        Tensor::from_fn(n, [Down, Down], |[i, j]| form.get(&[i, j]) + &form.get(&[j, i])).unwrap()
+    };
+    let mut found: Vec<Tensor<Rational>> = vec![];
+    let mut span = affinor_tensors::linear::Echelon::new();
+    for form in forms.iter().map(|form| if symmetric(form) { form.clone() } else { sum(form) }) {
+        let n = form.dimension();
+        let row = form.components().map(|(at, x)| (at[0] * n + at[1], x.clone()));
+        if span.insert(row).unwrap() {
+            found.push(form);
+        }
+    }
+    found
+}
+
+#[test]
+fn dimensions_isotropy_and_invariant_metrics() {
+    for (name, dimension, symmetric, metrics) in SPACES {
+        let space = HomogeneousSpace::find(name).unwrap_or_else(|error| panic!("{name}: {error}"));
+        let pair = space.pair();
+        assert_eq!((pair.dimension(), pair.is_symmetric()), (dimension, symmetric), "{name}");
+        if dimension <= 12 {
+            assert_eq!(invariant_metrics(pair).len(), metrics, "{name}: {}", space.embedding());
+        }
+    }
+}
+
+/// Irreducible isotropy makes the metric Einstein; spheres and projective spaces have their curvatures.
+#[test]
+fn irreducible_spaces_are_einstein() {
+    for (name, _, _, metrics) in SPACES.into_iter().filter(|space| space.1 <= 8) {
+        if metrics > 1 {
+            continue;
+        }
+        let space = HomogeneousSpace::find(name).unwrap();
+        let form = invariant_metrics(space.pair()).remove(0);
+        let metric = Metric::new(space.pair().frame().labels(), form).unwrap();
+        let connection = space.pair().levi_civita(&metric).unwrap();
+        assert!(connection.einstein_constant(&metric).unwrap().holds().is_some(), "{name}");
+        let constant = connection.constant_curvature(&metric).unwrap().holds().is_some();
+        let sphere = name.starts_with(['S', 'H']) && name[1..].starts_with('^')
+            || space.pair().dimension() <= 3
+            || ["SU(4)/Sp(2)", "Gr(1,H^2)"].contains(&name);
+        assert_eq!(constant, sphere, "{name}");
+    }
+}
+
+#[test]
+fn names_that_are_refused() {
+    for name in [
+        "SU(3)",
+        "SU(3)/SU(4)",
+        "SU(3)/",
+        "/U(1)",
+        "S^0",
+        "Gr(4,C^4)",
+        "SO(5)/E8",
+        "x/y",
+        "SU(99)/T",
+        "",
+    ] {
+        assert!(HomogeneousSpace::find(name).is_err(), "{name}");
+    }
+    assert!(
+        is_name("SU(3)/U(2)")
+            && is_name(" S^7 = Sp(2) / Sp(1)")
+            && !is_name("so3")
+            && !is_name("a/b.toml")
+    );
+}
