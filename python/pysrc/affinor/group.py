@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from affinor._engine import Group, groups
+from affinor._optional import optional
 from affinor._scalars import floats, index
 from affinor._spline import Spline
 from affinor.errors import MathematicsError, ShapeError
@@ -271,9 +272,8 @@ class RotationGroup(Group):
         >>> SO3.to_scipy([0, 0, 0, 1]).magnitude().round(6).item()
         3.141593
         """
-        from scipy.spatial.transform import Rotation
-
-        return Rotation.from_quat(self.to_quaternion(g, scalar_first=False))
+        rotations = optional("scipy.spatial.transform", "scipy")
+        return rotations.Rotation.from_quat(self.to_quaternion(g, scalar_first=False))
 
 
 class RigidMotionGroup(Group):
