@@ -15,8 +15,13 @@ fn main() -> Result<(), Box<dyn Error>> {
     fs::create_dir_all(&pages)?;
     fs::create_dir_all(&completions)?;
     clap_mangen::generate_to(affinor_cli::command(), &pages)?;
+    for page in fs::read_dir(&pages)? {
+        let page = page?.path();
+        // the text after the options of each command is its examples
+        fs::write(&page, fs::read_to_string(&page)?.replace(".SH EXTRA", ".SH EXAMPLES"))?;
+    }
     for shell in [Shell::Bash, Shell::Elvish, Shell::Fish, Shell::PowerShell, Shell::Zsh] {
-        generate_to(shell, &mut affinor_cli::command(), "affinor", &completions)?;
+        generate_to(shell, &mut affinor_cli::suggesting(), "affinor", &completions)?;
     }
     Ok(())
 }

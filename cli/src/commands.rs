@@ -105,6 +105,11 @@ pub fn command() -> clap::Command {
     examples::with_examples(Cli::command())
 }
 
+/// The commands, whose arguments suggest names.
+pub fn suggesting() -> clap::Command {
+    completions::suggesting(command())
+}
+
 /// Parses the arguments, runs the command and reports its failure. Returns the exit status.
 pub fn main(arguments: &[OsString]) -> u8 {
     let parsed = arguments::parse(command, arguments)

@@ -4,9 +4,14 @@ mod commands;
 
 use std::ffi::OsString;
 
-/// The commands with their options, for manual pages and completions.
+/// The commands with their options, for manual pages.
 pub fn command() -> clap::Command {
     commands::command()
+}
+
+/// The same commands, whose arguments suggest names of algebras, tensors and methods, for completions.
+pub fn suggesting() -> clap::Command {
+    commands::suggesting()
 }
 
 /// Runs the command line once in a process and returns the exit status. The first argument is the name of the program.

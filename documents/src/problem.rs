@@ -123,6 +123,15 @@ impl Problem {
     /// # Errors
     /// An error with its location, for a file that cannot be read, parsed or understood.
     pub fn read(path: &str) -> Result<Self, InputError> {
+        let ending = Path::new(path).extension().and_then(|ending| ending.to_str());
+        if let Some(ending @ ("csv" | "parquet" | "arrow")) = ending {
+            let shown = path.escape_debug();
+            let message = format!("{shown} contains rows, not a problem");
+            let help = format!("name the problem, a TOML file, and the rows as --rows {shown}");
+            let help =
+                if ending == "arrow" { "name the problem, a TOML file".into() } else { help };
+            return Err(InputError::usage(message).help(help));
+        }
         Self::of_source(&file::read(path)?, Path::new(path).parent().unwrap_or(Path::new("")))
     }
 

@@ -293,6 +293,17 @@ impl Format {
         }
     }
 
+    /// The format of files with this ending, such as `tex` or `md`, in any case.
+    pub fn from_ending(ending: &str) -> Option<Self> {
+        Some(match ending.to_ascii_lowercase().as_str() {
+            "txt" => Format::Text,
+            "md" => Format::Markdown,
+            "tex" => Format::Latex,
+            "htm" => Format::Html,
+            ending => return Self::from_name(ending),
+        })
+    }
+
     /// The format with this name.
     pub fn from_name(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|format| format.name() == name)

@@ -28,7 +28,7 @@ impl Arguments {
 }
 
 /// The command, whose arguments suggest the names that they accept among other texts.
-fn suggesting(command: Command) -> Command {
+pub fn suggesting(command: Command) -> Command {
     let suggested = |argument: Arg| match names(argument.get_id().as_str()) {
         names if names.is_empty() => argument,
         names => argument.value_parser(PossibleValuesParser::new(names)),

@@ -97,9 +97,10 @@ pub struct Shared {
 /// The format and file of a table, and the colours of messages.
 #[derive(Args)]
 pub struct Output {
-    /// The format: text, markdown, latex, html, csv or json
-    #[arg(long, default_value = "text", value_parser = format)]
-    pub format: OutputFormat,
+    /// The format: text, markdown, latex, html, csv or json [default: by the ending of the output
+    /// file, otherwise text]
+    #[arg(long, value_parser = format)]
+    format: Option<OutputFormat>,
     /// Write to this file, which is unchanged if the run fails
     #[arg(short = 'o', long = "output", value_name = "FILE")]
     pub file: Option<PathBuf>,
@@ -197,6 +198,13 @@ impl ProblemOptions {
 }
 
 impl Output {
+    /// The format of `--format`, otherwise that of the ending of the output file, otherwise text.
+    pub fn format(&self) -> OutputFormat {
+        let ending = self.file.as_ref().and_then(|file| file.extension()?.to_str());
+        let named = ending.and_then(Format::from_ending).unwrap_or(Format::Text);
+        self.format.unwrap_or(OutputFormat::Report(named))
+    }
+
     /// Writes a report; `inputs` are files that must not be overwritten.
     pub fn print(&self, inputs: &[PathBuf], report: &dyn Report) -> Result<(), Failure> {
         self.print_with(inputs, |format, out| report.write(format, out))
@@ -208,7 +216,7 @@ impl Output {
         inputs: &[PathBuf],
         write: impl FnOnce(Format, &mut dyn Write) -> io::Result<()>,
     ) -> Result<(), Failure> {
-        match self.format {
+        match self.format() {
             OutputFormat::Report(format) => {
                 deliver(self.file.as_deref(), inputs, |out| write(format, out))
             }

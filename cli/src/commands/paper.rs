@@ -12,9 +12,9 @@ use std::path::PathBuf;
 
 #[derive(Args)]
 pub struct Arguments {
-    /// The format of the document
-    #[arg(long, value_enum, default_value_t = Format::Html)]
-    format: Format,
+    /// The format of the document [default: by the ending of the output file, otherwise html]
+    #[arg(long, value_enum)]
+    format: Option<Format>,
     /// Write to this file instead of standard output
     #[arg(short = 'o', long = "output", value_name = "FILE")]
     file: Option<PathBuf>,
@@ -35,7 +35,13 @@ enum Format {
 impl Arguments {
     pub fn run(&self) -> Result<(), Failure> {
         let paper = Paper::read()?;
-        let (format, figures) = match self.format {
+        let ending = self.file.as_ref().and_then(|file| file.extension()?.to_str());
+        let format = self.format.unwrap_or(match ending {
+            Some("md") => Format::Markdown,
+            Some("tex") => Format::Latex,
+            _ => Format::Html,
+        });
+        let (format, figures) = match format {
             Format::Html => (PaperFormat::Html, figures()?),
             Format::Markdown => (PaperFormat::Markdown, vec![]),
             Format::Latex => (PaperFormat::Latex, vec![]),

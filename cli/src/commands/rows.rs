@@ -14,9 +14,9 @@ use std::path::PathBuf;
 /// The format and file of rows, and the colours of messages.
 #[derive(Args)]
 pub struct RowOutput {
-    /// The format of the rows
-    #[arg(long, value_enum, default_value_t = RowFormat::Text)]
-    format: RowFormat,
+    /// The format of the rows [default: by the ending of the output file, otherwise text]
+    #[arg(long, value_enum)]
+    format: Option<RowFormat>,
     /// Write to this file, which is unchanged if the run fails
     #[arg(short = 'o', long = "output", value_name = "FILE")]
     file: Option<PathBuf>,
@@ -38,6 +38,18 @@ enum RowFormat {
     Text,
     Csv,
     Json,
+}
+
+impl RowOutput {
+    /// The format of `--format`, otherwise that of the ending of the output file, otherwise text.
+    fn format(&self) -> RowFormat {
+        let ending = self.file.as_ref().and_then(|file| file.extension()?.to_str());
+        self.format.unwrap_or(match ending.map(str::to_ascii_lowercase).as_deref() {
+            Some("csv") => RowFormat::Csv,
+            Some("json" | "jsonl") => RowFormat::Json,
+            _ => RowFormat::Text,
+        })
+    }
 }
 
 /// A vector as a matrix with one row.
@@ -103,12 +115,12 @@ pub fn write_rows(
     head: &str,
     rows: impl FnOnce(&mut dyn FnMut(DMatrix<f64>) -> Result<(), Failure>) -> Result<(), Failure>,
 ) -> Result<(), Failure> {
-    let write: fn(&mut dyn Write, &DMatrix<f64>) -> io::Result<()> = match output.format {
+    let write: fn(&mut dyn Write, &DMatrix<f64>) -> io::Result<()> = match output.format() {
         RowFormat::Text => text,
         RowFormat::Csv => csv,
         RowFormat::Json => json,
     };
-    let (mut refused, mut first) = (None, output.format == RowFormat::Csv);
+    let (mut refused, mut first) = (None, output.format() == RowFormat::Csv);
     let done = deliver(output.file.as_deref(), &[], |out| {
         let mut each = |values: DMatrix<f64>| {
             finite(&values)?;

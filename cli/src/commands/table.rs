@@ -73,7 +73,7 @@ impl Arguments {
         let named_indices = self.labels == Labels::Names;
         let selection = Selection { common_factors: self.common_factors, named_indices, ..chosen };
         let numbered = [Format::Csv, Format::Json].map(OutputFormat::Report);
-        if named_indices && numbered.contains(&self.shared.output.format) {
+        if named_indices && numbered.contains(&self.shared.output.format()) {
             let error = InputError::usage(
                 "names of basis vectors are not possible in CSV and JSON, which number the indices",
             );
@@ -81,11 +81,11 @@ impl Arguments {
                 .help("leave --labels names out, or write text, markdown, latex or html")
                 .into());
         }
-        if self.common_factors && self.shared.output.format == OutputFormat::Report(Format::Csv) {
+        if self.common_factors && self.shared.output.format() == OutputFormat::Report(Format::Csv) {
             let error = InputError::usage("names for common factors are not possible in CSV");
             return Err(error.help("--format json has").into());
         }
-        if let OutputFormat::Program(program) = self.shared.output.format
+        if let OutputFormat::Program(program) = self.shared.output.format()
             && selection.quantities == [Quantity::Structure]
         {
             let code = stages.bound(|| computation.structure(program))??;
@@ -149,7 +149,9 @@ impl Choice {
 
 fn tensors_to_show() -> String {
     let [basic, derived] = Quantity::names();
-    format!("Tensors to show or to compare, separated by commas: {basic} (together: all); {derived} (together: derived)")
+    format!(
+        "Tensors to show or to compare, separated by commas: {basic} (together: all); {derived} (together: derived)"
+    )
 }
 
 fn quantities(text: &str) -> Result<Quantities, String> {

@@ -53,7 +53,10 @@ fn csv() {
         ("ricci,1,1,,,\"1\nricci,2,2,,,1\n", &["a.csv", "a quote `\"` is not closed"]),
         ("ricci,1,1\n", &["a.csv", "3"]),
         ("bach,1,1,,,1\n", &["a.csv", "row 2: `bach` is not a tensor"]),
-        ("ricci,1,1,,,1\nricci,x,1,,,1\n", &["a.csv", "row 3: an index is not a whole number from 1"]),
+        (
+            "ricci,1,1,,,1\nricci,x,1,,,1\n",
+            &["a.csv", "row 3: an index is not a whole number from 1"],
+        ),
         ("ricci,0,1,,,1\n", &["a.csv", "row 2: an index is not a whole number from 1"]),
         ("ricci,1,1,,,\n", &["a.csv", "ricci: ``"]),
         ("ricci,1,1,,,1/0\n", &["a.csv", "`1/0`: division by zero"]),

@@ -48,10 +48,17 @@ pub(crate) struct Row(pub [i64; 3], pub Cell);
 /// A block of statements: one string with one statement per line, or an array of such strings.
 pub(crate) struct Block(pub Vec<Text>);
 
-/// A metric as text, or its rows. A table may contain either as its `components`.
+/// A metric as text, its rows, or its diagonal. A table may contain any of them as its `components`.
 pub(crate) enum MetricText {
     Word(Text),
     Rows(Vec<Vec<Cell>>),
+    Diagonal(Vec<Cell>),
+}
+
+/// An item of the list of a metric: a row, or an entry of the diagonal.
+enum MetricItem {
+    Row(Vec<Cell>),
+    Entry(Cell),
 }
 
 /// A connection by name, or a table with its `kind` or its `affinities`.
@@ -264,15 +271,39 @@ impl Form for Block {
     }
 }
 
+impl Form for MetricItem {
+    const EXPECTED: &'static str = "a row of the metric, or an integer or an expression in quotes";
+
+    fn scalar(kind: Kind, text: Text) -> Option<Self> {
+        Cell::scalar(kind, text).map(MetricItem::Entry)
+    }
+
+    fn list<'de, A: SeqAccess<'de>>(items: A) -> Result<Self, A::Error> {
+        all(items).map(MetricItem::Row)
+    }
+}
+
 impl Form for MetricText {
-    const EXPECTED: &'static str = "identity, killing, diag(...), or an array of rows";
+    const EXPECTED: &'static str =
+        "identity, killing, diag(...), an array of rows, or the list of a diagonal";
 
     fn scalar(kind: Kind, text: Text) -> Option<Self> {
         (kind == Kind::Text).then_some(MetricText::Word(text))
     }
 
     fn list<'de, A: SeqAccess<'de>>(items: A) -> Result<Self, A::Error> {
-        all(items).map(MetricText::Rows)
+        let (mut rows, mut entries) = (vec![], vec![]);
+        for item in all::<MetricItem, A>(items)? {
+            match item {
+                MetricItem::Row(row) => rows.push(row),
+                MetricItem::Entry(entry) => entries.push(entry),
+            }
+        }
+        match (rows.is_empty(), entries.is_empty()) {
+            (_, true) => Ok(MetricText::Rows(rows)),
+            (true, false) => Ok(MetricText::Diagonal(entries)),
+            (false, false) => Err(de::Error::custom("the metric has rows and single entries")),
+        }
     }
 
     fn table<'de, A: MapAccess<'de>>(items: A) -> Result<Self, A::Error> {
@@ -435,6 +466,7 @@ deserialize!(
     Cell,
     Row,
     Block,
+    MetricItem,
     MetricText,
     ActionText,
     ConnectionText,

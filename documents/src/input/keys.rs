@@ -88,7 +88,10 @@ fn syntax(message: &str) -> InputError {
     let message = message
         .replace("unknown field", "unknown key")
         .replace("duplicate field", "duplicate key")
-        .replace("expected i64", "expected an integer");
+        .replace("expected i64", "expected an integer")
+        .replace("type: map", "type: table")
+        .replace("expected a sequence", "expected a list [..]")
+        .replace("expected a map", "expected a table {..}");
     match message.split_once(", expected one of ") {
         Some((what, keys)) => {
             let keys = keys.replace('`', "");
@@ -97,6 +100,10 @@ fn syntax(message: &str) -> InputError {
             // a longer word is not a misspelled key
             let nearest = keys.split(", ").filter(|key| unknown.len() < 32 && distance(key) < 3);
             let help = match nearest.min_by_key(distance) {
+                // the keys of a space, which are not those of a problem of mechanics
+                _ if unknown == "space" && keys.contains("brackets") => {
+                    "this is a problem of mechanics: use `affinor simulate`".into()
+                }
                 Some(key) => format!("did you mean `{key}`?"),
                 None => format!("the keys are {keys}"),
             };

@@ -133,8 +133,15 @@ impl Quantity {
                 (_, Some(quantity)) => chosen.push(quantity),
                 (_, None) => {
                     let [basic, derived] = Self::names();
-                    let key = key.escape_debug();
-                    return Err(format!("`{key}` is not one of {basic}, {derived}, all, derived"));
+                    let lower = key.to_lowercase();
+                    let distance = |known: &&str| strsim::damerau_levenshtein(known, &lower);
+                    let nearest = Self::ALL.iter().map(|quantity| quantity.key());
+                    let nearest = nearest.filter(|known| lower.len() < 32 && distance(known) < 3);
+                    let shown = key.escape_debug();
+                    return Err(match nearest.min_by_key(distance) {
+                        Some(known) => format!("`{shown}` is not a tensor; did you mean {known}?"),
+                        None => format!("`{shown}` is not one of {basic}, {derived}, all, derived"),
+                    });
                 }
             }
         }

@@ -420,6 +420,22 @@ impl MetricText {
                 };
                 metric_rows(rows, dimension, entry, source.key("metric"))
             }
+            MetricText::Diagonal(entries) => {
+                let place = source.key("metric");
+                if entries.len() != dimension {
+                    let found = entries.len();
+                    let message = format!(
+                        "the diagonal of the metric has {found} entries, but the dimension is {dimension}"
+                    );
+                    return Err(InputError::usage(message).at(&place));
+                }
+                let values = entries.iter().enumerate().map(|(i, Cell(text))| {
+                    let source = source.excerpt(text);
+                    Ok(([i, i], names.scalar(source.content(), &source)?))
+                });
+                let values = values.collect::<Result<_, InputError>>()?;
+                Ok(MetricChoice::Components(values, Some(place)))
+            }
         }
     }
 }
