@@ -29,13 +29,13 @@ pub fn main() -> Result<(), Box<dyn Error>> {
     println!("Ric_11 = {}", ricci.get(&[0, 0]));
     println!("S      = {}", connection.scalar_curvature(&metric)?);
 
-    // Milnor's Ric(u1, u1) = 2 mu_2 mu_3 for the unit vector u1, here Ric_11 = a Ric(u1, u1)
+    // Milnor: Ric(u1, u1) = 2 mu_2 mu_3 for the unit vector u1, so Ric_11 = a Ric(u1, u1)
     let [a, b, c] = moments;
     let difference = b.clone() - &c;
     let numerator = a.clone() * &a - &(difference.clone() * &difference);
     assert_eq!(ricci.get(&[0, 0]), numerator / &(b * &c * &Symbolic::from_i64(2)));
 
-    // a ball: the sphere of radius 2, with Ric = 1/2 delta
+    // equal moments, as of a ball, give the sphere of radius 2, with Ric = 1/2 delta
     let ball = metric.components().map(|_| Symbolic::from_i64(1));
     let ball = Metric::new(so3.labels(), ball)?;
     let round = Connection::levi_civita(so3.left_frame(), &ball)?;

@@ -1,7 +1,7 @@
 //! How do I use a bracket table from GAP or another program on the command line?
 //!
-//! This program makes a definition file from lines `i j k v`, which mean `[e_i, e_j] = ... + v e_k`.
-//! It prints the definition, or writes it to the file that is its argument:
+//! This program converts lines `i j k v`, which mean `[e_i, e_j] = ... + v e_k`, to a definition
+//! file. It prints the definition, or writes it to the file that the argument names:
 //!
 //! ```text
 //! cargo run --example 05_definition_from_gap -- E8.toml
@@ -11,7 +11,8 @@
 use std::error::Error;
 use std::fmt::Write;
 
-/// GAP's table of E8: 248 basis vectors, one line for each constant with `i < j`.
+/// The table of E8 from GAP: 248 basis vectors, and one line for each structure constant with `i <
+/// j`.
 pub const E8: &str = include_str!("data/E8.txt");
 
 /// Converts the table of E8.
@@ -24,7 +25,7 @@ pub fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// The definition file of a table; `#` begins a comment.
+/// Converts a table to a definition file. In the table, `#` begins a comment.
 pub fn definition(name: &str, dimension: usize, table: &str) -> Result<String, Box<dyn Error>> {
     let mut text = String::new();
     writeln!(text, "name = {name:?}")?;

@@ -1,7 +1,7 @@
 //! Which Lie algebra do my matrices span?
 //!
-//! Commutators give the structure constants. Matrices may be complex; independence and closure are over
-//! the reals. If the span is not closed, the error names a commutator that leaves it.
+//! Commutators give the structure constants. Matrices may be complex, but their span is over the
+//! real numbers. If the span is not closed, the error names a commutator outside it.
 
 use affinor::algebra::{Complex, LieAlgebra, MatrixBasis};
 use affinor::tensors::{Rational, Ring, Tolerance};
@@ -9,7 +9,7 @@ use std::error::Error;
 
 type Entries = Vec<(usize, usize, Complex<Rational>)>;
 
-/// sl(2,R), su(2), and two matrices whose span is not closed.
+/// Finds sl(2,R) and su(2), and tries two matrices whose span is not closed.
 pub fn main() -> Result<(), Box<dyn Error>> {
     let e = vec![real(0, 1, 1)];
     let f = vec![real(1, 0, 1)];
@@ -34,7 +34,7 @@ pub fn main() -> Result<(), Box<dyn Error>> {
     println!("su(2): [u1, u2] = {} u3", algebra.structure_constants().get(&[2, 0, 1]));
     assert!(algebra.structure_constants().get(&[2, 0, 1]) == Rational::from_i64(1));
 
-    // without h, the commutator [e, f] has nowhere to go
+    // without h, the span does not contain the commutator [e, f]
     let open = basis(["e", "f"], vec![e, f])?;
     let witness = open.bracket().expect_err("e and f do not close");
     println!("{witness}");
@@ -42,12 +42,12 @@ pub fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// An entry of a real matrix: row, column, value.
+/// An entry of a real matrix: the row, the column and the value.
 fn real(i: usize, j: usize, value: i64) -> (usize, usize, Complex<Rational>) {
     (i, j, Complex::real(Rational::from(value)))
 }
 
-/// 2 x 2 matrices as a basis.
+/// The algebra that 2 x 2 matrices span.
 fn basis<const N: usize>(
     labels: [&str; N],
     matrices: Vec<Entries>,

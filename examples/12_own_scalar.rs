@@ -1,7 +1,8 @@
-//! How do I compute over a scalar of my own?
+//! How do I compute over a user-defined scalar type?
 //!
-//! Implement [`Ring`] and [`Field`], and name the accumulator of its sums ([`Summable`]). Here the scalars are the integers modulo a
-//! prime. The question: over which of them is the Killing form of sl(2) a metric?
+//! Implement [`Ring`] and [`Field`], and name the accumulator of sums ([`Summable`]). In this
+//! example, the scalars are the integers modulo a prime. The program finds the primes modulo which
+//! the Killing form of sl(2) is a metric.
 
 use affinor::tensors::scalar::{ExactSum, laws};
 use affinor::tensors::{Field, Ring, Scalar, Summable, Tolerance};
@@ -10,7 +11,7 @@ use num_traits::{One, Zero};
 use std::fmt;
 use std::ops::{Add, Mul, Neg, Sub};
 
-/// An integer modulo a prime `P`, between 0 and `P - 1`.
+/// An integer modulo a prime `P`, stored as a number from 0 to `P - 1`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Modulo<const P: i64>(i64);
 
@@ -20,7 +21,7 @@ impl<const P: i64> fmt::Display for Modulo<P> {
     }
 }
 
-/// The operators, by value and by reference.
+/// Implements the operators, by value and by reference.
 macro_rules! operators {
     ($($operator:ident $method:ident),*) => {$(
         impl<const P: i64> $operator for Modulo<P> {
@@ -85,7 +86,7 @@ impl<const P: i64> Field for Modulo<P> {
     }
 }
 
-/// sl(2): `[h, e] = 2 e`, `[h, f] = -2 f`, `[e, f] = h`.
+/// The algebra sl(2): `[h, e] = 2 e`, `[h, f] = -2 f`, `[e, f] = h`.
 fn sl2<S: Scalar>() -> Result<LieAlgebra<S>, Error> {
     LieAlgebra::try_from(Bracket::from_fn(&["e", "f", "h"], |j, k| match (j, k) {
         (0, 1) => vec![(2, S::one())],
@@ -94,25 +95,25 @@ fn sl2<S: Scalar>() -> Result<LieAlgebra<S>, Error> {
     })?)
 }
 
-/// The scalar curvature of the Killing form as a metric.
+/// The scalar curvature of the group whose metric is the Killing form.
 fn curvature<const P: i64>() -> Result<Modulo<P>, Error> {
     let algebra = sl2::<Modulo<P>>()?;
     let killing = Metric::new(algebra.labels(), algebra.killing_form())?;
     Connection::levi_civita(algebra.left_frame(), &killing)?.scalar_curvature(&killing)
 }
 
-/// Three primes.
+/// Computes the scalar curvature modulo three primes.
 pub fn main() -> Result<(), Box<dyn std::error::Error>> {
-    // the laws test an implementation
+    // the laws of a field test the implementation
     let [a, b, c] = [3, 5, 0].map(Modulo::<7>);
     laws::field(&a, &b, &c, Tolerance::default())?;
 
-    // K = 4 (e f + f e) + 8 h h is zero modulo 2
+    // modulo 2, the Killing form K = 4 (e f + f e) + 8 h h is zero
     let refused = curvature::<2>().expect_err("the Killing form is zero");
     println!("modulo 2: {refused}");
     assert!(matches!(refused, Error::Degenerate { .. }));
 
-    // the Ricci tensor is -K/4, so S = -3/4: modulo 5 that is 3, modulo 7 it is 1
+    // the Ricci tensor is -K/4, so S = -3/4, which is 3 modulo 5 and 1 modulo 7
     println!("modulo 5: S = {}, modulo 7: S = {}", curvature::<5>()?, curvature::<7>()?);
     assert_eq!(curvature::<5>()? * Modulo(4), Modulo::from_i64(-3));
     assert_eq!(curvature::<7>()? * Modulo(4), Modulo::from_i64(-3));

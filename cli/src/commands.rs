@@ -39,14 +39,14 @@ use watch::{LimitOptions, Watch};
 
 /// Differential geometry of Lie groups, from a table of brackets.
 ///
-/// A SPACE is a geometry of Paraskevopoulos and Natsiavas (M3, SO3), a name of the catalogue (so3, "so(3,1)", E8,
-/// "so3+R^3"), a file (x.toml, x.json, a table such as x.csv, or - for standard input), or brackets
-/// "[x,y]=z, [y,z]=x"; it is left out where --basis and --bracket define it. It may carry its
-/// connection and metric: "so3@levi-civita;metric=diag(1,2,3)".
+/// A SPACE is a geometry of Paraskevopoulos and Natsiavas (M3, SO3), a name of the catalogue (so3,
+/// "so(3,1)", E8, "so3+R^3"), a file (x.toml, x.json, a table such as x.csv, or - for standard
+/// input), or brackets "[x,y]=z, [y,z]=x". Leave it out if --basis and --bracket define the space.
+/// Its connection and metric may follow the name: "so3@levi-civita;metric=diag(1,2,3)".
 ///
 /// Exit status: 0 success; 1 valid input without a mathematical answer, such as brackets that
-/// violate the Jacobi identity, or an exceeded limit; 2 wrong usage or unreadable input; 130, 143
-/// stopped by a signal.
+/// violate the Jacobi identity, or an exceeded limit; 2 wrong usage or unreadable input; 130 or 143
+/// a signal ended the command.
 #[derive(Parser)]
 #[command(name = "affinor", version, max_term_width = 80)]
 struct Cli {
@@ -58,29 +58,29 @@ struct Cli {
 
 #[derive(Subcommand)]
 enum Command {
-    /// Compare two spaces; by default M(3) and SO(3), the geometries of Paraskevopoulos and Natsiavas
+    /// Compare two spaces; by default M(3) and SO(3) of Paraskevopoulos and Natsiavas (2013)
     Compare(compare::Arguments),
     /// Print the tensors of a space
     Table(table::Arguments),
     /// Check antisymmetry, Jacobi, metric and Bianchi identities
     Check(check::Arguments),
-    /// Compare a space with stored tables (JSON or CSV)
+    /// Compare the tensors of a space with stored tables (JSON or CSV)
     Verify(verify::Arguments),
     /// Test claims about a space, such as "torsion = 0" or "Ric_11 = (a - b)/2"
     Claims(claims::Arguments),
     /// Print the structure of a Lie algebra: series, radicals, types, ideals
     Info(info::Arguments),
-    /// Print the properties of a connection and a metric, each with its constant or a counterexample
+    /// Print the properties of a connection and a metric, with constants or counterexamples
     Properties(properties::Arguments),
     /// Print the equations of motion of a space
     Equations(equations::Arguments),
     /// Map coordinates x to the group element exp(x)
     Exp(on_group::Arguments),
-    /// Map a group element, a matrix given row by row, to its coordinates
+    /// Map a group element, given as a matrix row by row, to its coordinates
     Log(on_group::LogArguments),
-    /// Compute the coordinates of exp(x) exp(y); a row is x, then y
+    /// Compute the coordinates of exp(x) exp(y); each input row is x followed by y
     Compose(on_group::Arguments),
-    /// Print the matrix of Ad at exp(x)
+    /// Print the matrix of Ad at the element exp(x)
     Adjoint(on_group::Arguments),
     /// Parallel-transport vectors along arcs of a group
     Transport(transport::Arguments),
@@ -88,7 +88,7 @@ enum Command {
     Convert(convert::Arguments),
     /// Integrate a problem of mechanics, or an ensemble of problems
     Simulate(simulate::Arguments),
-    /// Draw the figures of Paraskevopoulos and Natsiavas (2013), and trajectories
+    /// Draw trajectories, and the figures of Paraskevopoulos and Natsiavas (2013)
     Plot(plot::Arguments),
     /// Recompute the paper of Paraskevopoulos and Natsiavas (2013), equation by equation
     Paper(paper::Arguments),
@@ -122,7 +122,7 @@ pub fn main(arguments: &[OsString]) -> u8 {
     let watch = Watch::begin(&cli.limits, color);
     let outcome = watch.and_then(|watch| {
         let outcome = watch.run(|| run(cli.command, &watch));
-        // locked until the process ends
+        // holds the lock until the process ends, so that the monitor reports nothing more
         std::mem::forget(watch.last_word());
         outcome
     });

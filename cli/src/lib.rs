@@ -14,9 +14,11 @@ pub fn suggesting() -> clap::Command {
     commands::suggesting()
 }
 
-/// Runs the command line once in a process and returns the exit status. The first argument is the name of the program.
+/// Runs the command line, once per process, and returns the exit status. The first argument is the
+/// name of the program.
 ///
-/// It listens to signals, and a command that passes a limit or gets a signal ends the process.
+/// The command line handles signals. A command that exceeds a limit or receives a signal ends the
+/// process.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     let arguments: Vec<OsString> = arguments.into_iter().collect();
     commands::main(&arguments)

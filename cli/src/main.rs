@@ -1,6 +1,6 @@
 //! The program affinor.
 
-/// With this allocator, tables of millions of symbolic values take a fifth less time than with the
+/// The allocator mimalloc: it makes tables of millions of symbolic values a fifth faster than the
 /// allocator of the C library.
 #[cfg(feature = "mimalloc")]
 #[global_allocator]

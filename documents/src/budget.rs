@@ -5,9 +5,10 @@ use affinor_tensors::stop::StopReason;
 use std::fs;
 use std::time::{Duration, Instant};
 
-/// Limits on the time and on the memory, measured from the creation of the value.
+/// Limits on the time and on the memory of a computation. The time is measured from the creation of
+/// the value.
 ///
-/// The memory is the resident size of the whole process, which only Linux reports.
+/// The memory is the resident memory of the whole process, which only Linux reports.
 #[derive(Clone, Copy, Debug)]
 pub struct Budget {
     begin: Instant,
@@ -16,11 +17,11 @@ pub struct Budget {
 }
 
 impl Budget {
-    /// Sets limits on the time (seconds) and the memory (bytes), starting now.
+    /// Sets limits on the time (in seconds) and on the memory (in bytes). The time starts now.
     ///
     /// # Errors
-    /// A message for a number of seconds that is negative or not finite, and for a memory limit if
-    /// the system does not report the size of a process.
+    /// An error for a number of seconds that is negative or not finite. An error for a limit on the
+    /// memory if the system does not report the memory of a process.
     pub fn new(timeout: Option<f64>, memory: Option<u64>) -> Result<Self, InputError> {
         let timeout = timeout.map(|seconds| {
             Duration::try_from_secs_f64(seconds).map_err(|_| {
@@ -35,7 +36,7 @@ impl Budget {
         Ok(Budget { begin: Instant::now(), timeout: timeout.transpose()?, memory })
     }
 
-    /// The limit that is exceeded now; `None` if none is.
+    /// The limit that is exceeded now; `None` if no limit is exceeded.
     pub fn exceeded(&self) -> Option<StopReason> {
         let late = self.timeout.is_some_and(|timeout| self.begin.elapsed() >= timeout);
         let large = |most| resident_memory().is_some_and(|size| size >= most);
@@ -50,8 +51,8 @@ impl Budget {
         Some(self.timeout?.saturating_sub(self.begin.elapsed()))
     }
 
-    /// The message for a limit that was exceeded during a stage; a stage without a name is not
-    /// mentioned.
+    /// The message for a limit that was exceeded during a stage. An empty name of the stage is left
+    /// out.
     pub fn message(&self, reason: StopReason, stage: &str) -> String {
         let limit = match reason {
             StopReason::Interrupted => "interrupted".to_string(),
@@ -71,7 +72,7 @@ impl Budget {
     }
 }
 
-/// The resident size of this process in bytes; `None` if the system does not report it.
+/// The resident memory of this process in bytes; `None` if the system does not report it.
 fn resident_memory() -> Option<u64> {
     let status = fs::read_to_string("/proc/self/status").ok()?;
     let line = status.lines().find_map(|line| line.strip_prefix("VmRSS:"))?;
@@ -80,7 +81,7 @@ fn resident_memory() -> Option<u64> {
 
 const UNITS: [(&str, u64); 3] = [("G", 1 << 30), ("M", 1 << 20), ("K", 1 << 10)];
 
-/// Reads a size of memory in bytes, or in units of 1024 bytes and their powers: `500M`, `1.5 GB`, `2GiB`.
+/// Parses a size of memory in bytes, or in units of powers of 1024 bytes: `500M`, `1.5 GB`, `2GiB`.
 ///
 /// ```
 /// use affinor_documents::budget::size;
@@ -90,7 +91,7 @@ const UNITS: [(&str, u64); 3] = [("G", 1 << 30), ("M", 1 << 20), ("K", 1 << 10)]
 /// ```
 ///
 /// # Errors
-/// A message.
+/// A message that explains the form of a size.
 pub fn size(text: &str) -> Result<u64, String> {
     let upper = text.trim().to_ascii_uppercase();
     let number = upper.strip_suffix("IB").or(upper.strip_suffix('B')).unwrap_or(&upper);
@@ -101,10 +102,10 @@ pub fn size(text: &str) -> Result<u64, String> {
     bytes.map(|bytes| bytes as u64).ok_or_else(|| "write a size such as 800M or 2G".into())
 }
 
-/// The seconds of a text such as `30`, `0.5s`, `5m` or `2h`.
+/// Parses a time such as `30`, `0.5s`, `5m` or `2h`. Returns the seconds.
 ///
 /// # Errors
-/// What to write, for any other text.
+/// A message that explains the form of a time.
 pub fn seconds(text: &str) -> Result<f64, String> {
     let text = text.trim();
     let unit = [("min", 60.0), ("m", 60.0), ("h", 3600.0), ("s", 1.0)];
@@ -114,7 +115,7 @@ pub fn seconds(text: &str) -> Result<f64, String> {
     number.map_err(|_| "write a time such as 30, 0.5s, 5m or 2h".into())
 }
 
-/// The size in the largest unit that does not exceed it, with at most one decimal.
+/// Writes a size in the largest unit that does not exceed it, with at most one decimal.
 fn written_size(bytes: u64) -> String {
     let unit = UNITS.iter().find(|(_, unit)| bytes >= *unit);
     let Some((name, unit)) = unit else { return format!("{bytes} bytes") };

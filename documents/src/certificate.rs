@@ -16,17 +16,17 @@ pub struct Check {
     pub name: &'static str,
     /// Whether the check succeeds.
     pub ok: bool,
-    /// The statement that holds, or the failure with its residual.
+    /// The statement that holds, or the failure and its residual.
     pub detail: String,
-    /// The indices and residual at which it fails.
+    /// The indices and the residual at which the check fails.
     pub witness: Option<CheckWitness>,
 }
 
-/// The largest dimension at which the Bianchi identities of the default connection of an algebra
-/// are computed.
+/// The largest dimension at which the Bianchi identities are computed for the default connection of
+/// an algebra. In larger dimensions they follow from the Jacobi identity.
 const IMPLIED: usize = 300;
 
-/// The witness of an identity that fails: indices, from 1, and the residual by its upper index.
+/// The witness of an identity that fails: lower indices, and the residual at these indices.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CheckWitness {
     /// The lower indices, from 1.
@@ -38,13 +38,13 @@ pub struct CheckWitness {
 /// Checks a definition: antisymmetry, Jacobi, the metric, and the identities of the connection.
 ///
 /// A failed check ends the certificate if later checks depend on it. `stage` is called with the
-/// name of each computation before it starts. For floats use
-/// [`TrackedFloat`](affinor_tensors::TrackedFloat), which bounds the rounding error; with an `f64`
+/// name of each computation before it starts. Floats need the scalar
+/// [`TrackedFloat`](affinor_tensors::TrackedFloat), which bounds the rounding error; with `f64`,
 /// the identities may fail because of rounding errors.
 ///
 /// # Errors
-/// Errors for input that does not exist in this scalar, and for floats beyond their range.
-/// Mathematical failures are reported as checks, not as errors.
+/// An error if a value of the input does not exist in this scalar type, or if floats exceed their
+/// range. Mathematical failures are reported as checks, not as errors.
 pub fn certify<S: Coefficient>(
     definition: &Definition,
     tolerance: Tolerance,
@@ -93,7 +93,8 @@ pub fn certify<S: Coefficient>(
     Ok(checks)
 }
 
-/// Checks the algebra or the fields of a geometry; `None` if a check fails.
+/// Checks the algebra or the vector fields of a definition, and returns them; `None` if a check
+/// fails.
 fn ground<S: Coefficient>(
     definition: &Definition,
     tolerance: Tolerance,
@@ -147,7 +148,8 @@ fn held(name: &'static str, detail: &str) -> Check {
     Check { name, ok: true, detail: detail.into(), witness: None }
 }
 
-/// The value of a step. A mathematical error becomes a failed check and `None`.
+/// Returns the value of a step. A mathematical error is added to `checks` as a failed check, and
+/// the result is `None`.
 fn passed<T>(
     name: &'static str,
     step: Result<T, InputError>,
@@ -168,7 +170,8 @@ fn is_out_of_range(error: &InputError) -> bool {
     matches!(error.cause.as_deref(), Some(Error::NotFinite { .. }))
 }
 
-/// The failed check for a metric that is not symmetric, or for a degenerate one with a null vector.
+/// The failed check of a metric: the witness is a pair of indices if the metric is not symmetric,
+/// and a null vector if it is degenerate.
 fn of_metric(error: &InputError, labels: &[String]) -> Option<CheckWitness> {
     let number = |name: &String| labels.iter().position(|label| label == name).map(|at| at + 1);
     match error.cause.as_deref()? {
@@ -183,7 +186,7 @@ fn of_metric(error: &InputError, labels: &[String]) -> Option<CheckWitness> {
     }
 }
 
-/// The check that a residual, whose first index is upper, is zero.
+/// Checks that a residual, whose first index is upper, is zero.
 fn vanishing<S: Coefficient>(
     name: &'static str,
     detail: &str,

@@ -3,15 +3,16 @@
 use crate::input::{InputError, shown};
 use affinor::tensors::{Notation, Rational, Recorded, Scalar, Symbolic, Tabular, TrackedFloat};
 
-/// A scalar whose tensors can be contracted and written in tables, with the values of a definition.
+/// A scalar type that can represent the values of a definition, and whose tensors can be contracted
+/// and written in tables.
 pub trait Coefficient: Tabular + Scalar {
-    /// The value in this scalar; `None` if it cannot represent it.
+    /// Converts a value to this scalar type; `None` if this type cannot represent the value.
     fn from_symbolic(value: &Symbolic) -> Option<Self>;
 
-    /// Like [`from_symbolic`](Self::from_symbolic), with an error message.
+    /// Like [`from_symbolic`](Self::from_symbolic), but returns an error instead of `None`.
     ///
     /// # Errors
-    /// An error for a value that does not exist in this scalar.
+    /// An error if the value does not exist in this scalar type.
     fn read(value: &Symbolic) -> Result<Self, InputError> {
         Self::from_symbolic(value).ok_or_else(|| {
             let shown = shown(&value.to_string());
@@ -33,15 +34,15 @@ impl Coefficient for Symbolic {
     }
 }
 
-/// Programs are recorded with parameters and coordinates as inputs.
+/// Values are recorded as programs, whose inputs are the parameters and coordinates.
 impl Coefficient for Recorded {
     fn from_symbolic(value: &Symbolic) -> Option<Self> {
         Recorded::try_from(value).ok()
     }
 }
 
-/// Roots of numbers and pi are approximated by rational numbers more accurately than by floats, so
-/// that rounding errors are known.
+/// Roots of numbers and pi are first approximated by rational numbers that are more accurate than
+/// floats, so that the rounding errors are known.
 impl Coefficient for TrackedFloat {
     fn from_symbolic(value: &Symbolic) -> Option<Self> {
         Self::from_rational(&value.approximation()?)

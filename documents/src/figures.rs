@@ -1,7 +1,8 @@
-//! Figures of the paper and of trajectories: curves, arrows and points in space, and diagrams. [`picture`](crate::picture) draws them.
+//! Figures of trajectories and of Paraskevopoulos and Natsiavas (2013): curves, arrows and points
+//! in space, and diagrams. [`picture`](crate::picture) draws them.
 //!
-//! A rotation is drawn at its canonical coordinates (61), (74): its rotation vector, in the ball of
-//! radius `pi`. Opposite points of the sphere represent the same rotation.
+//! A rotation is drawn as the point of its canonical coordinates (61), (74): its rotation vector,
+//! in the ball of radius `pi`. Opposite points of the sphere represent the same rotation.
 
 mod animation;
 mod autoparallels;
@@ -33,7 +34,7 @@ use nalgebra::{Matrix3, Vector3};
 pub struct Connected {
     /// The name of the connection, which is the title of its panel.
     pub name: String,
-    /// Parallel translation by the connection.
+    /// Parallel transport by the connection.
     pub translation: ParallelTranslation<So3>,
 }
 
@@ -53,15 +54,15 @@ pub struct Panel {
     pub title: String,
     /// The radius of the ball.
     pub radius: f64,
-    /// Whether its sphere is drawn.
+    /// Whether the sphere of the ball is drawn.
     pub sphere: bool,
     /// The symbols of the three axes.
     pub axes: [&'static str; 3],
-    /// The curves.
+    /// Curves in the ball.
     pub curves: Vec<Curve>,
-    /// The arrows.
+    /// Arrows in the ball.
     pub arrows: Vec<Arrow>,
-    /// The points.
+    /// Marked points in the ball.
     pub marks: Vec<Mark>,
     /// Bodies in motion.
     pub bodies: Vec<Body>,
@@ -72,18 +73,18 @@ pub struct Panel {
 pub enum Look {
     /// A box with its axes of inertia, which are the coordinate axes.
     Box {
-        /// Half the lengths of its edges, along the axes.
+        /// Half the lengths of the edges of the box, along the axes.
         half: [f64; 3],
-        /// The drawn length of the axes, from the centre of the box.
+        /// The length with which the axes are drawn, from the centre of the box.
         reach: f64,
         /// The captions of the axes.
         captions: [String; 3],
     },
-    /// The parts of the body.
+    /// The body itself, as the list of its parts.
     Parts {
-        /// Their surfaces.
+        /// The surfaces of the parts.
         solids: Vec<Solid>,
-        /// The role, which determines the colour.
+        /// The role of the body, which determines its colour.
         role: Role,
         /// The caption of the body.
         caption: String,
@@ -95,11 +96,12 @@ pub enum Look {
 pub struct Body {
     /// The picture of the body.
     pub look: Look,
-    /// The axes of its frame, as columns, and the origin, at equal intervals of time.
+    /// The poses of the body at equal intervals of time: the axes of its frame, as columns, and its
+    /// origin.
     pub poses: Vec<(Matrix3<f64>, Vector3<f64>)>,
     /// The times of the first and the last pose.
     pub times: [f64; 2],
-    /// The mean rotation between two poses, in radians.
+    /// The mean angle of rotation between two poses, in radians.
     pub turn: f64,
     /// The duration of the animation in seconds.
     pub seconds: f64,
@@ -108,39 +110,40 @@ pub struct Body {
 /// A line through points.
 #[derive(Clone, Debug)]
 pub struct Curve {
-    /// Its role, which determines the stroke.
+    /// The role of the curve, which determines the stroke.
     pub role: Role,
-    /// Its symbol; may be empty.
+    /// The symbol at the curve; may be empty.
     pub label: String,
-    /// Its caption in the legend; may be empty.
+    /// The caption of the curve in the legend; may be empty.
     pub caption: String,
     /// The vertices, in order.
     pub points: Vec<Vector3<f64>>,
-    /// Whether it is a path in time: with arrowheads, marks at both ends, and a paler far side.
+    /// Whether the curve is a path in time. Such a path has arrowheads and marks at its ends, and
+    /// its far side is paler.
     pub directed: bool,
 }
 
 /// A vector from a point.
 #[derive(Clone, Debug)]
 pub struct Arrow {
-    /// Its role, which determines the stroke.
+    /// The role of the arrow, which determines the stroke.
     pub role: Role,
-    /// Its symbol; may be empty.
+    /// The symbol at the arrow; may be empty.
     pub label: String,
-    /// Its caption in the legend; may be empty.
+    /// The caption of the arrow in the legend; may be empty.
     pub caption: String,
-    /// The foot and the tip.
+    /// The start and the tip of the arrow.
     pub ends: [Vector3<f64>; 2],
 }
 
 /// A point.
 #[derive(Clone, Debug)]
 pub struct Mark {
-    /// Its symbol; may be empty.
+    /// The symbol at the point; may be empty.
     pub label: String,
-    /// Its caption in the legend; may be empty.
+    /// The caption of the point in the legend; may be empty.
     pub caption: String,
-    /// Its position.
+    /// The position of the point.
     pub at: Vector3<f64>,
 }
 
@@ -151,7 +154,7 @@ pub enum Role {
     Motion,
     /// The highlighted autoparallel.
     Autoparallel,
-    /// One of several autoparallels.
+    /// One of several autoparallels that are not highlighted.
     Ray,
     /// An auxiliary line.
     Guide,
@@ -167,14 +170,14 @@ pub enum Role {
     Right,
     /// The velocity, transported to the identity by a connection.
     Carried,
-    /// The transported velocity at intermediate points.
+    /// The transported velocity at points between the start and the identity.
     Trace,
     /// One of the three vectors of a frame.
     Frame(usize),
 }
 
 impl Panel {
-    /// The ball of rotation vectors, with the identity.
+    /// The panel of the ball of rotation vectors, with a mark at the identity.
     fn ball(title: impl Into<String>) -> Self {
         let mut panel = Panel::new(title, ball::RADIUS, ["Ψ¹", "Ψ²", "Ψ³"]);
         panel.mark("e", "e, the identity", Vector3::zeros());
@@ -192,7 +195,7 @@ impl Panel {
     }
 
     fn curve(&mut self, role: Role, [label, caption]: [&str; 2], pieces: Vec<Vec<Vector3<f64>>>) {
-        // only the first piece gets the symbol
+        // only the first piece of the curve gets the symbol
         for (i, points) in pieces.into_iter().enumerate() {
             let label = if i == 0 { label.into() } else { String::new() };
             let caption = caption.into();
@@ -200,7 +203,7 @@ impl Panel {
         }
     }
 
-    /// A path in time.
+    /// Adds a path in time.
     fn path(&mut self, role: Role, caption: &str, points: Vec<Vector3<f64>>) {
         let (label, caption) = (String::new(), caption.into());
         self.curves.push(Curve { role, label, caption, points, directed: true });

@@ -28,12 +28,13 @@
 //!
 //! - `/` binds as tightly as `*`, and both bind tighter than a space: `1/2 a b` is half of `a b`,
 //!   `a*b/c` has the numerator `a*b`, and `a/b/c` the denominator `b c`.
-//! - A function binds tightest: `sin x/x` is the quotient of `sin x` and `x`, and `D v/Dt` the
+//! - A function binds tightest: `sin x/x` is the quotient of `sin x` and `x`, and `D v/Dt` is the
 //!   quotient of `D v` and `Dt`.
 //! - Brackets around a whole numerator or denominator are removed.
-//! - Each letter and digit of an index is a separate index: `R^i_jkl`. Digits after a word are one
-//!   lower index: `J11`.
-//! - A word of several letters is a Greek letter, a function, a differential `dx`, or else the name of a quantity.
+//! - Each letter and digit of an index is a separate index: `R^i_jkl`. Digits after a word are a
+//!   single lower index: `J11`.
+//! - A word of several letters is one of these: a Greek letter, a function, a differential `dx`,
+//!   the name of a quantity.
 //! - Anything else is an error.
 
 pub(crate) mod lines;
@@ -67,11 +68,11 @@ pub enum Node {
     Indices(String),
     /// A sign before or between terms, as a Unicode character.
     Sign(&'static str),
-    /// Words.
+    /// Words in a formula.
     Text(String),
-    /// Pieces in brackets.
+    /// A row of nodes in brackets.
     Group(Brackets, Row),
-    /// A function and its argument: a group, or one node without brackets.
+    /// A function and its argument, which is a group, or a single node without brackets.
     Apply(Box<Node>, Box<Node>),
     /// A fraction: the numerator and the denominator.
     Fraction([Row; 2]),
@@ -79,8 +80,9 @@ pub enum Node {
     Root(Row),
     /// An accent over a letter.
     Accent(Accent, Box<Node>),
-    /// Indices and powers, in order: the flag tells whether a script is upper. A power of a node
-    /// with an index, `J11^2`, is a separate node around it, so that it is written above the index.
+    /// A node with indices and powers, in order. The flag of a script is true if the script is
+    /// upper. A power of a node with an index, as in `J11^2`, is a separate node around the indexed
+    /// node, so that the power is written above the index.
     Scripts(Box<Node>, Vec<(bool, Row)>),
 }
 
@@ -96,7 +98,7 @@ pub enum Brackets {
 }
 
 impl Brackets {
-    /// The brackets in text.
+    /// The opening and the closing bracket in text.
     fn text(self) -> [&'static str; 2] {
         match self {
             Brackets::Round => ["(", ")"],
@@ -119,7 +121,8 @@ pub enum Accent {
     Hat,
 }
 
-/// Named letters: in text, as a Unicode character, and in LaTeX if the command has another name.
+/// Named letters: the name in text, the Unicode character, and the LaTeX command if it differs from
+/// the name.
 const LETTERS: [(&str, char, &str); 43] = [
     ("alpha", 'α', ""),
     ("beta", 'β', ""),
@@ -165,7 +168,7 @@ const LETTERS: [(&str, char, &str); 43] = [
     ("nabla", '∇', ""),
     ("partial", '∂', ""),
 ];
-/// Functions in addition to the elementary ones.
+/// Names of functions, in addition to the elementary functions.
 const FUNCTIONS: [&str; 9] = ["cot", "det", "tr", "ad", "Ad", "spin", "vect", "norm", "diag"];
 
 /// Whether the name is a function, whose argument may be written without brackets.
@@ -173,11 +176,11 @@ fn is_function(name: &str) -> bool {
     FUNCTIONS.contains(&name) || Function::from_name(name).is_some()
 }
 
-/// Differentials: a letter before another one, as in `dx` and `DH`.
+/// Letters that form a differential with the letter or name after them, as in `dx` and `DH`.
 const DIFFERENTIALS: [char; 2] = ['d', 'D'];
 const ACCENTS: [(&str, Accent); 4] =
     [("~", Accent::Tilde), ("dot", Accent::Dot), ("bar", Accent::Bar), ("hat", Accent::Hat)];
-/// Signs in text and in Unicode; longer ones come first. A star ends an index: `L_{g*}`.
+/// Signs in text and in Unicode, longer signs first. A star may also end an index: `L_{g*}`.
 const SIGNS: [(&str, &str); 15] = [
     ("->", "→"),
     ("<=", "≤"),
@@ -205,12 +208,12 @@ fn letter(name: &str) -> Option<char> {
     }
 }
 
-/// The letter with this name, or the name itself.
+/// The letter with this name, if there is one; otherwise the name itself.
 fn symbol(name: &str) -> Node {
     letter(name).map_or_else(|| Node::Name(name.into()), Node::Letter)
 }
 
-/// A part of a fraction, without brackets around the whole.
+/// Removes brackets around a whole numerator or denominator.
 fn bare(row: Row) -> Row {
     match <[Node; 1]>::try_from(row) {
         Ok([Node::Group(Brackets::Round, inner)]) => inner,
@@ -219,7 +222,8 @@ fn bare(row: Row) -> Row {
     }
 }
 
-/// A quotient of rows. A quotient that is divided again becomes a single fraction.
+/// Divides one row by another. Dividing a quotient again extends its denominator, so the result is
+/// a single fraction.
 fn fraction(above: Row, below: Row) -> Row {
     match <[Node; 1]>::try_from(above) {
         Ok([Node::Fraction([above, mut first])]) => {
@@ -245,12 +249,12 @@ impl Node {
         matches!(self, Node::Sign("," | ";" | ":"))
     }
 
-    /// Whether the sign may be a prefix of a term as well as an operator between two.
+    /// Whether the sign may occur before a term as well as between two terms.
     fn is_sign_of_term(&self) -> bool {
         matches!(self, Node::Sign("+" | "−" | "±"))
     }
 
-    /// Whether the node is taller than a line of letters.
+    /// Whether the node is higher than a line of letters, as a fraction is.
     fn is_tall(&self) -> bool {
         let tall = |row: &Row| row.iter().any(Node::is_tall);
         match self {
@@ -263,7 +267,7 @@ impl Node {
     }
 }
 
-/// Whether the node at a position is a sign before a term, and not an operator between two.
+/// Whether the node at `at` is a sign before a term, and not an operator between two terms.
 fn is_prefix(row: &[Node], at: usize) -> bool {
     let before = at.checked_sub(1).and_then(|before| row.get(before));
     row[at].is_sign_of_term() && before.is_none_or(|before| matches!(before, Node::Sign(_)))

@@ -1,9 +1,9 @@
-//! The text layer of all documents: sources and locations, errors, TOML, JSON, CSV, numbers and
-//! meshes.
+//! The layer that reads the text of all documents: sources and locations, errors, TOML, JSON, CSV,
+//! numbers and meshes.
 //!
 //! In reading order: `source` and `error` define locations and errors; `file` reads texts; `keys`
-//! parses TOML, and `json` JSON; `forms` defines the forms in which values are written; `numbers`,
-//! `rows` and `mesh` read floats, tables of floats, and bodies.
+//! parses TOML, and `json` parses JSON. `forms` defines the forms in which values are written.
+//! `numbers` reads floats, `rows` reads tables of floats, and `mesh` reads bodies.
 
 pub(crate) mod error;
 pub(crate) mod file;

@@ -6,7 +6,7 @@ use std::io::{self, Write};
 /// The style sheet, for light and dark mode, narrow screens and print.
 const STYLE: &str = include_str!("page.css");
 
-/// Writes a page with a plain text title and the elements that `body` writes.
+/// Writes a page, with its title as plain text and the elements that `body` writes.
 ///
 /// # Errors
 /// Errors of `out` and of `body`.

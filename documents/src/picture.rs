@@ -1,8 +1,8 @@
 //! Pictures: shapes on a plane, written as SVG.
 //!
 //! A [`Picture`] is a list of [`Shape`]s. [`draw()`] draws a [`Figure`](crate::figures::Figure),
-//! [`diagram()`] a [`Diagram`](crate::figures::diagram::Diagram), [`dynkin()`] and [`roots()`]
-//! Cartan types, and [`heat()`] a tensor. [`svg()`] writes the picture.
+//! [`diagram()`] draws a [`Diagram`](crate::figures::diagram::Diagram), [`dynkin()`] and
+//! [`roots()`] draw Cartan types, and [`heat()`] draws a tensor. [`svg()`] writes the picture.
 
 mod arrow;
 mod axis;
@@ -36,10 +36,11 @@ const EDGE: f64 = 3.0;
 /// The dash pattern of a solid line.
 const SOLID: &[f64] = &[];
 
-/// Shapes on a plane: `x` points right, `y` down, both in the unit of [`Picture::width`].
+/// Shapes on a plane: `x` points to the right and `y` points down. [`Picture::width`] defines the
+/// unit of both.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Picture {
-    /// Alternative text.
+    /// The title, which is the alternative text of the picture.
     pub title: String,
     /// The width of the plane.
     pub width: f64,
@@ -50,7 +51,7 @@ pub struct Picture {
 }
 
 impl Picture {
-    /// Whether all points are within the range of floats; other pictures cannot be drawn.
+    /// Whether all coordinates are finite floats; other pictures cannot be drawn.
     pub fn is_finite(&self) -> bool {
         let finite = |point: &Point| point.iter().all(|x| x.is_finite());
         self.shapes.iter().all(|shape| match shape {
@@ -67,43 +68,43 @@ impl Picture {
 pub enum Shape {
     /// A polyline.
     Line {
-        /// Its vertices, in order.
+        /// The vertices, in order.
         points: Vec<Point>,
-        /// Its stroke.
+        /// The stroke of the line.
         stroke: Stroke,
     },
     /// A filled polygon.
     Area {
-        /// Its vertices, in order.
+        /// The vertices, in order.
         points: Vec<Point>,
-        /// Its colour.
+        /// The fill colour.
         ink: Ink,
     },
     /// A filled disc.
     Disc {
-        /// Its centre.
+        /// The centre of the disc.
         at: Point,
-        /// Its radius.
+        /// The radius of the disc.
         radius: f64,
-        /// Its colour.
+        /// The fill colour.
         ink: Ink,
     },
-    /// An animated closed polygon, which repeats. Media without animation show the first frame.
+    /// An animated closed polygon, which repeats. A medium without animation shows the first frame.
     Film {
-        /// Its vertices at equal intervals of time.
+        /// The vertices in each frame; frames are at equal intervals of time.
         frames: Vec<Vec<Point>>,
-        /// Whether each frame is visible.
+        /// For each frame, whether the polygon is visible.
         shown: Vec<bool>,
-        /// The fill colour; `None` for no fill.
+        /// The fill colour; `None` for a polygon without fill.
         fill: Option<Ink>,
-        /// Its edge.
+        /// The stroke of the edge.
         stroke: Stroke,
-        /// Its duration in seconds.
+        /// The duration of the animation in seconds.
         seconds: f64,
     },
     /// A line of text.
     Text {
-        /// The anchor, on the baseline.
+        /// The anchor of the text, on its baseline.
         at: Point,
         /// The characters.
         text: String,
@@ -112,12 +113,12 @@ pub enum Shape {
     },
 }
 
-/// An estimate of the width of a text.
+/// Estimates the width of a text.
 fn width(text: &str, size: f64) -> f64 {
     0.6 * size * text.chars().count() as f64
 }
 
-/// A point of the plane: coordinates to the right and down.
+/// A point of the plane: the coordinate to the right, and the coordinate down.
 pub type Point = [f64; 2];
 
 /// A colour and its opacity.
@@ -125,7 +126,7 @@ pub type Point = [f64; 2];
 pub struct Ink {
     /// Red, green and blue, each 0 to 255.
     pub rgb: [u8; 3],
-    /// From 0, transparent, to 1, opaque.
+    /// The opacity, from 0 (transparent) to 1 (opaque).
     pub opacity: f64,
 }
 
@@ -140,26 +141,27 @@ impl Ink {
 /// The stroke of a line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stroke {
-    /// Its colour.
+    /// The colour of the line.
     pub ink: Ink,
-    /// Its width.
+    /// The width of the line.
     pub width: f64,
-    /// Alternating lengths of dashes and gaps; empty for a solid line.
+    /// The lengths of dashes and gaps, in turn; empty for a solid line.
     pub dash: &'static [f64],
 }
 
 /// The font of a text.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Font {
-    /// Its size.
+    /// The size of the font.
     pub size: f64,
-    /// A mathematical symbol is set in italics with serifs, on a white edge; words are upright and without serifs.
+    /// Whether the text is a mathematical symbol. A symbol is set in italics with serifs, on a
+    /// white edge; words are upright and have no serifs.
     pub symbol: bool,
     /// The part of the text that is placed at its anchor.
     pub anchor: Anchor,
     /// Whether the text runs upwards, rotated anticlockwise by a right angle.
     pub turned: bool,
-    /// Its colour.
+    /// The colour of the text.
     pub ink: Ink,
 }
 

@@ -4,10 +4,9 @@
 //! Lie-Poisson equations; a prescribed velocity; an isospectral flow of matrices. All classes have
 //! parameters, integration settings, output settings and, optionally, an ensemble that varies
 //! parameters. Every number may be a formula in the parameters.
-//!
-//! In reading order: `keys` defines the keys of a file; `reader` evaluates them; each class has a
-//! file that builds its part of a [`Problem`]. A problem starts motions ([`Ready`]), which an
-//! [`Integration`] integrates.
+//! In reading order: `keys` defines the keys of a file, and `reader` evaluates them. Each class has
+//! its own file, which builds the part of a [`Problem`] for this class. A problem starts motions
+//! ([`Ready`]), which an [`Integration`] integrates.
 
 mod body;
 mod constrained;
@@ -56,7 +55,7 @@ pub struct Problem {
     /// The paths of other files to which the problem refers.
     files: Vec<String>,
     parameters: Vec<Parameter>,
-    /// Values that replace values of the file.
+    /// Values that override parameters of the file.
     settings: Vec<(String, f64)>,
     class: Class,
     integrator: Integrator,
@@ -67,11 +66,12 @@ pub struct Problem {
 #[derive(Clone, Debug)]
 struct Parameter {
     name: String,
-    /// A formula in the earlier parameters; `None` for a parameter that only the ensemble defines.
+    /// The value as a formula in the earlier parameters; `None` if only the ensemble defines the
+    /// parameter.
     value: Option<Value>,
 }
 
-/// The classes of problems; all but one are on a group.
+/// The classes of problems. All classes except one are defined on a group.
 #[derive(Clone, Debug)]
 enum Class {
     MatrixFlow(Box<MatrixFlow>),
@@ -103,7 +103,7 @@ impl Class {
         Ok(Class::EulerPoincare(group, class.into()))
     }
 
-    /// The motion of a member of the ensemble.
+    /// Prepares the motion of a member of the ensemble.
     fn motion(&self, member: &Member) -> Result<Ready, InputError> {
         match self {
             Class::MatrixFlow(flow) => flow.motion(member),
@@ -121,7 +121,7 @@ impl Problem {
     /// Reads a problem from a file, or from standard input for `-`.
     ///
     /// # Errors
-    /// An error with its location, for a file that cannot be read, parsed or understood.
+    /// An error with its location if the file cannot be read, or if its content is invalid.
     pub fn read(path: &str) -> Result<Self, InputError> {
         let ending = Path::new(path).extension().and_then(|ending| ending.to_str());
         if let Some(ending @ ("csv" | "parquet" | "arrow")) = ending {
@@ -135,7 +135,8 @@ impl Problem {
         Self::of_source(&file::read(path)?, Path::new(path).parent().unwrap_or(Path::new("")))
     }
 
-    /// Reads a problem from the text of a file; paths in it are relative to the current folder.
+    /// Reads a problem from the text of a file. Relative paths in the text start at the current
+    /// folder.
     ///
     /// ```
     /// use affinor_documents::problem::Problem;
@@ -160,7 +161,7 @@ impl Problem {
         Self::of_source(&Source::new(name.escape_debug().to_string(), text), Path::new(""))
     }
 
-    /// Reads a problem whose file is in the given folder.
+    /// Reads a problem from a source. Relative paths in the source start at `folder`.
     fn of_source(source: &Source, folder: &Path) -> Result<Self, InputError> {
         let content = "give a space, its metric, initial values and an output";
         let (keys, source): (Keys, Source) = parse_keys(source, content)?;
@@ -189,11 +190,11 @@ impl Problem {
         })
     }
 
-    /// Replaces values of parameters, `name=value,...`. Parameters that depend on them change too.
-    /// An ensemble no longer varies them.
+    /// Overrides values of parameters, written as `name=value,...`. Parameters that depend on them
+    /// change too. An ensemble no longer varies these parameters.
     ///
     /// # Errors
-    /// A name that is not a parameter; a value that is not a number.
+    /// An error for a name that is not a parameter, and for a value that is not a number.
     pub fn set(&mut self, text: &str) -> Result<(), InputError> {
         let source = Source::new("--set", text);
         for part in source.text.split(',').filter(|part| !part.trim().is_empty()) {
@@ -219,8 +220,9 @@ impl Problem {
         Ok(())
     }
 
-    /// Replaces the method, step and tolerance of the file by the options `--method`, `--step` and
-    /// `--tolerance`: formulas in the parameters, as in the file.
+    /// Overrides the method, the step and the tolerance of the file by the values of the options
+    /// `--method`, `--step` and `--tolerance`. As in the file, the values may be formulas in the
+    /// parameters.
     ///
     /// # Errors
     /// Those for the keys of the file.
@@ -240,8 +242,9 @@ impl Problem {
         Ok(())
     }
 
-    /// Replaces the end and the interval between rows of the file by the options `--end` and
-    /// `--every`. The end of a list of times is its last time.
+    /// Overrides the final time and the interval between rows of the file by the values of the
+    /// options `--end` and `--every`. If the file has a list of times, its final time is the last
+    /// one.
     ///
     /// # Errors
     /// Those for the keys of the file.
@@ -257,7 +260,7 @@ impl Problem {
         Ok(())
     }
 
-    /// The value of an option.
+    /// Parses the value of an option.
     fn option(&self, name: &str, text: Option<&str>) -> Result<Option<Value>, InputError> {
         let Some(text) = text else { return Ok(None) };
         let source = Source::new(name, text);
@@ -267,7 +270,7 @@ impl Problem {
         reader.whole().map(Some)
     }
 
-    /// The values of the parameters for a member of the ensemble, from 0.
+    /// The values of the parameters for a member of the ensemble. Members count from 0.
     fn values(&self, member: u64) -> Result<Vec<(String, f64)>, InputError> {
         let varied = self.varied().into_iter().zip(self.variation(member));
         let mut given: Vec<(&str, f64)> = varied.collect();
@@ -285,29 +288,31 @@ impl Problem {
         Ok(names.zip(values).collect())
     }
 
-    /// The method of integration in the file.
+    /// The integration method that the file names.
     pub fn method(&self) -> Option<Method> {
         self.integrator.method
     }
 
-    /// The times of the rows for a member of the ensemble, from 0; the first is the initial time.
+    /// The times of the rows for a member of the ensemble; members count from 0. The first time is
+    /// the initial time.
     ///
     /// # Errors
-    /// Errors for times that are not monotonic, or are too many, and for a formula without a value.
+    /// An error if the times are not monotonic or are too many, or if a formula has no
+    /// value.
     pub fn times(&self, member: u64) -> Result<Vec<f64>, InputError> {
         self.output.times.at(&self.source, &values_of(&self.values(member)?))
     }
 
-    /// The same problem with another method, and with this step size or relative tolerance. Without
-    /// a value, that of the file is used if the method needs it.
+    /// Returns the problem with another method, and with the given step size or relative tolerance.
+    /// Without a given value, the method uses the value of the file if it needs one.
     #[must_use]
     pub fn with_method(&self, method: Method, step: Option<f64>, tolerance: Option<f64>) -> Self {
         let integrator = self.integrator.with_method(method, step, tolerance, &self.source);
         Problem { integrator, ..self.clone() }
     }
 
-    /// The same problem with an additional force, given as a function. Columns of the power and of
-    /// Casimir functions include it. The function is called several times in a step.
+    /// Returns the problem with an additional force, given as a function. Columns of the power and
+    /// of Casimir functions include this force. The function is called several times per step.
     ///
     /// ```
     /// use affinor::mechanics::simulation::{ForceFunction, ForceFrame};
@@ -328,8 +333,8 @@ impl Problem {
     /// ```
     ///
     /// # Errors
-    /// An error for a problem without forces: with a Hamiltonian, a prescribed velocity or a flow
-    /// of matrices.
+    /// An error if the problem has no forces, because it has a Hamiltonian, a prescribed velocity
+    /// or a flow of matrices.
     pub fn with_force(
         &self,
         side: ForceFrame,
@@ -352,14 +357,15 @@ impl Problem {
         }
     }
 
-    /// The same problem with other columns, by their names in a file. A column of the file takes
-    /// precedence over a quantity with the same name.
+    /// Returns the problem with other output columns, given by their names in a file. If a column
+    /// of the file and a quantity have the same name, the name means the column.
     #[must_use]
     pub fn with_columns(&self, names: &[&str]) -> Self {
         Problem { output: self.output.with_columns(names, &self.source), ..self.clone() }
     }
 
-    /// The same problem with rows at the initial time and at these times, and none at a section.
+    /// Returns the problem with rows at the initial time and at these times, and without rows at a
+    /// section.
     #[must_use]
     pub fn at_times(&self, times: &[f64]) -> Self {
         let mut problem = self.clone();
@@ -368,7 +374,7 @@ impl Problem {
         problem
     }
 
-    /// The same problem with a row at the end only.
+    /// Returns the problem without output times between the initial and the final time.
     #[must_use]
     pub fn to_the_end(&self) -> Self {
         let mut problem = self.clone();
@@ -376,7 +382,8 @@ impl Problem {
         problem
     }
 
-    /// The methods of a class that has no step-size control, the most accurate one last; none for other classes.
+    /// The methods of a class without step-size control, the most accurate method last. The list is
+    /// empty for other classes.
     pub fn own_methods(&self) -> Vec<Method> {
         let class = match &self.class {
             Class::MatrixFlow(_) => MethodClass::MatrixFlow,
@@ -395,7 +402,7 @@ impl Problem {
         self.output.stop.as_deref()
     }
 
-    /// The event at which rows are written, instead of times.
+    /// The event at which rows are written, if rows are not written at given times.
     pub fn section(&self) -> Option<&str> {
         self.output.section.as_deref()
     }
@@ -405,8 +412,8 @@ impl Problem {
         &self.source.text
     }
 
-    /// The paths of other files to which the problem refers: tables, meshes, the definition of its
-    /// space.
+    /// The paths of other files to which the problem refers: tables, meshes, and the definition of
+    /// its space.
     pub fn files(&self) -> &[String] {
         &self.files
     }
@@ -421,16 +428,16 @@ impl Problem {
         self.ensemble.iter().flat_map(|ensemble| ensemble.names()).collect()
     }
 
-    /// The values of the parameters that the ensemble varies, for a member from 0.
+    /// The values of the parameters that the ensemble varies, for one member. Members count from 0.
     pub fn variation(&self, member: u64) -> Vec<f64> {
         self.ensemble.as_ref().map_or(vec![], |ensemble| ensemble.values(member))
     }
 
-    /// The motion. For an ensemble, the motion of a member, from 0.
+    /// Prepares the motion, or the motion of one member of an ensemble; members count from 0.
     ///
     /// # Errors
-    /// A mathematical error, such as a degenerate metric; an error for a method that does not apply
-    /// to this class.
+    /// A mathematical error, such as a degenerate metric, and an error for a method that
+    /// does not apply to this class.
     pub fn motion(&self, member: u64) -> Result<Ready, InputError> {
         let parameters = self.values(member)?;
         let times = self.output.times.at(&self.source, &values_of(&parameters))?;
@@ -444,7 +451,7 @@ impl Problem {
         Ok(ready)
     }
 
-    /// Integrates a motion of this problem through its output times and events.
+    /// Prepares the integration of a motion of this problem through its output times and events.
     pub fn integrate(&self, ready: Ready) -> Integration {
         Integration::new(ready, self.output.stop.clone(), self.output.section.clone())
     }

@@ -1,14 +1,14 @@
 //! Tables of tensors, comparisons and equations, written in several formats.
 //!
 //! In reading order: [`Quantity`] names the tensors, [`Table`] computes them, and one module for
-//! each format writes them. [`tensors_as_code`] writes them as a program, and a
-//! [`TensorProgram`] computes them from numbers. [`Comparison`] compares
-//! two geometries, with the [`Claim`]s of the paper about them. [`EquationReport`] writes equations
-//! of motion, also as source code. [`StoredTable`] compares a table with a stored one.
-//! [`Statements`] are claims about a geometry, each tested. [`Info`] is the structure of an
-//! algebra, [`Properties`] are the properties of a geometry.
+//! each format writes them. [`tensors_as_code`] writes the tensors as a program, and a
+//! [`TensorProgram`] computes them from numbers. [`Comparison`] compares two geometries, and tests
+//! the [`Claim`]s of Paraskevopoulos and Natsiavas (2013) about them. [`EquationReport`] writes
+//! equations of motion, also as source code. [`StoredTable`] compares a table with a stored table.
+//! [`Statements`] are claims about a geometry, each of which is tested. [`Info`] is the structure
+//! of an algebra, and [`Properties`] are the properties of a geometry.
 //!
-//! Each of these is a [`Report`]. Short lists are [`conventions`], the [`catalogue`], a
+//! Each of these types is a [`Report`]. Short lists are [`conventions`], the [`catalogue`], a
 //! [`certificate`] and any other [`listing`]. A [`Computation`] creates the reports of a space,
 //! with the kind of scalars that the space needs.
 
@@ -86,7 +86,8 @@ use std::io::{self, BufWriter, Write};
 pub struct Table<S> {
     /// The name of the space.
     pub name: String,
-    /// The name of its algebra, which is the name of the space unless another one is known.
+    /// The name of the algebra. It is the name of the space, unless the algebra has another known
+    /// name.
     pub algebra: String,
     /// The names of the basis vectors.
     pub labels: Vec<String>,
@@ -96,7 +97,7 @@ pub struct Table<S> {
     pub connection: String,
     /// A description of the connection, for the header.
     pub connection_words: String,
-    /// The factor of a connection `Lambda = lambda c`.
+    /// The factor `lambda` of a connection `Lambda = lambda c`.
     pub lambda: Option<S>,
     /// The frame of the components: `left-invariant`, `right-invariant`, `coordinate` or `moving`.
     pub frame: &'static str,
@@ -104,43 +105,44 @@ pub struct Table<S> {
     pub chart: Option<OnChart>,
     /// The tolerance below which a float counts as zero.
     pub tolerance: Tolerance,
-    /// Whether only one component of each set that is equal by symmetry is listed.
+    /// Whether the table lists only one of the components that are equal up to sign by symmetry.
     pub independent: bool,
-    /// Whether JSON uses names for common factors of denominators, as text, Markdown, LaTeX and
+    /// Whether JSON writes common factors of denominators by name, as text, Markdown, LaTeX and
     /// HTML do. Otherwise each value in JSON is complete.
     pub common_factors: bool,
-    /// The names of the indices of components; `None` for numbers from 1. CSV and JSON always use
-    /// numbers.
+    /// The names that are written as indices of components; `None` for numbers from 1. CSV and JSON
+    /// always use numbers.
     pub index_names: Option<Vec<String>>,
-    /// The components of the metric, if there is one, because its determinant may be a common
+    /// The components of the metric, if there is one: the determinant of the metric may be a common
     /// factor.
     pub metric: Option<Tensor<S>>,
-    /// The point at which components are computed, by the names of its coordinates and of parameters; empty for functions.
+    /// The point at which the components are computed, as values of coordinates and parameters by
+    /// name; empty if the components are functions.
     pub point: Vec<(String, f64)>,
     /// The tensors, in the order in which they are shown.
     pub tensors: Vec<TableEntry<S>>,
 }
 
-/// Coordinates, and the vector fields of a frame as text.
+/// The coordinates of a chart, and the vector fields of its frame as text.
 #[derive(Clone, Debug)]
 pub struct OnChart {
     /// The names of the coordinates.
     pub coordinates: Vec<String>,
-    /// The fields, `1/sin(theta)*d_phi`, in the order of the labels.
+    /// The fields, such as `1/sin(theta)*d_phi`, in the order of the labels.
     pub fields: Vec<String>,
 }
 
 /// A tensor with its name.
 #[derive(Clone, Debug)]
 pub struct TableEntry<S> {
-    /// The quantity that the tensor is.
+    /// The quantity that the tensor represents.
     pub quantity: Quantity,
-    /// Its nonzero components.
+    /// The nonzero components of the tensor.
     pub tensor: Tensor<S>,
 }
 
 impl<S: Coefficient> Table<S> {
-    /// The table of a geometry in its frame, with the quantities that apply.
+    /// Computes the tensors of a geometry in its frame, for those quantities that apply to it.
     ///
     /// # Errors
     /// Those of [`Quantity::of`].
@@ -197,8 +199,8 @@ impl<S: Coefficient> Table<S> {
     pub fn finite(&self) -> Result<(), Error> {
         for TableEntry { quantity, tensor } in &self.tensors {
             let wild = |value: &S| value.to_f64().is_some_and(|x| !x.is_finite());
-            // tests values first: few tensors have such a component, and computing indices takes
-            // long for millions of components
+            // tests values first: computing indices takes long for millions of components, but few
+            // tensors have such a component
             if S::KIND == Kind::Float
                 && tensor.nonzero().any(wild)
                 && let Some((at, value)) = tensor.components().find(|(_, value)| wild(value))
@@ -210,7 +212,8 @@ impl<S: Coefficient> Table<S> {
         Ok(())
     }
 
-    /// The index names: coordinates in a coordinate frame, otherwise the basis vectors.
+    /// The names of the indices: the coordinates in a coordinate frame, otherwise the basis
+    /// vectors.
     pub fn frame_names(&self) -> &[String] {
         match &self.chart {
             Some(OnChart { coordinates, .. }) if self.frame == "coordinate" => coordinates,
@@ -218,7 +221,7 @@ impl<S: Coefficient> Table<S> {
         }
     }
 
-    /// The title of a tensor; on a chart structure constants are called functions.
+    /// The title of a tensor. On a chart, structure constants are called structure functions.
     fn title(&self, quantity: Quantity) -> &'static str {
         match quantity {
             Quantity::Structure if self.chart.is_some() => "Structure functions",
@@ -226,7 +229,7 @@ impl<S: Coefficient> Table<S> {
         }
     }
 
-    /// The components of an entry that are written: all, or only the independent ones.
+    /// The components of an entry that are written: all components, or only the independent ones.
     fn shown<'a>(&self, entry: &'a TableEntry<S>) -> Cow<'a, Tensor<S>> {
         match self.independent {
             true => Cow::Owned(independent(&entry.tensor)),
@@ -270,7 +273,7 @@ pub enum Format {
     Latex,
     /// One row for every component.
     Csv,
-    /// One object, schema `affinor.table/1` (`docs/schemas/table.schema.json`).
+    /// One object with the schema `affinor.table/1` (`docs/schemas/table.schema.json`).
     Json,
     /// One page without scripts, with formulas in MathML.
     Html,
@@ -281,7 +284,7 @@ impl Format {
     pub const ALL: [Format; 6] =
         [Format::Text, Format::Markdown, Format::Latex, Format::Csv, Format::Json, Format::Html];
 
-    /// The name of the format in options.
+    /// The name by which options select the format.
     pub fn name(self) -> &'static str {
         match self {
             Format::Text => "text",

@@ -1,5 +1,5 @@
-//! Runs: the rows of a motion, written to a file (one module per format) or sampled densely for a
-//! curve.
+//! Runs: the rows of a motion, written to a file (one module per format), or sampled densely enough
+//! to draw a curve.
 
 mod csv;
 mod dense;
@@ -31,9 +31,9 @@ pub type Rows<'r> = dyn Iterator<Item = io::Result<Vec<f64>>> + 'r;
 /// The format of a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RunFormat {
-    /// A header of names, then one line for each row.
+    /// A header with the names of the columns, then one line for each row.
     Csv,
-    /// One object: `affinor.run/1`.
+    /// One object with the schema `affinor.run/1`.
     Json,
     /// Columns of doubles.
     #[cfg(feature = "parquet")]

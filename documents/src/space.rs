@@ -1,12 +1,15 @@
-//! Spaces, given on the command line and in files, and converted to geometries.
+//! Spaces: given on the command line and in files, and converted to geometries.
 //!
-//! A SPACE is a geometry of the paper, a catalogue name, a sum of names, a file, or brackets given inline ([`Space`]).
-//! Each becomes a [`Definition`], exact and symbolic, which is then converted to the scalar of the computation
-//! ([`Coefficient`](crate::Coefficient)). Files are TOML or JSON with the same keys, or tables of structure constants.
+//! A SPACE is a geometry of Paraskevopoulos and Natsiavas (2013), a catalogue name, a sum of names,
+//! a file, or brackets given inline ([`Space`]). Each form becomes a [`Definition`] with exact and
+//! symbolic values. A definition is then converted to the scalar type of the computation
+//! ([`Coefficient`](crate::Coefficient)). Files are tables of structure constants, or TOML or JSON
+//! files, which have the same keys.
 //!
-//! In reading order: `definition` is the definition; `read` reads a definition from a file;
-//! `tables` detects the notation of structure constants; `document` reads keys, and `notation`
-//! expressions; `request` resolves the SPACE of a command.
+//! In reading order: `definition` defines the common form of all spaces, and `read` reads a
+//! definition from a file. `tables` detects the notation of structure constants. `document` reads
+//! keys, and `notation` reads expressions. `request` finds the space that the SPACE of a command
+//! means.
 
 mod chart;
 mod construction;

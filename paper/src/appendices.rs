@@ -7,11 +7,11 @@ use affinor::geometry::chart::{CanonicalCoordinates, Chart, Side};
 use affinor::{Connection, Error, Frame, Metric};
 use affinor_tensors::{Down, Rational, Symbolic, Tensor, Up, contract};
 
-/// The affine group of the line in canonical coordinates of the second kind, with the coordinates `a`, `b`: a frame whose vectors
-/// are not partial derivatives.
+/// The affine group of the line in canonical coordinates of the second kind, `a` and `b`. The
+/// vectors of its frame are not partial derivatives.
 struct Line {
     frame: Frame<Symbolic>,
-    /// `e^a_i`, the vectors as columns.
+    /// The components `e^a_i`; the frame vectors are the columns.
     fields: Tensor<Symbolic>,
 }
 
@@ -23,7 +23,7 @@ impl Line {
         Ok(Line { frame: fields.frame().clone(), fields: fields.components().clone() })
     }
 
-    /// Affinities that depend on the coordinates and have no symmetry.
+    /// A connection whose affinities depend on the coordinates and have no symmetry.
     fn connection(&self) -> Result<Connection<Symbolic>, Error> {
         let [a, b] = ["a", "b"].map(Symbolic::parameter);
         let entry = |[i, j, k]: [usize; 3]| match (i + 2 * j + k) % 4 {
@@ -35,7 +35,7 @@ impl Line {
         Connection::new(self.frame.clone(), Tensor::from_fn(2, [Up, Down, Down], entry)?)
     }
 
-    /// Two fields and a function without symmetries.
+    /// Two vector fields and a function, all without symmetries.
     fn fields(&self) -> [Vec<Symbolic>; 3] {
         let [a, b] = ["a", "b"].map(Symbolic::parameter);
         [
@@ -45,7 +45,7 @@ impl Line {
         ]
     }
 
-    /// `X(f) = X^i e_i(f)` (A1).
+    /// The derivative `X(f) = X^i e_i(f)` (A1).
     fn along(&self, x: &[Symbolic], f: &Symbolic) -> Symbolic {
         (0..2).fold(integer(0), |sum, i| sum + &(x[i].clone() * &self.frame.derive(i, f)))
     }
@@ -55,7 +55,7 @@ fn integer(value: i64) -> Symbolic {
     Symbolic::constant(Rational::from(value))
 }
 
-/// `(nabla_X Y)^i` in the frame of the connection.
+/// The components `(nabla_X Y)^i` in the frame of the connection.
 fn nabla(
     connection: &Connection<Symbolic>,
     x: &[Symbolic],
@@ -111,7 +111,7 @@ fn bracket(line: &Line) -> Result<Row, Error> {
     let commutator =
         line.along(&x, &line.along(&y, &f[0])) - &line.along(&y, &line.along(&x, &f[0]));
     let found = line.along(&line.frame.bracket(&x, &y)?, &f[0]);
-    // without the structure constants
+    // leaves out the structure constants, which gives a wrong bracket
     let part = |x: &[Symbolic], y: &Symbolic| line.along(x, y);
     let without: Vec<_> = (0..2).map(|i| part(&x, &y[i]) - &part(&y, &x[i])).collect();
     Ok(Row::new("(A3)-(A8)", "L_X Y = [X, Y] = X Y - Y X", "The bracket of fields is the commutator of derivations; in the frame it has the components (32).")
@@ -164,7 +164,7 @@ fn directions(line: &Line) -> Result<Row, Error> {
 }
 
 fn parallel(line: &Line) -> Result<Row, Error> {
-    // the right-invariant fields are parallel for plus
+    // checks that the right-invariant fields are parallel for the connection plus
     let plus = Connection::new(line.frame.clone(), line.frame.structure_functions().clone())?;
     let chart = Chart::new(["a", "b"])?;
     let right = chart.invariant_fields(
@@ -261,7 +261,7 @@ fn curvature(line: &Line) -> Result<Row, Error> {
         [("R", connection.curvature()), ("x", &vectors[0]), ("y", &vectors[1]), ("v", &vectors[2])];
     let found = contract("R^i_jkl v^j x^k y^l -> ^i", &operands)?;
     let found: Vec<_> = (0..2).map(|i| found.get(&[i])).collect();
-    // the three products without derivatives of the affinities
+    // the three products of the curvature that contain no derivatives of the affinities
     let products = [("L", connection.affinities()), ("c", line.frame.structure_functions())];
     let products = contract("L^i_km L^m_lj - L^i_lm L^m_kj - c^m_kl L^i_mj -> ^i_jkl", &products)?;
     let missing = contract(

@@ -1,4 +1,4 @@
-//! Section 2: rotating bodies as in a course of mechanics, (1)-(16).
+//! Section 2: rotating bodies as in courses of mechanics, (1)-(16).
 
 use crate::lab::{Lab, cross, rate, rotation, spin, symbols};
 use crate::{Finding, Row, Section};
@@ -9,9 +9,9 @@ use affinor::{CanonicalConnection, Error};
 use affinor_tensors::Symbolic;
 use nalgebra::{DMatrix, Matrix3, Vector3};
 
-/// The time at which the motion is examined.
+/// The time at which the motion is evaluated.
 const T: f64 = 0.8;
-/// Masses and their positions in the body. No coordinate axis is a principal axis.
+/// Point masses and their positions in the body. No coordinate axis is a principal axis.
 const MASSES: [(f64, [f64; 3]); 4] = [
     (1.0, [0.3, -0.5, 1.0]),
     (2.0, [-1.0, 0.2, 0.4]),
@@ -117,7 +117,7 @@ fn images() -> Result<Row, Error> {
     ))
 }
 
-/// `J` of the point masses about the origin, computed by the library.
+/// The inertia matrix `J` of the point masses about the origin, computed by the library.
 fn inertia() -> Result<Matrix3<f64>, Error> {
     let masses = MASSES.map(|(mass, place)| (mass, Vector3::from(place)));
     let body = MassProperties::points(&masses)?;

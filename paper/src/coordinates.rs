@@ -98,7 +98,7 @@ fn in_coordinates(
     let (kind, side) = (CanonicalCoordinates::First, Side::Left);
     let frame = Frame::canonical_at_point(algebra, kind, side, point)?;
     let gamma = frame.structure_functions().scale(&Jet::constant(which.lambda()));
-    // from the left-invariant frame to the frame of the coordinates
+    // changes from the left-invariant frame to the coordinate frame
     let forms = BasisChange::new(algebra.canonical_forms(kind, side, point)?)?;
     let labels = frame.labels().to_vec();
     Ok(Connection::new(frame, gamma)?.moved(labels, &forms)?.affinities().clone())

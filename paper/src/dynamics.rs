@@ -135,7 +135,7 @@ fn momentum(lab: &Lab) -> Result<Row, Error> {
     Ok(values.fold(row, Row::find))
 }
 
-/// `DH/Dt - dH/dt`: `(nabla_Omega H)_i` of constant components.
+/// The term `DH/Dt - dH/dt = (nabla_Omega H)_i`, for constant components of `H`.
 fn gyroscopic(
     connection: &Connection<Symbolic>,
     omega: &[Symbolic],
@@ -258,7 +258,7 @@ fn half(lab: &Lab) -> Result<Row, Error> {
     let zero = gyroscopic(&lab.canonical(CanonicalConnection::Zero), &omega, &h)?;
     let half = Symbolic::constant(Rational::from(1) / &Rational::from(2));
     let halved: Vec<_> = cross(&omega, &h).into_iter().map(|value| value * &half).collect();
-    // the work of the gyroscopic term, and the change of |H|^2
+    // the work of the gyroscopic term, and its contribution to the change of |H|^2
     let product = |a: &[Symbolic], b: &[Symbolic]| {
         a.iter().zip(b).fold(constant(0), |sum, (a, b)| sum + &(a.clone() * b))
     };

@@ -10,28 +10,29 @@ pub struct Finding {
     pub claim: String,
     /// The outcome of the check.
     pub outcome: Outcome,
-    /// Whether the paper prints or suggests this statement although it is false: its check is
-    /// expected to fail.
+    /// Whether the paper states or suggests this statement although it is false. The check of such
+    /// a statement should fail.
     pub refuted: bool,
 }
 
 /// The outcome of the check of a statement.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Outcome {
-    /// It holds exactly.
+    /// The statement holds exactly.
     Exactly,
-    /// It holds in floats: the difference, relative to the size of the values, is below this bound.
+    /// The statement holds in floats. The difference of its sides, relative to the size of the
+    /// values, is below this bound.
     Within(f64),
-    /// It fails; the text describes a component that differs. Formulas are written between
-    /// backticks.
+    /// The statement fails. The text describes a component that differs; formulas are written
+    /// between backticks.
     Fails(String),
     /// The statement is a computed value.
     Value,
 }
 
 impl Finding {
-    /// Checks that a tensor is zero: the left side of a statement minus its right side. A failure
-    /// names the first nonzero component.
+    /// Checks a statement: `difference` is its left side minus its right side, and should be zero.
+    /// A failure names the first nonzero component.
     pub(crate) fn exact<S: Coefficient>(claim: &str, difference: &Tensor<S>) -> Self {
         let witness = difference.components().next().map(|(at, value)| {
             let indices: Vec<String> = at.iter().map(|index| (index + 1).to_string()).collect();
@@ -43,8 +44,8 @@ impl Finding {
         Self::of(claim, witness.map_or(Outcome::Exactly, Outcome::Fails))
     }
 
-    /// Checks that two lists of values, the computed and the stated ones, are equal. A failure
-    /// names the first component of their difference.
+    /// Checks that a list of computed values equals a list of stated values. A failure names the
+    /// first component that differs.
     pub(crate) fn equal<S: Coefficient>(claim: &str, left: &[S], right: &[S]) -> Self {
         let differ = left.iter().zip(right).position(|(a, b)| a != b);
         let outcome = match differ {
@@ -59,7 +60,7 @@ impl Finding {
         Self::of(claim, outcome)
     }
 
-    /// Checks that a difference in floats is below a bound.
+    /// Checks that the difference of two sides in floats is below a bound.
     pub(crate) fn within(claim: &str, difference: f64, bound: f64) -> Self {
         let small = difference < bound;
         let outcome = if small {
@@ -70,8 +71,8 @@ impl Finding {
         Self::of(claim, outcome)
     }
 
-    /// Checks a statement on several algebras. Returns the first finding with an unexpected
-    /// outcome, or else the last finding.
+    /// Checks a statement on several algebras. Returns the first finding whose outcome is not
+    /// expected; without one, the last finding.
     pub(crate) fn everywhere<'a>(
         claim: &str,
         findings: impl IntoIterator<Item = (&'a str, Finding)>,
@@ -88,17 +89,17 @@ impl Finding {
         last
     }
 
-    /// A formula with computed values.
+    /// A formula that shows computed values.
     pub(crate) fn value(formula: &str) -> Self {
         Self::statement(&format!("`{formula}`"))
     }
 
-    /// A sentence with computed values.
+    /// A sentence that shows computed values.
     pub(crate) fn statement(text: &str) -> Self {
         Self::of(text, Outcome::Value)
     }
 
-    /// Marks a false statement that the paper prints or suggests.
+    /// Marks a statement as false, although the paper states or suggests it.
     pub(crate) fn refuted(mut self) -> Self {
         self.refuted = true;
         self
@@ -108,8 +109,8 @@ impl Finding {
         Finding { claim: claim.into(), outcome, refuted: false }
     }
 
-    /// Whether the check has the expected outcome: a refuted statement should fail, any other
-    /// should hold.
+    /// Whether the check has the expected outcome: a refuted statement should fail, and any other
+    /// statement should hold.
     pub fn is_expected(&self) -> bool {
         matches!(self.outcome, Outcome::Fails(_)) == self.refuted
     }
@@ -130,7 +131,7 @@ fn power(bound: f64) -> String {
     format!("10^{}", bound.log10().round())
 }
 
-/// A single finding can be used wherever several are expected.
+/// Allows a single finding wherever several findings are expected.
 impl IntoIterator for Finding {
     type Item = Finding;
     type IntoIter = std::iter::Once<Finding>;

@@ -135,7 +135,7 @@ fn bracket(lab: &Lab) -> Result<Row, Error> {
 }
 
 fn connections(lab: &Lab) -> Result<Row, Error> {
-    // parallel fields: right-invariant ones for plus, left-invariant ones for minus
+    // the parallel fields are right-invariant for plus, and left-invariant for minus
     let parallel = |which: CanonicalConnection, side: Side| {
         lab.on_groups(|group| {
             let [x, v, _] = vectors(group);
@@ -197,7 +197,7 @@ fn left_and_right(lab: &Lab) -> Result<Row, Error> {
     let off = lab.on_groups(|group| {
         let [x, y, z] = vectors(group);
         let p = group.exp(&z);
-        // both flows in both orders
+        // applies both flows in both orders
         let left = InvariantField { side: Side::Left, vector: x * 0.3 };
         let right = InvariantField { side: Side::Right, vector: y * 0.4 };
         let one = right.flow(group, &left.flow(group, &p, 1.0), 1.0);
@@ -218,7 +218,7 @@ fn right_invariant_fields(lab: &Lab) -> Result<Row, Error> {
             velocity(group, t).map_or_else(|_| DVector::zeros(group.dimension()), |v| v.body)
         };
         let carried = plus.along_curve(body, &[0.0, 0.8], 1e-12)?.swap_remove(1) * &u;
-        // along any curve: the right translate from its start to its end
+        // along any curve, transport is the right translation from its start to its end
         let between = group.compose(&group.inverse(&curve(0.0)), &curve(0.8));
         Ok(apart(&carried, &right_translate(group, &u, &between)))
     })?;
@@ -279,7 +279,7 @@ fn flat(lab: &Lab) -> Result<Row, Error> {
     })
 }
 
-/// The right translate of `e_j(e)` is not a field through `e_j(p)`.
+/// Checks that the right translate of `e_j(e)` is not the right-invariant field through `e_j(p)`.
 fn halves() -> Result<Row, Error> {
     use affinor::group::So3;
     use nalgebra::Vector3;

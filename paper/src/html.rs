@@ -1,4 +1,5 @@
-//! The document as one HTML file without scripts and external resources, with formulas in MathML.
+//! Writes the document as one HTML file without scripts and external resources, with formulas in
+//! MathML.
 
 use crate::{ABOUT, Finding, Outcome, Paper, PaperFigure, Part, Row, TITLE, parts};
 use affinor_documents::formula::formula;
@@ -108,7 +109,7 @@ fn line(finding: &Finding) -> String {
     format!("{claim}{words}")
 }
 
-/// A text with its formulas in MathML.
+/// Writes a text with its formulas in MathML.
 fn text(text: &str) -> String {
     let part = |part| match part {
         Part::Words(words) => escaped(words),

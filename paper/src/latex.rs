@@ -1,4 +1,4 @@
-//! The document for pdfLaTeX.
+//! Writes the document for pdfLaTeX.
 
 use crate::{ABOUT, Paper, Part, Row, TITLE, parts};
 use affinor_documents::formula::{Node, formula, tex};
@@ -56,7 +56,7 @@ fn equation(row: &Row, out: &mut dyn Write) -> io::Result<()> {
     writeln!(out, "\\end{{itemize}}\nComputed by {}.", functions.join(", "))
 }
 
-/// A displayed formula, with breaks at commas, relations and signs.
+/// Writes a displayed formula, with line breaks at commas, relations and signs.
 fn display(text: &str) -> String {
     let formula = formula(text);
     let parts = formula.split(|node| *node == Node::Sign(","));
@@ -64,7 +64,7 @@ fn display(text: &str) -> String {
     parts.map(part).collect::<Vec<_>>().join(", ")
 }
 
-/// A text with its formulas in the mathematics mode.
+/// Writes a text with its formulas in the mathematics mode.
 fn text(text: &str) -> String {
     let part = |part| match part {
         Part::Words(words) => tex::escaped(words),

@@ -1,10 +1,10 @@
 //! The paper of Paraskevopoulos and Natsiavas, *Int. J. Solids and Structures* 50 (2013) 57-72,
 //! equation by equation: the statement of each equation, and its check by the engine.
 //!
-//! In reading order: [`Paper`] is a list of [`Section`]s of [`Row`]s. Each row has [`Finding`]s,
-//! which are computed when the paper is read. One file for each section of the paper contains its
-//! rows. `lab` contains the groups and geometries for the checks; `html`, `markdown` and `latex`
-//! write the document.
+//! In reading order: a [`Paper`] is a list of [`Section`]s, which are lists of [`Row`]s. Each row
+//! has [`Finding`]s, which are computed by [`Paper::read`]. The rows of each section of the paper
+//! are in their own file. `lab` contains the groups and geometries of the checks. `html`,
+//! `markdown` and `latex` write the document.
 //!
 //! ```
 //! use affinor_paper::{Paper, PaperFormat};
@@ -40,7 +40,7 @@ use affinor_tensors::{Rational, Tensor};
 use lab::Lab;
 use std::io::{self, Write};
 
-/// The document.
+/// The recomputed paper.
 #[derive(Clone, Debug)]
 pub struct Paper {
     /// The sections, in the order of the paper.
@@ -61,7 +61,7 @@ pub struct Section {
 /// An equation or a claim of the paper.
 #[derive(Clone, Debug)]
 pub struct Row {
-    /// The number of the equation, `(38)` or `after (38)`.
+    /// The number of the equation, such as `(38)` or `after (38)`.
     pub equation: &'static str,
     /// The formula, in the notation of this project.
     pub formula: &'static str,
@@ -69,7 +69,7 @@ pub struct Row {
     pub says: &'static str,
     /// The assessment of the equation as printed.
     pub status: Status,
-    /// The functions of the library that compute it.
+    /// The functions of the library that compute the equation.
     pub functions: Vec<&'static str>,
     /// The computed checks and values.
     pub findings: Vec<Finding>,
@@ -84,7 +84,7 @@ pub enum Status {
     Convention(&'static str),
     /// A misprint, with the correction.
     Misprint(&'static str),
-    /// True, but less general than the text says.
+    /// True, but under stronger conditions than the paper states.
     TooStrong(&'static str),
 }
 
@@ -99,7 +99,7 @@ impl Status {
         }
     }
 
-    /// The convention, the correction or the limits.
+    /// The convention, the correction or the conditions.
     pub fn remark(self) -> Option<&'static str> {
         match self {
             Status::Right => None,
@@ -128,7 +128,7 @@ pub struct PaperFigure {
     pub title: String,
     /// A description of the figure, in one sentence.
     pub about: String,
-    /// The picture, an element `svg`.
+    /// The picture, as an element `svg`.
     pub svg: String,
 }
 
@@ -136,7 +136,7 @@ impl Paper {
     /// Computes the whole document.
     ///
     /// # Errors
-    /// Errors of the functions of the library; none is expected.
+    /// Errors of the library; no error is expected.
     pub fn read() -> Result<Self, Error> {
         let lab = Lab::new()?;
         let sections = vec![
@@ -164,10 +164,10 @@ impl Paper {
         )
     }
 
-    /// Writes the document. Figures are part of HTML only.
+    /// Writes the document. Only HTML contains the figures.
     ///
     /// # Errors
-    /// An error of `out`.
+    /// Errors of `out`.
     pub fn write(
         &self,
         format: PaperFormat,
@@ -183,7 +183,7 @@ impl Paper {
 }
 
 impl Row {
-    /// A row that is right as printed, without findings.
+    /// A row for an equation that is correct as printed, without findings.
     fn new(equation: &'static str, formula: &'static str, says: &'static str) -> Self {
         Row { equation, formula, says, status: Status::Right, functions: vec![], findings: vec![] }
     }
@@ -203,13 +203,14 @@ impl Row {
         self
     }
 
-    /// The values of a tensor; components that are equal up to sign share a line.
+    /// Adds the values of a tensor as findings. Components that are equal up to sign are on the
+    /// same line.
     fn components<S: Coefficient>(self, symbol: &str, tensor: &Tensor<S>) -> Self {
         let lines = grouped_in_text(symbol, tensor);
         self.find(lines.iter().map(|line| Finding::value(line)))
     }
 
-    /// Checks that a tensor is zero on each of the algebras.
+    /// Adds a check that a tensor is zero on each of the algebras.
     fn on_algebras(
         self,
         lab: &Lab,
@@ -228,11 +229,12 @@ impl Row {
 enum Part<'a> {
     Words(&'a str),
     Formula(&'a str),
-    /// A name of the program, such as the name of a connection.
+    /// A name in this program, such as the name of a connection.
     Name(&'a str),
 }
 
-/// The parts of a text: words, and between backticks formulas and names of connections.
+/// Splits a text into words, formulas, and names of connections. Formulas and names are written
+/// between backticks.
 fn parts(text: &str) -> impl Iterator<Item = Part<'_>> {
     let names = [CanonicalConnection::Plus, CanonicalConnection::Zero, CanonicalConnection::Minus]
         .map(CanonicalConnection::name);

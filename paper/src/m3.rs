@@ -1,4 +1,5 @@
-//! Section 4.1: kinematics on M(3), (41)-(61). Much of it holds for `plus` on every group, with `A = Ad_p`.
+//! Section 4.1: kinematics on M(3), (41)-(61). Many of these equations hold for `plus` on every
+//! group, with `A = Ad_p`.
 
 use crate::lab::{
     Lab, ad, apart, distance, epsilon, hat, motion, rate, rotation, spin, symbols, translation,
@@ -231,7 +232,8 @@ fn carried(lab: &Lab) -> Result<Row, Error> {
     .find(Finding::within("`B(q) omega` is the right-invariant field", off, 1e-12)))
 }
 
-/// Checks for which rotation vectors the two images of a velocity across the axis are equal.
+/// Checks at which rotation vectors the two images of a velocity perpendicular to the axis are
+/// equal.
 fn equal_images() -> Result<Row, Error> {
     let n = Vector3::new(2.0, -1.0, 2.0) / 3.0;
     let across = Vector3::new(1.0, 2.0, 0.0);

@@ -1,4 +1,4 @@
-//! The document in Markdown.
+//! Writes the document in Markdown.
 
 use crate::{ABOUT, Paper, Row, TITLE};
 use std::io::{self, Write};

@@ -80,7 +80,7 @@ fn curvature(lab: &Lab) -> Result<Row, Error> {
     let delta = affinor_tensors::Tensor::<Rational>::identity(3);
     let lower = delta.map(Clone::clone);
     let metric = lab.so3.metric().ok_or(Error::NoMetric)?;
-    // g = 2 delta lowers with a factor 2
+    // the metric g = 2 delta multiplies lowered components by 2
     let operands = [("R", connection.curvature()), ("d", &lower), ("g", metric.components())];
     let off = contract("R^i_jkl - 1/8 d^i_k g_jl + 1/8 d^i_l g_jk -> ^i_jkl", &operands)?;
     let ricci = contract(
@@ -142,7 +142,7 @@ fn transport(lab: &Lab) -> Result<Row, Error> {
     let roots = lab.on_groups(|group| {
         let [x, u, _] = vectors(group);
         let carried = translation(group, CanonicalConnection::Zero)?.along_subgroup(&x)? * &u;
-        // sqrt(p) u sqrt(p) in left components: Ad of the inverse root
+        // the left components of sqrt(p) u sqrt(p): Ad of the inverse root, applied to u
         let root = group.exp(&(&x * -0.5));
         Ok(apart(&carried, &group.adjoint(&root, &u)))
     })?;
@@ -219,7 +219,7 @@ fn unsuitable(lab: &Lab) -> Result<Row, Error> {
     let metric = lab.inertia()?;
     let omega = symbols("Omega", 3);
     let free = vec![Symbolic::constant(Rational::from(0)); 3];
-    // the geodesics of J by its Levi-Civita connection: J Omegadot
+    // J Omegadot along the geodesics of J, from its Levi-Civita connection
     let body = Connection::levi_civita(lab.rotations.left_frame(), metric)?;
     let kind = affinor::geometry::equations::EquationKind::Autoparallel;
     let geodesic = metric.lower(&Equations::new(kind, &body, None)?.rate(&omega, &[])?)?;

@@ -27,15 +27,15 @@ use pyo3::types::{PyDict, PyTuple, PyType};
 /// Parameters
 /// ----------
 /// space : str, path, dict or array
-///     Name of the catalogue, sum of names (``"so3+R^3"``), or path of a definition file; brackets, in one text or in a
-///     list; a dict with the keys of a definition file; structure constants as for :meth:`from_structure`. A file is read
-///     once: geometries and groups of this algebra do not read it again.
+///     Name of the catalogue, sum of names (``"so3+R^3"``), or path of a definition file. Also brackets, as a string or
+///     a list of strings; a dict with the keys of a definition file; or structure constants as for
+///     :meth:`from_structure`. A file is read only once: geometries and groups of this algebra do not read it again.
 /// basis : str or list of str, optional
 ///     Names of the basis vectors; required for brackets.
 /// scalar : str
-///     ``"exact"`` (``symbolic`` with parameters) or ``"float"``.
+///     ``"exact"`` (``symbolic`` if there are parameters) or ``"float"``.
 /// tolerance : float, optional
-///     For floats: bound below which a sum counts as zero, relative to its terms.
+///     For floats: a sum counts as zero below this bound, relative to its terms.
 ///
 /// Raises
 /// ------
@@ -54,9 +54,9 @@ use pyo3::types::{PyDict, PyTuple, PyType};
 pub struct PyAlgebra {
     pub source: Py<PySource>,
     pub space: Space,
-    /// The algebra with the connection zero and without a metric.
+    /// The geometry of the algebra with the connection zero, and without a metric.
     pub values: Geometries,
-    /// The report of the structure, computed once.
+    /// The report of the structure, which is computed once.
     pub found: PyOnceLock<(Written, Py<PyAny>)>,
 }
 
@@ -69,31 +69,31 @@ properties! { PyAlgebra, own:
     basis: Vec<String> = own.values.labels();
     /// Dimension of the algebra.
     dimension: usize = own.values.labels().len();
-    /// Scalar of the structure constants: ``exact``, ``symbolic`` or ``float``.
+    /// Kind of the scalars of the structure constants: ``exact``, ``symbolic`` or ``float``.
     scalar: &'static str = own.values.scalar();
     /// Names of the parameters, sorted.
     parameters: Vec<String> = own.space.definition.parameters();
 }
 
 constructors! { PyAlgebra:
-    /// Lie algebra of structure constants ``c[i, j, k]``, with ``[e_j, e_k] = c^i_jk e_i`` and indices from 0.
+    /// Lie algebra defined by structure constants ``c[i, j, k]``, with ``[e_j, e_k] = c^i_jk e_i`` and indices from 0.
     ///
     /// Parameters
     /// ----------
     /// constants : array, sparse array, tuple, list, dict or Tensor
-    ///     An array of the shape (n, n, n); a pair of indices (3, count) and values; a sparse array of SciPy of the shape
-    ///     (n, n, n), or (n, n*n) with the column ``j*n + k``; a list of tuples ``(i, j, k, value)``; a dict ``{(i, j, k):
-    ///     value}``; a Tensor. Each pair of vectors may be given in one order or in both.
+    ///     An array of the shape (n, n, n), or a pair of indices (3, count) and values. A sparse array of SciPy of the
+    ///     shape (n, n, n), or (n, n*n) with the column ``j*n + k``. A list of tuples ``(i, j, k, value)``, a dict
+    ///     ``{(i, j, k): value}``, or a Tensor. Each pair ``j, k`` may occur in one order or in both.
     /// basis : str or list of str, optional
     ///     Names of the basis vectors; by default ``e1``, ``e2``, ...
     /// name : str, optional
     ///     Name of the algebra.
     /// dimension : int, optional
-    ///     Dimension; by default that of the array or of the basis, else the largest index plus one.
+    ///     Dimension; by default the dimension of the array or of the basis, otherwise the largest index plus one.
     /// scalar : str
     ///     ``"exact"`` or ``"float"``.
     /// tolerance : float, optional
-    ///     For floats: bound below which a sum counts as zero, relative to its terms.
+    ///     For floats: a sum counts as zero below this bound, relative to its terms.
     ///
     /// Returns
     /// -------
@@ -102,7 +102,7 @@ constructors! { PyAlgebra:
     /// Raises
     /// ------
     /// AntisymmetryError
-    ///     Both orders of a pair are given and do not agree.
+    ///     A pair is given in both orders, but the values do not agree.
     /// JacobiError
     ///     The brackets violate the Jacobi identity.
     ///
@@ -112,12 +112,12 @@ constructors! { PyAlgebra:
     /// [x, y] = z
     from_structure("($cls, constants, *, basis=None, name=None, dimension=None, scalar='exact', tolerance=None)")
         = "_source"."from_structure";
-    /// Lie algebra that matrices span under the commutator, over the reals.
+    /// Lie algebra that matrices span over the real numbers, with the commutator as bracket.
     ///
     /// Parameters
     /// ----------
     /// matrices : list of arrays
-    ///     Basis of square matrices: arrays of NumPy, matrices of SymPy or nested lists. Entries may be complex.
+    ///     Basis of square matrices: NumPy arrays, SymPy matrices or nested lists. Entries may be complex.
     /// basis : str or list of str, optional
     ///     Names of the basis vectors; by default ``e1``, ``e2``, ...
     /// name : str, optional
@@ -125,7 +125,7 @@ constructors! { PyAlgebra:
     /// scalar : str
     ///     ``"exact"`` or ``"float"``.
     /// tolerance : float, optional
-    ///     For floats: bound below which a sum counts as zero, relative to its terms.
+    ///     For floats: a sum counts as zero below this bound, relative to its terms.
     ///
     /// Returns
     /// -------
@@ -168,7 +168,7 @@ impl PyAlgebra {
         Ok(PyAlgebra { source: source.unbind(), space, values, found: PyOnceLock::new() })
     }
 
-    /// Symbols of SymPy in the definition, by name.
+    /// SymPy symbols in the definition, by name.
     #[getter]
     fn symbols<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         self.source.get().symbols.bind(py).copy()
@@ -206,7 +206,7 @@ impl PyAlgebra {
     /// Parameters
     /// ----------
     /// x : list, Tensor or str
-    ///     Vector: its components, or a text such as ``"e1 + 2*e2"``.
+    ///     Vector: its components, or a string such as ``"e1 + 2*e2"``.
     ///
     /// Returns
     /// -------
@@ -226,7 +226,7 @@ impl PyAlgebra {
     /// Parameters
     /// ----------
     /// x, y : list, Tensor or str
-    ///     Vectors: their components, or texts such as ``"e1 + 2*e2"``.
+    ///     Vectors: their components, or strings such as ``"e1 + 2*e2"``.
     ///
     /// Returns
     /// -------
@@ -241,12 +241,12 @@ impl PyAlgebra {
         Self::contract(slf, "^i_jk ^j ^k -> ^i", &[x, y])
     }
 
-    /// Direct sum; also written ``self + other``.
+    /// Direct sum with another algebra; also written ``self + other``.
     ///
     /// Parameters
     /// ----------
     /// other : LieAlgebra
-    ///     Second summand; both are exact, or both are floats.
+    ///     Second summand. Both summands must be exact, or both must be floats.
     ///
     /// Returns
     /// -------
@@ -293,12 +293,12 @@ impl PyAlgebra {
         Self::direct_sum(slf, other)
     }
 
-    /// Same algebra in the basis ``e'_a = A^i_a e_i``.
+    /// The same algebra in the basis ``e'_a = A^i_a e_i``.
     ///
     /// Parameters
     /// ----------
     /// matrix : array or Tensor
-    ///     Regular matrix ``A`` of the shape (n, n): column ``a`` has the components of ``e'_a``.
+    ///     Regular matrix ``A`` of the shape (n, n). The column ``a`` has the components of ``e'_a``.
     /// basis : str or list of str, optional
     ///     Names of the new basis vectors.
     ///
@@ -333,7 +333,7 @@ impl PyAlgebra {
         }
         let what = "a change of basis";
         let (_, values) = run(py, || match &own.values {
-            // the matrix has parameters that the algebra does not have
+            // the matrix has parameters that the algebra does not have, so the algebra is converted first
             Geometries::Exact(_) if matrix.kind() == Kind::Symbolic => {
                 changed(&symbolic(&own.values, what)?, matrix)
             }
@@ -345,12 +345,12 @@ impl PyAlgebra {
         Self::structured(slf, values, &symbols, own.name(), basis)
     }
 
-    /// Algebra with parameters replaced.
+    /// The algebra with parameters replaced by values.
     ///
     /// Parameters
     /// ----------
     /// values : dict
-    ///     Numbers or expressions by the name or the symbol of a parameter.
+    ///     Numbers or expressions. The keys are names or symbols of parameters.
     ///
     /// Returns
     /// -------
@@ -396,7 +396,7 @@ impl PyAlgebra {
         self.source.get().checks(py)
     }
 
-    /// Algebras are equal if their basis names and structure constants are.
+    /// Algebras are equal if they have equal names of basis vectors and equal structure constants.
     fn __eq__(&self, py: Python<'_>, other: &PyAlgebra) -> PyResult<bool> {
         let equal = self.basis() == other.basis();
         Ok(equal && self.structure(py)?.equals(&other.structure(py)?))
@@ -432,7 +432,7 @@ impl PyAlgebra {
         found.ok_or_else(|| error(py, "MathematicsError", (reason(),)))
     }
 
-    /// The contraction of the structure constants with vectors.
+    /// Contracts the structure constants with vectors.
     fn contract<'py>(
         slf: &Bound<'py, Self>,
         expression: &str,
@@ -447,7 +447,7 @@ impl PyAlgebra {
         contract_all(expression, PyTuple::new(py, factors)?, None)
     }
 
-    /// The algebra with these structure constants, and the tolerance of this algebra.
+    /// Creates an algebra with these structure constants and the tolerance of this algebra.
     pub fn structured<'py>(
         slf: &Bound<'py, Self>,
         values: Values,
@@ -463,12 +463,12 @@ impl PyAlgebra {
     }
 }
 
-/// Families of named algebras.
+/// Families of named algebras in the catalogue.
 ///
 /// Parameters
 /// ----------
 /// pattern : str
-///     Text that the name, the description or the example contains; by default all families are listed.
+///     String that the name, the description or the example of a family contains; by default all families are listed.
 ///
 /// Returns
 /// -------

@@ -73,7 +73,7 @@ impl PyTensor {
         Self::new(py, values, &symbols, Names::of("T"))
     }
 
-    /// The components multiplied by a number or an expression.
+    /// Multiplies the components by a number or an expression.
     fn scale(&self, py: Python<'_>, factor: &str, symbols: &Bound<'_, PyDict>) -> PyResult<Self> {
         fn scaled<S: Held>(tensor: &Tensor<S>, factor: &str) -> PyResult<Values> {
             Ok(S::wrap(tensor.scale(&values::read(factor)?)))
@@ -90,14 +90,14 @@ impl PyTensor {
         Self::new(py, values, symbols, Names::of("T"))
     }
 
-    /// The text of a factor, and the symbols of the product.
+    /// Converts a factor to text. Also returns the symbols of the product.
     fn factor<'py>(&self, factor: &Object<'py>) -> PyResult<(String, Bound<'py, PyDict>)> {
         let symbols = self.symbols.bind(factor.py()).copy()?;
         Ok((text_of(factor, &symbols, self.scalar() == "float")?, symbols))
     }
 }
 
-/// The sum or difference of two tensors, whose indices have these letters.
+/// The sum or the difference of two tensors. Both have these index letters.
 fn sum<S: Held>(
     a: &Tensor<S>,
     b: &Tensor<S>,

@@ -12,8 +12,8 @@ use pyo3::sync::PyOnceLock;
 use std::borrow::Cow;
 use std::ops::Deref;
 
-/// An argument of floats: any array, list or number that NumPy casts to float64. Complex numbers,
-/// dates and records are errors.
+/// An argument of floats: any array, list or number that NumPy casts to float64. Complex numbers, dates and records are
+/// errors.
 pub struct Floats<'py>(PyReadonlyArrayDyn<'py, f64>);
 
 impl<'py> Deref for Floats<'py> {
@@ -41,22 +41,21 @@ impl<'py> FromPyObject<'_, 'py> for Floats<'py> {
     }
 }
 
-/// An argument of rows: a few numbers, copied, or any array of floats.
+/// An argument of rows: a copy of a few numbers, or any array of floats.
 pub enum Input<'py> {
-    /// The numbers of an array with one or two axes in C order, and its shape.
+    /// The numbers of an array with one or two axes in C order, its shape, and the number of its axes.
     Small(Vec<f64>, [usize; 2], usize),
     Array(Floats<'py>),
 }
 
-/// Arrays up to this number of elements are copied.
+/// The largest number of elements of an array that is copied.
 const SMALL: usize = 16;
 
 impl<'py> FromPyObject<'_, 'py> for Input<'py> {
     type Error = PyErr;
 
     fn extract(value: Borrowed<'_, 'py, PyAny>) -> PyResult<Self> {
-        // NumPy arrays are tracked while they are borrowed, which takes longer than copying a few
-        // numbers
+        // copies a few numbers, because NumPy tracks borrowed arrays, which takes longer
         if value.is_exact_instance_of::<PyUntypedArray>()
             && let Ok(array) = value.cast::<PyArrayDyn<f64>>()
             && (1..=2).contains(&array.ndim())
@@ -75,7 +74,7 @@ impl<'py> FromPyObject<'_, 'py> for Input<'py> {
 }
 
 impl Input<'_> {
-    /// The shape.
+    /// The shape of the argument.
     pub fn shape(&self) -> &[usize] {
         match self {
             Input::Small(_, shape, axes) => &shape[..*axes],
@@ -83,14 +82,14 @@ impl Input<'_> {
         }
     }
 
-    /// The rows, broadcast from the batch shape `own` to `batch`.
+    /// The rows of the argument, broadcast from the batch shape `own` to the batch shape `batch`.
     pub fn rows(&self, own: &[usize], batch: &[usize]) -> Rows<'_> {
         let shape = self.shape();
         match self {
             Input::Small(numbers, ..) => Rows::of(shape, Some(numbers), own, batch, || {
                 ArrayViewD::from_shape(shape, numbers).ok()
             }),
-            // a single slice may also be in Fortran order
+            // the slice of an array may also be in Fortran order, so the order is checked
             Input::Array(array) => {
                 let slice = array.as_slice().ok().filter(|_| array.is_c_contiguous());
                 Rows::of(shape, slice, own, batch, || Some(array.as_array()))
@@ -99,7 +98,7 @@ impl Input<'_> {
     }
 }
 
-/// Finite real numbers as an array that has one of these numbers of axes.
+/// Converts an argument to an array of finite real numbers whose number of axes is allowed.
 pub fn with_axes<'py>(
     what: &str,
     value: &Bound<'py, PyAny>,
@@ -108,14 +107,14 @@ pub fn with_axes<'py>(
     python(value.py(), "_scalars", "with_axes")?.call1((what, value, counts.to_vec()))?.extract()
 }
 
-/// Whether all strides are multiples of the size of a number, unlike for a field of packed records.
+/// Whether all strides are multiples of the size of a number. The strides of a field of packed records are not.
 fn is_regular(array: &Bound<'_, PyArrayDyn<f64>>) -> bool {
     let size = size_of::<f64>();
     array.data().addr().is_multiple_of(size)
         && array.strides().iter().all(|step| step.unsigned_abs().is_multiple_of(size))
 }
 
-/// The shape of the batch: the axes of an argument before those of a single row.
+/// The batch shape of an argument: its axes except those of a single row.
 pub fn batch<'a>(name: &str, shape: &'a [usize], row: &[usize]) -> PyResult<&'a [usize]> {
     match shape.len().checked_sub(row.len()) {
         Some(axes) if shape[axes..] == *row => Ok(&shape[..axes]),
@@ -133,7 +132,7 @@ pub fn written(shape: &[usize]) -> String {
     if list.len() == 1 { format!("({},)", list[0]) } else { format!("({})", list.join(", ")) }
 }
 
-/// The shape to which both batches are broadcast.
+/// The shape to which two batches are broadcast.
 pub fn common(a: &[usize], b: &[usize]) -> PyResult<Vec<usize>> {
     let rank = a.len().max(b.len());
     let axis =
@@ -151,7 +150,7 @@ pub fn common(a: &[usize], b: &[usize]) -> PyResult<Vec<usize>> {
     joined.collect()
 }
 
-/// The rows of an argument. A single row is used for the whole batch.
+/// The rows of an argument. A single row serves the whole batch.
 pub struct Rows<'a> {
     data: Cow<'a, [f64]>,
     width: usize,
@@ -159,8 +158,8 @@ pub struct Rows<'a> {
 }
 
 impl<'a> Rows<'a> {
-    /// The rows of an array, broadcast from the batch shape `own` to `batch`; `slice` contains its
-    /// numbers if it is in C order.
+    /// The rows of an array, broadcast from the batch shape `own` to `batch`. `slice` contains the numbers of the array
+    /// if it is in C order.
     fn of(
         shape: &[usize],
         slice: Option<&'a [f64]>,
@@ -176,7 +175,7 @@ impl<'a> Rows<'a> {
             return Rows { data, width, step: if single { 0 } else { width } };
         }
         let whole: Vec<usize> = batch.iter().chain(&shape[own.len()..]).copied().collect();
-        // the shapes are compatible, because `common` has combined them
+        // broadcasting succeeds, because `common` has already combined the shapes
         let data = view().and_then(|view| Some(view.broadcast(whole)?.iter().copied().collect()));
         Rows { data: Cow::Owned(data.unwrap_or_default()), width, step: width }
     }
@@ -186,7 +185,7 @@ impl<'a> Rows<'a> {
         self.width
     }
 
-    /// The single row for the whole batch, if there is only one.
+    /// The single row that serves the whole batch; `None` if there are several rows.
     pub fn single(&self) -> Option<&[f64]> {
         (self.step == 0).then_some(&self.data)
     }
@@ -196,12 +195,12 @@ impl<'a> Rows<'a> {
         &self.data
     }
 
-    /// All numbers, if every element has its own row.
+    /// All numbers, if every element of the batch has its own row.
     pub fn all(&self) -> Option<&[f64]> {
         (self.step == self.width || self.data.len() == self.width).then_some(&self.data)
     }
 
-    /// The row with an index.
+    /// The row of the element with index `at`.
     #[inline]
     pub fn row(&self, at: usize) -> &[f64] {
         let start = at * self.step;
@@ -209,7 +208,7 @@ impl<'a> Rows<'a> {
     }
 }
 
-/// A new array of a few numbers.
+/// Creates an array of a few numbers.
 pub fn array<'py>(
     py: Python<'py>,
     batch: &[usize],
@@ -219,7 +218,7 @@ pub fn array<'py>(
     let refused = |error: numpy::ndarray::ShapeError| {
         pyo3::exceptions::PyValueError::new_err(error.to_string())
     };
-    // arrays with a fixed number of axes are created faster
+    // uses arrays with a fixed number of axes, because they are created faster
     Ok(match (batch, row) {
         ([], [_]) => PyArray1::from_slice(py, numbers).to_dyn().clone(),
         ([], [rows, columns]) => {
@@ -233,18 +232,18 @@ pub fn array<'py>(
     })
 }
 
-/// A new array of zeros.
+/// Creates an array of zeros.
 pub fn zeros<'py>(py: Python<'py>, batch: &[usize], row: &[usize]) -> Bound<'py, PyArrayDyn<f64>> {
     PyArrayDyn::zeros(py, [batch, row].concat(), false)
 }
 
-/// The size in bytes from which NumPy allocates an array.
+/// The size in bytes from which NumPy allocates the memory of an array.
 const LARGE: usize = 1 << 14;
 
 /// The number of axes that every version of NumPy supports.
 pub const AXES: usize = 32;
 
-/// A new uninitialized array. NumPy allocates large ones, because it requests large pages from the
+/// Creates an array without setting its values. NumPy allocates large arrays, because it requests large pages from the
 /// system and does not fill them.
 pub fn fresh<'py, T: Element + Default>(
     py: Python<'py>,
@@ -254,7 +253,7 @@ pub fn fresh<'py, T: Element + Default>(
     static EMPTY: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
     let shape = [batch, row].concat();
     let size = shape.iter().fold(size_of::<T>(), |size, n| size.saturating_mul(*n));
-    // NumPy raises an exception for too many axes and for too large a size
+    // leaves these cases to NumPy, which raises an exception for too many axes and for too large a size
     if size < LARGE && shape.len() <= AXES {
         return Ok(PyArrayDyn::zeros(py, shape, false));
     }

@@ -1,4 +1,4 @@
-//! Common parts of classes: properties, copies, and methods implemented in Python.
+//! Common parts of the classes: properties, copies, and methods that are implemented in Python.
 
 use pyo3::prelude::*;
 
@@ -11,7 +11,7 @@ pub type Optional<'py> = Option<Object<'py>>;
 /// A new Python object, or an exception.
 pub type New<'py> = PyResult<Object<'py>>;
 
-/// Properties: a row has the name, the type and the value.
+/// Defines properties: each row has the name, the type and the value.
 macro_rules! properties {
     ($class:ty, $own:ident: $(
         $(#[doc = $doc:literal])* $name:ident: $type:ty = $value:expr;
@@ -30,7 +30,7 @@ macro_rules! properties {
     };
 }
 
-/// Immutable objects are their own copies.
+/// Defines copies: an immutable object is its own copy.
 macro_rules! immutable {
     ($class:ty) => {
         #[pymethods]
@@ -46,7 +46,7 @@ macro_rules! immutable {
     };
 }
 
-/// Alternative constructors: the signature, and the Python function that converts the arguments to
+/// Defines alternative constructors: each row has the signature, and the Python function that converts the arguments to
 /// a source.
 macro_rules! constructors {
     ($class:ty: $(
@@ -71,8 +71,7 @@ macro_rules! constructors {
     };
 }
 
-/// Methods implemented by a Python function with the same name: a row has the signature and the
-/// arguments.
+/// Defines methods that a Python function with the same name implements: each row has the signature and the arguments.
 macro_rules! in_python {
     ($class:ty, $module:literal: $(
         $(#[doc = $doc:literal])* $name:ident $signature:tt [$($argument:ident),*];

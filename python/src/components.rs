@@ -1,4 +1,4 @@
-//! Components of tensors over the three scalars.
+//! Components of tensors over the three scalar types.
 
 use crate::errors::{refused, wrong};
 use crate::values;
@@ -13,7 +13,7 @@ use pyo3::prelude::*;
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
-/// The components over one of the scalars.
+/// Components over one of the scalar types.
 #[derive(Clone, Debug)]
 pub enum Values {
     Exact(Arc<Tensor<Rational>>),
@@ -21,7 +21,7 @@ pub enum Values {
     Float(Arc<Tensor<TrackedFloat>>),
 }
 
-/// Evaluates the same expression over each scalar.
+/// Evaluates the same expression for each scalar type.
 macro_rules! each {
     ($values:expr, $tensor:ident => $body:expr) => {
         match $values {
@@ -34,7 +34,7 @@ macro_rules! each {
 
 pub(crate) use each;
 
-/// A component as a float.
+/// Converts a component to a float.
 pub fn float<S: Coefficient>(value: &S) -> Result<f64, InputError> {
     let refused = |what: &str, help: &str| {
         let text = value.to_string();
@@ -55,7 +55,7 @@ pub fn float<S: Coefficient>(value: &S) -> Result<f64, InputError> {
     }
 }
 
-/// The nonzero components as floats.
+/// Writes the nonzero components as floats.
 pub fn write_floats<S: Coefficient>(
     tensor: &Tensor<S>,
     list: &mut [f64],
@@ -66,14 +66,14 @@ pub fn write_floats<S: Coefficient>(
     Ok(())
 }
 
-/// A scalar of tensors in Python.
+/// A scalar type of tensors in Python.
 pub trait Held: Coefficient {
     fn wrap(tensor: Tensor<Self>) -> Values;
-    /// The tensor over this scalar; `None` if the values are of another type.
+    /// The tensor over this scalar type; `None` if the values are of another type.
     fn of(values: &Values) -> Option<Arc<Tensor<Self>>>;
 }
 
-/// Converts a tensor to another scalar; `None` if a value does not exist there.
+/// Converts a tensor to another scalar type; `None` if this type cannot represent a value.
 fn over<S: Coefficient, T: Coefficient>(
     tensor: &Tensor<S>,
     convert: impl Fn(&S) -> Option<T>,
@@ -145,7 +145,7 @@ pub fn text(kind: Kind) -> &'static str {
     }
 }
 
-/// The widest of the kinds: floats before expressions before rationals.
+/// The widest of these kinds: floats are wider than expressions, which are wider than rational numbers.
 pub fn widest<'v>(all: impl IntoIterator<Item = &'v Values>) -> Kind {
     let rank = |kind: &Kind| match kind {
         Kind::Exact => 0,
@@ -155,7 +155,7 @@ pub fn widest<'v>(all: impl IntoIterator<Item = &'v Values>) -> Kind {
     all.into_iter().map(Values::kind).max_by_key(rank).unwrap_or(Kind::Exact)
 }
 
-/// The tensor over a scalar, or an error if a component does not exist in it.
+/// The tensor over a scalar type; an error if this type cannot represent a component.
 pub fn of<S: Held>(values: &Values) -> Result<Arc<Tensor<S>>, InputError> {
     S::of(values).ok_or_else(|| {
         if values.kind() == Kind::Float {
@@ -167,7 +167,7 @@ pub fn of<S: Held>(values: &Values) -> Result<Arc<Tensor<S>>, InputError> {
     })
 }
 
-/// Upper and lower slots from the marks `^` and `_`.
+/// Converts the marks `^` and `_` to upper and lower slots.
 fn slots(marks: &str) -> PyResult<Vec<Variance>> {
     let slot = |mark: char| match mark {
         '^' => Ok(Up),
@@ -179,13 +179,13 @@ fn slots(marks: &str) -> PyResult<Vec<Variance>> {
     marks.chars().map(slot).collect()
 }
 
-/// The marks of slots.
+/// Converts slots to marks.
 pub fn marks(slots: &[Variance]) -> String {
     slots.iter().map(|slot| if *slot == Up { '^' } else { '_' }).collect()
 }
 
-/// Components over the narrowest scalar: `values` are texts, or floats for the scalar `float`, at
-/// `indices` of the shape (rank, count), from 0.
+/// Builds components over the narrowest scalar type. `values` are texts, or floats for the scalar `float`. `indices`
+/// have the shape (rank, count) and count from 0.
 pub fn build(
     py: Python<'_>,
     dimension: usize,

@@ -1,4 +1,4 @@
-//! Constructions of new Lie algebras from old ones.
+//! Constructions of new Lie algebras from given ones.
 
 use crate::algebra::PyAlgebra;
 use crate::class::{New, Optional, in_python};
@@ -18,11 +18,11 @@ use std::sync::Arc;
 /// The name of a construction in errors.
 const WHAT: &str = "a construction";
 
-/// The data of a construction that has none.
+/// The data of a construction that needs no data.
 type Nothing = Option<bool>;
 
-/// Constructions of new algebras: a row has the arguments and the constructor. A function of Python with the same name reads
-/// the arguments: it returns the name of the new algebra, further data, and tensors.
+/// Defines constructions of new algebras: each row has the arguments and the constructor. A Python function with the
+/// same name reads the arguments. It returns the name of the new algebra, further data, and tensors.
 macro_rules! constructions {
     ($($(#[$attribute:meta])* fn $name:ident($($argument:ident),*) =
         |$structure:ident: $S:ident, $data:ident: $Data:ty, $given:ident| $body:expr;)*) => {
@@ -72,12 +72,12 @@ fn has_parameters(tensors: &[Values]) -> bool {
 }
 
 constructions! {
-    /// Subalgebra with given vectors as its basis.
+    /// Subalgebra whose basis is the given vectors.
     ///
     /// Parameters
     /// ----------
     /// vectors : list
-    ///     Linearly independent vectors: components, or texts such as ``"e1 + 2*e2"``.
+    ///     Linearly independent vectors: components, or strings such as ``"e1 + 2*e2"``.
     /// basis : str or list of str, optional
     ///     Names of the vectors.
     ///
@@ -98,12 +98,12 @@ constructions! {
     /// 3
     #[pyo3(signature = (vectors, *, basis=None))]
     fn subalgebra(vectors) = |structure: S, _data: Nothing, given| spanned::<S>(structure, &given);
-    /// Smallest subalgebra that contains given vectors.
+    /// Smallest subalgebra that contains the given vectors.
     ///
     /// Parameters
     /// ----------
     /// vectors : list
-    ///     Vectors: components, or texts such as ``"e1 + 2*e2"``.
+    ///     Vectors: components, or strings such as ``"e1 + 2*e2"``.
     /// basis : str or list of str, optional
     ///     Names of the new basis vectors.
     ///
@@ -119,12 +119,12 @@ constructions! {
     fn generated(vectors) = |structure: S, _data: Nothing, given| {
         inside(structure, &structure.generated(rows::<S>(&given)?))
     };
-    /// Subalgebra of all vectors that commute with given vectors.
+    /// Subalgebra of all vectors that commute with the given vectors.
     ///
     /// Parameters
     /// ----------
     /// vectors : list
-    ///     Vectors: components, or texts such as ``"e1 + 2*e2"``.
+    ///     Vectors: components, or strings such as ``"e1 + 2*e2"``.
     /// basis : str or list of str, optional
     ///     Names of the new basis vectors.
     ///
@@ -170,12 +170,12 @@ constructions! {
     fn derived_subalgebra() = |structure: S, _data: Nothing, _given| {
         inside::<S>(structure, structure.derived())
     };
-    /// Quotient by the ideal that given vectors span.
+    /// Quotient by the ideal that the given vectors span.
     ///
     /// Parameters
     /// ----------
     /// vectors : list
-    ///     Vectors that span the ideal: components, or texts such as ``"e1 + 2*e2"``.
+    ///     Vectors that span the ideal: components, or strings such as ``"e1 + 2*e2"``.
     /// basis : str or list of str, optional
     ///     Names of the new basis vectors.
     ///
@@ -200,13 +200,13 @@ constructions! {
         }
         Ok(made(&structure.quotient(&ideal)?))
     };
-    /// Central extension: the bracket ``[x, y]`` gets the further component ``omega(x, y)`` in the centre.
+    /// Central extension: the bracket ``[x, y]`` has an additional component ``omega(x, y)`` in the centre.
     ///
     /// Parameters
     /// ----------
     /// cocycle : str, array or dict
-    ///     A text such as ``"[e1, e2] = z"``; or ``omega[j, k]`` for one central vector, ``omega[a, j, k]`` for several, as an
-    ///     array or a dict.
+    ///     A string such as ``"[e1, e2] = z"``, or components as an array or a dict. The components are ``omega[j, k]``
+    ///     for one central vector, and ``omega[a, j, k]`` for several.
     /// centre : str or list of str
     ///     Names of the central vectors.
     /// basis : str or list of str, optional
@@ -233,7 +233,7 @@ constructions! {
     fn central_extension(cocycle, centre) = |structure: S, centre: Vec<String>, given| {
         extension::<S>(structure, &centre, &given[0])
     };
-    /// The semidirect sum with an algebra on which this one acts, by its labels.
+    /// The semidirect sum with an algebra on which this algebra acts. The other algebra is given by its labels.
     #[pyo3(signature = (on, by, *, basis=None))]
     fn _semidirect(on, by) = |structure: S, labels: Vec<String>, given| {
         semidirect::<S>(structure, &labels, &given)
@@ -292,14 +292,14 @@ constructions! {
     /// Parameters
     /// ----------
     /// order : int
-    ///     Order of truncation, from 1 to 64.
+    ///     Order of truncation, from 1 to 64: the lowest power of ``t`` that is zero.
     /// basis : str or list of str, optional
     ///     Names of the new basis vectors.
     ///
     /// Returns
     /// -------
     /// LieAlgebra
-    ///     Algebra of dimension ``order`` times that of this algebra.
+    ///     Algebra whose dimension is ``order`` times the dimension of this algebra.
     ///
     /// Examples
     /// --------
@@ -322,7 +322,7 @@ constructions! {
     /// Returns
     /// -------
     /// LieAlgebra
-    ///     Algebra of twice the dimension: the vectors ``x``, followed by ``i x``.
+    ///     Algebra of twice the dimension. Its basis is the vectors ``x``, followed by ``i x``.
     ///
     /// Examples
     /// --------
@@ -332,7 +332,7 @@ constructions! {
     fn complexification() = |structure: S, _data: Nothing, _given| {
         Ok(made::<S>(&structure.complexified()?))
     };
-    /// Inonu-Wigner contraction: ``e_i`` is scaled by ``t^w_i``, in the limit of ``t`` to 0.
+    /// Inonu-Wigner contraction: ``e_i`` is scaled by ``t^w_i``, and ``t`` tends to 0.
     ///
     /// Parameters
     /// ----------
@@ -362,15 +362,15 @@ constructions! {
 }
 
 in_python! { PyAlgebra, "structure":
-    /// Semidirect sum with an algebra on which this one acts: ``[e_j, v] = D_j v``.
+    /// Semidirect sum with an algebra on which this algebra acts: ``[e_j, v] = D_j v``.
     ///
     /// Parameters
     /// ----------
     /// on : LieAlgebra or str
-    ///     Algebra that is acted on. Without ``by``: ``"adjoint"`` acts on this algebra as a vector space, ``"coadjoint"`` on
-    ///     its dual space.
+    ///     Algebra on which this algebra acts. Without ``by``: ``"adjoint"`` means this algebra as a vector space, and
+    ///     ``"coadjoint"`` means its dual space.
     /// by : list of arrays, optional
-    ///     One matrix ``D_j`` per basis vector of this algebra.
+    ///     One matrix ``D_j`` for each basis vector of this algebra.
     /// basis : str or list of str, optional
     ///     Names of all vectors of the sum.
     ///
@@ -391,7 +391,7 @@ in_python! { PyAlgebra, "structure":
     /// [r, x] = y
     /// [r, y] = -x
     semidirect (on, by=None, *, basis=None) [on, by, basis];
-    /// Tangent algebra: the semidirect sum with itself as a vector space, by the adjoint action.
+    /// Tangent algebra: the semidirect sum with the algebra itself as a vector space, by the adjoint action.
     ///
     /// Parameters
     /// ----------
@@ -410,7 +410,7 @@ in_python! { PyAlgebra, "structure":
     tangent_algebra (*, basis=None) [basis];
 }
 
-/// The algebra of a subspace that is closed.
+/// The algebra of a subspace that is closed under the bracket.
 fn inside<S: Held + GroundField>(
     structure: &StructureTheory<S>,
     subspace: &Subspace<S>,
@@ -443,7 +443,8 @@ fn spanned<S: Held + GroundField>(
     Ok(made(&inside.algebra().change_basis(&BasisChange::new(matrix)?)?))
 }
 
-/// The central extension by a cocycle: constants `w^i_jk` of the larger space, with `i` in the centre.
+/// The central extension by a cocycle, which is given by constants `w^i_jk` over the larger space with `i` in the
+/// centre.
 fn extension<S: Held + GroundField>(
     structure: &StructureTheory<S>,
     centre: &[String],
@@ -461,7 +462,8 @@ fn extension<S: Held + GroundField>(
     Ok(made(&structure.central_extension(centre, constants)?))
 }
 
-/// The semidirect sum: the structure constants of the algebra that is acted on, which has these labels, and the matrices.
+/// The semidirect sum. `given` are the structure constants of the algebra that is acted on, then the matrices; `labels`
+/// are the names of its basis vectors.
 fn semidirect<S: Held + GroundField>(
     structure: &StructureTheory<S>,
     labels: &[String],
@@ -485,7 +487,7 @@ fn semidirect<S: Held + GroundField>(
     Ok(made(&structure.semidirect(&StructureTheory::new(on), &by)?))
 }
 
-/// The components of vectors.
+/// The components of vectors, as sparse rows.
 fn rows<S: Held>(vectors: &[Values]) -> Result<Vec<Row<S>>, InputError> {
     let row = |vector: &Values| -> Result<Row<S>, InputError> {
         let vector = of::<S>(vector)?;

@@ -1,4 +1,4 @@
-//! Contractions of tensors, and indexing.
+//! Contractions of tensors, and access to components by indices.
 
 use crate::class::Object;
 use crate::components::{Held, Values, each, of, widest};
@@ -18,7 +18,7 @@ impl PyTensor {
     /// Parameters
     /// ----------
     /// expression : str
-    ///     Sum of products in index letters, as for :func:`contract`.
+    ///     Sum of products in index letters, in the notation of :func:`contract`.
     /// *others : Tensor
     ///     Further factors, in the order of the expression.
     ///
@@ -40,18 +40,19 @@ impl PyTensor {
         contract_all(expression, factors.to_tuple()?, None)
     }
 
-    /// The sum over the last index of one tensor and the first of the other, one of which must be
-    /// upper and one lower.
+    /// The sum over the last index of one tensor and the first index of the other. One of these indices must be upper
+    /// and the other lower.
     fn __matmul__(&self, py: Python<'_>, other: &PyTensor) -> PyResult<Self> {
         let (a, b) = (self.slots(), other.slots());
         let pair = (a.chars().last(), b.chars().next());
         if !matches!(pair, (Some('^'), Some('_')) | (Some('_'), Some('^'))) {
             let reason = format!(
-                "a product needs an upper index beside a lower one: the slots are {a:?} and {b:?}"
+                "a product needs an upper index next to a lower index: the slots are {a:?} and {b:?}"
             );
             return Err(error(py, "ShapeError", (reason,)));
         }
-        // the index letters: those of the first factor, the summed one, those of the second factor
+        // the index letters: first the letters of the first factor, then the summed letter, then the letters of the
+        // second factor
         let letters: Vec<char> = LETTERS.chars().chain('r'..='z').collect();
         let (rank, last) = (self.rank(), self.rank() + other.rank() - 1);
         if last > letters.len() {
@@ -75,7 +76,7 @@ impl PyTensor {
         Self::new(py, values, &symbols, Names::of("T"))
     }
 
-    /// Tensor with its slots in another order.
+    /// Tensor with its slots in a different order.
     ///
     /// Parameters
     /// ----------
@@ -112,7 +113,7 @@ impl PyTensor {
     /// Raises
     /// ------
     /// ShapeError
-    ///     The slots are both upper or both lower.
+    ///     Both slots are upper, or both are lower.
     ///
     /// Examples
     /// --------
@@ -127,12 +128,12 @@ impl PyTensor {
 }
 
 impl PyTensor {
-    /// The same parameters and a new symbol.
+    /// A tensor with the symbols of this tensor and a new name.
     fn with(&self, py: Python<'_>, values: Values) -> PyResult<Self> {
         Self::new(py, values, self.symbols.bind(py), Names::of("T"))
     }
 
-    /// Positions of slots, which are checked.
+    /// Checks positions of slots, and returns them.
     fn positions(&self, slots: &Bound<'_, PyTuple>) -> PyResult<Vec<usize>> {
         let position = |slot: Bound<'_, PyAny>| {
             let slot = index("a slot", &slot)?;
@@ -147,7 +148,7 @@ impl PyTensor {
     }
 }
 
-/// Contraction: a sum of products in index letters.
+/// Contraction: a sum of products of tensors, written in index letters.
 ///
 /// A letter that occurs twice in a term, once upper and once lower, is summed. Terms may have rational coefficients:
 /// ``"1/2 a^i_j - b^i_j -> ^i_j"``.
@@ -155,11 +156,12 @@ impl PyTensor {
 /// Parameters
 /// ----------
 /// expression : str
-///     Products and the indices of the result, such as ``"^i_jk ^j -> ^i_k"`` or, by name, ``"c^i_jk v^j -> ^i_k"``.
+///     Products and the indices of the result, such as ``"^i_jk ^j -> ^i_k"`` or, with named factors, ``"c^i_jk v^j ->
+///     ^i_k"``.
 /// *factors : Tensor
 ///     Factors without names, in the order of the expression.
 /// **named : Tensor
-///     Factors by name.
+///     Factors with names.
 ///
 /// Returns
 /// -------

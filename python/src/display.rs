@@ -1,4 +1,4 @@
-//! Tensors as text, LaTeX and HTML.
+//! Displays of tensors as text, LaTeX and HTML.
 
 use crate::components::each;
 use crate::tensor::{LETTERS, PyTensor, written};
@@ -15,13 +15,13 @@ const SHOWN: usize = 50;
 const LISTED: usize = 2000;
 
 impl PyTensor {
-    /// The letters of the indices.
+    /// The index letters.
     pub fn letters(&self) -> String {
         let letters = || LETTERS.chars().take(self.rank()).collect();
         self.names.letters.clone().unwrap_or_else(letters)
     }
 
-    /// The symbol with its indices, such as `R^i_jkl`.
+    /// The symbol with its index letters, such as `R^i_jkl`.
     fn general(&self) -> String {
         format!("{}{}", self.names.symbol, written(&self.letters(), &self.slots(), true))
     }
@@ -31,7 +31,7 @@ impl PyTensor {
         format!("{nnz} nonzero component{}", if nnz == 1 { "" } else { "s" })
     }
 
-    /// The components, at most [`LISTED`] of them.
+    /// The components as text; at most [`LISTED`] components are listed.
     fn listed(&self, labels: Option<&[String]>) -> String {
         let nnz = self.nnz();
         if nnz == 0 {
@@ -103,7 +103,7 @@ impl PyTensor {
     /// Parameters
     /// ----------
     /// labels : list of str, optional
-    ///     Names of the index values, such as those of coordinates; by default numbers from 1.
+    ///     Names of the index values, such as the names of coordinates; by default numbers from 1.
     ///
     /// Returns
     /// -------
@@ -122,14 +122,14 @@ impl PyTensor {
         Ok(self.listed(labels.as_deref()))
     }
 
-    /// Components in LaTeX, lines of an ``aligned`` environment.
+    /// Components in LaTeX, as lines of an ``aligned`` environment.
     ///
     /// Parameters
     /// ----------
     /// limit : int, optional
-    ///     Largest number of components.
+    ///     Largest number of components that are written.
     /// labels : list of str, optional
-    ///     Names of the index values, such as those of coordinates; by default numbers from 1.
+    ///     Names of the index values, such as the names of coordinates; by default numbers from 1.
     ///
     /// Returns
     /// -------
@@ -174,7 +174,7 @@ impl PyTensor {
     }
 }
 
-/// The tensor that contains only the first components.
+/// A tensor with only the first components.
 fn first<S: Coefficient>(tensor: &Tensor<S>, limit: usize) -> Tensor<S> {
     if tensor.len() <= limit {
         return tensor.clone();

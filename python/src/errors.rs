@@ -1,4 +1,4 @@
-//! Errors as exceptions of `affinor.errors`, with their witnesses as data.
+//! Converts errors to the exceptions of `affinor.errors`, with their witnesses as data.
 
 use affinor::Error;
 use affinor_documents::input::{InputError, Refusal};
@@ -21,7 +21,8 @@ pub fn internal(py: Python<'_>, text: &str) -> PyErr {
     made.and_then(|class| class.call1((text,))).map_or_else(|failed| failed, PyErr::from_value)
 }
 
-/// The exception for a limit on the time or on the memory that was exceeded during a stage.
+/// The exception for a limit that was exceeded during a stage: the limit on the memory if `memory` is set, otherwise on
+/// the time.
 pub fn limit(py: Python<'_>, message: &str, memory: bool, stage: &str) -> PyErr {
     let made = || -> PyResult<PyErr> {
         let data = PyDict::new(py);
@@ -35,13 +36,13 @@ pub fn limit(py: Python<'_>, message: &str, memory: bool, stage: &str) -> PyErr 
     made().unwrap_or_else(|failed| failed)
 }
 
-/// Whether an exception is of this class of `affinor.errors`.
+/// Whether an exception belongs to this class of `affinor.errors`.
 pub fn is_a(py: Python<'_>, error: &PyErr, class: &str) -> bool {
     let class = py.import("affinor.errors").and_then(|errors| errors.getattr(class));
     class.is_ok_and(|class| error.matches(py, class).unwrap_or(false))
 }
 
-/// The exception for a wrong value or a wrong shape, with the expected and the actual one.
+/// The exception for a wrong value or a wrong shape. The message has the expected and the actual value.
 pub fn wrong(what: &str, expected: &str, found: &str) -> PyErr {
     pyo3::exceptions::PyValueError::new_err(format!("{what} should be {expected}, not {found}"))
 }
@@ -75,7 +76,7 @@ fn exception(py: Python<'_>, error: &InputError) -> PyResult<PyErr> {
     Ok(PyErr::from_value(made))
 }
 
-/// The witness of an error: names and values under the keys that the exceptions document.
+/// The witness of an error: names and values, with the keys that the exception class documents.
 fn witness<'py>(py: Python<'py>, error: &Error) -> PyResult<Bound<'py, PyDict>> {
     let data = PyDict::new(py);
     match error {
@@ -105,8 +106,8 @@ fn witness<'py>(py: Python<'py>, error: &Error) -> PyResult<Bound<'py, PyDict>> 
     Ok(data)
 }
 
-/// Translates options of the command line to Python arguments (`--max-step` to `max_step`), and
-/// commands to functions.
+/// Rewrites a message in terms of Python: options become arguments (`--max-step` becomes `max_step`), and commands
+/// become functions.
 fn in_words_of_python(text: &str) -> String {
     let mut words = String::with_capacity(text.len());
     let mut rest = text;
@@ -130,8 +131,8 @@ fn in_words_of_python(text: &str) -> String {
     tables_as_keys(&words)
 }
 
-/// Tables of a TOML file as keys of Python: ``a table [events]`` as ``a dict `events` ``, and ``one table [[inertia]]`` as
-/// ``one dict in the list `inertia` ``.
+/// Rewrites tables of a TOML file as keys of Python. ``a table [events]`` becomes ``a dict `events` ``, and ``one table
+/// [[inertia]]`` becomes ``one dict in the list `inertia` ``.
 fn tables_as_keys(text: &str) -> String {
     let mut words = String::with_capacity(text.len());
     let mut rest = text;

@@ -1,4 +1,4 @@
-//! Geometries in bulk: recorded programs of quantities, evaluated for rows of floats.
+//! Many geometries at once: programs of quantities are recorded, and then evaluated for rows of floats.
 
 use crate::arrays::{Floats, fresh};
 use crate::geometries::Geometries;
@@ -21,24 +21,26 @@ use rayon::prelude::*;
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// A geometry whose quantities are computed for rows of numbers: metrics of one algebra, or points of a chart.
+/// A family of geometries whose quantities are computed for rows of numbers: the metrics of one algebra, or the points
+/// of a chart.
 #[pyclass(name = "Family", frozen, module = "affinor._engine")]
 pub struct PyFamily {
     recorder: Arc<Recorder>,
     parameters: Vec<String>,
-    /// The place of each input in a row: metric and parameters, or coordinates and parameters, then two vectors.
+    /// The position of each input in a row: metric and parameters, or coordinates and parameters, followed by two
+    /// vectors.
     inputs: HashMap<String, usize>,
-    /// The names of the inputs before the vectors, if they are those of a point.
+    /// The names of the inputs before the vectors, if these inputs are a point.
     point: Vec<String>,
 }
 
-/// The programs of the quantities of a geometry, recorded when they are first asked for.
+/// The programs of the quantities of a geometry. A program is recorded when it is used for the first time.
 pub struct Recorder {
     geometry: Geometry<Recorded>,
-    /// The geometry over expressions, in which terms cancel.
+    /// The same geometry over symbolic expressions, in which terms can cancel.
     simplified: Option<Geometries>,
     dimension: usize,
-    /// The programs by the names of their quantities: at most one for each quantity.
+    /// The programs by the names of their quantities; each quantity has at most one program.
     programs: Mutex<HashMap<String, Arc<Recording>>>,
 }
 
@@ -50,7 +52,7 @@ struct Recording {
     shape: Vec<usize>,
 }
 
-/// The number of operations below which starting threads would take longer.
+/// The number of operations up to which one thread is faster than several threads, which must be started first.
 const SHORT: usize = 200_000;
 
 /// The number of operations of one task.
@@ -59,13 +61,13 @@ const TASK: usize = 100_000;
 /// The name of the sectional curvature, which is not a quantity of tables.
 const SECTIONAL: &str = "sectional_curvature";
 
-/// The upper triangle of a matrix: rows and columns from 0.
+/// The indices of the upper triangle of a matrix: rows and columns from 0.
 fn triangle(n: usize) -> impl Iterator<Item = (usize, usize)> {
     (0..n).flat_map(move |i| (i..n).map(move |j| (i, j)))
 }
 
-/// The numbers of an array in C order, and the distance between rows, which is 0 if there is one
-/// row for all.
+/// The numbers of an array in C order, and the distance between its rows. The distance is 0 if a single row serves all
+/// elements.
 fn rows<'a>(array: &'a Floats<'_>, count: usize) -> PyResult<(&'a [f64], usize)> {
     let (numbers, shape) = (array.as_slice()?, array.shape());
     let step = if shape[0] == 1 { 0 } else { shape[1] };
@@ -75,15 +77,15 @@ fn rows<'a>(array: &'a Floats<'_>, count: usize) -> PyResult<(&'a [f64], usize)>
     Ok((numbers, step))
 }
 
-/// The defect of a metric.
+/// The reason why a matrix is not a metric.
 enum Defect {
     NotFinite(f64),
     NotSymmetric([usize; 2]),
     Degenerate,
 }
 
-/// Checks a matrix `g` of `n` rows: its entries are finite, it is symmetric and, if it is a metric,
-/// its determinant is nonzero up to rounding errors.
+/// Checks a matrix `g` with `n` rows. Its entries must be finite, and it must be symmetric. If `regular` is set, its
+/// determinant must be nonzero up to rounding errors.
 fn check(g: &[f64], n: usize, regular: bool) -> Result<(), Defect> {
     let not_a_number = |x: &&f64| !x.is_finite();
     if let Some(value) = g.iter().find(not_a_number) {
@@ -98,10 +100,9 @@ fn check(g: &[f64], n: usize, regular: bool) -> Result<(), Defect> {
     if regular && !is_regular(g, n) { Err(Defect::Degenerate) } else { Ok(()) }
 }
 
-/// Whether a symmetric matrix is regular, by elimination with pivots that do not depend on the
-/// units of the basis: `g_ij/(d_i d_j)`. `d_i^2` is the larger of the magnitude of the diagonal
-/// entry and `m_i^2/M`, where `m_i` is the largest magnitude in the row and `M` the largest in the
-/// matrix.
+/// Whether a symmetric matrix is regular, by elimination with pivots that do not depend on the units of the basis:
+/// `g_ij/(d_i d_j)`. Here `d_i^2` is the magnitude of the diagonal entry or `m_i^2/M`, whichever is larger; `m_i` is
+/// the largest magnitude in the row, and `M` in the matrix.
 fn is_regular(g: &[f64], n: usize) -> bool {
     let size = |row: &[f64]| row.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
     let largest = size(g);
@@ -136,13 +137,13 @@ fn is_regular(g: &[f64], n: usize) -> bool {
 }
 
 impl Recorder {
-    /// The recorder of a geometry, and of the same geometry over expressions.
+    /// Creates the recorder of a geometry; `simplified` is the same geometry over symbolic expressions.
     pub fn new(geometry: Geometry<Recorded>, simplified: Option<Geometries>) -> Self {
         let dimension = geometry.frame().dimension();
         Recorder { geometry, simplified, dimension, programs: Mutex::default() }
     }
 
-    /// The program of a quantity; `None` where it is not defined.
+    /// The program of a quantity; `None` if the quantity is not defined for the geometry.
     fn tensor(&self, quantity: Quantity) -> Result<Option<TensorProgram>, InputError> {
         fn of<S: Programmed + Coefficient>(
             quantity: Quantity,
@@ -160,7 +161,7 @@ impl Recorder {
         simplified.unwrap_or_else(|| of(quantity, &self.geometry))
     }
 
-    /// The program of a quantity, recorded when it is first asked for.
+    /// The program of a quantity. It is recorded when it is used for the first time.
     fn recording(&self, py: Python<'_>, key: &str) -> PyResult<Arc<Recording>> {
         let known = || self.programs.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(found) = known().get(key) {
@@ -186,7 +187,7 @@ impl Recorder {
         Ok(known().entry(key.into()).or_insert_with(|| recording.into()).clone())
     }
 
-    /// The sectional curvature of the plane of the two vectors.
+    /// The program of the sectional curvature of the plane that two vectors span.
     fn sectional(&self) -> Result<Option<TensorProgram>, InputError> {
         let vector = |letter: &str| -> Vec<Recorded> {
             vector(letter, self.dimension).map(|name| Recorded::input(&name)).collect()
@@ -200,7 +201,7 @@ impl Recorder {
     }
 }
 
-/// The names of the components of a vector. With a space: no parameter has such a name.
+/// The names of the components of a vector. They contain a space, which no name of a parameter contains.
 fn vector(letter: &str, dimension: usize) -> impl Iterator<Item = String> {
     (1..=dimension).map(move |i| format!("{letter} {i}"))
 }
@@ -220,7 +221,7 @@ impl Recording {
 }
 
 impl PyFamily {
-    /// A family with these inputs before the vectors. Of equal names the first one counts.
+    /// Creates a family with these inputs before the vectors. If a name occurs twice, it means the first input.
     fn new(recorder: Arc<Recorder>, names: &[String], parameters: Vec<String>) -> Self {
         let n = recorder.dimension;
         let names = names.iter().cloned().chain(vector("x", n)).chain(vector("y", n));
@@ -231,7 +232,7 @@ impl PyFamily {
         PyFamily { recorder, parameters, inputs, point: vec![] }
     }
 
-    /// The family of points, by the names of their coordinates, parameters and functions.
+    /// Creates the family of points, with inputs named after coordinates, parameters and functions.
     pub fn at_points(
         py: Python<'_>,
         recorder: Arc<Recorder>,
@@ -266,7 +267,7 @@ impl PyFamily {
 
 #[pymethods]
 impl PyFamily {
-    /// The family of a source whose metric has the entries of a matrix, row by row, as parameters of these names.
+    /// Creates the family of a source. The parameters `names` are the entries of its metric, row by row.
     #[new]
     fn __new__(
         py: Python<'_>,
@@ -303,7 +304,7 @@ impl PyFamily {
         Ok(self.recorder.recording(py, key)?.shape.clone())
     }
 
-    /// Checks matrices (count, n n): metrics, or derivatives of metrics.
+    /// Checks matrices (count, n n), which are metrics or derivatives of metrics.
     fn check(
         &self,
         py: Python<'_>,
@@ -329,9 +330,9 @@ impl PyFamily {
         found.map_or(Ok(()), |(at, defect)| Err(self.refused(py, what, at, &defect)))
     }
 
-    /// A quantity (count, components) for arrays (count, k) whose columns are the inputs, the vectors last; its derivative if
-    /// there are rates of the first array (count, k). An array of one row is used for all rows; `batch` is the shape of the
-    /// batch of `count` rows.
+    /// Computes a quantity (count, components) for `arrays` (count, k). The columns of these arrays are the inputs,
+    /// with the vectors last. If `rates` (count, k) of the first array are given, computes the derivative of the
+    /// quantity instead. An array with one row serves all rows. `batch` is the shape of the batch of `count` rows.
     #[pyo3(signature = (key, batch, arrays, rates=None))]
     fn evaluate<'py>(
         &self,
@@ -376,7 +377,7 @@ impl PyFamily {
                 None => program.evaluate(&inputs, start, out, width),
                 Some(rates) => program.derivative(&inputs, rates, start, out, width),
             }
-            // a number times 0 is 0, unless the number is infinite or NaN
+            // tests all numbers at once: a number times 0 is 0, unless the number is infinite or NaN
             let sum = out.iter().fold(0.0, |sum, x| sum + x * 0.0);
             if sum == 0.0 {
                 return Ok(());
@@ -403,8 +404,8 @@ impl PyFamily {
         Ok(out)
     }
 
-    /// The eigenvalues (count, n) of symmetric forms with respect to metrics, in ascending order; None if a metric is not
-    /// positive definite.
+    /// The eigenvalues (count, n) of symmetric forms with respect to metrics, in ascending order. The result is None if
+    /// a metric is not positive definite.
     fn eigenvalues<'py>(
         &self,
         py: Python<'py>,
@@ -448,7 +449,7 @@ impl PyFamily {
 }
 
 impl PyFamily {
-    /// The error of a row without a finite result.
+    /// The error for a row whose result is not finite.
     fn undefined(
         &self,
         key: &str,
@@ -482,7 +483,7 @@ impl PyFamily {
     }
 }
 
-/// The index of a row in a batch, one number for each axis.
+/// The index of a row in a batch, as one number for each axis.
 fn indices(mut at: usize, batch: &[usize]) -> Vec<String> {
     let mut indices: Vec<String> = batch
         .iter()

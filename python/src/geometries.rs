@@ -1,4 +1,4 @@
-//! Geometries over the three scalars, which Python algebras and geometries contain.
+//! Geometries over the three scalar types. Algebras and geometries in Python contain them.
 
 use crate::components::{Held, Values, text};
 use crate::run::run;
@@ -11,7 +11,7 @@ use affinor_tensors::{Kind, Rational, Symbolic, TrackedFloat};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// A geometry over one of the scalars.
+/// A geometry over one of the scalar types.
 #[derive(Clone, Debug)]
 pub enum Geometries {
     Exact(Geometry<Rational>),
@@ -19,7 +19,7 @@ pub enum Geometries {
     Float(Geometry<TrackedFloat>),
 }
 
-/// Evaluates the same expression over each scalar.
+/// Evaluates the same expression for each scalar type.
 macro_rules! each {
     ($values:expr, $geometry:ident => $body:expr) => {
         match $values {
@@ -32,7 +32,7 @@ macro_rules! each {
 
 pub(crate) use each;
 
-/// A scalar of geometries in Python.
+/// A scalar type of geometries in Python.
 pub trait Grounded: Held {
     fn geometry(geometry: Geometry<Self>) -> Geometries;
 }
@@ -61,7 +61,7 @@ impl Geometries {
         each!(self, geometry => geometry.frame().labels().to_vec())
     }
 
-    /// The name of the scalar.
+    /// The name of the kind of scalars.
     pub fn scalar(&self) -> &'static str {
         text(match self {
             Geometries::Exact(_) => Kind::Exact,
@@ -70,13 +70,12 @@ impl Geometries {
         })
     }
 
-    /// The brackets of the algebra as text, one per line; `None` if the frame is not that of an
-    /// algebra.
+    /// The brackets of the algebra as text, one per line; `None` if the frame does not belong to an algebra.
     pub fn brackets(&self) -> Option<String> {
         each!(self, geometry => geometry.algebra().map(|algebra| algebra.to_string()))
     }
 
-    /// A quantity; `None` if it does not apply.
+    /// A quantity; `None` if it does not apply to the geometry.
     pub fn quantity(
         &self,
         py: Python<'_>,
@@ -94,7 +93,7 @@ impl Geometries {
         found.map(|values| PyTensor::new(py, values, symbols.bind(py), names())).transpose()
     }
 
-    /// A quantity; an error if it does not apply.
+    /// A quantity; an error if it does not apply to the geometry.
     pub fn tensor(
         &self,
         py: Python<'_>,
@@ -124,7 +123,7 @@ pub fn algebra<'a, S: Held>(
     Ok(geometry.frame_origin().algebra_for(what)?)
 }
 
-/// The algebra over expressions.
+/// The algebra over symbolic expressions.
 pub fn symbolic(
     values: &Geometries,
     what: &'static str,
@@ -138,7 +137,7 @@ pub fn symbolic(
     }
 }
 
-/// The error for an exact computation over floats.
+/// The error for an exact computation with floats.
 pub fn in_floats(what: &str) -> InputError {
     let error = InputError::usage(format!("{what} is exact, and the values here are floats"));
     error.help("give exact numbers (int, Fraction, SymPy or texts) and leave out scalar='float'")

@@ -1,4 +1,4 @@
-//! Geometries: a frame with a connection and optionally a metric, over the three scalars.
+//! Geometries: a frame with a connection and optionally a metric, over the three scalar types.
 
 use crate::algebra::PyAlgebra;
 use crate::class::{New, Object, Optional, constructors, immutable, in_python, properties};
@@ -21,36 +21,38 @@ use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple, PyType};
 use std::sync::{Arc, OnceLock};
 
-/// Geometry: a frame with a connection and perhaps a metric. Every quantity of ``affinor table`` is a property.
+/// Geometry: a frame with a connection and, optionally, a metric. Every quantity of ``affinor table`` is a property.
 ///
 /// Parameters
 /// ----------
 /// space : LieAlgebra, str, path or dict
-///     A LieAlgebra or anything that makes one, a geometry of the paper (``"M3"``, ``"SO3"``), a name with a connection
-///     (``"so3@plus"``), or a definition with a chart.
+///     A LieAlgebra or anything that defines one, a name with a connection (``"so3@plus"``), or a definition with a
+///     chart. ``"M3"`` and ``"SO3"`` are the geometries of Paraskevopoulos and Natsiavas (2013).
 /// connection : str or number, optional
-///     ``plus``, ``zero``, ``minus``, ``levi-civita``, ``lambda=1/3`` or a number lambda. By default ``levi-civita`` if
-///     there is a metric, else ``zero``.
+///     ``plus``, ``zero``, ``minus``, ``levi-civita``, ``lambda=1/3`` or a number lambda. The default is
+///     ``levi-civita`` if there is a metric, otherwise ``zero``.
 /// metric : str, array or list, optional
-///     ``identity``, ``killing``, ``diag(...)``, a symmetric matrix ``g_ij``, or the entries of a diagonal. Unknown names
-///     are parameters.
+///     ``identity``, ``killing``, ``diag(...)``, a symmetric matrix ``g_ij``, or a list of diagonal entries. Unknown
+///     names become parameters.
 /// basis : str or list of str, optional
 ///     Names of the basis vectors; required for brackets.
 /// affinities : array or Tensor, optional
-///     Affinities ``Lambda^i_jk`` instead of a connection: slots ``^__``, direction first.
+///     Affinities ``Lambda^i_jk``, instead of a connection. Their slots are ``^__``; the direction is the first lower
+///     index.
 /// torsion, nonmetricity : array or Tensor, optional
-///     Instead of a connection, with a metric: slots ``^__`` and ``___``.
+///     Torsion with the slots ``^__`` and nonmetricity with the slots ``___``, instead of a connection; they need a
+///     metric.
 /// frame : str
-///     ``"left"``, or ``"right"`` for components in the right-invariant frame.
+///     ``"left"`` for components in the left-invariant frame, or ``"right"`` for the right-invariant frame.
 /// scalar : str
-///     ``"exact"`` (``symbolic`` with parameters) or ``"float"``.
+///     ``"exact"`` (``symbolic`` if there are parameters) or ``"float"``.
 /// tolerance : float, optional
-///     For floats: bound below which a sum counts as zero, relative to its terms.
+///     For floats: a sum counts as zero below this bound, relative to its terms.
 ///
 /// Raises
 /// ------
 /// MetricError
-///     The metric is not symmetric or degenerate, or ``levi-civita`` has no metric.
+///     The metric is not symmetric or is degenerate, or ``levi-civita`` is given without a metric.
 ///
 /// Examples
 /// --------
@@ -61,7 +63,7 @@ use std::sync::{Arc, OnceLock};
 #[pyclass(name = "Geometry", frozen, subclass, module = "affinor")]
 pub struct PyGeometry {
     pub source: Py<PySource>,
-    /// Affinities, or torsion and nonmetricity, by name.
+    /// The tensors that define the connection, by name: affinities, or torsion and nonmetricity.
     extra: Vec<(String, Py<PyTensor>)>,
     frame: String,
     pub symbols: Py<PyDict>,
@@ -70,7 +72,7 @@ pub struct PyGeometry {
     recorder: OnceLock<Arc<Recorder>>,
 }
 
-/// The quantity of a name.
+/// The quantity with this name.
 pub fn quantity(key: &str) -> PyResult<Quantity> {
     Quantity::from_key(key).ok_or_else(|| {
         let keys: Vec<&str> = Quantity::ALL.into_iter().map(Quantity::key).collect();
@@ -78,7 +80,7 @@ pub fn quantity(key: &str) -> PyResult<Quantity> {
     })
 }
 
-/// The result of testing a property: whether it holds, its value, and the witness of its failure.
+/// The result of a test of a property: whether it holds, its value, and the witness of its failure.
 type Tested = (bool, Option<String>, Option<String>);
 
 fn tested<S: Coefficient, T>(
@@ -94,7 +96,7 @@ fn tested<S: Coefficient, T>(
 /// The source, the tensors that determine the connection, and the frame of a geometry.
 type Parts<'py> = (Bound<'py, PySource>, Vec<(String, Py<PyTensor>)>, Object<'py>);
 
-/// The quantities as properties: a row has the key and the form of the value.
+/// Defines the quantities as properties: each row has the key and the form of the value.
 macro_rules! quantities {
     ($($(#[doc = $doc:literal])* $key:ident: $form:ident;)*) => {
         #[pymethods]
@@ -122,7 +124,7 @@ fn number_of(py: Python<'_>, found: PyTensor) -> PyResult<Bound<'_, PyAny>> {
 quantities! {
     /// Structure constants ``c^i_jk``: ``[e_j, e_k] = c^i_jk e_i``.
     structure: tensor;
-    /// Affinities ``Lambda^i_jk``: ``nabla_{e_j} e_k = Lambda^i_jk e_i``, the direction first.
+    /// Affinities ``Lambda^i_jk``: ``nabla_{e_j} e_k = Lambda^i_jk e_i``. The direction is the first lower index.
     ///
     /// Examples
     /// --------
@@ -150,14 +152,15 @@ quantities! {
     /// >>> Geometry("so3@zero").ricci[0, 0]
     /// Fraction(1, 2)
     ricci: tensor;
-    /// Scalar curvature ``S = g^jl Ric_jl``, a number; it needs a metric.
+    /// Scalar curvature ``S = g^jl Ric_jl``, a number. It needs a metric.
     ///
     /// Examples
     /// --------
     /// >>> Geometry("so3", metric=[1, 1, 2]).scalar_curvature
     /// Fraction(1, 1)
     scalar_curvature: number_of;
-    /// Metric ``g_ij``. Without a metric it raises MathematicsError, and ``quantity("metric")`` is None.
+    /// Metric ``g_ij``. For a geometry without a metric, the property raises MathematicsError, and
+    /// ``quantity("metric")`` is None.
     metric: tensor;
     /// Inverse metric ``g^ij``.
     inverse_metric: tensor;
@@ -205,26 +208,28 @@ properties! { PyGeometry, own:
 }
 
 constructors! { PyGeometry:
-    /// Geometry on a coordinate chart, in the coordinate frame or in the frame of given fields.
+    /// Geometry on a coordinate chart, in the coordinate frame or in a frame of given vector fields.
     ///
     /// Parameters
     /// ----------
     /// coordinates : str or list
-    ///     Names or symbols of SymPy.
+    ///     Names of the coordinates, or SymPy symbols.
     /// metric : str, array or list, optional
-    ///     Metric as in :class:`Geometry`; entries are formulas of the coordinates and parameters.
+    ///     Metric as in :class:`Geometry`. Its entries are formulas in the coordinates and parameters.
     /// fields : dict, optional
-    ///     Frame fields by name: texts such as ``"1/sin(theta)*d_phi"``, or components in the coordinate frame.
+    ///     Fields of the frame by name: strings such as ``"1/sin(theta)*d_phi"``, or components in the coordinate
+    ///     frame.
     /// connection : str or number, optional
     ///     Connection as in :class:`Geometry`.
     /// affinities : str or list of str, optional
-    ///     Affinities instead of a connection, such as ``"nabla[d_x, d_y] = x*d_y"``.
+    ///     Affinities such as ``"nabla[d_x, d_y] = x*d_y"``, instead of a connection.
     /// parameters : list
-    ///     Names or symbols of parameters that the metric and the fields do not contain.
+    ///     Names or SymPy symbols of parameters that occur neither in the metric nor in the fields.
     /// functions : list
-    ///     Undetermined functions, such as ``"a(t)"``. Those of SymPy in the metric and the fields are found.
+    ///     Undetermined functions, such as ``"a(t)"``. SymPy functions in the metric and the fields are found without
+    ///     being listed.
     /// positive : list
-    ///     Functions that are positive, for roots and logarithms.
+    ///     Functions that are positive on the chart, which defines roots and logarithms.
     /// name : str
     ///     Name of the geometry.
     ///
@@ -275,7 +280,7 @@ impl PyGeometry {
         Ok(PyGeometry { source, extra, frame, symbols, values, recorder })
     }
 
-    /// Factor lambda of a connection ``Lambda = lambda c``; None for other connections.
+    /// Factor lambda of a connection ``Lambda = lambda c``. It is None for other connections.
     ///
     /// Examples
     /// --------
@@ -289,7 +294,7 @@ impl PyGeometry {
         factor.map(|text| self.number(py, &text)).transpose()
     }
 
-    /// Symbols of SymPy in the definition, by name.
+    /// SymPy symbols in the definition, by name.
     #[getter]
     fn symbols<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         self.symbols.bind(py).copy()
@@ -308,23 +313,23 @@ impl PyGeometry {
         Ok((extra, &self.frame))
     }
 
-    /// The values of the quantities at points, in floats.
+    /// Values of the quantities at points, in floats.
     ///
-    /// Each formula is simplified and compiled once, and then runs over all points on all cores.
+    /// Each formula is simplified and compiled once, and then evaluated at all points on all cores.
     ///
     /// Parameters
     /// ----------
     /// points : array of the shape (..., n), or dict of arrays
-    ///     The coordinates of the points, in their order; or values of coordinates, parameters and functions by name or symbol.
-    ///     Values that a quantity does not depend on may be left out.
+    ///     Coordinates of the points, in the order of the chart. A dict has values of coordinates, parameters and
+    ///     functions, by name or symbol. Values on which a quantity does not depend may be left out.
     /// **values : arrays
     ///     Values of parameters and coordinates by name, broadcast with the batch of points.
     ///
     /// Returns
     /// -------
     /// PointValues
-    ///     Every quantity as an array with the axes of the batch in front. NaN and infinity are errors, in points and in results:
-    ///     the error names the index and the coordinates of the point.
+    ///     Every quantity as an array whose first axes are the axes of the batch. NaN and infinity, in points and in
+    ///     results, are errors. The error names the index and the coordinates of the point.
     ///
     /// Examples
     /// --------
@@ -342,7 +347,7 @@ impl PyGeometry {
         python(slf.py(), "_points", "at")?.call1((slf, points, values))
     }
 
-    /// The recorded programs of the quantities, for values of these names.
+    /// The family of the quantities, for values with these names.
     fn _at(&self, py: Python<'_>, names: Vec<String>) -> PyResult<PyFamily> {
         let space = self.source.get().space(py)?;
         if matches!(self.values, Geometries::Float(_)) {
@@ -366,7 +371,7 @@ impl PyGeometry {
         PyFamily::at_points(py, recorder, &space, &others, &names)
     }
 
-    /// Lie algebra of the frame.
+    /// Lie algebra to which the frame belongs.
     #[getter]
     fn algebra<'py>(&self, py: Python<'py>) -> New<'py> {
         py.get_type::<PyAlgebra>().call1((self.source.get().of_algebra(py)?,))
@@ -377,12 +382,13 @@ impl PyGeometry {
     /// Parameters
     /// ----------
     /// key : str
-    ///     Name such as ``"ricci"``, ``"weyl"`` or ``"nabla_torsion"``: any of the properties that are tensors or numbers.
+    ///     Name such as ``"ricci"``, ``"weyl"`` or ``"nabla_torsion"``: any property that is a tensor or a number.
     ///
     /// Returns
     /// -------
     /// Tensor or None
-    ///     None if the quantity needs a metric or another connection. Numbers are tensors of rank 0.
+    ///     The quantity. It is None if the quantity needs a metric or another connection. Numbers are tensors of rank
+    ///     0.
     ///
     /// Raises
     /// ------
@@ -398,7 +404,7 @@ impl PyGeometry {
         self.values.quantity(py, quantity(key)?, &self.symbols)
     }
 
-    /// Whether a property holds, with its constant or a witness.
+    /// Tests whether a property holds. The result has the constant of the property, or a witness of its failure.
     ///
     /// Parameters
     /// ----------
@@ -443,7 +449,7 @@ impl PyGeometry {
         python(py, "geometry", "Property")?.call1((holds, value, witness))
     }
 
-    /// Basis of the holonomy algebra.
+    /// Basis of the holonomy algebra, as matrices.
     ///
     /// Returns
     /// -------
@@ -485,7 +491,7 @@ impl PyGeometry {
         source.cast_into::<PySource>()?.get().checks(py)
     }
 
-    /// Equal structure constants, affinities and metrics.
+    /// Geometries are equal if they have equal structure constants, affinities and metrics.
     fn __eq__(&self, py: Python<'_>, other: &PyGeometry) -> PyResult<bool> {
         for key in [Quantity::Structure, Quantity::Affinities, Quantity::Metric] {
             let [a, b] = [self, other].map(|one| one.values.quantity(py, key, &one.symbols));
@@ -509,7 +515,7 @@ impl PyGeometry {
         Ok((python(py, "geometry", "restored")?, arguments))
     }
 
-    /// The metric and the affinities.
+    /// The metric and the affinities in LaTeX.
     fn _repr_latex_<'py>(slf: &Bound<'py, Self>) -> New<'py> {
         python(slf.py(), "geometry", "latex")?.call1((slf,))
     }
@@ -533,12 +539,12 @@ impl PyGeometry {
 type Reduced<'py> = (Object<'py>, (Bound<'py, PyType>, Py<PySource>, Bound<'py, PyDict>, String));
 
 in_python! { PyGeometry, "geometry":
-    /// Geometry with parameters replaced.
+    /// The geometry with parameters replaced by values.
     ///
     /// Parameters
     /// ----------
     /// values : dict
-    ///     Numbers or expressions by the name or the symbol of a parameter or of an undetermined function.
+    ///     Numbers or expressions. The keys are names or symbols of parameters or undetermined functions.
     ///
     /// Returns
     /// -------
@@ -552,7 +558,7 @@ in_python! { PyGeometry, "geometry":
 }
 
 impl PyGeometry {
-    /// A number of the geometry, parsed from its text.
+    /// Converts a number of the geometry from its text.
     fn number<'py>(&self, py: Python<'py>, text: &str) -> New<'py> {
         number(text, self.symbols.bind(py), self.scalar() == "float")
     }

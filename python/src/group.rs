@@ -1,4 +1,4 @@
-//! Groups over arrays of elements.
+//! Groups whose methods act on arrays of elements.
 
 use crate::arrays::{self, Input, common, fresh, with_axes, zeros};
 use crate::class::{New, Object, Optional, immutable, properties};
@@ -19,7 +19,7 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 use std::ops::Deref;
 use std::sync::OnceLock;
 
-/// The kinds of rows.
+/// The kinds of rows of an array.
 #[derive(Clone, Copy)]
 pub enum Row {
     Vector,
@@ -31,7 +31,7 @@ pub enum Row {
     Point(usize),
 }
 
-/// The shape of a row: one or two axes.
+/// The shape of a row, which has one or two axes, and the number of axes.
 struct RowShape([usize; 2], usize);
 
 impl Deref for RowShape {
@@ -41,7 +41,7 @@ impl Deref for RowShape {
     }
 }
 
-/// The action of the elements on points.
+/// How elements act on points.
 #[derive(Clone, Copy)]
 pub struct Action {
     /// The size of the matrices.
@@ -50,17 +50,18 @@ pub struct Action {
     pub is_affine: bool,
 }
 
-/// The largest size of a result that is computed on the stack.
+/// The largest size of a result that is stored on the stack.
 const FEW: usize = 64;
 
 /// Lie group whose elements are rows of arrays.
 ///
-/// All methods broadcast as NumPy does, with the axes of the batch in front. Vectors are components in the basis of the
-/// algebra, of the shape (..., dimension); angles are in radians, lengths in any consistent units. Elements are embedding
-/// coordinates of the shape (..., coordinates). Elements of SO(3) are unit quaternions ``w, x, y,
-/// z``; elements of SE(3) are a quaternion and a position. Elements of matrix groups are matrices,
-/// column by column; elements of R^n and of nilpotent groups are coordinates. Vectors of
-/// se(3) have the rotation first. Groups are equal if they are made from the same name or the same definition.
+/// All methods broadcast as NumPy does; the first axes are the axes of the batch. Vectors are components
+/// in the basis of the algebra, of the shape (..., dimension). Angles are in radians, and lengths in
+/// any consistent units. Elements are embedding coordinates of the shape (..., coordinates). Elements of
+/// SO(3) are unit quaternions ``w, x, y, z``; elements of SE(3) are a quaternion and a position.
+/// Elements of matrix groups are matrices, column by column; elements of R^n and of nilpotent groups are
+/// coordinates. Vectors of se(3) have the rotation first. Groups are equal if they are made from the
+/// same name or the same definition.
 ///
 /// Parameters
 /// ----------
@@ -82,13 +83,12 @@ pub struct PyGroup {
     name: String,
     group: AnyGroup,
     made: MadeOf,
-    /// The index in the library of each coordinate of Python; quaternions of the library end with
-    /// w.
+    /// For each coordinate in Python, its index in the library. Quaternions in the library end with w.
     order: Vec<usize>,
     dimension: usize,
     shape: (usize, usize),
     closed: Closed,
-    /// The action on points, if there is one; determined on first use.
+    /// The action on points, if there is one. It is determined when it is used for the first time.
     action: OnceLock<Option<Action>>,
 }
 
@@ -98,7 +98,7 @@ enum MadeOf {
     Source(Py<PySource>),
 }
 
-/// For each coordinate of Python, its index in the library.
+/// For each coordinate in Python, its index in the library.
 fn order(group: &AnyGroup) -> Vec<usize> {
     if let Some(Product(first, second)) = group.downcast_ref::<Product<AnyGroup, AnyGroup>>() {
         let mut all = order(first);
@@ -131,7 +131,7 @@ impl PyGroup {
         PyGroup { name, group, made, order, dimension, shape, closed, action: OnceLock::new() }
     }
 
-    /// The group of the algebra of a source.
+    /// Creates the group of the algebra of a source.
     pub fn of_source(py: Python<'_>, source: Py<PySource>) -> PyResult<Self> {
         let space = source.get().space(py)?;
         let group = run(py, || space.in_floats()?.group(Tolerance::default()))?;
@@ -151,7 +151,7 @@ impl PyGroup {
         &self.group
     }
 
-    /// The shape of one row.
+    /// The shape of a row of this kind.
     fn row(&self, kind: Row) -> RowShape {
         match kind {
             Row::Vector => RowShape([self.dimension, 0], 1),
@@ -163,8 +163,8 @@ impl PyGroup {
         }
     }
 
-    /// The action on points, for groups of square matrices. A vector with a single number, whose
-    /// identity is 0, has no action.
+    /// The action on points, if the elements are square matrices. A group of vectors with one component has no action;
+    /// it is recognized by its identity, the 1 x 1 matrix 0.
     pub fn action(&self) -> Option<Action> {
         *self.action.get_or_init(|| {
             let (rows, columns) = self.shape;
@@ -180,7 +180,7 @@ impl PyGroup {
         })
     }
 
-    /// An operation on arrays, row by row.
+    /// Applies an operation to arrays, row by row.
     pub fn map<'py>(
         &self,
         py: Python<'py>,
@@ -211,7 +211,7 @@ impl PyGroup {
             run_here(py, || ground.operate(operation, rows, numbers, width))?;
             return arrays::array(py, &whole, &row, numbers);
         }
-        // allocated first, so that too large a result is an error before an argument is copied
+        // allocates the result first, so that a result that is too large is an error before an argument is copied
         let out = fresh(py, &whole, &row)?;
         {
             let (a, b) = rows();
@@ -233,7 +233,7 @@ immutable! { PyGroup }
 properties! { PyGroup, own:
     /// Name of the algebra.
     name: &str = &own.name;
-    /// Dimension of the algebra, the length of a vector.
+    /// Dimension of the algebra, which is the length of a vector.
     dimension: usize = own.dimension;
     /// Number of coordinates of an element.
     coordinate_count: usize = own.order.len();
@@ -242,7 +242,7 @@ properties! { PyGroup, own:
 
 #[pymethods]
 impl PyGroup {
-    /// The group of a name of the catalogue, or of names joined by `+`.
+    /// Creates a group from a name of the catalogue, or from names joined by `+`.
     #[new]
     fn __new__(name: &Bound<'_, PyAny>) -> PyResult<Self> {
         let py = name.py();
@@ -271,12 +271,12 @@ impl PyGroup {
         self.written(py, &self.group.identity())
     }
 
-    /// Matrices ``E_k`` of the basis, the derivatives of ``matrix(exp(s e_k))`` at ``s = 0``.
+    /// Matrices ``E_k`` of the basis vectors: the derivatives of ``matrix(exp(s e_k))`` at ``s = 0``.
     ///
     /// Returns
     /// -------
     /// array of the shape (dimension, rows, columns)
-    ///     The index ``k`` of the basis vector is first.
+    ///     The first index is the number ``k`` of the basis vector.
     ///
     /// Examples
     /// --------
@@ -285,7 +285,7 @@ impl PyGroup {
     ///         [ 1.,  0.]]])
     fn generators<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
         let (rows, columns) = self.shape;
-        // the matrix of a product is one column with the entries of its factors
+        // the matrix of a product has one column, which contains the entries of all factors
         let (mut entries, mut count, mut first) = (vec![], 0, 0);
         for factor in self.group.factors() {
             let generators = factor.generators();
@@ -300,14 +300,14 @@ impl PyGroup {
         arrays::array(py, &[count], &[rows, columns], &entries)
     }
 
-    /// Random elements: exponentials of vectors with independent normal components.
+    /// Random elements: exponentials of vectors whose components are independent and normally distributed.
     ///
     /// Parameters
     /// ----------
     /// shape : int or tuple of ints
-    ///     Shape of the batch; by default a single element.
+    ///     Shape of the batch; by default a single element is generated.
     /// rng : numpy.random.Generator or int, optional
-    ///     Generator, or its seed; by default a fresh seed.
+    ///     Random generator, or a seed for it; by default a fresh seed is used.
     /// scale : float
     ///     Standard deviation of each component, in radians or units of length.
     ///
@@ -361,7 +361,7 @@ impl PyGroup {
 type Argument<'py> = (Object<'py>,);
 
 impl PyGroup {
-    /// The elements of an array.
+    /// Converts an array to elements.
     pub fn elements(&self, g: &Input<'_>) -> PyResult<Vec<DVector<f64>>> {
         let own = arrays::batch("g", g.shape(), &self.row(Row::Element))?;
         let rows = g.rows(own, own);
@@ -369,14 +369,14 @@ impl PyGroup {
         Ok((0..count).map(|at| element(&self.group, &self.order, rows.row(at))).collect())
     }
 
-    /// The coordinates of an element.
+    /// The coordinates of an element as an array.
     fn written<'py>(&self, py: Python<'py>, g: &DVector<f64>) -> PyResult<Array<'py>> {
         let out = zeros(py, &[], &[self.order.len()]);
         self.write(g, out.readwrite().as_slice_mut()?);
         Ok(out)
     }
 
-    /// Writes the coordinates of an element.
+    /// Writes the coordinates of an element into a row.
     pub fn write(&self, g: &DVector<f64>, row: &mut [f64]) {
         write_element(&self.group, &self.order, g, row);
     }
@@ -396,12 +396,12 @@ impl PyGroup {
     }
 }
 
-/// Groups in closed form.
+/// Groups whose operations are computed in closed form.
 ///
 /// Returns
 /// -------
 /// list of (str, str)
-///     Pattern of the name, and how elements are written.
+///     Pattern of the name, and a description of the elements.
 ///
 /// Examples
 /// --------

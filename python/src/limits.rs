@@ -1,4 +1,4 @@
-//! Monitoring of a computation: Python signals, and limits on its time and memory.
+//! Monitoring of a computation: signals of Python, and limits on its time and memory.
 
 use crate::errors;
 use crate::values::python;
@@ -12,12 +12,12 @@ use std::time::Duration;
 /// The polling interval.
 const OFTEN: Duration = Duration::from_millis(20);
 
-/// Limits that apply at the same time, the innermost block first.
+/// Limits that apply at the same time. The limits of the innermost block are first.
 #[pyclass(name = "Budget", frozen, module = "affinor._engine")]
 #[derive(Clone)]
 pub struct PyBudget(Vec<Budget>);
 
-/// Whether this process has ever used limits; if not, the context variable is not read.
+/// Whether this process has ever used limits. If it has not, the context variable need not be read.
 static USED: AtomicBool = AtomicBool::new(false);
 
 #[pymethods]
@@ -42,7 +42,7 @@ impl PyBudget {
 }
 
 impl PyBudget {
-    /// The limits in the current context of Python.
+    /// The limits that apply in the current context of Python.
     fn current(py: Python<'_>) -> PyResult<Self> {
         static VARIABLE: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
         if !USED.load(Ordering::Relaxed) {
@@ -55,7 +55,7 @@ impl PyBudget {
         Ok(found.map_or_else(|| PyBudget(vec![]), |found| found.get().clone()))
     }
 
-    /// The exceeded limit, if any.
+    /// The first exceeded limit; `None` if no limit is exceeded.
     fn exceeded(&self) -> Option<Passed> {
         self.0.iter().find_map(|budget| Some(Passed { reason: budget.exceeded()?, of: *budget }))
     }
@@ -68,7 +68,7 @@ struct Passed {
 }
 
 impl Passed {
-    /// The exception for a computation in this stage.
+    /// The exception for a computation that exceeded this limit in a stage.
     fn raise(&self, py: Python<'_>, stage: &str) -> PyErr {
         let message = self.of.message(self.reason, stage);
         errors::limit(py, &message, self.reason == StopReason::Memory, stage)
@@ -79,13 +79,13 @@ impl Passed {
 pub struct Watch {
     token: StopToken,
     budget: PyBudget,
-    /// The exception that a signal raised.
+    /// The exception that a signal handler raised.
     raised: Option<PyErr>,
     passed: Option<Passed>,
 }
 
 impl Watch {
-    /// Begins the watch.
+    /// Starts the monitor.
     ///
     /// # Errors
     /// An error if a limit is already exceeded.
@@ -97,7 +97,7 @@ impl Watch {
         }
     }
 
-    /// The token of the computation.
+    /// The stop token of the computation.
     pub fn token(&self) -> StopToken {
         self.token.clone()
     }
@@ -108,7 +108,7 @@ impl Watch {
         rests.filter(|rest| !rest.is_zero()).fold(OFTEN, Duration::min)
     }
 
-    /// Polls for signals and limits, and stops the computation if there is one.
+    /// Polls for signals and limits. Stops the computation if there is a signal or an exceeded limit.
     pub fn look(&mut self) {
         if self.raised.is_none()
             && let Err(error) = Python::attach(|py| py.check_signals())
@@ -124,7 +124,7 @@ impl Watch {
         }
     }
 
-    /// The result of the computation, or the exception that stopped it.
+    /// Returns the result of the computation, or raises the exception that stopped it.
     pub fn finish<T>(self, py: Python<'_>, done: Result<T, Stopped>) -> PyResult<T> {
         match (self.raised, done) {
             (Some(error), _) => Err(error),

@@ -1,4 +1,4 @@
-//! Problems of motion, and their integration in short pieces, between which Python can interrupt.
+//! Problems of motion. They are integrated in short pieces, between which Python can interrupt the integration.
 
 use crate::arrays::{Input, batch};
 use crate::class::properties;
@@ -22,25 +22,25 @@ use std::time::{Duration, Instant};
 /// The time between two polls for a signal.
 const PIECE: Duration = Duration::from_millis(20);
 
-/// A problem of motion; the flag tells whether Python functions are among its forces.
+/// A problem of motion. The flag tells whether some of its forces are Python functions.
 #[pyclass(name = "Problem", frozen, subclass, module = "affinor._engine")]
 pub struct PyProblem(Problem, bool);
 
 thread_local! {
-    /// The exception that a force raised, in the integrating thread.
+    /// The exception that a force raised in the thread of the integration.
     static RAISED: RefCell<Option<PyErr>> = const { RefCell::new(None) };
 }
 
-/// The exception that a force raised since the last call.
+/// Returns the exception that a force has raised since the last call, if any.
 fn raised() -> Option<PyErr> {
     RAISED.with_borrow_mut(Option::take)
 }
 
-/// The reason why a run ended early.
+/// Why a run ended early.
 enum Failed {
     /// An error of the engine.
     Refused(InputError),
-    /// An exception of a force.
+    /// An exception that a force raised.
     Raised(PyErr),
 }
 
@@ -53,8 +53,8 @@ impl From<Failed> for PyErr {
     }
 }
 
-/// The result of a step. An exception of a force takes precedence over the engine's error about a
-/// force that is not a number.
+/// The result of a step. If a force raised an exception, this exception is returned, and not the error of the engine
+/// that the force is not a number.
 fn checked<T>(result: Result<T, impl Into<InputError>>) -> Result<T, Failed> {
     match raised() {
         Some(error) => Err(Failed::Raised(error)),
@@ -62,7 +62,7 @@ fn checked<T>(result: Result<T, impl Into<InputError>>) -> Result<T, Failed> {
     }
 }
 
-/// The force computed by a Python function `force(t, g, omega)`, where the element is a matrix.
+/// The force that a Python function `force(t, g, omega)` computes. Its argument `g` is the matrix of the element.
 fn force(function: Py<PyAny>) -> ForceFunction {
     ForceFunction::new(move |t, g, omega| {
         Python::attach(|py| {
@@ -93,7 +93,7 @@ fn force(function: Py<PyAny>) -> ForceFunction {
     })
 }
 
-/// The events of a piece of an integration, and whether it has ended.
+/// The events in a piece of an integration, and whether the motion has ended.
 #[derive(Default)]
 struct Piece {
     events: Vec<(String, f64)>,
@@ -102,7 +102,7 @@ struct Piece {
 }
 
 impl Piece {
-    /// Integrates until the end of the motion or of the piece.
+    /// Integrates to the end of the motion, or to the end of the piece.
     fn integrate(
         &mut self,
         integration: &mut Integration,
@@ -124,7 +124,7 @@ impl Piece {
     }
 }
 
-/// The columns, the last rows, and the errors of failed runs: exceptions of forces, or messages.
+/// The columns, the last row of each run, and for each failed run an exception or a message.
 type Many<'py> = (Vec<String>, Bound<'py, PyArray2<f64>>, Vec<Option<Py<PyAny>>>);
 
 fn table<'py>(
@@ -139,7 +139,7 @@ fn table<'py>(
 properties! { PyProblem, own:
     /// Name of the problem.
     name: &str = &own.0.name;
-    /// Number of members of the ensemble; None without one.
+    /// Number of members of the ensemble; None without an ensemble.
     ensemble_size: Option<u64> = own.0.members();
     /// Names of the parameters that the ensemble varies.
     ensemble_parameters: Vec<String> = own.0.varied().into_iter().map(String::from).collect();
@@ -147,8 +147,7 @@ properties! { PyProblem, own:
 
 #[pymethods]
 impl PyProblem {
-    /// A problem from a file, or from a text with a name for messages; options override keys of the
-    /// file.
+    /// Creates a problem from a file, or from a text with a name for messages. Options override keys of the file.
     #[new]
     #[allow(clippy::too_many_arguments, reason = "keyword arguments of Python")]
     #[pyo3(signature = (path=None, text=None, set=None, method=None, step=None, tolerance=None, end=None, every=None, body=None, spatial=None))]
@@ -190,7 +189,7 @@ impl PyProblem {
         Ok(PyProblem(problem, of_python))
     }
 
-    /// Parameters of a member of the ensemble.
+    /// Parameters of one member of the ensemble.
     ///
     /// Parameters
     /// ----------
@@ -217,8 +216,8 @@ impl PyProblem {
         format!("<Problem {}{members}>", self.0.name)
     }
 
-    /// Integrates a member. `progress` is called with the fraction of the time that has passed. An
-    /// interrupt, or an error of the integration, ends the run but preserves its rows.
+    /// Integrates a member. `progress` is called with the fraction of the time that has passed. An interrupt or an
+    /// error ends the run, but its rows are returned.
     #[pyo3(signature = (member=0, progress=None))]
     fn _run<'py>(
         &self,
@@ -227,7 +226,7 @@ impl PyProblem {
         progress: Option<Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyDict>> {
         let problem = &self.0;
-        // a thread that waits in a Python function must not start other work
+        // uses separate threads for Python forces: a thread that waits for Python must not begin other work
         let threads = if self.1 { Threads::apart(py, 1)? } else { Threads::shared(py)? };
         let ready = threads.run(py, || Ok(checked(problem.motion(member))))??;
         let names: Vec<String> = ready.columns.iter().map(|column| column.name.clone()).collect();
@@ -235,7 +234,7 @@ impl PyProblem {
         let conserved: Vec<bool> = ready.columns.iter().map(|column| column.conserved).collect();
         let (method, why) = (ready.method.name(), ready.method.why());
         let notes = ready.notes.clone();
-        // computing the values of events at the start may call forces
+        // runs in the threads too, because the values of events at the start may call forces
         let mut integration =
             threads.run(py, || Ok(checked(Ok::<_, InputError>(problem.integrate(ready)))))??;
         let (mut rows, mut events) = (Vec::new(), Vec::new());
@@ -250,10 +249,10 @@ impl PyProblem {
             events.extend(piece.events);
             match piece.failed.map(PyErr::from) {
                 Some(error) if error.is_instance_of::<PyException>(py) => failed = Some(error),
-                // an exception such as KeyboardInterrupt
+                // other exceptions, such as KeyboardInterrupt
                 error => interrupt = error,
             }
-            // a step that took long was stopped before it was complete
+            // a long step was stopped before it was complete
             match stopped {
                 Err(error) if is_a(py, &error, "InternalError") => return Err(error),
                 Err(error) if is_a(py, &error, "LimitError") => {
@@ -284,7 +283,7 @@ impl PyProblem {
         Ok(found)
     }
 
-    /// The columns of a member, and rows that are dense enough to be drawn.
+    /// The columns of a member, and rows that are dense enough to draw a curve.
     fn _curve<'py>(
         &self,
         py: Python<'py>,
@@ -308,19 +307,19 @@ impl PyProblem {
         Ok((names, table(py, rows.concat(), width)?))
     }
 
-    /// The names of the methods of a class without step-size control, the most accurate one last; none for other classes.
+    /// The names of the methods of a class without step-size control, the most accurate method last. The list is empty
+    /// for other classes.
     fn _own_methods(&self) -> Vec<&'static str> {
         self.0.own_methods().into_iter().map(Method::name).collect()
     }
 
-    /// The same problem with rows at the initial time and at these times.
+    /// Returns the problem with rows at the initial time and at these times.
     fn _at_times(&self, times: Vec<f64>) -> Self {
         PyProblem(self.0.at_times(&times), self.1)
     }
 
-    /// Integrates the problem once for each row of parameter values, on all threads. Returns the
-    /// columns, the last row of each run, and the errors of failed runs. An interrupt ends all
-    /// runs.
+    /// Integrates the problem once for each row of parameter values, on all threads. Returns the columns, the last row
+    /// of each run, and the errors of failed runs. An interrupt ends all runs.
     fn _run_many<'py>(
         &self,
         py: Python<'py>,
@@ -348,7 +347,7 @@ impl PyProblem {
             let last = found.split_off(found.len().saturating_sub(columns.len()));
             failed.map_or(Ok((columns, last)), Err)
         };
-        // the rows are not tasks of a pool, because a thread that waits in a force would begin
+        // does not run the rows as tasks of a pool, because a thread that waits for Python in a force would begin
         // another task
         let (next, found) = (AtomicUsize::new(0), Mutex::new(vec![]));
         let work = || {
@@ -390,12 +389,12 @@ fn text(py: Python<'_>, text: &str) -> PyResult<Py<PyAny>> {
     Ok(text.into_pyobject(py)?.into_any().unbind())
 }
 
-/// Methods of integration.
+/// Integration methods.
 ///
 /// Returns
 /// -------
 /// dict of str
-///     Purpose of each method by its name; ``docs/motion.md`` has their orders and properties.
+///     The purpose of each method, by its name. ``docs/motion.md`` describes their orders and properties.
 ///
 /// Examples
 /// --------

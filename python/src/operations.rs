@@ -8,7 +8,7 @@ use affinor::group::batch::rotations::JacobianKind;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
-/// Methods that apply an operation to rows: the arguments with their kinds, and the kind of the result.
+/// Defines methods that apply an operation to rows: the arguments with their kinds, and the kind of the result.
 macro_rules! operations {
     ($(
         $(#[doc = $doc:literal])*
@@ -42,7 +42,7 @@ operations! {
     /// Parameters
     /// ----------
     /// x : array of the shape (..., dimension)
-    ///     Vectors of the algebra; for rotations the rotation vectors in radians.
+    ///     Vectors of the algebra; for rotations, the rotation vectors in radians.
     ///
     /// Returns
     /// -------
@@ -56,7 +56,7 @@ operations! {
     exp(x: Vector) -> Element = Operation::Exp;
     /// Logarithm, the inverse of :meth:`exp` near the identity.
     ///
-    /// The rotation vectors of SO(3) and SE(3) have lengths up to pi.
+    /// The rotation vectors in results for SO(3) and SE(3) have lengths up to pi.
     ///
     /// Parameters
     /// ----------
@@ -127,7 +127,7 @@ operations! {
     between(g: Element, h: Element) -> Element = Operation::Between;
     /// Projects drifted elements back onto the group.
     ///
-    /// Quaternions are normalized; positions stay as they are.
+    /// Quaternions are normalized; positions are unchanged.
     ///
     /// Parameters
     /// ----------
@@ -148,7 +148,7 @@ operations! {
     /// >>> SO3.project([2, 0, 0, 0])
     /// array([1., 0., 0., 0.])
     project(g: Element) -> Element = Operation::Restore;
-    /// Adjoint action ``Ad_g x``: body velocity to spatial velocity.
+    /// Adjoint action ``Ad_g x``, which maps a body velocity to the spatial velocity.
     ///
     /// Parameters
     /// ----------
@@ -185,7 +185,7 @@ operations! {
     ///        [ 1.,  0.,  0.],
     ///        [ 0.,  0.,  1.]])
     adjoint_matrix(g: Element) -> Operator = Operation::AdjointMatrix;
-    /// Coadjoint action ``(Ad*_g h)_k = (Ad_g)^i_k h_i``: spatial momentum to body momentum.
+    /// Coadjoint action ``(Ad*_g h)_k = (Ad_g)^i_k h_i``, which maps a spatial momentum to the body momentum.
     ///
     /// Parameters
     /// ----------
@@ -219,9 +219,9 @@ operations! {
     /// >>> SO3.bracket([1, 0, 0], [0, 1, 0])
     /// array([0., 0., 1.])
     bracket(x: Vector, y: Vector) -> Vector = Operation::Bracket;
-    /// Left-trivialized differential of exp, ``T(x) v``: ``exp(x + dx) = exp(x) exp(T(x) dx + ...)``.
+    /// Left-trivialized differential of exp, ``T(x) v``, with ``exp(x + dx) = exp(x) exp(T(x) dx + ...)``.
     ///
-    /// ``T(x)`` is the matrix :meth:`right_jacobian`. The rows of ``tangent_left(x, eye)`` are its columns.
+    /// ``T(x)`` is the matrix :meth:`right_jacobian`. Its columns are the rows of ``tangent_left(x, eye)``.
     ///
     /// Parameters
     /// ----------
@@ -264,9 +264,10 @@ operations! {
     /// >>> SE2.tangent_left_inverse([0, 3, 5], [1, -2.5, 1.5]).round(12)
     /// array([1., 0., 0.])
     tangent_left_inverse(x: Vector, v: Vector) -> Vector = Operation::TangentLeftInverse;
-    /// Left Jacobian of exp: ``exp(x + dx) = exp(J dx + ...) exp(x)``.
+    /// Left Jacobian ``J`` of exp: ``exp(x + dx) = exp(J dx + ...) exp(x)``.
     ///
-    /// Left and right are the sides of the factor ``exp(J dx)`` (Sola, Deray and Atchuthan, arXiv 1812.01537).
+    /// In the names of the Jacobians, left and right mean the side of the factor ``exp(J dx)`` (Sola, Deray and
+    /// Atchuthan, arXiv 1812.01537).
     ///
     /// Parameters
     /// ----------
@@ -285,7 +286,7 @@ operations! {
     ///        [ 2.5,  1. ,  0. ],
     ///        [-1.5,  0. ,  1. ]])
     left_jacobian(x: Vector) -> Operator = Operation::Jacobian(JacobianKind::Left);
-    /// Right Jacobian of exp: ``exp(x + dx) = exp(x) exp(J dx + ...)``.
+    /// Right Jacobian ``J`` of exp: ``exp(x + dx) = exp(x) exp(J dx + ...)``.
     ///
     /// ``J`` maps ``v`` to ``tangent_left(x, v)``, the velocity in the left-invariant frame. It is the transpose of
     /// ``tangent_left(x, eye)``, whose rows are the images of the basis vectors.
@@ -355,7 +356,7 @@ operations! {
     ///        [ 2.5,  1. ,  0. ],
     ///        [-1.5,  0. ,  1. ]])
     right_jacobian_inverse(x: Vector) -> Operator = Operation::Jacobian(JacobianKind::RightInverse);
-    /// Time derivative of the coordinates along ``g exp(s v)`` at ``s = 0``, linear in ``v``.
+    /// Time derivative of the coordinates along ``g exp(s v)`` at ``s = 0``. It is linear in ``v``.
     ///
     /// Parameters
     /// ----------
@@ -383,7 +384,7 @@ operations! {
     /// Returns
     /// -------
     /// array of the shape (..., rows, columns)
-    ///     Matrices; for vector groups and products columns of the shape (..., rows).
+    ///     The matrices. For vector groups and products, they are columns of the shape (..., rows).
     ///
     /// Examples
     /// --------
@@ -397,15 +398,15 @@ operations! {
 #[pymethods]
 #[allow(clippy::wrong_self_convention, reason = "a group reads and writes its elements")]
 impl PyGroup {
-    /// Elements of matrices.
+    /// Elements that are given by their matrices.
     ///
     /// Parameters
     /// ----------
     /// matrix : array of the shape (..., rows, columns)
-    ///     Matrices, or columns of vector groups and products.
+    ///     Matrices; for vector groups and products, columns.
     /// check : bool
-    ///     Whether to check that matrices belong to the group. ``False`` is faster for SO(3) and SE(3) and gives an unspecified
-    ///     element for other matrices; other groups always check.
+    ///     Whether to check that the matrices belong to the group. ``False`` is faster for SO(3) and SE(3), but then
+    ///     the result for other matrices is unspecified. Other groups always check.
     ///
     /// Returns
     /// -------
@@ -431,14 +432,14 @@ impl PyGroup {
         self.map(py, operation, ("matrix", Row::Matrix, &matrix), None, Row::Element)
     }
 
-    /// Action of matrices of size k on points.
+    /// Action of elements, as matrices of size k, on points.
     ///
     /// Parameters
     /// ----------
     /// g : array of the shape (..., coordinates)
     ///     Elements.
     /// points : array of the shape (..., k)
-    ///     Points. Affine maps, such as rigid motions, act on points (..., k - 1) too.
+    ///     Points. Affine maps, such as rigid motions, also act on points of the shape (..., k - 1).
     ///
     /// Returns
     /// -------
@@ -475,14 +476,14 @@ impl PyGroup {
 }
 
 in_python! { PyGroup, "group":
-    /// Point ``g exp(t log(g^-1 h))`` of the one-parameter curve from ``g`` to ``h``.
+    /// The point ``g exp(t log(g^-1 h))`` of the one-parameter curve from ``g`` to ``h``.
     ///
     /// Parameters
     /// ----------
     /// g, h : array of the shape (..., coordinates)
     ///     Elements at ``t = 0`` and at ``t = 1``.
     /// t : array of the shape (...)
-    ///     Parameter of the curve, of the shape of the batch; values outside of 0 to 1 extrapolate.
+    ///     Parameter of the curve, of the shape of the batch. Values outside the interval from 0 to 1 extrapolate.
     ///
     /// Returns
     /// -------
@@ -494,10 +495,12 @@ in_python! { PyGroup, "group":
     /// array([[1., 0., 0., 0., 1., 0., 2.],
     ///        [1., 0., 0., 0., 2., 0., 4.]])
     interpolate (g, h, t) [g, h, t];
-    /// Mean of elements: the solution ``m`` of ``sum w_i log(m^-1 g_i) = 0`` found by iteration from the first element.
+    /// Mean of elements: the solution ``m`` of ``sum w_i log(m^-1 g_i) = 0``, found by iteration from the first
+    /// element.
     ///
-    /// For rotations it is the Karcher mean, which minimizes the weighted sum of squared distances; elements should be within
-    /// half a turn of each other. On other groups it is the group exponential mean, which commutes with translations.
+    /// For rotations, the mean is the Karcher mean, which minimizes the weighted sum of squared distances; the elements
+    /// should be within half a turn of each other. On other groups, it is the group exponential mean, which commutes
+    /// with translations.
     ///
     /// Parameters
     /// ----------
@@ -506,12 +509,12 @@ in_python! { PyGroup, "group":
     /// weights : array, optional
     ///     Nonnegative weights, an array of the shape of the batch. For a single axis, a vector is enough.
     /// axis : int or tuple of ints, optional
-    ///     Axes of the batch that are averaged; by default all.
+    ///     Axes of the batch over which the mean is taken; by default all axes.
     ///
     /// Returns
     /// -------
     /// array of the shape (..., coordinates)
-    ///     The means, with the remaining axes of the batch.
+    ///     The means; their batch has the remaining axes.
     ///
     /// Raises
     /// ------
@@ -524,15 +527,16 @@ in_python! { PyGroup, "group":
     /// >>> SO3.log(SO3.mean(turns, weights=[3, 1])).round(12)
     /// array([0. , 0. , 0.1])
     mean (g, weights=None, axis=None) [g, weights, axis];
-    /// Length of ``log(g^-1 h)``, invariant under left translations; for rotations the angle in radians.
+    /// Length of ``log(g^-1 h)``, which is invariant under left translations. For rotations, it is the angle in
+    /// radians.
     ///
     /// Parameters
     /// ----------
     /// g, h : array of the shape (..., coordinates)
     ///     Elements.
     /// weights : array of the shape (dimension,) or (dimension, dimension), optional
-    ///     Positive semidefinite form on the algebra, such as squared lengths per radian for rigid motions; by default the
-    ///     identity.
+    ///     Positive semidefinite form on the algebra, by default the identity. For rigid motions, it may contain
+    ///     squared lengths per radian.
     ///
     /// Returns
     /// -------
@@ -554,9 +558,10 @@ in_python! { PyGroup, "group":
     /// g : array of the shape (count, ..., coordinates)
     ///     Elements.
     /// kind : str
-    ///     ``"cubic"`` (default) with continuous velocities, or ``"geodesic"`` with constant velocity between elements.
+    ///     ``"cubic"`` (default) for a curve with continuous velocities, or ``"geodesic"`` for a constant velocity
+    ///     between elements.
     /// velocities : array of the shape (count, ..., dimension), optional
-    ///     Body velocities at the elements, for ``"cubic"``.
+    ///     Body velocities at the elements, only for ``"cubic"``.
     ///
     /// Returns
     /// -------

@@ -1,11 +1,11 @@
-//! Reports as text.
+//! Converts reports to text.
 
 use affinor_documents::input::InputError;
 use affinor_documents::report::{Format, Report};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
-/// The format with a name.
+/// The format with this name.
 pub fn format(name: &str) -> PyResult<Format> {
     Format::from_name(name).ok_or_else(|| {
         let names: Vec<&str> = Format::ALL.iter().map(|format| format.name()).collect();
@@ -13,7 +13,7 @@ pub fn format(name: &str) -> PyResult<Format> {
     })
 }
 
-/// A report as text.
+/// Writes a report as text in a format.
 pub fn written(report: &(impl Report + ?Sized), format: Format) -> Result<String, InputError> {
     let mut bytes = Vec::new();
     report.write(format, &mut bytes).map_err(|error| InputError::usage(error.to_string()))?;
@@ -23,7 +23,7 @@ pub fn written(report: &(impl Report + ?Sized), format: Format) -> Result<String
 /// A report as JSON, as text and as Markdown.
 pub type Written = (String, String, String);
 
-/// A report in the formats of `Report` in Python.
+/// Writes a report in the formats that `Report` in Python needs.
 pub fn all_formats(report: &impl Report) -> Result<Written, InputError> {
     let [json, text, markdown] =
         [Format::Json, Format::Text, Format::Markdown].map(|format| written(report, format));

@@ -1,5 +1,5 @@
-//! Group operations on rows: by kernels for rotations and rigid motions, and row by row for any
-//! group.
+//! Group operations on rows. Rotations and rigid motions have kernels; for any other group, the rows are processed one
+//! by one.
 
 use crate::arrays::Rows;
 use affinor::Error;
@@ -51,8 +51,8 @@ pub enum Closed {
     Other,
 }
 
-/// A group, its kernels, and the index in the library of each coordinate of Python; quaternions of
-/// the library end with w.
+/// A group, its kernels, and for each coordinate in Python its index in the library. Quaternions in the library end
+/// with w.
 pub struct Ground<'g> {
     pub group: &'g AnyGroup,
     pub closed: Closed,
@@ -62,11 +62,11 @@ pub struct Ground<'g> {
 /// The largest number of rows that one thread processes alone.
 pub const ALONE: usize = 512;
 
-/// The number of numbers in the result of one task of a kernel, which takes some tens of
+/// The number of results, counted as numbers, that one task of a kernel computes. Such a task takes some tens of
 /// microseconds.
 const CHUNK: usize = 1 << 16;
 
-/// Evaluates the same expression with the static type of the group, if it is known.
+/// Evaluates the same expression with the static type of the group, if this type is known.
 macro_rules! with_group {
     ($any:expr, $group:ident => $body:expr; $($G:ty),*) => {
         $(if let Some($group) = $any.downcast_ref::<$G>() { $body } else)* {
@@ -76,7 +76,7 @@ macro_rules! with_group {
     };
 }
 
-/// The element for coordinates in the order of Python.
+/// The element with these coordinates, which are in the order of Python.
 #[inline]
 pub fn element<G: Embedded>(group: &G, order: &[usize], row: &[f64]) -> G::Element {
     let mut sorted = [0.0; 16];
@@ -133,7 +133,7 @@ fn apply<G: MatrixNotation>(
         Operation::Between => Err(group.between(&element(a), &element(b))),
         Operation::Restore => {
             let g = group.project(element(a));
-            // zero and NaN have no inverse, so this test fails for them
+            // rejects zero and NaN, which have no inverse: the test is negated, because it fails for NaN
             let one = group.compose(&g, &group.inverse(&g));
             let off = group.write(&one) - group.write(&group.identity());
             if !off.iter().all(|entry| entry.abs() < 0.5) {
@@ -158,7 +158,7 @@ fn apply<G: MatrixNotation>(
             group.entries(&element(a), &mut entries);
             let rows = entries.len().isqrt();
             for (i, value) in out.iter_mut().enumerate() {
-                // for affine maps, the last coordinate of points is 1
+                // affine maps act on points with the last coordinate 1
                 let rest = if b.len() < rows { entries[rows * b.len() + i] } else { 0.0 };
                 let terms = b.iter().enumerate().map(|(k, x)| entries[rows * k + i] * x);
                 *value = terms.sum::<f64>() + rest;
@@ -203,7 +203,7 @@ fn apply<G: MatrixNotation>(
     Ok(())
 }
 
-/// The error for an element of a batch.
+/// Adds the index of an element in a batch to an error.
 fn named(at: usize, error: Error) -> InputError {
     let error = InputError::from(error);
     let message = format!("element {at} of the batch: {}", error.message);
@@ -240,7 +240,7 @@ fn apply_all<G: MatrixNotation + Sync>(
     out.par_chunks_mut(ALONE * width).enumerate().try_for_each(task)
 }
 
-/// Whether a kernel takes less time for rows of this width than starting threads would.
+/// Whether a kernel for rows of this width takes less time than the start of threads.
 fn is_short(count: usize, width: usize) -> bool {
     count.saturating_mul(width) <= 8 * CHUNK
 }
@@ -271,8 +271,8 @@ fn each<const A: usize, const B: usize, const O: usize>(
     })
 }
 
-/// Applies an operation by its kernel; `None` if there is no kernel, or if the rows must be
-/// processed one by one.
+/// Applies an operation with its kernel. Returns `None` if there is no kernel, or if the rows must be processed one by
+/// one.
 fn by_kernel(
     closed: Closed,
     operation: Operation,
@@ -296,7 +296,7 @@ fn by_kernel(
         (Closed::Se3, Operation::Compose) => each(&MotionProduct, rows, out),
         (Closed::Se3, Operation::Inverse) => each(&InverseMotion, rows, out),
         (Closed::Se3, Operation::Matrix) => each(&MotionMatrix, rows, out),
-        // points with three coordinates, not with four
+        // the kernel is for points with three coordinates, not with four
         (Closed::Se3, Operation::Act) if rows[1].width() == 3 => each(&MovedPoint, rows, out),
         (Closed::Se3, Operation::AdjointMatrix) => each(&MotionAdjoint, rows, out),
         (Closed::Se3, Operation::Read) => each(&MotionOfMatrix(true), rows, out),
@@ -325,7 +325,7 @@ impl Ground<'_> {
             So3, Se3, Se2, Se23, Sl2, So2)
     }
 
-    /// Whether there are so few rows that the thread of the caller processes them alone.
+    /// Whether there are so few rows that the calling thread processes them alone.
     pub fn is_alone(&self, count: usize, width: usize) -> bool {
         match self.closed {
             Closed::Other => count <= ALONE,
@@ -334,7 +334,7 @@ impl Ground<'_> {
     }
 }
 
-/// Processes rotations in a batch; `false` if the rows must be processed one by one.
+/// Processes rotations in a batch. Returns `false` if the rows must be processed one by one.
 fn rotations(operation: Operation, [a, b]: [&Rows<'_>; 2], out: &mut [f64]) -> bool {
     let Some(rows) = a.all() else { return false };
     match operation {
@@ -350,8 +350,8 @@ fn rotations(operation: Operation, [a, b]: [&Rows<'_>; 2], out: &mut [f64]) -> b
         }
         Operation::Log => {
             let (g, x) = (rows.as_chunks::<4>().0, out.as_chunks_mut::<3>().0);
-            // if an element of a batch has no logarithm, the rows are processed one by one to
-            // report it
+            // returns `false` if an element has no logarithm, so that the rows are processed one by one and this row is
+            // reported
             if is_short(x.len(), 3) {
                 return batch::log_rows(g, x);
             }

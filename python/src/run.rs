@@ -1,5 +1,5 @@
-//! The only entry point to computations: without the interpreter lock, in a thread pool of this
-//! process, and without panics.
+//! The only way to run computations: without the interpreter lock, in a thread pool of this process, with panics
+//! converted to exceptions.
 
 use crate::errors;
 use crate::limits::Watch;
@@ -14,14 +14,13 @@ use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::{Arc, Mutex, PoisonError, mpsc};
 
-/// The thread pool of a process. A pool does not survive `fork`, so a child process creates its
-/// own.
+/// The thread pool of a process. A pool does not survive `fork`, so a child process creates its own pool.
 struct Pool {
     process: u32,
     threads: Arc<ThreadPool>,
 }
 
-/// The pool, and the requested number of threads; 0 means all cores.
+/// The pool, and the number of threads that was set; 0 means all cores.
 static POOL: Mutex<(Option<Pool>, usize)> = Mutex::new((None, 0));
 
 fn pool() -> Result<Arc<ThreadPool>, InputError> {
@@ -30,8 +29,7 @@ fn pool() -> Result<Arc<ThreadPool>, InputError> {
     if let Some(pool) = state.0.as_ref().filter(|pool| pool.process == process) {
         return Ok(pool.threads.clone());
     }
-    // the threads of the parent process do not exist here, so its pool must be forgotten without
-    // being dropped
+    // forgets the pool of the parent process without dropping it, because its threads do not exist in this process
     std::mem::forget(state.0.take());
     let threads = ThreadPoolBuilder::new().num_threads(state.1).build();
     let threads =
@@ -41,7 +39,7 @@ fn pool() -> Result<Arc<ThreadPool>, InputError> {
     Ok(threads)
 }
 
-/// Threads of computations.
+/// Threads that run computations.
 pub struct Threads(Arc<ThreadPool>);
 
 impl Threads {
@@ -50,8 +48,7 @@ impl Threads {
         pool().map(Threads).map_err(|error| errors::raise(py, &error))
     }
 
-    /// Separate threads for one computation: as many as it has parts, but at most the number that
-    /// is set.
+    /// Separate threads for one computation: one thread for each of its parts, but at most the number that was set.
     pub fn apart(py: Python<'_>, parts: usize) -> PyResult<Self> {
         let count = Self::shared(py)?.0.current_num_threads().min(parts).max(1);
         let threads = ThreadPoolBuilder::new().num_threads(count).build();
@@ -60,14 +57,14 @@ impl Threads {
         Ok(Threads(threads.into()))
     }
 
-    /// Runs a computation. A signal or a limit of Python stops it.
+    /// Runs a computation. A signal or a limit in Python stops the computation.
     pub fn run<T: Send>(
         &self,
         py: Python<'_>,
         work: impl FnOnce() -> Result<T, InputError> + Send,
     ) -> PyResult<T> {
         if StopToken::current().is_some() {
-            // this function is called within a computation, whose monitor is sufficient
+            // within another computation, the monitor of that computation is sufficient
             let limits = Limits::current();
             let work = || limits.run(|| self.0.install(|| limits.run(work)));
             return finish(py, py.detach(|| catch_unwind(AssertUnwindSafe(work))));
@@ -78,7 +75,7 @@ impl Threads {
             self.0.in_place_scope(|scope| {
                 scope.spawn(move |_| {
                     let done = catch_unwind(AssertUnwindSafe(|| token.run(work)));
-                    // sending cannot fail, because the receiver waits
+                    // ignores the result: sending cannot fail, because the receiver waits
                     let _ = end.send(done);
                 });
                 loop {
@@ -95,7 +92,7 @@ impl Threads {
         }
     }
 
-    /// Runs the same work on each thread.
+    /// Runs the same work once on each thread.
     pub fn each(&self, py: Python<'_>, work: &(dyn Fn() + Sync)) -> PyResult<()> {
         self.run(py, || {
             let limits = Limits::current();
@@ -113,7 +110,7 @@ pub fn run<T: Send>(
     Threads::shared(py)?.run(py, work)
 }
 
-/// Runs a computation in this thread, because it is shorter than starting threads.
+/// Runs a computation in the calling thread, because it takes less time than the start of threads.
 pub fn run_here<T>(py: Python<'_>, work: impl FnOnce() -> Result<T, InputError>) -> PyResult<T> {
     finish(py, catch_unwind(AssertUnwindSafe(work)))
 }
@@ -124,7 +121,7 @@ fn finish<T>(
 ) -> PyResult<T> {
     match done {
         Ok(result) => result.map_err(|error| errors::raise(py, &error)),
-        // the enclosing computation was stopped
+        // the enclosing computation was stopped, so this one ends too
         Err(panic) if panic.is::<Stopped>() => Err(PyKeyboardInterrupt::new_err(())),
         Err(panic) => {
             let text = panic.downcast_ref::<&str>().map(|text| (*text).to_string());
@@ -139,7 +136,7 @@ fn finish<T>(
 /// Parameters
 /// ----------
 /// count : int
-///     Number of threads up to 1024; 0 means all cores.
+///     Number of threads, up to 1024; 0 means all cores.
 ///
 /// Raises
 /// ------
@@ -168,7 +165,7 @@ pub fn set_threads(count: &Bound<'_, PyAny>) -> PyResult<()> {
 /// The largest number of threads of a process.
 const MOST_THREADS: usize = 1024;
 
-/// Number of threads of computations in this process.
+/// Number of threads that computations in this process use.
 ///
 /// Returns
 /// -------
@@ -185,8 +182,8 @@ pub fn threads(py: Python<'_>) -> PyResult<usize> {
 
 /// Frees the caches of symbolic computations in this process.
 ///
-/// Results do not depend on the caches. Each thread stores a bounded number of short values. The function waits until other
-/// computations have ended.
+/// Results do not depend on the caches. Each thread stores a limited number of short values. The function waits until
+/// other computations have ended.
 ///
 /// Examples
 /// --------
@@ -197,7 +194,7 @@ pub fn clear_caches(py: Python<'_>) -> PyResult<()> {
     Threads::shared(py)?.each(py, &scalar::clear_caches)
 }
 
-/// Panics inside a computation, so that tests can check that Python gets an exception.
+/// Panics inside a computation, so that tests can check that Python receives an exception.
 #[pyfunction]
 pub fn _panic(py: Python<'_>) -> PyResult<()> {
     run(py, || -> Result<(), InputError> { panic!("a panic for the tests") })

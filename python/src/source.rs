@@ -1,4 +1,4 @@
-//! Sources: the arguments from which algebras, geometries and groups are made.
+//! Sources: the arguments that define algebras, geometries and groups.
 
 use crate::class::Object;
 use crate::components::Values;
@@ -34,22 +34,22 @@ pub struct Arguments {
     connection: Option<String>,
     #[pyo3(item, default)]
     metric: Option<String>,
-    /// Values of parameters and functions, by the text before the equals sign.
+    /// Values of parameters and functions; the keys are the names in the text.
     #[pyo3(item, default)]
     values: Vec<(String, String)>,
-    /// The contents of the files that were read, by their paths.
+    /// The contents of the files that were read, by path.
     #[pyo3(item, default)]
     files: BTreeMap<String, String>,
 }
 
 impl Arguments {
-    /// A space with a name.
+    /// The arguments of a space with this name.
     pub fn named(name: &str) -> Self {
         Arguments { space: Some(name.into()), ..Arguments::default() }
     }
 }
 
-/// The arguments of a space, the SymPy symbols in them, and the scalar.
+/// The arguments of a space, the SymPy symbols in them, and the kind of scalars.
 #[pyclass(name = "Source", frozen, module = "affinor._engine")]
 pub struct PySource {
     arguments: Arguments,
@@ -59,18 +59,18 @@ pub struct PySource {
     pub tolerance: Option<f64>,
 }
 
-/// A connection of a geometry that is given by tensors.
+/// How tensors define the connection of a geometry.
 #[derive(Clone, Copy)]
 pub enum Given<'t> {
     Definition,
-    /// The zero connection without a metric, for questions about the algebra alone.
+    /// No tensors are needed: the zero connection without a metric, for questions about the algebra alone.
     None,
     Affinities(&'t Values),
     /// Torsion and nonmetricity.
     TorsionAndNonmetricity(Option<&'t Values>, Option<&'t Values>),
 }
 
-/// Converts a tensor to another scalar.
+/// Converts a tensor to another scalar type.
 fn read<S: Coefficient>(values: &Values, tolerance: Tolerance) -> Result<Tensor<S>, InputError> {
     fn convert<S: Coefficient, T: Scalar>(
         tensor: &Tensor<T>,
@@ -169,12 +169,12 @@ impl PySource {
         run(py, || Space::open(&request))
     }
 
-    /// The space that the arguments define; its files are read once.
+    /// Opens the space that the arguments define. Its files are read only once.
     pub fn space(&self, py: Python<'_>) -> PyResult<Space> {
         self.open(py, self.arguments.clone())
     }
 
-    /// A geometry of the space.
+    /// The geometry of the space with this connection.
     pub fn geometry(
         &self,
         py: Python<'_>,
@@ -184,7 +184,7 @@ impl PySource {
         let (choice, tolerance) = (self.scalar, self.tolerance()?);
         run(py, || {
             let kind = match choice {
-                // the tensor has parameters that the definition does not have
+                // uses symbolic scalars, because a tensor has parameters that the definition does not have
                 ScalarChoice::Exact if given.has_parameters() => Kind::Symbolic,
                 _ => space.kind(choice)?,
             };
@@ -199,8 +199,7 @@ impl PySource {
         PySource { arguments, files, symbols, scalar: self.scalar, tolerance: self.tolerance }
     }
 
-    /// The source without the connection and the metric, and with the values of the remaining
-    /// parameters.
+    /// The source without its connection and its metric, but with the values of the parameters that remain.
     pub fn of_algebra(&self, py: Python<'_>) -> PyResult<Self> {
         let all = self.arguments.clone();
         let alone = Arguments { connection: None, metric: None, values: vec![], ..all.clone() };
@@ -209,7 +208,7 @@ impl PySource {
         Ok(self.with(py, Arguments { values, ..alone }))
     }
 
-    /// The name of a space, if the source consists only of a catalogue name or a sum of names.
+    /// The name of a space, if the source consists only of a catalogue name or of a sum of such names.
     pub fn plain_name(&self, space: &Space) -> Option<&str> {
         let name = self.arguments.space.as_deref()?;
         let alone = Arguments { space: None, ..self.arguments() } == Arguments::default();
@@ -285,7 +284,7 @@ impl PySource {
         self.tolerance
     }
 
-    /// The parameters and the coordinates; if `settled`, including parameters that have values.
+    /// The parameters and the coordinates. If `settled` is set, the list includes parameters that have values.
     fn names(&self, py: Python<'_>, settled: bool) -> PyResult<(Vec<String>, Vec<String>)> {
         let mut arguments = self.arguments.clone();
         arguments.values.retain(|_| settled);
@@ -318,7 +317,7 @@ impl PySource {
 type Stored = (Arguments, Py<PyDict>, &'static str, Option<f64>);
 
 impl PyTensor {
-    /// The tensors of a dictionary as the connection of a geometry.
+    /// The connection of a geometry, from the tensors in a dictionary.
     pub fn given<'t>(extra: &'t [(String, Py<PyTensor>)]) -> PyResult<Given<'t>> {
         let find = |name: &str| {
             extra.iter().find(|(key, _)| key == name).map(|(_, tensor)| &tensor.get().values)

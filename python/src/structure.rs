@@ -12,7 +12,8 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyList;
 
-/// The properties that are entries of the report of the structure: a row has the name, the form of the value, and the keys.
+/// Defines properties that are entries of the report of the structure: each row has the name, the form of the value,
+/// and the keys.
 macro_rules! answers {
     ($($(#[doc = $doc:literal])* $name:ident: $form:ident $keys:tt;)*) => {
         #[pymethods]
@@ -49,7 +50,8 @@ answers! {
     /// >>> LieAlgebra("so(4)").is_semisimple, LieAlgebra("so(4)").is_simple
     /// (True, False)
     is_semisimple: value["semisimple"];
-    /// Whether the algebra is not abelian and its only ideals over the reals are zero and itself; None if undecided.
+    /// Whether the algebra is not abelian, and its only ideals over the reals are zero and the algebra itself; None if
+    /// undecided.
     is_simple: value["simple"];
     /// Whether the centre is zero and all derivations are inner; None if undecided.
     is_complete: value["complete"];
@@ -85,14 +87,14 @@ answers! {
     cartan_subalgebra: subspace["cartan_subalgebra", "basis"];
     /// Dimension of a Cartan subalgebra.
     rank: value["rank"];
-    /// Numbers of positive, negative and zero squares of the Killing form; None if they depend on parameters.
+    /// Numbers of positive, negative and zero squares of the Killing form; None if these numbers depend on parameters.
     ///
     /// Examples
     /// --------
     /// >>> LieAlgebra("sl(2)").killing_signature
     /// (2, 1, 0)
     killing_signature: tuple["killing", "signature"];
-    /// Type of the Levi subalgebra over the complex numbers, such as ``"A1 + A1"``; None without one.
+    /// Type of the Levi subalgebra over the complex numbers, such as ``"A1 + A1"``; None without a Levi subalgebra.
     dynkin_type: value["dynkin_type"];
     /// Betti numbers of the Lie algebra cohomology in degrees 0, 1, ..., n; None if they were not computed.
     ///
@@ -140,7 +142,7 @@ impl PyAlgebra {
         })
     }
 
-    /// An entry of the report; None if a key on the way to it is None.
+    /// An entry of the report; None if one of the keys leads to None.
     fn answer<'py>(slf: &Bound<'py, Self>, keys: &[&str]) -> New<'py> {
         let mut found = Self::answers(slf)?.1.bind(slf.py()).clone();
         for key in keys {
@@ -156,8 +158,9 @@ impl PyAlgebra {
 impl PyAlgebra {
     /// Structure report: series, radical, Levi subalgebra, type, cohomology and more.
     ///
-    /// The report is the JSON document ``affinor.info/1`` as a dict; ``print`` shows the table of ``affinor info``. The answers
-    /// are exact; with parameters they hold for generic values. The report is computed once per algebra.
+    /// The report is the JSON document ``affinor.info/1`` as a dict; ``print`` shows the table of ``affinor info``. The
+    /// answers are exact. If there are parameters, the answers hold for generic values. The report is computed once for
+    /// each algebra.
     ///
     /// Returns
     /// -------
@@ -177,7 +180,7 @@ impl PyAlgebra {
         python(slf.py(), "structure", "Report")?.call1((written,))
     }
 
-    /// Structure constants as input of another program.
+    /// Structure constants as input for another program.
     ///
     /// Parameters
     /// ----------

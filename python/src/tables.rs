@@ -82,7 +82,7 @@ impl PyGeometry {
         })
     }
 
-    /// Table of the tensors, as ``affinor table`` prints it.
+    /// Table of tensors, as ``affinor table`` prints it.
     ///
     /// Parameters
     /// ----------
@@ -91,12 +91,12 @@ impl PyGeometry {
     /// format : str
     ///     ``"text"``, ``"markdown"``, ``"latex"``, ``"csv"``, ``"json"`` or ``"html"``.
     /// independent : bool
-    ///     Whether to list only one component of each set that is equal by symmetry.
+    ///     Whether to list only one of the components that are equal by symmetry.
     ///
     /// Returns
     /// -------
     /// str
-    ///     The table; indices count from 1.
+    ///     The table, with indices from 1.
     ///
     /// Examples
     /// --------
@@ -143,7 +143,7 @@ impl PyGeometry {
     }
 }
 
-/// The names in a text or in a list.
+/// The names in a string or in a list of strings.
 fn names(show: Bound<'_, PyAny>) -> PyResult<Vec<String>> {
     if let Ok(text) = show.extract::<String>() {
         return Ok(text.replace(',', " ").split_whitespace().map(String::from).collect());
@@ -154,12 +154,13 @@ fn names(show: Bound<'_, PyAny>) -> PyResult<Vec<String>> {
     items.map(|item| item?.extract()).collect()
 }
 
-/// Two geometries side by side, with the claims of the paper about them.
+/// Two geometries side by side, with the claims of Paraskevopoulos and Natsiavas (2013) about them.
 ///
 /// Parameters
 /// ----------
 /// first, second : Geometry, LieAlgebra or str
-///     Geometries, or spaces as for :class:`Geometry`; by default M(3) and SO(3) of Paraskevopoulos and Natsiavas.
+///     Geometries, or spaces as for :class:`Geometry`; by default M(3) and SO(3) of Paraskevopoulos and Natsiavas
+///     (2013).
 /// format : str
 ///     ``"text"``, ``"markdown"``, ``"latex"``, ``"csv"``, ``"json"`` or ``"html"``.
 ///

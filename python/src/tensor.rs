@@ -17,7 +17,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict, PyEllipsis, PyInt, PyIterator, PyList, PySlice, PyTuple};
 use std::hash::{DefaultHasher, Hash, Hasher};
 
-/// The names of a tensor in displays; a dict in Python.
+/// The names of a tensor in displays. In Python they are a dict.
 #[derive(Clone, FromPyObject, IntoPyObject)]
 #[pyo3(from_item_all)]
 pub struct Names {
@@ -28,7 +28,7 @@ pub struct Names {
 }
 
 impl Names {
-    /// Names with a symbol only.
+    /// Names that contain only a symbol.
     pub fn of(symbol: &str) -> Self {
         Names { symbol: symbol.into(), latex: symbol.into(), title: None, letters: None }
     }
@@ -36,21 +36,23 @@ impl Names {
 
 /// Sparse tensor over exact numbers, rational functions of parameters, or floats.
 ///
-/// Indices count from 0 in Python, and from 1 in all printed output. ``tensor[i, j]`` is a component, ``tensor[i, ..., :]`` a
-/// tensor of lower rank.
+/// Indices count from 0 in Python, and from 1 in all printed output. ``tensor[i, j]`` is a component; ``tensor[i, ...,
+/// :]`` is a tensor of lower rank.
 ///
 /// Parameters
 /// ----------
 /// components : array or dict
-///     Numbers (int, Fraction, integral floats), SymPy expressions or texts; a dict has components by indices.
+///     Numbers (int, Fraction, integral floats), SymPy expressions, or strings. A dict has the components as values and
+///     their indices as keys.
 /// slots : str
-///     One mark per index: ``"^"`` for an upper and ``"_"`` for a lower one, so a curvature has ``"^___"``.
+///     One mark per index: ``"^"`` for an upper index and ``"_"`` for a lower index. For example, a curvature has the
+///     slots ``"^___"``.
 /// dimension : int, optional
 ///     Dimension; required for a dict.
 /// scalar : str, optional
-///     ``"float"`` makes a tensor of floats.
+///     ``"float"`` creates a tensor of floats.
 /// symbol : str
-///     Symbol in displays.
+///     Symbol of the tensor in displays.
 ///
 /// Raises
 /// ------
@@ -70,15 +72,15 @@ pub struct PyTensor {
     pub names: Names,
 }
 
-/// Indices and values of the nonzero components.
+/// The indices and the values of the nonzero components.
 type Coordinates<'py> = (Bound<'py, PyArrayDyn<i64>>, Bound<'py, PyArrayDyn<f64>>);
 
-/// The dimension, slots, indices, values and the scalar of a tensor, and the symbols of SymPy in it.
+/// The dimension, the slots, the indices, the values and the kind of scalars of a tensor, and the SymPy symbols in it.
 type Parts<'py> =
     (usize, String, PyArrayLikeDyn<'py, i64>, Object<'py>, String, Bound<'py, PyDict>);
 
 impl PyTensor {
-    /// A tensor, with those of the symbols that are its parameters.
+    /// Creates a tensor. Of the given symbols, those that are its parameters are stored.
     pub fn new(
         py: Python<'_>,
         values: Values,
@@ -102,7 +104,7 @@ impl PyTensor {
         Self::new(py, values, &symbols, names)
     }
 
-    /// The component at indices from 0.
+    /// The component at these indices, which count from 0.
     pub fn value<'py>(&self, py: Python<'py>, at: &[usize]) -> New<'py> {
         let failed = |error| refused(py, InputError::from(error));
         match &self.values {
@@ -133,10 +135,10 @@ fn filled<'py>(at: &Bound<'py, PyTuple>, rank: usize) -> PyResult<Bound<'py, PyT
     PyTuple::new(py, before.chain(between).chain(at.iter().skip(place + 1)).collect::<Vec<_>>())
 }
 
-/// The letters of indices without other names.
+/// The index letters of tensors whose indices have no other letters.
 pub const LETTERS: &str = "ijklmnpq";
 
-/// Letters with their marks: `^i_j_k`, or in runs `^i_jk`.
+/// Index letters with their marks: `^i_j_k`, or in runs `^i_jk`.
 pub fn written(letters: &str, slots: &str, runs: bool) -> String {
     let mut last = None;
     let mut text = String::new();
@@ -155,13 +157,13 @@ immutable! { PyTensor }
 properties! { PyTensor, own:
     /// Dimension; indices run from 0 to ``dimension - 1``.
     dimension: usize = each!(&own.values, tensor => tensor.dimension());
-    /// Mark of each index: ``^`` for an upper and ``_`` for a lower one.
+    /// One mark for each index: ``^`` for an upper index and ``_`` for a lower index.
     slots: String = each!(&own.values, tensor => marks(tensor.slots()));
     /// Number of indices.
     rank: usize = each!(&own.values, tensor => tensor.slots().len());
     /// Number of nonzero components.
     nnz: usize = each!(&own.values, tensor => tensor.len());
-    /// Scalar of the components: ``exact``, ``symbolic`` or ``float``.
+    /// Kind of the scalars of the components: ``exact``, ``symbolic`` or ``float``.
     scalar: &'static str = text(own.values.kind());
     /// Names of the parameters, sorted.
     parameters: Vec<String> = parameters(&own.values).into_iter().collect();
@@ -187,7 +189,7 @@ impl PyTensor {
         Self::made(py, parts, Names::of(symbol))
     }
 
-    /// Tensor of components in coordinate form; components with equal indices are added.
+    /// Tensor from components in coordinate form. Components with equal indices are added.
     ///
     /// Parameters
     /// ----------
@@ -196,13 +198,13 @@ impl PyTensor {
     /// values : array of the shape (count,)
     ///     Components at the indices.
     /// slots : str
-    ///     One mark per index: ``"^"`` or ``"_"``.
+    ///     One mark for each index: ``"^"`` or ``"_"``.
     /// dimension : int
     ///     Dimension.
     /// scalar : str, optional
-    ///     ``"float"`` makes a tensor of floats.
+    ///     ``"float"`` creates a tensor of floats.
     /// symbol : str
-    ///     Symbol in displays.
+    ///     Symbol of the tensor in displays.
     ///
     /// Returns
     /// -------
@@ -234,7 +236,7 @@ impl PyTensor {
         PyTuple::new(py, vec![self.dimension(); self.rank()])
     }
 
-    /// Data type of :meth:`to_numpy`: float64, or object with parameters.
+    /// Data type of :meth:`to_numpy`: object if there are parameters, otherwise float64.
     #[getter]
     fn dtype<'py>(&self, py: Python<'py>) -> Bound<'py, PyArrayDescr> {
         let numbers = parameters(&self.values).is_empty();
@@ -257,21 +259,22 @@ impl PyTensor {
         Err(PyTypeError::new_err("the truth of a tensor is ambiguous: ask for is_zero"))
     }
 
-    // the product of a NumPy scalar and a tensor is a tensor, not a dense array
+    // with None, the product of a NumPy scalar and a tensor is a tensor, not a dense array
     #[classattr]
     fn __array_ufunc__() -> Option<bool> {
         None
     }
 
-    /// The components of a vector or covector; for other tensors, the tensors with the first index
-    /// fixed.
+    /// Iterates over the components of a vector or covector; for other tensors, over the tensors in which the first
+    /// index is fixed.
     fn __iter__<'py>(slf: &Bound<'py, Self>) -> New<'py> {
         python(slf.py(), "tensor", "rows")?.call1((slf,))
     }
 
-    /// The component at indices from 0, or the tensor in which some indices are fixed: ``R[0, :, :, 1]``, ``R[0, ..., -1]``.
+    /// The component at these indices, or the tensor in which some indices are fixed: ``R[0, :, :, 1]``, ``R[0, ...,
+    /// -1]``.
     ///
-    /// Negative indices count from the end. Displays and the command line count from 1.
+    /// Indices count from 0; negative indices count from the end. Displays and the command line count from 1.
     fn __getitem__<'py>(&self, at: Object<'py>) -> New<'py> {
         let (py, rank, dimension) = (at.py(), self.rank(), self.dimension());
         let at = match at.cast_into::<PyTuple>() {
@@ -315,7 +318,7 @@ impl PyTensor {
         Ok(Bound::new(py, part)?.into_any())
     }
 
-    /// Nonzero components in the order of their indices.
+    /// Nonzero components, in the order of their indices.
     ///
     /// Returns
     /// -------
@@ -335,7 +338,7 @@ impl PyTensor {
         PyList::new(py, items)?.try_iter()
     }
 
-    /// The indices of the nonzero components, shape (rank, count), from 0.
+    /// The indices of the nonzero components, from 0, as an array of the shape (rank, count).
     fn _indices<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArrayDyn<i64>>> {
         let out = fresh(py, &[self.rank()], &[self.nnz()])?;
         {
@@ -349,7 +352,7 @@ impl PyTensor {
         Ok(out)
     }
 
-    /// The indices and the floats together.
+    /// The indices and the values as floats of the nonzero components.
     fn _coo<'py>(&self, py: Python<'py>) -> PyResult<Coordinates<'py>> {
         let indices = fresh(py, &[self.rank()], &[self.nnz()])?;
         let floats = fresh(py, &[self.nnz()], &[])?;
@@ -388,7 +391,7 @@ impl PyTensor {
         each!(&self.values, tensor => tensor.nonzero().map(|value| value.to_string()).collect())
     }
 
-    /// The tensor with other texts as its nonzero components.
+    /// The tensor whose nonzero components are replaced by these texts.
     fn _with_texts<'py>(
         &self,
         texts: &Object<'py>,
@@ -400,7 +403,7 @@ impl PyTensor {
         Self::new(py, values, symbols, self.names.clone())
     }
 
-    /// Same tensor over floats.
+    /// The same tensor over floats.
     ///
     /// Returns
     /// -------
@@ -416,8 +419,8 @@ impl PyTensor {
         Self::new(py, values, &PyDict::new(py), self.names.clone())
     }
 
-    /// Tensors are equal if their shapes and components are. Tensors of floats never equal exact
-    /// ones.
+    /// Tensors are equal if they have equal shapes and equal components. A tensor of floats is never equal to an exact
+    /// tensor.
     #[pyo3(name = "__eq__")]
     pub fn equals(&self, other: &PyTensor) -> bool {
         let both = [&self.values, &other.values];
@@ -453,8 +456,8 @@ in_python! { PyTensor, "tensor":
     /// Parameters
     /// ----------
     /// dtype : numpy.dtype, optional
-    ///     Data type of the values: by default float64; ``object`` for fractions or SymPy expressions. A type of integers needs
-    ///     components that are integers.
+    ///     Data type of the values: by default float64; ``object`` for fractions or SymPy expressions. A type of
+    ///     integers requires integral components.
     ///
     /// Returns
     /// -------
@@ -474,17 +477,18 @@ in_python! { PyTensor, "tensor":
     /// Parameters
     /// ----------
     /// dtype : numpy.dtype, optional
-    ///     Data type: by default float64, with parameters ``object``. ``object`` gives fractions or SymPy expressions.
+    ///     Data type: by default float64, or ``object`` if there are parameters. With ``object``, the components are
+    ///     fractions or SymPy expressions.
     ///
     /// Returns
     /// -------
     /// array of the shape (dimension, ...)
-    ///     One axis per index, in their order.
+    ///     One axis for each index, in the order of the indices.
     ///
     /// Raises
     /// ------
     /// MemoryError
-    ///     The array is too large: use :meth:`to_coo`.
+    ///     The array would be too large; :meth:`to_coo` may be used instead.
     ///
     /// Examples
     /// --------
@@ -495,12 +499,12 @@ in_python! { PyTensor, "tensor":
     to_numpy (dtype=None) [dtype];
     __array__ (dtype=None, copy=None) [dtype, copy];
     _sympy_ () [];
-    /// SymPy object: an expression for rank 0, a matrix for rank 2, else an array.
+    /// SymPy object: an expression for rank 0, a matrix for rank 2, otherwise an array.
     ///
     /// Returns
     /// -------
     /// sympy.Expr, sympy.ImmutableMatrix or sympy.NDimArray
-    ///     Large arrays are sparse.
+    ///     Large arrays are sparse SymPy arrays.
     ///
     /// Examples
     /// --------
@@ -518,14 +522,14 @@ in_python! { PyTensor, "tensor":
     /// >>> LieAlgebra("heisenberg(3)").structure.to_pandas().columns.tolist()
     /// ['i', 'j', 'k', 'value']
     to_pandas () [];
-    /// Tensor with parameters replaced; a tensor of floats stays as it is.
+    /// The tensor with parameters replaced by values. A tensor of floats is unchanged.
     ///
-    /// Undetermined functions are replaced by :meth:`Geometry.subs`.
+    /// To replace undetermined functions, use :meth:`Geometry.subs`.
     ///
     /// Parameters
     /// ----------
     /// values : dict
-    ///     Numbers or expressions by the name or the symbol of a parameter.
+    ///     Numbers or expressions. The keys are names or symbols of parameters.
     ///
     /// Returns
     /// -------

@@ -26,19 +26,19 @@ fn square<'py>(py: Python<'py>, matrix: &DMatrix<f64>) -> PyResult<Square<'py>> 
     Ok(PyArray2::from_vec2(py, &rows)?)
 }
 
-/// The rows of an array of vectors.
+/// The rows of an array as vectors.
 fn vectors(array: &Floats<'_>, dimension: usize) -> Vec<DVector<f64>> {
     let all: Vec<f64> = array.as_array().iter().copied().collect();
     all.chunks_exact(dimension).map(DVector::from_column_slice).collect()
 }
 
 impl PyGeometry {
-    /// The group of the algebra.
+    /// The group whose Lie algebra is the algebra of the geometry.
     fn group_of(&self, py: Python<'_>) -> PyResult<PyGroup> {
         PyGroup::of_source(py, Py::new(py, self.source.get().of_algebra(py)?)?)
     }
 
-    /// The group of the algebra, and the connection on it.
+    /// The group of the algebra, and parallel transport on it by the connection.
     fn translation(&self, py: Python<'_>) -> PyResult<(PyGroup, ParallelTranslation<AnyGroup>)> {
         fn floats<S: Coefficient>(tensor: &Tensor<S>) -> Result<Tensor<f64>, InputError> {
             tensor.nonzero().try_for_each(|value| float(value).map(|_| ()))?;
@@ -77,17 +77,18 @@ impl PyGeometry {
         self.group_of(py)
     }
 
-    /// Matrix of parallel translation along consecutive arcs ``g exp(s x)``, ``0 <= s <= 1``.
+    /// Matrix of parallel transport along consecutive arcs ``g exp(s x)``, ``0 <= s <= 1``.
     ///
     /// Parameters
     /// ----------
     /// arcs : array of the shape (dimension,) or (count, dimension)
-    ///     Vector ``x`` of each arc.
+    ///     The vector ``x`` of each arc.
     ///
     /// Returns
     /// -------
     /// array of the shape (dimension, dimension)
-    ///     Maps components at the start to components at the end, in the left-invariant frame; the upper index is the row.
+    ///     The matrix maps components at the start to components at the end, in the left-invariant frame; the upper
+    ///     index is the row.
     ///
     /// Examples
     /// --------
@@ -104,22 +105,24 @@ impl PyGeometry {
         square(py, &run(py, || Ok(translation.along_arcs(&arcs)?))?)
     }
 
-    /// Matrix of parallel translation along a curve of elements; for a closed curve its holonomy.
+    /// Matrix of parallel transport along a curve of elements. For a closed curve, the matrix is the holonomy.
     ///
     /// Parameters
     /// ----------
     /// elements : array of the shape (count, coordinates)
-    ///     Elements, joined by arcs ``g exp(s x)``. The error for other curves is of second order in the distance of elements.
+    ///     Elements of the curve, joined by arcs ``g exp(s x)``. For other curves, the error is of second order in the
+    ///     distance of elements.
     ///
     /// Returns
     /// -------
     /// array of the shape (dimension, dimension)
-    ///     Maps components at the start to components at the end, in the left-invariant frame; the upper index is the row.
+    ///     The matrix maps components at the start to components at the end, in the left-invariant frame; the upper
+    ///     index is the row.
     ///
     /// Raises
     /// ------
     /// MathematicsError
-    ///     Two neighbours are too far apart for a logarithm.
+    ///     Two adjacent elements are too far apart for a logarithm.
     ///
     /// Examples
     /// --------
@@ -134,18 +137,18 @@ impl PyGeometry {
         square(py, &run(py, || Ok(translation.along_samples(&elements)?))?)
     }
 
-    /// Autoparallel curve ``nabla_n n = 0`` from an element.
+    /// Autoparallel curve ``nabla_n n = 0`` that starts at an element.
     ///
     /// Parameters
     /// ----------
     /// tangent : array of the shape (dimension,)
     ///     Initial velocity in the left-invariant frame.
     /// times : float or array of the shape (count,)
-    ///     Times after 0.
+    ///     Times later than 0, at which the curve is returned.
     /// start : array of the shape (coordinates,), optional
     ///     Initial element; by default the identity.
     /// tolerance : float
-    ///     Relative tolerance of a step.
+    ///     Relative tolerance of each step.
     ///
     /// Returns
     /// -------
@@ -154,7 +157,7 @@ impl PyGeometry {
     /// Raises
     /// ------
     /// IntegrationError
-    ///     The curve leaves every bounded set before the last time.
+    ///     The curve leaves every bounded set before the last time, so it cannot be continued.
     ///
     /// Examples
     /// --------
@@ -196,14 +199,14 @@ impl PyGeometry {
         python(py, "geometry", "Geodesic")?.call1((times, elements, tangents))
     }
 
-    /// Initial velocity of an autoparallel curve that connects two elements in time 1; other curves may exist.
+    /// Initial velocity of an autoparallel curve that connects two elements in the time 1. Other such curves may exist.
     ///
     /// Parameters
     /// ----------
     /// start, end : array of the shape (coordinates,)
-    ///     Elements at the times 0 and 1.
+    ///     Elements at the time 0 and at the time 1.
     /// tolerance : float
-    ///     Largest error of the last element.
+    ///     Largest error of the element at the time 1.
     ///
     /// Returns
     /// -------

@@ -1,4 +1,4 @@
-//! Numbers between Rust and Python: fractions, floats, and expressions as text.
+//! Conversion of numbers between Rust and Python: fractions, floats, and expressions as text.
 
 use affinor_documents::Coefficient;
 use affinor_tensors::expression::{Evaluator, Expression, is_abbreviation};
@@ -11,23 +11,23 @@ use pyo3::sync::PyOnceLock;
 use pyo3::types::{PyDict, PyTuple};
 use std::cell::RefCell;
 
-/// A function or a class from a module of the Python package.
+/// A function or a class of a module of the Python package.
 pub fn python<'py>(py: Python<'py>, module: &str, name: &str) -> PyResult<Bound<'py, PyAny>> {
     py.import(format!("affinor.{module}"))?.getattr(name)
 }
 
-/// An exception of `affinor.errors`.
+/// An exception of this class of `affinor.errors`.
 pub fn error<'py>(py: Python<'py>, class: &str, arguments: impl PyCallArgs<'py>) -> PyErr {
     let error = python(py, "errors", class).and_then(|class| class.call1(arguments));
     error.map_or_else(|failed| failed, PyErr::from_value)
 }
 
-/// An integer of any type that has `__index__`, except bool.
+/// Converts an integer of any type that has `__index__`, except bool.
 pub fn index(what: &str, value: &Bound<'_, PyAny>) -> PyResult<isize> {
     python(value.py(), "_scalars", "index")?.call1((what, value))?.extract()
 }
 
-/// A value in the notation of definition files; SymPy symbols are added to `symbols`.
+/// Writes a value in the notation of definition files. The SymPy symbols in the value are added to `symbols`.
 pub fn text_of(
     value: &Bound<'_, PyAny>,
     symbols: &Bound<'_, PyDict>,
@@ -36,8 +36,8 @@ pub fn text_of(
     python(value.py(), "_scalars", "text_of")?.call1((value, symbols, floats))?.extract()
 }
 
-/// A text of the engine as a Python number: a `Fraction`, a float, or a SymPy expression (a text if
-/// SymPy is missing).
+/// Converts a text of the engine to a Python number: a `Fraction`, a float, or a SymPy expression. Without SymPy, an
+/// expression remains a text.
 pub fn number<'py>(
     text: &str,
     symbols: &Bound<'py, PyDict>,
@@ -68,7 +68,7 @@ pub fn merged<'py, 'a>(
     Ok(joined)
 }
 
-/// Whether this is the name of an elementary function, or an abbreviation for such functions.
+/// Whether this is the name of an elementary function, or an abbreviation of elementary functions.
 #[pyfunction]
 pub fn knows(name: &str) -> bool {
     is_abbreviation(name) || Symbolic::function(name, &Symbolic::parameter("x")).is_ok()
@@ -100,8 +100,8 @@ pub fn read<S: Coefficient>(text: &str) -> PyResult<S> {
     value.map_err(|error| PyValueError::new_err(format!("in `{text}`: {error}")))
 }
 
-/// Evaluates a text with Python objects: `number(p, q)`, `name(text)`, `function(name, *values)`,
-/// and Python operators.
+/// Evaluates a text with Python objects, by calls of `number(p, q)`, `name(text)` and `function(name, *values)`, and by
+/// Python operators.
 #[pyfunction]
 pub fn evaluate<'py>(
     text: &str,
@@ -126,7 +126,7 @@ struct Objects<'py> {
 }
 
 impl<'py> Objects<'py> {
-    /// Stores an exception, because the error of an expression cannot carry it.
+    /// Stores an exception, because the error of an expression cannot contain it.
     fn keep(&self, result: PyResult<Bound<'py, PyAny>>) -> Result<Bound<'py, PyAny>, String> {
         result.map_err(|error| {
             *self.failed.borrow_mut() = Some(error);

@@ -244,7 +244,7 @@ def test_products_by_matmul():
         assert product.slots == a[:-1] + b[1:]
         assert np.array_equal(product.to_numpy(), np.tensordot(x, y, 1)), (a, b)
     for a, b in [("^", "^"), ("__", "_^")]:
-        with pytest.raises(af.ShapeError, match="upper index beside a lower"):
+        with pytest.raises(af.ShapeError, match="upper index next to a lower"):
             af.Tensor(np.ones((3,) * len(a), int), a) @ af.Tensor(np.ones((3,) * len(b), int), b)
 
 

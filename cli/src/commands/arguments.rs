@@ -3,10 +3,10 @@
 use clap::{ArgMatches, Command, Error};
 use std::ffi::OsString;
 
-/// Parses the arguments of the program; the first is its name.
+/// Parses the arguments of the program; the first argument is the name of the program.
 ///
 /// # Errors
-/// The error to print, or the help that the arguments ask for.
+/// The error to print, or the help text if the arguments ask for help.
 pub fn parse(command: fn() -> Command, arguments: &[OsString]) -> Result<ArgMatches, Error> {
     let parsed = |escaped: fn(&str) -> Option<OsString>| {
         let arguments = arguments.iter().map(|argument| match argument.to_str() {
@@ -16,7 +16,8 @@ pub fn parse(command: fn() -> Command, arguments: &[OsString]) -> Result<ArgMatc
         command().try_get_matches_from(arguments)
     };
     parsed(|_| None).map_err(|error| {
-        // clap repeats arguments in its messages: none may control the terminal
+        // clap repeats arguments in its messages, so control characters in arguments are escaped
+        // first
         let escaped = parsed(|text| {
             text.contains(char::is_control).then(|| text.escape_debug().to_string().into())
         });
@@ -24,19 +25,20 @@ pub fn parse(command: fn() -> Command, arguments: &[OsString]) -> Result<ArgMatc
     })
 }
 
-/// Prints an error of the arguments, or the help asked for. Returns the exit status.
+/// Prints an error of the arguments, or the requested help. Returns the exit status.
 pub fn report(error: &Error) -> u8 {
-    // if the stream is closed, nobody reads it
+    // ignores errors of printing: if the stream is closed, nobody reads the text
     let _ = error.print();
     u8::try_from(error.exit_code()).unwrap_or(2)
 }
 
-/// A row of numbers that begins with a minus gets a space in front, so that clap does not take it for an option.
+/// Puts a space before a row of numbers that begins with a minus, because clap would read the row
+/// as an option.
 fn shielded(argument: &OsString) -> OsString {
     let number = |text: &&str| {
         let constant = text.starts_with("pi") || text.starts_with("tau");
         let digit = text.starts_with(|c: char| c.is_ascii_digit() || c == '.');
-        // clap accepts a single negative number, so it is not changed
+        // leaves a single negative number unchanged, because clap accepts it
         constant || (digit && text.contains([',', ' ', '/', '*']))
     };
     match argument.to_str().and_then(|text| text.strip_prefix('-')).filter(number) {

@@ -1,4 +1,5 @@
-//! `affinor check`: a certificate, or a witness for each failed identity.
+//! `affinor check`: a certificate of the identities of a space, with a witness for each failed
+//! identity.
 
 use super::failure::Failure;
 use super::options::{Shared, SpaceOptions};

@@ -1,4 +1,4 @@
-//! `affinor claims`: statements about a space, each tested.
+//! `affinor claims`: tests of statements about a space.
 
 use super::failure::Failure;
 use super::note::note_default_connection;
@@ -10,10 +10,11 @@ use std::path::PathBuf;
 
 #[derive(Args)]
 pub struct Arguments {
-    /// The space (see `affinor --help`) and files of claims, one per line: "Ric_11 = (a - b)/2", "torsion = 0", "flat"
+    /// The space (see `affinor --help`), followed by files of claims, one claim per line: "Ric_11 =
+    /// (a - b)/2", "torsion = 0", "flat"
     #[arg(num_args = 0.., value_names = ["SPACE", "FILE"])]
     pub arguments: Vec<String>,
-    /// A claim, in addition to those of files; may be repeated
+    /// A claim, tested in addition to those of the files; may be repeated
     #[arg(long, value_name = "CLAIM", allow_hyphen_values = true)]
     pub claim: Vec<String>,
     #[command(flatten)]

@@ -1,4 +1,4 @@
-//! The options of source code: the language, and derivatives.
+//! Options for the output of source code: the language, and derivatives.
 
 use super::failure::Failure;
 use super::options::{Scalar, Shared};
@@ -11,18 +11,19 @@ use clap::Args;
 
 #[derive(Args)]
 pub struct CodeOptions {
-    /// Print a function that computes the components in double precision: rust, c, or python
-    /// (NumPy)
+    /// Print a function that computes the components in double precision, in this language: rust,
+    /// c, or python (NumPy)
     #[arg(long, value_name = "LANGUAGE", value_parser = language, conflicts_with = "format")]
     pub code: Option<Language>,
-    /// With --code, also the partial derivatives by these parameters or coordinates, separated by
-    /// commas
+    /// With --code, also compute the partial derivatives with respect to these parameters or
+    /// coordinates, separated by commas
     #[arg(long, value_name = "NAMES", requires = "code", value_delimiter = ',')]
     pub derivatives: Vec<String>,
 }
 
 impl CodeOptions {
-    /// The language, if source code is requested. Programs are written from exact formulas.
+    /// The language of the requested source code, if any. Source code is written from exact
+    /// formulas, so other scalars are an error.
     pub fn language(&self, shared: &Shared) -> Result<Option<Language>, InputError> {
         match self.code {
             Some(_) if shared.scalar == Scalar::Float => {
@@ -33,7 +34,8 @@ impl CodeOptions {
         }
     }
 
-    /// The names after --derivatives; each is a parameter or a coordinate of the space.
+    /// The names given to `--derivatives`. Each name must be a parameter or a coordinate of the
+    /// space.
     pub fn derivatives(&self, definition: &Definition) -> Result<Vec<String>, InputError> {
         let mut known = [definition.parameters().as_slice(), definition.coordinates()].concat();
         let declared = definition.known_parameters();
@@ -56,7 +58,7 @@ impl CodeOptions {
     }
 }
 
-/// Prints source code, or writes it to the file.
+/// Prints source code to standard output, or writes it to the file that the options name.
 pub fn print(code: &str, space: &Space, shared: &Shared, stages: &Stages) -> Result<(), Failure> {
     stages.begin_output();
     let file = shared.output.file.as_deref();

@@ -2,7 +2,7 @@
 
 use clap::{ArgMatches, Args, ValueEnum};
 
-/// The option whether messages are coloured.
+/// The option that decides whether messages are coloured.
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum Color {
     Auto,
@@ -12,12 +12,13 @@ pub enum Color {
 
 #[derive(Args)]
 pub struct ColorOption {
-    /// Choose when messages have colours
+    /// When to colour messages
     #[arg(long = "color", id = "color", value_name = "WHEN", value_enum, default_value_t = Color::Auto)]
     _color: Color,
 }
 
-/// The colour option of a command; if the command has no such option, the terminal decides.
+/// The colour option of a command. If the command has no such option, messages are coloured on a
+/// terminal.
 pub fn chosen(matches: &ArgMatches) -> Color {
     match matches.subcommand() {
         Some((_, inner)) => chosen(inner),

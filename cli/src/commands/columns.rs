@@ -2,29 +2,29 @@
 
 use affinor_documents::input::InputError;
 
-/// The length and the meaning of an input row, and the names of its columns.
+/// The numbers that an input row must contain, a name for them, and the names of their columns.
 pub struct Expected {
     pub numbers: usize,
     pub what: String,
-    /// Names of the columns in the order of the numbers; each list is an alternative. The first one
-    /// is shown in messages.
+    /// Lists of column names, in the order of the numbers. A header may use any of these lists;
+    /// messages show the first one.
     names: Vec<Vec<String>>,
-    /// The numbers of rows and columns, if one letter with numbers names all entries: `x1`, `x2`,
-    /// or `g11`, `g12`.
+    /// The numbers of rows and columns of a vector or a matrix whose entries may be named by one
+    /// letter and numbers: `x1`, `x2`, or `g11`, `g12`. Otherwise `None`.
     shape: Option<(usize, usize)>,
-    /// The position of each number in rows without a header, if not in order.
+    /// The position of each number in rows without a header, if the numbers are not in order.
     pub unnamed: Option<Vec<usize>>,
 }
 
 impl Expected {
-    /// A vector, whose columns may be named by one letter with numbers from 1.
+    /// A vector. A header may name its columns by one letter and numbers from 1.
     pub fn vector(numbers: usize, what: impl Into<String>) -> Self {
         let names = vec![(1..=numbers).map(|at| format!("x{at}")).collect()];
         Expected { numbers, what: what.into(), names, shape: Some((1, numbers)), unnamed: None }
     }
 
-    /// A matrix in row-major order, whose columns are named by one letter with the numbers of row
-    /// and column.
+    /// A matrix in row-major order. A header may name its columns by one letter and the numbers of
+    /// row and column.
     pub fn matrix((rows, columns): (usize, usize), what: impl Into<String>) -> Self {
         let between = if rows.max(columns) < 10 { "" } else { "_" };
         let name = |at: usize| format!("g{}{between}{}", at / columns + 1, at % columns + 1);
@@ -33,7 +33,7 @@ impl Expected {
         Expected { numbers: rows * columns, what: what.into(), names, shape, unnamed: None }
     }
 
-    /// Columns with exactly these names.
+    /// Expects numbers whose columns have exactly these names.
     pub fn named(names: &[&str], what: impl Into<String>) -> Self {
         let expected = Expected {
             numbers: names.len(),
@@ -45,7 +45,7 @@ impl Expected {
         expected.or(names)
     }
 
-    /// Adds an alternative list of names.
+    /// Adds another list of names, which a header may use instead.
     #[must_use]
     pub fn or<S: AsRef<str>>(mut self, names: &[S]) -> Self {
         let names: Vec<String> = names.iter().map(|name| name.as_ref().to_string()).collect();
@@ -62,10 +62,10 @@ impl Expected {
         self
     }
 
-    /// The position of each number in the rows, from the names in a header.
+    /// The position of each number in the rows, determined by the names in a header.
     ///
     /// # Errors
-    /// An error for a header with other names.
+    /// An error if the header has other names.
     pub fn order(&self, place: &str, head: &[&str]) -> Result<Vec<usize>, InputError> {
         let lower = |name: &str| name.trim().trim_matches('"').trim().to_lowercase();
         let head: Vec<String> = head.iter().map(|name| lower(name)).collect();
@@ -89,7 +89,7 @@ impl Expected {
         })
     }
 
-    /// The positions, if the names are one letter with numbers.
+    /// The position of each number, if the names in the header are one letter with numbers.
     fn numbered(&self, head: &[String]) -> Option<Vec<usize>> {
         let (rows, columns) = self.shape?;
         let numbers = |c: char| c.is_ascii_digit() || c == '_';
@@ -118,8 +118,8 @@ impl Expected {
 mod tests {
     use super::Expected;
 
-    /// Headers that permute the columns, by taking every `step`-th one with `step` coprime to their
-    /// number, are put in order.
+    /// A header with permuted columns is accepted. The test permutes by taking every `step`-th
+    /// column, where `step` is coprime to the number of columns.
     #[test]
     fn permuted_heads_are_put_in_order() {
         let quaternion =

@@ -9,7 +9,7 @@ use clap::Args;
 
 #[derive(Args)]
 pub struct Arguments {
-    /// Two spaces; by default M3 and SO3
+    /// The two spaces to compare; by default M3 and SO3
     #[arg(num_args = 0..=2)]
     pub spaces: Vec<String>,
     #[command(flatten)]

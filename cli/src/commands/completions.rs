@@ -10,12 +10,12 @@ use clap::builder::PossibleValuesParser;
 use clap::{Arg, Args, Command};
 use clap_complete::{Shell, generate};
 
-/// The largest dimension of the algebras that are suggested.
+/// The largest dimension of the algebras that completions suggest.
 const LARGEST: usize = 6;
 
 #[derive(Args)]
 pub struct Arguments {
-    /// The shell
+    /// The shell that reads the completions
     pub shell: Shell,
 }
 
@@ -27,7 +27,7 @@ impl Arguments {
     }
 }
 
-/// The command, whose arguments suggest the names that they accept among other texts.
+/// Returns the command with suggestions for its arguments, which in fact accept other text too.
 pub fn suggesting(command: Command) -> Command {
     let suggested = |argument: Arg| match names(argument.get_id().as_str()) {
         names if names.is_empty() => argument,
@@ -36,7 +36,7 @@ pub fn suggesting(command: Command) -> Command {
     command.mut_args(suggested).mut_subcommands(suggesting)
 }
 
-/// The names for an argument; empty if there are none.
+/// The names to suggest for an argument; empty if there are none.
 fn names(argument: &str) -> Vec<String> {
     let own = |names: &[&str]| names.iter().map(ToString::to_string).collect::<Vec<_>>();
     match argument {

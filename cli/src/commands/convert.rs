@@ -18,15 +18,15 @@ const TOLERANCE: f64 = 1e-6;
 
 #[derive(Args)]
 pub struct Arguments {
-    /// The input coordinates: vector (a rotation vector), quaternion (w,x,y,z or --order), matrix,
-    /// gibbs or modified (Rodrigues vectors), or Euler angles: upper case (ZYX) about the axes of
-    /// the body, lower case (zyx) about the axes of space
+    /// The coordinates of the input: vector (a rotation vector), quaternion (w,x,y,z or --order),
+    /// matrix, gibbs or modified (Rodrigues vectors), or Euler angles. Upper case, as in ZYX, means
+    /// rotations about the axes of the body; lower case, as in zyx, about the axes of space
     #[arg(long, value_name = "KIND", value_parser = kind)]
     pub from: Kind,
-    /// The output coordinates: one of the same kinds
+    /// The coordinates of the output, one of the same kinds
     #[arg(long, value_name = "KIND", value_parser = kind)]
     pub to: Kind,
-    /// Input rows, one argument each; by default the lines of standard input, as CSV or JSON
+    /// Input rows, one argument per row; by default the lines of standard input, as CSV or JSON
     #[arg(value_name = "ROW", allow_negative_numbers = true)]
     pub rows: Vec<String>,
     /// Read and write rotation vectors and Euler angles in degrees
@@ -48,7 +48,7 @@ pub enum Order {
     Xyzw,
 }
 
-/// Coordinates of rotations.
+/// A kind of coordinates of rotations.
 #[derive(Clone, Copy)]
 pub enum Kind {
     Vector,
@@ -56,7 +56,7 @@ pub enum Kind {
     Matrix,
     Gibbs,
     Modified,
-    /// Euler angles, with the axes as letters.
+    /// Euler angles, with the letters of the axes.
     Euler(Sequence, [char; 3]),
 }
 
@@ -81,13 +81,13 @@ impl Kind {
                     _ => "yaw",
                 };
                 let names = axes.map(name);
-                // if an axis occurs twice, its name does not identify an angle
+                // an axis that occurs twice does not identify an angle, so its name is not allowed
                 if names[0] == names[2] { expected } else { expected.or(&names) }
             }
         }
     }
 
-    /// The names of the columns.
+    /// The names of the columns, or the letter with which they begin.
     fn head(self) -> &'static str {
         match self {
             Kind::Vector | Kind::Gibbs | Kind::Modified => "x,y,z",
@@ -109,7 +109,8 @@ impl Kind {
         })
     }
 
-    /// The coordinates, and the gimbal lock if the Euler angles have one.
+    /// Converts a rotation to coordinates. Also returns the gimbal lock, if the Euler angles have
+    /// one.
     fn written(
         self,
         g: &UnitQuaternion<f64>,

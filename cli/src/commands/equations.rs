@@ -17,7 +17,7 @@ pub struct Arguments {
     /// The equations: euler-poincare (needs a metric), autoparallel, or transport
     #[arg(long, default_value = "euler-poincare", value_parser = kind)]
     pub kind: EquationKind,
-    /// Solve for the time derivatives, by the inverse metric
+    /// Solve the equations for the time derivatives, with the inverse metric
     #[arg(long, conflicts_with = "code")]
     pub solve: bool,
     #[command(flatten)]

@@ -1,8 +1,8 @@
-//! Examples of the commands, which their help shows and a test runs.
+//! Examples of the commands. The help shows them, and a test runs them.
 
 use clap::Command;
 
-/// Names of commands with commands to try in the root of the project.
+/// For each command, two examples, which run in the root folder of the project.
 const EXAMPLES: [(&str, [&str; 2]); 20] = [
     ("compare", ["affinor compare", "affinor compare so3@plus aff1@plus --format markdown"]),
     (
@@ -89,7 +89,7 @@ const EXAMPLES: [(&str, [&str; 2]); 20] = [
     ("completions", ["affinor completions bash", "affinor completions zsh"]),
 ];
 
-/// The command with the examples at the end of the help of each of its commands.
+/// Adds the examples to the end of the help of each command.
 pub fn with_examples(program: Command) -> Command {
     EXAMPLES.into_iter().fold(program, |program, (name, [first, second])| {
         let text = format!("Examples:\n  {first}\n  {second}");

@@ -10,15 +10,15 @@ use std::ops::Range;
 
 /// The reason why a command failed.
 pub enum Failure {
-    /// An error of the input, or of the mathematics.
+    /// An error of the input, or a mathematical error.
     Input(Box<InputError>),
-    /// Several errors of the input, in its order.
+    /// Several errors of the input, in the order of the input.
     Several(Vec<InputError>),
     /// An error while writing the results to the named target.
     Output(io::Error, String),
-    /// The results themselves report a mathematical failure.
+    /// The output itself reports the mathematical failure, so no message is needed.
     Refuted,
-    /// A signal, by its number, with a message if one must still be reported.
+    /// A signal: its number, and a message if the signal is not reported yet.
     Signal(u8, Option<String>),
 }
 
@@ -35,13 +35,13 @@ impl From<Error> for Failure {
 }
 
 impl Failure {
-    /// Reports the failure on standard error. Returns its exit status. A closed pipe ends the
-    /// program with success.
+    /// Reports the failure on standard error. Returns the exit status, which is 0 (success) for a
+    /// closed pipe.
     pub fn report(self, color: Color) -> u8 {
         match self {
             Failure::Output(error, _) if error.kind() == io::ErrorKind::BrokenPipe => 0,
             Failure::Refuted => 1,
-            // the exit status that shells use for signals
+            // shells use 128 plus the number of a signal as exit status
             Failure::Signal(signal, message) => {
                 message.iter().for_each(|message| line(message));
                 128 + signal
@@ -62,7 +62,8 @@ impl Failure {
 
 /// The widest line of a snippet.
 const WIDTH: usize = 80;
-/// The largest number of characters of a message; a witness may be a huge number.
+/// The largest number of characters of a message; longer messages are shortened, because a witness
+/// may be a huge number.
 const LONGEST: usize = 480;
 
 fn show(error: &InputError, color: Color) {
@@ -88,11 +89,12 @@ fn show(error: &InputError, color: Color) {
         report = report.element(Level::HELP.message(help));
     }
     let text = renderer.term_width(WIDTH).render(&[report]);
-    // if standard error is closed, nobody can read the message
+    // ignores errors of writing: if standard error is closed, nobody can read the message
     let _ = writeln!(io::stderr(), "{text}");
 }
 
-/// The lines that contain a span: the number of the first line, their text, and the span within it.
+/// The lines that contain a span. Returns the number of the first line, the text of the lines, and
+/// the span within this text.
 fn excerpt(text: &str, span: Range<usize>) -> (usize, &str, Range<usize>) {
     let (start, end) = (span.start.min(text.len()), span.end.min(text.len()));
     let from = text[..start].rfind('\n').map_or(0, |at| at + 1);
@@ -101,7 +103,7 @@ fn excerpt(text: &str, span: Range<usize>) -> (usize, &str, Range<usize>) {
     (first, &text[from..to], start - from..end - from)
 }
 
-/// The text with control characters escaped; the middle of a long text is left out.
+/// Escapes control characters, and leaves out the middle of a long text.
 fn shortened(text: &str) -> String {
     let escaped = |c: char| match c {
         '\n' | '"' | '\'' | '\\' => c.to_string(),

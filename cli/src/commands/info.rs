@@ -9,18 +9,18 @@ use clap::Args;
 
 #[derive(Args)]
 pub struct Arguments {
-    /// The space; only its Lie algebra is used; see `affinor --help`
+    /// The space, of which only the Lie algebra is used; see `affinor --help`
     pub space: Option<String>,
     /// The names of the basis vectors, if no SPACE is given, as in "x y z"
     #[arg(long, value_name = "NAMES")]
     pub basis: Option<String>,
-    /// Brackets over --basis, separated by ; as in "[x,y]=z"; may be repeated
+    /// Brackets of the --basis vectors, as in "[x,y]=z; [y,z]=x"; may be repeated
     #[arg(long, value_name = "BRACKET")]
     pub bracket: Vec<String>,
     /// Values of parameters, as in "h=-1"; may be repeated
     #[arg(long, value_name = "NAME=VALUE,...")]
     pub set: Vec<String>,
-    /// Print the seconds of each stage on standard error
+    /// Print the seconds of each stage to standard error
     #[arg(long)]
     pub timings: bool,
     #[command(flatten)]

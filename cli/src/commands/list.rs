@@ -8,9 +8,10 @@ use clap::Args;
 
 #[derive(Args)]
 pub struct Arguments {
-    /// Only entries that contain this text, ignoring case
+    /// List only entries that contain this text, ignoring case
     pub pattern: Option<String>,
-    /// List algebras with these properties, up to dimension 6 or the given one (at most 10), as in "dimension=4, nilpotent"
+    /// List the algebras with these properties, as in "dimension=4, nilpotent". Without a
+    /// dimension, up to dimension 6; a given dimension may be up to 10
     #[arg(long = "where", value_name = "CONDITION", conflicts_with = "pattern")]
     pub condition: Option<String>,
     #[command(flatten)]

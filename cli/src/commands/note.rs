@@ -13,7 +13,7 @@ pub fn line(text: &str) {
     let _ = writeln!(io::stderr(), "{text}");
 }
 
-/// A count with its noun, which is in the plural if needed: `1 row`, `2 rows`.
+/// A count followed by its noun, in the plural if needed: `1 row`, `2 rows`.
 pub fn counted(count: u64, noun: &str) -> String {
     match count {
         1 => format!("1 {noun}"),
@@ -21,7 +21,7 @@ pub fn counted(count: u64, noun: &str) -> String {
     }
 }
 
-/// Prints a note on the default connection if no connection is named.
+/// Prints a note on the default connection if the definition names no connection.
 pub fn note_default_connection(definition: &Definition) {
     if !definition.connection_is_default() {
         return;

@@ -13,10 +13,10 @@ use nalgebra::{DMatrix, DVector};
 /// A group, and its input rows.
 #[derive(Args)]
 pub struct Arguments {
-    /// The space of the group; see `affinor --help`
+    /// The space that defines the group; see `affinor --help`
     pub space: String,
-    /// Input rows, one argument each, as in "0, pi/2, 1e-3"; by default the lines of standard input,
-    /// as CSV or JSON
+    /// Input rows, one argument per row, as in "0, pi/2, 1e-3"; by default the lines of standard
+    /// input, as CSV or JSON
     #[arg(value_name = "ROW", allow_negative_numbers = true)]
     pub rows: Vec<String>,
     /// Read and write the angles of rotations in degrees
@@ -28,7 +28,7 @@ pub struct Arguments {
     pub output: RowOutput,
 }
 
-/// A group and its elements.
+/// A group, and its elements as input rows.
 #[derive(Args)]
 pub struct LogArguments {
     #[command(flatten)]
@@ -117,7 +117,8 @@ impl Arguments {
     }
 }
 
-/// Statistics of ill-conditioned logarithms, which rounded entries determine to few digits only.
+/// Statistics of ill-conditioned logarithms: the rounded entries of an element determine only a few
+/// digits of such a logarithm.
 #[derive(Default)]
 struct Coarse {
     rows: u64,
@@ -126,10 +127,11 @@ struct Coarse {
 }
 
 impl Coarse {
-    /// The relative error below which no note is printed, because twelve digits are printed.
+    /// The relative error below which no note is printed, because the output has only twelve
+    /// digits.
     const FINE: f64 = 1e-12;
 
-    /// Counts a logarithm of this size with this error.
+    /// Counts a logarithm of size `size` whose absolute error is `error`.
     fn add(&mut self, error: Option<f64>, size: f64) {
         let error = error.unwrap_or(0.0);
         // a zero logarithm has no relative error
@@ -151,7 +153,7 @@ impl Coarse {
     }
 }
 
-/// The units of the components of vectors.
+/// The units of the components of a vector, in radians; 1 for a component that is not an angle.
 pub struct Angles(Vec<f64>);
 
 impl Angles {
@@ -165,12 +167,12 @@ impl Angles {
         Angles(units)
     }
 
-    /// The components, with angles converted to radians.
+    /// Converts the angles among the components to radians.
     pub fn read(&self, x: &[f64]) -> DVector<f64> {
         DVector::from_iterator(x.len(), x.iter().zip(&self.0).map(|(x, unit)| x * unit))
     }
 
-    /// The components, with angles converted to these units.
+    /// Converts the angles among the components from radians to these units.
     pub fn written(&self, x: DVector<f64>) -> Vec<f64> {
         x.iter().zip(&self.0).map(|(x, unit)| x / unit).collect()
     }

@@ -20,7 +20,7 @@ pub struct SpaceOptions {
     /// The names of the basis vectors, if no SPACE is given, as in "x y z"
     #[arg(long, value_name = "NAMES")]
     pub basis: Option<String>,
-    /// Brackets over --basis, separated by ; as in "[x,y]=z"; may be repeated
+    /// Brackets of the --basis vectors, as in "[x,y]=z; [y,z]=x"; may be repeated
     #[arg(long, value_name = "BRACKET")]
     pub bracket: Vec<String>,
     #[command(flatten)]
@@ -44,8 +44,8 @@ pub struct Settings {
     /// Values of parameters, as in "J1=1/2,h=-1"; may be repeated
     #[arg(long, value_name = "NAME=VALUE,...")]
     pub set: Vec<String>,
-    /// Relative tolerance: a float counts as zero below T times the sum of the absolute values of
-    /// its terms [default: 64 machine epsilons]
+    /// Relative tolerance: a float counts as zero if it is below T times the sum of the absolute
+    /// values of its terms [default: 64 machine epsilons]
     #[arg(long, value_name = "T", allow_negative_numbers = true)]
     pub tolerance: Option<f64>,
     /// The number of threads [default: all cores]
@@ -53,41 +53,44 @@ pub struct Settings {
     pub threads: Option<i64>,
 }
 
-/// A problem of mechanics, with options that replace keys of its file.
+/// A problem of mechanics, and options that override keys of its file.
 #[derive(Args)]
 pub struct ProblemOptions {
-    /// The problem, a TOML file; - for standard input
+    /// The problem, as a TOML file; - for standard input
     #[arg(value_name = "FILE")]
     pub problem: String,
     /// Override values of parameters of the problem, as in "m=15,g=9.81"; may be repeated
     #[arg(long, value_name = "NAME=VALUE,...", allow_hyphen_values = true)]
     pub set: Vec<String>,
-    /// Override the step size of the file: a number, or a formula in its parameters
+    /// Override the step size that the file sets: a number, or a formula in its parameters
     #[arg(long, value_name = "H", allow_hyphen_values = true)]
     pub step: Option<String>,
-    /// Override the relative tolerance of the file: a number, or a formula in its parameters
+    /// Override the relative tolerance that the file sets: a number, or a formula in its parameters
     #[arg(long, value_name = "T", allow_hyphen_values = true)]
     pub tolerance: Option<String>,
-    /// Override the final time of the file: a number, or a formula in its parameters
+    /// Override the final time that the file sets: a number, or a formula in its parameters
     #[arg(long, value_name = "T", allow_hyphen_values = true)]
     pub end: Option<String>,
-    /// Override the time between output rows that the file sets: a number, or a formula in its parameters
+    /// Override the time between output rows that the file sets: a number, or a formula in its
+    /// parameters
     #[arg(long, value_name = "DT", allow_hyphen_values = true)]
     pub every: Option<String>,
 }
 
-/// The settings of a computation, its scalars, and its output.
+/// The settings of a computation, the kind of its scalars, and its output.
 #[derive(Args)]
 pub struct Shared {
     #[command(flatten)]
     pub settings: Settings,
-    /// Scalars: exact (rational numbers, or rational functions of the parameters) or float (f64)
+    /// The scalars: exact (rational numbers, or rational functions of the parameters) or float
+    /// (f64)
     #[arg(long, value_enum, default_value_t = Scalar::Exact)]
     pub scalar: Scalar,
-    /// The largest number of terms of all formulas together [default: 20000000, about 3 GB]
+    /// The largest number of terms of all formulas together [default: 20000000, which use about 3
+    /// GB]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     pub max_terms: Option<u64>,
-    /// Print the seconds of each stage on standard error
+    /// Print the seconds of each stage to standard error
     #[arg(long)]
     pub timings: bool,
     #[command(flatten)]
@@ -101,14 +104,14 @@ pub struct Output {
     /// file, otherwise text]
     #[arg(long, value_parser = format)]
     format: Option<OutputFormat>,
-    /// Write to this file, which is unchanged if the run fails
+    /// Write to this file; if the run fails, the file remains unchanged
     #[arg(short = 'o', long = "output", value_name = "FILE")]
     pub file: Option<PathBuf>,
     #[command(flatten)]
     pub color: ColorOption,
 }
 
-/// A format of reports, or a program that reads structure constants.
+/// A format of reports, or a program that can read the written structure constants.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum OutputFormat {
     Report(Format),
@@ -122,7 +125,7 @@ pub enum Scalar {
 }
 
 impl Settings {
-    /// All values of parameters, separated by commas.
+    /// The values of all `--set` options, separated by commas.
     fn set(&self) -> Option<String> {
         (!self.set.is_empty()).then(|| self.set.join(","))
     }
@@ -147,7 +150,7 @@ impl Settings {
         pool.map_err(|error| InputError::usage(format!("cannot start the threads: {error}")).into())
     }
 
-    /// Opens a space, and prints a note on its new parameters.
+    /// Opens a space, and prints notes, such as a note on parameters that the options introduce.
     pub fn open(&self, space: Option<&str>, options: &SpaceOptions) -> Result<Space, Failure> {
         let space = Space::open(&Request {
             space: space.map(str::to_string),
@@ -164,15 +167,16 @@ impl Settings {
 }
 
 impl ProblemOptions {
-    /// Reads the problem, and applies the options; `method` replaces the method of the file.
+    /// Reads the problem, and applies the options. `method` overrides the method that the file
+    /// sets.
     pub fn open(&self, method: Option<&str>) -> Result<Problem, Failure> {
         let mut problem = self.with_own_integration()?;
         problem.replace_integration(method, self.step.as_deref(), self.tolerance.as_deref())?;
         Ok(problem)
     }
 
-    /// Reads the problem, and applies the values and times of the options; the integration settings
-    /// are those of the file.
+    /// Reads the problem, and applies the values and times of the options, but leaves the
+    /// integration settings of the file unchanged.
     pub fn with_own_integration(&self) -> Result<Problem, Failure> {
         let mut problem = Problem::read(&self.problem)?;
         for set in &self.set {
@@ -182,7 +186,7 @@ impl ProblemOptions {
         Ok(problem)
     }
 
-    /// The names of the options, with the given values.
+    /// The names of the options, each with its value if it is given.
     pub fn given(&self) -> Vec<(String, Option<String>)> {
         let ProblemOptions { set, step, tolerance, end, every, .. } = self;
         let set = (!set.is_empty()).then(|| set.join(","));
@@ -210,7 +214,7 @@ impl Output {
         self.print_with(inputs, |format, out| report.write(format, out))
     }
 
-    /// Writes the output of a function in the format.
+    /// Writes the output of the function `write` in the chosen format.
     fn print_with(
         &self,
         inputs: &[PathBuf],
@@ -230,7 +234,7 @@ impl Output {
 }
 
 impl Shared {
-    /// Starts a command with its first stage, reading the input.
+    /// Starts the threads of a command, and begins its first stage, the reading of the input.
     pub fn start(&self) -> Result<Stages, Failure> {
         self.settings.start_threads()?;
         let stages = Stages::new(self.timings, self.max_terms.unwrap_or(Effort::DEFAULT));
@@ -238,7 +242,7 @@ impl Shared {
         Ok(stages)
     }
 
-    /// The computation of a space, with these options.
+    /// Prepares the computation of a space with these options.
     pub fn computation<'a>(
         &self,
         space: &'a Space,
@@ -256,12 +260,12 @@ impl Shared {
         (self.scalar == Scalar::Float).then(|| self.settings.tolerance()).transpose()
     }
 
-    /// Opens a space, and prints a note on its new parameters.
+    /// Opens a space, and prints notes, such as a note on parameters that the options introduce.
     pub fn open(&self, space: Option<&str>, options: &SpaceOptions) -> Result<Space, Failure> {
         self.settings.open(space, options)
     }
 
-    /// Ends the computation, and writes its report.
+    /// Begins the output stage, and writes the report.
     pub fn print(
         &self,
         stages: &Stages,
@@ -269,12 +273,12 @@ impl Shared {
         report: &dyn Report,
     ) -> Result<(), Failure> {
         stages.begin_output();
-        // writing simplifies formulas, and this counts towards the limit on terms
+        // writing simplifies formulas, and the limit on terms applies to this work too
         let write = |format, out: &mut dyn Write| report.write(format, &mut stages.within(out));
         stages.bound(|| self.output.print_with(inputs, write))?
     }
 
-    /// Opens two spaces; `--set` sets a parameter in each of the spaces that has it.
+    /// Opens two spaces. `--set` sets a parameter in each space that has the parameter.
     pub fn open_both(&self, names: [&str; 2]) -> Result<[Space; 2], Failure> {
         let open =
             |name: &str| Space::open(&Request { space: Some(name.into()), ..Request::default() });
@@ -290,7 +294,7 @@ impl Shared {
     }
 }
 
-/// Prints notes on how conventions of the space are interpreted, and on the parameters that occur
+/// Prints notes on the conventions that were assumed for the space, and on parameters that occur
 /// only on the command line.
 fn note_parameters(space: &Space) {
     space.definition.notes().iter().for_each(|text| note(text));

@@ -1,4 +1,4 @@
-//! Output of results: to standard output, or to a file that is replaced once the output is
+//! Output of results: to standard output, or to a file that is replaced only once the output is
 //! complete.
 
 use super::failure::Failure;
@@ -9,11 +9,11 @@ use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 use tempfile::NamedTempFile;
 
-/// Runs `write` on standard output or into `file`.
+/// Runs `write` on standard output, or on `file` if there is one.
 ///
-/// A regular file is written under a temporary name in the same folder and renamed, so that a
-/// failed run leaves the old file; a device or a pipe is written directly. `inputs` are files that
-/// must not be overwritten.
+/// A regular file is written under a temporary name in the same folder and then renamed, so that a
+/// failed run leaves the old file unchanged. A device or a pipe is written directly. `inputs` are
+/// files that must not be overwritten.
 pub fn deliver(
     file: Option<&Path>,
     inputs: &[PathBuf],
@@ -38,7 +38,7 @@ pub fn deliver(
     done.map_err(|error| Failure::Output(error, shown))
 }
 
-/// A writer with a checkpoint before each write.
+/// A writer that checks before each write whether a stop is requested.
 struct Polled<'w>(&'w mut dyn Write);
 
 impl Write for Polled<'_> {
@@ -52,18 +52,19 @@ impl Write for Polled<'_> {
     }
 }
 
-/// Returns an error, before any computation, for a file that cannot be written: one of `inputs`, a
-/// folder, or a file in a folder without write permission.
+/// Returns an error, before any computation, if the file cannot be written: if it is one of
+/// `inputs`, a folder, or a file in a folder without write permission.
 pub fn expect_place(path: &Path, inputs: &[PathBuf]) -> Result<(), Failure> {
     let (shown, target) = expect_other(path, inputs)?;
     if fs::metadata(&target).is_ok_and(|meta| !meta.is_file() && !meta.is_dir()) {
         return Ok(());
     }
-    // the temporary file is deleted at once
+    // creates a temporary file as a test, and deletes it at once
     temporary(&target).map(drop).map_err(|error| Failure::Output(error, shown))
 }
 
-/// The path for messages, and the resolved path, after checking that it is not one of `inputs`.
+/// Checks that the path is not one of `inputs`. Returns the path for messages, and the resolved
+/// path.
 fn expect_other(path: &Path, inputs: &[PathBuf]) -> Result<(String, PathBuf), Failure> {
     let shown = path.display().to_string().escape_debug().to_string();
     if inputs.iter().any(|input| is_same(input, path)) {
@@ -106,11 +107,12 @@ fn temporary(target: &Path) -> io::Result<NamedTempFile> {
     #[cfg(unix)]
     {
         use std::os::unix::fs::PermissionsExt;
-        // the permissions of the replaced file, or the default ones of the umask
+        // the new file gets the permissions of the replaced file, or the default permissions of the
+        // umask
         let mode = fs::metadata(target).map_or(0o666, |meta| meta.permissions().mode());
         builder.permissions(fs::Permissions::from_mode(mode));
     }
-    // checked here, so that the message does not name the temporary file
+    // checks the folder here, because the error of the temporary file would show a temporary name
     if !fs::metadata(folder)?.is_dir() {
         return Err(io::ErrorKind::NotADirectory.into());
     }

@@ -1,4 +1,5 @@
-//! `affinor paper`: the paper, recomputed equation by equation.
+//! `affinor paper`: the paper of Paraskevopoulos and Natsiavas (2013), recomputed equation by
+//! equation.
 
 use super::color::ColorOption;
 use super::failure::Failure;
@@ -50,7 +51,7 @@ impl Arguments {
     }
 }
 
-/// The figures 2 to 6 of the paper.
+/// Figures 2 to 6 of the paper.
 fn figures() -> Result<Vec<PaperFigure>, Failure> {
     let (path, both) = (precession(), connected(&["plus", "zero"], None)?);
     let axis = nalgebra::Vector3::new(0.9, 1.9, 1.3);
@@ -77,7 +78,7 @@ fn figures() -> Result<Vec<PaperFigure>, Failure> {
         ),
         (
             "Figure 6: the left-invariant frame along a motion",
-            "The frame `e_i(p) = L_{p*} e_i(e)` (22), and the frames that `plus` and `zero` transport in parallel.",
+            "The frame `e_i(p) = L_{p*} e_i(e)` (22), and the frames that `plus` and `zero` parallel-transport.",
             figures::frames(&both, &path, FIGURE_AT)?,
         ),
     ];

@@ -1,4 +1,5 @@
-//! `affinor plot`: figures of the paper and of trajectories, as SVG, and with the feature `png` as PNG and GIF.
+//! `affinor plot`: figures of trajectories and of Paraskevopoulos and Natsiavas (2013), as SVG, and
+//! with the feature `png` as PNG and GIF.
 
 mod convergence;
 mod drift;
@@ -26,14 +27,14 @@ use nalgebra::Vector3;
 use run::{Columns, Trajectory};
 use std::path::PathBuf;
 
-/// The time of the velocity in the figures of the paper.
+/// The time at which the figures of the paper show the velocity.
 pub const FIGURE_AT: f64 = 0.7;
 /// The largest width of a picture, in pixels.
 const MAX_WIDTH: u32 = 8000;
-/// The shortest and the longest animation, in seconds.
+/// The shortest and the longest duration of an animation, in seconds.
 const LEAST_SECONDS: f64 = 0.1;
 const MOST_SECONDS: f64 = 90.0;
-/// The largest rotation between frames of a clear animation, in radians.
+/// The largest rotation between two frames, in radians, at which an animation is still clear.
 const MOST_TURN: f64 = 0.5;
 
 #[derive(Args)]
@@ -44,16 +45,18 @@ pub struct Arguments {
 
 #[derive(Subcommand)]
 enum Kind {
-    /// Angular velocity w of a motion, and its images Omega and omega at the identity
+    /// Angular velocity w of a motion, and its images Omega (left) and omega (right) at the
+    /// identity
     #[command(visible_alias = "figure2")]
     Images(OnMotion),
-    /// Angular velocity, transported to the identity by connections
+    /// Angular velocity of a motion, transported to the identity by several connections
     #[command(visible_alias = "figure3")]
     Transport(OnConnections),
     /// Autoparallels through the identity, in canonical coordinates
     #[command(visible_alias = "figure4")]
     Autoparallels {
-        /// The tangent of the autoparallel to be highlighted, and its length, as a rotation vector
+        /// The highlighted autoparallel: its initial unit tangent times its length, as a rotation
+        /// vector
         #[arg(long, value_name = "X", default_value = "0.9, 1.9, 1.3", allow_hyphen_values = true)]
         axis: String,
         #[command(flatten)]
@@ -61,18 +64,17 @@ enum Kind {
         #[command(flatten)]
         scene: Scene,
     },
-    /// Motion as a curve in the group, and as the rotating body
+    /// Motion as a curve in the rotation group, and as a rotating body
     #[command(visible_alias = "figure5")]
     Motion(OnMotion),
-    /// Left-invariant frame along a motion, and the frames that connections transport
+    /// Left-invariant frame along a motion, and the frames that several connections transport
     #[command(visible_alias = "figure6")]
     Frames(OnConnections),
-    /// Problem of mechanics: body axes on the unit sphere in space
+    /// Problem of mechanics: paths of the body axes on the unit sphere in space
     Attitude(OnTrajectory),
-    /// Problem of mechanics: body momentum on its sphere, and the energy ellipsoid
+    /// Problem of mechanics: path of the body momentum on its sphere, and the energy ellipsoid
     Momentum(OnTrajectory),
-    /// Problem of mechanics: animation of the body as a box with its axes of inertia, as animated
-    /// SVG
+    /// Problem of mechanics: animated SVG of the body, drawn as a box with its axes of inertia
     Animation {
         #[command(flatten)]
         on: OnTrajectory,
@@ -84,9 +86,11 @@ enum Kind {
     Series(OnColumns),
     /// Problem of mechanics: one column against another, as a curve
     Phase(OnColumns),
-    /// Problem of mechanics: one column against another, as points of the Poincare section (`section` of the problem)
+    /// Problem of mechanics: one column against another, as points of the Poincare section that the
+    /// problem defines (`section`)
     Section(OnColumns),
-    /// Problem of mechanics: drift of the conserved quantities over time, by one or several methods
+    /// Problem of mechanics: drift of the conserved quantities over time, for one or several
+    /// methods
     Drift {
         #[command(flatten)]
         comparison: drift::Comparison,
@@ -95,7 +99,7 @@ enum Kind {
     },
     /// Dynkin diagram of the Levi subalgebra of a Lie algebra, over the complex numbers
     Dynkin {
-        /// The space; only its Lie algebra is used; see `affinor --help`
+        /// The space, of which only the Lie algebra is used; see `affinor --help`
         space: String,
         /// Values of parameters, as in "h=-1"; may be repeated
         #[arg(long, value_name = "NAME=VALUE,...")]
@@ -103,7 +107,7 @@ enum Kind {
         #[command(flatten)]
         image: Image,
     },
-    /// Problem of mechanics: error of several methods over step size and computing time
+    /// Problem of mechanics: errors of several methods against step size and computing time
     Convergence {
         #[command(flatten)]
         comparison: Comparison,
@@ -144,14 +148,14 @@ struct OnColumns {
     image: Image,
 }
 
-/// A motion of the body, and a time.
+/// A motion of the body, and a point of time.
 #[derive(Args)]
 struct PathOptions {
-    /// A factor of the motion exp(t X1) exp(t X2) ..., 0 <= t <= 1, as a rotation vector; may be
-    /// repeated [default: two factors, a steady precession]
+    /// One rotation vector X1, X2, ... of the motion exp(t X1) exp(t X2) ..., 0 <= t <= 1; repeat
+    /// the option for each factor [default: two factors, a steady precession]
     #[arg(long = "factor", value_name = "X", allow_hyphen_values = true)]
     factors: Vec<String>,
-    /// The fraction of the motion, from 0 to 1, at which the velocity and the frame are drawn
+    /// The time t of the motion, from 0 to 1, at which the velocity and the frame are drawn
     #[arg(long, value_name = "T", default_value_t = FIGURE_AT, allow_negative_numbers = true)]
     fraction: f64,
 }
@@ -159,10 +163,11 @@ struct PathOptions {
 /// Connections on the rotation group, one panel each.
 #[derive(Args)]
 struct Connections {
-    /// The connection of a panel: plus, zero, minus, lambda=1/3, or levi-civita; may be repeated
+    /// A connection, drawn in its own panel: plus, zero, minus, lambda=1/3, or levi-civita; may be
+    /// repeated
     #[arg(long = "connection", value_name = "NAME", allow_hyphen_values = true)]
     names: Vec<String>,
-    /// The metric of levi-civita: identity, "diag(1,2,3)", or rows "[[1,0,0],...]"
+    /// The metric whose connection is levi-civita: identity, "diag(1,2,3)", or rows "[[1,0,0],...]"
     #[arg(long, value_name = "METRIC", allow_hyphen_values = true)]
     metric: Option<String>,
 }
@@ -187,7 +192,7 @@ struct Image {
     #[cfg_attr(not(feature = "png"), doc = "Write to this file, .svg, instead of standard output")]
     #[arg(short = 'o', long = "output", value_name = "FILE")]
     file: Option<PathBuf>,
-    /// The width in pixels
+    /// The width of the picture in pixels
     #[arg(long, value_name = "PIXELS", default_value_t = 800)]
     width: u32,
     #[command(flatten)]
@@ -278,7 +283,7 @@ pub fn precession() -> Path {
 }
 
 impl Connections {
-    /// The given connections, or the default ones.
+    /// The given connections; the default ones if none are given.
     fn or(&self, default: &[&str]) -> Result<Vec<Connected>, Failure> {
         let names: Vec<&str> = match self.names.as_slice() {
             [] => default.to_vec(),
@@ -288,7 +293,8 @@ impl Connections {
     }
 }
 
-/// Connections on the rotation group by their names; the metric is that of `levi-civita`.
+/// Connections on the rotation group, given by their names. `metric` is the metric of
+/// `levi-civita`.
 pub fn connected(names: &[&str], metric: Option<&str>) -> Result<Vec<Connected>, Failure> {
     let open = |name: &&str| {
         let (name, translation) = figures::ball::connected(name, metric)?;

@@ -1,4 +1,5 @@
-//! `--restore`: matrices with few digits, replaced by the nearest elements of the group.
+//! The option `--restore`: replaces matrices that are given with few digits by the nearest elements
+//! of the group.
 
 use super::failure::Failure;
 use super::note::{counted, note};
@@ -8,14 +9,15 @@ use affinor_documents::input::InputError;
 use clap::Args;
 use nalgebra::DMatrix;
 
-/// Advice for a matrix that is not an element.
+/// Advice for a matrix that is not an element of the group.
 const ADVICE: &str = "--restore replaces it by the nearest element of the group";
 
-/// The option whether matrices that are not on the group are accepted.
+/// The option that decides whether matrices outside the group are replaced.
 #[derive(Args)]
 pub struct Restore {
-    /// Replace each matrix by the nearest element of the group, if no entry changes by more than
-    /// 0.1 (entries above 1: by more than a tenth of the entry), and report the largest change
+    /// Replace each matrix by the nearest element of the group, and report the largest change. A
+    /// change above 0.1 in an entry is an error (in an entry above 1: a change by more than a tenth
+    /// of the entry)
     #[arg(long)]
     restore: bool,
 }
@@ -29,8 +31,8 @@ pub struct Restored {
 }
 
 impl Restored {
-    /// The element of a matrix: the nearest one with `--restore`, otherwise the one that `strict`
-    /// returns.
+    /// Converts a matrix to an element of the group. With `--restore`, returns the nearest element;
+    /// otherwise the result of `strict`.
     pub fn read<G: MatrixNotation>(
         &mut self,
         option: &Restore,
@@ -54,7 +56,8 @@ impl Restored {
         })
     }
 
-    /// The error of a logarithm, with advice if the nearest element has a logarithm.
+    /// The error of a logarithm, with advice to use `--restore` if the nearest element has a
+    /// logarithm.
     pub fn refused<G: MatrixNotation>(
         &self,
         option: &Restore,
@@ -69,7 +72,7 @@ impl Restored {
         }
     }
 
-    /// Prints a note on the largest change.
+    /// Prints a note on the largest change of an entry.
     pub fn note(&self) {
         if self.rows > 0 {
             let (rows, distance) = (counted(self.rows, "row"), self.distance);

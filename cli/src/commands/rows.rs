@@ -17,10 +17,10 @@ pub struct RowOutput {
     /// The format of the rows [default: by the ending of the output file, otherwise text]
     #[arg(long, value_enum)]
     format: Option<RowFormat>,
-    /// Write to this file, which is unchanged if the run fails
+    /// Write to this file; if the run fails, the file remains unchanged
     #[arg(short = 'o', long = "output", value_name = "FILE")]
     file: Option<PathBuf>,
-    /// How to treat an invalid input row: stop, or skip it and report its line and the reason
+    /// At an invalid input row: stop, or skip the row and report its line and the reason
     #[arg(long, value_enum, default_value_t = OnError::Stop)]
     on_error: OnError,
     #[command(flatten)]
@@ -52,14 +52,16 @@ impl RowOutput {
     }
 }
 
-/// A vector as a matrix with one row.
+/// Returns a vector as a matrix with one row.
 pub fn vector(values: &[f64]) -> DMatrix<f64> {
     DMatrix::from_row_slice(1, values.len(), values)
 }
 
-/// Maps each row of the arguments, or of standard input if there are none, and writes the results.
+/// Maps each row of the arguments, or of standard input if there are no arguments, and writes the
+/// results.
 ///
-/// A first line without any number names the columns ([`Expected::order`]). `head` is as in [`write_rows`].
+/// If the first line contains no number, its words are the names of the columns
+/// ([`Expected::order`]). `head` is as in [`write_rows`].
 pub fn map_rows(
     arguments: &[String],
     expected: &Expected,
@@ -106,7 +108,7 @@ pub fn map_rows(
     Ok(())
 }
 
-/// Writes each matrix as soon as `rows` passes it.
+/// Writes each matrix as soon as `rows` hands it over.
 ///
 /// `head` names the columns of CSV: a list such as `w,x,y,z`, or a letter, to which the numbers of
 /// row and column are appended.
@@ -138,7 +140,7 @@ pub fn write_rows(
             }
         }
     });
-    // an invalid row is an error of the input, not of the output
+    // returns the error of an invalid row itself, because it is not an error of the output
     refused.map_or(done, Err)
 }
 
@@ -154,8 +156,8 @@ fn finite(values: &DMatrix<f64>) -> Result<(), Failure> {
     }
 }
 
-/// Whether a line is a header: all words begin with a letter, and none of them is a number or a
-/// missing value.
+/// Whether a line is a header: all its words begin with a letter, and no word is a number or means
+/// a missing value.
 fn is_header(line: &str) -> bool {
     let no_names = ["nan", "inf", "infinity", "null", "none", "na", "n/a", "pi", "tau"];
     let is_name = |word: &str| {
@@ -166,7 +168,7 @@ fn is_header(line: &str) -> bool {
     numbers(&Source::new("", line)).is_err() && fields(line).into_iter().all(is_name)
 }
 
-/// The fields of a line between commas, semicolons and tabs; if there are none, between spaces.
+/// Splits a line at commas, semicolons and tabs; if the line has none, at spaces.
 fn fields(line: &str) -> Vec<&str> {
     let signs = [',', ';', '\t'];
     match line.contains(signs) {
@@ -175,8 +177,8 @@ fn fields(line: &str) -> Vec<&str> {
     }
 }
 
-/// Calls `each` with the number and text of every line of standard input that is neither empty nor
-/// a comment.
+/// Calls `each` with the number and the text of every line of standard input. Empty lines and
+/// comments are skipped.
 fn lines(mut each: impl FnMut(usize, &str) -> Result<(), Failure>) -> Result<(), Failure> {
     for (at, line) in io::stdin().lock().lines().enumerate() {
         let line = line.map_err(|error| {
@@ -192,7 +194,7 @@ fn lines(mut each: impl FnMut(usize, &str) -> Result<(), Failure>) -> Result<(),
     Ok(())
 }
 
-/// The numbers of one row.
+/// Reads the numbers of one row.
 pub fn read(name: &str, line: &str, expected: &Expected) -> Result<Vec<f64>, Failure> {
     let source = Source::new(name, line);
     let row = numbers(&source)?;
@@ -204,7 +206,8 @@ pub fn read(name: &str, line: &str, expected: &Expected) -> Result<Vec<f64>, Fai
     Err(InputError::usage(message).help(format!("it reads `{}`", line.escape_debug())).into())
 }
 
-/// Writes twelve digits: a vector on one line, a matrix in aligned rows followed by an empty line.
+/// Writes numbers with twelve digits: a vector on one line, a matrix in aligned rows and a final
+/// empty line.
 fn text(out: &mut dyn Write, values: &DMatrix<f64>) -> io::Result<()> {
     let cells = cells(values, briefly);
     let width = cells.iter().map(String::len).max().unwrap_or(0);
@@ -249,20 +252,20 @@ fn json(out: &mut dyn Write, values: &DMatrix<f64>) -> io::Result<()> {
     }
 }
 
-/// The entries, row by row.
+/// The entries of a matrix as text, row by row.
 fn cells(values: &DMatrix<f64>, write: fn(f64) -> String) -> Vec<String> {
     let rows = values.row_iter();
     rows.flat_map(|row| row.iter().map(|value| write(*value)).collect::<Vec<_>>()).collect()
 }
 
-/// The shortest digits that parse to the same number, without negative zero and without a final
-/// `.0`.
+/// Writes a number with the shortest digits that parse to the same number, without a negative zero
+/// and without a final `.0`.
 fn exactly(value: f64) -> String {
     let written = format!("{:?}", value + 0.0);
     written.strip_suffix(".0").map(str::to_string).unwrap_or(written)
 }
 
-/// At most twelve significant digits.
+/// Writes a number with at most twelve significant digits.
 fn briefly(value: f64) -> String {
     exactly(format!("{value:.11e}").parse().unwrap_or(value))
 }

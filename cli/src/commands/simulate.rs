@@ -23,8 +23,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-/// The largest number of members of an ensemble whose rows are computed before they are stored, and
-/// the target time for this, so that checkpoints are on time.
+/// The largest number of members of an ensemble that are computed before their rows are stored, and
+/// the target time for these members, which makes checkpoints punctual.
 const CHUNK: u64 = 128;
 const CHUNK_TIME: Duration = Duration::from_secs(1);
 
@@ -41,11 +41,11 @@ pub struct Arguments {
     pub ensemble: bool,
     #[cfg_attr(
         feature = "parquet",
-        doc = "The format: csv, json or parquet [default: by the ending of the output file, or csv]"
+        doc = "The format: csv, json or parquet [default: the extension of the output file, or csv]"
     )]
     #[cfg_attr(
         not(feature = "parquet"),
-        doc = "The format: csv or json [default: by the ending of the output file, or csv]"
+        doc = "The format: csv or json [default: the extension of the output file, or csv]"
     )]
     #[arg(long, value_name = "FORMAT", value_parser = format)]
     pub format: Option<RunFormat>,
@@ -55,13 +55,13 @@ pub struct Arguments {
     /// Save the completed members of an ensemble to this file at intervals
     #[arg(long, value_name = "FILE", requires = "ensemble")]
     pub checkpoint: Option<PathBuf>,
-    /// Resume from the checkpoint, if there is one
+    /// Resume from the checkpoint; without a checkpoint, start from the beginning
     #[arg(long, requires = "checkpoint")]
     pub resume: bool,
-    /// The interval between checkpoints
+    /// The time between checkpoints, in seconds
     #[arg(long, value_name = "SECONDS", default_value_t = 5.0)]
     pub checkpoint_every: f64,
-    /// The number of threads of an ensemble, without effect on its results [default: all cores]
+    /// The number of threads of an ensemble; it does not change the results [default: all cores]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub threads: Option<u16>,
     #[command(flatten)]
@@ -78,7 +78,7 @@ fn format(name: &str) -> Result<RunFormat, String> {
     })
 }
 
-/// The name of the format that needs a build feature.
+/// The name of the format that needs the build feature `parquet`.
 const PARQUET: &str = "parquet";
 const WITHOUT_PARQUET: &str = "this program was built without the feature `parquet`";
 const WITH_PARQUET: &str =
@@ -168,7 +168,8 @@ impl Arguments {
         if let Some(file) = self.file.as_deref().filter(|_| store.resumed().is_some()) {
             let incomplete = partial(file);
             if incomplete != file {
-                // the rows of an interrupted earlier run; failure to delete them does no harm
+                // deletes the rows of an interrupted earlier run; if this fails, the old file does
+                // no harm
                 let _ = fs::remove_file(incomplete);
             }
         }
@@ -176,8 +177,8 @@ impl Arguments {
         Ok(())
     }
 
-    /// The format of the rows: from `--format`, otherwise from the extension of the file name,
-    /// otherwise CSV.
+    /// The format of the rows: the format given by `--format`, otherwise the format of the file
+    /// name extension, otherwise CSV.
     fn format(&self) -> Result<RunFormat, Failure> {
         let ending = self.file.as_ref().and_then(|file| file.extension());
         let ending = ending.map(|ending| ending.to_string_lossy().to_lowercase());
@@ -190,7 +191,7 @@ impl Arguments {
         }
     }
 
-    /// Integrates all members of an ensemble and stores their rows in order.
+    /// Integrates all members of an ensemble, and stores their rows in the order of the members.
     fn members(
         &self,
         problem: &Problem,
@@ -216,8 +217,8 @@ impl Arguments {
             for (member, (rows, end)) in chunk.iter().zip(found) {
                 match end {
                     End::Early(ending) if interrupted.is_none() => {
-                        // members from here on will be computed again, although their rows are
-                        // already written
+                        // a resumed run computes this and all later members again, although some of
+                        // their rows are already written
                         store.save(*member)?;
                         interrupted = Some(ending);
                     }
@@ -246,13 +247,13 @@ impl Arguments {
     }
 }
 
-/// The way in which a run ended.
+/// How a run ended.
 enum End {
-    /// It reached its end time, or a terminal event.
+    /// The run reached its end time, or a terminal event.
     Reached,
-    /// It failed with an error.
+    /// The run failed with an error.
     Error(InputError),
-    /// It was ended by a signal, or by a limit of the command.
+    /// A signal, or a limit of the command, ended the run early.
     Early(Ending),
 }
 
@@ -291,7 +292,8 @@ fn all_rows(problem: &Problem, member: u64, watch: &Watch) -> (Vec<Vec<f64>>, En
     (rows, end)
 }
 
-/// Integrates a motion to its end, or until a signal or a limit; `each` is called after every step.
+/// Integrates a motion to its end, or until a signal or an exceeded limit. `each` is called after
+/// every step.
 fn follow<E>(
     integration: &mut Integration,
     watch: &Watch,
@@ -313,7 +315,7 @@ fn follow<E>(
     }
 }
 
-/// Prints notes on the problem, and on the method if it was chosen automatically.
+/// Prints the notes on the problem, and a note on the method if it was chosen automatically.
 fn note_method(problem: &Problem, ready: &Ready, member: &str) {
     ready.notes.iter().for_each(|text| note(&format!("{member}{text}")));
     if problem.method().is_none() {
@@ -322,8 +324,8 @@ fn note_method(problem: &Problem, ready: &Ready, member: &str) {
     }
 }
 
-/// The file for an incomplete run: `run.partial.csv` for `run.csv`; a device or a pipe is used
-/// directly.
+/// The path to which an incomplete run is written: `run.partial.csv` for `run.csv`. A device or a
+/// pipe is written directly.
 fn partial(file: &Path) -> PathBuf {
     if fs::metadata(file).is_ok_and(|meta| !meta.is_file()) {
         return file.to_path_buf();

@@ -9,7 +9,7 @@ use std::io::{self, Write};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-/// Consecutive stages, and the time that each takes.
+/// Consecutive stages of a command, and the time of each stage.
 pub struct Stages {
     timings: bool,
     spinner: ProgressBar,
@@ -19,7 +19,7 @@ pub struct Stages {
 
 /// The time between two frames of the spinner.
 const TICK: Duration = Duration::from_millis(120);
-/// The time before the spinner appears.
+/// The time before the spinner appears; faster commands show no spinner.
 const PATIENCE: Duration = Duration::from_millis(600);
 
 /// The name of the current stage.
@@ -31,7 +31,7 @@ pub fn current() -> String {
 }
 
 impl Stages {
-    /// The stages of a command whose formulas may have at most `limit` terms.
+    /// Creates the stages of a command whose formulas may have at most `limit` terms.
     pub fn new(timings: bool, limit: u64) -> Self {
         let spinner = ProgressBar::with_draw_target(None, ProgressDrawTarget::hidden());
         if let Ok(style) = ProgressStyle::with_template("{spinner} {msg} {elapsed}{prefix}") {
@@ -43,7 +43,7 @@ impl Stages {
         std::thread::spawn(move || {
             std::thread::sleep(PATIENCE);
             if !late.is_finished() {
-                // indicatif hides it unless standard error is a terminal
+                // indicatif draws the spinner only if standard error is a terminal
                 late.set_draw_target(ProgressDrawTarget::stderr());
                 late.enable_steady_tick(TICK);
             }
@@ -58,10 +58,10 @@ impl Stages {
         Stages { timings, spinner, current: RefCell::new(None), effort }
     }
 
-    /// Runs work within the limit on the terms of formulas.
+    /// Runs `work` within the limit on the terms of formulas.
     ///
     /// # Errors
-    /// An error if the limit is exceeded, with the stage and advice.
+    /// If the limit is exceeded, an error that names the stage and gives advice.
     pub fn bound<T>(&self, work: impl FnOnce() -> T) -> Result<T, InputError> {
         self.effort.bound(work).map_err(|exceeded| {
             let stage = self.current.borrow().as_ref().map(|(stage, _)| stage.clone());
@@ -75,8 +75,8 @@ impl Stages {
         })
     }
 
-    /// A writer that writes nothing once the limit is exceeded, because values formed afterwards
-    /// are meaningless.
+    /// Returns a writer that writes nothing once the limit is exceeded, because values formed
+    /// afterwards are meaningless.
     pub fn within<'s>(&'s self, out: &'s mut dyn Write) -> impl Write + 's {
         Within { out, effort: &self.effort }
     }
@@ -88,7 +88,7 @@ impl Stages {
         self.set(name);
     }
 
-    /// Begins the last stage, the output of the results, without a spinner.
+    /// Begins the last stage, the output of the results, which has no spinner.
     pub fn begin_output(&self) {
         self.end();
         self.spinner.finish_and_clear();

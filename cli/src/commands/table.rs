@@ -17,15 +17,16 @@ pub struct Arguments {
     pub options: SpaceOptions,
     #[command(flatten)]
     pub selection: Choice,
-    /// In JSON, write common factors of denominators once, under `where`, as the other formats do
+    /// In JSON, write common factors of denominators only once, under `where`, as the other formats
+    /// do
     #[arg(long)]
     pub common_factors: bool,
-    /// Write the indices of components as numbers, or as names (of coordinates on a chart,
-    /// otherwise of basis vectors)
+    /// Write the indices of components as numbers, or as names: of the coordinates on a chart,
+    /// otherwise of the basis vectors
     #[arg(long, value_enum, default_value_t = Labels::Numbers)]
     pub labels: Labels,
-    /// Compute in floats at a point: values of coordinates, parameters and functions, as in
-    /// "r=3,theta=pi/2,M=1"; may be repeated
+    /// Compute in floats at a point, given by values of coordinates, parameters and functions, as
+    /// in "r=3,theta=pi/2,M=1"; may be repeated
     #[arg(long, value_name = "NAME=VALUE,...", conflicts_with = "code")]
     pub at: Vec<String>,
     #[command(flatten)]
@@ -39,10 +40,10 @@ pub struct Arguments {
 pub struct Choice {
     #[arg(long, value_name = "TENSORS", value_parser = quantities, help = tensors_to_show())]
     pub show: Option<Quantities>,
-    /// Of components that are equal up to sign by symmetry, show only one
+    /// Show only one of the components that are equal up to sign by symmetry
     #[arg(long)]
     pub independent: bool,
-    /// The invariant frame of the components
+    /// The invariant frame in which components are given
     #[arg(long, value_enum, default_value_t = Frame::Left)]
     pub frame: Frame,
 }
@@ -131,7 +132,7 @@ impl Arguments {
 }
 
 impl Choice {
-    /// The chosen tensors; by default all basic ones except the inverse metric and the Killing
+    /// The chosen tensors; by default all basic tensors except the inverse metric and the Killing
     /// form.
     pub fn quantities(&self) -> Vec<Quantity> {
         match &self.show {
@@ -140,7 +141,7 @@ impl Choice {
         }
     }
 
-    /// The selection of these tensors, with the other options.
+    /// The selection of the given tensors, with the other options of this choice.
     pub fn of(&self, quantities: Vec<Quantity>) -> Selection {
         let right_frame = self.frame == Frame::Right;
         Selection { quantities, right_frame, independent: self.independent, ..Selection::default() }

@@ -13,16 +13,17 @@ use nalgebra::DVector;
 
 #[derive(Args)]
 pub struct Arguments {
-    /// The space of the group; see `affinor --help`
+    /// The space that defines the group; see `affinor --help`
     pub space: String,
-    /// Vectors at the start in the left-invariant frame, one argument each, or - for the lines of
-    /// standard input; by default the matrix of the transport is printed
+    /// Vectors at the start of the path, in the left-invariant frame, one argument per vector, or -
+    /// for the lines of standard input. Without vectors, print the matrix of the transport
     #[arg(value_name = "VECTOR", allow_negative_numbers = true)]
     pub vectors: Vec<String>,
-    /// The coordinates x of an arc exp(s x), 0 <= s <= 1; repeat the option for consecutive arcs
+    /// The coordinates x of an arc exp(s x), 0 <= s <= 1, of the path; repeat the option for
+    /// consecutive arcs
     #[arg(long, value_name = "X", allow_negative_numbers = true, required = true)]
     pub along: Vec<String>,
-    /// Read the angles of the arcs in degrees
+    /// Read the coordinates of the arcs that are angles in degrees
     #[arg(long)]
     pub degrees: bool,
     #[command(flatten)]

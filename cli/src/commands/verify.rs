@@ -11,16 +11,17 @@ use std::path::{Path, PathBuf};
 
 #[derive(Args)]
 pub struct Arguments {
-    /// The space (see `affinor --help`) and stored tables, JSON or CSV; a folder means all its
-    /// .json and .csv files
+    /// The space (see `affinor --help`), followed by stored tables, JSON or CSV; a folder means all
+    /// .json and .csv files in it
     #[arg(num_args = 1.., required = true, value_names = ["SPACE", "FILE"])]
     pub arguments: Vec<String>,
     #[command(flatten)]
     pub options: SpaceOptions,
     #[command(flatten)]
     pub selection: Choice,
-    /// The convention of a stored tensor, as "stored component = the same component here": "R^i_jkl = -R^i_jkl" (sign) or
-    /// "Lambda^i_jk = Lambda^i_kj" (order of indices); may be repeated
+    /// The convention of a stored tensor, as "stored component = the same component here". Example
+    /// of a sign: "R^i_jkl = -R^i_jkl". Example of the order of indices: "Lambda^i_jk =
+    /// Lambda^i_kj". May be repeated
     #[arg(long, value_name = "EQUATION", allow_hyphen_values = true)]
     pub convention: Vec<String>,
     /// Show all components that differ, not only the first 20 of each table
@@ -108,8 +109,8 @@ impl Arguments {
     }
 }
 
-/// The tables for a path: a file itself, or the `.json` and `.csv` files of a folder, in the order
-/// of their names.
+/// The tables at a path: the file itself, or the `.json` and `.csv` files of a folder, sorted by
+/// name.
 fn tables(path: &str) -> Result<Vec<String>, InputError> {
     if !Path::new(path).is_dir() {
         return Ok(vec![path.into()]);

@@ -1,8 +1,9 @@
 //! Monitoring of a command: signals, and limits on its time and memory.
 //!
-//! A thread polls for them. The first one sets the token of the command, which unwinds at its next
-//! checkpoint. If a command does not end soon, because it reads a file or computes without
-//! checkpoints, the process is ended. A simulation polls by itself, and ends with its rows written.
+//! A thread polls for signals and exceeded limits. At the first one it sets the stop token of the
+//! command, and the command unwinds at its next checkpoint. If the command does not end soon,
+//! because it reads a file or computes without checkpoints, the thread ends the process. A
+//! simulation polls by itself, so that it can write its rows before it ends.
 
 use super::color::Color;
 use super::failure::Failure;
@@ -21,23 +22,23 @@ use std::time::Duration;
 /// The limits on a command.
 #[derive(Args)]
 pub struct LimitOptions {
-    /// End the command after this time, as in 30, 5m or 2h, with exit status 1
+    /// End the command with exit status 1 after this time, as in 30, 5m or 2h
     #[arg(long, value_name = "SECONDS", global = true, help_heading = "Limits", value_parser = seconds)]
     pub timeout: Option<f64>,
-    /// End the command when it uses more memory, as in 800M or 2G, with exit status 1
+    /// End the command with exit status 1 if it uses more memory than this, as in 800M or 2G
     #[arg(long, value_name = "SIZE", global = true, help_heading = "Limits", value_parser = size)]
     pub memory: Option<u64>,
 }
 
-/// The interval within which signals count as one, because a program and its process group may each
-/// get a signal.
+/// The time within which several signals count as one: a program and its process group may each
+/// receive the same signal.
 const ONE: Duration = Duration::from_millis(300);
 /// The polling interval.
 const OFTEN: Duration = Duration::from_millis(20);
-/// The time that a command has for unwinding.
+/// The time that a command has to unwind before the process is ended.
 const GRACE: Duration = Duration::from_millis(100);
 
-/// The reason for a premature end of a command.
+/// The reason why a command ended early.
 #[derive(Clone, Copy, Debug)]
 pub enum Ending {
     /// A signal, by its number.
@@ -54,24 +55,24 @@ struct State {
     token: StopToken,
     budget: Budget,
     color: Color,
-    /// The last signal.
+    /// The number of the last signal; 0 if there was none.
     arrived: Arc<AtomicUsize>,
-    /// Whether the next signal kills the process.
+    /// Whether the next signal kills the process at once.
     armed: Arc<AtomicBool>,
     /// The exceeded limit.
     passed: OnceLock<StopReason>,
-    /// Whether the command polls by itself.
+    /// Whether the command polls for signals and limits by itself.
     asks: AtomicBool,
-    /// The lock of the thread that reports the end.
+    /// The lock of the thread that ends the process and reports the reason.
     reports: Mutex<()>,
 }
 
 impl Watch {
-    /// Begins the watch.
+    /// Starts the monitor.
     ///
     /// # Errors
-    /// An error for invalid limits, and for a system that does not deliver signals or cannot start
-    /// a thread.
+    /// An error if a limit is invalid, or if the system does not deliver signals or cannot
+    /// start a thread.
     pub fn begin(limits: &LimitOptions, color: Color) -> Result<Self, Failure> {
         let watch = Watch(Arc::new(State {
             token: StopToken::new(),
@@ -104,18 +105,18 @@ impl Watch {
         self.0.token.run(command).unwrap_or_else(|stopped| Err(self.failure(stopped.stage)))
     }
 
-    /// The lock under which the process ends. Only its holder reports.
+    /// The lock under which the process ends. Only the thread that holds the lock may report.
     pub fn last_word(&self) -> MutexGuard<'_, ()> {
         self.0.reports.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// From now on the command calls [`ending`](Self::ending) itself, and only a second signal ends
-    /// it otherwise.
+    /// Declares that the command now calls [`ending`](Self::ending) itself. The monitor then ends
+    /// the command only at a second signal.
     pub fn ask(&self) {
         self.0.asks.store(true, Ordering::Relaxed);
     }
 
-    /// From now on the first signal kills the process, because the motion is complete.
+    /// Declares that the motion is complete: from now on, the first signal kills the process.
     pub fn let_through(&self) {
         self.0.armed.store(true, Ordering::Relaxed);
     }
@@ -127,7 +128,8 @@ impl Watch {
         signal.or_else(|| self.0.passed.get().copied().map(Ending::Limit))
     }
 
-    /// The failure for an end during a stage. `stage` is used if the command has no stages.
+    /// The failure for a command that was ended early. `stage` is used in the message if the
+    /// command has no stages of its own.
     pub fn failure(&self, stage: &str) -> Failure {
         let current = stages::current();
         let stage = if current.is_empty() { stage } else { &current };
@@ -149,7 +151,7 @@ impl Watch {
         }
     }
 
-    /// Polls for signals and limits until there is one.
+    /// Polls until there is a signal or an exceeded limit, and then ends the command.
     fn look(&self) {
         let ending = loop {
             if let Some(ending) = self.ending() {

@@ -94,7 +94,7 @@ fn a_connection_that_is_not_plus_is_said() {
     assert!(!said.contains("connection"), "{said}");
     let (of_zero, said) = momentum("zero", "2");
     assert!(said.contains("note: the connection is not plus"), "{said}");
-    assert!(said.contains("H' is 0.5 times that of theirs"), "{said}");
+    assert!(said.contains("H' is 0.5 times its value there"), "{said}");
     for (a, b) in of_plus.iter().zip(of_zero) {
         assert!((a - b).abs() < 1e-8, "{of_plus:?}, {of_zero:?}");
     }

@@ -1,4 +1,4 @@
-//! Animated bodies: boxes with their axes of inertia, or the parts that a problem defines.
+//! Animated bodies: boxes with axes of inertia, or the parts that a problem defines.
 
 use super::{Body, Figure, Look, Panel, Role};
 use crate::problem::Solid;
@@ -11,15 +11,19 @@ use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
 const RATE: f64 = 25.0;
 /// The largest number of frames.
 const FRAMES: f64 = 2400.0;
-/// The largest number of corners in all frames of parts, which limits a picture to about 2 MB.
+/// The largest number of corners of parts in all frames together. It limits a picture to about 2
+/// MB.
 const CORNERS: usize = 120_000;
-/// The rotation between two frames, in radians, unless the number of frames exceeds its limit.
+/// The rotation between two frames, in radians. It is larger if the number of frames would exceed
+/// its limit.
 const TURN: f64 = 0.25;
-/// Half the diagonal of the box, in radii of the picture: on the sphere of the axes, and along a path.
+/// Half the diagonal of the box, in radii of the picture: for a body that rotates about a fixed
+/// point, and for a body on a path.
 const SIZES: [f64; 2] = [0.62, 0.2];
 /// The smallest edge of the box, relative to its diagonal.
 const THINNEST: f64 = 0.06;
-/// The distance of the farthest corner of the parts on the sphere of the axes, in radii.
+/// The distance of the farthest corner of the parts in the sphere of the axes, in radii of the
+/// picture.
 const PARTS: f64 = 0.9;
 /// The roles whose colours distinguish bodies.
 const COLORS: [Role; 6] =
@@ -28,25 +32,25 @@ const COLORS: [Role; 6] =
 /// A body that moves in a trajectory.
 #[derive(Clone, Debug)]
 pub struct Moving {
-    /// The number of its factor in a product of groups.
+    /// The number of the factor of the body in a product of groups; `None` for a single group.
     pub factor: Option<usize>,
-    /// Its inertia.
+    /// The inertia of the body.
     pub inertia: Inertia,
     /// The parts of the body. If the list is empty, the body is drawn as a homogeneous box with the
     /// same axes and ratios of inertia.
     pub solids: Vec<Solid>,
 }
 
-/// A body with its attitudes, and its positions if it has any.
+/// A body with its attitudes, and with its positions if it has a position.
 struct Track<'m> {
     moving: &'m Moving,
     attitudes: Vec<Matrix3<f64>>,
     places: Option<Vec<Vector3<f64>>>,
 }
 
-/// Animates the bodies in rows, with a duration in seconds. Bodies with a position move along their
-/// paths in one panel. Each other body rotates about its fixed point, with the path of the axis of
-/// inertia that moves least.
+/// Animates the bodies of a run; the animation lasts `seconds`. Bodies with a position move along
+/// their paths in one panel. Each other body rotates about its fixed point in its own panel, which
+/// shows the path of the axis of inertia that moves least.
 ///
 /// # Errors
 /// [`Error::Name`] for a trajectory without an attitude; [`Error::Invalid`] for elements that are not rotations.
@@ -64,7 +68,8 @@ pub fn animation(run: &RunRows, bodies: &[Moving], seconds: f64) -> Result<Figur
     let whole = tracks.iter().map(Track::turn).fold(0.0, f64::max);
     let corners = |solid: &Solid| solid.faces.iter().map(Vec::len).sum::<usize>();
     let solids = || bodies.iter().flat_map(|moving| &moving.solids);
-    // a part that overlaps with others in depth is drawn in several layers
+    // counts corners several times, because a part that overlaps with others in depth is drawn in
+    // several layers
     let drawn = solids().map(corners).sum::<usize>() * solids().count().clamp(1, 3);
     let most = FRAMES.min((CORNERS / drawn.max(1)) as f64);
     let count = (whole / TURN).max(RATE * seconds).min(most).max(1.0).ceil() as u32;
@@ -85,7 +90,7 @@ pub fn animation(run: &RunRows, bodies: &[Moving], seconds: f64) -> Result<Figur
     Ok(Figure { title: format!("{}: {bodies} in motion", run.name), panels })
 }
 
-/// The times of an animation.
+/// The times and frames of an animation.
 struct Film<'t> {
     /// The times of the rows.
     times: &'t [f64],
@@ -97,8 +102,8 @@ struct Film<'t> {
 }
 
 impl Film<'_> {
-    /// The body of a track, in a frame whose axes are the columns of `axes`, with its positions
-    /// relative to `centre`.
+    /// The animated body of a track. The columns of `axes` are the axes of its frame, and its
+    /// positions are relative to `centre`.
     fn body(&self, track: &Track, look: Look, axes: &Matrix3<f64>, centre: &Vector3<f64>) -> Body {
         let [first, last] = self.span;
         let pose = |k: u32| {
@@ -121,17 +126,17 @@ impl Track<'_> {
         self.moving.factor.map_or("the body".into(), |number| format!("body {number}"))
     }
 
-    /// The angle through which the body rotates.
+    /// The total angle through which the body rotates.
     fn turn(&self) -> f64 {
         self.attitudes.windows(2).map(|pair| angle(&pair[0], &pair[1])).sum()
     }
 
-    /// The attitudes of the axes of inertia.
+    /// The directions of the axes of inertia at each time.
     fn axes(&self) -> Vec<Matrix3<f64>> {
         self.attitudes.iter().map(|r| r * self.moving.inertia.axes()).collect()
     }
 
-    /// A homogeneous box with the same ratios of inertia and half this diagonal.
+    /// A homogeneous box with the same ratios of inertia; `diagonal` is half its diagonal.
     fn cuboid(&self, diagonal: f64, reach: f64) -> Look {
         let moments = self.moving.inertia.principal_moments();
         let captions = [0, 1, 2].map(|i| {
@@ -143,12 +148,13 @@ impl Track<'_> {
         Look::Box { half: (edges * (diagonal / edges.norm())).into(), reach, captions }
     }
 
-    /// The largest distance of a corner of the body from its origin; 0 for a body without parts.
+    /// The largest distance of a corner of the body from the origin of its frame; 0 for a body
+    /// without parts.
     fn reach(&self) -> f64 {
         self.moving.solids.iter().map(Solid::reach).fold(0.0, f64::max)
     }
 
-    /// Its parts, scaled.
+    /// The parts of the body, scaled.
     fn parts(&self, scale: f64, role: Role, caption: String) -> Look {
         let scaled = |solid: &Solid| {
             let corners = solid.corners.iter().map(|x| x * scale).collect();
@@ -158,7 +164,7 @@ impl Track<'_> {
     }
 }
 
-/// The panel of a body that rotates about a point.
+/// The panel of a body that rotates about a fixed point.
 fn sphere(track: &Track, title: String, film: &Film) -> Panel {
     let mut panel = Panel::new(title, 1.0, ["X", "Y", "Z"]);
     let (i, path) = calmest(&track.axes());
@@ -180,7 +186,7 @@ fn space(tracks: &[Track], film: &Film) -> Panel {
     let corners = places().fold((start, start), |(low, high), x| (low.inf(x), high.sup(x)));
     let center = (corners.0 + corners.1) * 0.5;
     let farthest = places().map(|x| (x - center).norm()).fold(0.0, f64::max);
-    // boxes have no given size
+    // boxes have no given size, so their size is a fraction of the radius
     let has_boxes = tracks.iter().any(|track| track.moving.solids.is_empty());
     let mut radius = if has_boxes { farthest / (1.0 - SIZES[1]) } else { 0.0 };
     for track in tracks {
@@ -209,7 +215,7 @@ fn space(tracks: &[Track], film: &Film) -> Panel {
     panel
 }
 
-/// The axis with the shortest path on the sphere, and the path.
+/// Finds the axis with the shortest path on the sphere. Returns its number, and the path.
 fn calmest(turns: &[Matrix3<f64>]) -> (usize, Vec<Vector3<f64>>) {
     let path = |i: usize| turns.iter().map(move |r| r.column(i).into_owned()).collect::<Vec<_>>();
     let length = |i: usize| -> f64 {
@@ -228,14 +234,15 @@ fn angle(a: &Matrix3<f64>, b: &Matrix3<f64>) -> f64 {
     rotation(a).angle_to(&rotation(b))
 }
 
-/// The rotation at a fraction of the way between two rotations.
+/// The rotation at the fraction `share` of the way from one rotation to another.
 fn turned(a: &Matrix3<f64>, b: &Matrix3<f64>, share: f64) -> Matrix3<f64> {
     let (a, b) = (rotation(a), rotation(b));
     let between = a.try_slerp(&b, share, 1e-9).unwrap_or(a);
     between.to_rotation_matrix().into_inner()
 }
 
-/// The last row before a time, and the fraction of the interval to the next row.
+/// The index of the last row before a time, and the fraction of the interval from this row to the
+/// next row.
 fn between(times: &[f64], time: f64) -> (usize, f64) {
     let forwards = times[times.len() - 1] >= times[0];
     let passed = times.partition_point(|t| if forwards { *t <= time } else { *t >= time });

@@ -1,4 +1,4 @@
-//! Autoparallels through the identity, and canonical coordinates: figure 4.
+//! Autoparallels through the identity, in canonical coordinates: figure 4 of the paper.
 
 use super::{Connected, Figure, Panel, Role, ball};
 use affinor::Error;
@@ -9,9 +9,9 @@ use nalgebra::Vector3;
 const SAMPLES: u32 = 120;
 const TOLERANCE: f64 = 1e-10;
 
-/// Autoparallels of each connection (B7) from the identity, with unit tangents, to `s = pi`. The one along `axis` ends
-/// at `q`, where `s = |axis|`. An autoparallel is straight in the ball, (74), if its tangent is constant in the left
-/// frame, (43).
+/// For each connection, draws autoparallels (B7) from the identity, with unit tangents, up to `s =
+/// pi`. The autoparallel along `axis` ends at `q`, where `s = |axis|`. An autoparallel is straight
+/// in the ball, by (74), if its tangent is constant in the left-invariant frame, (43).
 ///
 /// # Errors
 /// Those of [`autoparallel`](affinor::group::transport::ParallelTranslation::autoparallel).
@@ -48,7 +48,7 @@ fn panel(connected: &Connected, axis: &Vector3<f64>) -> Result<Panel, Error> {
     Ok(panel)
 }
 
-/// Unit vectors to the vertices of an icosahedron; none is along an axis.
+/// Unit vectors to the vertices of an icosahedron. None of them is along a coordinate axis.
 fn fan() -> Vec<Vector3<f64>> {
     let golden = 0.5 * (1.0 + 5f64.sqrt());
     let signs = [[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]];

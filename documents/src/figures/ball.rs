@@ -12,8 +12,8 @@ use std::f64::consts::PI;
 /// The radius of the ball: the largest angle of a rotation.
 pub const RADIUS: f64 = PI;
 
-/// Parallel transport on the rotation group by the connection with this name, and its title.
-/// `metric` is the metric of `levi-civita`.
+/// Parallel transport on the rotation group by the connection with this name. Also returns the
+/// title of the connection. `metric` is the metric of `levi-civita`.
 ///
 /// # Errors
 /// An error for a connection or a metric that cannot be parsed, and for a parameter without a
@@ -42,8 +42,8 @@ pub fn connected(
     Ok((title, ParallelTranslation::new(So3, geometry.connection().clone())?))
 }
 
-/// The tangent vector at `x` with the components `u` in the left-invariant frame, as an arrow `scale` times as long as
-/// `dx = T_left(x)^-1 u`.
+/// The arrow of the tangent vector at `x` whose components in the left-invariant frame are `u`. The
+/// arrow is `scale` times as long as `dx = T_left(x)^-1 u`.
 ///
 /// # Errors
 /// [`Law::RegularTangent`](affinor::Law::RegularTangent) far outside the ball.
@@ -51,11 +51,11 @@ pub fn arrow(x: &Vector3<f64>, u: &Vector3<f64>, scale: f64) -> Result<[Vector3<
     Ok([*x, x + So3.tangent_left_inverse(x, u)? * scale])
 }
 
-/// The curve through closely spaced elements, in pieces. Where it leaves the ball, the next piece
-/// begins at the opposite point of the sphere.
+/// The curve through closely spaced elements, in pieces. If the curve leaves the ball, its next
+/// piece begins at the opposite point of the sphere.
 ///
 /// # Errors
-/// [`Error::Invalid`], which cannot occur for rotations.
+/// [`Error::Invalid`], which does not occur for rotations.
 pub fn curve(elements: &[UnitQuaternion<f64>]) -> Result<Vec<Vec<Vector3<f64>>>, Error> {
     let mut pieces: Vec<Vec<Vector3<f64>>> = vec![];
     for g in elements {
@@ -77,7 +77,7 @@ pub fn curve(elements: &[UnitQuaternion<f64>]) -> Result<Vec<Vec<Vector3<f64>>>,
     Ok(pieces)
 }
 
-/// The intersection of the sphere with the line between a point inside and a point outside.
+/// The intersection of the sphere with the line from a point inside to a point outside.
 fn onto_sphere(inside: &Vector3<f64>, outside: &Vector3<f64>) -> Vector3<f64> {
     let (near, far) = (inside.norm(), outside.norm());
     let share = ((RADIUS - near) / (far - near)).clamp(0.0, 1.0);

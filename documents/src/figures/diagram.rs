@@ -9,7 +9,7 @@ pub struct Diagram {
     pub graphs: Vec<Graph>,
 }
 
-/// Lines in a plane with two axes.
+/// A graph: lines in a plane with two axes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Graph {
     /// The horizontal axis.
@@ -25,9 +25,9 @@ pub struct Graph {
 /// An axis.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scale {
-    /// The quantity.
+    /// The label of the axis, a quantity.
     pub label: String,
-    /// Whether it is logarithmic.
+    /// Whether the axis is logarithmic.
     pub logarithmic: bool,
 }
 
@@ -36,7 +36,7 @@ pub struct Scale {
 pub struct Line {
     /// The caption in the legend.
     pub caption: String,
-    /// The values on the two axes.
+    /// The points, by their values on the two axes.
     pub points: Vec<[f64; 2]>,
     /// The style of the line.
     pub drawn: Drawn,
@@ -73,7 +73,8 @@ impl Scale {
 pub const LARGEST: f64 = 1e300;
 
 impl Diagram {
-    /// The label of an axis with values that are finite but cannot be shown, and one such value.
+    /// Finds a finite value that is too large for its axis. Returns the label of the axis and the
+    /// value.
     pub fn beyond(&self) -> Option<(&str, f64)> {
         self.graphs.iter().find_map(|graph| {
             let mut points = graph.lines.iter().flat_map(|line| &line.points);

@@ -4,46 +4,47 @@ use super::diagram::{Diagram, Drawn, Graph, Line, Scale};
 use crate::rows::RunRows;
 use affinor::Error;
 
-/// The smallest change that is shown; smaller ones, also zero, are shown as this value.
+/// The smallest change that is shown. Smaller changes, including zero, are shown as this value.
 const ROUNDING: f64 = 1e-17;
 /// The largest number of points of a line.
 const POINTS: f64 = 2000.0;
 
-/// The measure of a change.
+/// How a change is measured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Change {
     /// The absolute change `|q(t) - q(0)|`.
     Absolute,
-    /// The relative change `|q(t) - q(0)| / |q(0)|`; absolute for a quantity that starts at zero.
+    /// The relative change `|q(t) - q(0)| / |q(0)|`. For a quantity that starts at zero, the
+    /// absolute change.
     Relative,
 }
 
-/// The largest changes of some quantities up to each time.
+/// The drift of quantities: at each time, their largest changes up to this time.
 #[derive(Clone, Debug)]
 pub struct Drift {
     names: Vec<String>,
-    /// The method; may be empty.
+    /// The method, which is added to captions; may be empty.
     method: String,
-    /// The least time between points.
+    /// The smallest time between two points of a line.
     least: f64,
     first: Vec<f64>,
     largest: Vec<f64>,
-    /// The time of the last values, unless a point already contains them.
+    /// The time of the last values, if no point contains them yet.
     pending: Option<f64>,
     points: Vec<(f64, Vec<f64>)>,
 }
 
 impl Drift {
-    /// An empty record of the drift of quantities over a time span.
+    /// Creates an empty record of the drift of quantities over a time span.
     pub fn new(names: Vec<String>, method: String, span: f64) -> Self {
         let (first, largest, points) = (vec![], vec![0.0; names.len()], vec![]);
         Drift { names, method, least: span.abs() / POINTS, first, largest, pending: None, points }
     }
 
-    /// The changes of columns in rows.
+    /// The drift of columns of a run.
     ///
     /// # Errors
-    /// [`Error::Name`].
+    /// [`Error::Name`] if the run has no column with one of the names.
     pub fn of_rows(run: &RunRows, names: &[String]) -> Result<Self, Error> {
         let times = run.column("t")?;
         let columns = names.iter().map(|name| run.column(name));
@@ -55,7 +56,7 @@ impl Drift {
         Ok(drift)
     }
 
-    /// Adds the values at the next time. Changes are relative to the first values.
+    /// Adds the values at the next time. Changes are measured from the first values.
     pub fn add(&mut self, time: f64, values: &[f64]) {
         if self.first.is_empty() {
             self.first = values.to_vec();
@@ -73,7 +74,7 @@ impl Drift {
         }
     }
 
-    /// Adds the point of the last values.
+    /// Adds a point for the last values, unless there is one.
     pub fn end(&mut self) {
         if let Some(time) = self.pending.take() {
             self.points.push((time, self.largest.clone()));
@@ -88,14 +89,14 @@ impl Drift {
             let method = if self.method.is_empty() { "" } else { &format!(", {}", self.method) };
             let kind = if change == Change::Relative && !is_relative { " (absolute)" } else { "" };
             let at = |(time, largest): &(f64, Vec<f64>)| [*time, (largest[k] / unit).max(ROUNDING)];
-            // the first point, without changes, is left out
+            // omits the first point, which has no changes
             let points = self.points.iter().skip(1).map(at).collect();
             Line { caption: format!("{name}{method}{kind}"), points, drawn: Drawn::Line }
         })
     }
 }
 
-/// The largest changes over time, by one or several methods.
+/// The diagram of the largest changes over time, for one or several methods.
 pub fn diagram(name: &str, drifts: &[Drift], change: Change) -> Diagram {
     let lines = drifts.iter().flat_map(|drift| drift.lines(change)).collect();
     let label = match change {

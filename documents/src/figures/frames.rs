@@ -1,4 +1,4 @@
-//! Frames along a motion: figure 6.
+//! Frames along a motion: figure 6 of the paper.
 
 use super::images::with_motion;
 use super::{Connected, Figure, Panel, Path, Role, ball};
@@ -6,14 +6,14 @@ use affinor::Error;
 use affinor::group::{LieGroup, So3};
 use nalgebra::{DMatrix, Vector3};
 
-/// The number of frames, the first at the identity.
+/// The number of frames; the first frame is at the identity.
 const FRAMES: u32 = 3;
 /// The length of the vectors.
 const LENGTH: f64 = 0.75;
 const TOLERANCE: f64 = 1e-10;
 
-/// The motion, and the frame `e_i` along it up to the time `t`: by left translation (22), (76), and
-/// by parallel transport with each connection (42).
+/// Draws the motion, and the frame `e_i` along it up to the time `t`. One panel shows left
+/// translation (22), (76); one panel for each connection shows parallel transport (42).
 ///
 /// # Errors
 /// [`Error::Integration`].

@@ -1,4 +1,4 @@
-//! The velocity of a motion and its two images at the identity: figure 2.
+//! The velocity of a motion, and its two images at the identity: figure 2 of the paper.
 
 use super::{Figure, Panel, Path, Role, ball};
 use affinor::Error;
@@ -10,12 +10,12 @@ pub(super) const SAMPLES: u32 = 600;
 /// The length of the longest velocity in a figure.
 const LONGEST: f64 = 1.5;
 
-/// The motion, its angular velocity `w` at the point `p` of time `t`, and the images of `w` at the identity: `Omega` by
-/// left translation (55), `omega = A Omega` by right translation (57), (59). The autoparallel from `e` to `p` has the
-/// tangents `n` and `n_p`.
+/// Draws the motion, its angular velocity `w` at the point `p` of time `t`, and the images of `w`
+/// at the identity. The images are `Omega` by left translation (55), and `omega = A Omega` by right
+/// translation (57), (59). The autoparallel from `e` to `p` has the tangents `n` and `n_p`.
 ///
 /// # Errors
-/// None occur for rotations.
+/// No errors occur for rotations.
 pub fn images(path: &Path, t: f64) -> Result<Figure, Error> {
     let mut panel = Panel::ball("");
     let Moment { x, velocity, scale } = with_motion(&mut panel, path, t)?;
@@ -34,18 +34,18 @@ pub fn images(path: &Path, t: f64) -> Result<Figure, Error> {
     Ok(Figure { title, panels: vec![panel] })
 }
 
-/// A motion at one time.
+/// The state of a motion at one time.
 pub(super) struct Moment {
-    /// The rotation vector.
+    /// The position as a rotation vector.
     pub x: Vector3<f64>,
-    /// The images `Omega` and `omega` of `w`.
+    /// The angular velocity as its images `Omega` and `omega`.
     pub velocity: Velocity<Vector3<f64>>,
-    /// The factor by which velocities are drawn longer.
+    /// The factor by which drawn velocities are longer than velocities.
     pub scale: f64,
 }
 
-/// Adds to a panel the motion, its position and velocity at the time `t`, and the autoparallel to
-/// this position.
+/// Adds a motion to a panel: its curve, its position and velocity at the time `t`, and the
+/// autoparallel to this position.
 pub(super) fn with_motion(panel: &mut Panel, path: &Path, t: f64) -> Result<Moment, Error> {
     let p = path.element(t);
     let (x, velocity) = (So3.log(&p)?, Velocity::from_body(&So3, &p, path.velocity(t)));

@@ -1,4 +1,4 @@
-//! A motion as a curve in the group and as a rotating body: figure 5.
+//! A motion as a curve in the group, and as a rotating body: figure 5 of the paper.
 
 use super::images::{SAMPLES, with_motion};
 use super::{Figure, Panel, Path, Role};
@@ -11,7 +11,7 @@ use nalgebra::{Matrix3, Vector3};
 /// sphere, and the columns of `Y = Q spin(Omega)` (66).
 ///
 /// # Errors
-/// None occur for rotations.
+/// No errors occur for rotations.
 pub fn motion(path: &Path, t: f64) -> Result<Figure, Error> {
     let mut points = Panel::ball("γ in canonical coordinates");
     with_motion(&mut points, path, t)?;

@@ -1,4 +1,4 @@
-//! Motions of a body: products of uniform rotations.
+//! Motions of a body that are products of uniform rotations.
 
 use affinor::group::{LieGroup, So3};
 use nalgebra::{UnitQuaternion, Vector3};
@@ -8,7 +8,8 @@ use nalgebra::{UnitQuaternion, Vector3};
 /// Two factors give a steady precession: about `x_1` in space, and about `x_2` in the body.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Path {
-    /// The rotation vectors `x_1, x_2, ...`, from space to body.
+    /// The rotation vectors `x_1, x_2, ...`. The first rotation is about an axis fixed in space;
+    /// the last rotation is about an axis fixed in the body.
     pub factors: Vec<Vector3<f64>>,
 }
 
@@ -19,8 +20,8 @@ impl Path {
         factors.fold(So3.identity(), |g, h| So3.compose(&g, &h))
     }
 
-    /// The angular velocity `Omega(t) = g^-1 g'` in the body, computed by `Ad_h^-1 Omega + x` for
-    /// each factor `h = exp(t x)`.
+    /// The body angular velocity `Omega(t) = g^-1 g'`. It is computed factor by factor: each factor
+    /// `h = exp(t x)` maps it to `Ad_h^-1 Omega + x`.
     pub fn velocity(&self, t: f64) -> Vector3<f64> {
         let carry =
             |omega: Vector3<f64>, x: &Vector3<f64>| So3.adjoint(&So3.exp(&(x * -t)), &omega) + x;

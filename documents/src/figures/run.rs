@@ -1,4 +1,4 @@
-//! Trajectories of problems: attitude and body momentum.
+//! Figures of trajectories: attitude and body momentum.
 
 use super::{Figure, Panel, Role};
 use crate::rows::RunRows;
@@ -10,11 +10,12 @@ use std::f64::consts::TAU;
 /// The number of intervals on an ellipse.
 const SAMPLES: u32 = 96;
 
-/// The body axes on the unit sphere in space: the columns `R E_i` of the attitude. A product has a panel for each of the
-/// factors with these numbers.
+/// Draws the body axes on the unit sphere in space: the columns `R E_i` of the attitude. Each
+/// factor of a product with one of these numbers has its own panel.
 ///
 /// # Errors
-/// [`Error::Name`] for a trajectory without an attitude; [`Error::Invalid`] for elements that are not rotations.
+/// [`Error::Name`] for a trajectory without an attitude; [`Error::Invalid`] for elements that are
+/// not rotations.
 pub fn attitude(run: &RunRows, factors: &[Option<usize>]) -> Result<Figure, Error> {
     let panel = |factor: &Option<usize>| {
         let attitudes = run.attitudes(*factor)?;
@@ -34,8 +35,8 @@ pub fn attitude(run: &RunRows, factors: &[Option<usize>]) -> Result<Figure, Erro
     Ok(Figure { title: format!("{}: body axes in space", run.name), panels })
 }
 
-/// The body momentum `H` on the sphere of its norm, and the energy ellipsoid. A free motion follows their intersection,
-/// the polhode.
+/// Draws the body momentum `H` on the sphere of its norm, and the energy ellipsoid. A free motion
+/// follows the intersection of both surfaces, the polhode.
 ///
 /// # Errors
 /// [`Error::Name`] for a trajectory without `H1`, `H2`, `H3`.
@@ -46,7 +47,7 @@ pub fn momentum(run: &RunRows, inertia: &Inertia) -> Result<Figure, Error> {
     let radius = if longest > 0.0 { longest } else { 1.0 };
     let (axes, moments) = (inertia.axes(), inertia.principal_moments());
     let mut panel = Panel::new("", radius, ["H₁", "H₂", "H₃"]);
-    // semi-axes of H . J^-1 H = 2 E
+    // the semi-axes of the ellipsoid H . J^-1 H = 2 E
     let energy = inertia.energy(&start);
     let half = moments.map(|moment| (2.0 * energy * moment).sqrt());
     let around = |k: u32| (TAU * f64::from(k) / f64::from(SAMPLES)).sin_cos();

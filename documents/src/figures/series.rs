@@ -1,16 +1,16 @@
-//! Columns of a trajectory, plotted over time or against each other.
+//! Diagrams of columns of a trajectory, plotted over time or against each other.
 
 use super::diagram::{Diagram, Drawn, Graph, Line, Scale};
 use crate::rows::RunRows;
 use affinor::Error;
 
-/// The largest ratio of the ranges of two columns that are drawn with equal units.
+/// The largest ratio of the ranges of two columns that still get equal units.
 const SIMILAR: f64 = 4.0;
 
-/// Columns over time.
+/// The diagram of columns over time.
 ///
 /// # Errors
-/// [`Error::Name`].
+/// [`Error::Name`] for an unknown column.
 pub fn over_time(run: &RunRows, names: &[String]) -> Result<Diagram, Error> {
     let times = run.column("t")?;
     let line = |name: &String| {
@@ -33,23 +33,23 @@ pub fn over_time(run: &RunRows, names: &[String]) -> Result<Diagram, Error> {
 /// The curve of a motion in the plane of two columns.
 ///
 /// # Errors
-/// [`Error::Name`].
+/// [`Error::Name`] for an unknown column.
 pub fn phase(run: &RunRows, names: &[String; 2]) -> Result<Diagram, Error> {
     plane(run, names, Drawn::Directed, format!("{}: phase plot", run.name))
 }
 
-/// The points of a motion at an event, in the plane of two columns.
+/// The points of a motion at the occurrences of an event, in the plane of two columns.
 ///
 /// # Errors
-/// [`Error::Name`].
+/// [`Error::Name`] for an unknown column.
 pub fn section(run: &RunRows, names: &[String; 2], event: &str) -> Result<Diagram, Error> {
     let points = if run.rows.len() == 1 { "point" } else { "points" };
     let title = format!("{}: section at {event}, {} {points}", run.name, run.rows.len());
     plane(run, names, Drawn::Points, title)
 }
 
-/// Chooses the axes: components of one quantity, such as `x1` and `x2`, get equal units, unless one
-/// of them hardly changes.
+/// Draws the plane of two columns. Components of one quantity, such as `x1` and `x2`, get axes with
+/// equal units, unless one of the columns hardly changes.
 fn plane(
     run: &RunRows,
     [x, y]: &[String; 2],

@@ -1,19 +1,20 @@
-//! The velocity of a motion, transported to the identity by connections: figure 3.
+//! The velocity of a motion, transported to the identity by several connections: figure 3 of the
+//! paper.
 
 use super::images::{Moment, with_motion};
 use super::{Connected, Figure, Panel, Path, Role, ball};
 use affinor::Error;
 use nalgebra::{DVector, Vector3};
 
-/// The number of transported vectors drawn, the last one at the identity.
+/// The number of transported vectors that are drawn; the last one is at the identity.
 const STOPS: u32 = 5;
 
-/// The velocity `w` at the time `t`, its images `Omega` and `omega`, and `w` transported by each connection along the
-/// autoparallel to `e`. The result is `omega` for `plus` (57), halfway between both for `zero` (71), and `Omega` for
-/// `minus`.
+/// Draws the velocity `w` at the time `t`, its images `Omega` and `omega`, and the vector that each
+/// connection transports along the autoparallel to `e`. The transported vector is `omega` for
+/// `plus` (57) and `Omega` for `minus`; for `zero` (71) it is halfway between them.
 ///
 /// # Errors
-/// None occur for rotations.
+/// No errors occur for rotations.
 pub fn transport(connections: &[Connected], path: &Path, t: f64) -> Result<Figure, Error> {
     let panels = connections.iter().map(|connected| panel(connected, path, t));
     let title = "Parallel transport of the angular velocity w to the identity".into();

@@ -16,7 +16,7 @@ fn piece(node: &Node) -> usize {
         | Node::Number(text)
         | Node::Indices(text)
         | Node::Text(text) => text.chars().count(),
-        // brackets of a sum and fraction bars have gaps around them
+        // adds the gaps around the brackets of a sum and around fraction bars
         Node::Group(_, row) => {
             width(row) + if row.iter().any(Node::is_sign_of_term) { 4 } else { 2 }
         }
@@ -33,8 +33,8 @@ fn piece(node: &Node) -> usize {
     }
 }
 
-/// The pieces between which a line may be broken: before relations and signs between terms, and
-/// after commas.
+/// The pieces of a row. A line may be broken between them: before relations, before signs between
+/// terms, and after commas.
 pub(crate) fn pieces(row: &[Node]) -> Vec<&[Node]> {
     let mut cuts: Vec<usize> = (1..row.len())
         .filter(|&at| {
@@ -47,14 +47,14 @@ pub(crate) fn pieces(row: &[Node]) -> Vec<&[Node]> {
     cuts.windows(2).map(|cut| &row[cut[0]..cut[1]]).collect()
 }
 
-/// The number of characters at the beginning of a line within which no break is made.
+/// The number of characters at the beginning of a line in which no line break is allowed.
 const SHORT: usize = 10;
 
-/// The row, broken into lines of about `most` characters if it has pieces.
+/// Breaks the row between its pieces into lines of about `most` characters.
 pub(crate) fn lines(row: &[Node], most: usize) -> Vec<&[Node]> {
     let (mut lines, mut start, mut end, mut column): (Vec<&[Node]>, _, _, _) = (vec![], 0, 0, 0);
     for piece in pieces(row) {
-        // a gap before the piece, and one after its sign
+        // adds a gap before the piece and a gap after its sign
         let more = width(piece) + 2;
         if column > SHORT && column + more > most {
             lines.push(&row[start..end]);
@@ -66,7 +66,7 @@ pub(crate) fn lines(row: &[Node], most: usize) -> Vec<&[Node]> {
     lines
 }
 
-/// An equation with several sides.
+/// An equation with several sides, joined by equals signs.
 pub(crate) fn chain(sides: impl IntoIterator<Item = Row>) -> Row {
     sides.into_iter().collect::<Vec<_>>().join(&Node::Sign("="))
 }

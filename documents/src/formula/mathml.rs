@@ -1,14 +1,14 @@
-//! The writer of formulas as MathML, which browsers render without scripts.
+//! Writes formulas as MathML, which browsers render without scripts.
 
 use super::lines::lines;
 use super::{Accent, Brackets, Node, is_prefix, text};
 use std::fmt::Write;
 
-/// The maximal number of characters of a formula within a line of text.
+/// The largest number of characters of a formula within a line of text.
 const INLINE: usize = 44;
-/// The maximal number of characters of a displayed line.
+/// The largest number of characters in a displayed line.
 pub const WIDE: usize = 64;
-/// The maximal number of characters of a line in a table cell.
+/// The largest number of characters in a line of a table cell.
 pub(crate) const NARROW: usize = 26;
 
 /// A formula within a line of text: one `math` element for each piece between possible line breaks.
@@ -16,7 +16,7 @@ pub fn inline(formula: &[Node]) -> String {
     math(formula, INLINE, "").join("<wbr/>")
 }
 
-/// A formula after a label, broken like a formula within text but in display style.
+/// A formula after a label. It is broken like a formula within text, but in display style.
 pub fn alone(formula: &[Node]) -> String {
     math(formula, INLINE, " displaystyle=\"true\"").join("<wbr/>")
 }
@@ -26,14 +26,14 @@ pub fn block(formula: &[Node], most: usize) -> String {
     math(formula, most, " display=\"block\"").concat()
 }
 
-/// An element `math` for each line.
+/// One `math` element for each line.
 fn math(formula: &[Node], most: usize, attributes: &str) -> Vec<String> {
     let gap = if attributes.contains("block") { "<mspace width=\"1em\"/>" } else { "" };
     let element = |(number, line): (usize, &[Node])| {
         let (mut alternative, mut content) = (text(line), String::new());
         for (at, node) in line.iter().enumerate() {
             match node {
-                // a sign at the beginning of a new line is an operator between terms
+                // at the beginning of a new line, a sign is an operator between terms
                 Node::Sign(sign) if at == 0 && number > 0 && node.is_sign_of_term() => {
                     content = format!("<mo form=\"infix\">{sign}</mo>");
                     alternative = format!("{} {}", text(&line[..1]), text(&line[1..]));
@@ -62,13 +62,14 @@ fn pieces(nodes: &[Node]) -> String {
     (0..nodes.len()).map(|at| piece_of_row(nodes, at)).collect()
 }
 
-/// The element of a node, with a gap between a word and its neighbour, and with the form of a sign.
+/// The element of a node. It has a gap between a word and its neighbour, and a sign has an explicit
+/// form.
 fn piece_of_row(nodes: &[Node], at: usize) -> String {
     let node = &nodes[at];
     if node.is_sign_of_term()
         && let Node::Sign(sign) = node
     {
-        // the position within an `mrow` would otherwise determine the form
+        // sets the form, because a browser would derive it from the position within an `mrow`
         let form = if is_prefix(nodes, at) { "prefix" } else { "infix" };
         return format!("<mo form=\"{form}\">{sign}</mo>");
     }
@@ -81,7 +82,7 @@ fn piece_of_row(nodes: &[Node], at: usize) -> String {
     gap.to_string() + &piece(node)
 }
 
-/// Whether the piece is a word, or begins with one.
+/// Whether the node is a word, or begins with a word.
 fn is_word(node: &Node) -> bool {
     match node {
         Node::Name(_) | Node::Function(_) => true,
@@ -142,7 +143,7 @@ fn piece(node: &Node) -> String {
 
 fn scripts(base: &Node, scripts: &[(bool, Vec<Node>)]) -> String {
     match (base, scripts) {
-        // a power is written above the index of its base
+        // writes a power above the index of its base
         (Node::Scripts(inner, indices), [(true, power)])
             if matches!(&indices[..], [(false, _)]) =>
         {
@@ -156,7 +157,7 @@ fn scripts(base: &Node, scripts: &[(bool, Vec<Node>)]) -> String {
                 let script = row(script);
                 let empty = "<mrow></mrow>".to_string();
                 let [below, above] = if *above { [empty, script] } else { [script, empty] };
-                // writing to a string cannot fail
+                // ignores the result: writing to a string cannot fail
                 let _ = write!(text, "{below}{above}");
             }
             text + "</mmultiscripts>"
@@ -164,7 +165,7 @@ fn scripts(base: &Node, scripts: &[(bool, Vec<Node>)]) -> String {
     }
 }
 
-/// Text escaped for an element or an attribute.
+/// Escapes text for an element or an attribute.
 pub fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }

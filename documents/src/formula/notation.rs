@@ -1,4 +1,4 @@
-//! The parser of the notation.
+//! The parser of the notation of formulas.
 
 use super::{
     ACCENTS, Accent, Brackets, DIFFERENTIALS, LETTERS, Node, Row, SIGNS, fraction, is_function,
@@ -11,7 +11,7 @@ const DEEPEST: usize = 64;
 /// Parses a formula.
 ///
 /// # Errors
-/// The rest of the text, from the position at which parsing failed.
+/// The rest of the text, starting where the parser failed.
 pub(crate) fn notation(text: &str) -> Result<Row, String> {
     let mut reader = Reader { rest: text, depth: 0 };
     let row = reader.row("");
@@ -21,7 +21,7 @@ pub(crate) fn notation(text: &str) -> Result<Row, String> {
     }
 }
 
-/// Parses a formula. A text outside the grammar becomes words.
+/// Parses a formula. A text that the grammar does not allow becomes a node of words.
 ///
 /// ```
 /// use affinor_documents::formula::{Node, formula};
@@ -40,12 +40,12 @@ struct Reader<'a> {
 }
 
 impl<'a> Reader<'a> {
-    /// Consumes a text if it begins here.
+    /// Consumes `text` if the rest begins with it.
     fn take(&mut self, text: &str) -> bool {
         self.rest.strip_prefix(text).map(|rest| self.rest = rest).is_some()
     }
 
-    /// Consumes the longest run of these characters, which may be empty.
+    /// Consumes the longest run of characters that `of` accepts; the run may be empty.
     fn run(&mut self, of: impl Fn(char) -> bool) -> &'a str {
         let end = self.rest.find(|c| !of(c)).unwrap_or(self.rest.len());
         let (run, rest) = self.rest.split_at(end);
@@ -53,7 +53,7 @@ impl<'a> Reader<'a> {
         run
     }
 
-    /// Whether a factor begins here.
+    /// Whether the rest begins with a factor.
     fn begins_factor(&self) -> bool {
         self.rest.starts_with(|c: char| c.is_ascii_alphanumeric() || "([<{\"".contains(c))
             && !self.rest.starts_with("<=")
@@ -85,7 +85,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Parses a row in brackets, after the opening one.
+    /// Parses a row in brackets, after the opening bracket.
     fn inside(&mut self, end: &str) -> Option<Row> {
         self.depth += 1;
         let row = (self.depth <= DEEPEST).then(|| self.row(end)).flatten();
@@ -93,7 +93,7 @@ impl<'a> Reader<'a> {
         row
     }
 
-    /// Parses factors with `*` and `/` between them.
+    /// Parses factors that are separated by `*` and `/`.
     fn quotient(&mut self) -> Option<Row> {
         let mut row = self.factor()?;
         loop {
@@ -111,7 +111,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Parses a node with its scripts and its argument; braces may contain several nodes.
+    /// Parses a node with its scripts and its argument. Braces may contain several nodes.
     fn factor(&mut self) -> Option<Row> {
         if self.take("{") {
             let mut row = self.inside("}")?;
@@ -173,8 +173,8 @@ impl<'a> Reader<'a> {
         Some(Node::Group(kind, self.inside(close)?))
     }
 
-    /// A letter, a function or a name, with an accent and digits; or a differential of one of
-    /// these.
+    /// Converts a word to a letter, a function or a name with an accent and digits, or to a
+    /// differential of one of them.
     fn word(&mut self, word: &str) -> Option<Node> {
         if is_function(word) {
             return Some(Node::Function(word.into()));
@@ -244,7 +244,8 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Parses indices of one character each; `-1` and `*` may occur alone.
+    /// Parses indices of one character each. A signed number such as `-1`, and `*`, may occur as
+    /// the only index.
     fn indices(&mut self) -> Option<Row> {
         let sign = SIGNS.iter().find(|(sign, _)| self.rest.starts_with(sign));
         let sign = sign.filter(|(sign, _)| ["-", "+", "*"].contains(sign));
@@ -255,7 +256,7 @@ impl<'a> Reader<'a> {
         }
         let run = self.run(|c| c.is_ascii_alphanumeric());
         if sign.is_some() && run.bytes().all(|b| b.is_ascii_digit()) && !run.is_empty() {
-            // a power such as -12 is a single number
+            // a signed power such as -12 is a single number
             row.push(Node::Number(run.into()));
             return Some(row);
         }

@@ -1,5 +1,5 @@
-//! Tests of formulas: the text of a tree parses to the same tree, and every fraction has the right
-//! numerator and denominator.
+//! Tests of formulas: the text of a tree parses to the same tree, and every fraction has the
+//! correct numerator and denominator.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use super::*;
@@ -36,7 +36,8 @@ fn fractions(row: &[Node], found: &mut Vec<[Row; 2]>) {
     }
 }
 
-/// The same, found in the text by searching on both sides of each slash for the end of a factor.
+/// The same fractions, found in the text by searching for the end of a factor on both sides of each
+/// slash.
 fn around_slashes(text: &str) -> Vec<[Row; 2]> {
     let chars: Vec<char> = text.chars().collect();
     let string = |range: std::ops::Range<usize>| chars[range].iter().collect::<String>();
@@ -57,7 +58,7 @@ fn around_slashes(text: &str) -> Vec<[Row; 2]> {
             at
         };
         let mut start = end(slash - 1, -1, " =,+-", [")]}", "([{"]).wrapping_add(1);
-        // a space before the argument of a function
+        // includes a space before the argument of a function
         if start > 0 && chars[start - 1] == ' ' {
             let word = end(start - 2, -1, " =,+-", [")]}", "([{"]).wrapping_add(1);
             let name = string(word..start - 1);
@@ -72,8 +73,8 @@ fn around_slashes(text: &str) -> Vec<[Row; 2]> {
     parts.collect()
 }
 
-/// Parses a formula, and checks that its text parses to the same tree, and the numerators and
-/// denominators of its fractions.
+/// Parses a formula. Checks that its text parses to the same tree, and that its fractions have the
+/// correct numerators and denominators.
 fn check(formula: &str) {
     let tree = read(formula);
     let written = text(&tree);
@@ -88,13 +89,13 @@ fn quoted(text: &str) -> impl Iterator<Item = String> {
     text.split('`').skip(1).step_by(2).map(str::to_string)
 }
 
-/// The formulas of `docs/paper.md`, which the package of the paper compares with its rows, are
-/// parsed.
+/// All formulas of `docs/paper.md` are parsed. The package `paper` compares this page with its
+/// rows.
 #[test]
 fn every_formula_of_the_paper_is_read_back() {
     let page = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/paper.md");
     let page = std::fs::read_to_string(page).unwrap();
-    // the last cell contains names of functions in the code
+    // drops the last cell, which contains names of functions in the code
     let cells = page.lines().map(|line| line.rsplit_once(" | ").map_or(line, |(cells, _)| cells));
     let mut formulas: BTreeSet<String> = cells.flat_map(quoted).collect();
     let connections = ["plus", "zero", "minus"];
@@ -102,13 +103,13 @@ fn every_formula_of_the_paper_is_read_back() {
     assert!(formulas.len() > 200, "{}", formulas.len());
     for formula in &formulas {
         check(formula);
-        // a misspelled word would become the name of a quantity
+        // checks names, because a misspelled word would become the name of a quantity
         let names = words(&read(formula));
         assert!(names.iter().all(|name| name == "Ric"), "{formula}: {names:?}");
     }
 }
 
-/// The names of several letters.
+/// The names with several letters.
 fn words(row: &[Node]) -> Vec<String> {
     let debug = format!("{row:?}");
     let names = debug.split("Name(\"").skip(1);
@@ -126,8 +127,8 @@ fn every_symbol_and_convention_is_read_back() {
     check("[e_j, e_k] = c^i_jk e_i");
 }
 
-/// The formulas of a page equal their alternative texts, so nothing is lost between tree, text and
-/// MathML.
+/// The formulas of a page are equal to their alternative texts, so nothing is lost between tree,
+/// text and MathML.
 #[test]
 fn every_formula_of_a_page_is_read_back() {
     let mut pages: Vec<String> = vec![];
@@ -262,7 +263,7 @@ fn values_follow_the_grammar_of_expressions() {
     assert_eq!(text(&sum), "e1 - 2/3 e2 + (p - q) e3 - (p + q)/2 e4");
 }
 
-/// The value of a tree whose letters are numbers.
+/// The value of a tree whose letters are replaced by numbers.
 fn number(row: &[Node]) -> f64 {
     let mut terms = vec![(1.0, 1.0)];
     for node in row {
@@ -272,7 +273,7 @@ fn number(row: &[Node]) -> f64 {
             node => terms.last_mut().unwrap().1 *= factor_of(node),
         }
     }
-    // a leading sign leaves an empty term
+    // skips the empty term that a leading sign leaves
     let skipped = usize::from(matches!(row.first(), Some(Node::Sign(_))));
     terms[skipped..].iter().map(|(sign, value)| sign * value).sum()
 }

@@ -1,18 +1,18 @@
-//! The writer of formulas in the mathematics mode of LaTeX.
+//! Writes formulas in the mathematics mode of LaTeX.
 
 use super::{Accent, Brackets, DIFFERENTIALS, LETTERS, Node, is_prefix};
 
-/// The row, with brackets of variable size.
+/// Writes the row with brackets of variable size.
 pub fn formula(row: &[Node]) -> String {
     Writer { grows: true }.row(row, " ")
 }
 
-/// The row with plain brackets, within which TeX can break lines.
+/// Writes the row with plain brackets, because TeX can break lines within them.
 pub fn breakable(row: &[Node]) -> String {
     Writer { grows: false }.row(row, " ")
 }
 
-/// A term of a sum. Unless it is the first one, its sign is an operator.
+/// Writes a term of a sum. The sign of the first term is a prefix; other signs are operators.
 pub(crate) fn term(row: &[Node], first: bool) -> String {
     match row {
         [Node::Sign(sign), rest @ ..] if !first && row[0].is_sign_of_term() => {
@@ -22,7 +22,7 @@ pub(crate) fn term(row: &[Node], first: bool) -> String {
     }
 }
 
-/// Names of tensors and groups that are set upright.
+/// Names of tensors and groups that are printed upright.
 const UPRIGHT: [&str; 6] = ["Ric", "symRic", "altRic", "tfRic", "Kr", "SO"];
 /// Functions that have LaTeX commands.
 const COMMANDS: [&str; 10] =
@@ -30,17 +30,17 @@ const COMMANDS: [&str; 10] =
 
 #[derive(Clone, Copy)]
 struct Writer {
-    /// Whether brackets around sums are `\left(` and `\right)`.
+    /// Whether brackets around sums grow, as `\left(` and `\right)` do.
     grows: bool,
 }
 
 impl Writer {
-    /// A sequence of nodes with gaps between them; `behind` is written after a separator.
+    /// Writes nodes with gaps between them; `behind` is written after a separator.
     fn row(self, row: &[Node], behind: &str) -> String {
         let mut text = String::new();
         for (at, node) in row.iter().enumerate() {
             if let Some(before) = at.checked_sub(1).map(|before| &row[before]) {
-                // a space ends the argument of a function without brackets
+                // adds a space where a function without brackets ends its argument
                 let torn =
                     ends_open(before) && !matches!(node, Node::Sign(_)) && !is_function(node);
                 text += match (before, node) {
@@ -113,7 +113,7 @@ impl Writer {
 
     fn scripts(self, base: &Node, scripts: &[(bool, Vec<Node>)]) -> String {
         let mut text = self.piece(base);
-        // a power is written above the index of its base, other scripts next to each other
+        // writes a power above the index of its base, and other scripts next to each other
         if let Node::Scripts(_, inner) = base
             && !matches!((&inner[..], scripts), ([(false, _)], [(true, _)]))
         {
@@ -123,7 +123,7 @@ impl Writer {
             text += if at > 0 { "{}" } else { "" };
             text += &match (above, &row[..]) {
                 (true, [Node::Sign("′")]) => "'".into(),
-                // a digit after plain brackets
+                // writes the exponent of plain brackets without braces
                 (true, [Node::Number(n)])
                     if scripts.len() == 1 && text.ends_with(')') && !text.ends_with("\\right)") =>
                 {
@@ -137,7 +137,7 @@ impl Writer {
     }
 }
 
-/// Whether the piece is a function with or without its argument.
+/// Whether the node is a function, with or without its argument.
 fn is_function(node: &Node) -> bool {
     match node {
         Node::Function(_) => true,
@@ -147,7 +147,7 @@ fn is_function(node: &Node) -> bool {
     }
 }
 
-/// Whether the piece ends with an argument that has no brackets.
+/// Whether the node ends with an argument that has no brackets.
 fn ends_open(node: &Node) -> bool {
     match node {
         Node::Apply(function, argument) => {
@@ -174,7 +174,7 @@ fn in_tex(sign: &'static str) -> &'static str {
     }
 }
 
-/// Text in which all special characters of LaTeX are escaped.
+/// Escapes all special characters of LaTeX.
 ///
 /// ```
 /// use affinor_documents::formula::tex::escaped;

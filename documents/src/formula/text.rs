@@ -1,8 +1,8 @@
-//! The writer of formulas as text, in the notation of the parser.
+//! Writes formulas as text, in the notation of the parser.
 
 use super::{ACCENTS, Brackets, DIFFERENTIALS, LETTERS, Node, SIGNS, is_prefix};
 
-/// The row as text.
+/// Writes the row as text.
 pub(crate) fn text(row: &[Node]) -> String {
     let mut text = String::new();
     for (at, node) in row.iter().enumerate() {
@@ -47,7 +47,7 @@ fn piece(node: &Node) -> String {
         }
         Node::Scripts(base, scripts) => {
             let start = match &**base {
-                // the index of a name is written below its power
+                // puts a base with scripts in braces; in `J11^2` the index is below the power
                 inner @ Node::Scripts(..) if numbered(inner).is_none() => {
                     format!("{{{}}}", piece(inner))
                 }
@@ -61,7 +61,7 @@ fn piece(node: &Node) -> String {
     }
 }
 
-/// Whether the piece is a letter or a name, with an accent and indices.
+/// Whether the node is a letter or a name, which may have an accent and indices.
 fn is_symbol(node: &Node) -> bool {
     match node {
         Node::Scripts(base, _) => is_symbol(base),
@@ -69,7 +69,8 @@ fn is_symbol(node: &Node) -> bool {
     }
 }
 
-/// The text `J11` of a letter or a name whose only index is a number.
+/// The text, such as `J11`, of a letter or a name whose only index is a number; `None` for other
+/// nodes.
 fn numbered(node: &Node) -> Option<String> {
     let Node::Scripts(base, scripts) = node else { return None };
     match (&**base, scripts.as_slice()) {
@@ -81,7 +82,7 @@ fn numbered(node: &Node) -> Option<String> {
     }
 }
 
-/// A numerator or denominator: in brackets unless it is one factor.
+/// Writes a numerator or denominator, in brackets unless it is a single factor.
 fn factor(row: &[Node]) -> String {
     match row {
         [Node::Sign(_) | Node::Group(..) | Node::Fraction(_)] => format!("({})", text(row)),

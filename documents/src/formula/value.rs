@@ -1,10 +1,10 @@
-//! Trees of computed values, which are written in the grammar of expressions.
+//! Trees of computed values. Such values are written in the grammar of expressions.
 
 use super::{Brackets, Node, Row, bare, fraction, is_function, symbol};
 use affinor_tensors::expression::{Expression, View, is_name};
 use affinor_tensors::scalar::FreeFunction;
 
-/// The tree of a written value. A text outside the grammar of expressions becomes words.
+/// Parses a written value. A text that the grammar of expressions does not allow becomes words.
 pub(crate) fn value(text: &str) -> Row {
     match Expression::parse(text) {
         Ok(expression) => read(&expression, text),
@@ -12,8 +12,8 @@ pub(crate) fn value(text: &str) -> Row {
     }
 }
 
-/// A linear combination, from pairs of coefficient and label: `a + 2 b - (p + q) c`. Without terms
-/// it is zero.
+/// A linear combination, from pairs of coefficient and label: `a + 2 b - (p + q) c`. Without terms,
+/// the result is zero.
 pub(crate) fn sum(terms: impl IntoIterator<Item = (Row, Row)>) -> Row {
     let mut row: Row = vec![];
     for (coefficient, factor) in terms {
@@ -36,12 +36,12 @@ pub(crate) fn sum(terms: impl IntoIterator<Item = (Row, Row)>) -> Row {
     if row.is_empty() { vec![Node::Number("0".into())] } else { row }
 }
 
-/// The label of a basis vector: a name, otherwise words.
+/// The label of a basis vector, as a name if possible, and otherwise as words.
 pub(crate) fn label(label: &str) -> Node {
     if is_name(label) { name(label) } else { Node::Text(label.into()) }
 }
 
-/// A parameter: `J11` has the index 11, `mass_max` the index `max`.
+/// A parameter: `J11` has the index 11, and `mass_max` has the index `max`.
 pub(crate) fn name(name: &str) -> Node {
     let stem = name.trim_end_matches(|c: char| c.is_ascii_digit());
     let (stem, index) = match name.split_once('_') {
@@ -81,7 +81,7 @@ fn read(expression: &Expression, text: &str) -> Row {
     }
 }
 
-/// A part of a product or of a sum, in brackets if it is a sum.
+/// A factor of a product, in brackets if it is a sum.
 fn factor(expression: &Expression, text: &str) -> Row {
     let row = read(expression, text);
     match expression.view() {
@@ -90,7 +90,7 @@ fn factor(expression: &Expression, text: &str) -> Row {
     }
 }
 
-/// A number: `12`, `0.5`, or `1.5e-7` as a product with a power of ten.
+/// A number: `12`, `0.5`, or `1.5e-7`, which becomes a product with a power of ten.
 fn number(text: &str) -> Row {
     let text = text.trim_matches(['(', ')', ' ']);
     let Some((mantissa, exponent)) = text.split_once(['e', 'E']) else {
@@ -139,8 +139,8 @@ fn raised(base: Node, exponent: Option<Row>) -> Node {
     }
 }
 
-/// A power of a function: `sin^2 x`. An undetermined function is written without its arguments, and
-/// its derivatives are indices after a comma, `f_{,r}`.
+/// A function, whose power is written as in `sin^2 x`. An undetermined function is written without
+/// its arguments; its derivatives are indices after a comma, as in `f_{,r}`.
 fn call(head: &str, arguments: &[Expression], exponent: Option<Row>, text: &str) -> Row {
     let rows: Vec<Row> = arguments.iter().map(|argument| read(argument, text)).collect();
     let names: Vec<&str> = arguments.iter().map(|argument| &text[argument.span()]).collect();

@@ -19,15 +19,15 @@ pub enum Refusal {
 /// An error of the input.
 #[derive(Clone, Debug)]
 pub struct InputError {
-    /// The kind.
+    /// The kind of the error.
     pub refusal: Refusal,
-    /// The fault in one sentence, with the witness.
+    /// The fault in one sentence, including its witness.
     pub message: String,
     /// The location of the fault.
     pub at: Option<Box<Place>>,
-    /// Advice on what to write instead.
+    /// Advice: text to write instead.
     pub help: Option<String>,
-    /// The error of the library that is reported.
+    /// The error of the library from which this error was made.
     pub cause: Option<Arc<Error>>,
 }
 
@@ -57,7 +57,7 @@ impl InputError {
         self
     }
 
-    /// Adds a location, which may be unknown, unless the error already has one.
+    /// Adds a location, if it is known and the error has no location yet.
     #[must_use]
     pub(crate) fn or_at<'p>(self, place: impl Into<Option<&'p Place>>) -> Self {
         match place.into() {
@@ -66,7 +66,7 @@ impl InputError {
         }
     }
 
-    /// Maps a location in an extracted copy back to the file that it came from.
+    /// Moves a location in an extracted copy back to the file from which the copy was made.
     #[must_use]
     pub(crate) fn moved(mut self, copy: &str, part: &Place) -> Self {
         if let (Some(at), Some(whole)) = (&mut self.at, &part.span)
@@ -94,8 +94,8 @@ impl fmt::Display for InputError {
 }
 
 impl std::error::Error for InputError {
-    /// The source of the [`cause`](Self::cause); the message of the cause itself is already part of
-    /// this error.
+    /// The source of the [`cause`](Self::cause). The cause itself is skipped, because its message
+    /// is part of this error.
     fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
         self.cause.as_ref()?.source()
     }
@@ -115,7 +115,8 @@ impl From<TensorError> for InputError {
     }
 }
 
-/// Advice in terms of the command line if there is any, otherwise the advice of the library.
+/// The advice for an error: advice in terms of the command line if there is any, otherwise the
+/// advice of the library.
 fn advice(error: &Error) -> Option<&'static str> {
     match error {
         Error::NoMetric => Some("give a metric, for instance --metric identity"),
@@ -129,8 +130,8 @@ fn advice(error: &Error) -> Option<&'static str> {
     }
 }
 
-/// A name for a message: control characters are escaped, and so are all non-ASCII letters if the
-/// name looks like an ASCII name. Long names are truncated.
+/// Prepares a name for a message. Control characters are escaped, and so are non-ASCII letters if
+/// the name looks like an ASCII name. Long names are truncated.
 pub(crate) fn shown(name: &str) -> String {
     const LONGEST: usize = 64;
     let latin = looks_latin(name);

@@ -1,4 +1,4 @@
-//! Reading of files.
+//! Functions that read files.
 
 use super::{InputError, Place, Source};
 use std::fs::File;
@@ -16,7 +16,7 @@ pub(crate) fn name(path: &str) -> String {
     }
 }
 
-/// The content of a file, or of standard input for `-`, with the name for messages.
+/// Reads a file, or standard input for `-`. Returns the name for messages, and the content.
 pub(crate) fn bytes(path: &str, limit: u64) -> Result<(String, Vec<u8>), InputError> {
     let name = name(path);
     let mut bytes = Vec::new();
@@ -47,7 +47,7 @@ pub fn fingerprint(path: &str) -> Result<u64, InputError> {
     Ok(bytes(path, MAX_BYTES)?.1.iter().fold(0xcbf2_9ce4_8422_2325, mix))
 }
 
-/// The text of a file in UTF-8, or of standard input for `-`.
+/// Reads the text of a file in UTF-8, or of standard input for `-`.
 pub(crate) fn read(path: &str) -> Result<Source, InputError> {
     let (name, bytes) = bytes(path, MAX_BYTES)?;
     decode(&name, &bytes)

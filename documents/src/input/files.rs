@@ -13,12 +13,12 @@ impl Files {
         Files(Arc::new(Mutex::new(contents)))
     }
 
-    /// The contents of the files that were given or read.
+    /// The contents of all files that were given or read.
     pub fn contents(&self) -> BTreeMap<String, Arc<str>> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner).clone()
     }
 
-    /// The content of a file, if it was given or read.
+    /// The content of a file, if it was already given or read.
     pub(crate) fn content(&self, path: &str) -> Option<Arc<str>> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner).get(path).cloned()
     }

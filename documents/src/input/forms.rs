@@ -25,14 +25,14 @@ impl Deref for Text {
     }
 }
 
-/// Deserializes names in their canonical form.
+/// Deserializes names, and converts them to their canonical form.
 pub(crate) fn canonical_names<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<Text>, D::Error> {
     let mut names = Vec::<Text>::deserialize(from)?;
     names.iter_mut().for_each(|name| name.content = canonical_name(&name.content).into_owned());
     Ok(names)
 }
 
-/// Deserializes the optional names of a key in their canonical form.
+/// Deserializes the optional names of a key, and converts them to their canonical form.
 pub(crate) fn optional_names<'de, D: Deserializer<'de>>(
     from: D,
 ) -> Result<Option<Vec<Text>>, D::Error> {
@@ -61,13 +61,13 @@ enum MetricItem {
     Entry(Cell),
 }
 
-/// A connection by name, or a table with its `kind` or its `affinities`.
+/// A connection, given by its name, or by a table with its `kind` or its `affinities`.
 pub(crate) struct ConnectionText {
     pub kind: Option<Text>,
     pub affinities: Option<Block>,
 }
 
-/// A chart: its coordinates, free functions, and functions that are positive on it.
+/// A chart: its coordinates, its undetermined functions, and functions that are positive on it.
 #[derive(serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct ChartText {
@@ -106,13 +106,13 @@ pub(crate) struct Entries<K, V>(pub Vec<(K, V)>);
 /// Formulas with their names.
 pub(crate) type Formulas = Entries<Text, Text>;
 
-/// A matrix: `{name, rows}`, or its rows alone.
+/// A matrix: a table `{name, rows}`, or only the rows.
 pub(crate) struct MatrixRows {
     pub name: Option<Text>,
     pub rows: Vec<Vec<Cell>>,
 }
 
-/// An action: its name, or its matrices.
+/// An action of an algebra: its name, or its matrices.
 pub(crate) enum ActionText {
     Word(Text),
     Matrices(Vec<MatrixRows>),
@@ -124,7 +124,7 @@ pub(crate) enum Part<D> {
     Nested(Box<D>),
 }
 
-/// The way in which a string or a number is written.
+/// How a scalar value is written in the file.
 #[derive(Clone, Copy, PartialEq)]
 enum Kind {
     Text,
@@ -132,7 +132,8 @@ enum Kind {
     Decimal,
 }
 
-/// A type of values that can be written in several ways; by default each way is an error.
+/// A type of values that can be written in several ways. By default each way is an error, so that a
+/// type implements only the ways that it accepts.
 trait Form: Sized {
     const EXPECTED: &'static str;
 
@@ -149,13 +150,13 @@ trait Form: Sized {
     }
 }
 
-/// A value whose location is not yet known.
+/// A value before its location is known.
 enum Value<F> {
     Scalar(Kind, String),
     Whole(F),
 }
 
-/// Deserializes a [`Form`] in any of its ways.
+/// Deserializes a [`Form`] that is written in any of its ways.
 fn read<'de, F: Form, D: Deserializer<'de>>(deserializer: D) -> Result<F, D::Error> {
     let value = Spanned::<Value<F>>::deserialize(deserializer)?;
     let span = value.span();
@@ -167,7 +168,7 @@ fn read<'de, F: Form, D: Deserializer<'de>>(deserializer: D) -> Result<F, D::Err
     }
 }
 
-/// Converts a scalar, so that an error is raised while the parser knows its location.
+/// Checks a scalar at once, so that an error is raised while the parser still knows the location.
 fn scalar<F: Form, E: de::Error>(kind: Kind, content: String) -> Result<Value<F>, E> {
     if F::scalar(kind, Text { content: String::new(), span: 0..0 }).is_some() {
         return Ok(Value::Scalar(kind, content));
@@ -250,7 +251,7 @@ impl Form for Row {
             *index = items.next_element()?.ok_or_else(|| short(at))?;
         }
         let value = items.next_element()?.ok_or_else(|| short(3))?;
-        // otherwise a parser may ignore the remaining items
+        // reports further items as an error, because some parsers would ignore them
         match items.next_element::<de::IgnoredAny>()? {
             None => Ok(Row(indices, value)),
             Some(_) => Err(short(5)),
@@ -450,7 +451,7 @@ impl<'de, K: Deserialize<'de>, V: Deserialize<'de>> Deserialize<'de> for Entries
     }
 }
 
-/// Deserializes each [`Form`] by [`read`].
+/// Implements deserialization of each [`Form`] by the function [`read`].
 macro_rules! deserialize {
     ($($form:ty),*) => {
         $(impl<'de> Deserialize<'de> for $form {

@@ -1,4 +1,4 @@
-//! JSON as a table of the TOML parser, with the location of every key and value.
+//! Converts JSON to a table of the TOML parser, with the location of every key and value.
 
 use super::forms::Entries;
 use serde::de::Deserialize;
@@ -8,20 +8,20 @@ use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeArray, DeTable, DeValue};
 
-/// The message of the parser for a number beyond the range of floats.
+/// The message of the JSON parser for a number beyond the range of floats.
 const OUT_OF_RANGE: &str = "number out of range";
-/// The deepest nesting, equal to that of the parser.
+/// The deepest nesting, which equals the limit of the JSON parser.
 const MAX_DEPTH: usize = 128;
 
-/// A message, and its location.
+/// An error message, and its location.
 type Refused = (String, Range<usize>);
 
-/// The table of a JSON object. A key with the value `null` counts as absent.
+/// Converts a JSON object to a table. A key with the value `null` counts as absent.
 pub(crate) fn table(text: &str) -> Result<Spanned<DeTable<'_>>, Refused> {
-    // parse with serde_json first: it limits nesting and number size and gives better messages than
-    // the raw reader
+    // parses with serde_json first, because it limits nesting and the size of numbers, and has
+    // better messages than the parser of this module
     match serde_json::from_str::<Value>(text) {
-        // this may be an integer that is beyond floats, which is allowed here
+        // ignores this error, because the number may be a large integer, which is allowed
         Err(error) if error.to_string().starts_with(OUT_OF_RANGE) => {}
         checked => drop(checked.map_err(|error| refused(&error, text, 0))?),
     }
@@ -34,7 +34,7 @@ pub(crate) fn table(text: &str) -> Result<Spanned<DeTable<'_>>, Refused> {
     }
 }
 
-/// The whole text.
+/// The whole text, in which slices have positions.
 #[derive(Clone, Copy)]
 struct Json<'t>(&'t str);
 
@@ -44,7 +44,7 @@ impl<'t> Json<'t> {
         start..start + raw.get().len()
     }
 
-    /// The value; `None` for `null`.
+    /// Converts one value; `None` for `null`.
     fn value(
         self,
         raw: &'t RawValue,
@@ -82,7 +82,7 @@ impl<'t> Json<'t> {
             Some(b'"') => DeValue::String(Cow::Owned(self.parse(raw)?)),
             Some(b't' | b'f') => DeValue::Boolean(self.parse(raw)?),
             Some(b'n') => return Ok(None),
-            // the syntax of every JSON number is also valid in TOML
+            // parses a number as TOML, because the syntax of every JSON number is valid in TOML
             _ => {
                 let number = DeValue::parse(written);
                 let number = number.map_err(|error| (error.message().into(), span.clone()))?;
@@ -106,7 +106,8 @@ impl<'t> Json<'t> {
     }
 }
 
-/// Converts an error in the part of `text` from `start` on. Columns of JSON errors count bytes.
+/// Converts an error in the part of `text` that begins at `start`. The columns of JSON errors count
+/// bytes.
 fn refused(error: &serde_json::Error, text: &str, start: usize) -> Refused {
     let lines = text[start..].split_inclusive('\n').take(error.line().saturating_sub(1));
     let before: usize = lines.map(str::len).sum();

@@ -1,10 +1,10 @@
-//! The keys of a file in TOML, or in JSON with the same keys.
+//! Parser of the keys of a file, which is written in TOML, or in JSON with the same keys.
 
 use super::{InputError, Place, Source, json};
 use serde::de::DeserializeOwned;
 use toml::de::{DeTable, DeValue};
 
-/// Parses the keys of a file: JSON if the text begins with `{`, otherwise TOML. Returns also the
+/// Parses the keys of a file: JSON if the text begins with `{`, otherwise TOML. Also returns the
 /// file with the locations of its keys.
 pub(crate) fn parse_keys<T: DeserializeOwned>(
     source: &Source,
@@ -38,7 +38,7 @@ pub(crate) fn parse_keys<T: DeserializeOwned>(
             let written = error.span().and_then(|span| text.get(span)).unwrap_or_default();
             let digits =
                 written.trim_start_matches(['+', '-']).starts_with(|c: char| c.is_ascii_digit());
-            // `quote_huge` made a string of this integer
+            // `quote_huge` has converted this integer to a string
             let overflow = digits && error.message().starts_with("invalid type: string");
             let message = if overflow { "the integer exceeds 64 bits" } else { error.message() };
             refused(message, error.span())
@@ -97,7 +97,7 @@ fn syntax(message: &str) -> InputError {
             let keys = keys.replace('`', "");
             let unknown = what.split('`').nth(1).unwrap_or("");
             let distance = |key: &&str| strsim::damerau_levenshtein(key, unknown);
-            // a longer word is not a misspelled key
+            // only short words are compared, because a longer word is not a misspelled key
             let nearest = keys.split(", ").filter(|key| unknown.len() < 32 && distance(key) < 3);
             let help = match nearest.min_by_key(distance) {
                 // the keys of a space, which are not those of a problem of mechanics

@@ -1,17 +1,17 @@
 //! String literals of TOML and JSON: the position of each byte of their content.
 
-/// The position in the literal of each byte of `content`, and of its end; quotes belong to the
-/// literal. `None` if the value of the literal is not `content`.
+/// For each byte of `content`, and for its end, the position in the literal. The literal includes
+/// its quotes. `None` if the value of the literal is not `content`.
 pub(crate) fn places(literal: &str, content: &str) -> Option<Vec<usize>> {
     let quote = ["\"\"\"", "'''", "\"", "'"].into_iter().find(|quote| literal.starts_with(quote));
     let Some(quote) = quote else {
-        // a key without quotes, or a number, is its own content
+        // the content of a key without quotes, or of a number, is the literal itself
         return (literal == content).then(|| (0..=content.len()).collect());
     };
     let escaped = quote.starts_with('"');
     let mut places = Vec::with_capacity(content.len() + 1);
     let mut at = quote.len();
-    // TOML ignores a line end directly after the opening quotes of a block
+    // skips a line end after the opening quotes of a block, because TOML ignores it
     if quote.len() == 3 {
         let rest = &literal[at..];
         let kept = rest.strip_prefix("\r\n").or_else(|| rest.strip_prefix('\n'));
@@ -35,7 +35,8 @@ pub(crate) fn places(literal: &str, content: &str) -> Option<Vec<usize>> {
     literal[at..].starts_with(quote).then_some(places)
 }
 
-/// The length of a backslash at the end of a line, with the white space that it removes.
+/// The length of a backslash at the end of a line, including the white space that it removes; 0 for
+/// other text.
 fn continuation(rest: &str) -> usize {
     let Some(behind) = rest.strip_prefix('\\') else {
         return 0;
@@ -47,7 +48,8 @@ fn continuation(rest: &str) -> usize {
     }
 }
 
-/// The number of bytes at the start of `rest` that represent `symbol`, if they do.
+/// The number of bytes at the start of `rest` that represent `symbol`; `None` if they represent
+/// another character.
 fn written(rest: &str, symbol: char) -> Option<usize> {
     let Some(escape) = rest.strip_prefix('\\') else {
         return rest.starts_with(symbol).then_some(symbol.len_utf8());

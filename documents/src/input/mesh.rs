@@ -1,4 +1,4 @@
-//! Meshes of bodies from files: STL, as text or binary, and OBJ.
+//! Reads meshes of bodies from files: STL, as text or binary, and OBJ.
 
 use super::file::{MAX_BYTES, bytes};
 use super::{InputError, shown};
@@ -9,8 +9,8 @@ use std::io::Cursor;
 
 type Corners = Vec<[Vector3<f64>; 3]>;
 
-/// The size in bytes of the header of a binary STL, which ends with the number of triangles, and of
-/// one triangle.
+/// Sizes in a binary STL file, in bytes: the header, which ends with the number of triangles, and
+/// each triangle.
 const HEAD: usize = 84;
 const TRIANGLE: usize = 50;
 
@@ -26,8 +26,8 @@ pub fn read_mesh(path: &str) -> Result<Mesh, InputError> {
 /// Reads a closed mesh from the bytes of a file; the file name extension determines the format.
 ///
 /// Vertices with equal coordinates are identified. All solids of an STL file, and all objects of an
-/// OBJ file, form one mesh. Polygons are divided into triangles. Coordinates of a binary STL have
-/// the precision of `f32`, text coordinates that of `f64`.
+/// OBJ file, form a single mesh. Polygons are divided into triangles. Coordinates in a binary STL
+/// file have the precision of `f32`; coordinates in a text file have the precision of `f64`.
 ///
 /// ```
 /// use affinor_documents::input::mesh;
@@ -61,8 +61,8 @@ pub fn mesh(name: &str, bytes: &[u8]) -> Result<Mesh, InputError> {
 }
 
 fn stl(name: &str, bytes: &[u8]) -> Result<Corners, InputError> {
-    // a binary file may begin with the word `solid`, but then its number of triangles contains a
-    // zero byte
+    // recognizes text: a binary file may also begin with the word `solid`, but its number of
+    // triangles contains a zero byte
     let begins = bytes.trim_ascii_start().get(..5);
     if begins.is_some_and(|word| word.eq_ignore_ascii_case(b"solid")) && !bytes.contains(&0) {
         return text_stl(&Source::new(name, &String::from_utf8_lossy(bytes)));
@@ -83,14 +83,14 @@ fn stl(name: &str, bytes: &[u8]) -> Result<Corners, InputError> {
             "not a valid STL file: {count} triangles need {size} bytes, but the file has {length}"
         ));
     }
-    // changes the header so that the reader does not take the file for text
+    // overwrites the first byte of the header, so that the reader does not take the file for text
     let mut bytes = bytes.to_vec();
     bytes[0] = 0;
     triangles(bytes)
         .or_else(|(at, reason)| refused(format!("not a valid STL file: triangle {at}: {reason}")))
 }
 
-/// The triangles, or the number of the first invalid one with the reason.
+/// Reads the triangles. The error is the number of the first invalid triangle, with the reason.
 fn triangles(bytes: Vec<u8>) -> Result<Corners, (usize, String)> {
     let mut bytes = Cursor::new(bytes);
     let reader = stl_io::create_stl_reader(&mut bytes).map_err(|error| (1, error.to_string()))?;
@@ -104,7 +104,7 @@ fn triangles(bytes: Vec<u8>) -> Result<Corners, (usize, String)> {
     corners.collect()
 }
 
-/// The solids of a text file, one after the other.
+/// Reads the solids of a text file one after the other.
 fn text_stl(source: &Source) -> Result<Corners, InputError> {
     let mut corners = vec![];
     let mut rest = &*source.text;
@@ -125,7 +125,7 @@ fn text_stl(source: &Source) -> Result<Corners, InputError> {
             lines.by_ref().take_while(|l| !begins(l, "endsolid")).map(str::len).sum();
         let end = body.len() - lines.map(str::len).sum::<usize>();
         let (solid, after) = body.split_at(end);
-        // the name of a solid is optional and ignored, so it is removed
+        // removes the name of the solid, which is optional and ignored
         let normal = format!("solid \n{}", solid.to_ascii_lowercase());
         let rounded = triangles(normal.into_bytes()).map_err(|(at, reason)| {
             let mut facets = solid[..before].lines().filter(|line| begins(line, "facet"));
@@ -133,7 +133,7 @@ fn text_stl(source: &Source) -> Result<Corners, InputError> {
             let place = source.find(line, 0..line.len());
             InputError::usage(format!("not a valid STL file: triangle {at}: {reason}")).at(&place)
         })?;
-        // the reader rounds coordinates to `f32`, so they are parsed again
+        // parses the coordinates again, because the reader rounds them to `f32`
         let vertices = solid.lines().filter(|line| begins(line, "vertex")).filter_map(position);
         let vertices: Vec<Vector3<f64>> = vertices.collect();
         match vertices.as_chunks::<3>() {
@@ -152,7 +152,8 @@ fn position(line: &str) -> Option<Vector3<f64>> {
     Some(Vector3::from(<[f64; 3]>::try_from(coordinates.ok()?).ok()?))
 }
 
-/// The faces of an OBJ, divided into triangles. Colours, textures, normals and materials are ignored.
+/// Reads the faces of an OBJ file, divided into triangles. Colours, textures, normals and materials
+/// are ignored.
 fn obj(source: &Source) -> Result<Corners, InputError> {
     let refused = |line: &str, reason: &str| {
         InputError::usage(format!("not a valid OBJ file: {reason}")).at(&source.whole(line))
@@ -185,7 +186,7 @@ fn obj(source: &Source) -> Result<Corners, InputError> {
     }
     let mut corners = vec![];
     for (line, before, indices) in faces {
-        // indices count from 1, or backwards from the face if negative
+        // a positive index counts from 1, a negative index counts backwards from the face
         let vertex = |index: &i64| {
             let at = if *index < 0 { before + index } else { index - 1 };
             let found = usize::try_from(at).ok().and_then(|at| vertices.get(at).copied());

@@ -6,8 +6,8 @@ use affinor_tensors::expression::{Evaluator, Expression};
 use affinor_tensors::{Notation, Rational};
 use std::f64::consts::{PI, TAU};
 
-/// The numbers in a line, separated by commas, spaces or brackets: `1, 2, 3`, `[[1,0],[0,1]]`,
-/// `pi/2 -0.5 1e-3`.
+/// Reads the numbers in a line. They may be separated by commas, spaces or brackets: `1, 2, 3`,
+/// `[[1,0],[0,1]]`, `pi/2 -0.5 1e-3`.
 ///
 /// ```
 /// use affinor_documents::input::{Source, numbers};
@@ -17,13 +17,13 @@ use std::f64::consts::{PI, TAU};
 /// ```
 ///
 /// # Errors
-/// An error with its location, for a word that is not a finite number, or is so near zero that a
-/// float would lose accuracy.
+/// An error with its location, for a word that is not a finite number, and for a number so near
+/// zero that a float would lose accuracy.
 pub fn numbers(source: &Source) -> Result<Vec<f64>, InputError> {
     numbers_in(source.content(), source)
 }
 
-/// The numbers in a piece of a source.
+/// Reads the numbers in a piece of a source.
 pub(crate) fn numbers_in(text: &str, source: &Source) -> Result<Vec<f64>, InputError> {
     expect_values(text, source)?;
     let apart = |c: char| c.is_ascii_whitespace() || ",;[]".contains(c);
@@ -31,8 +31,8 @@ pub(crate) fn numbers_in(text: &str, source: &Source) -> Result<Vec<f64>, InputE
     words.map(|word| number(word, source)).collect()
 }
 
-/// Returns an error for two commas with nothing between them, and for a comma at the beginning: a
-/// missing number is not zero.
+/// Returns an error for a comma at the beginning and for two commas with nothing between them,
+/// because a missing number is not zero.
 fn expect_values(text: &str, source: &Source) -> Result<(), InputError> {
     let mut before = ',';
     for (at, sign) in text.char_indices().filter(|(_, sign)| !sign.is_ascii_whitespace()) {
@@ -46,7 +46,7 @@ fn expect_values(text: &str, source: &Source) -> Result<(), InputError> {
 }
 
 fn number(word: &str, source: &Source) -> Result<f64, InputError> {
-    // `inf`, `nan` and numbers that underflow are parsed here, but rejected below
+    // the parser accepts `inf`, `nan` and numbers that underflow; the check below rejects them
     let digits = word.split(['e', 'E']).next().unwrap_or(word);
     let is_zero = !digits.contains(|c: char| ('1'..='9').contains(&c));
     let kept = |value: &f64| value.is_normal() || (*value == 0.0 && is_zero);
@@ -65,7 +65,7 @@ fn number(word: &str, source: &Source) -> Result<f64, InputError> {
     Err(InputError::usage(message).at(&source.whole(word)))
 }
 
-/// The evaluator of numbers, `pi` and `tau` in floats.
+/// Evaluates numbers, `pi` and `tau` in floats.
 struct Floats;
 
 impl Evaluator for Floats {

@@ -4,16 +4,17 @@ use super::file::read;
 use super::numbers::numbers_in;
 use super::{InputError, Source, shown};
 
-/// The names and the rows of a CSV table. Its values are numbers, `NaN`, `inf` and `-inf`.
+/// Reads the names and the rows of a CSV table. Its values are numbers, `NaN`, `inf` and `-inf`.
 ///
 /// # Errors
-/// An error with its location: a file that cannot be read, a header of numbers, duplicate column
-/// names, a missing value, or a value that is not a number.
+/// An error with its location: for a file that cannot be read, for a header of numbers or with a
+/// duplicate name, and for a value that is missing or is not a number.
 pub fn read_rows(path: &str) -> Result<(Vec<String>, Vec<Vec<f64>>), InputError> {
     read_columns(path, |_| true)
 }
 
-/// The same, but unused columns may have values of any kind, which become NaN.
+/// Like [`read_rows`], but columns for which `is_used` is false may contain any values, which
+/// become NaN.
 pub(crate) fn read_columns(
     path: &str,
     is_used: impl Fn(&str) -> bool,

@@ -1,4 +1,4 @@
-//! Texts that were read, and locations in them.
+//! Sources: texts that were read, and locations in them.
 
 use super::Files;
 use super::forms::Text;
@@ -11,17 +11,17 @@ use toml::de::{DeTable, DeValue};
 /// A text that was read, with its name for messages.
 #[derive(Clone, Debug)]
 pub struct Source {
-    /// The file's path, or `<standard input>`, `--metric`, ...
+    /// The name: the path of the file, or `<standard input>`, `--metric`, ....
     pub name: String,
     /// The text.
     pub text: Arc<str>,
-    /// The byte ranges of the keys of a file, by their dotted paths.
+    /// The byte ranges of the keys of a file. The keys are given by their dotted paths.
     keys: Arc<BTreeMap<String, Range<usize>>>,
-    /// The dotted path, with a final dot, of the table in which keys are looked up.
+    /// The path of the table in which keys are looked up: dotted, and with a final dot.
     table: Arc<str>,
-    /// The string of the file that is being read; `None` for the whole text.
+    /// The string of the file that is being parsed; `None` if the whole text is parsed.
     excerpt: Option<Arc<Excerpt>>,
-    /// The number of files through which this one was included.
+    /// The number of files through which this file was included.
     pub(crate) depth: usize,
     /// The cache of files.
     pub(crate) files: Files,
@@ -31,12 +31,13 @@ pub struct Source {
 #[derive(Debug)]
 struct Excerpt {
     text: Text,
-    /// The positions of its bytes in its literal; `None` for a number that is written differently.
+    /// The position of each byte of the string in its literal; `None` for a number that is written
+    /// differently.
     places: Option<Vec<usize>>,
 }
 
 impl Excerpt {
-    /// Converts a byte range of the excerpt to a byte range of the file.
+    /// Converts a byte range of the excerpt to the byte range in the file.
     fn span(&self, inside: Range<usize>) -> Range<usize> {
         let Some(places) = &self.places else { return self.text.span.clone() };
         let at = |byte: usize| self.text.span.start + places[byte.min(places.len() - 1)];
@@ -45,7 +46,7 @@ impl Excerpt {
 }
 
 impl Source {
-    /// A source.
+    /// Creates a source from a text and its name.
     pub fn new(name: impl Into<String>, text: &str) -> Self {
         Source {
             name: name.into(),
@@ -58,25 +59,26 @@ impl Source {
         }
     }
 
-    /// The same text, included through `depth` files, with a cache of files.
+    /// Returns the source as one that was included through `depth` files and uses the cache
+    /// `files`.
     pub(crate) fn below(self, depth: usize, files: &Files) -> Self {
         Source { depth, files: files.clone(), ..self }
     }
 
-    /// The same text with the locations of its keys, as found by the parser.
+    /// Returns the source with the locations of its keys, as the parser found them.
     pub(crate) fn with_keys(&self, table: &DeTable) -> Self {
         let mut keys = BTreeMap::new();
         collect(table, "", &mut keys);
         Source { keys: Arc::new(keys), ..self.clone() }
     }
 
-    /// The same source, with keys looked up in the table of a key.
+    /// Returns the source with keys looked up in the table `key`.
     pub(crate) fn table(&self, key: &str) -> Self {
         Source { table: format!("{}{key}.", self.table).into(), ..self.clone() }
     }
 
-    /// A string of this file as a separate source: pieces of its [`content`](Self::content) have
-    /// locations in the file.
+    /// Returns a string of this file as a separate source. Pieces of its [`content`](Self::content)
+    /// have locations in the file.
     pub(crate) fn excerpt(&self, text: &Text) -> Self {
         let literal = self.text.get(text.span.clone()).unwrap_or_default();
         let places = literal::places(literal, &text.content);
@@ -84,15 +86,16 @@ impl Source {
         Source { excerpt: Some(Arc::new(excerpt)), ..self.clone() }
     }
 
-    /// The text whose pieces have locations: the excerpt, or the whole text.
+    /// The text whose pieces have locations: the excerpt if there is one, otherwise the whole text.
     pub(crate) fn content(&self) -> &str {
         self.excerpt.as_ref().map_or(&self.text, |excerpt| &excerpt.text.content)
     }
 
-    /// The location of `part`, a piece of the [`content`](Self::content), with the byte range
-    /// `inside` relative to it.
+    /// The location of the byte range `inside` of `part`, where `part` is a piece of the
+    /// [`content`](Self::content).
     ///
-    /// A piece is identified by its address; a copy has no byte range, only a source.
+    /// A piece is identified by its address, so a copy of a piece has no byte range, but only a
+    /// source.
     pub(crate) fn find(&self, part: &str, inside: Range<usize>) -> Place {
         let span = offset(self.content(), part)
             .map(|start| start + inside.start..start + inside.end)
@@ -103,7 +106,7 @@ impl Source {
         self.place(span)
     }
 
-    /// The location of the whole of `part`.
+    /// The location of the whole piece `part`.
     pub(crate) fn whole(&self, part: &str) -> Place {
         self.find(part, 0..part.len())
     }
@@ -114,8 +117,8 @@ impl Source {
         excerpt.whole(excerpt.content())
     }
 
-    /// The location of a key, given by its dotted path, such as `initial.velocity`; or of the table
-    /// around it.
+    /// The location of a key such as `initial.velocity`, given by its dotted path. If the key is
+    /// absent, the location of the table around it.
     pub(crate) fn key(&self, path: &str) -> Place {
         let mut path = format!("{}{path}", self.table);
         loop {
@@ -127,7 +130,7 @@ impl Source {
         }
     }
 
-    /// Whether a key is given, by its dotted path.
+    /// Whether the file contains a key, given by its dotted path.
     pub(crate) fn has_key(&self, path: &str) -> bool {
         self.keys.contains_key(&format!("{}{path}", self.table))
     }
@@ -137,7 +140,8 @@ impl Source {
     }
 }
 
-/// Collects the keys of a table and of its nested tables; items of lists count from 0.
+/// Collects the locations of the keys of a table and of its nested tables. Items of lists count
+/// from 0.
 fn collect(table: &DeTable, path: &str, keys: &mut BTreeMap<String, Range<usize>>) {
     for (key, value) in table {
         let path = format!("{path}{}", key.get_ref());
@@ -157,7 +161,8 @@ fn collect(table: &DeTable, path: &str, keys: &mut BTreeMap<String, Range<usize>
     }
 }
 
-/// The offset of `part` in `text`, if it is a slice of the text and not only an equal string.
+/// The offset of `part` in `text`. `None` if `part` is not a slice of `text`, even if it is equal
+/// to one.
 fn offset(text: &str, part: &str) -> Option<usize> {
     let start = (part.as_ptr() as usize).checked_sub(text.as_ptr() as usize)?;
     (start + part.len() <= text.len()).then_some(start)
@@ -168,12 +173,12 @@ fn offset(text: &str, part: &str) -> Option<usize> {
 pub struct Place {
     /// The source.
     pub source: Source,
-    /// The byte range in the text, if it is known.
+    /// The byte range in the text; `None` if it is unknown.
     pub span: Option<Range<usize>>,
 }
 
 impl Place {
-    /// A location without a byte range.
+    /// A location whose byte range is unknown.
     pub fn within(source: Source) -> Self {
         Place { source, span: None }
     }

@@ -1,4 +1,4 @@
-//! Arrows of figures and of their legend, arrowheads along paths, and marks at their ends.
+//! Arrows of figures and of their legend, arrowheads along paths, and marks at the ends of paths.
 
 use super::{Ink, Point, Shape, Stroke, style};
 
@@ -7,7 +7,8 @@ const HEAD: f64 = 11.0;
 /// The positions of arrowheads along a path, as fractions of its length.
 const PLACES: [f64; 3] = [0.16, 0.5, 0.84];
 
-/// An arrow: a shaft with a white edge, and a head. It is a disc if it is shorter than a pixel.
+/// Draws an arrow: a shaft with a white edge, and a head. An arrow shorter than a pixel becomes a
+/// disc.
 pub(super) fn arrow(from: Point, to: Point, stroke: Stroke) -> Vec<Shape> {
     let [x, y] = [to[0] - from[0], to[1] - from[1]];
     let length = x.hypot(y);
@@ -16,7 +17,7 @@ pub(super) fn arrow(from: Point, to: Point, stroke: Stroke) -> Vec<Shape> {
     }
     let (head, neck) = head(to, [x / length, y / length], HEAD.min(0.6 * length), stroke.ink);
     let shaft = |stroke| Shape::Line { points: vec![from, neck], stroke };
-    // a dashed arrow has no edge, because shapes behind it should be visible through its gaps
+    // a dashed arrow has no edge, so that shapes behind it are visible through its gaps
     let edge = stroke.dash.is_empty().then(|| shaft(edge(stroke)));
     edge.into_iter().chain([shaft(stroke), head]).collect()
 }
@@ -26,7 +27,8 @@ pub(super) fn edge(stroke: Stroke) -> Stroke {
     Stroke { ink: style::WHITE, width: stroke.width + 2.4, dash: &[] }
 }
 
-/// An arrowhead at a tip, along a unit vector, and the point where its shaft ends.
+/// Draws an arrowhead with its tip at `to`, along a unit vector. Also returns the point where the
+/// shaft ends.
 fn head(to: Point, [x, y]: Point, size: f64, ink: Ink) -> (Shape, Point) {
     let neck = [to[0] - 0.8 * size * x, to[1] - 0.8 * size * y];
     let corner = |side: f64| {
@@ -36,7 +38,7 @@ fn head(to: Point, [x, y]: Point, size: f64, ink: Ink) -> (Shape, Point) {
     (Shape::Area { points: vec![to, corner(1.0), neck, corner(-1.0)], ink }, neck)
 }
 
-/// Arrowheads along a path at fixed fractions of its length.
+/// Draws arrowheads along a path, at fixed fractions of its length.
 pub(super) fn heads(path: &[Point], ink: Ink) -> Vec<Shape> {
     let length = |pair: &[Point]| (pair[1][0] - pair[0][0]).hypot(pair[1][1] - pair[0][1]);
     let whole: f64 = path.windows(2).map(length).sum();
@@ -50,7 +52,7 @@ pub(super) fn heads(path: &[Point], ink: Ink) -> Vec<Shape> {
         while let Some(at) = next.next_if(|at| *at <= passed + here) {
             let share = (at - passed) / here;
             let [x, y] = [pair[1][0] - pair[0][0], pair[1][1] - pair[0][1]];
-            // the middle of the head is at the position
+            // puts the middle of the arrowhead at this position
             let tip = |k: usize, step: f64| pair[0][k] + share * step + 0.5 * HEAD * step / here;
             found.push(head([tip(0, x), tip(1, y)], [x / here, y / here], HEAD, ink).0);
         }
@@ -59,7 +61,7 @@ pub(super) fn heads(path: &[Point], ink: Ink) -> Vec<Shape> {
     found
 }
 
-/// A ring at the start of a path, and a disc at its end.
+/// Draws a ring at the start of a path, and a disc at its end.
 pub(super) fn ends(path: &[Point], ink: Ink) -> Vec<Shape> {
     let (Some(&start), Some(&end)) = (path.first(), path.last()) else { return vec![] };
     let disc = |at, radius, ink| Shape::Disc { at, radius, ink };

@@ -2,12 +2,12 @@
 
 use std::ops::Range;
 
-/// The smallest margin of a range, relative to its values.
+/// The smallest margin of a range, relative to the values in it.
 const NARROW: f64 = 64.0 * f64::EPSILON;
-/// The largest numbers of intervals between ticks, in the order of preference.
+/// The largest number of intervals between ticks; the first number whose ticks fit is used.
 const INTERVALS: [f64; 4] = [11.0, 8.0, 5.0, 3.0];
 
-/// An axis of a graph: a range of values, or of their exponents to the base 10.
+/// An axis of a graph: a range of values, or of their decimal logarithms.
 #[derive(Clone, Debug)]
 pub(super) struct Axis {
     pub(super) range: Range<f64>,
@@ -15,7 +15,7 @@ pub(super) struct Axis {
 }
 
 impl Axis {
-    /// The axis of the finite values, with a margin.
+    /// The axis whose range contains all finite values, with a margin.
     pub(super) fn of(logarithmic: bool, values: impl Iterator<Item = f64>) -> Self {
         let values = values.map(|value| if logarithmic { value.log10() } else { value });
         let finite = values.filter(|value| value.is_finite());
@@ -25,7 +25,7 @@ impl Axis {
             return Axis { range: 0.0..1.0, logarithmic };
         }
         let margin = if high > low { 0.04 * (high - low) } else { 0.5 };
-        // in a narrower range, different ticks would be equal floats
+        // widens a narrow range, in which different ticks would be equal floats
         let margin = margin.max(NARROW * low.abs().max(high.abs()));
         Axis { range: low - margin..high + margin, logarithmic }
     }
@@ -34,7 +34,7 @@ impl Axis {
         self.range.end - self.range.start
     }
 
-    /// The axis with a range of the given length and the same middle.
+    /// The axis with a range of this length around the same middle.
     pub(super) fn widened(self, length: f64) -> Self {
         let middle = 0.5 * (self.range.start + self.range.end);
         Axis { range: middle - 0.5 * length..middle + 0.5 * length, ..self }
@@ -46,7 +46,8 @@ impl Axis {
         (value - self.range.start) / self.length()
     }
 
-    /// The ticks that `fit` accepts: their positions as fractions of the range, and their labels.
+    /// The ticks that `fit` accepts: for each tick, its position as a fraction of the range, and
+    /// its label.
     pub(super) fn ticks(&self, fit: impl Fn(&[(f64, String)]) -> bool) -> Vec<(f64, String)> {
         let share = |value: f64| (value - self.range.start) / self.length();
         let mut ticks = vec![];
@@ -60,7 +61,7 @@ impl Axis {
         ticks
     }
 
-    /// The multiples of 1, 2 or 5 times a power of ten in the range.
+    /// The multiples, in the range, of a power of ten times 1, 2 or 5.
     fn multiples(&self, intervals: f64) -> Vec<f64> {
         let least = self.length() / intervals;
         let power = 10_f64.powf(least.log10().floor());
@@ -71,8 +72,8 @@ impl Axis {
         (0..=count).map(|k| (first + f64::from(k)) * step).collect()
     }
 
-    /// The exponents of powers of ten in the range, about eight of them. If there are few, also
-    /// twice and five times these powers.
+    /// The exponents of about eight powers of ten in the range. If the range contains few powers,
+    /// twice and five times these powers are added.
     fn powers(&self) -> Vec<f64> {
         let (low, high) = (self.range.start.ceil() as i64, self.range.end.floor() as i64);
         if high - low < 2 {
@@ -84,8 +85,8 @@ impl Axis {
         (low..=high).filter(|k| k.rem_euclid(every) == 0).map(|k| k as f64).collect()
     }
 
-    /// The label of a value, rounded to a millionth of the range. Very small and very large ranges
-    /// use exponents.
+    /// The label of a value, rounded to a millionth of the range. Labels of very small and very
+    /// large ranges have exponents.
     fn label(&self, value: f64) -> String {
         if self.logarithmic {
             let power = (value + 1e-9).floor();

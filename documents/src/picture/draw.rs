@@ -17,9 +17,9 @@ const COLUMNS: usize = 2;
 const HEADS: [f64; 2] = [44.0, 26.0];
 /// The margin around a panel.
 const MARGIN: f64 = 22.0;
-/// The length above which a path in time is drawn thin, in radii.
+/// The length above which a path in time is drawn with a thin line, in radii of the ball.
 const LONG: f64 = 60.0;
-/// The length of the axes, in radii.
+/// The length of the axes, in radii of the ball.
 const AXES: f64 = 1.12;
 
 /// Draws a figure, viewed from a direction.
@@ -36,7 +36,7 @@ const AXES: f64 = 1.12;
 pub fn draw(figure: &Figure, view: &View) -> Picture {
     let columns = figure.panels.len().clamp(1, COLUMNS);
     let width = WIDTH / columns as f64;
-    // a single panel need not be square
+    // the height of a single panel may be smaller than its width
     let height = if columns == 1 { 0.75 * width } else { width };
     let has_heads = figure.panels.iter().any(|panel| !panel.title.is_empty());
     let row = height + if has_heads { HEADS[1] } else { 0.0 };
@@ -65,7 +65,7 @@ pub fn draw(figure: &Figure, view: &View) -> Picture {
     Picture { title: figure.title.clone(), width: WIDTH, height: top + legend.height(), shapes }
 }
 
-/// The largest distance of a point of the panel from its centre, along an axis of the picture, in
+/// The largest distance of a point of the panel from its centre along an axis of the picture, in
 /// radii.
 fn reach(panel: &Panel, view: &View) -> f64 {
     let curves = panel.curves.iter().flat_map(|curve| &curve.points);
@@ -78,7 +78,7 @@ fn text(at: Point, text: &str, font: Font) -> Shape {
     Shape::Text { at, text: text.into(), font }
 }
 
-/// The drawing plane of a panel.
+/// The plane on which a panel is drawn.
 struct Plane<'v> {
     view: &'v View,
     center: Point,
@@ -97,7 +97,7 @@ impl Plane<'_> {
         self.shapes.push(Shape::Line { points, stroke });
     }
 
-    /// The axes, and the sphere.
+    /// Draws the axes and the sphere.
     fn ball(&mut self, panel: &Panel) {
         let r = panel.radius;
         for (i, label) in panel.axes.iter().enumerate() {
@@ -111,7 +111,7 @@ impl Plane<'_> {
         }
     }
 
-    /// The circles on the sphere, the far ones first.
+    /// Draws the circles on the sphere, first those on the far side.
     fn sphere(&mut self, r: f64) {
         let parallels = (1..6).map(|i| ring(Vector3::z(), PI / 6.0 * f64::from(i), r));
         let meridians = (0..6).map(|i| {
@@ -132,14 +132,14 @@ impl Plane<'_> {
         self.line(&ring(self.view.axes()[0], 0.5 * PI, r), style::RIM);
     }
 
-    /// The length of a path in time in the picture; 0 for other curves.
+    /// The length of a path in time, measured in the picture; 0 for other curves.
     fn length(&self, curve: &Curve) -> f64 {
         let points = if curve.directed { &curve.points[..] } else { &[] };
         self.scale * points.windows(2).map(|pair| (pair[1] - pair[0]).norm()).sum::<f64>()
     }
 
-    /// Draws a path in time: paler on the far side of a sphere, with arrowheads along it, and marks
-    /// at its ends.
+    /// Draws a path in time, with arrowheads along it and marks at its ends. The far side of a
+    /// sphere is paler.
     fn path(&mut self, Curve { points, .. }: &Curve, sphere: bool, stroke: Stroke) {
         for (near, stroke) in [(false, style::far(stroke)), (true, stroke)] {
             for arc in arcs(points, |x| (!sphere || self.view.depth(x) >= 0.0) == near) {
@@ -154,13 +154,13 @@ impl Plane<'_> {
     fn contents(&mut self, panel: &Panel) {
         let background = self.shapes.len();
         let mut curves: Vec<&Curve> = panel.curves.iter().collect();
-        // longer paths are drawn below shorter ones
+        // draws longer paths below shorter paths
         let layer = |curve: &Curve| (style::stroke(curve.role).1, -self.length(curve));
         curves.sort_by(|a, b| layer(a).partial_cmp(&layer(b)).unwrap_or(Ordering::Equal));
         for curve in curves {
             let (stroke, _) = style::stroke(curve.role);
             if curve.directed {
-                // a path that fills the sphere is drawn thin
+                // draws a path that fills the sphere with a thin line
                 let thin = self.length(curve) > LONG * panel.radius * self.scale;
                 let width = if thin { 0.5 * stroke.width } else { stroke.width };
                 self.path(curve, panel.sphere, Stroke { width, ..stroke });
@@ -206,7 +206,7 @@ impl Plane<'_> {
     }
 }
 
-/// The circle on a sphere at an angle from an axis.
+/// The circle on a sphere around `axis`, at this angle from the axis.
 fn ring(axis: Vector3<f64>, angle: f64, radius: f64) -> Vec<Vector3<f64>> {
     let turn = Rotation3::rotation_between(&Vector3::z(), &axis)
         .unwrap_or_else(|| Rotation3::from_axis_angle(&Vector3::x_axis(), PI));

@@ -3,7 +3,7 @@
 use super::{Anchor, BLACK, Font, Picture, Point, SOLID, Shape, Stroke, WHITE};
 use affinor::algebra::roots::{CartanType, Series};
 
-/// The distance of neighbouring nodes, and the margin.
+/// The distance between adjacent nodes, and the margin.
 const STEP: f64 = 64.0;
 const MARGIN: f64 = 40.0;
 const RADIUS: f64 = 7.0;
@@ -13,8 +13,8 @@ const NAME: f64 = 48.0;
 /// The distance between the lines of a multiple bond.
 const BOND: f64 = 4.5;
 
-/// The Dynkin diagrams of simple factors below each other, numbered as in Bourbaki. Arrows point to
-/// the short roots.
+/// Draws the Dynkin diagrams of simple factors one below the other, numbered as in Bourbaki. Arrows
+/// point to the short roots.
 ///
 /// ```
 /// use affinor::algebra::roots::{CartanType, Series};
@@ -45,7 +45,8 @@ pub fn dynkin(title: &str, types: &[CartanType]) -> Picture {
     Picture { title: format!("Dynkin diagram of {title}"), width, height: top + MARGIN, shapes }
 }
 
-/// The positions of the simple roots, in steps: a row, and the end of a branch below it.
+/// The positions of the simple roots, in units of the distance between nodes: a row, and the end of
+/// a branch below it.
 fn places(cartan_type: CartanType) -> Vec<Point> {
     let r = cartan_type.rank();
     let row: Vec<usize> = match cartan_type.series() {
@@ -66,7 +67,7 @@ fn places(cartan_type: CartanType) -> Vec<Point> {
     (0..r).map(place).collect()
 }
 
-/// Draws bonds, then nodes with their numbers.
+/// Draws the bonds, then the nodes with their numbers.
 fn factor(cartan_type: CartanType, places: &[Point], shapes: &mut Vec<Shape>) {
     let matrix = cartan_type.cartan_matrix();
     let stroke = Stroke { ink: BLACK, width: 1.6, dash: SOLID };
@@ -81,8 +82,8 @@ fn factor(cartan_type: CartanType, places: &[Point], shapes: &mut Vec<Shape>) {
                 shapes.push(Shape::Line { points: vec![shift(from), shift(to)], stroke });
             }
             if count > 1 {
-                // a_ij = 2 (a_i, a_j) / (a_j, a_j): the larger entry is in the column of the short
-                // root
+                // a_ij = 2 (a_i, a_j) / (a_j, a_j), so the larger entry is in the column of the
+                // short root
                 let (long, short) =
                     if matrix[i][j] < matrix[j][i] { (from, to) } else { (to, from) };
                 let middle = 0.5 * (long[0] + short[0]);

@@ -1,11 +1,12 @@
-//! Animated bodies, as polygons with a frame for each pose.
+//! Animated bodies: polygons with one frame for each pose.
 
 use super::{Anchor, Font, Ink, Point, Shape, Stroke, View, style};
 use crate::figures::{Body, Look, Role};
 use crate::problem::Solid;
 use nalgebra::{Matrix3, Vector3};
 
-/// Draws bodies, the nearer ones in front. A face is visible while it faces the viewer.
+/// Draws bodies, nearer bodies in front of others. A face is visible in the frames in which it
+/// faces the viewer.
 pub(super) fn bodies(
     bodies: &[Body],
     view: &View,
@@ -27,9 +28,9 @@ pub(super) fn bodies(
 }
 
 /// Draws parts in as many layers as there are parts, from back to front. In each frame, a part is
-/// shown in the layer that corresponds to its distance.
+/// visible only in the layer of its distance.
 fn layered<P: Fn(&Vector3<f64>) -> Point>(parts: &[Part<P>]) -> Vec<Shape> {
-    // the layer of a part in a frame is the number of parts behind it
+    // the layer of a part in a frame is the number of parts that are behind it
     let is_behind = |other: usize, part: usize, frame: usize| {
         let depth = |part: usize| parts[part].depths[frame];
         depth(other).total_cmp(&depth(part)).then(other.cmp(&part)).is_lt()
@@ -67,7 +68,7 @@ impl<P> Clone for Film<'_, P> {
 impl<P> Copy for Film<'_, P> {}
 
 impl<P: Fn(&Vector3<f64>) -> Point> Film<'_, P> {
-    /// For each frame, whether a direction of the body points to the viewer.
+    /// For each frame, whether this direction of the body points to the viewer.
     fn towards(&self, direction: &Vector3<f64>) -> Vec<bool> {
         let points =
             |(r, _): &(Matrix3<f64>, Vector3<f64>)| self.view.depth(&(r * direction)) >= 0.0;
@@ -88,8 +89,8 @@ impl<P: Fn(&Vector3<f64>) -> Point> Film<'_, P> {
         Shape::Film { frames, shown, fill, stroke, seconds: self.body.seconds }
     }
 
-    /// Draws a box and its axes of inertia. An axis that points away from the viewer begins behind
-    /// the box.
+    /// Draws a box and its axes of inertia. The drawing of an axis that points away from the viewer
+    /// begins behind the box.
     fn cuboid(&self, half: &[f64; 3], reach: f64) -> Vec<Shape> {
         let towards = |i: usize, sign: f64| self.towards(&Vector3::ith(i, sign));
         let axis = |i: usize, sign: f64| {
@@ -114,9 +115,9 @@ impl<P: Fn(&Vector3<f64>) -> Point> Film<'_, P> {
     }
 }
 
-/// The edges of faces.
+/// The stroke of the edges of a box.
 const EDGE: Stroke = Stroke { ink: style::BLACK, width: 1.0, dash: style::SOLID };
-/// The edges of the faces of parts.
+/// The stroke of the edges of parts.
 const THIN: Stroke = Stroke { width: 0.5, ..EDGE };
 
 /// A part of an animated body.
@@ -124,7 +125,7 @@ struct Part<'b, P> {
     film: Film<'b, P>,
     solid: &'b Solid,
     role: Role,
-    /// For each frame, the coordinate of its middle towards the viewer.
+    /// For each frame, the coordinate of the middle of the part towards the viewer.
     depths: Vec<f64>,
 }
 
@@ -135,7 +136,7 @@ impl<'b, P: Fn(&Vector3<f64>) -> Point> Part<'b, P> {
         Part { film, solid, role, depths: film.body.poses.iter().map(depth).collect() }
     }
 
-    /// Its faces, in the frames in which it is shown.
+    /// The faces of the part, visible in the frames for which `here` is true.
     fn shapes(&self, here: &[bool]) -> Vec<Shape> {
         let ink = style::stroke(self.role).0.ink;
         let face = |face: &Vec<usize>| {
@@ -148,7 +149,7 @@ impl<'b, P: Fn(&Vector3<f64>) -> Point> Part<'b, P> {
             let normal = a.cross(&b);
             let towards = self.film.towards(&normal);
             let shown = towards.iter().zip(here).map(|(towards, here)| *towards && *here).collect();
-            // faces of one body have different shades, depending on their direction
+            // the shade of a face depends on its direction
             let share = normal.try_normalize(0.0).map_or(0.0, |n| n.dot(&LIGHT));
             self.film.polygon(&corners, shown, Some(style::tint(ink, 0.5 + 0.25 * share)), THIN)
         };
@@ -156,10 +157,10 @@ impl<'b, P: Fn(&Vector3<f64>) -> Point> Part<'b, P> {
     }
 }
 
-/// The direction, in the body, of the lightest faces.
+/// The direction, in the frame of the body, of the lightest faces.
 const LIGHT: Vector3<f64> = Vector3::new(0.36, 0.48, 0.8);
 
-/// A bar that grows with time, between the first and the last time.
+/// A bar that shows the time: it grows from the first to the last time.
 pub(super) fn clock(body: &Body, [left, right]: [f64; 2], y: f64) -> Vec<Shape> {
     let (seconds, shown) = (body.seconds, vec![true, true]);
     let whole = Stroke { ink: Ink::opaque(0xd8d8d8), width: 3.0, dash: style::SOLID };

@@ -14,10 +14,10 @@ const POSITIVE: [u8; 3] = [0xb3, 0x4a, 0x00];
 const NEGATIVE: [u8; 3] = [0x1f, 0x4e, 0x9c];
 const SYMBOL: [u8; 3] = [0x55, 0x55, 0x55];
 
-/// The slices of a tensor over its last two indices; the first two indices order the slices in rows
-/// and columns. Positive components are orange with a dot in the middle, negative ones blue. Larger
-/// components are stronger; components with symbols are grey. `None` for a tensor of rank below 2
-/// or above 4, or with too many components.
+/// Draws the slices of a tensor over its last two indices; the first two indices are the row and
+/// the column of a slice. Positive components are orange with a dot in the middle, and negative
+/// components are blue. Larger components have stronger colours; components with symbols are grey.
+/// `None` for a tensor of rank below 2 or above 4, or with too many components.
 ///
 /// ```
 /// use affinor_documents::picture::{heat, svg};

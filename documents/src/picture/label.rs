@@ -1,22 +1,22 @@
-//! Placement of symbols: near their point, away from lines and from each other.
+//! Placement of symbols: near their points, away from lines and from other symbols.
 
 use super::{Font, Ink, Point, Shape, width};
 use std::f64::consts::TAU;
 
 const SIZE: f64 = 18.0;
-/// The distance of the sample points of lines that repel symbols.
+/// The distance between sample points on lines; these points repel symbols.
 const STEP: f64 = 4.0;
 
-/// The placement of symbols, one after the other.
+/// Places symbols one after the other.
 pub(super) struct Labels {
     /// Sample points of lines.
     lines: Vec<Point>,
-    /// The lower and upper corners of the boxes of discs and symbols.
+    /// The lower and the upper corner of a box around each disc and each symbol.
     boxes: Vec<[Point; 2]>,
 }
 
 impl Labels {
-    /// The placement around the given shapes.
+    /// Prepares the placement of symbols among these shapes.
     pub(super) fn new(shapes: &[Shape]) -> Self {
         let (mut lines, mut boxes) = (vec![], vec![]);
         for shape in shapes {
@@ -33,8 +33,8 @@ impl Labels {
         Labels { lines, boxes }
     }
 
-    /// Places a symbol near a point, preferably ahead of it in a direction; `None` for an empty
-    /// text.
+    /// Places a symbol near a point, preferably on the side to which the direction points; `None`
+    /// for an empty text.
     pub(super) fn put(
         &mut self,
         text: &str,

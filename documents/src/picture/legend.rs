@@ -8,7 +8,7 @@ const LINE: f64 = 24.0;
 const COLUMNS: usize = 2;
 const SAMPLE: f64 = 34.0;
 
-/// Captions, each once, with a sample of its line, arrow or point.
+/// The captions without duplicates, each with a sample of its line, arrow or point.
 pub(super) struct Legend(Vec<(Sample, String)>);
 
 #[derive(Clone, Copy)]
@@ -16,7 +16,7 @@ enum Sample {
     Arrow(Stroke),
     Line(Stroke),
     Point,
-    /// The start of a path.
+    /// A ring, which marks the start of a path.
     Ring,
 }
 

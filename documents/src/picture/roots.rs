@@ -3,22 +3,23 @@
 use super::{Anchor, BLACK, Font, Ink, Picture, Point, SOLID, Shape, Stroke};
 use affinor::algebra::roots::{CartanType, RootSystem};
 
-/// The radius of a diagram, its margin, and the room of the title.
+/// The radius of a diagram, its margin, and the height of the title.
 const RADIUS: f64 = 150.0;
 const MARGIN: f64 = 30.0;
 const TITLE: f64 = 48.0;
 const RAY: Stroke = Stroke { ink: Ink::opaque(0xb4b4b4), width: 0.8, dash: SOLID };
 const SHORT: Ink = Ink::opaque(0xa3173f);
-/// The number of steps of the power iteration; the ratio of its eigenvalues is far from 1.
+/// The number of steps of the power iteration, which is enough because its largest eigenvalue
+/// dominates.
 const STEPS: usize = 2000;
 
-/// The roots of simple factors below each other, projected onto the Coxeter plane; in rank 2 it is
-/// the plane of the roots. Short roots are smaller and red.
+/// Draws the roots of simple factors one below the other, projected onto the Coxeter plane. In rank
+/// 2 this is the plane of the roots. Short roots are smaller, and red.
 ///
-/// The plane is spanned by `u = sum x_i e_i*` over the black and `v = sum x_i e_i*` over the white
-/// nodes of the diagram. Here `e_i*` is dual to the unit vectors along the simple roots, and `x` is
-/// the positive eigenvector of the bonds. The angle between `u` and `v` is `pi/h`. J. E. Humphreys,
-/// *Reflection Groups and Coxeter Groups* (1990), 3.17.
+/// The plane is spanned by two sums `sum x_i e_i*`: `u` is the sum over the black nodes of the
+/// diagram, and `v` is the sum over the white nodes. Here `e_i*` is dual to the unit vectors along
+/// the simple roots, and `x` is the positive eigenvector of the matrix of bonds. The angle between
+/// `u` and `v` is `pi/h`. J. E. Humphreys, *Reflection Groups and Coxeter Groups* (1990), 3.17.
 ///
 /// ```
 /// use affinor::algebra::roots::{CartanType, Series};
@@ -55,7 +56,7 @@ pub fn roots(title: &str, types: &[CartanType]) -> Picture {
     Picture { title, width, height, shapes }
 }
 
-/// The roots in the plane, and whether they are long.
+/// The points of the roots in the plane, and whether each root is long.
 fn projected(cartan_type: CartanType) -> Vec<(Point, bool)> {
     let system = RootSystem::new(cartan_type);
     let (cartan, rank) = (cartan_type.cartan_matrix(), cartan_type.rank());
@@ -63,14 +64,14 @@ fn projected(cartan_type: CartanType) -> Vec<(Point, bool)> {
         .iter()
         .map(|root| (root.squared_length() as f64).sqrt())
         .collect();
-    // 2 cos of the angles between simple roots, without signs
+    // 2 cos of the angle between two simple roots, without its sign
     let bond = |i: usize, j: usize| {
         if i == j { 0.0 } else { ((cartan[i][j] * cartan[j][i]) as f64).sqrt() }
     };
     let mut x = vec![1.0; rank];
     let mut cosine = 0.0;
     for _ in 0..STEPS {
-        // adding 2 to the eigenvalues makes the largest one dominant
+        // adds 2 to all eigenvalues, so that the largest one dominates
         let next: Vec<f64> = (0..rank)
             .map(|i| 2.0 * x[i] + (0..rank).map(|j| bond(i, j) * x[j]).sum::<f64>())
             .collect();
@@ -97,7 +98,7 @@ fn projected(cartan_type: CartanType) -> Vec<(Point, bool)> {
     both.collect()
 }
 
-/// A two-colouring of the nodes of a tree: neighbours have different colours.
+/// Colours the nodes of a tree with two colours, so that adjacent nodes have different colours.
 fn colours(rank: usize, bond: &dyn Fn(usize, usize) -> f64) -> Vec<bool> {
     let mut found: Vec<Option<bool>> = vec![None; rank];
     let mut open = vec![0];
@@ -118,8 +119,8 @@ mod tests {
     use super::projected;
     use affinor::algebra::roots::{CartanType, Series};
 
-    /// The picture has the symmetry of order h, the Coxeter number: 6 for G2, 12 for F4, 30 for E8;
-    /// Humphreys (1990), table 3.2.
+    /// The picture is symmetric under rotations of order h, the Coxeter number: 6 for G2, 12 for
+    /// F4, 30 for E8. Humphreys (1990), table 3.2.
     #[test]
     fn a_coxeter_element_turns_it() {
         for (series, rank, h) in [
@@ -143,7 +144,7 @@ mod tests {
         }
     }
 
-    /// Rank 2 is drawn without distortion: the angles between neighbouring roots of B2 are 45
+    /// In rank 2 the picture is not distorted: the angles between neighbouring roots of B2 are 45
     /// degrees.
     #[test]
     fn rank_two_is_itself() {

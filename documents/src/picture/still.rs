@@ -12,7 +12,7 @@ impl Picture {
         self.shapes.iter().find_map(seconds)
     }
 
-    /// The picture at a fraction of the duration, from 0 to 1.
+    /// The picture at the fraction `share` of the duration, from 0 to 1.
     pub fn still(&self, share: f64) -> Self {
         let shapes = self.shapes.iter().map(|shape| match shape {
             Shape::Film { frames, shown, fill, stroke, seconds } => Shape::Film {
@@ -28,8 +28,8 @@ impl Picture {
     }
 }
 
-/// The last frame at a fraction of the duration, and the fraction of the interval to the next
-/// frame.
+/// The last frame at or before a fraction of the duration, and the fraction of the interval to the
+/// next frame.
 fn last(frames: usize, share: f64) -> (usize, f64) {
     let at = share.clamp(0.0, 1.0) * frames.saturating_sub(1) as f64;
     (at as usize, at.fract())

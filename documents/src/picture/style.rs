@@ -1,4 +1,4 @@
-//! Strokes and colours of figures, which differ in greyscale and by their dashes.
+//! Strokes and colours of figures. They also differ in greyscale and by their dashes.
 
 pub(super) use super::{BLACK, SOLID, WHITE};
 use super::{Ink, Stroke};
@@ -12,7 +12,8 @@ pub(super) const SHORT: &[f64] = &[4.0, 2.0];
 
 /// The outline of the ball.
 pub(super) const RIM: Stroke = Stroke { ink: Ink::opaque(0x8a8a8a), width: 1.2, dash: SOLID };
-/// Circles of latitude and longitude, and great circles, each for the near and for the far side.
+/// The strokes of circles of latitude and longitude, and of great circles, for the near side and
+/// for the far side.
 pub(super) const CIRCLES: [Stroke; 2] = [
     Stroke { ink: Ink::opaque(0xe3e3e3), width: 0.7, dash: SOLID },
     Stroke { ink: Ink::opaque(0xefefef), width: 0.7, dash: SOLID },
@@ -23,7 +24,7 @@ pub(super) const GREAT_CIRCLES: [Stroke; 2] = [
 ];
 pub(super) const AXIS: Stroke = Stroke { ink: Ink::opaque(0xa0a0a0), width: 0.9, dash: SOLID };
 
-/// The stroke of a role and its layer; higher layers are on top.
+/// The stroke of a role, and its layer. A higher layer covers lower ones.
 pub(super) fn stroke(role: Role) -> (Stroke, u8) {
     let (ink, width, dash, layer) = match role {
         Role::Shadow => (Ink::opaque(0xd0d0d0), 2.2, SOLID, 0),
@@ -44,12 +45,12 @@ pub(super) fn stroke(role: Role) -> (Stroke, u8) {
     (Stroke { ink, width, dash }, layer)
 }
 
-/// The stroke of a path on the far side.
+/// The stroke of a path on the far side of the sphere.
 pub(super) fn far(stroke: Stroke) -> Stroke {
     Stroke { ink: tint(stroke.ink, 0.6), width: 0.7 * stroke.width, ..stroke }
 }
 
-/// A colour mixed with a fraction of white.
+/// Mixes a colour with a fraction of white.
 pub(super) fn tint(ink: Ink, white: f64) -> Ink {
     let mixed = |part: u8| (f64::from(part) * (1.0 - white) + 255.0 * white).round() as u8;
     Ink { rgb: ink.rgb.map(mixed), ..ink }

@@ -1,8 +1,8 @@
-//! Pictures as SVG.
+//! Writes pictures as SVG.
 
 use super::{Anchor, EDGE, Ink, Picture, Point, Shape, Stroke, WHITE};
 
-/// The picture as SVG, `width` pixels wide. Texts remain texts, in the fonts `sans-serif` and
+/// Writes the picture as SVG, `width` pixels wide. Text remains text, in the fonts `sans-serif` and
 /// `serif` of the viewer.
 pub fn svg(picture: &Picture, width: u32) -> String {
     let (right, down) = (short(picture.width), short(picture.height));
@@ -81,11 +81,11 @@ fn animated(attribute: &str, seconds: f64, timing: &str, values: &[String]) -> S
     )
 }
 
-/// The animation of the visibility, from the frames at which the polygon appears or disappears;
-/// empty if there are none.
+/// The animation of the visibility, from the frames at which the polygon appears or disappears. The
+/// text is empty if the visibility never changes.
 fn appearance(shown: &[bool], seconds: f64) -> String {
     let last = shown.len().saturating_sub(1);
-    // a change in the last frame would occur at the end of the animation
+    // ignores the last frame, because a change there would occur at the end of the animation
     let turns: Vec<usize> = (0..last).filter(|k| *k == 0 || shown[*k] != shown[k - 1]).collect();
     if turns.len() < 2 {
         return String::new();
@@ -132,12 +132,12 @@ fn written(points: &[Point]) -> String {
     points.iter().map(pair).collect::<Vec<_>>().join(" ")
 }
 
-/// A number rounded to hundredths of the unit of the picture.
+/// Rounds a number to hundredths of the unit of the picture.
 fn short(x: f64) -> f64 {
     (x * 100.0).round() / 100.0 + 0.0
 }
 
-/// Escaped text of an element, without control characters, which XML does not allow.
+/// Escapes the text of an element, and removes control characters, which XML does not allow.
 fn escaped(text: &str) -> String {
     let mut escaped = String::new();
     for c in text.chars() {

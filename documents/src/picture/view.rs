@@ -3,12 +3,12 @@
 use super::Point;
 use nalgebra::Vector3;
 
-/// The direction of the viewer, in degrees.
+/// The direction from the centre to the viewer, in degrees.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct View {
-    /// The angle from the first axis towards the second.
+    /// The angle of azimuth, from the first axis towards the second axis.
     pub azimuth: f64,
-    /// The elevation angle above the plane of both.
+    /// The angle of elevation above the plane of these two axes.
     pub elevation: f64,
 }
 
@@ -19,18 +19,18 @@ impl Default for View {
 }
 
 impl View {
-    /// The point in the picture, to the right and down, before scaling.
+    /// The point in the picture: to the right and down, before scaling.
     pub(super) fn flat(&self, x: &Vector3<f64>) -> Point {
         let [_, right, up] = self.axes();
         [x.dot(&right), -x.dot(&up)]
     }
 
-    /// The coordinate towards the viewer.
+    /// The coordinate in the direction towards the viewer.
     pub(super) fn depth(&self, x: &Vector3<f64>) -> f64 {
         x.dot(&self.axes()[0])
     }
 
-    /// The unit vectors towards the viewer, to the right and up.
+    /// The unit vectors towards the viewer, to the right, and up.
     pub(super) fn axes(&self) -> [Vector3<f64>; 3] {
         let (sin_a, cos_a) = self.azimuth.to_radians().sin_cos();
         let (sin_e, cos_e) = self.elevation.to_radians().sin_cos();

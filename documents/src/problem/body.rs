@@ -1,4 +1,5 @@
-//! Bodies given by their parts: simple shapes, meshes, point masses, holes; several bodies; wheels.
+//! Bodies that are given by their parts: simple shapes, meshes, point masses, holes. Also several
+//! bodies, and wheels.
 
 use super::reader::{Reader, Value};
 use super::solid::Solid;
@@ -45,10 +46,11 @@ pub(super) struct PartKeys {
     pub hole: bool,
 }
 
-/// The radius with which a point mass is drawn, relative to the distance of the farthest one.
+/// The radius with which a point mass is drawn, relative to the distance of the farthest point
+/// mass.
 const POINT: f64 = 0.08;
 
-/// The shapes, with the keys of their sizes.
+/// The names of the shapes, with the keys of their sizes.
 const SHAPES: [(&str, &[&str]); 6] = [
     ("box", &["edges"]),
     ("ball", &["radius"]),
@@ -58,7 +60,7 @@ const SHAPES: [(&str, &[&str]); 6] = [
     ("points", &["points"]),
 ];
 
-/// The moving body, or one body for each factor of a group.
+/// The single moving body, or one body for each factor of a group.
 #[derive(Clone, Debug)]
 pub(super) enum Bodies {
     One(Body),
@@ -70,7 +72,7 @@ pub(super) enum Bodies {
 pub(super) struct Body {
     about: Option<About>,
     content: Content,
-    /// The axis of a wheel, in the first body.
+    /// The axis of a wheel, in the frame of the first body.
     axis: Option<Vec<Value>>,
     place: Place,
 }
@@ -84,14 +86,14 @@ enum About {
 #[derive(Clone, Debug)]
 enum Content {
     Parts(Vec<Part>),
-    /// The rows of the inertia matrix itself.
+    /// The rows of the inertia matrix.
     Matrix(Vec<Vec<Value>>),
 }
 
 #[derive(Clone, Debug)]
 struct Part {
     shape: Shape,
-    /// At most one of mass and density is given; points have their own masses.
+    /// The mass or the density, if one is given; a list of points contains the masses itself.
     mass: Option<Value>,
     density: Option<Value>,
     position: Option<Vec<Value>>,
@@ -109,7 +111,7 @@ enum Shape {
 }
 
 impl Bodies {
-    /// Reads the bodies, and their meshes.
+    /// Reads the bodies, and the files of their meshes.
     pub fn read(keys: &OneOrEach<InertiaKeys>, reader: &Reader) -> Result<Self, InputError> {
         let place = |path: &str| reader.source.key(path);
         match keys {
@@ -124,13 +126,13 @@ impl Bodies {
         }
     }
 
-    /// The metric on the group, and the parameters `mass`, `centre1`, `centre2`, `centre3` of each
-    /// body that is given by parts. In a product their names end in the number of the factor:
-    /// `mass_2`.
+    /// The metric on the group. Each body that is given by parts also defines the parameters
+    /// `mass`, `centre1`, `centre2`, `centre3`. In a product, their names end in the number of the
+    /// factor: `mass_2`.
     ///
-    /// A wheel of moment `I` rotates in the first body about the axis `a`, with the relative
-    /// velocity `rho`. The inertia `J` of the first body includes everything except this moment.
-    /// The kinetic energy is `(J(Omega, Omega) + I (a . Omega + rho)^2)/2`.
+    /// A wheel with the moment of inertia `I` rotates in the first body about the axis `a`, with
+    /// the relative velocity `rho`. The inertia `J` of the first body includes everything except
+    /// `I`. The kinetic energy is `(J(Omega, Omega) + I (a . Omega + rho)^2)/2`.
     pub fn metric(
         &self,
         group: &AnyGroup,
@@ -169,7 +171,7 @@ impl Bodies {
                     );
                 }
                 let axis = three("`axis`", axis, values)?;
-                // scaled first, so that an axis of any length does not overflow
+                // overflow: scales the axis first, so that its length may be arbitrary
                 let axis = axis / axis.amax();
                 let Some(axis) =
                     axis.try_normalize(0.0).filter(|a| a.iter().all(|x| x.is_finite()))
@@ -197,7 +199,7 @@ impl Bodies {
     }
 }
 
-/// Whether a group contains rotations of a body, like SO(3) and SE(3).
+/// Whether a group contains rotations of a body, as SO(3) and SE(3) do.
 fn turns(group: &AnyGroup) -> bool {
     let is_opposite = group.downcast_ref::<Opposite<AnyGroup>>().is_some();
     group.names().first() == Some(&"qw") && !is_opposite && matches!(group.dimension(), 3 | 6)
@@ -274,7 +276,7 @@ impl PartKeys {
         };
         if keys != needed {
             let sizes = if needed.is_empty() { "no sizes".into() } else { needed.join(", ") };
-            return Err(refused(format!("the keys of sizes do not fit the shape: give {sizes}")));
+            return Err(refused(format!("the given sizes do not fit the shape: give {sizes}")));
         }
         let (mass, density) = (reader.optional(&self.mass)?, reader.optional(&self.density)?);
         let given = mass.iter().chain(&density).count();
@@ -288,7 +290,7 @@ impl PartKeys {
         Ok(Part { shape, mass, density, position, rotation, hole: self.hole, place })
     }
 
-    /// The keys of the given sizes, and their values.
+    /// The keys of the sizes that are given, and their values.
     fn sizes(&self, reader: &Reader) -> Result<(Vec<&str>, Vec<Vec<Value>>), InputError> {
         let (mut keys, mut sizes) = (vec![], vec![]);
         for (key, list) in [("edges", &self.edges), ("half_axes", &self.half_axes)] {
@@ -312,19 +314,20 @@ impl PartKeys {
     }
 }
 
-/// A kinetic energy, and data of the bodies for formulas and pictures.
+/// A kinetic energy, and the data of the bodies that formulas and pictures need.
 pub(super) struct Moved<M> {
-    /// The metric, or the matrix of one factor.
+    /// The metric on the group, or the matrix for one factor.
     pub metric: M,
-    /// The parameters that bodies with parts define: the mass, and the centre relative to the fixed
-    /// point.
+    /// The parameters that bodies with parts define: the mass, and the centre of mass relative to
+    /// the fixed point.
     pub names: Vec<(String, f64)>,
-    /// The parts of each body, relative to the fixed point.
+    /// The parts of each body, in a frame at the fixed point.
     pub solids: Vec<Vec<Solid>>,
 }
 
 impl Body {
-    /// The inner products of a basis of one factor, and the parameters that the body defines.
+    /// The matrix of inner products of the basis of one factor, and the parameters that the body
+    /// defines.
     fn block(&self, group: &AnyGroup, values: &[f64]) -> Result<Moved<DMatrix<f64>>, InputError> {
         let refused = |message: &str| Err(InputError::usage(message).at(&self.place));
         let failed = |error: affinor::Error| InputError::from(error).at(&self.place);
@@ -401,7 +404,7 @@ impl Body {
         Ok(Moved { metric: matrix, names, solids: vec![solids] })
     }
 
-    /// Joins all parts, and subtracts the holes.
+    /// Adds the mass properties of all parts, and subtracts those of the holes.
     fn joined(&self, parts: &[Part], values: &[f64]) -> Result<MassProperties, InputError> {
         let (holes, solids): (Vec<&Part>, Vec<&Part>) = parts.iter().partition(|part| part.hole);
         let mut body: Option<MassProperties> = None;
@@ -469,7 +472,7 @@ impl Part {
         Ok(Isometry3::new(position, vector("`rotation`", &self.rotation)?))
     }
 
-    /// Its surface in the frame of the body.
+    /// The surface of the part, in the frame of the body.
     fn solids(&self, values: &[f64]) -> Result<Vec<Solid>, InputError> {
         let shapes = match &self.shape {
             Shape::Mesh(_, surface) => vec![surface.clone()],

@@ -1,4 +1,4 @@
-//! Problems of Euler-Poincare equations with holonomic constraints.
+//! Problems with Euler-Poincare equations and holonomic constraints.
 
 use super::euler_poincare::{EulerPoincare, System};
 use super::keys::Keys;
@@ -16,7 +16,7 @@ use nalgebra::DVector;
 #[derive(Clone, Debug)]
 pub(super) struct Constrained {
     dynamics: EulerPoincare,
-    /// Formulas of the entries of the element, each of which must vanish.
+    /// The constraints: formulas in the entries of the element, each of which must vanish.
     constraints: Vec<Written>,
 }
 
@@ -29,7 +29,7 @@ impl Constrained {
         Ok(Constrained { dynamics, constraints })
     }
 
-    /// Adds a force as a function.
+    /// Adds a force that is given as a function.
     pub fn add_force(&mut self, side: ForceFrame, function: ForceFunction) {
         self.dynamics.add_force(side, function);
     }
@@ -80,7 +80,7 @@ impl Constrained {
     }
 }
 
-/// The velocity `J^-1 H` of a momentum.
+/// The velocity `J^-1 H` for the momentum `h`.
 fn velocity_of(metric: &Metric<f64>, h: &DVector<f64>) -> Result<DVector<f64>, InputError> {
     let inverse = metric.inverse().to_dmatrix().map_err(affinor::Error::from)?;
     Ok(DVector::from_fn(h.len(), |i, _| (0..h.len()).map(|j| inverse[(i, j)] * h[j]).sum()))

@@ -1,4 +1,4 @@
-//! Ensembles: parameters on a grid and random parameters.
+//! Ensembles: parameters on a grid, and random parameters.
 
 use super::reader::{Reader, Written};
 use crate::input::{
@@ -27,12 +27,12 @@ const MAX_MEMBERS: u64 = 1_000_000_000;
 /// The largest number of values of one parameter of a grid.
 const MAX_POINTS: u32 = 1_000_000;
 
-/// The parameters that an ensemble varies: every point of a grid, with random samples at each.
+/// The parameters that an ensemble varies: all points of a grid, with random samples at each point.
 #[derive(Clone, Debug)]
 pub(super) struct Ensemble {
-    /// The values for each name; the last name varies fastest.
+    /// The values of each parameter of the grid; the last parameter varies fastest.
     grid: Vec<(String, Vec<f64>)>,
-    /// The distribution for each name.
+    /// The distribution of each random parameter.
     random: Vec<(String, Distribution)>,
     /// The number of samples at each point of the grid.
     samples: u64,
@@ -44,12 +44,12 @@ pub(super) struct Ensemble {
 enum Distribution {
     /// A uniform distribution between two bounds.
     Uniform(f64, f64),
-    /// A normal distribution with mean and standard deviation.
+    /// A normal distribution with a mean and a standard deviation.
     Normal(f64, f64),
 }
 
 impl Ensemble {
-    /// Reads an ensemble, and declares the parameters that only it defines.
+    /// Reads an ensemble, and declares the parameters that occur only in it.
     pub fn read(keys: &EnsembleKeys, reader: &mut Reader) -> Result<Self, InputError> {
         let source = reader.source;
         let all: Vec<_> = keys.grid.iter().chain(&keys.random).flat_map(|table| &table.0).collect();
@@ -79,7 +79,7 @@ impl Ensemble {
         Ok(ensemble)
     }
 
-    /// The number of members, if it is within the limits.
+    /// The number of members; `None` if it exceeds the limit.
     pub fn checked_size(&self) -> Option<u64> {
         let points = self.grid.iter().map(|(_, values)| values.len() as u64);
         let size = points.chain([self.samples]).try_fold(1u64, |n, m| n.checked_mul(m))?;
@@ -91,13 +91,14 @@ impl Ensemble {
         grid.chain(self.random.iter().map(|(name, _)| name.as_str()))
     }
 
-    /// Removes a parameter from the varied ones.
+    /// Removes a parameter from the parameters that the ensemble varies.
     pub fn leave_out(&mut self, name: &str) {
         self.grid.retain(|(other, _)| other != name);
         self.random.retain(|(other, _)| other != name);
     }
 
-    /// The values of a member, in the order of the names. They depend only on the seed and on the number of the member.
+    /// The values of the parameters for a member, in the order of the names. The values depend only
+    /// on the seed and on the number of the member.
     pub fn values(&self, member: u64) -> Vec<f64> {
         let mut point = member / self.samples;
         let mut values = Vec::new();
@@ -171,7 +172,7 @@ fn distribution(text: &Text, reader: &Reader) -> Result<Distribution, InputError
     refused("write the law as normal(mean, deviation) or uniform(from, to)".into())
 }
 
-/// Parses a fixed number of numbers in a piece of a text.
+/// Parses exactly `N` numbers in a piece of a text.
 fn numbers<const N: usize>(text: &str, written: &Written) -> Result<[f64; N], InputError> {
     let found = numbers_in(text, written.source())?;
     <[f64; N]>::try_from(found).map_err(|found| {

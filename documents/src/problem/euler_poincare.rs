@@ -30,9 +30,10 @@ pub(super) struct EulerPoincare {
     initial: InitialMomentum,
     forces: ForceFormulas,
     casimirs: Vec<Symbolic>,
-    /// Whether there are constraint forces too.
+    /// Whether there are constraint forces in addition to the forces.
     is_constrained: bool,
-    /// The kinetic energy of all members of an ensemble, if it does not depend on parameters.
+    /// The kinetic energy, if it does not depend on parameters. All members of an ensemble share
+    /// it.
     shared: OnceLock<KineticEnergy>,
 }
 
@@ -41,7 +42,7 @@ pub(super) struct EulerPoincare {
 pub(super) struct KineticEnergy {
     pub metric: Metric<f64>,
     pub connection: Connection<f64>,
-    /// The names that bodies define, with their values.
+    /// The parameters that the bodies define, with their values.
     of_body: Vec<(String, f64)>,
     /// The parts of each body.
     pub solids: Vec<Vec<Solid>>,
@@ -78,18 +79,18 @@ impl EulerPoincare {
         })
     }
 
-    /// Adds a force as a function.
+    /// Adds a force that is given as a function.
     pub fn add_force(&mut self, side: ForceFrame, function: ForceFunction) {
         self.forces.add(side, function);
     }
 
-    /// Whether there are also constraint forces, which change the Casimir functions and the
+    /// Marks the problem as constrained: constraint forces change the Casimir functions and the
     /// momentum.
     pub fn constrained(self) -> Self {
         EulerPoincare { casimirs: vec![], is_constrained: true, ..self }
     }
 
-    /// The motion without constraints.
+    /// Prepares a motion without constraints.
     pub fn motion(&self, start: &Start) -> Result<Ready, InputError> {
         let member = start.member;
         let System { energy, inertia, forces, rows, element, momentum, notes } =
@@ -138,7 +139,7 @@ impl EulerPoincare {
         Ok(KineticEnergy { metric, connection, of_body, solids })
     }
 
-    /// The equations and the initial condition of one motion.
+    /// The equations of one motion, and its initial condition.
     pub fn system(&self, start: &Start) -> Result<System<'_>, InputError> {
         let (group, member, values) = (start.group, start.member, start.member.values());
         let energy = match self.shared.get() {
@@ -147,14 +148,15 @@ impl EulerPoincare {
         };
         let is_new = self.shared.get().is_none() && self.bodies.is_none();
         if is_new && start.on_group.definition().parameters().is_empty() {
-            // another thread may have set the same value in the meantime
+            // ignores an error, because another thread may have stored the same value in the
+            // meantime
             let _ = self.shared.set(energy.clone().into_owned());
         }
         let inertia = energy.metric.components().to_dmatrix().map_err(affinor::Error::from)?;
         let mut notes = notes(group, &inertia);
         if !is_plus(&energy.connection) {
             let rate = cartan_schouten_factor(&energy.connection).map_or(String::new(), |share| {
-                format!(": without forces, H' is {share} times that of theirs")
+                format!(": without forces, H' is {share} times its value there")
             });
             let not =
                 "the connection is not plus, so the equations are not the Euler-Poincare equations";
@@ -164,7 +166,7 @@ impl EulerPoincare {
         let parameters = [&member.parameters[..], &energy.of_body].concat();
         let mut forces = Forces::none(group, inertia.clone(), parameters);
         self.forces.apply(&mut forces, start.definition.dimension())?;
-        // forces change the coadjoint orbit, so Casimir functions are columns only without forces
+        // shows Casimir functions only without forces, because forces change the coadjoint orbit
         let casimirs = if forces.is_empty() { &self.casimirs[..] } else { &[] };
         let kept = Kept {
             energy: forces.are_conservative() && is_plus(&energy.connection),
@@ -178,7 +180,7 @@ impl EulerPoincare {
     }
 }
 
-/// Warnings about a metric that no rigid body can have.
+/// Warnings about a metric that a rigid body cannot have.
 fn notes(group: &AnyGroup, inertia: &DMatrix<f64>) -> Vec<String> {
     let eigenvalues = inertia.symmetric_eigenvalues();
     if eigenvalues.max() < 0.0 {

@@ -26,12 +26,12 @@ pub(super) struct ForceKeys {
 /// The forces of a problem, as formulas.
 #[derive(Clone, Debug)]
 pub(super) struct ForceFormulas {
-    /// The components in the body frame and in the spatial frame.
+    /// The components of the forces in the body frame, and in the spatial frame.
     components: [(ForceFrame, Vec<Written>); 2],
     potential: Option<Written>,
     table: Option<(ForceFrame, ForceTable)>,
-    /// Whether `columns` names the columns of the table, so that components without a column are
-    /// zero.
+    /// Whether `columns` names the columns of the table. If it does, components without a column
+    /// are zero.
     is_mapped: bool,
     functions: Vec<(ForceFrame, ForceFunction)>,
     place: Place,
@@ -105,12 +105,12 @@ impl ForceFormulas {
         Ok(ForceFormulas { components, potential, table, is_mapped, functions, place })
     }
 
-    /// Adds a force as a function.
+    /// Adds a force that is given as a function.
     pub fn add(&mut self, side: ForceFrame, function: ForceFunction) {
         self.functions.push((side, function));
     }
 
-    /// Adds the forces to the forces of a motion on a group of this dimension.
+    /// Adds the forces of this problem to `forces`, for a group of this dimension.
     pub fn apply(&self, forces: &mut Forces, dimension: usize) -> Result<(), InputError> {
         let refused = |what: &str, found: usize, place: &Place| {
             let message =
@@ -152,7 +152,7 @@ impl ForceFormulas {
     }
 }
 
-/// The time and the components `M1`, `M2`, ... of each row, in this order.
+/// Sorts the columns of each row: the time, then the components `M1`, `M2`, ....
 fn force_rows(names: &[String], rows: Vec<Vec<f64>>) -> Result<Vec<Vec<f64>>, InputError> {
     let wanted = (0..names.len()).map(|k| if k == 0 { "t".into() } else { format!("M{k}") });
     let wanted: Vec<String> = wanted.collect();
@@ -167,8 +167,9 @@ fn force_rows(names: &[String], rows: Vec<Vec<f64>>) -> Result<Vec<Vec<f64>>, In
     finite(rows.iter().map(ordered).collect())
 }
 
-/// The rows of a table whose columns are named by `{ t = "time", M1 = "roll" }`: the time, and the
-/// components up to the last named one. Components without a column are zero.
+/// The rows of a table in which `columns` names the columns, as in `{ t = "time", M1 = "roll" }`. A
+/// row has the time, and the components up to the last one with a column. Components without a
+/// column are zero.
 fn mapped_rows(
     columns: &Formulas,
     names: &[String],
@@ -215,10 +216,10 @@ fn mapped_rows(
     finite(rows.iter().map(ordered).collect()).map_err(|error| error.at(&place))
 }
 
-/// The largest number of components that the names of columns may define.
+/// The largest number of components for which `columns` may name a column.
 const MAX_COMPONENTS: usize = 1000;
 
-/// Returns the rows, after checking that all numbers are finite.
+/// Checks that all numbers are finite, and returns the rows.
 fn finite(rows: Vec<Vec<f64>>) -> Result<Vec<Vec<f64>>, InputError> {
     match rows.iter().position(|row| row.iter().any(|value| !value.is_finite())) {
         Some(at) => Err(InputError::usage(format!("row {} of the table is not finite", at + 1))),

@@ -27,7 +27,7 @@ pub(super) struct InitialKeys {
 }
 
 impl InitialKeys {
-    /// The keys of an element that is given directly, not by parts.
+    /// The keys of an element that is given directly, and not by its parts.
     fn element(&self) -> ElementKeys {
         let Self { element, restore, coordinates, quaternion, position, .. } = self;
         ElementKeys {
@@ -40,7 +40,7 @@ impl InitialKeys {
     }
 }
 
-/// The element of a group, or of one factor of a product in a table of `[[initial.parts]]`.
+/// The keys of an element of a group, or of one factor of a product in a table `[[initial.parts]]`.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct ElementKeys {
@@ -55,13 +55,13 @@ pub(super) struct ElementKeys {
 #[derive(Clone, Debug)]
 pub(super) enum InitialElement {
     Identity,
-    /// Canonical coordinates `x` of `exp(x)`.
+    /// The canonical coordinates `x`; the element is `exp(x)`.
     Coordinates(Vec<Value>, Place),
-    /// The rows of its matrix, and whether the nearest element is used.
+    /// The rows of the matrix, and whether it is replaced by the nearest element of the group.
     Rows(Vec<Vec<Value>>, Place, bool),
-    /// A quaternion `w, x, y, z`, by default 1, and the position of the body.
+    /// A quaternion `w, x, y, z`, by default 1, and the position of a body.
     Pose(Option<Vec<Value>>, Vec<Value>, Place),
-    /// One element for each factor.
+    /// An element for each factor of the group.
     Parts(Vec<InitialElement>, Place),
 }
 
@@ -79,7 +79,7 @@ impl InitialElement {
         Ok(Self::Parts(parts.collect::<Result<_, _>>()?, reader.source.key("initial.parts")))
     }
 
-    /// The element that the table `path` gives directly.
+    /// Reads the element that is given directly in the table with this path.
     fn of_one(keys: &ElementKeys, path: &str, reader: &Reader) -> Result<Self, InputError> {
         let source = reader.source;
         let key = |name: &str| source.key(&format!("{path}.{name}"));
@@ -108,7 +108,7 @@ impl InitialElement {
         })
     }
 
-    /// The element for these values of the parameters.
+    /// The element, for these values of the parameters.
     pub fn at(&self, group: &AnyGroup, values: &[f64]) -> Result<DVector<f64>, InputError> {
         let (matrix, place) = match self {
             Self::Identity => return Ok(group.identity()),
@@ -177,7 +177,7 @@ impl InitialElement {
         group.read(&matrix).map_err(|error| InputError::from(error).at(place))
     }
 
-    /// A note with the distance, if the element is the nearest one to a given matrix.
+    /// A note with the largest change, if a matrix was replaced by the nearest element.
     pub fn note(&self, group: &AnyGroup, values: &[f64]) -> Option<String> {
         let distance = self.distance(group, values)?;
         Some(format!(
@@ -185,8 +185,8 @@ impl InitialElement {
         ))
     }
 
-    /// The largest change of an entry when matrices are replaced by their nearest elements; `None`
-    /// if no matrix is.
+    /// The largest change of an entry if matrices are replaced by their nearest elements; `None` if
+    /// no matrix is replaced.
     fn distance(&self, group: &AnyGroup, values: &[f64]) -> Option<f64> {
         match self {
             Self::Rows(rows, place, true) => {
@@ -202,7 +202,7 @@ impl InitialElement {
     }
 }
 
-/// Advice for a matrix that is not an element.
+/// Advice for a matrix that is not an element of the group.
 const ADVICE: &str = "restore = true in [initial] replaces it by the nearest element of the group";
 
 /// The initial velocity or momentum.
@@ -240,12 +240,12 @@ impl InitialMomentum {
         }
     }
 
-    /// Whether it is a momentum, not a velocity.
+    /// Whether a momentum is given, and not a velocity.
     pub fn is_momentum(&self) -> bool {
         !self.is_velocity
     }
 
-    /// The momentum in the frame of the equations.
+    /// The initial momentum in the frame of the equations.
     pub fn at(
         &self,
         group: &AnyGroup,

@@ -1,34 +1,34 @@
-//! The integration of a motion through its times and events.
+//! Integration of a motion through its times and events.
 
 use super::ready::Ready;
 use affinor::Error;
 use affinor::mechanics::simulation::{Crossings, RecordedCrossing};
 
-/// The integration of a motion through the times of its problem; it produces rows and events.
+/// Integrates a motion through the times of its problem, and returns rows and events.
 pub struct Integration {
     ready: Ready,
     /// The terminal event.
     stop: Option<String>,
-    /// The event at which rows are written, instead of times.
+    /// The event at which rows are written, if rows are not written at given times.
     section: Option<String>,
     crossings: Crossings,
-    /// The index of the next time.
+    /// The index of the next output time.
     next: usize,
 }
 
 /// The rows and events of one step of an [`Integration`].
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Progress {
-    /// Rows, without the values of events.
+    /// The rows, without the values of the event functions.
     pub rows: Vec<Vec<f64>>,
-    /// Events by name, with their times.
+    /// The events that occurred: their names and times.
     pub events: Vec<(String, f64)>,
     /// Whether the integration has ended.
     pub done: bool,
 }
 
 impl Integration {
-    /// An integration from the initial condition.
+    /// Starts an integration at the initial condition.
     pub(super) fn new(ready: Ready, stop: Option<String>, section: Option<String>) -> Self {
         let crossings = crossings(&ready);
         Integration { ready, stop, section, crossings, next: 0 }
@@ -43,10 +43,10 @@ impl Integration {
         if share.is_nan() { 1.0 } else { share.clamp(0.0, 1.0) }
     }
 
-    /// One step of the motion.
+    /// Makes one step of the motion.
     ///
     /// # Errors
-    /// The reason why the motion cannot be continued. Earlier rows remain valid.
+    /// The error that prevents the motion from continuing. Earlier rows remain valid.
     pub fn step(&mut self) -> Result<Progress, Error> {
         let mut progress = Progress::default();
         let Some(&time) = self.ready.times.get(self.next) else {
@@ -83,7 +83,7 @@ impl Integration {
     }
 }
 
-/// The events of a motion; their values are after those of the columns.
+/// The event functions of a motion. In a row, their values follow the values of the columns.
 fn crossings(ready: &Ready) -> Crossings {
     let width = ready.columns.len();
     Crossings::new(ready.motion.as_ref(), width..width + ready.events.len())

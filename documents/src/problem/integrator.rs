@@ -11,14 +11,14 @@ use affinor::mechanics::simulation::{Integration, Method};
 const TOLERANCE: f64 = 1e-10;
 const MAX_STEPS: usize = 1_000_000;
 
-/// The method, the step and the tolerances of a problem.
+/// The method, the step and the tolerances that a problem sets.
 #[derive(Clone, Debug)]
 pub(super) struct Integrator {
-    /// The method; `None` for the default of the class of problems.
+    /// The method; `None` if the problem sets none, so that the default of its class is used.
     pub method: Option<Method>,
     step: Option<Value>,
     tolerance: Option<Value>,
-    /// Absolute tolerances of rotations and of translations.
+    /// The absolute tolerances of rotations and of translations.
     absolute: Option<[Value; 2]>,
     max_step: Option<Value>,
     max_steps: Option<usize>,
@@ -52,8 +52,8 @@ impl Integrator {
         })
     }
 
-    /// The same settings with another method, and with this step size or relative tolerance.
-    /// Without a value, that of the file is used if the method needs it.
+    /// Returns the settings with another method, and with the given step size or relative
+    /// tolerance. Without a given value, the method uses the value of the file if it needs one.
     pub fn with_method(
         &self,
         method: Method,
@@ -75,8 +75,9 @@ impl Integrator {
         }
     }
 
-    /// The same settings with another method, step, or tolerance, instead of those of the file.
-    /// Keys of the file for the other way to choose steps (fixed or controlled) are ignored.
+    /// Returns the settings with another method, step or tolerance. If this changes the choice
+    /// between a fixed step and step-size control, keys of the file that no longer apply are
+    /// ignored.
     pub fn replaced(
         &self,
         method: Option<Method>,
@@ -136,12 +137,13 @@ pub(super) fn method_of(name: &str, place: &Place) -> Result<Method, InputError>
     })
 }
 
-/// The parameters and times of one motion, and the parts of the problem that do not depend on its class.
+/// The parameters and times of a single motion, and the parts of its problem that do not depend on
+/// the class of the problem.
 pub(super) struct Member<'p> {
     pub source: &'p Source,
-    /// The parameters with their values.
+    /// The parameters with their values for this motion.
     pub parameters: Vec<(String, f64)>,
-    /// The times of the rows; the first is the initial time.
+    /// The times of the rows; the first time is the initial time.
     pub times: Vec<f64>,
     pub integrator: &'p Integrator,
     pub output: &'p Output,
@@ -153,12 +155,12 @@ impl Member<'_> {
         values_of(&self.parameters)
     }
 
-    /// The method in the file.
+    /// The method that the file names.
     pub fn method(&self) -> Option<Method> {
         self.integrator.method
     }
 
-    /// The settings of the integration; step and tolerances must be positive.
+    /// The settings of the integration. The step and the tolerances must be positive.
     pub fn integration(&self) -> Result<Integration, InputError> {
         Ok(Integration { method: self.method(), step: self.step()?, control: self.control()? })
     }
@@ -168,12 +170,12 @@ impl Member<'_> {
         self.positive(&self.integrator.step)
     }
 
-    /// The time step of a class of problems that needs one; `what` is the class in the message.
+    /// The time step for a class of problems that needs a step. Messages call the class `what`.
     pub fn needed_step(&self, what: &str) -> Result<f64, InputError> {
         self.step()?.ok_or_else(|| InputError::mathematics(format!("{what} needs a step")))
     }
 
-    /// The step-size control between the times of the rows.
+    /// The settings of the step-size control.
     fn control(&self) -> Result<Adaptive, InputError> {
         let Integrator { tolerance, absolute, max_step, max_steps, .. } = self.integrator;
         let values = self.values();

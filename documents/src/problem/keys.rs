@@ -8,7 +8,7 @@ use crate::input::forms::{Entries, Formulas, MetricText, Number, OneOrEach, OneO
 use crate::space::document::Document;
 use serde::Deserialize;
 
-/// The dotted paths of keys that are allowed only in problems on a group.
+/// The dotted paths of the keys that are allowed only in problems on a group.
 pub(super) const OF_GROUPS: [&str; 13] = [
     "space",
     "definition",
@@ -25,7 +25,8 @@ pub(super) const OF_GROUPS: [&str; 13] = [
     "events",
 ];
 
-/// The dotted paths of keys that are allowed only with equations of motion on a group.
+/// The dotted paths of the keys that are allowed only in problems with equations of motion on a
+/// group.
 pub(super) const OF_DYNAMICS: [&str; 10] = [
     "metric",
     "inertia",

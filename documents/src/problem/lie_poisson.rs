@@ -1,4 +1,4 @@
-//! Problems of Lie-Poisson equations: a Hamiltonian function of the momentum.
+//! Problems with Lie-Poisson equations, given by a Hamiltonian function of the momentum.
 
 use super::initial::InitialMomentum;
 use super::keys::Keys;

@@ -1,4 +1,4 @@
-//! Problems of isospectral flows of matrices.
+//! Problems with isospectral flows of matrices.
 
 use super::integrator::Member;
 use super::keys::{FlowKeys, OF_DYNAMICS, OF_GROUPS};
@@ -14,7 +14,7 @@ pub(super) struct MatrixFlow {
     place: Place,
 }
 
-/// The kind of a flow, with its numbers as formulas.
+/// The kind of a flow; its numbers are formulas.
 #[derive(Clone, Debug)]
 enum Flow {
     Toda { positions: Vec<Value>, momenta: Vec<Value> },
@@ -23,7 +23,7 @@ enum Flow {
     RandomZeitlin { size: usize, seed: u64, degree: usize },
 }
 
-/// The kinds of flows, with their keys.
+/// The kinds of flows: the name, the allowed keys, and a description of the required keys.
 const KINDS: [(&str, &[&str], &str); 3] = [
     ("toda", &["positions", "momenta"], "positions and momenta"),
     ("manakov", &["masses", "momentum"], "masses and momentum"),
@@ -59,7 +59,7 @@ impl MatrixFlow {
         Ok(Ready::new(started, &member.times, columns, vec![]))
     }
 
-    /// The flow at these values of the parameters.
+    /// The flow, for these values of the parameters.
     fn isospectral(&self, values: &[f64]) -> Result<Isospectral, InputError> {
         Ok(match &self.flow {
             Flow::Toda { positions, momenta } => {
@@ -101,7 +101,7 @@ impl Flow {
             let help = "choose toda, manakov or zeitlin";
             return Err(error.at(&reader.source.at(&keys.kind)).help(help));
         };
-        // if modes are given, seed and degree are not allowed
+        // forbids the seed and the degree if modes are given
         let own = if keys.modes.is_some() { &own[..own.len().min(3)] } else { own };
         for key in KINDS.iter().flat_map(|(_, keys, _)| *keys).filter(|key| !own.contains(key)) {
             reader.refuse(&format!("the flow {kind}"), &[&format!("flow.{key}")])?;

@@ -1,4 +1,4 @@
-//! Problems on a Lie group: the group, its initial element, and the start of a motion on it.
+//! Problems on a Lie group: the group, its initial element, and the start of a motion.
 
 use super::initial::InitialElement;
 use super::integrator::Member;
@@ -14,7 +14,8 @@ use affinor_tensors::{Rational, Symbolic, Tolerance};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
-/// The largest dimension of algebras whose Casimir functions are computed, up to the second degree.
+/// The largest dimension of an algebra for which Casimir functions are computed (up to the second
+/// degree).
 const CASIMIRS: usize = 6;
 
 /// The group of a problem.
@@ -30,10 +31,10 @@ pub(super) struct OnGroup {
 /// The start of a motion on a group.
 pub(super) struct Start<'s> {
     pub on_group: &'s OnGroup,
-    /// The group; its opposite for right-invariant equations.
+    /// The group of the equations: the opposite group if the equations are right-invariant.
     pub group: &'s AnyGroup,
     pub member: &'s Member<'s>,
-    /// The definition of the space, with parameters replaced by their values.
+    /// The definition of the space, with the parameters replaced by their values.
     pub definition: &'s Definition,
 }
 
@@ -89,7 +90,7 @@ impl OnGroup {
         &self.element
     }
 
-    /// The space, with the values of its parameters for a member.
+    /// The space, with the parameter values of a member.
     fn valued(&self, member: &Member) -> Result<Cow<'_, Space>, InputError> {
         let mut values = BTreeMap::new();
         for name in self.space.definition.parameters() {
@@ -111,7 +112,8 @@ impl OnGroup {
         Ok(space)
     }
 
-    /// Starts the motion of a member on the group, or on its opposite for right-invariant equations.
+    /// Prepares the motion of a member on the group; for right-invariant equations, on the opposite
+    /// group.
     pub fn start(
         &self,
         member: &Member,
@@ -128,8 +130,8 @@ impl OnGroup {
     }
 
     /// The Casimir functions of the algebra up to the second degree, as polynomials in the
-    /// components `mu1`, `mu2`, ... of the momentum. Empty if the algebra is large or has
-    /// parameters.
+    /// components `mu1`, `mu2`, ... of the momentum. The list is empty if the algebra is large or
+    /// has parameters.
     pub fn casimirs(&self) -> Vec<Symbolic> {
         if self.definition().dimension() > CASIMIRS || self.definition().is_on_chart() {
             return vec![];
@@ -149,7 +151,7 @@ impl Start<'_> {
         taken.map_or(Ok(()), |(name, _)| {
             let message = format!("the name `{name}` is already in use");
             let error = self.member.source.refused(&format!("parameters.{name}"), message);
-            Err(error.help(format!("take another name than {}", names.all(&|_| true))))
+            Err(error.help(format!("choose a name other than {}", names.all(&|_| true))))
         })
     }
 }

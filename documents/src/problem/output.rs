@@ -11,10 +11,10 @@ use affinor_tensors::Symbolic;
 /// The largest number of rows of one motion.
 const MAX_ROWS: f64 = 1e7;
 
-/// The default columns; a motion with a prescribed velocity has the first three.
+/// The default columns. A motion with a prescribed velocity has only the first three.
 const COLUMNS: [&str; 6] = ["t", "element", "Omega", "H", "h", "energy"];
 
-/// The table `[output]`, with the named quantities and events.
+/// The keys of the table `[output]`, and the named quantities and events.
 #[derive(Clone, Debug)]
 pub(super) struct Output {
     pub times: Times,
@@ -23,13 +23,14 @@ pub(super) struct Output {
     events: Vec<(String, Written)>,
     /// The terminal event.
     pub stop: Option<String>,
-    /// The event at which rows are written, instead of times.
+    /// The event at which rows are written, if rows are not written at given times.
     pub section: Option<String>,
-    /// The names of columns that are always appended: those of constraints.
+    /// The names of the columns of constraints, which are always added at the end.
     following: Vec<String>,
 }
 
-/// The columns and events of a motion with their formulas; those of the events are last.
+/// The columns and events of a motion, with their formulas. The formulas of the events follow those
+/// of the columns.
 pub(super) struct RowFormulas {
     pub columns: Vec<Column>,
     pub events: Vec<String>,
@@ -66,8 +67,8 @@ impl Output {
         Ok(Output { times, columns, quantities, events, stop, section, following })
     }
 
-    /// The same output with other columns. A column of the motion takes precedence over a quantity
-    /// with the same name.
+    /// Returns the output with other columns. If a column of the motion and a quantity have the
+    /// same name, the name means the column.
     pub fn with_columns(&self, names: &[&str], source: &Source) -> Self {
         let columns = names.iter().map(|name| Written::beside(source, *name)).collect();
         let mut output = Output { columns, ..self.clone() };
@@ -75,9 +76,9 @@ impl Output {
         output
     }
 
-    /// The columns and events, in terms of the names of a motion. Formulas may use only quantities
-    /// that are `allowed`; `casimirs` are polynomials in `mu1`, `mu2`, ..., the components of the
-    /// momentum.
+    /// Reads the formulas of the columns and events with the names of a motion. Formulas may use
+    /// only the quantities for which `allowed` is true. `casimirs` are polynomials in the
+    /// components `mu1`, `mu2`, ... of the momentum.
     pub fn formulas(
         &self,
         names: &SymbolTable,
@@ -93,7 +94,7 @@ impl Output {
             formulas.push(formula.map_err(|error| written.refused(error, help()))?);
             Ok::<_, InputError>(())
         };
-        // the momentum in the other frame than that of the equations is conserved
+        // the conserved momentum is in the frame that the equations do not use
         let conserved = if names.momentum() == "h" { "H" } else { "h" };
         for stem in &self.columns {
             let expanded = names.expand(stem.text());
@@ -130,7 +131,7 @@ impl Output {
         }
         for (i, casimir) in casimirs.iter().enumerate() {
             let text = casimir.to_string().replace("mu", names.momentum());
-            // a coefficient may be beyond the range of floats
+            // leaves out a Casimir function with a coefficient beyond the range of floats
             if add(&text, &Written::beside(source, &*text)).is_ok() {
                 let name = format!("casimir{}", i + 1);
                 columns.push(Column { formula: Some(text), ..Column::new(name, true) });
@@ -145,15 +146,16 @@ impl Output {
 }
 
 impl Column {
-    /// The column of a named quantity.
+    /// The column for a named quantity.
     fn named(name: &str, written: &Written) -> Self {
         let formula = Some(written.text().into());
         Column { formula, conserved: false, ..Column::new(name, true) }
     }
 }
 
-/// Checks that columns have distinct names, which also differ from those of an ensemble. Casimir
-/// functions, multipliers and parameters of an ensemble may have the name of a quantity.
+/// Checks that the columns have distinct names, and that the ensemble does not use these names. A
+/// quantity may have the same name as a Casimir function, a multiplier or a parameter of an
+/// ensemble, so this must be checked.
 pub(super) fn expect_distinct(
     columns: &[Column],
     of_ensemble: &[&str],
@@ -166,7 +168,7 @@ pub(super) fn expect_distinct(
     Ok(())
 }
 
-/// Checks that no column has this name yet.
+/// Checks that the name is not used by another column.
 fn expect_new(
     columns: &[Column],
     others: &[&str],
@@ -190,12 +192,12 @@ pub(super) struct Times {
 enum Rows {
     /// A list of times.
     Listed(Vec<Value>),
-    /// The end, and the interval between rows.
+    /// The final time, and the interval between rows.
     Spaced(Box<(Value, Option<Value>)>),
 }
 
 impl Times {
-    /// Reads the times of an output; the initial time is `start`, or 0 if it is `None`.
+    /// Reads the times of an output. The initial time is `start`; if it is `None`, 0.
     fn read(keys: &OutputKeys, start: Option<Value>, reader: &Reader) -> Result<Self, InputError> {
         let rows = match (&keys.times, &keys.end, &keys.every) {
             (Some(times), None, None) => Rows::Listed(reader.values(times)?),
@@ -210,13 +212,13 @@ impl Times {
         Ok(Times { start, rows })
     }
 
-    /// The same start, with these times.
+    /// Returns the same initial time with these output times.
     pub fn listed(&self, times: &[f64], source: &Source) -> Self {
         let times = times.iter().map(|time| Value::constant(source, *time)).collect();
         Times { start: self.start.clone(), rows: Rows::Listed(times) }
     }
 
-    /// The times for these values of the parameters, beginning with the start.
+    /// The times, for these values of the parameters. The first time is the initial time.
     pub fn at(&self, source: &Source, parameters: &[f64]) -> Result<Vec<f64>, InputError> {
         let start = self.start.as_ref().map_or(Ok(0.0), |start| start.at(parameters))?;
         match &self.rows {
@@ -246,7 +248,7 @@ impl Times {
         }
     }
 
-    /// The start and the end only.
+    /// Returns only the initial and the final time.
     pub fn to_the_end(&self) -> Self {
         let rows = match &self.rows {
             Rows::Listed(times) => Rows::Listed(times.last().into_iter().cloned().collect()),
@@ -255,7 +257,7 @@ impl Times {
         Times { start: self.start.clone(), rows }
     }
 
-    /// The same with another end, or another interval between rows, instead of those of the file.
+    /// Returns the times with another final time or another interval between rows.
     pub fn replaced(&self, end: Option<Value>, every: Option<Value>) -> Self {
         let (old_end, old_every) = match &self.rows {
             Rows::Listed(times) => (times.last().cloned(), None),
@@ -282,7 +284,7 @@ fn equally(start: f64, end: f64, every: f64) -> Result<Vec<f64>, InputError> {
         let message = format!("{count:.0} rows exceed the limit of {MAX_ROWS}");
         return Err(InputError::usage(message));
     }
-    // rounding errors must not add or remove a row
+    // allows for rounding errors, which must not add or remove a row
     let rounding = f64::EPSILON * start.abs().max(end.abs()) / every;
     let slack = (1e-9 + 4.0 * rounding).min(0.25);
     let whole = (count + slack).floor() as u64;

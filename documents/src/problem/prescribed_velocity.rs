@@ -1,4 +1,4 @@
-//! Problems of kinematics: a prescribed velocity.
+//! Problems of kinematics, given by a prescribed velocity.
 
 use super::keys::{OF_DYNAMICS, PrescribedKeys};
 use super::on_group::Start;
@@ -66,7 +66,7 @@ impl PrescribedVelocity {
             let help = "the velocity may contain t and the parameters";
             added.map_err(|error| formula.refused(error, help))?;
         }
-        // quantities that need an inertia are not allowed
+        // forbids quantities that need an inertia
         let kinematic = |quantity: MotionQuantity| {
             use MotionQuantity::{Energy, Kinetic, Momentum, OtherMomentum, Potential, Power};
             !matches!(

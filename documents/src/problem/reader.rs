@@ -1,4 +1,5 @@
-//! Numbers and formulas of a problem, read with the parameters that are declared so far.
+//! Reads numbers and formulas of a problem, which may contain the parameters that are declared so
+//! far.
 
 use crate::input::{
     InputError, Place, Source,
@@ -12,20 +13,20 @@ use nalgebra::DMatrix;
 use std::cell::RefCell;
 use std::path::Path;
 
-/// Names of constants, which a parameter may not have.
+/// The names of constants. A parameter must not have such a name.
 const NUMBERS: [&str; 2] = ["pi", "tau"];
 
-/// The text of a formula, with its location.
+/// The text of a formula, and its location.
 #[derive(Clone, Debug)]
 pub(super) struct Written {
-    /// The file; its excerpt is the formula, unless the formula does not come from a file.
+    /// The file. Its excerpt is the formula, if the formula comes from the file.
     source: Source,
     /// The formula, if it does not come from a file.
     own: Option<String>,
 }
 
 impl Written {
-    /// A formula that does not come from a file; messages name `source`.
+    /// A formula that does not come from a file. Error messages about the formula name `source`.
     pub fn beside(source: &Source, text: impl Into<String>) -> Self {
         Written { source: source.clone(), own: Some(text.into()) }
     }
@@ -43,7 +44,7 @@ impl Written {
         &self.source
     }
 
-    /// An error in the formula, with its location.
+    /// Converts an error in the formula, and adds its location.
     pub fn refused(&self, error: ExpressionError, help: impl Into<String>) -> InputError {
         let place = self.source.find(self.text(), error.span);
         InputError::usage(error.reason).at(&place).help(help)
@@ -58,7 +59,7 @@ pub(super) struct Value {
 }
 
 impl Value {
-    /// A constant that does not come from a file.
+    /// A constant number that does not come from a file.
     pub fn constant(source: &Source, number: f64) -> Self {
         let written = Written::beside(source, number.to_string());
         Value { formula: Formula::number(number), written }
@@ -68,7 +69,7 @@ impl Value {
         self.written.place()
     }
 
-    /// The number for these values of the parameters.
+    /// The value, for these values of the parameters.
     pub fn at(&self, parameters: &[f64]) -> Result<f64, InputError> {
         let value = self.formula.value(parameters);
         if value.is_finite() {
@@ -78,7 +79,7 @@ impl Value {
         Err(InputError::mathematics(message).at(&self.place()))
     }
 
-    /// The number, which must be positive.
+    /// The value, for these values of the parameters. It must be positive.
     pub fn positive(&self, parameters: &[f64]) -> Result<f64, InputError> {
         let value = self.at(parameters)?;
         if value > 0.0 {
@@ -87,12 +88,12 @@ impl Value {
         Err(InputError::usage(format!("{value} is not positive")).at(&self.place()))
     }
 
-    /// The numbers of a list.
+    /// The values of a list of numbers.
     pub fn all(list: &[Value], parameters: &[f64]) -> Result<Vec<f64>, InputError> {
         list.iter().map(|value| value.at(parameters)).collect()
     }
 
-    /// The matrix with these rows; `what` is its name in messages.
+    /// The matrix with these rows. Messages call it `what`.
     pub fn matrix(
         what: &str,
         rows: &[Vec<Value>],
@@ -109,8 +110,8 @@ impl Value {
         Ok(DMatrix::from_row_slice(rows.len(), width, &entries?))
     }
 
-    /// The numbers of a list, which must have one component for each dimension of the algebra;
-    /// `what` is the name of the list in messages.
+    /// The values of a list, which must have one component for each dimension of the algebra.
+    /// Messages call the list `what`.
     pub fn vector(
         what: &str,
         list: &[Value],
@@ -128,29 +129,29 @@ impl Value {
     }
 }
 
-/// Reads formulas in the parameters that are declared so far.
+/// Reads formulas, which may contain the parameters that are declared so far.
 pub(super) struct Reader<'s> {
     pub source: &'s Source,
-    /// The parameters.
+    /// The parameters that are declared so far.
     pub names: Vec<String>,
     folder: &'s Path,
     files: RefCell<Vec<String>>,
 }
 
 impl<'s> Reader<'s> {
-    /// A reader of a file, which is in `folder`.
+    /// Creates a reader of a file in the folder `folder`.
     pub fn new(source: &'s Source, folder: &'s Path) -> Self {
         Reader { source, names: vec![], folder, files: RefCell::default() }
     }
 
-    /// The path of another file that the problem refers to.
+    /// The path of another file to which the problem refers. The reader records it.
     pub fn file(&self, name: &str) -> String {
         let path = self.folder.join(name).to_string_lossy().into_owned();
         self.files.borrow_mut().push(path.clone());
         path
     }
 
-    /// The paths of all other files, after everything has been read.
+    /// The paths of all other files, once the problem is read.
     pub fn into_files(self) -> Vec<String> {
         self.files.into_inner()
     }
@@ -163,7 +164,7 @@ impl<'s> Reader<'s> {
         self.value_of(self.written(text))
     }
 
-    /// The whole source as a number.
+    /// Reads the whole source as a number.
     pub fn whole(&self) -> Result<Value, InputError> {
         self.value_of(Written { source: self.source.clone(), own: None })
     }
@@ -199,7 +200,7 @@ impl<'s> Reader<'s> {
         list.as_ref().map(|list| self.values(list)).transpose()
     }
 
-    /// Formulas by their names.
+    /// Reads the formulas of a table, each with its name.
     pub fn formulas(&self, table: &Option<Formulas>) -> Result<Vec<(String, Written)>, InputError> {
         let named = table.iter().flat_map(|table| &table.0).map(|(name, text)| {
             check_name(name).map_err(|error| error.at(&self.source.at(name)))?;
@@ -214,14 +215,14 @@ impl<'s> Reader<'s> {
         check_name(name).map_err(|error| error.at(&place))?;
         if NUMBERS.contains(&&**name) || self.names.contains(&name.content) {
             let message = format!("the name `{}` is already in use", &**name);
-            return Err(InputError::usage(message).at(&place).help("take another name"));
+            return Err(InputError::usage(message).at(&place).help("choose another name"));
         }
         self.names.push(name.to_string());
         Ok(())
     }
 
-    /// Returns an error for keys that a class of problems ignores, given by their dotted paths;
-    /// `what` names the class.
+    /// Returns an error if the file contains one of these keys, given by their dotted paths,
+    /// because the class of problems `what` ignores them.
     pub fn refuse(&self, what: &str, keys: &[&str]) -> Result<(), InputError> {
         let Some(path) = keys.iter().find(|path| self.source.has_key(path)) else { return Ok(()) };
         let key = path.rsplit('.').next().unwrap_or(path);
@@ -229,7 +230,7 @@ impl<'s> Reader<'s> {
         Err(error.help("leave the key out"))
     }
 
-    /// Returns an error for a key with an empty value.
+    /// Returns an error for a key if its value is empty.
     pub fn refuse_empty(&self, path: &str, is_empty: bool) -> Result<(), InputError> {
         if !is_empty {
             return Ok(());

@@ -9,20 +9,21 @@ use nalgebra::DMatrix;
 pub struct Ready {
     /// The motion.
     pub motion: Box<dyn Motion>,
-    /// Its method of integration.
+    /// The integration method of the motion.
     pub method: Method,
-    /// The times of its rows; the first is the initial time.
+    /// The times of the rows; the first time is the initial time.
     pub times: Vec<f64>,
-    /// The columns of its rows.
+    /// The columns of the rows.
     pub columns: Vec<Column>,
-    /// The names of its events; in a row, their values are after those of the columns.
+    /// The names of the events. In a row, the values of their event functions follow the values of
+    /// the columns.
     pub events: Vec<String>,
     /// The matrix of the metric, for equations of motion with a kinetic energy.
     pub inertia: Option<DMatrix<f64>>,
-    /// The factors of its group; empty for a flow of matrices.
+    /// The factors of the group; empty for a flow of matrices.
     pub factors: Vec<Factor>,
-    /// For each factor the parts of its body without holes; empty if the bodies are given by
-    /// moments, or by a metric.
+    /// For each factor, the parts of its body without the holes. The list is empty if the bodies
+    /// are given by moments of inertia, or by a metric.
     pub solids: Vec<Vec<Solid>>,
     /// Warnings about the problem.
     pub notes: Vec<String>,
@@ -31,11 +32,11 @@ pub struct Ready {
 /// A factor of the group of a motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Factor {
-    /// Its number from 1; `None` if there is only one factor.
+    /// The number of the factor, from 1; `None` if there is only one factor.
     pub number: Option<usize>,
-    /// The index of its first component in vectors.
+    /// The index of the first component of the factor in vectors.
     pub first: usize,
-    /// Whether it rotates a body, so that its elements have a quaternion.
+    /// Whether the factor rotates a body. If it does, its elements have a quaternion.
     pub rotates: bool,
 }
 
@@ -55,15 +56,14 @@ impl Factor {
     }
 }
 
-/// The factors of a group. For the opposite of a group, the factors of this group, whose elements
-/// are the same.
+/// The factors of a group. The opposite of a group has the same factors and the same elements.
 pub(super) fn factors(group: &AnyGroup) -> Vec<&AnyGroup> {
     let opposite = group.downcast_ref::<Opposite<AnyGroup>>();
     opposite.map_or(group, |opposite| &opposite.0).factors()
 }
 
 impl Ready {
-    /// A motion without a metric and without warnings.
+    /// A motion that has no metric and no warnings.
     pub(super) fn new(
         started: Started,
         times: &[f64],
@@ -88,27 +88,27 @@ impl Ready {
 /// A column of the rows of a motion.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Column {
-    /// Its name.
+    /// The name of the column.
     pub name: String,
     /// The formula of a named quantity or of a Casimir function.
     pub formula: Option<String>,
-    /// Whether its change is reported.
+    /// Whether the summary of a run reports the change of the column.
     pub watched: bool,
-    /// Whether the equations conserve it, as far as the forces tell.
+    /// Whether the equations and the forces conserve the quantity, as far as this is known.
     pub conserved: bool,
 }
 
 /// The quantities that a motion conserves.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Kept {
-    /// The energy.
+    /// Whether the energy is conserved.
     pub energy: bool,
-    /// The momentum in the other frame than that of the equations.
+    /// Whether the momentum is conserved in the frame that the equations do not use.
     pub momentum: bool,
 }
 
 impl Column {
-    /// A column without a formula; if it is watched, it is conserved.
+    /// A column without a formula. If it is watched, it is also expected to be conserved.
     pub fn new(name: impl Into<String>, watched: bool) -> Self {
         Column { name: name.into(), formula: None, watched, conserved: watched }
     }

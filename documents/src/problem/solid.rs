@@ -1,4 +1,4 @@
-//! Polyhedra that approximate solids, for pictures.
+//! Polyhedra that approximate solids in pictures.
 
 use nalgebra::{Isometry3, Vector3};
 use std::f64::consts::{PI, TAU};
@@ -8,12 +8,13 @@ const AROUND: usize = 10;
 /// The number of rings between the poles of a ball.
 const RINGS: usize = 3;
 
-/// A convex solid, or a closed surface, given by its faces.
+/// A convex solid or a closed surface, given by its faces.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solid {
-    /// Its corners, in the frame of the body.
+    /// The corners, in the frame of the body.
     pub corners: Vec<Vector3<f64>>,
-    /// The corners of each face, counterclockwise as seen from outside. A face of two corners is a line.
+    /// The faces, each as the indices of its corners, counterclockwise as seen from outside. A face
+    /// with two corners is a line.
     pub faces: Vec<Vec<usize>>,
 }
 
@@ -80,7 +81,7 @@ impl Solid {
         Solid { corners: vec![-end, end], faces: vec![vec![0, 1]] }
     }
 
-    /// The solid after a rigid motion.
+    /// The solid, moved by a rigid motion.
     pub(super) fn moved(&self, motion: &Isometry3<f64>) -> Self {
         let corners = self.corners.iter().map(|x| motion.rotation * x + motion.translation.vector);
         Solid { corners: corners.collect(), faces: self.faces.clone() }
@@ -96,8 +97,8 @@ impl Solid {
 mod tests {
     use super::*;
 
-    /// By the divergence theorem, the faces, which are counterclockwise from outside, enclose the
-    /// volume of the shape.
+    /// The faces are counterclockwise as seen from outside: by the divergence theorem, they enclose
+    /// the volume of the shape.
     #[test]
     fn faces_are_counterclockwise_from_outside() {
         let volume = |solid: &Solid| -> f64 {
@@ -109,7 +110,8 @@ mod tests {
         };
         let axes = Vector3::new(1.0, 2.0, 3.0);
         assert!((volume(&Solid::cuboid(&axes)) - 6.0).abs() < 1e-12);
-        // the ratio of the areas of inscribed polygons and of the volumes of polyhedra
+        // the ratio of the area of an inscribed polygon, or of the volume of a polyhedron, to that
+        // of the round shape
         let disc = 0.5 * AROUND as f64 * (TAU / AROUND as f64).sin();
         assert!((volume(&Solid::cylinder(2.0, 5.0)) - 4.0 * disc * 5.0).abs() < 1e-12);
         let share = volume(&Solid::ellipsoid(&axes)) / (4.0 / 3.0 * PI * 6.0);

@@ -1,4 +1,5 @@
-//! The statements of the paper about its two geometries, as predicates on any geometry.
+//! The statements of Paraskevopoulos and Natsiavas (2013) about their two geometries, as predicates
+//! on any geometry.
 
 use crate::Coefficient;
 use affinor::algebra::frame::expect_numbers;
@@ -7,32 +8,33 @@ use affinor::{Error, Geometry, Law};
 use affinor_tensors::text::written;
 use affinor_tensors::{Tensor, contract};
 
-/// A statement of the paper about a geometry; [`holds`](Claim::holds) tests it on any geometry.
+/// A statement about a geometry of Paraskevopoulos and Natsiavas (2013), with the number of its
+/// equation. [`holds`](Claim::holds) tests the statement on any geometry.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Claim {
-    /// (38): `Lambda^i_jk = c^i_jk`.
+    /// `Lambda^i_jk = c^i_jk` (38).
     AffinitiesAreStructure,
-    /// After (38): `tau^i_jk = c^i_jk`.
+    /// `tau^i_jk = c^i_jk` (after 38).
     TorsionIsStructure,
-    /// After (38): `R^i_jkl = 0`.
+    /// `R^i_jkl = 0` (after 38).
     Flat,
-    /// (45): `-ad_n` generates parallel transport along autoparallels.
+    /// `-ad_n` generates parallel transport along autoparallels (45).
     TransportByAd,
-    /// Section 5: the connection does not preserve the metric.
+    /// The connection does not preserve the metric (section 5).
     Incompatible,
-    /// (40): `Lambda^i_jk = -Lambda^i_kj`, so autoparallels have constant components (43).
+    /// `Lambda^i_jk = -Lambda^i_kj` (40), so autoparallels have constant components (43).
     Antisymmetric,
-    /// (39): `c^i_jk = 2 Lambda^i_jk`.
+    /// `c^i_jk = 2 Lambda^i_jk` (39).
     StructureIsTwiceAffinities,
-    /// After (39): `tau^i_jk = 0`.
+    /// `tau^i_jk = 0` (after 39).
     TorsionFree,
-    /// The table after (65): `R^i_jkl = -1/4 c^m_kl c^i_mj`, and it is not zero.
+    /// `R^i_jkl = -1/4 c^m_kl c^i_mj`, and it is not zero (the table after 65).
     CurvedByBracket,
-    /// (71): `-1/2 ad_n` generates parallel transport along autoparallels.
+    /// `-1/2 ad_n` generates parallel transport along autoparallels (71).
     TransportByHalfAd,
-    /// After (102): the connection preserves the metric.
+    /// The connection preserves the metric (after 102).
     Compatible,
-    /// (102): the metric is bi-invariant, `g([z,x],y) + g(x,[z,y]) = 0`.
+    /// The metric is bi-invariant, `g([z,x],y) + g(x,[z,y]) = 0` (102).
     BiInvariant,
 }
 
@@ -83,7 +85,7 @@ impl Claim {
         }
     }
 
-    /// The geometries about which the paper makes the claim: `M(3)`, `SO(3)`, or both.
+    /// The geometries about which the paper makes the claim: `M(3)`, `SO(3)`, or both geometries.
     pub fn about(self) -> &'static [&'static str] {
         match self {
             Claim::AffinitiesAreStructure
@@ -96,10 +98,12 @@ impl Claim {
         }
     }
 
-    /// Whether the claim holds for a geometry; `None` if it is about the metric and the geometry has none.
+    /// Whether the claim holds for a geometry; `None` if the claim is about a metric and the
+    /// geometry has none.
     ///
-    /// The witness of a failure is the first nonzero component, with the indices in its equation.
-    /// For a claim about transport along a basis vector, the residual ends with this vector.
+    /// The witness of a failure is the first nonzero component, whose indices are inserted in the
+    /// equation. For a claim about transport along a basis vector, the residual ends with the name
+    /// of this vector.
     ///
     /// ```
     /// use affinor_documents::space::paper;
@@ -163,7 +167,7 @@ impl Claim {
     }
 }
 
-/// The fraction `1/n`; zero in a field without it.
+/// The fraction `1/n`; zero in a field that does not contain it.
 fn share<S: Coefficient>(n: i64) -> S {
     S::from_quotient(1, n).unwrap_or_else(S::zero)
 }
@@ -196,8 +200,8 @@ fn transport<S: Coefficient>(
     Ok(Property::Holds(()))
 }
 
-/// Whether a tensor is zero; if it is not, its first nonzero component. `sum` is the formula of the
-/// tensor, and `letters` are the index letters of its slots.
+/// Whether a tensor is zero. If it is not, the witness is its first nonzero component. `sum` is the
+/// formula of the tensor, and `letters` are the index letters of its slots.
 fn vanishes<S: Coefficient>(
     tensor: &Tensor<S>,
     sum: &'static str,
@@ -211,7 +215,7 @@ fn vanishes<S: Coefficient>(
         Some(slot) => (at[slot] + 1).to_string(),
         None => letter.to_string(),
     };
-    // above dimension 9 an index can have two digits
+    // separates indices by commas above dimension 9, because they may have two digits
     let comma = if tensor.dimension() > 9 { "," } else { "" };
     let indices = |letters: &str| letters.chars().map(index).collect::<Vec<_>>().join(comma);
     Ok(fails(with_indices(sum, indices), written(value)))
@@ -222,7 +226,7 @@ fn fails(equation: impl Into<String>, residual: impl Into<String>) -> Property<S
     Property::Fails(Witness { equation, letters: "", indices: vec![], residual })
 }
 
-/// The formula with its index letters replaced.
+/// Replaces the index letters in the formula of a sum.
 fn with_indices(sum: &str, indices: impl Fn(&str) -> String) -> String {
     let (mut text, mut rest) = (String::new(), sum);
     while let Some(place) = rest.find(['^', '_']) {

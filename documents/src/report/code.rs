@@ -23,10 +23,10 @@ pub trait Programmed: Coefficient {
     /// The program of a value.
     ///
     /// # Errors
-    /// A message: a function does not exist in programs.
+    /// A message if a function of the value does not exist in programs.
     fn program(&self) -> Result<Recorded, String>;
 
-    /// The partial derivatives of values with respect to the parameter of that name.
+    /// The partial derivatives of values with respect to the parameter `name`.
     fn rates(values: &[Self], name: &str) -> Vec<Self>;
 }
 
@@ -58,7 +58,7 @@ impl Programmed for Symbolic {
     }
 }
 
-/// An array whose components are values.
+/// An array and the values of its components.
 struct Values<S> {
     name: String,
     shape: Vec<usize>,
@@ -77,8 +77,8 @@ impl<S: Programmed> Values<S> {
     }
 }
 
-/// The largest number of components of one array. All components are written, with the indices of
-/// the formula.
+/// The largest number of components of one array, because the components are written one by one,
+/// with the indices of the formula.
 const MAX_COMPONENTS: usize = 100_000;
 
 /// A programming language.
@@ -119,17 +119,18 @@ impl Language {
     }
 }
 
-/// Source code of a function that computes tensors of a geometry, each as an array with the indices of its formula.
+/// Writes source code of a function that computes tensors of a geometry, each as an array with the
+/// indices of its formula.
 ///
-/// Its arguments are the coordinates of the chart, as an array `x`, and the parameters of the
-/// components, sorted. The name of a parameter begins with `p_`, so that it is not a reserved word.
-/// The names in `by` are parameters or coordinates: every tensor `t` is followed by an array `d_t`
-/// of its partial derivatives, whose first index is the number of the name. Tensors that do not
-/// apply to the geometry are left out.
+/// The arguments of the function are the coordinates of the chart, as an array `x`, and the
+/// parameters of the components, sorted. The name of a parameter begins with `p_`, so that it is
+/// not a reserved word. The names in `by` are parameters or coordinates. For them, every tensor `t`
+/// is followed by an array `d_t` of its partial derivatives, whose first index is the number of the
+/// name. Tensors that do not apply to the geometry are left out.
 ///
 /// # Errors
 /// An error for a tensor of more than 100,000 components, for a constant beyond the range of
-/// floats, and if no tensor applies.
+/// floats, and if none of the tensors applies.
 pub fn tensors_as_code<S: Programmed>(
     geometry: &Geometry<S>,
     quantities: &[Quantity],
@@ -139,7 +140,7 @@ pub fn tensors_as_code<S: Programmed>(
     let mut arrays = Vec::new();
     let n = geometry.frame().dimension();
     for &quantity in quantities {
-        // checked before the tensor is computed, which may take long
+        // checks the size first, because the computation of the tensor may take long
         expect_size(quantity.key(), n, quantity.slots().len())?;
         if let Some(tensor) = quantity.of(geometry)? {
             let entries = tensor.components().map(|(at, value)| (at.to_vec(), value.clone()));
@@ -178,14 +179,14 @@ pub fn tensors_as_code<S: Programmed>(
 }
 
 impl EquationReport<Recorded> {
-    /// Source code of a function that returns the time derivatives.
+    /// Writes source code of a function that returns the time derivatives.
     ///
-    /// Its arguments are the state, the external covector or the velocity of the curve, and the
-    /// parameters, as in [`tensors_as_code`]. Over a chart the position is the first argument, and
-    /// its time derivatives come first. The linear system for the time derivatives is solved by
-    /// elimination, not by an inverse. The names in `by` are parameters or coordinates: an array
-    /// `d_rate` follows with the partial derivatives of the time derivatives, whose first index is
-    /// the number of the name.
+    /// The arguments of the function are the state, the external covector or the velocity of the
+    /// curve, and the parameters, as in [`tensors_as_code`]. On a chart, the position is the first
+    /// argument, and its time derivatives come first. The linear system for the time derivatives
+    /// is solved by elimination, not by an inverse. The names in `by` are parameters or
+    /// coordinates. For them, an array `d_rate` follows with the partial derivatives of the time
+    /// derivatives, whose first index is the number of the name.
     ///
     /// # Errors
     /// An error for a constant beyond the range of floats.
@@ -234,7 +235,7 @@ impl EquationReport<Recorded> {
     }
 }
 
-/// Returns an error for an array that is too large to be written out.
+/// Returns an error if an array has too many components to be written one by one.
 fn expect_size(name: &str, dimension: usize, rank: usize) -> Result<(), InputError> {
     let size = u32::try_from(rank).ok().and_then(|rank| dimension.checked_pow(rank));
     if size.is_some_and(|size| size <= MAX_COMPONENTS) {
@@ -246,7 +247,7 @@ fn expect_size(name: &str, dimension: usize, rank: usize) -> Result<(), InputErr
     Err(InputError::usage(message).help("choose smaller tensors with --show"))
 }
 
-/// The arrays, each followed by its derivatives.
+/// The arrays, each followed by the array of its derivatives.
 fn with_derivatives<S: Programmed>(
     arrays: Vec<Values<S>>,
     by: &[String],
@@ -289,7 +290,7 @@ fn with_derivatives<S: Programmed>(
     Ok(all)
 }
 
-/// The meaning of the indices: `R^i_jkl, indices i, j, k, l`.
+/// The text that explains the indices of a quantity: `R^i_jkl, indices i, j, k, l`.
 fn indices(quantity: Quantity) -> String {
     let (letters, mut text) = (quantity.letters(), quantity.symbol().to_string());
     let mut level = None;

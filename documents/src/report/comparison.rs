@@ -18,12 +18,14 @@ use affinor_tensors::{CommonFactors, Kind, Tensor};
 use serde_json::{Value, json};
 use std::io::{self, Write};
 
-/// Tensors with more components than this are not listed; only their number is shown.
+/// The largest number of components of a tensor that are listed; for more components, only their
+/// number is shown.
 const LISTED: usize = 24;
-/// A basis with more vectors than this is shown by its first and its last vector.
+/// The largest number of basis vectors that are listed; of more vectors, only the first and the
+/// last are shown.
 const LABELLED: usize = 12;
 
-/// The outcome of a claim; `None` if the claim is about a metric and there is none.
+/// The outcome of a claim; `None` if the claim is about a metric and the geometry has none.
 type Verdict = Option<Property<String>>;
 /// The reason why a claim does not apply.
 const NO_METRIC: &str = "no metric";
@@ -46,10 +48,10 @@ pub struct Comparison {
 }
 
 impl ComparedSide {
-    /// Computes one side.
+    /// Computes one side of a comparison.
     ///
     /// # Errors
-    /// [`Law::Constant`](affinor::Law::Constant): claims are about structure constants.
+    /// [`Law::Constant`](affinor::Law::Constant) if the structure functions are not constant.
     pub fn new<S: Coefficient>(geometry: &Geometry<S>) -> Result<Self, Error> {
         let kind = geometry.kind();
         let algebra = geometry.frame_origin().algebra_for("a comparison")?;
@@ -81,8 +83,8 @@ impl ComparedSide {
 }
 
 impl Comparison {
-    /// Compares two sides. Sides with equal names are distinguished by their connections, otherwise
-    /// by numbers.
+    /// Compares two sides. If both sides have the same name, their connections are added to the
+    /// names; if these are equal too, numbers are added.
     pub fn new(mut left: ComparedSide, mut right: ComparedSide) -> Self {
         if left.name == right.name {
             for side in [&mut left, &mut right] {
@@ -121,7 +123,7 @@ impl Comparison {
         Grid::new(title, &header, rows.collect(), Value::Null)
     }
 
-    /// Tensors and claims in one grid.
+    /// A single grid of the tensors and the claims.
     fn one_grid(&self) -> Grid {
         let mut grid = self.tensors();
         grid.rows.iter_mut().for_each(|row| row.insert(1, "".into()));
@@ -165,7 +167,7 @@ impl Comparison {
 }
 
 impl Report for Comparison {
-    /// Writes the comparison. JSON has the schema `affinor.compare/1`; CSV is one table.
+    /// Writes the comparison. JSON has the schema `affinor.compare/1`; CSV is a single table.
     fn write(&self, format: Format, out: &mut dyn Write) -> io::Result<()> {
         match format {
             Format::Json => pretty(&self.json(), out),
@@ -196,7 +198,7 @@ fn written(verdict: &Verdict) -> Cell {
         Some(Property::Fails(witness)) => witness,
     };
     let text = format!("no: {witness}");
-    // a witness that is not an equation is written as text
+    // writes a witness that is not an equation as plain text
     let Ok(left) = notation(&witness.equation) else { return text.into() };
     let (right, n) = match witness.residual.split_once(" for n = ") {
         Some((right, n)) => (right, Some(n)),
@@ -209,7 +211,7 @@ fn written(verdict: &Verdict) -> Cell {
     Cell { text: vec![text], ..typeset(&[line]) }
 }
 
-/// The names of the basis vectors, or the first, the last and their number.
+/// The names of the basis vectors; of many vectors, the first and the last name, and the number.
 fn basis(labels: &[String]) -> String {
     match labels {
         [first, .., last] if labels.len() > LABELLED => {
@@ -219,7 +221,7 @@ fn basis(labels: &[String]) -> String {
     }
 }
 
-/// The components of a tensor in groups, or their number.
+/// The components of a tensor, grouped by value; of many components, only their number.
 fn listed<S: Coefficient>(quantity: Quantity, tensor: &Tensor<S>) -> Cell {
     if tensor.is_empty() {
         return "0".into();
@@ -235,7 +237,7 @@ fn listed<S: Coefficient>(quantity: Quantity, tensor: &Tensor<S>) -> Cell {
     let formulas =
         groups.iter().map(|group| typeset::equation(quantity, tensor, group, &none, None));
     let formulas: Vec<Row> = formulas.collect();
-    // separate paragraphs, so that each has its own hanging indent
+    // writes separate paragraphs, so that each paragraph has its own hanging indent
     let latex: Vec<String> = formulas.iter().map(|formula| latex::paragraph(formula)).collect();
     Cell {
         text: text.collect(),
@@ -245,8 +247,8 @@ fn listed<S: Coefficient>(quantity: Quantity, tensor: &Tensor<S>) -> Cell {
     }
 }
 
-/// Whether the connection preserves the metric; if not, the conditions on the parameters under
-/// which it does.
+/// Whether the connection preserves the metric. If it does not, the conditions on the parameters
+/// under which it does.
 fn compatibility<S: Coefficient>(geometry: &Geometry<S>) -> Result<Cell, Error> {
     let Some(metric) = geometry.metric() else {
         return Ok("no metric".into());
@@ -273,7 +275,8 @@ fn compatibility<S: Coefficient>(geometry: &Geometry<S>) -> Result<Cell, Error> 
     Ok(line(&format!("nabla g{count}"), vec![formula, Part::Words(&count)]))
 }
 
-/// The generator of transport along an autoparallel, as a multiple of `ad_n` if it is one.
+/// The generator of parallel transport along an autoparallel, written as a multiple of `ad_n` if it
+/// is a multiple.
 fn transport<S: Coefficient>(geometry: &Geometry<S>, algebra: &LieAlgebra<S>) -> Cell {
     let (c, gamma) = (algebra.structure_constants(), geometry.connection().affinities());
     let generator = |text: &str, parts: Vec<Part>| {
@@ -308,12 +311,12 @@ enum Part<'a> {
     Formula(Row),
 }
 
-/// A line as text, and as formulas.
+/// A line as plain text, and as words and formulas.
 fn line(text: &str, parts: Vec<Part>) -> Cell {
     Cell { text: vec![text.into()], ..typeset(&[parts]) }
 }
 
-/// Lines of words and formulas, without their text.
+/// Lines of words and formulas, without their plain text.
 fn typeset(lines: &[Vec<Part>]) -> Cell {
     let of = |formula: &dyn Fn(&[crate::formula::Node]) -> String,
               words: &dyn Fn(&str) -> String| {

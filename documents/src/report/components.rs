@@ -6,15 +6,17 @@ use affinor_tensors::{CommonFactors, Kind, Scalar, Tensor, Variance};
 use std::collections::{BTreeSet, HashMap};
 use std::fmt::Write;
 
-/// Tensors with more nonzero components than this are listed one per line, not in groups.
+/// The largest number of nonzero components that are grouped by value; more components are listed
+/// one per line.
 pub const GROUPED: usize = 60;
 
 /// Components that are equal up to sign.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Group<S> {
-    /// The common value. It begins with a minus sign only if the values of all members do.
+    /// The common value. It begins with a minus sign only if the values of all members begin with
+    /// one.
     pub value: S,
-    /// The indices, from 0, and whether the component is minus the value.
+    /// For each member, its indices (from 0), and whether the component is minus the common value.
     pub members: Vec<(Vec<usize>, bool)>,
 }
 
@@ -27,7 +29,7 @@ impl<S> Group<S> {
     }
 }
 
-/// The nonzero components grouped by value up to sign, in the order of first appearance.
+/// Groups the nonzero components by their value up to sign, in the order of first appearance.
 ///
 /// The members are in the order of their indices. If the tensor is antisymmetric in two slots, a
 /// component and its mirror image are next to each other, the positive one first, as in `R^1_212 =
@@ -36,7 +38,7 @@ pub fn groups<S: Coefficient>(tensor: &Tensor<S>) -> Vec<Group<S>> {
     groups_with(tensor, &CommonFactors::default())
 }
 
-/// Like [`groups`]; signs are determined from the texts with these factors.
+/// Like [`groups`], but signs are determined from texts in which `factors` are written by name.
 pub(super) fn groups_with<S: Coefficient>(
     tensor: &Tensor<S>,
     factors: &CommonFactors,
@@ -65,15 +67,16 @@ pub(super) fn groups_with<S: Coefficient>(
     groups
 }
 
-/// One component of each set that is equal, up to sign, by the symmetries of the tensor.
+/// Selects one of the components that are equal up to sign by the symmetries of the tensor.
 ///
-/// The symmetries are those that [`Tensor::pair_symmetry`] finds. The component with ascending
-/// indices represents a set: `k < l` for a curvature, `i <= j` for a metric.
+/// The symmetries are those that [`Tensor::pair_symmetry`] finds. The selected component has
+/// ascending indices: `k < l` for a curvature, `i <= j` for a metric.
 pub fn independent<S: Coefficient>(tensor: &Tensor<S>) -> Tensor<S> {
     representatives(tensor, &BTreeSet::new())
 }
 
-/// Like [`independent`], but sets with components in `listed` are represented by these.
+/// Like [`independent`], but selects the component in `listed` where a set of equal components has
+/// one.
 pub(super) fn representatives<S: Coefficient>(
     tensor: &Tensor<S>,
     listed: &BTreeSet<Vec<usize>>,
@@ -96,7 +99,7 @@ pub(super) fn representatives<S: Coefficient>(
     tensor.filter_map(|at, value| is_kept(at).then(|| value.clone()))
 }
 
-/// A statement about the components that are not printed; empty if all are.
+/// A statement about the components that are not printed; `None` if all components are printed.
 pub(super) fn others<S: Scalar>(tensor: &Tensor<S>, shown: &Tensor<S>) -> Option<&'static str> {
     let all = (tensor.dimension() as u64).pow(tensor.rank() as u32);
     match (tensor.len() as u64 == all, shown.len() == tensor.len()) {
@@ -107,7 +110,7 @@ pub(super) fn others<S: Scalar>(tensor: &Tensor<S>, shown: &Tensor<S>) -> Option
     }
 }
 
-/// The text `12 nonzero components, 6 shown`; empty for a tensor of rank 0.
+/// The text `12 nonzero components, 6 shown`; `None` for a tensor of rank 0.
 pub(super) fn count<S: Scalar>(tensor: &Tensor<S>, shown: &Tensor<S>) -> Option<String> {
     let components = if tensor.len() == 1 { "component" } else { "components" };
     let all = format!("{} nonzero {components}", tensor.len());
@@ -116,7 +119,7 @@ pub(super) fn count<S: Scalar>(tensor: &Tensor<S>, shown: &Tensor<S>) -> Option<
     (tensor.rank() > 0).then_some(text)
 }
 
-/// The texts of [`count`] and [`others`] as a sentence.
+/// The texts of [`count`] and [`others`], joined to a sentence.
 pub(super) fn summary<S: Scalar>(tensor: &Tensor<S>, shown: &Tensor<S>) -> Option<String> {
     let count = count(tensor, shown)?;
     Some(match others(tensor, shown) {
@@ -134,7 +137,7 @@ pub(super) fn index_names(at: &[usize], names: Option<&[String]>) -> Vec<String>
     at.iter().map(written).collect()
 }
 
-/// The indices grouped in runs of equal variance: `^1`, `_212`.
+/// Groups the indices into runs of equal variance: `^1`, `_212`.
 pub(super) fn runs(
     slots: &[Variance],
     indices: impl IntoIterator<Item = String>,
@@ -149,13 +152,13 @@ pub(super) fn runs(
     runs
 }
 
-/// Whether commas separate the indices of a run: above dimension 9, and between names of several
-/// characters.
+/// Whether the indices of a run are separated by commas: above dimension 9, and if a name has
+/// several characters.
 pub(super) fn needs_commas(dimension: usize, run: &[String]) -> bool {
     dimension > 9 || run.iter().any(|index| index.chars().nth(1).is_some())
 }
 
-/// The [`runs`] as text: `212`, `10,2,10`, `theta,r`, in braces if a name contains `_`.
+/// The [`runs`] as text: `212`, `10,2,10`, `theta,r`. A run is in braces if a name contains `_`.
 pub(super) fn scripts(
     dimension: usize,
     slots: &[Variance],
@@ -168,7 +171,7 @@ pub(super) fn scripts(
     runs(slots, indices).into_iter().map(joined).collect()
 }
 
-/// Appends the value in plain text; very small and very large floats have an exponent.
+/// Appends the value as plain text. Very small and very large floats get an exponent.
 pub(super) fn append<S: Coefficient>(text: &mut String, value: &S) {
     let extreme = |x: &f64| S::KIND == Kind::Float && !(1e-5..1e16).contains(&x.abs());
     let written = match value.to_f64().filter(extreme) {
@@ -185,7 +188,7 @@ pub(super) fn plain<S: Coefficient>(value: &S) -> String {
     text
 }
 
-/// The value in plain text with the names of these factors.
+/// The value as plain text, with the factors written by name.
 pub(super) fn with_names<S: Coefficient>(value: &S, factors: &CommonFactors) -> String {
     if factors.is_empty() && S::KIND == Kind::Float {
         return plain(value);
@@ -193,8 +196,8 @@ pub(super) fn with_names<S: Coefficient>(value: &S, factors: &CommonFactors) -> 
     value.text_with(factors)
 }
 
-/// The components in order, except that mirror images in an antisymmetric pair of slots are next to
-/// each other.
+/// The components in the order of their indices, except that mirror images in an antisymmetric pair
+/// of slots are next to each other.
 fn mirrored<S: Coefficient>(
     tensor: &Tensor<S>,
     negative: &impl Fn(&S) -> bool,
@@ -219,7 +222,8 @@ fn mirrored<S: Coefficient>(
     listed
 }
 
-/// Groups the slots into classes that are pairwise symmetric, or pairwise antisymmetric.
+/// Groups the slots into classes. The slots of a class are pairwise symmetric, or pairwise
+/// antisymmetric.
 fn classes<S: Scalar>(tensor: &Tensor<S>) -> Vec<Vec<usize>> {
     let mut classes: Vec<Vec<usize>> = Vec::new();
     for slot in 0..tensor.rank() {

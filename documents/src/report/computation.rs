@@ -1,7 +1,8 @@
-//! Reports of a space over the scalar that it needs.
+//! Reports of a space, with the scalar type that the space needs.
 //!
-//! The formulas are generic over the scalar, but a report is not. Here each formula is compiled
-//! once for every scalar, for the command line, the web page and Python.
+//! The formulas are generic over the scalar type, but a report is not. In this module each formula
+//! is compiled once for every scalar type; the command line, the web page and Python use the
+//! results.
 
 use super::{
     ComparedSide, Convention, Differences, EquationReport, Language, Program, Programmed, Quantity,
@@ -39,22 +40,23 @@ pub struct Computation<'a> {
     pub stage: &'a dyn Fn(&str),
 }
 
-/// The contents of a table.
+/// The tensors of a table, and options for their components.
 #[derive(Clone, Debug, Default)]
 pub struct Selection {
     /// The tensors.
     pub quantities: Vec<Quantity>,
     /// Whether the components refer to the right-invariant frame.
     pub right_frame: bool,
-    /// Whether one component of each set that is equal by symmetry is shown.
+    /// Whether only one of the components that are equal by symmetry is shown.
     pub independent: bool,
-    /// Whether JSON uses names for common factors; see [`Table::common_factors`].
+    /// Whether JSON writes common factors by name; see [`Table::common_factors`].
     pub common_factors: bool,
-    /// Whether indices are names of coordinates or basis vectors; see [`Table::index_names`].
+    /// Whether indices are written as names of coordinates or basis vectors; see
+    /// [`Table::index_names`].
     pub named_indices: bool,
 }
 
-/// A table, and the tensors that it lacks.
+/// A table, and the selected tensors that it does not contain.
 pub struct TableReport {
     /// The table.
     pub report: Box<dyn Report>,
@@ -64,10 +66,10 @@ pub struct TableReport {
 
 /// Stored tables, compared with a space.
 pub struct Compared {
-    /// The differences of each table and remarks on its comparison; an error for a table that does
-    /// not fit the space.
+    /// For each table, its differences from the space, and remarks on the comparison; an error for
+    /// a table that does not fit the space.
     pub tables: Vec<Result<(Differences, Vec<String>), InputError>>,
-    /// Remarks on all comparisons: conventions that no table uses.
+    /// Remarks on all comparisons, about conventions that no table uses.
     pub remarks: Vec<String>,
 }
 
@@ -79,15 +81,16 @@ impl TableReport {
     }
 }
 
-/// The terms that the simplification of the components of a program may form. Beyond, the program computes as the formulas
-/// do.
+/// The number of terms that the simplification of a program may form. Above this number, the
+/// program computes by the formulas without simplification.
 const SIMPLIFIED: u64 = 3_000_000;
 
-/// The same for values at points, which a program of the plain formulas computes sooner where simplification takes seconds.
+/// Like `SIMPLIFIED`, for values at points. The limit is lower, because an unsimplified program
+/// computes a few points sooner than a simplification takes.
 pub const SIMPLIFIED_AT_POINTS: u64 = 100_000;
 
 impl<'a> Computation<'a> {
-    /// An exact computation.
+    /// An exact computation with this space.
     #[must_use]
     pub fn of(space: &'a Space) -> Self {
         Computation {
@@ -98,7 +101,7 @@ impl<'a> Computation<'a> {
         }
     }
 
-    /// The table of tensors.
+    /// Computes the table of tensors.
     ///
     /// # Errors
     /// An error for an invalid space, and for floats beyond their range.
@@ -109,10 +112,11 @@ impl<'a> Computation<'a> {
         })
     }
 
-    /// The table of tensors in floats at a point.
+    /// Computes the table of tensors in floats at a point.
     ///
     /// # Errors
-    /// As [`table`](Self::table); a tensor that depends on a name without a value, or that is not defined at the point.
+    /// Those of [`table`](Self::table); an error for a tensor that depends on a name without a
+    /// value, or that is not defined at the point.
     pub fn table_at(
         &self,
         selection: &Selection,
@@ -126,8 +130,9 @@ impl<'a> Computation<'a> {
         Ok(TableReport::new(table, selection))
     }
 
-    /// The values of programs. On a chart the expressions are simplified first if they stay small, so that terms that cancel are
-    /// not computed; elsewhere the programs compute by the formulas.
+    /// The values of programs. On a chart, the expressions are simplified first, so that terms that
+    /// cancel are not computed. If the simplification forms more than `terms` terms, or if the
+    /// space is not a chart, the programs compute by the formulas.
     fn simplified<T>(
         &self,
         terms: u64,
@@ -142,7 +147,8 @@ impl<'a> Computation<'a> {
         recorded()
     }
 
-    /// The components of tensors as source code, with their partial derivatives by these parameters or coordinates.
+    /// Writes the components of tensors as source code, with their partial derivatives with respect
+    /// to these parameters or coordinates.
     ///
     /// # Errors
     /// Those of [`table`](Self::table).
@@ -170,7 +176,7 @@ impl<'a> Computation<'a> {
         tensors_as_code(&geometry, &selection.quantities, language, by)
     }
 
-    /// The structure constants as input of another program.
+    /// Writes the structure constants as input of another program.
     ///
     /// # Errors
     /// An error for an invalid space.
@@ -182,7 +188,7 @@ impl<'a> Computation<'a> {
         })
     }
 
-    /// The checks of a certificate, by [`certify`].
+    /// Computes the checks of a certificate, with [`certify`].
     ///
     /// # Errors
     /// Those of [`certify`].
@@ -190,11 +196,11 @@ impl<'a> Computation<'a> {
         over_kind!(self.kind()?, S => certify::<S>(&self.space.definition, self.tolerance, self.stage))
     }
 
-    /// Equations of motion; with `solved`, solved for the time derivatives.
+    /// Computes equations of motion; if `solved` is set, they are solved for the time derivatives.
     ///
     /// # Errors
-    /// An error for an invalid space, for one without the metric that the equations need, and for
-    /// floats beyond their range.
+    /// An error for an invalid space, for a missing metric that the equations need, and for floats
+    /// beyond their range.
     pub fn equations(
         &self,
         kind: EquationKind,
@@ -203,7 +209,7 @@ impl<'a> Computation<'a> {
         over_kind!(self.kind()?, S => Ok(Box::new(self.motion::<S>(kind, solved)?)))
     }
 
-    /// Equations of motion as source code, with partial derivatives with respect to these
+    /// Writes equations of motion as source code, with partial derivatives with respect to these
     /// parameters or coordinates.
     ///
     /// # Errors
@@ -217,7 +223,7 @@ impl<'a> Computation<'a> {
         self.motion::<Recorded>(kind, false)?.code(language, by)
     }
 
-    /// One side of a comparison.
+    /// Computes one side of a comparison.
     ///
     /// # Errors
     /// An error for an invalid space.
@@ -227,8 +233,8 @@ impl<'a> Computation<'a> {
         })
     }
 
-    /// The differences between stored tables and the space, and remarks on the comparisons. Components of the stored
-    /// tables follow these conventions.
+    /// Computes the differences between stored tables and the space, and remarks on the
+    /// comparisons. The components of the stored tables follow the given conventions.
     ///
     /// # Errors
     /// Those of [`table`](Self::table); an error for a convention that cannot be parsed.
@@ -268,14 +274,16 @@ impl<'a> Computation<'a> {
         })
     }
 
-    /// The outcomes of statements about the space, and the errors of those that cannot be tested.
+    /// Tests statements about the space. Returns their outcomes, and the errors of those that
+    /// cannot be tested.
     ///
     /// # Errors
     /// An error for an invalid space.
     pub fn test(&self, statements: &Statements) -> Result<Verdicts, InputError> {
         let (space, scalars) = (self.space, self.space.definition.known_parameters());
         let kind = match self.kind()? {
-            // a parameter on which no value depends, the number pi, and roots
+            // chooses symbolic scalars if a statement may contain a parameter, pi, or a root of a
+            // number
             Kind::Exact
                 if !scalars.is_empty()
                     || !space.values.is_empty()
@@ -296,7 +304,7 @@ impl<'a> Computation<'a> {
         self.space.kind(self.scalar)
     }
 
-    /// The geometry, in the selected frame.
+    /// The geometry of the space, in the selected frame.
     fn geometry<S: Coefficient>(&self, selection: &Selection) -> Result<Geometry<S>, InputError> {
         let definition = &self.space.definition;
         (self.stage)("jacobi");
@@ -306,7 +314,7 @@ impl<'a> Computation<'a> {
         Ok(if selection.right_frame { geometry.in_right_frame()? } else { geometry })
     }
 
-    /// The table of a geometry.
+    /// Computes the selected tensors of a geometry as a table.
     fn tensors<S: Coefficient>(
         &self,
         geometry: &Geometry<S>,
@@ -320,7 +328,7 @@ impl<'a> Computation<'a> {
         Ok(table)
     }
 
-    /// The equations over a scalar.
+    /// Computes the equations over one scalar type.
     fn motion<S: Coefficient>(
         &self,
         kind: EquationKind,

@@ -1,4 +1,4 @@
-//! CSV: one row for every nonzero component, indices from 1.
+//! CSV: one row for every nonzero component, with indices from 1.
 
 use super::Table;
 use super::components::append;
@@ -6,7 +6,8 @@ use crate::Coefficient;
 use affinor_tensors::Components;
 use std::io::{self, Write};
 
-/// The index columns, as many as the highest rank shown but at least four.
+/// The names of the index columns. A table has as many of them as the highest rank shown, but at
+/// least four.
 const COLUMNS: [&str; 8] = ["i", "j", "k", "l", "m", "n", "o", "p"];
 
 pub(super) fn write<S: Coefficient>(table: &Table<S>, out: &mut dyn Write) -> io::Result<()> {
@@ -17,8 +18,8 @@ pub(super) fn write<S: Coefficient>(table: &Table<S>, out: &mut dyn Write) -> io
     let numbers: Vec<String> = (1..=dimension).map(|index| format!(",{index}")).collect();
     for entry in &table.tensors {
         let key = entry.quantity.key();
-        // The package csv would check every field of millions of lines for quotes, but only values
-        // may need them.
+        // writes the fields directly: the package csv would check every field of millions of lines
+        // for quotes, but only values may need them
         let rows = |piece: Components<'_, S>| {
             let (mut lines, mut text) = (String::new(), String::new());
             for (at, value) in piece {

@@ -36,7 +36,8 @@ pub struct EquationReport<S> {
     /// The coordinates of the chart, and the components `e^a_i` of the fields; `None` without a
     /// chart.
     pub position: Option<(Vec<String>, Tensor<S>)>,
-    /// Whether the equations `DH/Dt = M` are the Euler-Poincare equations, for which `Lambda = c`.
+    /// For equations `DH/Dt = M`, whether they are the Euler-Poincare equations, which belong to
+    /// the connection `Lambda = c`.
     pub genuine: Option<bool>,
 }
 
@@ -70,7 +71,7 @@ impl<S: Coefficient> EquationReport<S> {
         }
     }
 
-    /// The motion of the position, `dx^a/dt = e^a_i w^i`: for every coordinate its name, and the
+    /// The equations of the position, `dx^a/dt = e^a_i w^i`: for every coordinate, its name and the
     /// right-hand side.
     pub(super) fn positions(&self) -> Vec<(&str, Vec<(S, Variable)>)> {
         let Some((coordinates, fields)) = &self.position else { return vec![] };
@@ -99,7 +100,7 @@ impl<S: Coefficient> EquationReport<S> {
         Ok(())
     }
 
-    /// The names of the variables, distinct from those of the parameters.
+    /// Chooses names of the variables that differ from the names of the parameters.
     fn names(&self) -> Names {
         let [state, other] = letters(self.equations.kind());
         let coordinates = self.position.iter().flat_map(|(coordinates, _)| coordinates);
@@ -266,7 +267,8 @@ impl<S: Coefficient> EquationReport<S> {
         ]
     }
 
-    /// The law of the equations and the law in components, with the name of the parameter of the curve.
+    /// The law of the equations, and the law in components, with the chosen name of the curve
+    /// parameter.
     fn statement(&self, names: &Names) -> [String; 2] {
         let named = |text: &str| {
             ["/d", "/D"].iter().fold(text.to_string(), |text, rate| {
@@ -302,13 +304,13 @@ impl<S: Coefficient> EquationReport<S> {
         positions.chain(rows).collect()
     }
 
-    /// The lines of an `aligned` environment; a long right-hand side takes several lines.
+    /// The lines of an `aligned` environment. A long right-hand side is broken into several lines.
     fn aligned(&self) -> String {
         let equation = |[left, right]: [Row; 2]| {
             let mut text = format!("{} &= ", tex::formula(&left));
             let mut column = width(&left) + 4;
             for (position, term) in pieces(&right).into_iter().enumerate() {
-                // a sign between terms has a gap
+                // counts the gap around a sign between terms
                 let width = width(term) + usize::from(position > 0);
                 if position > 0 && column + width > WIDTH {
                     text.push_str("\\\\\n&\\quad ");
@@ -338,7 +340,7 @@ impl<S: Coefficient> Report for EquationReport<S> {
     }
 }
 
-/// The letters of the unknown and of the known variable.
+/// The letters of the unknown variable and of the known variable.
 pub(super) fn letters(motion: EquationKind) -> [&'static str; 2] {
     match motion {
         EquationKind::EulerPoincare => ["Omega", "M"],
@@ -347,15 +349,15 @@ pub(super) fn letters(motion: EquationKind) -> [&'static str; 2] {
     }
 }
 
-/// The coefficients of both sides.
+/// The coefficients of both sides of an equation.
 fn coefficients<S>(row: &equations::Row<S>) -> impl Iterator<Item = &S> {
     row.left.iter().map(|(v, _)| v).chain(row.right.iter().map(|(v, _)| v))
 }
 
-/// Names for the parameter of a curve; the first one that is not a parameter or coordinate is used.
+/// Names for the curve parameter. The first name that is not a parameter or a coordinate is used.
 const TIMES: [&str; 4] = ["t", "s", "tau", "lambda"];
 
-/// The names of the variables, and of the parameter of the curve.
+/// The names of the variables and of the curve parameter.
 struct Names {
     state: String,
     other: String,
@@ -382,7 +384,7 @@ impl Names {
         indexed(formula::name(name), above, j)
     }
 
-    /// The name, whether the index is upper, and the index from 0.
+    /// The parts of a variable: its name, whether its index is upper, and its index from 0.
     fn parts(&self, variable: Variable) -> (&str, bool, usize) {
         match variable {
             Variable::State(j) => (&self.state, true, j),
@@ -399,7 +401,7 @@ impl Names {
         }
     }
 
-    /// Both sides of an equation.
+    /// Both sides of an equation as text.
     fn row<S: Coefficient>(&self, row: &equations::Row<S>) -> [String; 2] {
         let left = row.left.iter().map(|(value, j)| (plain(value), self.rate(*j)));
         let right = row.right.iter().map(|(value, factors)| (plain(value), self.product(factors)));
@@ -407,7 +409,7 @@ impl Names {
     }
 }
 
-/// A letter with an index, from 0.
+/// A letter with a single index, which counts from 0.
 fn indexed(base: Node, above: bool, j: usize) -> Node {
     Node::Scripts(Box::new(base), vec![(above, vec![Node::Number((j + 1).to_string())])])
 }

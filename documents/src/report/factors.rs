@@ -1,4 +1,4 @@
-//! Named factors that several components of a table share.
+//! Named factors: common factors of several components of a table.
 
 use super::components::{GROUPED, groups};
 use super::{OnChart, Table};
@@ -7,7 +7,7 @@ use crate::formula::{Row, formula, name};
 use affinor_tensors::linear::Matrix;
 use affinor_tensors::{CommonFactors, Kind, Symbolic, Tensor};
 
-/// The common factors of a table, and a line that defines each.
+/// The common factors of a table, each with a line that defines it.
 #[derive(Default)]
 pub(super) struct NamedFactors {
     pub factors: CommonFactors,
@@ -17,15 +17,15 @@ pub(super) struct NamedFactors {
 /// A named factor, such as `D = det g = a*b - c^2`.
 pub(super) struct NamedFactor {
     pub name: String,
-    /// The rows and columns, from 1, of the metric whose determinant it is, and whether these are
-    /// all.
+    /// The rows and columns of the metric, from 1, of which the factor is the determinant, and
+    /// whether they are all rows and columns.
     determinant: Option<(Vec<usize>, bool)>,
     /// The factor in plain text.
     pub text: String,
 }
 
 impl NamedFactor {
-    /// The name `D`, and its meaning `det g` or `det g[1,2,3]`.
+    /// The name, and its meanings: `D`, then `det g` or `det g[1,2,3]`.
     pub fn is(&self) -> Vec<String> {
         let minor = |(rows, all): &(Vec<usize>, bool)| match all {
             true => "det g".to_string(),
@@ -34,7 +34,7 @@ impl NamedFactor {
         [self.name.clone()].into_iter().chain(self.determinant.as_ref().map(minor)).collect()
     }
 
-    /// The same as formulas.
+    /// Like [`is`](Self::is), as formulas.
     pub fn is_in_formulas(&self) -> Vec<Row> {
         let minor = |(rows, all): &(Vec<usize>, bool)| match all {
             true => formula("det g"),
@@ -49,7 +49,7 @@ fn list(rows: &[usize]) -> String {
     rows.iter().map(usize::to_string).collect::<Vec<_>>().join(",")
 }
 
-/// The size of the largest determinants that are tried as factors.
+/// The largest size of determinants that are tried as factors.
 const LARGEST: usize = 8;
 
 impl<S: Coefficient> Table<S> {
@@ -60,7 +60,7 @@ impl<S: Coefficient> Table<S> {
         }
         let shown: Vec<_> = self.tensors.iter().map(|entry| self.shown(entry)).collect();
         let (short, long): (Vec<_>, Vec<_>) = shown.iter().partition(|t| t.len() <= GROUPED);
-        // equal components are written once, so they count once
+        // counts the value of equal components once, because the table writes it once
         let groups: Vec<_> = short.into_iter().flat_map(|tensor| groups(tensor)).collect();
         let listed = long.iter().flat_map(|tensor| tensor.components().map(|(_, value)| value));
         let mut taken = [&self.parameters[..], &self.labels].concat();
@@ -85,7 +85,7 @@ impl<S: Coefficient> Table<S> {
     }
 }
 
-/// The determinants of the blocks of a metric, with the rows of each from 1.
+/// The determinants of the blocks of a metric, each with the rows of its block, from 1.
 fn determinants<S: Coefficient>(metric: &Tensor<S>) -> Vec<(Vec<usize>, String)> {
     let mut blocks: Vec<Vec<usize>> = (0..metric.dimension()).map(|i| vec![i]).collect();
     for (at, _) in metric.components() {

@@ -14,7 +14,7 @@ use comfy_table::{ContentArrangement, Table};
 use serde_json::Value;
 use std::io::{self, Write};
 
-/// The columns of a terminal line.
+/// The width of a line in a terminal.
 const WIDTH: u16 = 80;
 
 /// A grid: a title, a header, and rows of cells; a cell may have several lines.
@@ -27,7 +27,7 @@ pub(super) struct Grid {
     pub header: Vec<String>,
     /// The rows, each with one cell per column.
     pub rows: Vec<Vec<Cell>>,
-    /// The report in JSON.
+    /// The JSON form of the report.
     pub json: Value,
 }
 
@@ -40,7 +40,7 @@ pub(super) struct Cell {
     pub latex: Option<Vec<String>>,
     /// The lines in HTML, if they differ from the escaped text.
     pub html: Option<Vec<String>>,
-    /// Whether characters must be aligned vertically, as in a diagram or a matrix.
+    /// Whether the characters must be aligned vertically, as in a diagram or a matrix.
     pub is_drawn: bool,
 }
 
@@ -57,7 +57,7 @@ impl From<String> for Cell {
 }
 
 impl Cell {
-    /// A diagram or a matrix whose characters are aligned vertically.
+    /// A cell with a diagram or a matrix, whose characters are aligned vertically.
     pub fn drawn(text: &str) -> Self {
         Cell { is_drawn: true, ..text.into() }
     }
@@ -70,7 +70,7 @@ impl Cell {
         self.latex.clone().unwrap_or_else(|| self.lines(tex::escaped))
     }
 
-    /// The lines of plain text, escaped for a format.
+    /// The lines of plain text, in which `escape` escapes the special characters of a format.
     fn lines(&self, escape: impl Fn(&str) -> String) -> Vec<String> {
         self.text.iter().map(|text| escape(text)).collect()
     }
@@ -89,7 +89,8 @@ impl Report for Grid {
     }
 }
 
-/// The header of a grid: the conventions in brief, and the rule by which a float counts as zero.
+/// The header of a grid: a summary of the conventions, and the rule by which a float counts as
+/// zero.
 pub(super) fn head_of_grid(zero: Option<&str>) -> Vec<(&'static str, Cell)> {
     let conventions = Cell {
         text: vec![conventions()],

@@ -6,7 +6,7 @@ use affinor::conventions;
 use affinor_tensors::{Kind, Tolerance};
 use serde_json::{Value, json};
 
-/// The conventions in brief.
+/// A summary of the conventions.
 pub(super) fn conventions() -> String {
     [conventions::BRACKET, conventions::AFFINITIES, conventions::CURVATURE].join("; ")
 }
@@ -17,7 +17,7 @@ pub(super) fn zero(tolerance: Tolerance) -> String {
     format!("|v| <= {tolerance:.3e} times the sum of the absolute values of its terms")
 }
 
-/// The scalar of a table in floats, with the rule by which a float counts as zero.
+/// The description of the scalar type float, with the rule by which a float counts as zero.
 pub(super) fn float(zero: &str) -> String {
     format!("float; a component v is zero when {zero}")
 }
@@ -37,7 +37,7 @@ pub(super) fn conventions_in_json(zero: Option<&str>) -> Value {
 }
 
 impl<S: Coefficient> Table<S> {
-    /// The lines of the header except the conventions, each with its label; the second is the
+    /// The lines of the header except the conventions, each with its label. The second line is the
     /// basis.
     pub(super) fn head(&self) -> Vec<(&'static str, String)> {
         let mut lines = vec![
@@ -64,7 +64,7 @@ impl<S: Coefficient> Table<S> {
         lines
     }
 
-    /// The tolerance for zero, if the scalar is a float.
+    /// The rule by which a float counts as zero, if the scalar type is float.
     pub(super) fn zero_line(&self) -> Option<String> {
         (S::KIND == Kind::Float).then(|| zero(self.tolerance))
     }
@@ -78,7 +78,7 @@ impl<S: Coefficient> Table<S> {
         }
     }
 
-    /// Whether a component is an irrational number.
+    /// Whether some component is an irrational number.
     fn is_irrational(&self) -> bool {
         let mut values = self.tensors.iter().flat_map(|entry| entry.tensor.nonzero());
         values.any(|value| value.numerator_terms().iter().any(|(powers, _)| !powers.is_empty()))
@@ -99,7 +99,7 @@ impl<S: Coefficient> Table<S> {
     }
 }
 
-/// The name of a scalar in JSON and in headers.
+/// The name of a scalar type in JSON and in headers.
 pub(super) fn kind_name(kind: Kind) -> &'static str {
     match kind {
         Kind::Exact => "exact",

@@ -30,7 +30,7 @@ pub(super) fn write<S: Coefficient>(table: &Table<S>, out: &mut dyn Write) -> io
     })
 }
 
-/// Labelled lines in HTML.
+/// Lines with labels, in HTML.
 pub(super) fn head(
     lines: impl Iterator<Item = (&'static str, String)>,
     out: &mut dyn Write,
@@ -42,7 +42,7 @@ pub(super) fn head(
     writeln!(out, "</dl>")
 }
 
-/// The conventions in brief.
+/// A summary of the conventions.
 pub(super) fn conventions() -> String {
     let formulas = convention_formulas();
     formulas.iter().map(|formula| mathml::inline(formula)).collect::<Vec<_>>().join("; ")
@@ -68,7 +68,7 @@ fn tensor<S: Coefficient>(
         return writeln!(out, "<p>{}</p>\n</section>", mathml::inline(&zero));
     }
     if shown.len() > GROUPED {
-        // a browser could not render a formula for each of a million components
+        // writes plain text, because a browser could not render a million components as formulas
         writeln!(out, "<pre tabindex=\"0\">")?;
         for (at, value) in shown.components() {
             let name = named(entry.quantity.symbol(), &shown, &at, names);

@@ -1,15 +1,15 @@
-//! Names as ASCII identifiers of programs.
+//! Converts names to ASCII identifiers that programs accept.
 
 use std::borrow::Cow;
 
-/// The Greek letters from alpha to omega, with the final sigma.
+/// The names of the Greek letters from alpha to omega, including the final sigma.
 const GREEK: [&str; 25] = [
     "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "iota", "kappa",
     "lambda", "mu", "nu", "xi", "omicron", "pi", "rho", "sigma", "sigma", "tau", "upsilon", "phi",
     "chi", "psi", "omega",
 ];
 
-/// Distinct identifiers for these names. ASCII names are unchanged if they are distinct.
+/// Converts names to distinct identifiers. ASCII names are unchanged if they are distinct.
 pub(super) fn identifiers(names: &[impl AsRef<str>]) -> Vec<String> {
     let names: Vec<&str> = names.iter().map(AsRef::as_ref).collect();
     let mut taken: Vec<String> = vec![];
@@ -28,7 +28,7 @@ pub(super) fn identifiers(names: &[impl AsRef<str>]) -> Vec<String> {
     taken
 }
 
-/// The name with Greek letters written out, and other letters as numbers: `theta_1` for `θ_1`.
+/// Writes out Greek letters, and writes other non-ASCII letters as numbers: `theta_1` for `θ_1`.
 fn transliterated(name: &str) -> Cow<'_, str> {
     if name.is_ascii() {
         return name.into();

@@ -1,9 +1,10 @@
-//! Expressions of tensors with index letters, `R^i_jkl + 1/4*c^m_kl c^i_mj`, evaluated on a geometry.
+//! Expressions of tensors with index letters, such as `R^i_jkl + 1/4*c^m_kl c^i_mj`, evaluated on a
+//! geometry.
 //!
 //! An index is a letter, a number from 1, or the name of a basis vector or a coordinate. A letter
-//! that occurs twice in a product, once upper and once lower, is summed. Indices at another level
-//! than in the table are raised and lowered by the metric. A tensor without indices means the whole
-//! tensor.
+//! that occurs twice in a product, once upper and once lower, is summed. If the level of an index
+//! differs from the level in a table, the metric raises or lowers the index. A tensor without
+//! indices means the whole tensor.
 
 mod notation;
 
@@ -22,12 +23,12 @@ use std::cell::RefCell;
 #[derive(Clone, Debug)]
 pub(super) struct Indexed<S> {
     pub letters: Vec<char>,
-    /// The letters that were summed.
+    /// The letters over which a sum was taken.
     summed: Vec<char>,
     pub tensor: Tensor<S>,
 }
 
-/// The letters for the slots of a tensor that is written without indices.
+/// Letters for the slots of a tensor that is written without indices.
 pub(super) const WHOLE: [char; 5] = ['α', 'β', 'γ', 'δ', 'ε'];
 
 /// A function from names to their values.
@@ -52,15 +53,15 @@ impl<S: Coefficient> Indexed<S> {
         self.tensor.to_scalar()
     }
 
-    /// Whether it is the number 0, with which every tensor may be compared.
+    /// Whether the value is the number 0, which may be compared with every tensor.
     fn is_zero_number(&self) -> bool {
         self.letters.is_empty() && self.tensor.is_empty()
     }
 
-    /// The difference `self - other`, with the letters of `self`; the number 0 fits any letters.
+    /// The difference `self - other`, with the letters of `self`. The number 0 fits any letters.
     ///
     /// # Errors
-    /// A message, if the letters differ or are at different levels.
+    /// A message if the two sides have different letters, or a letter at different levels.
     pub fn minus(&self, other: &Self) -> Result<Self, String> {
         self.combine(other, "-")
     }
@@ -132,7 +133,7 @@ impl<S: Coefficient> Indexed<S> {
         indices(self.slots())
     }
 
-    /// The indices for a message: `^i_jk`.
+    /// The indices as text for a message: `^i_jk`.
     fn described(&self) -> String {
         match self.letters.as_slice() {
             [] => "none".into(),
@@ -175,7 +176,7 @@ impl<'a, S: Coefficient> Tensors<'a, S> {
         Ok(tensor)
     }
 
-    /// A tensor with the given indices.
+    /// The value of a tensor with its indices in an expression.
     fn indexed(&self, occurrence: &Occurrence) -> Result<Indexed<S>, String> {
         let mut tensor = self.tensor(occurrence.quantity)?;
         let Some(written) = &occurrence.indices else {
@@ -241,12 +242,13 @@ impl<S: Coefficient> Meaning<'_, S> {
         Ok(Indexed { letters: vec![], summed: vec![], tensor })
     }
 
-    /// The operations on numbers, which bound the size of values.
+    /// The evaluator of numbers, which limits the size of values.
     fn scalars(&self) -> impl Evaluator<Value = S> {
         Scalars(self.tensors.scalars, |name: &str, arguments: &[S]| S::call(name, arguments))
     }
 
-    /// The values of numbers, for an operation that is not defined for tensors.
+    /// The values of numbers. A tensor is an error, because the operation is not defined for
+    /// tensors.
     fn numbers(values: &[Indexed<S>], operation: &str) -> Result<Vec<S>, String> {
         let number = |value: &Indexed<S>| {
             value.scalar().ok_or_else(|| {

@@ -1,4 +1,4 @@
-//! The structure of a Lie algebra: one row per notion, with its answer and a witness.
+//! The structure of a Lie algebra: one row for each notion, with the answer and a witness.
 
 mod basis;
 mod casimirs;
@@ -32,11 +32,12 @@ use std::io::{self, Write};
 
 /// The name of the schema.
 const SCHEMA: &str = "affinor.info/1";
-/// The number of vectors, or of characters, above which bases are written in JSON only.
+/// The largest number of vectors and of characters of bases in the report. Larger bases are written
+/// only in JSON.
 const SHOWN: usize = 12;
 const LONGEST: usize = 240;
 
-/// The reason why answers over the rationals are missing.
+/// The reason why answers over the rational numbers are missing.
 const NOT_RATIONAL: &str = "not computed unless the structure constants are rational numbers";
 /// The reason why rows of a solvable algebra have no answer.
 const SOLVABLE: &str = "the Levi subalgebra is 0";
@@ -46,7 +47,7 @@ const SOLVABLE: &str = "the Levi subalgebra is 0";
 pub struct Info {
     grid: Grid,
     json: Map<String, Value>,
-    /// For each key, the matrix at the end of its object.
+    /// For each key, the matrix that is written at the end of its JSON object.
     matrices: BTreeMap<&'static str, Rows>,
 }
 
@@ -54,8 +55,8 @@ impl Info {
     /// Computes the structure of the algebra of a definition; `stage` is called before each part.
     ///
     /// # Errors
-    /// An error for brackets that do not define a Lie algebra, for a chart, and for structure
-    /// constants that cannot be made rational by dividing basis vectors by square roots.
+    /// An error if the brackets do not define a Lie algebra, for a chart, and if dividing basis
+    /// vectors by square roots does not make the structure constants rational.
     pub fn of(definition: &Definition, stage: &dyn Fn(&str)) -> Result<Self, InputError> {
         let definition = definition.algebra_alone();
         let tolerance = Tolerance::default();
@@ -90,10 +91,11 @@ impl Info {
         Ok(info)
     }
 
-    /// The structure of an algebra of this name, whose structure constants depend on `parameters`.
+    /// Computes the structure of an algebra with this name, whose structure constants depend on
+    /// `parameters`.
     ///
     /// # Errors
-    /// None occur for a Lie algebra.
+    /// No errors occur for a Lie algebra.
     pub fn new<S: GroundField + Coefficient>(
         name: &str,
         structure: &StructureTheory<S>,
@@ -135,7 +137,8 @@ impl Info {
         let simple = match (&ideals, types.as_deref()) {
             _ if !radical.is_zero() => Some(false),
             (Some(ideals), _) => Some(ideals.real.len() == 1),
-            // simple over the complex numbers, for generic parameter values
+            // a single simple factor over the complex numbers means that the algebra is simple for
+            // generic parameter values
             (None, Some([_])) => Some(true),
             (None, _) => None,
         };
@@ -208,7 +211,7 @@ impl Info {
     }
 }
 
-/// The Levi subalgebra in the basis of its echelon form, if its constants are rational.
+/// The Levi subalgebra in the basis of its echelon form, if its structure constants are rational.
 fn rational_subalgebra<S: GroundField>(
     structure: &StructureTheory<S>,
     levi: &Subspace<S>,
@@ -219,7 +222,7 @@ fn rational_subalgebra<S: GroundField>(
     Ok(structure.subalgebra(levi)?.over_the_rationals())
 }
 
-/// The certainty of a dimension that was found by ranks modulo primes.
+/// The certainty of a dimension that was found from ranks modulo primes.
 fn certainty(proved: bool) -> &'static str {
     if proved { "proved" } else { "modulo two primes" }
 }
@@ -237,7 +240,7 @@ impl Report for Info {
         if format != Format::Json {
             return self.grid.write(format, out);
         }
-        // one key per line, because bases are long
+        // writes one key per line, because bases are long
         for (at, (key, value)) in self.json.iter().enumerate() {
             out.write_all(if at == 0 { b"{\n" } else { b",\n" })?;
             write!(out, "  {}: ", Value::from(key.as_str()))?;

@@ -1,4 +1,4 @@
-//! JSON, schema `affinor.table/1`: one object, with one component per line.
+//! JSON with the schema `affinor.table/1`: one object, with one component per line.
 
 use super::components::append;
 use super::factors::{NamedFactor, NamedFactors};
@@ -64,12 +64,13 @@ pub(super) fn write<S: Coefficient>(table: &Table<S>, out: &mut dyn Write) -> io
     writeln!(out, "\n  }}\n}}")
 }
 
-/// The variances of slots, `["up","down"]`.
+/// The variances of slots as JSON, `["up","down"]`.
 pub(super) fn variances(slots: &[Variance]) -> Value {
     slots.iter().map(|slot| if *slot == Up { "up" } else { "down" }).collect()
 }
 
-/// Writes one tensor directly, because a tree of a million components would take much memory.
+/// Writes one tensor directly, because a tree of JSON values for a million components would use
+/// much memory.
 fn tensor<S: Coefficient>(
     table: &Table<S>,
     entry: &TableEntry<S>,
@@ -101,7 +102,7 @@ fn tensor<S: Coefficient>(
     out.write_all(if shown.is_empty() { b"]}" } else { b"\n    ]}" })
 }
 
-/// The formulas of the basic quantities, and of all tensors that are shown.
+/// The formulas of the basic quantities, and of all tensors in the table.
 fn conventions<S: Coefficient>(table: &Table<S>) -> Vec<(&'static str, String)> {
     let mut conventions = vec![("indices", "from 1".into())];
     conventions.push(("frame", table.frame.into()));
@@ -118,7 +119,7 @@ fn conventions<S: Coefficient>(table: &Table<S>) -> Vec<(&'static str, String)> 
     conventions
 }
 
-/// Appends a value: exact and symbolic values are strings, floats are numbers; `text` is a buffer.
+/// Appends a value: exact and symbolic values as strings, floats as numbers. `text` is a buffer.
 fn append_scalar<S: Coefficient>(
     json: &mut Vec<u8>,
     text: &mut String,

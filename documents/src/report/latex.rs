@@ -77,8 +77,7 @@ fn tensor<S: Coefficient>(
             }
         }
     } else {
-        // TeX reads a whole align* into memory before it typesets it; paragraphs do not have this
-        // limit
+        // writes paragraphs, because TeX reads a whole align* into memory before it typesets it
         for (at, value) in shown.components() {
             let group = Group { value: value.clone(), members: vec![(at.to_vec(), false)] };
             writeln!(out, "{}", Equation(sides(&symbol, &shown, &group, factors, names)).inline())?;
@@ -95,12 +94,12 @@ impl Equation {
         self.0.last().map_or(&[], Vec::as_slice)
     }
 
-    /// Whether the value is too wide for a displayed formula.
+    /// Whether the value is too wide for a line of a displayed formula.
     fn is_long(&self) -> bool {
         width(self.value()) > WIDTH
     }
 
-    /// Lines of an `align*`, broken before `=`.
+    /// The lines of an `align*`, which are broken before `=`.
     fn aligned(&self) -> String {
         let Some((first, sides)) = self.0.split_first() else { return String::new() };
         let (mut text, mut column) = (tex::formula(first), width(first));
@@ -119,8 +118,8 @@ impl Equation {
         text
     }
 
-    /// A paragraph, which TeX breaks at relations and signs. Fractions are written with a slash,
-    /// because TeX cannot break fraction bars.
+    /// A paragraph, in which TeX may break lines at relations and signs. Fractions are written with
+    /// a slash, because TeX cannot break fraction bars.
     fn inline(&self) -> String {
         let mut sides = self.0.clone();
         if self.is_long()
@@ -135,12 +134,12 @@ impl Equation {
     }
 }
 
-/// A formula as a paragraph without its end.
+/// A formula as a paragraph, without the end of the paragraph.
 pub(super) fn paragraph(formula: &[Node]) -> String {
     format!("\\hangindent=2em ${}$", tex::breakable(formula))
 }
 
-/// The conventions in brief.
+/// A summary of the conventions.
 pub(super) fn conventions() -> String {
     let formulas = convention_formulas();
     let formulas: Vec<String> =
@@ -153,13 +152,13 @@ pub fn components_in_latex<S: Coefficient>(symbol: &str, tensor: &Tensor<S>) -> 
     labelled_in_latex(symbol, tensor, None)
 }
 
-/// Like [`components_in_latex`], with names of the indices instead of numbers.
+/// Like [`components_in_latex`], but indices may be names instead of numbers.
 pub fn labelled_in_latex<S: Coefficient>(
     symbol: &str,
     tensor: &Tensor<S>,
     names: Option<&[String]>,
 ) -> Vec<String> {
-    // a placeholder, because the symbol is already LaTeX
+    // writes a placeholder first, because the symbol is already LaTeX and must not be converted
     const SYMBOL: char = '\u{FFFC}';
     let none = CommonFactors::default();
     let aligned = |group: &Group<S>| {

@@ -30,8 +30,8 @@ pub fn listing(
     Grid::new(title, header, cells.collect(), json)
 }
 
-/// The spaces whose name contains a text, ignoring case; `None` if there are none. JSON has the
-/// schema `affinor.list/1`.
+/// The list of all spaces whose name contains `pattern`, ignoring case; `None` if there are none.
+/// JSON has the schema `affinor.list/1`.
 pub fn catalogue(pattern: &str) -> Option<impl Report + use<>> {
     let mut rows = vec![
         ["M(3)", "the paper's rotations: plus, metric J", "M3"],
@@ -48,8 +48,9 @@ pub fn catalogue(pattern: &str) -> Option<impl Report + use<>> {
     (!rows.is_empty()).then(|| Grid::new("Catalogue; + forms direct sums", &header, cells, json))
 }
 
-/// The algebras of the catalogue with all properties of a condition such as `dimension=4,
-/// nilpotent, not abelian`; `None` if there are none. JSON has the schema `affinor.list/1`.
+/// The list of all algebras of the catalogue that have the properties in a condition, such as
+/// `dimension=4, nilpotent, not abelian`; `None` if there are none. JSON has the schema
+/// `affinor.list/1`.
 ///
 /// # Errors
 /// An error for a condition that cannot be parsed.
@@ -82,15 +83,15 @@ pub fn catalogue_where(condition: &str) -> Result<Option<impl Report + use<>>, I
     Ok((!rows.is_empty()).then(|| Grid::new(title, &header, rows, json)))
 }
 
-/// The properties of a condition.
+/// The properties that a condition may name.
 const PROPERTIES: [&str; 7] =
     ["abelian", "nilpotent", "solvable", "unimodular", "perfect", "reductive", "semisimple"];
-/// The dimensions that are searched.
+/// The dimensions that a condition may name.
 const SEARCHED: std::ops::RangeInclusive<usize> = 1..=10;
 
 type Conditions = (std::ops::RangeInclusive<usize>, Vec<(String, bool)>);
 
-/// The dimensions, and the properties that are required or excluded.
+/// Parses a condition. Returns the dimensions, and the properties that are required or excluded.
 fn conditions(text: &str) -> Result<Conditions, InputError> {
     let refuse = |part: &str| {
         let message = format!("`{}` is not a condition", part.escape_debug());
@@ -126,8 +127,8 @@ fn conditions(text: &str) -> Result<Conditions, InputError> {
     Ok((dimensions, properties))
 }
 
-/// The checks of a definition with this name, and their tolerance if they were made in floats. JSON
-/// has the schema `affinor.check/1`.
+/// The report of the checks of a definition with this name. If the checks were made in floats, it
+/// contains their tolerance. JSON has the schema `affinor.check/1`.
 pub fn certificate(
     name: &str,
     checks: &[Check],

@@ -56,12 +56,12 @@ fn tensor<S: Coefficient>(
     summary(&entry.tensor, &shown).map_or(Ok(()), |summary| writeln!(out, "\n{summary}"))
 }
 
-/// Text with all markup characters escaped.
+/// Escapes all markup characters.
 fn escape(text: &str) -> String {
     escaped(text, "\\`*_[]<>#|^~$&")
 }
 
-/// Text with a backslash before each of the `special` characters.
+/// Puts a backslash before each of the `special` characters.
 pub(super) fn escaped(text: &str, special: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     for c in text.chars() {

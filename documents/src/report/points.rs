@@ -1,4 +1,5 @@
-//! Tensors at points: programs that compute components from numbers, and tables of their values.
+//! Tensors at points: programs that compute components from numbers, and tables of these
+//! components.
 
 use super::{Programmed, Table, TableEntry};
 use crate::input::InputError;
@@ -6,7 +7,8 @@ use crate::space::Point;
 use affinor_tensors::scalar::StraightLine;
 use affinor_tensors::{Recorded, Tensor, TrackedFloat};
 
-/// A tensor as a program: its components are computed from numbers for coordinates, parameters and functions.
+/// A tensor as a program, which computes the components from numbers for the coordinates,
+/// parameters and functions.
 ///
 /// ```
 /// use affinor_documents::report::TensorProgram;
@@ -25,10 +27,10 @@ pub struct TensorProgram {
 }
 
 impl TensorProgram {
-    /// The program of a tensor.
+    /// Converts a tensor to a program.
     ///
     /// # Errors
-    /// A function without a counterpart in programs.
+    /// An error if a component contains a function that programs do not support.
     pub fn new<S: Programmed>(tensor: &Tensor<S>) -> Result<Self, InputError> {
         let program = |value: &S| value.program().map_err(InputError::usage);
         let indices = tensor.components().map(|(at, _)| at.to_vec()).collect();
@@ -37,17 +39,17 @@ impl TensorProgram {
         Ok(TensorProgram { indices, program })
     }
 
-    /// The coordinates, parameters and functions that the components depend on.
+    /// The coordinates, parameters and functions on which the components depend.
     pub fn inputs(&self) -> impl Iterator<Item = &'static str> {
         self.program.inputs().map(|input| input.text())
     }
 }
 
 impl<S: Programmed> Table<S> {
-    /// The table in floats at a point.
+    /// Evaluates the table in floats at a point.
     ///
     /// # Errors
-    /// A tensor that depends on a name without a value, or that is not defined at the point.
+    /// An error if a tensor depends on a name without a value, or is not defined at the point.
     pub(super) fn at(&self, point: &Point) -> Result<Table<TrackedFloat>, InputError> {
         let mut tensors = Vec::new();
         for TableEntry { quantity, tensor } in &self.tensors {
@@ -72,7 +74,8 @@ impl<S: Programmed> Table<S> {
             independent: self.independent,
             common_factors: self.common_factors,
             index_names: self.index_names.clone(),
-            // denominators of floats have no factors
+            // omits the metric, which is needed only for common factors of denominators; floats
+            // have none
             metric: None,
             point: point.iter().map(|(name, value)| (name.into(), value.corrected())).collect(),
             tensors,
@@ -80,7 +83,7 @@ impl<S: Programmed> Table<S> {
     }
 }
 
-/// A tensor at a point; `key` is its name.
+/// Evaluates a tensor at a point; `key` is the name of the tensor.
 fn at<S: Programmed>(
     tensor: &Tensor<S>,
     point: &Point,

@@ -12,7 +12,7 @@ use std::fmt::Write;
 /// A computer algebra program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Program {
-    /// GAP: a table of structure constants and its Lie algebra.
+    /// GAP: a table of structure constants, and its Lie algebra.
     Gap,
     /// Sage: a Lie algebra given by its brackets.
     Sage,
@@ -22,14 +22,14 @@ pub enum Program {
     Sympy,
 }
 
-/// The terms `(i, c^i_jk)` of the brackets with `j < k`.
+/// The terms `(i, c^i_jk)` of each bracket with `j < k`.
 type Brackets<S> = BTreeMap<(usize, usize), Vec<(usize, S)>>;
 
 impl Program {
     /// All programs.
     pub const ALL: [Program; 4] = [Program::Gap, Program::Sage, Program::Maple, Program::Sympy];
 
-    /// The name of the program in options.
+    /// The name by which options select the program.
     pub fn name(self) -> &'static str {
         match self {
             Program::Gap => "gap",
@@ -44,9 +44,9 @@ impl Program {
         Self::ALL.into_iter().find(|program| program.name() == name)
     }
 
-    /// The structure constants of an algebra as input of the program. Labels that are not valid
-    /// names are replaced by `e1`, `e2`, .... Parameters with a name that the program reserves,
-    /// such as `lambda`, get a suffix: `lambda_`.
+    /// Writes the structure constants of an algebra as input of the program. Labels that are not
+    /// valid names are replaced by `e1`, `e2`, .... A parameter whose name is reserved by the
+    /// program, such as `lambda`, gets a suffix: `lambda_`.
     pub fn structure<S: Coefficient>(
         self,
         name: &str,
@@ -63,7 +63,8 @@ impl Program {
                 brackets.entry((at[1], at[2])).or_default().push((at[0], value.clone()));
             }
         }
-        // pi is transcendental, so an indeterminate generates an isomorphic field
+        // replaces pi by an indeterminate: pi is transcendental, so the generated fields are
+        // isomorphic
         if self == Program::Gap && numbers.remove("pi") {
             parameters.push("pi".into());
         }
@@ -77,7 +78,7 @@ impl Program {
         let name = printable(name);
         let variables = Variables::new(self, &parameters, numbers);
         let mut text = String::new();
-        // writing to a string cannot fail
+        // ignores the result: writing to a string cannot fail
         let _ = match self {
             Program::Gap => gap(&mut text, &name, labels.len(), &brackets, &variables),
             Program::Sage => sage(&mut text, &name, &labels, &brackets, &variables),
@@ -87,11 +88,11 @@ impl Program {
         text
     }
 
-    /// Whether a variable of the program cannot have this name, because it is a reserved word or a
-    /// name in the generated text.
+    /// Whether the program reserves this name, because it is a reserved word or occurs in the
+    /// generated text.
     fn reserves(self, name: &str) -> bool {
         match self {
-            // names in the library of GAP begin with capitals
+            // names in the library of GAP begin with a capital letter
             Program::Gap => name.starts_with(|c: char| c.is_ascii_uppercase()) || is_in(GAP, name),
             Program::Maple => is_in(MAPLE, name),
             Program::Sage => {
@@ -104,11 +105,11 @@ impl Program {
     }
 }
 
-/// Reserved words of GAP, and names that already have values.
+/// Reserved words of GAP, and names that already have a value.
 const GAP: &str = "and atomic break continue do elif else end fail false fi for function if in infinity last last2 last3 local \
     memory_allocated mod not od or quit readonly readwrite rec repeat return then time true until while";
 
-/// Reserved words of Maple, names that already have values, and the names in an export.
+/// Reserved words of Maple, names that already have a value, and names that occur in the output.
 const MAPLE: &str = "Alg Catalan Digits FAIL I L Order Pi and assuming break by catch description do done elif else end error \
     export false fi finally for from gamma global if implies in infinity intersect local minus mod module next not od \
     option options or printlevel proc quit read return save stop subset then to true try undefined union until use uses \
@@ -122,7 +123,7 @@ fn is_in(words: &str, name: &str) -> bool {
     words.split_ascii_whitespace().any(|word| word == name)
 }
 
-/// The square roots of numbers in a value, and pi: `sqrt(2)`.
+/// The irrational numbers in a value: pi, and square roots such as `sqrt(2)`.
 fn irrational(value: &impl Coefficient) -> BTreeSet<&'static str> {
     let terms = value.numerator_terms();
     let powers = terms.iter().flat_map(|(powers, _)| powers);
@@ -133,9 +134,9 @@ fn irrational(value: &impl Coefficient) -> BTreeSet<&'static str> {
 struct Variables<'p> {
     parameters: &'p [String],
     names: Vec<String>,
-    /// The irrational numbers that occur.
+    /// The irrational numbers that occur in the structure constants.
     numbers: BTreeSet<&'static str>,
-    /// Functions and constants of the program, with the names in affinor.
+    /// Functions and constants of the program, each with its name in affinor.
     words: &'static [(&'static str, &'static str)],
 }
 
@@ -161,17 +162,17 @@ impl<'p> Variables<'p> {
         Variables { parameters, names, numbers, words }
     }
 
-    /// The variables as targets of a Python assignment.
+    /// The variables, as the left-hand side of a Python assignment.
     fn targets(&self) -> String {
         self.names.join(", ") + if self.names.len() == 1 { "," } else { "" }
     }
 
-    /// A value as text in these variables.
+    /// Writes a value in these variables.
     fn written(&self, value: &impl Coefficient) -> String {
         self.replaced(value.to_string())
     }
 
-    /// A text with the names of parameters, functions and constants replaced by those of the
+    /// Replaces the names of parameters, functions and constants in a text by the names in the
     /// program.
     fn replaced(&self, text: String) -> String {
         if self.names == self.parameters && self.numbers.is_empty() {
@@ -321,7 +322,7 @@ fn sympy<S: Coefficient>(
     Ok(())
 }
 
-/// The text with `Rational('1/3')` for `1/3`, which Python would otherwise compute in floats.
+/// Writes `Rational('1/3')` for `1/3`, because Python would compute the quotient in floats.
 fn exact_quotients(text: &str) -> String {
     let digits = |text: &str| text.find(|c: char| !c.is_ascii_digit()).unwrap_or(text.len());
     let (mut rest, mut written, mut before) = (text, String::new(), ' ');

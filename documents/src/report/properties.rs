@@ -1,4 +1,4 @@
-//! The properties of a geometry, each with its constant, or a witness of its failure.
+//! The properties of a geometry. For each property, its constant or a witness of its failure.
 
 use super::grid::{Cell, Grid};
 use super::head::{kind_name, printable, printable_list};
@@ -20,10 +20,11 @@ use std::io::{self, Write};
 const CONNECTIONS: usize = 8;
 /// The largest dimension at which invariant metrics are computed.
 const METRICS: usize = 16;
-/// The number of characters above which families are written in JSON only.
+/// The largest number of characters of a family in the report. Longer families are written only in
+/// JSON.
 const LONGEST: usize = 240;
 
-/// A plane: its text and the two vectors.
+/// A plane: its text, and the two vectors that span it.
 type Plane<S> = (String, [Vec<S>; 2]);
 
 /// The properties of a geometry, ready for output.
@@ -55,7 +56,7 @@ impl Properties {
     /// The properties of a geometry.
     ///
     /// # Errors
-    /// Those of [`Geometry`]'s properties, such as a metric that is missing.
+    /// Those of the properties of [`Geometry`], such as a missing metric.
     pub fn of_geometry<S: GroundField + Coefficient>(
         geometry: &Geometry<S>,
     ) -> Result<Self, InputError> {
@@ -72,7 +73,7 @@ impl Properties {
         Self::new(&geometry, &planes)
     }
 
-    /// The properties of a geometry, and the sectional curvatures of planes.
+    /// Computes the properties of a geometry, and the sectional curvatures of planes.
     fn new<S: GroundField + Coefficient>(
         geometry: &Geometry<S>,
         planes: &[Plane<S>],
@@ -99,7 +100,7 @@ impl Properties {
             let message = "the sectional curvature of a plane needs a metric";
             return Err(InputError::usage(message).help("give a metric, as in --metric identity"));
         }
-        // on a chart structure functions may be constant although there is no invariant metric
+        // on a chart, the structure functions may be constant although no metric is invariant
         let algebra = geometry.algebra().filter(|_| geometry.frame_origin().fields().is_none());
         if let (Some(metric), Some(algebra)) = (geometry.metric(), algebra) {
             list.plain("bi-invariant metric", metric.bi_invariant(algebra)?);
@@ -143,7 +144,8 @@ impl Properties {
     }
 }
 
-/// The name of a matrix algebra, from its real simple ideals and the dimension of its centre.
+/// The name of a matrix algebra, derived from its real simple ideals and the dimension of its
+/// centre.
 fn name_of<S: GroundField + Coefficient>(
     size: usize,
     basis: Vec<Tensor<S>>,
@@ -181,18 +183,18 @@ fn name_of<S: GroundField + Coefficient>(
     Ok(format!(": {}", names.join(" + ")))
 }
 
-/// The way in which a vector space of tensors is written.
+/// How a vector space of tensors is written in the report.
 struct Family<'a> {
     labels: &'a [String],
-    /// The letter of the parameters.
+    /// The letter with which the names of the parameters begin.
     letter: &'static str,
-    /// The largest dimension of the algebra at which it is computed.
+    /// The largest dimension of the algebra at which the vector space is computed.
     limit: usize,
-    /// The general element, from its components with parameters.
+    /// Writes the general element, from its components with parameters.
     write: fn(&[String], &BTreeMap<Vec<usize>, String>) -> String,
 }
 
-/// The text of a symmetric form: `g(x1, x1) = a1`.
+/// Writes a symmetric form: `g(x1, x1) = a1`.
 fn form(labels: &[String], components: &BTreeMap<Vec<usize>, String>) -> String {
     let upper = components.iter().filter(|(at, _)| at[0] <= at[1]);
     let entry = |(at, value): (&Vec<usize>, &String)| {
@@ -201,7 +203,7 @@ fn form(labels: &[String], components: &BTreeMap<Vec<usize>, String>) -> String 
     upper.map(entry).collect::<Vec<_>>().join(", ")
 }
 
-/// The text of affinities whose first index is upper: `nabla[e1, e2] = a1*e3`.
+/// Writes affinities whose first index is upper: `nabla[e1, e2] = a1*e3`.
 fn covariant_derivatives(labels: &[String], components: &BTreeMap<Vec<usize>, String>) -> String {
     let mut by_pair: BTreeMap<(usize, usize), Vec<(String, String)>> = BTreeMap::new();
     for (at, value) in components {
@@ -251,7 +253,8 @@ impl List {
         self.json.push(json!({ "name": name, "value": value }));
     }
 
-    /// The tensors of a vector space, by a basis and with parameters such as `a1, a2, ...`.
+    /// Adds a vector space of tensors: its basis, and its general element with parameters `a1, a2,
+    /// ...`.
     fn family<S: GroundField + Coefficient>(
         &mut self,
         name: &str,
@@ -291,8 +294,8 @@ impl List {
         Ok(())
     }
 
-    /// The extremes of the sectional curvature, if connection and metric are rational and
-    /// compatible.
+    /// Adds the extremes of the sectional curvature, if the connection and the metric are rational
+    /// and compatible.
     fn extremes<S: GroundField + Coefficient>(
         &mut self,
         connection: &Connection<S>,
@@ -375,12 +378,13 @@ impl Report for Properties {
     }
 }
 
-/// The number of characters above which fractions are written as decimal numbers.
+/// The largest number of characters of a fraction; longer fractions are written as decimal numbers.
 const LONG: usize = 20;
-/// The significant digits of such a decimal number. The search is accurate to more digits.
+/// The number of significant digits of these decimal numbers. The search is accurate to more
+/// digits.
 const DIGITS: u32 = 10;
 
-/// A number; a long one is rounded up or down to ten significant digits.
+/// Writes a number. A long fraction is rounded up or down to ten significant digits.
 fn shortened(value: &Rational, up: bool) -> String {
     let text = value.to_string();
     match text.len() > LONG {
@@ -389,16 +393,16 @@ fn shortened(value: &Rational, up: bool) -> String {
     }
 }
 
-/// A component of a plane: fractions with the last denominator of the search as decimal numbers,
-/// short fractions unchanged.
+/// Writes a component of a plane: a long fraction as an exact decimal number, a short fraction
+/// unchanged.
 fn component(value: &Rational) -> String {
     let text = value.to_string();
-    // fractions with the other denominators are shorter
+    // only the last denominator of the search makes fractions this long
     let long = text.len() > 8 && text.contains('/');
     long.then(|| exact_decimal(value, 8)).flatten().unwrap_or(text)
 }
 
-/// The names of the basis vectors and of the parameters, which must not be used for new parameters.
+/// The names of the basis vectors and of the parameters. New parameters must have other names.
 fn names<S: Coefficient>(geometry: &Geometry<S>) -> BTreeSet<String> {
     let tensors = [geometry.connection().affinities(), geometry.frame().structure_functions()];
     let tensors = tensors.into_iter().chain(geometry.metric().map(Metric::components));
@@ -408,7 +412,7 @@ fn names<S: Coefficient>(geometry: &Geometry<S>) -> BTreeSet<String> {
     names
 }
 
-/// Whether the name is the letter followed by a number.
+/// Whether `name` is `letter` followed by a number.
 fn is_numbered(letter: &str, name: &str) -> bool {
     name.strip_prefix(letter).is_some_and(|number| number.parse::<usize>().is_ok())
 }

@@ -13,13 +13,13 @@ struct Description {
     /// The symbol in text and JSON.
     symbol: &'static str,
     latex: &'static str,
-    /// The slots, with the letters of the definition.
+    /// The slots, with the index letters of the defining formula.
     slots: &'static str,
-    /// The formula, in the conventions of the paper.
+    /// The defining formula, in the conventions of `affinor conventions`.
     definition: &'static str,
 }
 
-/// The quantities as an enum, and their descriptions, in the order of a table.
+/// Defines the quantities as an enum with their descriptions, in the order of a table.
 macro_rules! quantities {
     ($($(#[$doc:meta])* $name:ident, $key:literal, $title:literal, $symbol:literal, $latex:literal, $slots:literal,
         $definition:expr;)*) => {
@@ -30,7 +30,8 @@ macro_rules! quantities {
         }
 
         impl Quantity {
-            /// All quantities, in the order of a table: ten basic ones, and the derived ones.
+            /// All quantities, in the order of a table: ten basic quantities, then the derived
+            /// quantities.
             pub const ALL: [Quantity; [$($key),*].len()] = [$(Quantity::$name),*];
 
             fn description(self) -> Description {
@@ -95,7 +96,7 @@ quantities! {
 impl Quantity {
     /// The basic quantities.
     pub const BASIC: &[Quantity] = Self::ALL.split_at(10).0;
-    /// The derived quantities, which are shown on request.
+    /// The derived quantities, which a table shows only on request.
     pub const DERIVED: &[Quantity] = Self::ALL.split_at(10).1;
 
     /// The names of the basic and of the derived quantities, separated by commas.
@@ -106,15 +107,15 @@ impl Quantity {
         })
     }
 
-    /// The quantities that a table shows by default: the basic ones except the inverse metric and
-    /// the Killing form.
+    /// The quantities that a table shows by default: all basic quantities except the inverse metric
+    /// and the Killing form.
     pub fn shown() -> Vec<Self> {
         let kept = |quantity: &Self| !matches!(quantity, Self::InverseMetric | Self::Killing);
         Self::BASIC.iter().copied().filter(kept).collect()
     }
 
-    /// Parses a list of quantities: names separated by commas, `all` for the basic and `derived`
-    /// for the derived ones. Duplicates are removed.
+    /// Parses a list of quantities: names separated by commas, `all` for the basic quantities, and
+    /// `derived` for the derived quantities. Duplicates are removed.
     ///
     /// ```
     /// use affinor_documents::report::Quantity;
@@ -123,7 +124,7 @@ impl Quantity {
     /// ```
     ///
     /// # Errors
-    /// A message with the first unknown name, and the known ones.
+    /// A message with the first unknown name, and the list of known names.
     pub fn list(text: &str) -> Result<Vec<Self>, String> {
         let mut chosen = Vec::new();
         for key in text.split(',').map(str::trim) {
@@ -179,7 +180,7 @@ impl Quantity {
         self.description().latex
     }
 
-    /// The defining formula, in the conventions of the paper.
+    /// The defining formula, in the conventions of `affinor conventions`.
     pub fn definition(self) -> String {
         let definition = self.description().definition;
         match self {
@@ -188,7 +189,7 @@ impl Quantity {
         }
     }
 
-    /// The letters of the indices in the definition, slot by slot.
+    /// The index letters of the defining formula, slot by slot.
     pub fn letters(self) -> String {
         self.description().slots.replace(['^', '_'], "")
     }
@@ -207,9 +208,9 @@ impl Quantity {
         slots
     }
 
-    /// The tensor of a geometry; `None` if it does not apply. Some quantities need a metric, the
-    /// Killing form needs an algebra, and Schouten, Weyl and Cotton need a Levi-Civita connection
-    /// in dimension 3 or more.
+    /// The tensor of a geometry; `None` if the tensor does not apply to the geometry. Some
+    /// quantities need a metric. The Killing form needs an algebra. Schouten, Weyl and Cotton
+    /// tensors need a Levi-Civita connection in dimension 3 or more.
     ///
     /// # Errors
     /// [`Error::Shape`], which cannot occur for a valid geometry.

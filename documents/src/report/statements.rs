@@ -1,4 +1,5 @@
-//! Statements about a space, each tested on its geometry: `torsion = 0`, `Ric_11 = (a - b)/2`, `locally symmetric`.
+//! Statements about a space, tested on its geometry: `torsion = 0`, `Ric_11 = (a - b)/2`, `locally
+//! symmetric`.
 
 mod law;
 
@@ -27,7 +28,7 @@ use std::io::{self, Write};
 /// | `Ric_11 = Ric_22 = (a - b)/2` | the components are equal |
 /// | `curvature != 0` | some components differ |
 /// | `S > 0`, `<`, `>=`, `<=` | two numbers are in this order |
-/// | `locally symmetric`, `not flat` | the geometry has the property, or has it not |
+/// | `locally symmetric`, `not flat` | the geometry has the property, or does not have it |
 ///
 /// ```
 /// use affinor_documents::space::{Request, Space};
@@ -51,7 +52,7 @@ pub struct Verdict {
     pub line: usize,
     /// The statement.
     pub statement: String,
-    /// Whether it holds.
+    /// Whether the statement holds.
     pub holds: bool,
     /// The first component that contradicts the statement, or the witness of a property.
     pub component: String,
@@ -81,7 +82,7 @@ enum Relation {
     GreaterOrEqual,
 }
 
-/// The signs of relations; `==` comes before `=`, so that the longer one is found.
+/// The signs of relations. `==` precedes `=`, so that the longer sign is found.
 const RELATIONS: [(&str, Relation); 7] = [
     ("==", Relation::Equal),
     ("!=", Relation::Unequal),
@@ -92,22 +93,22 @@ const RELATIONS: [(&str, Relation); 7] = [
     (">", Relation::Greater),
 ];
 
-/// The allowed statements, for messages.
+/// The allowed forms of statements, for messages.
 const FORMS: &str = "write left = right, !=, <, >, <=, >=, or a property: ";
 
 impl Statements {
-    /// Reads a file, or standard input for `-`.
+    /// Reads statements from a file, or from standard input for `-`.
     ///
     /// # Errors
-    /// An error for a file that cannot be read, or one without statements.
+    /// An error if the file cannot be read, or contains no statements.
     pub fn read(path: &str) -> Result<Self, InputError> {
         Self::of(vec![file::read(path)?])
     }
 
-    /// Reads a text; messages call it `name`.
+    /// Reads statements from a text, which messages call `name`.
     ///
     /// # Errors
-    /// An error for a text without statements.
+    /// An error if the text contains no statements.
     pub fn parse(name: &str, text: &str) -> Result<Self, InputError> {
         Self::of(vec![Source::new(name.escape_debug().to_string(), text)])
     }
@@ -140,7 +141,7 @@ impl Statements {
         })
     }
 
-    /// Whether irrational values, such as `sqrt(2)` or `pi`, may occur.
+    /// Whether the statements may contain irrational values, such as `sqrt(2)` or `pi`.
     pub(super) fn may_be_irrational(&self) -> bool {
         let is_name = |c: char| c.is_alphanumeric() || c == '_';
         self.lines().any(|(_, _, statement)| {
@@ -149,10 +150,12 @@ impl Statements {
         })
     }
 
-    /// Tests the statements about a geometry. `scalars` are the names of scalars; parameters that
-    /// have been set have `values`. A statement cannot be tested if it has a syntax error, an unknown
-    /// name, a tensor or a property that is not defined for the geometry, sides whose indices do not
-    /// fit, or an inequality whose order depends on parameters.
+    /// Tests the statements on a geometry. `scalars` are the names of scalars, and `values` are the
+    /// values of parameters that were set.
+    ///
+    /// A statement cannot be tested if it has a syntax error or an unknown name, or if a tensor or
+    /// a property is not defined for the geometry. The same holds if the indices of the sides
+    /// differ, or if the order of two sides depends on parameters.
     pub(super) fn test<S: Coefficient>(
         &self,
         geometry: &Geometry<S>,
@@ -203,7 +206,7 @@ pub(super) fn scalar<S: Coefficient>(
     given.ok_or_else(|| format!("the space has no parameter {}", shown(name)))
 }
 
-/// The component and the values of both sides that contradict a statement.
+/// A contradiction to a statement: the component, and the values of both sides.
 type Contradiction = (String, Option<[String; 2]>);
 
 struct Test<'a, S> {
@@ -214,7 +217,7 @@ struct Test<'a, S> {
 }
 
 impl<S: Coefficient> Test<'_, S> {
-    /// The witness if a statement fails; `None` if it holds.
+    /// Tests one statement. Returns `None` if it holds, otherwise the contradiction.
     fn statement(&self, text: &str) -> Result<Option<Contradiction>, InputError> {
         let (sides, relations) = split(text);
         if relations.is_empty() {
@@ -250,7 +253,7 @@ impl<S: Coefficient> Test<'_, S> {
         Ok((parsed, value))
     }
 
-    /// The first component in which two sides differ.
+    /// Finds the first component in which two sides differ.
     fn unequal(
         &self,
         left: &Parsed,
@@ -271,7 +274,7 @@ impl<S: Coefficient> Test<'_, S> {
         Ok(Some((component(left, &at, self.names.dimension), Some([value(a), value(b)]))))
     }
 
-    /// The values of both sides, if they are equal numbers.
+    /// The values of both sides, if both are numbers, and equal.
     fn equal_sides(&self, a: &Indexed<S>, b: &Indexed<S>) -> Option<[String; 2]> {
         let values = [a, b].map(|side| side.tensor.to_scalar());
         let [Some(a), Some(b)] = values else { return None };
@@ -311,7 +314,7 @@ fn split(text: &str) -> (Vec<&str>, Vec<Relation>) {
     (sides, relations)
 }
 
-/// The component of an expression for given values of its free letters: `Ric_12 - g_12`.
+/// Writes the component of an expression at given values of its free letters: `Ric_12 - g_12`.
 fn component(parsed: &Parsed, at: &[(char, usize)], dimension: usize) -> String {
     let number = |letter: char| match at.iter().find(|(other, _)| *other == letter) {
         Some((_, index)) => (index + 1).to_string(),
@@ -341,7 +344,7 @@ fn component(parsed: &Parsed, at: &[(char, usize)], dimension: usize) -> String 
     written + &parsed.text[end..]
 }
 
-/// The values of both sides if they violate an inequality.
+/// Compares two numbers. Returns the values of both sides if they violate the inequality.
 fn in_order<S: Coefficient>(
     order: Relation,
     a: &Indexed<S>,
@@ -358,7 +361,7 @@ fn in_order<S: Coefficient>(
         return Err(format!("the sign of {difference} depends on {names}: set numbers with --set"));
     }
     let positive = match S::KIND {
-        // for an exact number the text shows the sign; its nearest float may be 0
+        // an exact difference has an exact sign, but its nearest float may be 0
         Kind::Exact => !difference.is_negative(),
         _ => difference.to_f64().is_some_and(|x| x > 0.0),
     };

@@ -22,11 +22,11 @@ use serde_json::Value;
 use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// A table read from JSON (`affinor.table/1`) or CSV. Values are stored as text until the scalar
-/// type is known.
+/// A table read from JSON (`affinor.table/1`) or CSV. Values are stored as text, because the scalar
+/// type is not known yet.
 #[derive(Clone, Debug)]
 pub struct StoredTable {
-    /// The file.
+    /// The location of the file.
     place: Place,
     /// The name of the connection, if the file contains it.
     connection: Option<String>,
@@ -36,19 +36,19 @@ pub struct StoredTable {
     dimension: Option<usize>,
     /// The frame, such as `left-invariant`, if the file contains it.
     frame: Option<String>,
-    /// The scalar, if the file contains it.
+    /// The scalar type, if the file contains it.
     scalar: Option<String>,
     /// Whether only independent components are listed.
     independent: bool,
     tensors: Vec<(Quantity, Vec<Component>)>,
-    /// Tensors that were selected but are not stored.
+    /// Tensors that were chosen but that the file does not contain.
     missing: Vec<Quantity>,
-    /// The variances of the slots, such as `["up","down"]`, for the tensors for which the file
-    /// contains them.
+    /// The variances of the slots of tensors, such as `["up","down"]`, as far as the file contains
+    /// them.
     slots: Vec<(Quantity, Value)>,
-    /// The names of common factors that occur in values, with the factors as text.
+    /// The names of common factors that occur in values, each with its factor as text.
     names: Vec<(String, String)>,
-    /// Whether the format lists tensors without components. JSON does, CSV does not.
+    /// Whether the format also lists tensors that vanish: JSON lists them, but CSV does not.
     lists_zeros: bool,
 }
 
@@ -70,8 +70,8 @@ impl StoredTable {
         Self::of_source(decode(&name, &bytes)?)
     }
 
-    /// Parses a stored table: JSON if the text begins with `{`, otherwise CSV. Messages call it
-    /// `name`.
+    /// Parses a stored table: JSON if the text begins with `{`, otherwise CSV. Messages call the
+    /// table `name`.
     ///
     /// # Errors
     /// An error for a text that is not a table.
@@ -82,7 +82,7 @@ impl StoredTable {
     fn of_source(source: Source) -> Result<Self, InputError> {
         let text = source.text.clone();
         let mut table = StoredTable {
-            // the text itself is dropped
+            // stores only the name: the text itself is no longer needed
             place: Place::within(Source::new(source.name, "")),
             connection: None,
             basis: None,
@@ -109,8 +109,8 @@ impl StoredTable {
     /// Checks that the components fit a space with this basis.
     ///
     /// # Errors
-    /// An error for a table of another dimension, with a larger index, or with another name of a
-    /// basis vector.
+    /// An error if the table has another dimension, an index that is too large, or another name of
+    /// a basis vector.
     pub fn expect_basis(&self, labels: &[String]) -> Result<(), InputError> {
         let computed = labels.len();
         let components = self.tensors.iter().flat_map(|(_, components)| components);
@@ -142,7 +142,7 @@ impl StoredTable {
     /// the vanishing basic tensors of the computed table.
     ///
     /// # Errors
-    /// An error if there are no components, and no tensor vanishes.
+    /// An error if this table lists no components, and no computed tensor vanishes.
     pub fn or_vanishing<S: Coefficient>(
         &self,
         table: &Table<S>,
@@ -160,8 +160,8 @@ impl StoredTable {
         Ok(Cow::Owned(StoredTable { tensors, ..self.clone() }))
     }
 
-    /// The settings of the stored table that differ from those of the computed one. A remark names
-    /// the option that changes the setting, if there is one.
+    /// Remarks on the settings in which the stored table differs from the computed table. If an
+    /// option changes such a setting, the remark names the option.
     pub fn remarks<S: Coefficient>(&self, table: &Table<S>) -> Vec<String> {
         let mut remarks = Vec::new();
         if self.tensors.is_empty() {
@@ -207,7 +207,8 @@ impl StoredTable {
         self.tensors = tensors;
     }
 
-    /// Whether the table differs from a computed one, but agrees with its independent components.
+    /// Whether the stored table contains only the independent components of a computed table,
+    /// without saying so.
     pub(super) fn lists_independent<S: Coefficient>(&self, table: &Table<S>) -> bool {
         let independent = Table { independent: true, ..table.clone() };
         !table.independent
@@ -220,14 +221,14 @@ impl StoredTable {
         &self.place.source.name
     }
 
-    /// The components that differ from a computed table, in the order of the stored one. Exact
-    /// values must be equal, floats equal within the tolerance of the table. If the computed table
-    /// lists independent components only, the stored one may list any component of each set that is
-    /// equal by symmetry.
+    /// The components that differ from a computed table, in the order of the stored table. Exact
+    /// values must be equal; floats must be equal within the tolerance of the table. If the
+    /// computed table lists only independent components, the stored table may list any of the
+    /// components that are equal by symmetry.
     ///
     /// # Errors
-    /// An error for a stored value that cannot be parsed, for a tensor that only one of the tables
-    /// contains, and if there is nothing to compare.
+    /// An error if a stored value cannot be parsed, if only one of the tables contains a tensor, or
+    /// if there is nothing to compare.
     pub fn differences<S: Coefficient>(&self, table: &Table<S>) -> Result<Differences, InputError> {
         let (mut found, mut compared) = (vec![], vec![]);
         let names = self.names(table)?;
@@ -266,8 +267,8 @@ impl StoredTable {
                         "{key}: the component {numbers:?} needs {expected}"
                     )));
                 }
-                // a long value equals its own text, although evaluating the text would exceed a
-                // limit
+                // compares texts first: a long value equals its own text, although the evaluation
+                // of the text would exceed a limit
                 let computed = tensor.get(indices);
                 let written = match &named {
                     Some(named) => with_names(&computed, &named.factors),
@@ -283,7 +284,7 @@ impl StoredTable {
                 let indices: Vec<usize> = twice[0].0.iter().map(|index| index + 1).collect();
                 return Err(refused(format!("{key}: the component {indices:?} is stored twice")));
             }
-            // of each set that is equal by symmetry, any component may be stored
+            // a file may contain any of the components that are equal by symmetry
             let listed: BTreeSet<_> = values.iter().map(|(at, _)| at.clone()).collect();
             let shown = match table.independent {
                 true => &representatives(tensor, &listed),
@@ -301,7 +302,7 @@ impl StoredTable {
         Ok(Differences::new(compared, found, table.zero_line()))
     }
 
-    /// The values of the names in stored components.
+    /// Evaluates the names of common factors that occur in stored components.
     fn names<S: Coefficient>(&self, table: &Table<S>) -> Result<Vec<(String, S)>, InputError> {
         let refused = |reason: String| InputError::usage(reason).at(&self.place);
         let mut names = Vec::new();
@@ -427,7 +428,7 @@ fn component(item: &Value) -> Option<Component> {
     Some((indices, value))
 }
 
-/// Parses a value that was written by any scalar.
+/// Parses a value that was written with any scalar type.
 fn read<S: Coefficient>(value: &str, names: &[(String, S)]) -> Result<S, String> {
     if S::KIND == Kind::Float
         && let Ok(x) = value.parse::<f64>()

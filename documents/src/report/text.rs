@@ -1,4 +1,5 @@
-//! Plain text: groups of components in the style of the paper, in at most 80 columns.
+//! Plain text: groups of equal components in lines of at most 80 columns, in the style of
+//! Paraskevopoulos and Natsiavas (2013).
 
 use super::components::{
     GROUPED, Group, count, groups_with, index_names, others, plain, scripts, with_names,
@@ -12,7 +13,7 @@ use std::collections::BTreeMap;
 use std::io::{self, Write};
 use unicode_width::UnicodeWidthStr;
 
-/// The columns of a line.
+/// The width of a line.
 const WIDTH: usize = 80;
 /// The width of the labels in the header.
 const TITLE: usize = 13;
@@ -36,7 +37,7 @@ pub(super) fn write<S: Coefficient>(table: &Table<S>, out: &mut dyn Write) -> io
     Ok(())
 }
 
-/// A line of the header, with its label.
+/// Writes a line of the header with its label.
 pub(super) fn head_line(title: &str, pieces: &[String], out: &mut dyn Write) -> io::Result<()> {
     fill(out, &format!("  {title:TITLE$}"), pieces)
 }
@@ -50,7 +51,7 @@ pub(super) fn component<S: Coefficient>(
     named(quantity.symbol(), tensor, indices, None)
 }
 
-/// A component with a given symbol and, optionally, names of indices: `Lambda^t_tr`.
+/// A component with a given symbol and, optionally, with names as indices: `Lambda^t_tr`.
 pub(super) fn named<S: Coefficient>(
     symbol: &str,
     tensor: &Tensor<S>,
@@ -60,8 +61,8 @@ pub(super) fn named<S: Coefficient>(
     join(symbol, scripts(tensor.dimension(), tensor.slots(), index_names(indices, names)))
 }
 
-/// The components of a tensor with a given symbol, as in a table: `T^1_2 = T^2_1 = 1/2`, in lines
-/// of at most 80 columns.
+/// Writes the components of a tensor with a given symbol, as in a table: `T^1_2 = T^2_1 = 1/2`, in
+/// lines of at most 80 columns.
 ///
 /// ```
 /// use affinor_documents::report::{components_in_latex, components_in_text};
@@ -74,7 +75,7 @@ pub fn components_in_text<S: Coefficient>(symbol: &str, tensor: &Tensor<S>) -> S
     labelled_in_text(symbol, tensor, None)
 }
 
-/// Like [`components_in_text`], with names of the indices instead of numbers.
+/// Like [`components_in_text`], but indices may be names instead of numbers.
 ///
 /// ```
 /// use affinor_documents::report::labelled_in_text;
@@ -89,12 +90,12 @@ pub fn labelled_in_text<S: Coefficient>(
     names: Option<&[String]>,
 ) -> String {
     let mut text = Vec::new();
-    // writing to a vector cannot fail
+    // ignores the result: writing to a vector cannot fail
     let _ = components(symbol, tensor, &CommonFactors::default(), names, &mut text);
     String::from_utf8_lossy(&text).into_owned()
 }
 
-/// Groups of components; for a long tensor one component per line.
+/// Writes groups of components; of a tensor with many components, one component per line.
 fn components<S: Coefficient>(
     symbol: &str,
     tensor: &Tensor<S>,
@@ -113,7 +114,7 @@ fn components<S: Coefficient>(
         .try_for_each(|group| fill(out, "  ", &equation(group, factors, name)))
 }
 
-/// A quantity with its general indices: `R^i_jkl`.
+/// The symbol of a quantity with its index letters: `R^i_jkl`.
 pub(super) fn general<S: Coefficient>(quantity: Quantity, tensor: &Tensor<S>) -> String {
     join(
         quantity.symbol(),
@@ -148,7 +149,8 @@ fn tensor<S: Coefficient>(
     others(&entry.tensor, &shown).map_or(Ok(()), |others| writeln!(out, "  {others}"))
 }
 
-/// The brackets of the basis vectors, such as `[e1, e2]` and `e3`; `written` writes a value.
+/// The brackets of the basis vectors, as pairs such as `[e1, e2]` and `e3`. `written` writes a
+/// value.
 pub(super) fn brackets<S: Coefficient>(
     structure: &Tensor<S>,
     labels: &[String],
@@ -162,8 +164,8 @@ pub(super) fn brackets<S: Coefficient>(
     brackets.into_iter().map(|(at, terms)| (pair(at), combination(terms))).collect()
 }
 
-/// The components of a tensor with a given symbol; those that are equal up to sign are on one line:
-/// `tau^1_23 = -tau^1_32 = 1`.
+/// The components of a tensor with a given symbol. Components that are equal up to sign are on one
+/// line: `tau^1_23 = -tau^1_32 = 1`.
 pub fn grouped_in_text<S: Coefficient>(symbol: &str, tensor: &Tensor<S>) -> Vec<String> {
     let name = |at: &[usize]| named(symbol, tensor, at, None);
     let none = CommonFactors::default();
@@ -171,7 +173,8 @@ pub fn grouped_in_text<S: Coefficient>(symbol: &str, tensor: &Tensor<S>) -> Vec<
     groups.iter().map(|group| equation(group, &none, name).join(" ")).collect()
 }
 
-/// The pieces `R^1_212`, `= -R^1_221`, ..., `= 1/4`, between which a line may be broken.
+/// The pieces of an equation, between which a line may be broken: `R^1_212`, `= -R^1_221`, ..., `=
+/// 1/4`.
 pub(super) fn equation<S: Coefficient>(
     group: &Group<S>,
     factors: &CommonFactors,
@@ -183,7 +186,7 @@ pub(super) fn equation<S: Coefficient>(
     pieces
 }
 
-/// The symbol with its indices, `^` before upper and `_` before lower ones.
+/// The symbol followed by its indices, with `^` before upper indices and `_` before lower indices.
 pub(super) fn join(symbol: &str, scripts: Vec<(Variance, String)>) -> String {
     scripts.into_iter().fold(symbol.into(), |text, (variance, indices)| {
         text + if variance == Up { "^" } else { "_" } + &indices
@@ -191,8 +194,8 @@ pub(super) fn join(symbol: &str, scripts: Vec<(Variance, String)>) -> String {
 }
 
 /// Writes pieces, separated by spaces, in lines of at most [`WIDTH`] columns. The first line begins
-/// with `start`; the others are indented by its width plus two. A piece wider than a line is broken
-/// at its spaces, but words are not broken.
+/// with `start`. Further lines are indented by the width of `start` plus two. A piece that is wider
+/// than a line is broken at its spaces, but not within words.
 pub(super) fn fill(out: &mut dyn Write, start: &str, pieces: &[String]) -> io::Result<()> {
     let indent = " ".repeat(start.width() + if start.trim().is_empty() { 2 } else { 0 });
     let mut line = start.to_string();

@@ -9,12 +9,12 @@ use crate::formula::{Node, Row, formula, label, sum, value};
 use affinor_tensors::{CommonFactors, Tensor, Up};
 use std::collections::BTreeMap;
 
-/// The conventions in brief.
+/// A summary of the conventions.
 pub(super) fn convention_formulas() -> Vec<Row> {
     conventions().split("; ").map(formula).collect()
 }
 
-/// A quantity with its general indices: `R^i_jkl`.
+/// The symbol of a quantity with its index letters: `R^i_jkl`.
 pub(super) fn general<S: Coefficient>(quantity: Quantity, tensor: &Tensor<S>) -> Row {
     let letters = quantity.letters();
     with_scripts(
@@ -25,7 +25,7 @@ pub(super) fn general<S: Coefficient>(quantity: Quantity, tensor: &Tensor<S>) ->
     )
 }
 
-/// The sides of `R^1_212 = -R^1_221 = ... = 1/4`, optionally with names of indices.
+/// The sides of `R^1_212 = -R^1_221 = ... = 1/4`, optionally with names as indices.
 pub(super) fn sides<S: Coefficient>(
     symbol: &[Node],
     tensor: &Tensor<S>,

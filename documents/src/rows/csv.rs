@@ -1,4 +1,4 @@
-//! Runs as CSV. Numbers are written with the fewest digits that parse to the same float.
+//! Writes runs in CSV. Each number has the fewest digits that parse to the same float.
 
 use super::{Head, Rows};
 use std::fmt::Write as _;
@@ -19,7 +19,8 @@ pub(super) fn write(head: &Head, rows: &mut Rows, out: &mut dyn Write) -> io::Re
     out.flush()
 }
 
-/// The I/O error inside a CSV error, so that a closed pipe ends the program quietly.
+/// Extracts the I/O error from a CSV error, so that a closed pipe ends the program without a
+/// message.
 pub(crate) fn failed(error: csv::Error) -> io::Error {
     match error.into_kind() {
         csv::ErrorKind::Io(error) => error,

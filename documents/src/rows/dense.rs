@@ -1,4 +1,4 @@
-//! Rows that are dense enough to be drawn as curves, whatever the spacing of the rows of a problem.
+//! Rows that are dense enough to draw curves, even if the rows of the problem are far apart.
 
 use affinor::Error;
 use affinor::mechanics::simulation::Motion;
@@ -9,10 +9,10 @@ const FLAT: f64 = 5e-4;
 const HALVINGS: u32 = 6;
 /// The largest number of intervals of a curve.
 const INTERVALS: f64 = 1e4;
-/// The smallest width of a picture, relative to the values; smaller changes are rounding errors.
+/// The smallest width of a picture relative to the values. Smaller changes are rounding errors.
 const RELATIVE: f64 = 1e-9;
 
-/// The curve of some columns along a motion.
+/// The curve of chosen columns along a motion.
 pub struct DenseRows<'m> {
     motion: &'m mut dyn Motion,
     columns: &'m [usize],
@@ -24,11 +24,11 @@ pub struct DenseRows<'m> {
 }
 
 impl<'m> DenseRows<'m> {
-    /// Rows of the time and the columns, through the times of a problem. Long steps are halved by dense output until each
-    /// chord is close to the curve.
+    /// Computes rows of the time and of `columns`, through the given times. Long steps are halved
+    /// with dense output until each chord is close to the curve.
     ///
     /// # Errors
-    /// The reason why the motion cannot be continued.
+    /// The error that prevents the motion from continuing.
     pub fn along(
         motion: &'m mut dyn Motion,
         times: &[f64],
@@ -46,14 +46,14 @@ impl<'m> DenseRows<'m> {
         Ok(curve.rows)
     }
 
-    /// The time and the columns.
+    /// The current row: the time and the columns.
     fn row(&self) -> Vec<f64> {
         let all = self.motion.row();
         let values = self.columns.iter().map(|column| all[*column]);
         [self.motion.time()].into_iter().chain(values).collect()
     }
 
-    /// One step towards a time, and the rows within it.
+    /// Makes one step towards the time `until`, and adds the rows within it.
     fn step(&mut self, until: f64) -> Result<bool, Error> {
         let from = self.row();
         self.motion.store();
@@ -73,8 +73,8 @@ impl<'m> DenseRows<'m> {
         Ok(reached)
     }
 
-    /// Adds rows between both ends of a part of the step. Returns whether the state of the motion
-    /// was changed.
+    /// Adds rows between the ends `from` and `to` of a part of the step. Returns whether this
+    /// changed the state of the motion.
     fn halve(&mut self, from: &[f64], to: &[f64], halvings: u32) -> Result<bool, Error> {
         let half = 0.5 * (to[0] - from[0]);
         if halvings == 0 || half.abs() < self.least {

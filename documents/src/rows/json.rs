@@ -13,7 +13,7 @@ pub(super) fn write(head: &Head, rows: &mut Rows, out: &mut dyn Write) -> io::Re
     write!(out, "{{\"schema\":\"{SCHEMA}\",\"name\":{name},\"method\":{method},")?;
     write!(out, "\"columns\":{columns},\"rows\":[")?;
     for (at, row) in rows.enumerate() {
-        // infinities and NaN become null
+        // infinities and NaN are written as null
         let row = Value::from(row?);
         write!(out, "{}\n{row}", if at == 0 { "" } else { "," })?;
     }

@@ -1,4 +1,4 @@
-//! Runs as Parquet: a required column of doubles for each name.
+//! Writes runs in Parquet: for each name, a required column of doubles.
 
 use super::{Head, Rows};
 use ::parquet::basic::{Repetition, Type as Physical};
@@ -11,7 +11,7 @@ use ::parquet::schema::types::Type;
 use std::io::{self, Write};
 use std::sync::Arc;
 
-/// The number of rows of a row group, which is buffered in memory.
+/// The number of rows in a row group, which is buffered in memory.
 const GROUP: usize = 1 << 16;
 
 pub(super) fn write(head: &Head, rows: &mut Rows, out: &mut dyn Write) -> io::Result<()> {

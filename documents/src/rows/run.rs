@@ -1,10 +1,10 @@
-//! Rows of a trajectory in memory, accessible by column names.
+//! The rows of a trajectory in memory. Columns are found by their names.
 
 use affinor::Error;
 use nalgebra::{Matrix3, Vector3};
 
-/// The orthogonality tolerance of an attitude. Rows may have few digits, and a picture only
-/// resolves pixels.
+/// The orthogonality tolerance of an attitude. It is large, because rows may have few digits, and a
+/// picture resolves only pixels.
 const TOLERANCE: f64 = 1e-3;
 
 /// The rows of a trajectory, with the names of their columns.
@@ -22,25 +22,25 @@ impl RunRows {
     /// The values of a column.
     ///
     /// # Errors
-    /// [`Error::Name`].
+    /// [`Error::Name`] if there is no column with this name.
     pub fn column(&self, name: &str) -> Result<Vec<f64>, Error> {
         let at = self.columns.iter().position(|column| column == name);
         let at = at.ok_or_else(|| Error::Name(format!("the run has no column {name}")))?;
         Ok(self.rows.iter().map(|row| row[at]).collect())
     }
 
-    /// The vectors with the components in three columns.
+    /// Vectors whose components are the values of three columns.
     ///
     /// # Errors
-    /// [`Error::Name`].
+    /// [`Error::Name`] if there is no column with one of the names.
     pub fn vectors(&self, names: [&str; 3]) -> Result<Vec<Vector3<f64>>, Error> {
         let [x, y, z] = names.map(|name| self.column(name));
         let (x, y, z) = (x?, y?, z?);
         Ok((0..x.len()).map(|k| Vector3::new(x[k], y[k], z[k])).collect())
     }
 
-    /// The rotation matrices, from their entries or from quaternions; for a factor of a product by
-    /// its number.
+    /// The rotation matrices, computed from columns of their entries or of quaternions. `factor` is
+    /// the number of a factor of a product.
     ///
     /// # Errors
     /// [`Error::Name`]; [`Error::Invalid`] for entries that are not a rotation.
@@ -62,14 +62,14 @@ impl RunRows {
             if off < TOLERANCE && r.determinant() > 0.0 {
                 return Ok(r);
             }
-            let reason = format!("in row {} `g^T g` is off the identity by {off:.1e}", k + 1);
+            let reason = format!("in row {} `g^T g` differs from the identity by {off:.1e}", k + 1);
             Err(Error::Invalid { what: "rotation", reason })
         };
         (0..a.len()).map(matrix).collect()
     }
 
-    /// The positions, from the last column of the matrix or from their coordinates; for a factor of
-    /// a product by its number.
+    /// The positions, from columns of the last column of the matrix or from columns of coordinates.
+    /// `factor` is the number of a factor of a product.
     ///
     /// # Errors
     /// [`Error::Name`].
@@ -88,8 +88,8 @@ impl RunRows {
     }
 }
 
-/// The name of a column of an element. For a factor of a product, the name ends in its number, as
-/// in `qw_2`.
+/// The name of a column for an element. For a factor of a product, the name ends in the number of
+/// the factor, as in `qw_2`.
 pub fn column_of(name: &str, factor: Option<usize>) -> String {
     factor.map_or(name.into(), |number| format!("{name}_{number}"))
 }

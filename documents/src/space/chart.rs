@@ -1,4 +1,5 @@
-//! Charts in definitions: coordinates, and vector fields whose components are functions of them.
+//! Charts in definitions: coordinates, and vector fields whose components are functions of the
+//! coordinates.
 
 use crate::Coefficient;
 use crate::input::{InputError, Place, Source, forms::ChartText, shown};
@@ -12,17 +13,17 @@ use affinor_tensors::expression::{canonical_name, is_abbreviation};
 use affinor_tensors::scalar::FreeFunction;
 use affinor_tensors::{Down, Symbolic, Tensor, Up};
 
-/// Vector fields by their components in the coordinate frame.
+/// Vector fields, given by their components in the coordinate frame.
 #[derive(Clone, Debug)]
 pub(super) struct OnChart {
     pub functions: Functions,
     pub fields: Vec<Given>,
-    /// The location of the fields.
+    /// The location of the fields in the file.
     pub place: Place,
 }
 
 impl OnChart {
-    /// The fields over a scalar.
+    /// Converts the fields to a scalar type.
     pub fn fields<S: Coefficient>(&self, labels: &[String]) -> Result<Fields<S>, InputError> {
         let mut entries = Vec::new();
         for (i, Given { value, place }) in self.fields.iter().enumerate() {
@@ -37,7 +38,7 @@ impl OnChart {
 }
 
 impl ChartText {
-    /// The functions, and their positive factors.
+    /// The undetermined functions, and the functions that are positive on the chart.
     pub fn functions(&self, names: &Names, source: &Source) -> Result<Functions, InputError> {
         let coordinates: Vec<_> = self.coordinates.iter().map(|name| name.to_string()).collect();
         let mut functions = Functions { coordinates, free: vec![], positive: Positive::default() };
@@ -48,14 +49,14 @@ impl ChartText {
         self.declare(&functions, names, source)?;
         if !self.conditions.is_empty() {
             self.conditions(&mut functions, names, source)?;
-            // the positive functions are declared again, with the conditions applied
+            // declares the positive functions again, now with the conditions applied
             functions.positive = Positive::default();
             self.declare(&functions, names, source)?;
         }
         Ok(functions)
     }
 
-    /// Declares the positive functions.
+    /// Declares the functions that are positive on the chart.
     fn declare(
         &self,
         functions: &Functions,
@@ -72,8 +73,8 @@ impl ChartText {
         Ok(())
     }
 
-    /// The conditions `r_u = ...` on derivatives of free functions. In them, a name without
-    /// arguments means the function at its declared arguments.
+    /// Applies the conditions `r_u = ...` on derivatives of undetermined functions. In a condition,
+    /// the name of a function without arguments means the function at its declared arguments.
     fn conditions(
         &self,
         functions: &mut Functions,
@@ -111,7 +112,7 @@ impl ChartText {
         Ok(())
     }
 
-    /// Parses an undetermined function, `f(r, theta)`.
+    /// Parses an undetermined function such as `f(r, theta)`.
     fn free(
         &self,
         text: &str,
@@ -133,8 +134,9 @@ impl ChartText {
                 free.name()
             ));
         }
-        // `a` and its derivatives `a_t` are reserved; basis vectors such as `d_x` differ from
-        // derivatives such as `d_x(x)`, which have arguments
+        // the names of a function and of its derivatives, such as `a` and `a_t`, must not be used
+        // otherwise. A basis vector `d_x` is allowed, because it has no arguments, unlike the
+        // derivative `d_x(x)`
         let is = |name: &str| {
             FreeFunction::new(name, free.arguments()).is_ok_and(|own| own.original() == free)
         };

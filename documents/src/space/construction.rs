@@ -1,5 +1,5 @@
-//! Algebras constructed from others: the keys `sum`, `semidirect`, `subalgebra`, `quotient` and
-//! others.
+//! Algebras that are constructed from other algebras: the keys `sum`, `semidirect`, `subalgebra`,
+//! `quotient` and others.
 
 use crate::input::{
     InputError, Place, Source,
@@ -13,7 +13,7 @@ use affinor_tensors::{Down, Ring, Symbolic, Tensor, Up};
 use serde::de::DeserializeOwned;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// A semidirect sum: an algebra that acts on another.
+/// A semidirect sum: an algebra that acts on another algebra.
 #[derive(serde::Deserialize)]
 #[serde(deny_unknown_fields, bound = "D: DeserializeOwned")]
 pub(crate) struct Semidirect<D> {
@@ -40,7 +40,7 @@ pub(crate) struct Quotient<D> {
     by: Vec<Text>,
 }
 
-/// A central extension by new vectors; the cocycle is written as brackets.
+/// A central extension by new basis vectors. Its cocycle is written as brackets.
 #[derive(serde::Deserialize)]
 #[serde(deny_unknown_fields, bound = "D: DeserializeOwned")]
 pub(crate) struct Extension<D> {
@@ -57,7 +57,7 @@ pub(crate) struct Contraction<D> {
     weights: Vec<i64>,
 }
 
-/// The algebra in another basis.
+/// An algebra in another basis.
 #[derive(serde::Deserialize)]
 #[serde(deny_unknown_fields, bound = "D: DeserializeOwned")]
 pub(crate) struct OtherBasis<D> {
@@ -65,7 +65,7 @@ pub(crate) struct OtherBasis<D> {
     vectors: Vec<Text>,
 }
 
-/// Truncated polynomials with values in an algebra.
+/// The truncated polynomials with values in an algebra.
 #[derive(serde::Deserialize)]
 #[serde(deny_unknown_fields, bound = "D: DeserializeOwned")]
 pub(crate) struct Truncated<D> {
@@ -73,8 +73,8 @@ pub(crate) struct Truncated<D> {
     order: usize,
 }
 
-/// The tensor product with a commutative algebra, which is given by the products of its basis
-/// vectors.
+/// The tensor product of an algebra with a commutative algebra, which is given by the products of
+/// its basis vectors.
 #[derive(serde::Deserialize)]
 #[serde(deny_unknown_fields, bound = "D: DeserializeOwned")]
 pub(crate) struct TensorProduct<D> {
@@ -83,7 +83,7 @@ pub(crate) struct TensorProduct<D> {
     products: Block,
 }
 
-/// A construction from algebras that are named, or defined by a nested document `D`.
+/// A construction from algebras, each of which is named or defined by a nested document `D`.
 pub(super) enum Construction<'d, D> {
     Sum(&'d [Part<D>]),
     Semidirect(&'d Semidirect<D>),
@@ -99,15 +99,15 @@ pub(super) enum Construction<'d, D> {
 
 type Algebra = LieAlgebra<Symbolic>;
 
-/// A function that reads a part under a key of the file.
+/// A function that reads the algebra of a part; the string is the key of the part.
 type Read<'s, D> = &'s dyn Fn(&Part<D>, &str) -> Result<Algebra, InputError>;
 
-/// The context of a construction: its key in a file, and the declared parameters.
+/// The context of a construction: its key in the file, and the declared parameters.
 pub(super) struct Site<'s, D> {
     pub(super) source: &'s Source,
     pub(super) place: Place,
     pub(super) declared: BTreeSet<String>,
-    /// Reads the algebra that a part under a key of the file names or defines.
+    /// Reads the algebra that a part of the file names or defines.
     pub(super) read: Read<'s, D>,
 }
 
@@ -194,7 +194,7 @@ impl<D> Site<'_, D> {
         self.in_basis(inside.algebra(), &coordinates)
     }
 
-    /// The algebra in the basis of these vectors.
+    /// Changes the basis of the algebra to these vectors.
     fn in_basis(&self, algebra: &Algebra, rows: &[Row<Symbolic>]) -> Result<Algebra, InputError> {
         let n = algebra.dimension();
         if rows.len() != n {
@@ -331,7 +331,7 @@ impl<D> Site<'_, D> {
         Ok(StructureTheory::new((self.read)(part, key)?))
     }
 
-    /// Combinations of the basis vectors.
+    /// Reads vectors as combinations of the basis vectors.
     fn vectors(
         &self,
         structure: &StructureTheory<Symbolic>,
@@ -363,7 +363,7 @@ impl<D> Site<'_, D> {
     }
 }
 
-/// The right-hand sides by ordered pair for a constructed algebra.
+/// The brackets of a constructed algebra: the right-hand side for each ordered pair.
 pub(super) fn pairs(algebra: &Algebra, place: &Place) -> super::Pairs {
     let mut pairs = super::Pairs::new();
     for (at, value) in algebra.structure_constants().components().filter(|(at, _)| at[1] < at[2]) {

@@ -13,50 +13,50 @@ use num_traits::Zero;
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 
-/// The definition of a space: an algebra, or fields on a chart, and optionally a connection and a
-/// metric.
+/// The definition of a space: an algebra or vector fields on a chart, and optionally a connection
+/// and a metric.
 ///
-/// Its values are exact and may depend on parameters. They are checked when they are converted to a
-/// scalar.
+/// The values are exact and may depend on parameters. They are checked when they are converted to a
+/// scalar type.
 #[derive(Clone, Debug)]
 pub struct Definition {
     /// The name.
     pub name: String,
-    /// The name of its algebra, if that differs from the name of the space: so(3) for M(3).
+    /// The name of the algebra, if it differs from the name of the space, as so(3) for M(3).
     pub(super) algebra_name: Option<String>,
     /// The names of the basis vectors.
     pub labels: Vec<String>,
     pub(super) origin: Origin,
     pub(super) metric: Option<MetricChoice>,
     pub(super) connection: Option<(ConnectionChoice, Place)>,
-    /// The declared parameters, whether or not a value depends on them.
+    /// The declared parameters, including those on which no value depends.
     pub(super) declared: Vec<String>,
-    /// Notes on conventions that the file does not specify, and on how they are interpreted.
+    /// Notes on conventions that the file does not specify, and on their interpretation.
     pub(super) notes: Vec<String>,
-    /// The file; `None` for brackets on the command line.
+    /// The source of the file; `None` for brackets on the command line.
     pub(super) source: Option<Source>,
 }
 
-/// The definition of the bracket.
+/// How the brackets of a definition are given.
 #[derive(Clone, Debug)]
 pub(super) enum Origin {
-    /// The given brackets, by ordered pair (from 0).
+    /// Brackets, by ordered pairs of basis vectors, which count from 0.
     Brackets(Pairs),
-    /// A matrix basis: entries (row, column, value) of each matrix.
+    /// A basis of matrices: the size of the matrices, and the entries (row, column, value) of each.
     Matrices(usize, Vec<MatrixEntries>),
-    /// Fields on a chart.
+    /// Vector fields on a chart.
     Chart(OnChart),
 }
 
-/// Right-hand sides by ordered pair.
+/// Brackets: the right-hand side for each ordered pair of basis vectors.
 pub(super) type Pairs = BTreeMap<(usize, usize), Given>;
 
-/// The indices of two basis vectors, in order, from 0.
+/// The indices of two basis vectors in order, from 0.
 pub(super) type Pair = (usize, usize);
 
 pub(super) type MatrixEntries = Vec<(usize, usize, Complex<Symbolic>)>;
 
-/// The right-hand side of a given bracket, and its location.
+/// The right-hand side of a bracket, and its location.
 #[derive(Clone, Debug)]
 pub(super) struct Given {
     pub(super) value: BTreeMap<usize, Symbolic>,
@@ -80,7 +80,8 @@ pub(super) enum ConnectionChoice {
     Affinities(Pairs),
 }
 
-/// The components `[i, j, k]` of right-hand sides `v^i` of the pairs `j, k`.
+/// The components with indices `[i, j, k]`: for each pair `j, k`, the components `v^i` of the
+/// right-hand side.
 pub(super) fn components<S: Coefficient>(
     pairs: &Pairs,
 ) -> Result<Vec<([usize; 3], S)>, InputError> {
@@ -93,7 +94,7 @@ pub(super) fn components<S: Coefficient>(
 }
 
 impl Definition {
-    /// An algebra without a metric, a connection and parameters.
+    /// A definition of an algebra without a metric, a connection and parameters.
     pub(super) fn new(name: impl Into<String>, labels: Vec<String>, origin: Origin) -> Self {
         Definition {
             name: name.into(),
@@ -108,13 +109,13 @@ impl Definition {
         }
     }
 
-    /// The same definition without metric and connection.
+    /// The definition without its metric and its connection.
     #[must_use]
     pub fn algebra_alone(&self) -> Self {
         Definition { metric: None, connection: None, ..self.clone() }
     }
 
-    /// Notes on how conventions that the file does not specify are interpreted, such as the order
+    /// Notes on the interpretation of conventions that the file does not specify, such as the order
     /// of the basis.
     pub fn notes(&self) -> &[String] {
         &self.notes
@@ -125,13 +126,13 @@ impl Definition {
         self.labels.len()
     }
 
-    /// Whether the definition is a name of the catalogue or a sum of such names, so that it may
-    /// occur in a sum.
+    /// Whether the definition is an entry of the catalogue or a sum of entries. Only such
+    /// definitions may occur in a sum.
     pub fn is_of_catalogue(&self) -> bool {
         self.source.is_none() && self.algebra_name.is_none()
     }
 
-    /// The parameters on which some value depends, sorted.
+    /// The parameters on which values depend, sorted.
     pub fn parameters(&self) -> Vec<String> {
         let mut names = Vec::new();
         self.each_value(&mut |value| names.extend(value.parameters()));
@@ -142,7 +143,8 @@ impl Definition {
         names
     }
 
-    /// All known names: parameters, declared parameters on which no value depends, and coordinates.
+    /// All known names: the parameters on which values depend, other declared parameters, and the
+    /// coordinates.
     pub fn known_parameters(&self) -> Vec<String> {
         let mut names = self.parameters();
         names.extend(self.declared.iter().chain(self.coordinates()).cloned());
@@ -151,14 +153,14 @@ impl Definition {
         names
     }
 
-    /// Whether all values are rational numbers, and none is a function on a chart.
+    /// Whether all values are rational numbers, and not functions on a chart.
     pub fn is_rational(&self) -> bool {
         let mut rational = !self.is_on_chart();
         self.each_value(&mut |value| rational &= value.as_constant().is_some());
         rational
     }
 
-    /// The coordinates of the chart, on which values may depend; empty without a chart.
+    /// The coordinates of the chart; empty without a chart.
     pub fn coordinates(&self) -> &[String] {
         self.functions().map_or(&[], |functions| &functions.coordinates)
     }
@@ -181,11 +183,11 @@ impl Definition {
         self.metric.is_some()
     }
 
-    /// The bracket, antisymmetric but not checked for Jacobi.
+    /// The bracket. It is antisymmetric, but the Jacobi identity is not checked.
     ///
     /// # Errors
-    /// A mathematical error with its witness: `[y,x]` differs from `-[x,y]`, `[x,x]` is not zero,
-    /// or matrices are dependent or not closed under commutators.
+    /// A mathematical error with its witness: if `[y,x]` differs from `-[x,y]`, if `[x,x]` is not
+    /// zero, or if matrices are linearly dependent or not closed under commutators.
     pub fn bracket<S: Coefficient>(&self, tolerance: Tolerance) -> Result<Bracket<S>, InputError> {
         let bracket = match &self.origin {
             Origin::Brackets(given) => {
@@ -204,7 +206,7 @@ impl Definition {
         Ok(bracket)
     }
 
-    /// The Lie algebra; the Jacobi identity is checked.
+    /// The Lie algebra, after a check of the Jacobi identity.
     ///
     /// # Errors
     /// Those of [`bracket`](Self::bracket), and an error with the triple that violates the Jacobi
@@ -216,7 +218,7 @@ impl Definition {
         LieAlgebra::try_from(self.bracket(tolerance)?).map_err(|error| self.refused(error))
     }
 
-    /// The [`algebra`](Self::algebra), or the fields on a chart.
+    /// The [`algebra`](Self::algebra), or the vector fields on a chart.
     ///
     /// # Errors
     /// Those of [`algebra`](Self::algebra), and an error for fields that are dependent everywhere.
@@ -230,11 +232,11 @@ impl Definition {
         }
     }
 
-    /// The metric in the frame of the geometry, if one is given.
+    /// The metric in the frame of the geometry, if a metric is given.
     ///
     /// # Errors
-    /// An error for a form that is degenerate or not symmetric, and for the Killing form over
-    /// structure functions.
+    /// An error for a metric that is degenerate or not symmetric, and for the Killing form if the
+    /// structure functions are not constant.
     pub fn metric<S: Coefficient>(
         &self,
         ground: &FrameOrigin<S>,
@@ -267,8 +269,8 @@ impl Definition {
         metric.map(Some).map_err(|error| InputError::from(error).or_at(place))
     }
 
-    /// The geometry. The default connection is levi-civita if there is a metric, otherwise zero.
-    /// Over a chart it is levi-civita, which needs a metric.
+    /// The geometry. Its default connection is levi-civita if there is a metric, otherwise zero. On
+    /// a chart, the default is always levi-civita, which needs a metric.
     ///
     /// # Errors
     /// Those of [`ground`](Self::ground) and [`metric`](Self::metric).
@@ -279,7 +281,8 @@ impl Definition {
         self.geometry_over(self.ground(tolerance)?, tolerance)
     }
 
-    /// The geometry over an algebra or fields that are already computed ([`ground`](Self::ground)).
+    /// The geometry of an algebra, or of vector fields, that is already computed by
+    /// [`ground`](Self::ground).
     ///
     /// # Errors
     /// Those of [`metric`](Self::metric).
@@ -314,12 +317,12 @@ impl Definition {
         })
     }
 
-    /// Whether the connection is the default.
+    /// Whether the definition has no connection of its own, so that the default is used.
     pub fn connection_is_default(&self) -> bool {
         self.connection.is_none()
     }
 
-    /// Replaces the connection by a canonical one.
+    /// Replaces the connection by a canonical connection.
     pub fn set_canonical(&mut self, which: CanonicalConnection) {
         let place = Place::within(Source::new(which.name(), ""));
         self.connection = Some((ConnectionChoice::Canonical(which), place));
@@ -330,14 +333,14 @@ impl Definition {
         matches!(self.origin, Origin::Matrices(..))
     }
 
-    /// The first pair of given brackets (from 0) that is not antisymmetric, with the components of
-    /// `[x,y] + [y,x]`.
+    /// Finds the first pair of given brackets that is not antisymmetric. Returns its indices, from
+    /// 0, and the components of `[x,y] + [y,x]`.
     pub fn antisymmetry_witness(&self) -> Option<((usize, usize), BTreeMap<usize, Symbolic>)> {
         let Origin::Brackets(given) = &self.origin else { return None };
         self.asymmetry(given).map(|(pair, sum, _)| (pair, sum))
     }
 
-    /// Checks that `[x,x] = 0`, and that `[y,x] = -[x,y]` where both are given.
+    /// Checks that `[x,x] = 0`, and that `[y,x] = -[x,y]` if both brackets are given.
     pub(super) fn antisymmetric(&self, given: &Pairs) -> Result<(), InputError> {
         let Some(((j, k), sum, place)) = self.asymmetry(given) else { return Ok(()) };
         let written = |value: &BTreeMap<usize, Symbolic>| {
@@ -356,7 +359,8 @@ impl Definition {
         Err(InputError::from(law.broken(at, written(&sum))).at(&place))
     }
 
-    /// The first pair with nonzero `[x,y] + [y,x]`, this sum, and its location.
+    /// Finds the first pair for which `[x,y] + [y,x]` is not zero. Returns the pair, the sum, and
+    /// the location.
     pub(super) fn asymmetry(
         &self,
         given: &Pairs,
@@ -401,8 +405,8 @@ impl Definition {
         MatrixBasis::new(&self.labels, *size, read, tolerance).map_err(|error| self.refused(error))
     }
 
-    /// A mathematical error, located at the first given bracket that it names, or otherwise at the
-    /// whole source.
+    /// Converts a mathematical error. Its location is the first given bracket that the error names;
+    /// without such a bracket, the whole source.
     pub(crate) fn refused(&self, error: Error) -> InputError {
         let whole = self.source.clone().map(Place::within);
         let names = if let Error::Broken { at, .. } = &error { at.as_slice() } else { &[] };
@@ -420,7 +424,7 @@ impl Definition {
     }
 
     pub(super) fn each_value(&self, f: &mut dyn FnMut(&Symbolic)) {
-        // visits a copy, so that one traversal serves reading and changing
+        // visits a copy, so that one function serves both for reading and for changing values
         self.clone().each_value_mut(&mut |value| f(value));
     }
 
@@ -464,7 +468,7 @@ where
     })
 }
 
-/// Adds a statement. A pair that is given twice must have the same value.
+/// Adds a bracket. A pair that is given twice must have the same value both times.
 pub(super) fn add(all: &mut Pairs, pair: (usize, usize), given: Given) -> Result<(), InputError> {
     match all.entry(pair) {
         Entry::Vacant(free) => drop(free.insert(given)),

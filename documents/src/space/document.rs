@@ -59,7 +59,7 @@ pub(crate) struct Document {
 }
 
 impl Document {
-    /// The definition.
+    /// Converts the keys to a definition.
     pub fn define(&self, source: &Source) -> Result<Definition, InputError> {
         let built = self.constructed(source)?;
         let labels = self.labels(built.as_ref(), source)?;
@@ -69,7 +69,7 @@ impl Document {
         };
         let names: Vec<&str> = labels.iter().map(|(label, _)| &**label).collect();
         let indices = match &built {
-            // labels of direct sums may end in primes
+            // accepts labels with primes at their ends, which direct sums have
             Some(_) if self.basis.is_none() => {
                 names.iter().map(|name| name.to_string()).zip(0..).collect()
             }
@@ -148,7 +148,7 @@ impl Document {
         Ok(Definition { metric, connection, declared, source, ..definition })
     }
 
-    /// The algebra that a construction of the file builds, if it has one.
+    /// The algebra that a construction of the file builds; `None` if the file has no construction.
     fn constructed(&self, source: &Source) -> Result<Option<LieAlgebra<Symbolic>>, InputError> {
         let given = [
             ("sum", self.sum.as_deref().map(Construction::Sum)),
@@ -192,7 +192,7 @@ impl Document {
         Site { source, place, declared, read: &read }.build(&construction).map(Some)
     }
 
-    /// The names of the parameters, unchecked.
+    /// The names of the parameters, before any check.
     fn parameter_names(&self) -> BTreeSet<String> {
         self.parameters.iter().map(|text| text.to_string()).collect()
     }
@@ -202,7 +202,7 @@ impl Document {
         self.chart.as_ref().map_or(&[], |chart| &chart.coordinates)
     }
 
-    /// The parameters and coordinates. An error if one has the name of another object.
+    /// The names of the parameters and coordinates. A name that is already used is an error.
     fn declared(
         &self,
         labels: &BTreeMap<String, usize>,
@@ -224,7 +224,8 @@ impl Document {
         Ok(parameters)
     }
 
-    /// The fields of `frame` in terms of the coordinate fields; without `frame` the coordinate fields.
+    /// The fields that `frame` defines in terms of the coordinate fields. Without `frame`, the
+    /// coordinate fields.
     fn fields(
         &self,
         functions: &Functions,
@@ -258,8 +259,8 @@ impl Document {
         Ok(Origin::Chart(OnChart { functions: functions.clone(), fields, place }))
     }
 
-    /// The basis from `basis`, `dimension`, or the names or the number of the matrices. Names from
-    /// the file come with their texts.
+    /// The names of the basis vectors, from the keys `basis` or `dimension`, or from the names or
+    /// the number of the matrices. A name that the file contains comes with its location.
     fn labels(
         &self,
         built: Option<&LieAlgebra<Symbolic>>,
@@ -321,7 +322,7 @@ impl Document {
     }
 }
 
-/// The right-hand sides by ordered pair, from rows `[i, j, k, "v"]`.
+/// The brackets, by ordered pair, from rows `[i, j, k, "v"]`.
 fn structure_constants(
     rows: &[Row],
     dimension: usize,

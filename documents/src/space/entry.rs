@@ -1,4 +1,5 @@
-//! Definitions of named spaces: catalogue entries, their direct sums, the geometries of the paper.
+//! Definitions of named spaces: catalogue entries, their direct sums, and the geometries of
+//! Paraskevopoulos and Natsiavas (2013).
 
 use crate::Coefficient;
 use crate::input::{InputError, Place, Source};
@@ -9,7 +10,7 @@ use affinor_tensors::Symbolic;
 use std::collections::BTreeMap;
 
 impl Definition {
-    /// A catalogue entry.
+    /// The definition of a catalogue entry.
     pub fn from_entry(entry: Entry) -> Self {
         let place = Place::within(Source::new(&entry.name, ""));
         let mut given = BTreeMap::new();
@@ -22,11 +23,12 @@ impl Definition {
         Definition::new(entry.name, entry.labels, Origin::Brackets(given))
     }
 
-    /// A geometry of the paper, [`paper::m3`](super::paper::m3) or
-    /// [`paper::so3`](super::paper::so3); `exact` converts its values.
+    /// The definition of a geometry of Paraskevopoulos and Natsiavas (2013),
+    /// [`paper::m3`](super::paper::m3) or [`paper::so3`](super::paper::so3). `exact` converts its
+    /// values.
     ///
     /// # Errors
-    /// An error if the catalogue lacks its algebra.
+    /// An error if the catalogue does not contain its algebra.
     pub fn of_paper<S: Coefficient>(
         geometry: &Geometry<S>,
         exact: impl Fn(&S) -> Symbolic,
@@ -51,7 +53,7 @@ impl Definition {
         })
     }
 
-    /// The direct sum of two algebras; the second basis follows the first.
+    /// The direct sum of two algebras. The basis of the second follows the basis of the first.
     pub(super) fn direct_sum(self, other: Self) -> Result<Self, InputError> {
         let n = self.dimension();
         check_dimension(n + other.dimension())?;

@@ -1,4 +1,4 @@
-//! The functions that expressions over a chart may contain.
+//! The functions that expressions on a chart may contain.
 
 use crate::input::shown;
 use affinor_tensors::Symbolic;
@@ -6,7 +6,7 @@ use affinor_tensors::expression::{POWER, no_function};
 use affinor_tensors::scalar::{FreeFunction, PositiveFactors};
 use std::sync::{Mutex, PoisonError};
 
-/// The functions on a chart: functions of its coordinates, with the signs that define roots and
+/// The functions on a chart: functions of its coordinates, the signs that define roots and
 /// logarithms, and undetermined functions.
 #[derive(Clone, Debug)]
 pub(crate) struct Functions {
@@ -15,17 +15,18 @@ pub(crate) struct Functions {
     pub positive: Positive,
 }
 
-/// Positive factors. Bases of powers with symbolic exponents are added while a definition is read.
+/// The factors that are positive on the chart. While a definition is read, the bases of powers with
+/// symbolic exponents are added.
 #[derive(Debug, Default)]
 pub(crate) struct Positive(Mutex<PositiveFactors>);
 
 impl Positive {
-    /// The factors that are known so far.
+    /// The positive factors that are known so far.
     pub fn known(&self) -> PositiveFactors {
         self.0.lock().unwrap_or_else(PoisonError::into_inner).clone()
     }
 
-    /// Adds a positive function.
+    /// Declares that a function is positive on the chart.
     pub fn declare(&self, function: &Symbolic) -> Result<(), String> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner).declare(function)
     }
@@ -43,14 +44,14 @@ impl Clone for Positive {
 }
 
 impl Functions {
-    /// The declared function, or the derivative of one, with this name.
+    /// The declared function with this name, or the derivative of a declared function.
     pub fn derivative(&self, name: &str) -> Option<FreeFunction> {
         let head = name.split('_').next()?;
         let free = self.free.iter().find(|free| free.name() == head)?;
         free.named(name).ok()
     }
 
-    /// The value of a function.
+    /// Evaluates a function at its arguments.
     pub fn call(&self, name: &str, arguments: &[Symbolic]) -> Result<Symbolic, String> {
         let head = name.split('_').next().unwrap_or_default();
         if let Some(free) = self.free.iter().find(|free| free.name() == head) {
@@ -67,7 +68,7 @@ impl Functions {
     }
 }
 
-/// The value of a function if there is no chart: only roots of numbers are allowed.
+/// Evaluates a function if there is no chart. Only roots of numbers are allowed.
 pub(super) fn without_chart(name: &str, arguments: &[Symbolic]) -> Result<Symbolic, String> {
     let is_number = |value: &Symbolic| value.parameters().is_empty();
     let positive = PositiveFactors::default();

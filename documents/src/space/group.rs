@@ -7,12 +7,12 @@ use affinor::group::{AnyGroup, MatrixGroup, registry};
 use affinor::tensors::Tolerance;
 
 impl Definition {
-    /// A group with this algebra, in its basis: from the [`registry`] for a name, from the matrices
-    /// if they are given, otherwise from the brackets ([`registry::of_algebra`]).
+    /// A group whose Lie algebra is this algebra, in its basis. The group comes from the
+    /// [`registry`] if the algebra has a name, from the matrices if they are given, and otherwise
+    /// from the brackets ([`registry::of_algebra`]).
     ///
     /// # Errors
-    /// The errors of the algebra; an error for an algebra with a centre that is given by brackets
-    /// only.
+    /// Errors of the algebra, and an error if only brackets are given and the algebra has a centre.
     pub fn group(&self, tolerance: Tolerance) -> Result<AnyGroup, InputError> {
         let name = self.algebra_name.as_deref().unwrap_or(&self.name);
         if self.source.is_none()

@@ -1,4 +1,5 @@
-//! Spaces given by a text: sums of catalogue names, paths of files, and tables in the text itself.
+//! Spaces given by a string: sums of catalogue names, paths of files, and tables in the string
+//! itself.
 
 use super::{Definition, check_dimension, tables};
 use crate::input::{InputError, Source};
@@ -8,8 +9,8 @@ use std::path::Path;
 /// The longest chain of definition files that refer to each other.
 const MAX_DEPTH: usize = 16;
 
-/// The algebra that a string of a definition file names: a sum of catalogue names, or a file, whose
-/// path is relative to the folder of the definition file.
+/// The algebra that a string in a definition file names. The string is a sum of catalogue names, or
+/// the path of a file, relative to the folder of the definition file.
 pub(super) fn part(source: &Source) -> Result<Definition, InputError> {
     let text = source.content();
     if let Some(table) = tables::inline(source) {
@@ -23,7 +24,9 @@ pub(super) fn part(source: &Source) -> Result<Definition, InputError> {
         return refused("standard input cannot be part of a definition".into());
     }
     if source.depth >= MAX_DEPTH {
-        return refused(format!("{MAX_DEPTH} files lead to this one: does one contain itself?"));
+        return refused(format!(
+            "definitions are nested in {MAX_DEPTH} files: one may contain itself"
+        ));
     }
     let folder = Path::new(&source.name).parent().unwrap_or(Path::new(""));
     let path = folder.join(text);
@@ -33,7 +36,7 @@ pub(super) fn part(source: &Source) -> Result<Definition, InputError> {
     }
 }
 
-/// The sum of catalogue names in a source.
+/// The algebra that a sum of catalogue names in a source means.
 pub(super) fn named(source: &Source) -> Result<Definition, InputError> {
     let text = source.content();
     let parts = affinor::group::registry::summands(text).into_iter();
@@ -45,7 +48,7 @@ pub(super) fn named(source: &Source) -> Result<Definition, InputError> {
     parts.try_fold(first, Definition::direct_sum)
 }
 
-/// A catalogue entry by its name, a piece of `source`.
+/// The catalogue entry with the name `part`, which is a piece of `source`.
 fn entry(part: &str, source: &Source) -> Result<Definition, InputError> {
     const NAMES: &str =
         "`affinor list` shows the names; a file has an ending, such as .toml or .csv";
@@ -76,7 +79,8 @@ fn entry(part: &str, source: &Source) -> Result<Definition, InputError> {
     })
 }
 
-/// Whether a SPACE is a path: `-`, a name with an ending such as `.toml` or `.csv`, or a `/` outside parentheses.
+/// Whether a SPACE is a path: `-`, a name with an extension such as `.toml` or `.csv`, or a name
+/// with a `/` outside parentheses.
 pub(super) fn is_path(name: &str) -> bool {
     if tables::is_inline(name) {
         return false;

@@ -1,4 +1,5 @@
-//! Expressions of definitions: linear combinations like `h*e2 + 1/2 e1`, complex entries, metrics, connections.
+//! Parsers of expressions in definitions: linear combinations such as `h*e2 + 1/2 e1`, complex
+//! entries, metrics, connections.
 
 use crate::input::{InputError, Place, Source, shown};
 use crate::space::{
@@ -13,25 +14,25 @@ use affinor_tensors::expression::{
 use affinor_tensors::{Field, Rational, Ring, Symbolic};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// The names that an expression may contain.
+/// The names that an expression may contain, with their meanings.
 pub(crate) struct Names<'n> {
     pub labels: &'n BTreeMap<String, usize>,
     /// The declared parameters; if `None`, every unknown name is a parameter.
     pub parameters: Option<&'n BTreeSet<String>>,
-    /// The functions on a chart. Its coordinates are declared as parameters too.
+    /// The functions on a chart. The coordinates of the chart are declared as parameters too.
     pub functions: Option<&'n Functions>,
-    /// Whether the name of a free function without arguments means the function at its declared
-    /// arguments.
+    /// Whether the name of an undetermined function without arguments means the function at its
+    /// declared arguments.
     pub bare: bool,
 }
 
 impl<'n> Names<'n> {
-    /// The names of scalars besides these basis vectors; every unknown name is a parameter.
+    /// Allows these basis vectors and any other name. Every unknown name is a parameter.
     pub fn open(labels: &'n BTreeMap<String, usize>, functions: Option<&'n Functions>) -> Self {
         Names { labels, parameters: None, functions, bare: false }
     }
 
-    /// Parses `text`, a piece of `source`, and evaluates it.
+    /// Parses and evaluates `text`, which is a piece of `source`.
     pub fn read<M: Evaluator>(
         &self,
         text: &str,
@@ -59,13 +60,13 @@ impl<'n> Names<'n> {
         is_name(name) && !declared && !is_no_number(name) && !self.labels.contains_key(name)
     }
 
-    /// A scalar.
+    /// Parses and evaluates a scalar.
     pub fn scalar(&self, text: &str, source: &Source) -> Result<Symbolic, InputError> {
         let function = |name: &str, arguments: &[Symbolic]| self.call(name, arguments);
         self.read(text, source, &Scalars(|name: &str| self.parameter(name), function))
     }
 
-    /// The value of a function of coordinates, or the square root of a square.
+    /// Evaluates a function of coordinates, or the square root of a square.
     fn call(&self, name: &str, arguments: &[Symbolic]) -> Result<Symbolic, String> {
         self.functions.map_or_else(
             || functions::without_chart(name, arguments),
@@ -73,7 +74,7 @@ impl<'n> Names<'n> {
         )
     }
 
-    /// A linear combination of basis vectors.
+    /// Parses a linear combination of basis vectors.
     pub fn vector(
         &self,
         text: &str,
@@ -89,12 +90,12 @@ impl<'n> Names<'n> {
             .help("a bracket must be a sum of multiples of basis vectors"))
     }
 
-    /// A complex number; `i` is the imaginary unit.
+    /// Parses a complex number; `i` is the imaginary unit.
     pub fn complex(&self, text: &str, source: &Source) -> Result<Complex<Symbolic>, InputError> {
         self.read(text, source, &ComplexNumbers(self))
     }
 
-    /// The basis, for messages.
+    /// A list of the basis vectors, for messages.
     pub fn basis(&self) -> String {
         const SHOWN: usize = 12;
         let mut labels: Vec<_> = self.labels.iter().map(|(label, at)| (*at, label)).collect();
@@ -131,12 +132,12 @@ impl<'n> Names<'n> {
     }
 }
 
-/// Whether a name denotes infinity or NaN.
+/// Whether a name means infinity or NaN.
 fn is_no_number(name: &str) -> bool {
     ["nan", "inf", "infinity"].contains(&name.to_ascii_lowercase().as_str())
 }
 
-/// Parses one statement `head[x, y] = right-hand side`.
+/// Parses a statement `head[x, y] = right-hand side`.
 pub(super) fn statement(
     line: &str,
     head: &str,
@@ -174,7 +175,8 @@ pub(super) fn statement(
     Ok((pair, Given { value, place: whole }))
 }
 
-/// The statements of a block, one per line or separated by `;` or by commas before a bracket, without comments and blank lines.
+/// The statements of a block. They are separated by lines, by `;`, or by commas before a bracket.
+/// Comments and blank lines are left out.
 pub(super) fn lines(block: &str) -> impl Iterator<Item = &str> {
     block
         .lines()
@@ -184,8 +186,8 @@ pub(super) fn lines(block: &str) -> impl Iterator<Item = &str> {
         .filter(|line| !line.trim().is_empty())
 }
 
-/// The statements between commas that are followed by another bracket or by the end of the line:
-/// `[x, y] = z, [y, z] = x`.
+/// Splits a line at each comma that is followed by another bracket or by the end of the line: `[x,
+/// y] = z, [y, z] = x`.
 fn between_commas(line: &str) -> Vec<&str> {
     let (mut depth, mut start, mut parts) = (0i64, 0, Vec::new());
     for (at, symbol) in line.char_indices() {
@@ -246,7 +248,7 @@ pub(super) fn metric(
         .help("identity, killing, diag(a, b, ...), or [[a, b], [b, c]]"))
 }
 
-/// A metric from its rows; `read` returns the value of an entry.
+/// Reads a metric from its rows; `read` converts an entry to its value.
 pub(super) fn metric_rows<T>(
     rows: &[Vec<T>],
     dimension: usize,
@@ -268,7 +270,7 @@ pub(super) fn metric_rows<T>(
     Ok(MetricChoice::Components(components, Some(place)))
 }
 
-/// The shape of rows in words: `3 rows of 2 or 3 entries`.
+/// Describes the shape of rows in words: `3 rows of 2 or 3 entries`.
 pub(super) fn shape<T>(rows: &[Vec<T>]) -> String {
     let widths: BTreeSet<usize> = rows.iter().map(Vec::len).collect();
     let last = widths.last().copied().unwrap_or(0);
@@ -285,17 +287,17 @@ fn entries_of(count: usize) -> String {
     if count == 1 { "1 entry".into() } else { format!("{count} entries") }
 }
 
-/// The parts of a list between commas; an empty list has no parts.
+/// Splits a list at its commas; an empty list has no parts.
 fn list(text: &str) -> Vec<&str> {
     if text.trim().is_empty() { vec![] } else { split(text) }
 }
 
-/// The text between `open` at the start and `close` at the end.
+/// The text between `open` at its start and `close` at its end.
 fn enclosed<'t>(text: &'t str, open: &str, close: char) -> Option<&'t str> {
     text.strip_prefix(open)?.strip_suffix(close)
 }
 
-/// The parts between commas outside parentheses and brackets.
+/// Splits a text at commas outside parentheses and brackets.
 pub(super) fn split(text: &str) -> Vec<&str> {
     let (mut depth, mut start, mut parts) = (0i64, 0, Vec::new());
     for (at, symbol) in text.char_indices() {
@@ -313,8 +315,8 @@ pub(super) fn split(text: &str) -> Vec<&str> {
     parts
 }
 
-/// The numbers of basis vectors by their names, which must be distinct; `place` returns the
-/// location of a label.
+/// Numbers the basis vectors by their names, which must be distinct. `place` returns the location
+/// of a label.
 pub(super) fn basis(
     labels: &[&str],
     place: &dyn Fn(usize) -> Place,
@@ -322,7 +324,7 @@ pub(super) fn basis(
     super::check_dimension(labels.len())?;
     let mut indices = BTreeMap::new();
     for (at, label) in labels.iter().enumerate() {
-        // labels of a second summand end in primes
+        // allows primes at the end, because labels of a second summand end in primes
         check_name(label.trim_end_matches('\'')).map_err(|error| error.at(&place(at)))?;
         if indices.insert(label.to_string(), at).is_some() {
             let message = format!("the basis vector `{label}` is named twice");
@@ -341,7 +343,7 @@ pub(crate) fn check_name(name: &str) -> Result<(), InputError> {
         .help("a name is a letter or _, then letters, digits and _, at most 64 in all"))
 }
 
-/// The evaluator of sums of a vector and a scalar, which occur within a right-hand side.
+/// Evaluates the expressions within a right-hand side: sums of a vector and a scalar.
 struct Elements<'n>(&'n Names<'n>);
 
 #[derive(Clone)]
@@ -361,7 +363,7 @@ impl Element {
     }
 }
 
-/// The arithmetic of scalars, with its limits.
+/// Evaluates the arithmetic of scalars, within the limits on their size.
 fn scalars() -> impl Evaluator<Value = Symbolic> {
     Scalars(|name: &str| -> Result<Symbolic, String> { Err(name.into()) }, no_function)
 }
@@ -426,7 +428,7 @@ impl Evaluator for Elements<'_> {
     }
 }
 
-/// Complex numbers over the scalars.
+/// Evaluates complex numbers over the scalars.
 struct ComplexNumbers<'n>(&'n Names<'n>);
 
 impl Evaluator for ComplexNumbers<'_> {
@@ -464,7 +466,7 @@ impl Evaluator for ComplexNumbers<'_> {
     }
 }
 
-/// Parses a connection name. Returns it with its location.
+/// Parses the name of a connection. Returns the connection and its location.
 pub(super) fn connection(
     names: &Names,
     source: &Source,

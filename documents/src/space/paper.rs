@@ -1,4 +1,5 @@
-//! The two geometries of the paper on the rotation group: M(3) and "SO(3)".
+//! The two geometries of Paraskevopoulos and Natsiavas (2013) on the rotation group: M(3) and
+//! "SO(3)".
 //!
 //! E. Paraskevopoulos and S. Natsiavas, *Int. J. Solids and Structures* 50 (2013) 57-72.
 
@@ -6,11 +7,11 @@ use affinor::algebra::catalogue::{self, Entry};
 use affinor::{CanonicalConnection, ConnectionKind, Error, Geometry, LieAlgebra, Metric};
 use affinor_tensors::{Down, Notation, Rational, Scalar, Symbolic, Tensor};
 
-/// M(3): the connection `plus` (29), with the inertia as metric (99), whose entries `J11`, `J12`,
-/// ..., `J33` are symbolic; equations (41)-(61) and section 5.
+/// M(3): the connection `plus` (29), and as metric (99) the inertia, whose entries `J11`, `J12`,
+/// ..., `J33` are symbolic. See equations (41)-(61) and section 5.
 ///
 /// # Errors
-/// None, because the catalogue contains so(3).
+/// No errors occur, because the catalogue contains so(3).
 pub fn m3() -> Result<Geometry<Symbolic>, Error> {
     let entry =
         |[i, j]: [usize; 2]| Symbolic::parameter(&format!("J{}{}", i.min(j) + 1, i.max(j) + 1));
@@ -18,10 +19,11 @@ pub fn m3() -> Result<Geometry<Symbolic>, Error> {
     rotations("M(3)", CanonicalConnection::Plus, |_| inertia, Clone::clone)
 }
 
-/// "SO(3)": the connection `zero` (31) and the bi-invariant metric `tr(A^T B)` (102); equations (62)-(71).
+/// "SO(3)": the connection `zero` (31), and the bi-invariant metric `tr(A^T B)` (102). See
+/// equations (62)-(71).
 ///
 /// # Errors
-/// None, because the catalogue contains so(3).
+/// No errors occur, because the catalogue contains so(3).
 pub fn so3() -> Result<Geometry<Rational>, Error> {
     let product =
         |entry: &Entry| entry.matrices.as_ref().expect("the entry so(3) has matrices").frobenius();

@@ -6,11 +6,11 @@ use crate::space::{Definition, notation::Names};
 use std::collections::{BTreeMap, BTreeSet};
 
 impl Definition {
-    /// The two vectors of a plane, as combinations of the basis separated by a comma: `x1, y1 +
-    /// 2*z`.
+    /// Parses the two vectors that span a plane: combinations of the basis, separated by a comma,
+    /// as in `x1, y1 + 2*z`.
     ///
     /// # Errors
-    /// An error unless there are exactly two vectors, and for an expression that cannot be parsed.
+    /// An error if there are not exactly two vectors, or if an expression cannot be parsed.
     pub fn plane<S: Coefficient>(&self, text: &str) -> Result<[Vec<S>; 2], InputError> {
         let labels: BTreeMap<String, usize> = self.labels.iter().cloned().zip(0..).collect();
         let parameters: BTreeSet<String> = self.parameters().into_iter().collect();
@@ -19,7 +19,8 @@ impl Definition {
         let vector = |text: &str| {
             let mut vector = vec![S::zero(); self.dimension()];
             let terms = names.vector(text, &Source::new("--plane", text));
-            // an unknown name is probably a misspelled basis vector, because parameters are known
+            // suggests the basis vectors, because an unknown name is probably a misspelled basis
+            // vector
             for (at, value) in terms.map_err(|error| error.help(names.basis()))? {
                 vector[at] = S::read(&value)?;
             }

@@ -8,7 +8,7 @@ use crate::input::{InputError, Source, shown};
 use affinor_tensors::scalar::StraightLine;
 use affinor_tensors::{Recorded, Symbolic, TrackedFloat};
 
-/// Values of coordinates, parameters and functions by their texts, in the order in which they are given.
+/// The values of coordinates, parameters and functions, each with its name, in the given order.
 #[derive(Clone, Debug, Default)]
 pub struct Point(Vec<(String, TrackedFloat)>);
 
@@ -25,11 +25,11 @@ impl Point {
 }
 
 impl Space {
-    /// The texts by which programs know a coordinate, a parameter, or a function that is not given, such as `a(t)` and its
-    /// derivative `a_t(t)`. `others` are further parameters.
+    /// The name by which programs refer to a coordinate, a parameter, or an undetermined function
+    /// such as `a(t)` or its derivative `a_t(t)`. `others` are further parameters.
     ///
     /// # Errors
-    /// A name that is unknown, or that has a value.
+    /// An error for a name that is unknown, or that already has a value.
     pub fn input(&self, text: &str, others: &[String]) -> Result<String, InputError> {
         self.input_in(&Source::new("the name of a value", text), text, others)
     }
@@ -66,7 +66,7 @@ impl Space {
         Ok(name)
     }
 
-    /// A point, `name=value,...`: values are numbers such as `1/2`, `0.1` or `pi/3`.
+    /// Parses a point, `name=value,...`. Values are numbers such as `1/2`, `0.1` or `pi/3`.
     ///
     /// ```
     /// use affinor_documents::space::{Request, Space};
@@ -79,7 +79,8 @@ impl Space {
     /// ```
     ///
     /// # Errors
-    /// A name that is unknown, that has a value, or that occurs twice; a value that is not a number.
+    /// An error for a name that is unknown, that already has a value, or that occurs twice, and for
+    /// a value that is not a number.
     pub fn point(&self, text: &str) -> Result<Point, InputError> {
         let source = Source::new("--at", text);
         let labels = self.labels();

@@ -1,4 +1,4 @@
-//! The SPACE of a command line, with the options that complete it.
+//! The SPACE of a command line, together with the options that complete it.
 
 use crate::input::{
     Files, InputError, Source,
@@ -19,28 +19,28 @@ use std::path::{Path, PathBuf};
 /// The arguments of the command line that define a space.
 #[derive(Clone, Debug, Default)]
 pub struct Request {
-    /// The SPACE, optionally with `@connection;metric=...`.
+    /// The SPACE, which may contain `@connection;metric=...`.
     pub space: Option<String>,
-    /// An alternative to SPACE: a name for messages, and the text of a definition file.
+    /// A definition instead of SPACE: a name for messages, and the text of a definition file.
     pub definition: Option<(String, String)>,
-    /// The basis names of inline brackets.
+    /// The names of the basis vectors of brackets given inline.
     pub basis: Option<String>,
-    /// Inline brackets.
+    /// Brackets given inline.
     pub brackets: Vec<String>,
     /// The option `--connection`.
     pub connection: Option<String>,
     /// The option `--metric`.
     pub metric: Option<String>,
-    /// The option `--set`, `name=value,...`.
+    /// The option `--set`, of the form `name=value,...`.
     pub set: Option<String>,
     /// The cache of files.
     pub files: Files,
 }
 
-/// The choice of the scalar of a computation.
+/// The choice of the scalar type of a computation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum ScalarChoice {
-    /// Rationals, or rational functions if parameters remain.
+    /// Rational numbers, or rational functions if parameters remain.
     #[default]
     Exact,
     /// Floats with tracked rounding errors ([`TrackedFloat`](affinor_tensors::TrackedFloat)).
@@ -50,22 +50,22 @@ pub enum ScalarChoice {
 /// A space that was read from a request.
 #[derive(Clone, Debug)]
 pub struct Space {
-    /// Its definition.
+    /// The definition of the space.
     pub definition: Definition,
     /// The parameters that the command line introduced.
     pub introduced: Vec<String>,
-    /// The file from which it was read.
+    /// The file from which the space was read; `None` if it was not read from a file.
     pub file: Option<PathBuf>,
-    /// The values of the parameters that have been set.
+    /// The values of the parameters that were set.
     pub values: BTreeMap<String, Symbolic>,
 }
 
 impl Space {
-    /// Reads a request.
+    /// Reads the space of a request.
     ///
     /// # Errors
-    /// An error with its location, for a name that is unknown or ambiguous, a file that cannot be
-    /// read, and an invalid value.
+    /// An error with its location, for a name that is unknown or ambiguous, for a file that cannot
+    /// be read, and for an invalid value.
     pub fn open(request: &Request) -> Result<Self, InputError> {
         let files = &request.files;
         let inside = request
@@ -94,7 +94,8 @@ impl Space {
         };
         let mut space = Self::of(definition);
         space.file = inside.space.filter(|name| is_path(name)).map(|name| match name.as_str() {
-            // the path of standard input, for messages and comparisons; some systems have no such path
+            // the path of standard input, for messages and comparisons; on some systems it does not
+            // exist
             "-" => PathBuf::from("/dev/stdin"),
             path => PathBuf::from(path),
         });
@@ -118,12 +119,12 @@ impl Space {
         Ok(space)
     }
 
-    /// The space of a definition.
+    /// The space with this definition, without further options.
     pub(crate) fn of(definition: Definition) -> Self {
         Space { definition, introduced: vec![], file: None, values: BTreeMap::new() }
     }
 
-    /// The space with the metric and the connection of a file, if these are not given.
+    /// Adds the metric and the connection that a file contains, as far as they are given.
     pub(crate) fn completed_by(
         mut self,
         metric: Option<&MetricText>,
@@ -140,7 +141,7 @@ impl Space {
         Ok(self)
     }
 
-    /// The numbers of the basis vectors, by their names.
+    /// The index of each basis vector, by name.
     pub(super) fn labels(&self) -> BTreeMap<String, usize> {
         let labels = self.definition.labels.iter().enumerate();
         labels.map(|(at, label)| (label.clone(), at)).collect()
@@ -164,8 +165,8 @@ impl Space {
         Ok(())
     }
 
-    /// Replaces parameters by values, `name=value,...`. Names that are parameters of `others` only
-    /// are ignored.
+    /// Replaces parameters by values, `name=value,...`. Names that are parameters of `others`, but
+    /// not of this space, are ignored.
     ///
     /// # Errors
     /// Those of [`Definition::set`].
@@ -189,11 +190,12 @@ impl Space {
         self.introduced.extend(now.into_iter().filter(|name| !before.contains(name)));
     }
 
-    /// The scalars for its values: rationals if the definition has no parameters, rational
-    /// functions if it has some, and floats on request. See [`over_kind`](crate::over_kind).
+    /// The kind of scalars for the values of the space: rational numbers if the definition has no
+    /// parameters, otherwise rational functions; floats if `choice` asks for them. See
+    /// [`over_kind`](crate::over_kind).
     ///
     /// # Errors
-    /// An error for floats on a chart, and for floats with parameters that have no value.
+    /// An error for floats on a chart, and for floats if parameters have no value.
     pub fn kind(&self, choice: ScalarChoice) -> Result<Kind, InputError> {
         match choice {
             ScalarChoice::Float if self.definition.is_on_chart() => {
@@ -205,10 +207,11 @@ impl Space {
         }
     }
 
-    /// The definition, after checking that its values are numbers.
+    /// Returns the definition, after a check that its values are numbers.
     ///
     /// # Errors
-    /// An error for a chart, whose functions are exact, and for parameters without values.
+    /// An error for a chart, because its functions must be exact, and for parameters without
+    /// values.
     pub fn in_floats(&self) -> Result<&Definition, InputError> {
         if self.definition.is_on_chart() {
             return Err(on_chart().help("give a Lie algebra: this command computes in floats"));
@@ -238,7 +241,8 @@ fn split_space(space: &str, files: &Files) -> Result<Request, InputError> {
     let space = &*source.text;
     let metric = |at: &usize| space[at + 1..].trim_start().starts_with("metric");
     let split = space.rsplit_once('@').or_else(|| match tables::is_inline(space) {
-        // semicolons may also separate brackets
+        // an inline table may contain semicolons between brackets, so the first one before `metric`
+        // is used
         true => {
             let at = space.match_indices(';').map(|(at, _)| at).find(metric)?;
             Some((&space[..at], &space[at + 1..]))
@@ -270,7 +274,8 @@ fn split_space(space: &str, files: &Files) -> Result<Request, InputError> {
     Ok(parts)
 }
 
-/// A geometry of the paper, a file, or a sum of catalogue names.
+/// Finds the definition that a name means: a geometry of Paraskevopoulos and Natsiavas (2013), a
+/// file, or a sum of catalogue names.
 fn find(name: &str, files: &Files) -> Result<Definition, InputError> {
     let compact: String = name.chars().filter(|c| !c.is_whitespace()).collect();
     match compact.as_str() {
@@ -290,7 +295,7 @@ fn find(name: &str, files: &Files) -> Result<Definition, InputError> {
     named(&Source::new("SPACE", name))
 }
 
-/// Brackets given on the command line.
+/// Reads brackets that are given on the command line.
 fn inline(labels: &str, brackets: &[String]) -> Result<Definition, InputError> {
     let source = Source::new("--basis", labels);
     let labels = source.text.split([' ', ',', '\t', '\n']);

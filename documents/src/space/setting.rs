@@ -1,4 +1,4 @@
-//! Values for the parameters of a definition.
+//! Replaces parameters of a definition by values.
 
 use crate::input::{InputError, Source, shown};
 use crate::space::{
@@ -10,15 +10,15 @@ use affinor_tensors::scalar::{FreeFunction, PositiveFactors};
 use affinor_tensors::{Notation, Symbolic};
 use std::collections::BTreeMap;
 
-/// The largest size of a value after its parameters are replaced.
+/// The largest size of a value after the replacement of its parameters.
 const MAX_SIZE: f64 = (1u64 << 22) as f64;
 
 impl Definition {
-    /// Replaces parameters and free functions by values, all at once.
+    /// Replaces parameters and undetermined functions by values, all at the same time.
     ///
     /// # Errors
-    /// A name that is not a parameter here, a denominator that becomes zero, or a value that grows
-    /// beyond all bounds.
+    /// An error for a name that is not a parameter of this definition, for a denominator that
+    /// becomes zero, and for a value that becomes too large.
     pub fn set(&mut self, values: &BTreeMap<String, Symbolic>) -> Result<(), InputError> {
         let mut parameters = self.parameters();
         let others = self
@@ -66,13 +66,13 @@ impl Definition {
     }
 }
 
-/// An upper bound for the size of `value` after its parameters are replaced by `values`: assumes
-/// that no terms are collected or cancel.
+/// An upper bound for the size of `value` after the replacement of its parameters by `values`. The
+/// bound assumes that no terms are collected or cancel.
 fn growth(value: &Symbolic, values: &BTreeMap<String, Symbolic>) -> f64 {
     let part = |part: Symbolic| {
         let terms = part.numerator_terms();
         let images = terms.iter().map(|(powers, _)| {
-            // also counts functions of replaced parameters
+            // includes functions whose arguments contain replaced parameters
             let given = powers.iter().filter_map(|(variable, power)| {
                 let own = Symbolic::variable(*variable);
                 let image = own.substitute(values).filter(|image| *image != own)?;
@@ -89,15 +89,15 @@ fn growth(value: &Symbolic, values: &BTreeMap<String, Symbolic>) -> f64 {
     part(value.numerator()) + part(value.denominator())
 }
 
-/// The largest possible number of terms of a power: `C(t + e - 1, e)` for `t` terms and the
-/// exponent `e`.
+/// The largest possible number of terms of a power: `C(t + e - 1, e)`, where `t` is the number of
+/// terms and `e` is the exponent.
 fn terms_of_power(value: &Symbolic, exponent: f64) -> f64 {
     let count = |part: Symbolic| part.numerator_terms().len();
     let terms = count(value.numerator()).max(count(value.denominator()));
     (1..terms).fold(1.0, |product, t| product * (exponent + t as f64) / t as f64)
 }
 
-/// An error for a name that is not among the parameters.
+/// The error for a name that is not one of the parameters.
 pub(crate) fn no_parameter(name: &str, parameters: &[String]) -> InputError {
     let help = match parameters {
         [] => "there are none".into(),
@@ -106,7 +106,7 @@ pub(crate) fn no_parameter(name: &str, parameters: &[String]) -> InputError {
     InputError::usage(format!("`{}` is not a parameter here", shown(name))).help(help)
 }
 
-/// Parses `name=value,...` as substitutions.
+/// Parses substitutions `name=value,...`.
 pub(super) fn settings(
     source: &Source,
     names: &Names,

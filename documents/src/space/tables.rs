@@ -1,8 +1,8 @@
-//! Notations for tables of structure constants, recognized by their content.
+//! Notations for tables of structure constants. They are recognized by their content.
 //!
-//! [`definition`] chooses a [`Notation`] from the text alone; its parser then reports every error
-//! with its location. Each parser is a file in the folder `tables`; its module documentation
-//! describes the grammar.
+//! [`definition`] chooses a [`Notation`] from the text alone. The parser of this notation then
+//! reports every error with its location. Each parser is a file in the folder `tables`, and its
+//! module documentation describes the grammar.
 
 mod brackets;
 mod gap;
@@ -22,18 +22,18 @@ use std::collections::BTreeMap;
 
 /// A notation in which a space can be written.
 struct Notation {
-    /// Its name in the list of supported notations.
+    /// The name of the notation in the list of supported notations.
     name: &'static str,
-    /// Whether a text is in this notation, decided by its first characters or by a word that is
-    /// specific to it.
+    /// Whether a text is in this notation. The first characters decide, or a word that occurs only
+    /// in this notation.
     recognises: fn(&str) -> bool,
     /// Parses a text in this notation.
     read: fn(&Source) -> Result<Definition, InputError>,
-    /// Whether a SPACE of the command line may be a text in this notation.
+    /// Whether the SPACE of a command line may be a text in this notation.
     inline: bool,
 }
 
-/// All notations. The first one that recognizes a text parses it.
+/// All notations. A text is parsed by the first notation that recognizes it.
 const NOTATIONS: [Notation; 7] = [
     Notation {
         name: "JSON of `affinor table`",
@@ -64,7 +64,7 @@ const NOTATIONS: [Notation; 7] = [
     },
 ];
 
-/// The algebra of a text in one of the notations; `None` for other texts.
+/// Reads the algebra from a text in one of the notations; `None` for other texts.
 ///
 /// # Errors
 /// Errors of the parser, with their locations.
@@ -74,7 +74,8 @@ pub(super) fn definition(source: &Source) -> Option<Result<Definition, InputErro
     Some((notation.read)(source))
 }
 
-/// The algebra of a text in a notation of [`is_inline`]; `None` for other texts.
+/// Reads the algebra from a SPACE that is itself a table, as in [`is_inline`]; `None` for other
+/// texts.
 ///
 /// # Errors
 /// Those of [`definition`].
@@ -82,14 +83,14 @@ pub(super) fn inline(source: &Source) -> Option<Result<Definition, InputError>> 
     is_inline(source.content()).then(|| definition(source)).flatten()
 }
 
-/// Whether a SPACE of the command line is itself a table, and not a name or a path.
+/// Whether the SPACE of a command line is itself a table, and not a name or a path.
 pub(super) fn is_inline(space: &str) -> bool {
     let mut inline = NOTATIONS.iter().filter(|notation| notation.inline);
     space.trim_start().starts_with(['(', '['])
         && inline.any(|notation| (notation.recognises)(space))
 }
 
-/// The error for a text in no known notation, with a guess at its format.
+/// The error for a text in an unknown notation, with a guess at its format.
 pub(super) fn unknown(source: &Source) -> InputError {
     const GUESSES: [(&str, &str); 8] = [
         (
@@ -114,7 +115,7 @@ pub(super) fn unknown(source: &Source) -> InputError {
     InputError::usage(message).at(&source.whole(first_line(text))).help(help)
 }
 
-/// The first line that is neither blank nor a comment (`#`, `//`), trimmed.
+/// The first line that is neither blank nor a comment (`#`, `//`), without white space at its ends.
 pub(super) fn first_line(text: &str) -> &str {
     let mut lines = text.lines().map(str::trim);
     lines
@@ -122,8 +123,8 @@ pub(super) fn first_line(text: &str) -> &str {
         .unwrap_or("")
 }
 
-/// A structure constant in a table: `[e_j, e_k] = ... + value e_i`. `place` is the piece of the
-/// text for messages.
+/// A structure constant of a table, which adds `value e_i` to `[e_j, e_k]`. `place` is the piece of
+/// the text for messages.
 struct Entry<'t> {
     j: Cow<'t, str>,
     k: Cow<'t, str>,
@@ -134,9 +135,9 @@ struct Entry<'t> {
     place: &'t str,
 }
 
-/// The algebra with the basis `labels` and these structure constants; constants of the same
-/// component are added. `index` finds a basis vector, from 0, or returns the reason why the text
-/// does not denote one.
+/// The algebra with the basis `labels` and these structure constants. Several constants for one
+/// component are added. `index` returns the index of a basis vector, from 0, or the reason why the
+/// text does not mean a basis vector.
 fn algebra(
     source: &Source,
     labels: Vec<String>,
@@ -155,7 +156,7 @@ fn algebra(
     Ok(of_brackets(source, labels, given))
 }
 
-/// Adds `value e_i` to `[e_j, e_k]`; indices from 0.
+/// Adds `value e_i` to `[e_j, e_k]`; the indices count from 0.
 fn add_constant(given: &mut Pairs, [i, j, k]: [usize; 3], value: Symbolic, place: &Place) {
     let pair = given
         .entry((j, k))
@@ -164,7 +165,7 @@ fn add_constant(given: &mut Pairs, [i, j, k]: [usize; 3], value: Symbolic, place
     pair.value.insert(i, sum + &value);
 }
 
-/// Like [`algebra`], with the basis `e1`, ..., `en` and indices from 1.
+/// Like [`algebra`], for the basis `e1`, ..., `en` and indices that count from 1.
 fn numbered(source: &Source, n: usize, entries: &[Entry]) -> Result<Definition, InputError> {
     let place = source.whole(first_line(source.content()));
     let n = check_dimension(n).map_err(|error| error.or_at(&place))?;
@@ -172,13 +173,13 @@ fn numbered(source: &Source, n: usize, entries: &[Entry]) -> Result<Definition, 
     algebra(source, labels, entries, |at| number(at, n))
 }
 
-/// The index, from 0, for a number from 1 to `n`.
+/// Converts a number from 1 to `n` to an index that counts from 0.
 fn number(at: &str, n: usize) -> Result<usize, String> {
     let number = at.parse().ok().filter(|at| (1..=n).contains(at));
     number.map(|at| at - 1).ok_or_else(|| format!("the index {} is not in 1..{n}", shown(at)))
 }
 
-/// The algebra with these brackets, named after the file.
+/// The algebra with these brackets. It is named after the file.
 fn of_brackets(source: &Source, labels: Vec<String>, given: Pairs) -> Definition {
     let name = match source.name.as_str() {
         "SPACE" => "inline algebra",
@@ -193,17 +194,18 @@ fn refuse<T>(source: &Source, part: &str, message: impl Into<String>) -> Result<
     Err(InputError::usage(message).at(&source.whole(part)))
 }
 
-/// The names of basis vectors in their canonical form.
+/// Converts the names of basis vectors to their canonical form.
 fn basis_vectors(names: &[&str]) -> Vec<String> {
     names.iter().map(|name| canonical_name(name).into_owned()).collect()
 }
 
-/// The pieces between commas outside brackets and quotes, trimmed and without preceding comments.
+/// Splits a text at commas outside brackets and quotes. The pieces have no white space at their
+/// ends and no comments before them.
 fn items(inside: &str) -> Vec<&str> {
     split_at_top(inside, &[',']).into_iter().map(uncommented).collect()
 }
 
-/// The pieces between `separators` outside brackets and quotes. A blank last piece is dropped.
+/// Splits a text at `separators` outside brackets and quotes. A blank last piece is dropped.
 fn split_at_top<'t>(inside: &'t str, separators: &[char]) -> Vec<&'t str> {
     let (mut depth, mut from, mut pieces, mut quote) = (0i64, 0, vec![], None);
     for (at, symbol) in inside.char_indices() {
@@ -225,7 +227,7 @@ fn split_at_top<'t>(inside: &'t str, separators: &[char]) -> Vec<&'t str> {
     pieces
 }
 
-/// The text inside the bracket with which `text` begins, up to the matching one.
+/// The text inside the bracket with which `text` begins, up to its closing bracket.
 fn enclosed(text: &str) -> Option<&str> {
     let (mut depth, mut quote) = (0i64, None);
     for (at, symbol) in text.char_indices() {
@@ -243,19 +245,19 @@ fn enclosed(text: &str) -> Option<&str> {
     None
 }
 
-/// The items of a list in brackets that makes up the whole text.
+/// The items of a list in brackets, if the list is the whole text.
 fn list(text: &str) -> Option<Vec<&str>> {
     let text = text.trim();
     let inside = text.starts_with(['[', '(']).then(|| enclosed(text)).flatten()?;
     (inside.len() + 2 == text.len()).then(|| items(inside))
 }
 
-/// A text without its quotes.
+/// Removes the quotes around a text.
 fn unquoted(text: &str) -> &str {
     text.trim().trim_matches(['\'', '"']).trim()
 }
 
-/// A piece without preceding comments, trimmed.
+/// Removes comments before a piece, and white space at its ends.
 fn uncommented(piece: &str) -> &str {
     let mut piece = piece.trim();
     while piece.starts_with('#') {
@@ -264,7 +266,7 @@ fn uncommented(piece: &str) -> &str {
     piece
 }
 
-/// Returns an error for a table over a finite field, which programs denote by `GF(2)`, `Z(3)` or
+/// Returns an error for a table over a finite field, which programs write as `GF(2)`, `Z(3)` or
 /// `Zmod(5)`.
 fn expect_characteristic_0(source: &Source) -> Result<(), InputError> {
     const FIELDS: [&str; 8] =

@@ -1,4 +1,4 @@
-"""Differential geometry of Lie groups: torsion, curvature, groups and motions; exact, symbolic or in floats.
+"""Differential geometry of Lie groups: torsion, curvature, groups and motions, in exact, symbolic or floating-point numbers.
 
 Conventions: ``[e_j, e_k] = c^i_jk e_i``, ``nabla_{e_j} e_k = Lambda^i_jk e_i``, ``R(e_k, e_l) e_j = R^i_jkl e_i``. Indices
 count from 0 in Python and from 1 in printed output. Quaternions are ``w, x, y, z``.

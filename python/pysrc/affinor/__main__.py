@@ -1,4 +1,4 @@
-"""The program ``affinor``, also as ``python -m affinor``."""
+"""The program ``affinor``, which is also started by ``python -m affinor``."""
 
 import signal
 import sys
@@ -7,8 +7,8 @@ from affinor._engine import run_command
 
 
 def main() -> int:
-    """Runs the command line with the arguments of this process and returns its exit status."""
-    # the command handles signals itself; Python would raise KeyboardInterrupt afterwards
+    """Runs the command line with the arguments of this process, and returns the exit status."""
+    # disables the handler of Python, which would raise KeyboardInterrupt; the command handles signals itself
     if signal.getsignal(signal.SIGINT) is signal.default_int_handler:
         signal.signal(signal.SIGINT, signal.SIG_DFL)
     return run_command(["affinor", *sys.argv[1:]])

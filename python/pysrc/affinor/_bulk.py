@@ -1,4 +1,4 @@
-"""Geometries in bulk: every quantity as an array of floats with the axes of the batch in front."""
+"""Many geometries at once: every quantity is an array of floats, whose first axes are the axes of the batch."""
 
 from __future__ import annotations
 
@@ -14,18 +14,18 @@ Floats = NDArray[np.float64]
 
 
 class Bulk:
-    """The quantities of many geometries that share their recorded programs."""
+    """The quantities of many geometries. The geometries share their recorded programs."""
 
     __slots__ = ("_arrays", "_family", "batch_shape", "dimension")
 
     def __init__(self, family: Family, arrays: list[Floats], shape: tuple[int, ...]) -> None:
         self._family = family
-        # arrays (..., k), whose columns are the inputs of the family
+        # arrays of the shape (..., k); their columns are the inputs of the family
         self._arrays = arrays
         self.batch_shape: tuple[int, ...] = shape
         """The shape of the batch, to which all arguments are broadcast."""
         self.dimension: int = family.dimension
-        """The dimension."""
+        """The dimension of the geometries."""
 
     def __repr__(self) -> str:
         return f"<{type(self).__name__} of dimension {self.dimension}, batch of the shape {self.batch_shape}>"
@@ -36,12 +36,12 @@ class Bulk:
         Parameters
         ----------
         key : str
-            ``"ricci"``, ``"weyl"``, ``"kretschmann"`` or another name of a quantity.
+            Name of a quantity, such as ``"ricci"``, ``"weyl"`` or ``"kretschmann"``.
 
         Returns
         -------
         array of the shape (..., n, ...)
-            The axes of the batch, then the indices in the order of :class:`Geometry`.
+            The first axes are the axes of the batch; then the indices follow, in the order of :class:`Geometry`.
 
         Raises
         ------
@@ -59,27 +59,27 @@ class Bulk:
 
     @property
     def metric(self) -> Floats:
-        """Metrics ``g_ij``, shape (..., n, n)."""
+        """Metrics ``g_ij``, an array of the shape (..., n, n)."""
         return self.quantity("metric")
 
     @property
     def affinities(self) -> Floats:
-        """Affinities ``Lambda^i_jk``, shape (..., n, n, n): ``nabla_{e_j} e_k = Lambda^i_jk e_i``, the direction first."""
+        """Affinities ``Lambda^i_jk`` with ``nabla_{e_j} e_k = Lambda^i_jk e_i``, an array of the shape (..., n, n, n)."""
         return self.quantity("affinities")
 
     @property
     def torsion(self) -> Floats:
-        """Torsion ``tau^i_jk``, shape (..., n, n, n)."""
+        """Torsion ``tau^i_jk``, an array of the shape (..., n, n, n)."""
         return self.quantity("torsion")
 
     @property
     def curvature(self) -> Floats:
-        """Curvature ``R^i_jkl``, shape (..., n, n, n, n): ``R(e_k, e_l) e_j = R^i_jkl e_i``."""
+        """Curvature ``R^i_jkl`` with ``R(e_k, e_l) e_j = R^i_jkl e_i``, an array of the shape (..., n, n, n, n)."""
         return self.quantity("curvature")
 
     @property
     def ricci(self) -> Floats:
-        """Ricci tensors ``Ric_jl = R^i_jil``, shape (..., n, n).
+        """Ricci tensors ``Ric_jl = R^i_jil``, an array of the shape (..., n, n).
 
         Examples
         --------
@@ -91,14 +91,14 @@ class Bulk:
 
     @property
     def scalar_curvature(self) -> Floats:
-        """Scalar curvatures ``S = g^jl Ric_jl``, shape (...)."""
+        """Scalar curvatures ``S = g^jl Ric_jl``, an array of the shape (...)."""
         return self.quantity("scalar_curvature")
 
     @property
     def ricci_eigenvalues(self) -> NDArray[Any]:
-        """Eigenvalues of the symmetric part of ``Ric`` with respect to the metric, shape (..., n).
+        """Eigenvalues of the symmetric part of ``Ric`` with respect to the metric, an array of the shape (..., n).
 
-        Floats in ascending order if all metrics are positive definite, else complex numbers.
+        If all metrics are positive definite, the eigenvalues are floats in ascending order; otherwise they are complex numbers.
 
         Examples
         --------
@@ -149,7 +149,7 @@ class Bulk:
         return self._evaluate("sectional_curvature", common(self.batch_shape, planes), vectors=both)
 
     def _check_key(self, key: str) -> None:
-        """Rejects the sectional curvature, which the engine evaluates for two vectors only."""
+        """Rejects the sectional curvature, which the engine evaluates only for two vectors."""
         if key == "sectional_curvature":
             try:
                 self._family.shape("")
@@ -160,7 +160,7 @@ class Bulk:
     def _evaluate(
         self, key: str, shape: tuple[int, ...], *, vectors: Floats | None = None, rates: Floats | None = None
     ) -> Floats:
-        """A quantity over a batch of this shape, or its derivative along rates."""
+        """Evaluates a quantity for a batch of this shape; if ``rates`` are given, its derivative along them."""
         n = self.dimension
         planes = np.zeros((1, 2 * n)) if vectors is None else vectors
         arrays = [self._rows(array, shape) for array in (*self._arrays, planes)]
@@ -170,7 +170,7 @@ class Bulk:
 
     @staticmethod
     def _rows(array: Floats, shape: tuple[int, ...]) -> Floats:
-        """Rows (count, k) of the batch, or one row for all elements."""
+        """Converts an array to rows (count, k) of the batch. A single row serves all elements of the batch."""
         width = array.shape[-1]
         if array.size == width:
             return np.ascontiguousarray(array.reshape(1, width))
@@ -180,7 +180,7 @@ class Bulk:
 
 
 def common(*shapes: tuple[int, ...]) -> tuple[int, ...]:
-    """The shape to which shapes of batches are broadcast."""
+    """The shape to which the shapes of several batches are broadcast."""
     try:
         return np.broadcast_shapes(*shapes)
     except ValueError:

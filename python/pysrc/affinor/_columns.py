@@ -1,4 +1,4 @@
-"""Columns of trajectories by name or by stem."""
+"""Selection of columns of trajectories, by name or by stem."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 
 def components(columns: Sequence[str], name: str) -> list[str]:
-    """The column with this name, or the columns with this stem in the order of their components."""
+    """The column with this name, or all columns with this stem, in the order of their components."""
     if name in columns:
         return [name]
     stem = [column for column in columns if column.rstrip("0123456789_") == name]

@@ -1,7 +1,7 @@
 """Operations of groups and their differentials as matrices, for :mod:`affinor.jax` and :mod:`affinor.torch`.
 
-Functions map float64 arrays, with the axes of the batch first. Elements are given by coordinates in a larger space.
-Differentials contain only changes along the group: a change in the length of a quaternion alone gives zero.
+The functions map float64 arrays whose first axes are the axes of the batch. Elements are given by embedding coordinates.
+Differentials contain only changes along the group: a change in the length of a quaternion alone has the derivative zero.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ Floats = NDArray[np.float64]
 
 
 class Operation(NamedTuple):
-    """An operation of a group: its result, the differentials by its arguments, and the number of components of a result."""
+    """An operation of a group: its result, its differential for each argument, and the number of components of a result."""
 
     name: str
     result: Callable[..., Floats]
@@ -29,7 +29,7 @@ class Operation(NamedTuple):
 
 
 def operations(group: Group) -> dict[str, Operation]:
-    """The operations of a group with differentials."""
+    """The operations of a group that have differentials, by name."""
     n, count = group.dimension, group.coordinate_count
     eye = np.eye(n)
 
@@ -38,7 +38,7 @@ def operations(group: Group) -> dict[str, Operation]:
         return np.swapaxes(group.rate(g[..., None, :], eye), -1, -2)
 
     def velocities(g: Floats) -> Floats:
-        """The matrix of a change of coordinates to the body velocity: the left inverse of ``rates``."""
+        """The matrix that maps a change of coordinates to the body velocity: the left inverse of ``rates(g)``."""
         e = rates(g)
         transposed = np.swapaxes(e, -1, -2)
         return np.asarray(np.linalg.solve(transposed @ e, transposed), dtype=np.float64)
@@ -60,7 +60,7 @@ def operations(group: Group) -> dict[str, Operation]:
         return rates(group.compose(g, h)) @ velocities(h)
 
     def parts(g: Floats, points: Floats) -> tuple[Floats, Floats]:
-        """The matrices of elements, and the images of points under generators."""
+        """The matrices of elements, and the images of points under the generators."""
         matrix, generators = group.matrix(g), group.generators()
         size = points.shape[-1]
         if size < matrix.shape[-1]:
@@ -88,9 +88,9 @@ def operations(group: Group) -> dict[str, Operation]:
 
 
 def rows(function: Callable[..., Floats], shape: tuple[int, ...], core: int, *arguments: Any) -> Floats:
-    """The function for arrays of any float type; rows without a result, such as the logarithm of zeros, are NaN.
+    """Calls a function with arrays of any float type. Rows without a result, such as the logarithm of zeros, are NaN.
 
-    ``shape`` is the shape of the result, of which the last ``core`` axes are those of a row.
+    ``shape`` is the shape of the result. Its last ``core`` axes are the axes of a row.
     """
     given = [np.asarray(argument, dtype=np.float64) for argument in arguments]
     try:
@@ -111,8 +111,8 @@ def rows(function: Callable[..., Floats], shape: tuple[int, ...], core: int, *ar
 class DifferentiableGroup:
     """Operations of a group on arrays of another library, with derivatives.
 
-    Elements and vectors are those of :class:`affinor.Group`: the axes of the batch are in front and broadcast, angles are in
-    radians. Results have the floating-point type of the arguments. A row without a result is NaN.
+    Elements and vectors are those of :class:`affinor.Group`: the first axes are the axes of the batch, which broadcast, and
+    angles are in radians. Results have the floating-point type of the arguments. A row without a result is NaN.
 
     Parameters
     ----------
@@ -124,14 +124,14 @@ class DifferentiableGroup:
     library : str
         Name of the library.
     dimension : int
-        Dimension of the algebra, the length of a vector.
+        Dimension of the algebra, which is the length of a vector.
     coordinate_count : int
         Number of coordinates of an element.
 
     Raises
     ------
     ValueError
-        In all operations: the last axis of an argument has the wrong length.
+        The last axis of an argument of an operation has the wrong length.
 
     Examples
     --------
@@ -158,7 +158,7 @@ class DifferentiableGroup:
         Parameters
         ----------
         x : array of the shape (..., dimension)
-            Vectors of the algebra; for rotations the rotation vectors in radians.
+            Vectors of the algebra; for rotations, the rotation vectors in radians.
 
         Returns
         -------
@@ -229,14 +229,14 @@ class DifferentiableGroup:
         return self._apply("inverse", self._rows("g", g, self.coordinate_count))
 
     def act(self, g: Any, points: Any) -> Any:
-        """Action of matrices of size k on points.
+        """Action of elements, as matrices of size k, on points.
 
         Parameters
         ----------
         g : array of the shape (..., coordinates)
             Elements.
         points : array of the shape (..., k)
-            Points. Affine maps, such as rigid motions, act on points (..., k - 1) too.
+            Points. Affine maps, such as rigid motions, also act on points of the shape (..., k - 1).
 
         Returns
         -------
@@ -253,25 +253,25 @@ class DifferentiableGroup:
         return self._apply("act", g, points)
 
     def _rows(self, name: str, value: Any, width: int) -> Any:
-        """An array of real numbers whose last axis has this length."""
+        """Converts an argument to an array of real numbers, and checks the length of its last axis."""
         array = self._real(name, value)
         if array.ndim == 0 or array.shape[-1] != width:
             raise ValueError(f"{name} should have the shape (..., {width}), not {tuple(array.shape)}")
         return array
 
     def _apply(self, name: str, *arguments: Any) -> Any:
-        """The operation on arguments of a common floating-point type."""
+        """Applies an operation after converting its arguments to a common floating-point type."""
         dtype = self._dtype(*arguments)
         return self._operations[name](*(self._converted(argument, dtype) for argument in arguments))
 
     @staticmethod
     def _differentiable(operation: Operation) -> Callable[..., Any]:
-        """The operation with its differentials as a function of the library."""
+        """Converts an operation with its differentials to a function of the library."""
         raise NotImplementedError
 
     @staticmethod
     def _real(name: str, value: Any) -> Any:
-        """An array of real numbers."""
+        """Converts an argument to an array of real numbers."""
         raise NotImplementedError
 
     @staticmethod
@@ -281,7 +281,7 @@ class DifferentiableGroup:
 
     @staticmethod
     def _converted(array: Any, dtype: Any) -> Any:
-        """An array of another floating-point type."""
+        """Converts an array to another floating-point type."""
         raise NotImplementedError
 
 

@@ -1,4 +1,4 @@
-"""Geometries in bulk: one Lie algebra with a connection, and an array of metrics."""
+"""Many geometries at once: one Lie algebra with a connection, and an array of metrics."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from affinor.geometry import completed, connection_text
 __all__ = ["Geometries"]
 
 _FAMILIES: OrderedDict[str, Family] = OrderedDict()
-"""The most recently used families with their recorded programs."""
+"""The most recently used families, with their recorded programs."""
 
 _MOST_FAMILIES = 32
 _LOCK = threading.Lock()
@@ -30,20 +30,20 @@ _LOCK = threading.Lock()
 class Geometries(Bulk):
     """Left-invariant geometries of one Lie algebra, for an array of metrics in floats.
 
-    Every quantity of a :class:`Geometry` with ``scalar="float"`` is an array with the axes of the batch in front. The formula
-    is recorded once for the algebra and the connection, and then runs over all metrics on all cores. The last 32 algebras
-    stay recorded.
+    Every quantity of a :class:`Geometry` with ``scalar="float"`` is an array, whose first axes are the axes of the batch. The
+    formula is recorded once for the algebra and the connection, and then evaluated for all metrics on all cores. The formulas
+    of the last 32 algebras are stored.
 
     Parameters
     ----------
     space : LieAlgebra, Geometry, str or dict
-        A LieAlgebra or anything that makes one, with or without a connection, such as ``"so3@plus"``; or a Geometry without
+        A LieAlgebra or anything that defines one, with or without a connection, such as ``"so3@plus"``; or a Geometry without
         a metric.
     metrics : array of the shape (..., n, n)
         Symmetric, regular matrices ``g_ij`` of any signature.
     connection : str or number, optional
-        ``levi-civita``, ``plus``, ``zero``, ``minus``, or a number lambda. By default the connection of the space, or
-        ``levi-civita`` if the space has none.
+        ``levi-civita``, ``plus``, ``zero``, ``minus``, or a number lambda. The default is the connection of the space; if the
+        space has none, ``levi-civita``.
     parameters : dict of arrays, optional
         Values of the parameters of the brackets, by name or symbol; arrays are broadcast with the batch of metrics.
     basis : str or list of str, optional
@@ -102,7 +102,7 @@ class Geometries(Bulk):
         family.check("metric", g.reshape(-1, n * n), True)
         values = [given[name] for name in family.parameters]
         shape = common(g.shape[:-2], *(value.shape for value in values))
-        # the array of the caller may change
+        # copies the array, because the caller may change it
         self._metrics = g.copy()
         rows = self._metrics.reshape((*g.shape[:-2], n * n))
         super().__init__(family, [rows, *(value[..., np.newaxis].copy() for value in values)], shape)
@@ -112,7 +112,7 @@ class Geometries(Bulk):
 
     @property
     def metric(self) -> Floats:
-        """Metrics ``g_ij``, shape (..., n, n)."""
+        """Metrics ``g_ij``, an array of the shape (..., n, n)."""
         return np.broadcast_to(self._metrics, (*self.batch_shape, self.dimension, self.dimension)).copy()
 
     def derivative(self, key: str, direction: ArrayLike | None = None) -> Floats:
@@ -128,8 +128,8 @@ class Geometries(Bulk):
         Returns
         -------
         array of the shape (..., n, ...)
-            Derivative along ``h``. Without a direction the full derivative ``D`` with two more axes ``a, b`` at the end,
-            symmetric in them: the derivative along ``h`` is ``sum D[..., a, b] h[a, b]``.
+            Derivative along ``h``. Without a direction, the full derivative ``D``, which has two additional axes ``a, b`` at the
+            end and is symmetric in them. The derivative along ``h`` is then ``sum D[..., a, b] h[a, b]``.
 
         Examples
         --------
@@ -169,7 +169,7 @@ class Geometries(Bulk):
 
 
 def _with_connection(space: Any, connection: Any, basis: Names) -> tuple[Source, Any]:
-    """The source of a space, and its connection; ``None`` means the connection of the source."""
+    """The source of a space, and the connection. ``None`` means the connection of the source."""
     if isinstance(space, Geometry):
         if basis is not None:
             raise TypeError("this Geometry has a basis: leave basis out")
@@ -179,7 +179,7 @@ def _with_connection(space: Any, connection: Any, basis: Names) -> tuple[Source,
             raise ValueError(f"the connection of the Geometry {reason}: pass its algebra and a connection")
         if space.quantity("metric") is not None:
             raise ValueError(f"{_TWICE}; pass its algebra, or a Geometry without a metric")
-        # a geometry without a metric and without a given connection has the connection zero
+        # zero is also the default of a geometry without a metric, and is used here too
         if connection is None and space.connection in ("plus", "zero", "minus"):
             connection = space.connection
         source = space._source
@@ -194,16 +194,16 @@ _TWICE = "the metric is given twice: by the space and by the argument metrics"
 
 
 def _may_have_metric(space: Any) -> bool:
-    """Whether a metric of the space is ignored: the metric of an algebra, or of a name such as ``M(3)``."""
+    """Whether a metric of the space may be replaced: the metric of an algebra, or of a name such as ``M(3)``."""
     if isinstance(space, str):
         return ";" not in space and not os.path.isfile(space.partition("@")[0])
     return isinstance(space, LieAlgebra)
 
 
 def _family_of(space: Source, connection: Any, shape: tuple[int, ...], may_have_metric: bool) -> Family:
-    """The family of an algebra with a connection, whose metric has the entries of the upper triangle as parameters.
+    """The family of an algebra with a connection. Its parameters are the upper triangle of the metric.
 
-    ``shape`` is the shape of the metrics. With ``may_have_metric`` they replace a metric of the space.
+    ``shape`` is the shape of the metrics. If ``may_have_metric`` is true, the metrics may replace a metric of the space.
     """
     n = shape[-1]
     names = [[f"metric_{min(i, j)}_{max(i, j)}" for j in range(n)] for i in range(n)]
@@ -229,9 +229,9 @@ def _family_of(space: Source, connection: Any, shape: tuple[int, ...], may_have_
 
 
 def _geometry_of(space: Source) -> Geometry:
-    """The geometry of a space, where no other metric is given."""
+    """The geometry of a space, with the metric of the space if there is one."""
     try:
         return Geometry(space)
     except (InputError, MathematicsError):
-        # levi-civita needs a metric, which this space may lack
+        # uses another connection, because levi-civita needs a metric, which this space may lack
         return Geometry(space, "zero")

@@ -14,7 +14,7 @@ __all__ = ["current", "limits"]
 
 
 class _Block:
-    """A block of code with limits. Blocks may end in any order, and in a different context."""
+    """A block of code with limits. Blocks may end in any order, and in a context other than the one in which they began."""
 
     __slots__ = ("deadline", "memory", "open", "owner")
 
@@ -23,16 +23,16 @@ class _Block:
         self.deadline = None if owner.timeout is None else time.monotonic() + owner.timeout
 
     def rest(self) -> float | None:
-        """The seconds until the time limit of the block."""
+        """The seconds until the time limit of the block; None without a time limit."""
         return None if self.deadline is None else max(0.0, self.deadline - time.monotonic())
 
 
 _Stack = tuple[tuple[_Block, Budget], ...]
-"""The blocks of a context, the innermost one last. Each budget has the limits of its block and of all blocks before."""
+"""The blocks of a context, the innermost block last. Each budget has the limits of its block and of all blocks before it."""
 
 
 class _Current:
-    """The limits of the innermost block, which the engine reads."""
+    """The limits that apply now. The engine reads them."""
 
     def __init__(self) -> None:
         self._stack: ContextVar[_Stack] = ContextVar("affinor limits", default=())
@@ -49,7 +49,7 @@ class _Current:
         if closed is not None:
             rest = stack[closed:]
             stack = stack[:closed]
-            # budgets after a closed block contain its limits
+            # renews the budgets after a closed block, because they contain its limits
             for block, _ in rest:
                 if block.open:
                     stack += ((block, Budget(block.rest(), block.memory, stack[-1][1] if stack else None)),)
@@ -67,7 +67,7 @@ current = _Current()
 
 
 class Limits(ContextDecorator):
-    """Limits for blocks; every block starts with the full time. One object may be used for several blocks, nested or in threads."""
+    """Limits for blocks of code. Every block starts with the full time. One object may serve several blocks, nested or in threads."""
 
     def __init__(self, timeout: float | None, memory: int | str | None) -> None:
         if timeout is not None:
@@ -92,7 +92,7 @@ class Limits(ContextDecorator):
 
     def __exit__(self, *_: Any) -> None:
         own = [block for block, _ in current.blocks() if block.owner is self]
-        # a generator may end in a different context
+        # without a block in this context, ends the latest block, because a generator may end in another context
         block = own[-1] if own else self._blocks[-1]
         block.open = False
         self._blocks.remove(block)
@@ -100,28 +100,28 @@ class Limits(ContextDecorator):
 
 
 def limits(timeout: float | None = None, memory: int | str | None = None) -> Limits:
-    """Limits on time and memory for all computations of affinor in a ``with`` block.
+    """Limits on the time and the memory of all computations of affinor in a ``with`` block.
 
-    A computation that exceeds a limit ends with LimitError; code of Python goes on. Blocks nest, and all their limits apply.
-    Limits apply to the thread of the block. Other threads have limits of their own, also the tasks of sweeps that run in a
-    pool of threads: write the block in the task.
+    A computation that exceeds a limit raises LimitError; Python code is not limited. Blocks may be nested; then all their limits
+    apply. Limits apply only to the thread of the block. Other threads have their own limits. This includes the tasks of sweeps,
+    which run in a pool of threads: to limit a task, write the block in the task.
 
     Parameters
     ----------
     timeout : float, optional
-        Seconds of the whole block.
+        Seconds that the whole block may take.
     memory : int or str, optional
-        Resident size of the whole process in bytes, or a text such as ``"2G"``; only Linux reports it.
+        Resident memory of the whole process, in bytes or as a string such as ``"2G"``. Only Linux reports this memory.
 
     Returns
     -------
     context manager
-        Also a decorator of functions.
+        The limits; they can also be used as a decorator of functions.
 
     Raises
     ------
     LimitError
-        In the block: a computation exceeds a limit.
+        A computation in the block exceeds a limit.
 
     Examples
     --------

@@ -12,7 +12,7 @@ def optional(module: str, extra: str) -> Any:
     Raises
     ------
     ImportError
-        The package is not installed; the message has the command that installs it.
+        The package is not installed. The message contains the command that installs it.
     """
     try:
         return import_module(module)

@@ -13,7 +13,7 @@ from affinor._optional import optional
 
 
 class Columns(Protocol):
-    """The data of a trajectory that a plot needs."""
+    """The parts of a trajectory that a plot needs."""
 
     @property
     def name(self) -> str: ...
@@ -29,7 +29,7 @@ class Columns(Protocol):
 
 
 class _Curve:
-    """Columns of a curve by name or stem."""
+    """Columns of a curve, found by name or stem."""
 
     def __init__(self, columns: Sequence[str], rows: NDArray[np.float64]) -> None:
         self.columns, self.rows = list(columns), rows
@@ -43,7 +43,7 @@ class _Curve:
 
 
 def _smooth(trajectory: Columns) -> _Curve:
-    """Rows at times that are independent of the output times."""
+    """Dense rows of a trajectory, which do not depend on its output times."""
     return _Curve(*trajectory.curve())
 
 
@@ -66,7 +66,7 @@ def plot(trajectory: Columns, kind: str, columns: Sequence[str] | None, ax: Any)
         shown = list(columns) if columns is not None else [name for name in trajectory.columns if name != "t"][:6]
         smooth = _smooth(trajectory)
         for name in shown:
-            trajectory[name]  # the message for a column that is not there
+            trajectory[name]  # raises the error for an unknown column
             ax.plot(smooth["t"], smooth[name], label=name)
         ax.set_ylabel("value")
     elif kind == "conserved":
@@ -101,7 +101,7 @@ def plot(trajectory: Columns, kind: str, columns: Sequence[str] | None, ax: Any)
 
 
 def plot_convergence(errors: Mapping[str, Any], steps: Sequence[float], ax: Any = None) -> Any:
-    """The errors of methods over the step size, on logarithmic axes."""
+    """Plots the errors of methods against the step size, on logarithmic axes."""
     plt = optional("matplotlib.pyplot", "plot")
 
     _check_axes(ax)
@@ -115,13 +115,13 @@ def plot_convergence(errors: Mapping[str, Any], steps: Sequence[float], ax: Any 
 
 
 def _check_axes(ax: Any) -> None:
-    """Rejects other objects than axes of matplotlib."""
+    """Raises an error for an object that is not axes of matplotlib."""
     if ax is not None and not hasattr(ax, "get_legend_handles_labels"):
         raise TypeError(f"ax should be axes of matplotlib, not {type(ax).__name__}")
 
 
 def _axes(trajectory: _Curve) -> Any:
-    """Rotation matrices, from the quaternion or from the entries of the element."""
+    """Rotation matrices, from the columns of the quaternion or of the entries of the element."""
     from affinor.group import SO3
 
     if "qw" in trajectory:

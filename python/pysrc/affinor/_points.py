@@ -17,7 +17,7 @@ __all__ = ["PointValues"]
 class PointValues(Bulk):
     """The quantities of one geometry at points, in floats: the result of :meth:`Geometry.at`.
 
-    Every quantity of the geometry is an array with the axes of the batch in front.
+    Every quantity of the geometry is an array. Its first axes are the axes of the batch.
 
     Attributes
     ----------
@@ -42,7 +42,7 @@ class PointValues(Bulk):
 
 
 def at(geometry: Geometry, points: Any, values: Mapping[str, Any] | None) -> PointValues:
-    """The values of a geometry at points; the names of ``values`` are arguments."""
+    """Evaluates a geometry at points. The keys of ``values`` are names of coordinates, parameters or functions."""
     parameters, coordinates = geometry._source.names(True)
     names: list[str] = []
     arrays: list[Floats] = []
@@ -59,7 +59,7 @@ def at(geometry: Geometry, points: Any, values: Mapping[str, Any] | None) -> Poi
             order = ", ".join(coordinates)
             raise ValueError(f"points should be an array of the shape (..., {n}) for {order}, not of the shape {array.shape}")
         names.extend(coordinates)
-        # the array of the caller may change
+        # copies the array, because the caller may change it
         arrays.append(_finite(coordinates, array.copy()))
         shapes.append(("points", array.shape[:-1]))
     symbols: Symbols = dict(geometry.symbols)
@@ -74,7 +74,7 @@ def at(geometry: Geometry, points: Any, values: Mapping[str, Any] | None) -> Poi
 
 
 def _finite(names: list[str], array: Floats) -> Floats:
-    """An array (..., k) of finite numbers."""
+    """Checks that the numbers of an array (..., k) are finite, and returns the array. ``names`` are the names of the columns."""
     if not np.isfinite(array).all():
         *place, column = np.argwhere(~np.isfinite(array))[0].tolist()
         where = f" at the point {place}" if place else ""

@@ -1,4 +1,4 @@
-"""Conversion of numbers and expressions to text for the engine, and back to fractions, floats or SymPy."""
+"""Converts numbers and expressions to text for the engine, and text to fractions, floats or SymPy expressions."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from affinor import _engine
 
 Scalar: TypeAlias = Any
-"""A number (int, Fraction), a SymPy expression, or an expression as text."""
+"""A number (int, Fraction), a SymPy expression, or an expression as a string."""
 
 T = TypeVar("T", bound=np.generic)
 
@@ -26,11 +26,11 @@ Symbols: TypeAlias = dict[str, Any]
 
 _NAMES = re.compile(r"(?<![\w.])[A-Za-z_]\w*\b(?!\s*\()")
 _OF_FORMULAS = {"Abs": "abs", "Max": "max", "Min": "min"}
-"""Functions that formulas of motions name differently from SymPy."""
+"""Functions whose names in formulas of motions differ from their names in SymPy."""
 
 
 _is_elementary = functools.cache(_engine.knows)
-"""Whether the engine has a function with this name, which is the name in SymPy too."""
+"""Whether the engine has an elementary function with this name. SymPy has the same names."""
 
 
 def is_sympy(value: object) -> bool:
@@ -48,7 +48,7 @@ def is_matrix(value: object) -> bool:
 def text_of(
     value: Scalar, symbols: Symbols, floats: bool = False, imaginary: bool = False
 ) -> str:
-    """The value in the notation of definition files; its SymPy symbols are added to ``symbols``."""
+    """Writes a value in the notation of definition files. The SymPy symbols in the value are added to ``symbols``."""
     if isinstance(value, str):
         return value.strip()
     if isinstance(value, (bool, np.bool_)):
@@ -85,7 +85,7 @@ def text_of(
 
 
 def unmasked(value: Any) -> Any:
-    """The value. Masked entries, in an array or in a list of arrays, are an error."""
+    """Returns the value, after a check that it has no masked entries, in an array or in a list of arrays."""
     parts = value if isinstance(value, (list, tuple)) else [value]
     if any(isinstance(part, np.ma.MaskedArray) and np.ma.is_masked(part) for part in parts):
         raise ValueError("an array of numbers was expected, not one with masked entries")
@@ -93,7 +93,7 @@ def unmasked(value: Any) -> Any:
 
 
 def floats(value: Any) -> NDArray[np.float64]:
-    """Real numbers as an array of float64; complex numbers, texts, dates and records are errors."""
+    """Converts real numbers to an array of float64. Complex numbers, strings, dates and records are errors."""
     value = unmasked(value)
     try:
         array = np.asarray(value)
@@ -101,7 +101,7 @@ def floats(value: Any) -> NDArray[np.float64]:
         raise ValueError(f"an array of real numbers was expected: {error}") from error
     if array.dtype.kind == "O":
         try:
-            # texts are not numbers, although float() reads some of them
+            # rejects strings, although float() accepts some of them
             numbers = [float(item) if not isinstance(item, (str, bytes)) else _refuse(item) for item in array.flat]
         except OverflowError as error:
             raise ValueError(f"an array of real numbers was expected: {error}") from error
@@ -114,12 +114,12 @@ def floats(value: Any) -> NDArray[np.float64]:
 
 
 def _regular(array: NDArray[Any], dtype: type[T]) -> NDArray[T]:
-    """The array in C order and aligned; NumPy calls every empty array aligned."""
+    """Converts an array to C order and aligned memory. An empty array is created anew, because NumPy always calls it aligned."""
     return np.require(array, dtype, ["C", "A"]) if array.size else np.empty(array.shape, dtype)
 
 
 def with_axes(what: str, value: Any, counts: Sequence[int]) -> NDArray[np.float64]:
-    """Finite real numbers as an array; ``counts`` lists the allowed numbers of axes."""
+    """Converts finite real numbers to an array; ``counts`` lists the allowed numbers of axes."""
     array = floats(value)
     if array.ndim not in counts:
         expected = " or ".join(map(str, counts)) + (" axis" if list(counts) == [1] else " axes")
@@ -130,19 +130,19 @@ def with_axes(what: str, value: Any, counts: Sequence[int]) -> NDArray[np.float6
 
 
 def _refuse(item: object) -> float:
-    """Raises the TypeError of an object that is not a number."""
+    """Raises the TypeError for an object that is not a number."""
     raise TypeError(f"{item!r} is not a number")
 
 
 def index(what: str, value: Any) -> int:
-    """An integer of any type with ``__index__`` except bool."""
+    """Converts an integer of any type with ``__index__``, except bool."""
     if isinstance(value, (bool, np.bool_)) or not hasattr(value, "__index__"):
         raise TypeError(f"{what} is an integer, not {type(value).__name__}")
     return operator.index(value)
 
 
 def integers(what: str, value: Any) -> NDArray[np.int64]:
-    """Indices as an array of int64; numbers that are not integers are an error and are not truncated."""
+    """Converts indices to an array of int64. Numbers that are not integers are an error; they are not truncated."""
     value = unmasked(value)
     try:
         array = np.asarray(value)
@@ -156,13 +156,13 @@ def integers(what: str, value: Any) -> NDArray[np.int64]:
 
 
 def _inexact(number: float) -> TypeError:
-    """The error of a float where exact numbers are required."""
+    """The error for a float where an exact number is required."""
     exact = f"write Fraction('{number!r}') or the text '{number!r}' for an exact number, or choose scalar='float'"
     return TypeError(f"{number!r} is a float, and exact numbers are needed: {exact}")
 
 
 def _of_sympy(expression: Any, symbols: Symbols, floats: bool, imaginary: bool) -> str:
-    """An expression of SymPy in the notation of definition files; its symbols are added to ``symbols``."""
+    """Writes a SymPy expression in the notation of definition files. Its symbols are added to ``symbols``."""
     import sympy
 
     if floats and expression.is_real and expression.is_number and not expression.is_rational:
@@ -211,7 +211,7 @@ def _of_sympy(expression: Any, symbols: Symbols, floats: bool, imaginary: bool) 
             arguments = ", ".join(map(write, node.args))
             if isinstance(node, sympy.core.function.AppliedUndef):
                 return f"{name if floats else _undefined(node)}({arguments})"
-            # formulas have further functions, and report unknown ones themselves
+            # lets formulas pass any function: they have further functions, and the engine reports unknown ones
             if floats or _is_elementary(name):
                 return f"{_OF_FORMULAS.get(name, name)}({arguments})"
         raise TypeError(f"{node} has no counterpart among rational functions and elementary functions")
@@ -220,7 +220,7 @@ def _of_sympy(expression: Any, symbols: Symbols, floats: bool, imaginary: bool) 
 
 
 def _inexact_complex(number: Any) -> str | None:
-    """A number of SymPy whose real or imaginary part is irrational, in floats; ``None`` for other numbers."""
+    """Writes a SymPy number with an irrational real or imaginary part in floats; ``None`` for other numbers."""
     parts = number.as_real_imag()
     if all(part.is_rational for part in parts):
         return None
@@ -229,7 +229,7 @@ def _inexact_complex(number: Any) -> str | None:
 
 
 def _undefined(function: Any) -> str:
-    """The name of an undefined SymPy function, which is returned unchanged."""
+    """The name of an undefined SymPy function, after a check that the name can be read back."""
     from sympy import Function
 
     name = str(function.func.__name__)
@@ -241,7 +241,7 @@ def _undefined(function: Any) -> str:
 
 
 def _symbol(symbol: Any, symbols: Symbols) -> str:
-    """The name of a symbol of SymPy, which is checked and added to ``symbols``."""
+    """Checks a SymPy symbol, adds it to ``symbols``, and returns its name."""
     name = str(symbol.name)
     if name == "pi":
         raise ValueError("pi is the number here: give the symbol pi another name, or write sympy.pi")
@@ -254,7 +254,7 @@ def _symbol(symbol: Any, symbols: Symbols) -> str:
 
 
 def merged(*several: Mapping[str, Any]) -> Symbols:
-    """The symbols of several objects. Two different symbols of one name are an error."""
+    """Merges the symbols of several objects. Two different symbols with the same name are an error."""
     result: Symbols = {}
     for symbols in several:
         for symbol in symbols.values():
@@ -263,7 +263,7 @@ def merged(*several: Mapping[str, Any]) -> Symbols:
 
 
 def free_functions(value: Any) -> set[str]:
-    """The undefined functions of SymPy in expressions, matrices and lists of them, as a chart declares them: ``a(t)``."""
+    """The undefined SymPy functions in expressions, matrices and lists of them, written as in charts: ``a(t)``."""
     if isinstance(value, Mapping):
         return set().union(*map(free_functions, value.values()))
     if isinstance(value, (list, tuple)):
@@ -276,18 +276,18 @@ def free_functions(value: Any) -> set[str]:
 
 
 def names_in(texts: Iterable[str], *, without: Iterable[str] = ()) -> list[str]:
-    """The names that occur in expressions, sorted, except those of functions."""
+    """The names that occur in expressions, sorted. Names of functions, and names in ``without``, are left out."""
     found = {name for text in texts for name in _NAMES.findall(text)}
     return sorted(found.difference(without))
 
 
 def replaced(text: str, values: Mapping[str, str]) -> str:
-    """An expression in which texts replace names."""
+    """Replaces names in an expression by the texts in ``values``."""
     return re.sub(r"(?<![\w.])[A-Za-z_]\w*", lambda match: values.get(match.group(), match.group()), text)
 
 
 def to_sympy(text: str, symbols: Mapping[str, Any]) -> Any:
-    """Converts text of the engine to a SymPy expression, with the given symbols."""
+    """Converts text of the engine to a SymPy expression that contains the given symbols."""
     import sympy
 
     def name(name: str) -> Any:
@@ -298,7 +298,7 @@ def to_sympy(text: str, symbols: Mapping[str, Any]) -> Any:
     def function(name: str, *arguments: Any) -> Any:
         if _is_elementary(name):
             return getattr(sympy, name)(*arguments)
-        # f_r_theta is a derivative of f
+        # a name such as f_r_theta means a derivative of f
         head, *by = name.split("_")
         places = {str(argument): argument for argument in arguments}
         value = sympy.Function(head)(*arguments)
@@ -308,7 +308,7 @@ def to_sympy(text: str, symbols: Mapping[str, Any]) -> Any:
 
 
 def value_of(found: Fraction | float | str, symbols: Mapping[str, Any]) -> Any:
-    """A component as it is returned to users: a Fraction, a float, or an expression of SymPy (a text without SymPy)."""
+    """Converts a component to the value that users get: a Fraction, a float, or a SymPy expression (without SymPy, a string)."""
     if not isinstance(found, str):
         return found
     try:
@@ -318,7 +318,7 @@ def value_of(found: Fraction | float | str, symbols: Mapping[str, Any]) -> Any:
 
 
 def number(text: str, symbols: Mapping[str, Any], floats: bool) -> Any:
-    """A number of the engine as it is returned to users."""
+    """Converts a number of the engine to the value that users get."""
     if floats:
         return float(text)
     try:
@@ -328,7 +328,7 @@ def number(text: str, symbols: Mapping[str, Any], floats: bool) -> Any:
 
 
 def document(value: Any, symbols: Symbols, *, imaginary: bool = False) -> Any:
-    """A value as a definition file or a problem file writes it; matrices of a basis may be complex."""
+    """Converts a value to the form of a definition file or a problem file. Matrices of a basis may be complex."""
     if isinstance(value, Mapping):
         return {
             str(key): document(item, symbols, imaginary=imaginary or key == "matrices")

@@ -1,4 +1,4 @@
-"""Conversion of names, paths, brackets, dicts, structure constants and matrices to sources of algebras for the engine."""
+"""Converts names, paths, brackets, dicts, structure constants and matrices to sources, from which the engine makes algebras."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def source_of(
     scalar: str = "exact",
     tolerance: float | None = None,
 ) -> Source:
-    """The source of a name, a path, brackets as text, a dict, or structure constants."""
+    """Converts a name, a path, brackets as strings, a dict, or structure constants to a source."""
     if basis is not None and isinstance(space, (LieAlgebra, Mapping)):
         raise TypeError(f"this {type(space).__name__} has a basis: give other names with from_structure, or in the dict")
     if isinstance(space, Source):
@@ -45,7 +45,7 @@ def source_of(
         source = space._source
         if scalar == "exact" and tolerance is None:
             return source
-        # floats are not converted to exact numbers
+        # if the algebra is in floats, the source remains in floats
         scalar = source.scalar if scalar == "exact" else scalar
         return Source(source.arguments, source.symbols, scalar, source.tolerance if tolerance is None else tolerance)
     if isinstance(space, os.PathLike):
@@ -76,12 +76,12 @@ def source_of(
 
 
 def _brackets(text: str) -> list[str]:
-    """The brackets of a text, with semicolons for the commas between brackets; positions in the text do not change."""
+    """Replaces the commas between brackets by semicolons, so that positions in the text do not change."""
     return [re.sub(r",(?![^\[]*\])", ";", text)]
 
 
 def names_of(basis: str | Sequence[str]) -> list[str]:
-    """The names in a text or a list."""
+    """The names in a string or a list."""
     if isinstance(basis, str):
         return basis.replace(",", " ").split()
     if not isinstance(basis, Iterable):
@@ -92,7 +92,7 @@ def names_of(basis: str | Sequence[str]) -> list[str]:
 def _definition(
     keys: dict[str, Any], texts: Iterable[str], symbols: Symbols, scalar: str, tolerance: float | None, *without: str
 ) -> Source:
-    """The source for a definition with these texts as values."""
+    """The source of a definition. The names in ``texts`` become its parameters, except the names in ``without``."""
     parameters = names_in(texts, without=without)
     if parameters:
         keys["parameters"] = parameters
@@ -109,7 +109,7 @@ def from_structure(
     scalar: str = "exact",
     tolerance: float | None = None,
 ) -> Source:
-    """The source for structure constants ``c[i, j, k]`` in any form that :meth:`LieAlgebra.from_structure` accepts."""
+    """The source of an algebra with structure constants ``c[i, j, k]``, in any form that :meth:`LieAlgebra.from_structure` accepts."""
     if dimension is not None:
         dimension = index("the dimension", dimension)
     places, values, found = _entries(constants, dimension)
@@ -127,7 +127,7 @@ def from_structure(
     for at in indices:
         if len(at) != 3 or not all(0 <= i < n for i in at):
             raise IndexError(f"the index {tuple(at)} is not a triple in 0..{n - 1}")
-    # [e_j, e_k] = c^i_jk e_i; files count from 1 and write [j, k, i, value]
+    # for [e_j, e_k] = c^i_jk e_i, files contain rows [j, k, i, value] with indices from 1
     rows = [[j + 1, k + 1, i + 1, text] for (i, j, k), text in zip(indices, texts, strict=True) if text != "0"]
     keys: dict[str, Any] = {"basis": labels} if labels is not None else {"dimension": n}
     keys["structure_constants"] = rows
@@ -137,7 +137,7 @@ def from_structure(
 
 
 def _entries(constants: Any, dimension: int | None) -> tuple[list[Any], list[Any], int | None]:
-    """Indices, values and dimension of structure constants."""
+    """Reads the indices, the values and the dimension of structure constants."""
     if isinstance(constants, Tensor):
         if constants.slots != "^__":
             raise ValueError(f"structure constants have the slots '^__', not {constants.slots!r}")
@@ -172,7 +172,7 @@ def _entries(constants: Any, dimension: int | None) -> tuple[list[Any], list[Any
 
 
 def _sparse(constants: Any) -> tuple[list[Any], list[Any], int | None]:
-    """Entries of a sparse array of SciPy: (n, n, n), or (n, n n) with the column ``j n + k``."""
+    """Reads a sparse array of SciPy of the shape (n, n, n), or (n, n*n) with the column ``j*n + k``."""
     coo = constants.tocoo(copy=True) if hasattr(constants, "tocoo") else constants
     if hasattr(coo, "sum_duplicates"):
         coo.sum_duplicates()
@@ -194,7 +194,7 @@ def from_matrices(
     scalar: str = "exact",
     tolerance: float | None = None,
 ) -> Source:
-    """The source for a basis of matrices in any form that :meth:`LieAlgebra.from_matrices` accepts."""
+    """The source of an algebra with a basis of matrices, in any form that :meth:`LieAlgebra.from_matrices` accepts."""
     symbols: Symbols = {}
     all_rows = []
     if not isinstance(matrices, Iterable):
@@ -216,7 +216,7 @@ def from_matrices(
 
 
 def structured(structure: Tensor, name: str, basis: Names, tolerance: float | None) -> Source:
-    """The source of the structure constants of a construction; names with a prime cannot be read again."""
+    """The source of an algebra that a construction returns. Names with primes are left out, because they cannot be read again."""
     labels = None if basis is None else names_of(basis)
     return from_structure(
         structure,
@@ -229,13 +229,13 @@ def structured(structure: Tensor, name: str, basis: Names, tolerance: float | No
 
 
 def settings(values: Mapping[Any, Scalar], source: Source) -> tuple[list[tuple[str, str]], Symbols]:
-    """Values of parameters: the earlier values after substitution of the new ones, then the new ones; and all symbols."""
+    """Adds new values of parameters to a source. They are substituted in the earlier values. Returns all values and all symbols."""
     symbols = merged(source.symbols)
     texts = {str(name): text_of(value, symbols) for name, value in values.items()}
     before: dict[str, str] = dict(source.arguments["values"])
     brought = names_in(before.values())
     inner = {name: f"({text})" for name, text in texts.items()}
     settled = [(name, replaced(text, inner)) for name, text in before.items()]
-    # a name that occurs only in the earlier values is replaced there
+    # drops the value of a name that occurs only in the earlier values, because it was substituted there
     own = {*source.names(False)[0]}.difference(before) if before else texts.keys()
     return settled + [(name, text) for name, text in texts.items() if name in own or name not in brought], symbols

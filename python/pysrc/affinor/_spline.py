@@ -18,27 +18,28 @@ Floats = NDArray[np.float64]
 class Spline:
     """Curve through given elements ``g_0, ..., g_m`` at increasing times.
 
-    ``kind="geodesic"`` joins neighbours by ``g exp(s log(g^-1 h))``: the body velocity is constant between two elements and
-    discontinuous at them. ``kind="cubic"`` is the cumulative cubic curve (M.-J. Kim, M.-S. Kim and S. Shin, SIGGRAPH 1995)
+    ``kind="geodesic"`` joins adjacent elements by ``g exp(s log(g^-1 h))``. The body velocity is constant between two elements
+    and discontinuous at the elements. ``kind="cubic"`` is the cumulative cubic curve (M.-J. Kim, M.-S. Kim and S. Shin,
+    SIGGRAPH 1995)
 
         ``g_i exp(B_1(u) a) exp(B_2(u) b) exp(B_3(u) c)``,  ``B = 1 - (1-u)^3, 3 u^2 - 2 u^3, u^3``,
 
-    with ``3 a/h`` and ``3 c/h`` the body velocities at the ends of an interval of length ``h``; the choice of ``b`` makes the
-    curve pass through the next element. It is continuously differentiable and commutes with left translations. By default
-    the velocities are those of the parabola through three neighbours.
+    where ``3 a/h`` and ``3 c/h`` are the body velocities at the ends of an interval of length ``h``. The vector ``b`` is chosen
+    such that the curve passes through the next element. The curve is continuously differentiable and commutes with left translations. By
+    default, the velocities are those of the parabola through three adjacent elements.
 
     Parameters
     ----------
     group : Group
         The group.
     times : array of the shape (m + 1,)
-        Increasing times, two or more, in any consistent units.
+        Two or more increasing times, in any consistent units.
     elements : array of the shape (m + 1, ..., coordinates)
-        Elements; neighbours should differ by less than half a turn.
+        Elements; adjacent elements should differ by less than half a turn.
     kind : str
         ``"cubic"`` or ``"geodesic"``.
     velocities : array of the shape (m + 1, ..., dimension), optional
-        Body velocities at the elements, for ``"cubic"``.
+        Body velocities at the elements, only for ``"cubic"``.
 
     Attributes
     ----------
@@ -96,7 +97,7 @@ class Spline:
             if not np.isfinite(v).all():
                 raise ValueError(f"velocities should be finite, not {v[~np.isfinite(v)][0]}")
         first, last = v[:-1] * steps / 3, v[1:] * steps / 3
-        # exp(-a) g_i^-1 g_{i+1} exp(-c)
+        # exp(b) = exp(-a) g_i^-1 g_{i+1} exp(-c)
         between = group.compose(group.exp(-first), group.compose(group.exp(jumps), group.exp(-last)))
         self._logs = (first, group.log(between), last)
 
@@ -105,7 +106,7 @@ class Spline:
         return f"<Spline on {name}, {self.kind}, through {count} elements from {self.times[0]} to {self.times[-1]}>"
 
     def __call__(self, t: ArrayLike) -> Floats:
-        """Elements of the curve.
+        """Elements of the curve at given times.
 
         Parameters
         ----------
@@ -133,7 +134,7 @@ class Spline:
         return curve
 
     def velocity(self, t: ArrayLike) -> Floats:
-        """Body velocities along the curve.
+        """Body velocities of the curve at given times.
 
         Parameters
         ----------
@@ -164,7 +165,7 @@ class Spline:
         return np.asarray(found)
 
     def _place(self, t: ArrayLike) -> tuple[NDArray[np.intp], Floats, Floats]:
-        """For each time: the index of its interval, its relative position in the interval, and the length of the interval."""
+        """For each time, the index of its interval, the relative position in the interval, and the length of the interval."""
         moments = floats(t)
         start, end = self.times[0], self.times[-1]
         if not ((moments >= start) & (moments <= end)).all():
@@ -176,7 +177,7 @@ class Spline:
         return at, ((moments - self.times[at]) / steps)[axes], steps[axes]
 
     def _weights(self, u: Floats) -> tuple[Floats, ...]:
-        """The weights of the logarithms at parts ``u`` of an interval."""
+        """The weights of the logarithms at the relative positions ``u`` in an interval."""
         if self.kind == "geodesic":
             return (u,)
         return 1 - (1 - u) ** 3, (3 - 2 * u) * u**2, u**3
@@ -189,9 +190,9 @@ class Spline:
 
 
 def _check_elements(group: Group, elements: Floats) -> None:
-    """Rejects elements that differ from their projections by more than rounding errors, such as quaternions of another length."""
+    """Rejects elements that differ from their projections by more than rounding errors, such as quaternions of length 2."""
     drift = np.abs(group.project(elements) - elements)
-    # positions are not projected and thus do not matter
+    # ignores the size of positions, because the projection does not change positions
     size = np.where(drift > 0, np.abs(elements), 0.0).max(axis=-1, initial=1.0)
     # the determinant of a large matrix has large rounding errors
     rounding = 8 * np.finfo(float).eps * size ** max(2, *group._shape[1:])
@@ -203,7 +204,7 @@ def _check_elements(group: Group, elements: Floats) -> None:
 
 
 def _velocities(group: Group, slopes: Floats, steps: Floats) -> Floats:
-    """Body velocities of the parabolas through three neighbouring elements; at both ends, of the nearest parabola."""
+    """Body velocities of the parabolas through three adjacent elements. At each end, the nearest parabola is used."""
     if len(slopes) == 1:
         return np.concatenate([slopes, slopes])
     before, after = steps[:-1], steps[1:]

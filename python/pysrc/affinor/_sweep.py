@@ -1,4 +1,4 @@
-"""Sweeps: one task over many parameters, in this process, on Dask or on Ray, with rows in a Parquet data set."""
+"""Sweeps: run one task for many parameters, in this process, on Dask or on Ray, and store the rows in a Parquet data set."""
 
 from __future__ import annotations
 
@@ -32,20 +32,20 @@ __all__ = ["RandomSample", "SimulationTask", "Sweep", "sweep"]
 
 Columns = dict[str, list[Any]]
 Kind = Any
-"""The kind of the values of a column: its name, None for no values, or ``["list", kind]``."""
+"""The kind of the values of a column: a name, ``["list", kind]``, or None if the column has no values."""
 _BLOCK = 4096
-"""The number of draws from one random stream."""
+"""The number of rows for which one random stream is used."""
 _MOST_ROWS = 2**40
 _LONG = 2**20
-"""Longer ranges of a grid are not converted to lists."""
+"""The length above which a range in a grid is not converted to a list."""
 _MANIFEST = "_affinor.json"
-"""Readers of data sets skip this file, because its name begins with ``_``."""
+"""The name of the file that describes the sweep. Readers of data sets skip the file, because its name begins with ``_``."""
 
 
 class RandomSample:
-    """Seeded random grid of a sweep.
+    """Grid of a sweep with random parameters and a seed.
 
-    The values of row ``i`` depend on the seed, on ``i`` and on the laws in their order.
+    The values of row ``i`` depend only on the seed, on ``i``, and on the laws and their order.
 
     Parameters
     ----------
@@ -54,7 +54,7 @@ class RandomSample:
     seed : int
         Seed from 0 to 2^64 - 1.
     **laws : str or list
-        Law of each parameter: ``"uniform(a, b)"``, ``"normal(mean, deviation)"``, or a list of equally likely values.
+        Distribution of each parameter: ``"uniform(a, b)"``, ``"normal(mean, deviation)"``, or a list of equally likely values.
 
     Examples
     --------
@@ -80,17 +80,17 @@ class RandomSample:
         return self.samples
 
     def rows(self, start: int, stop: int) -> Columns:
-        """Values of some rows.
+        """Values of the rows from ``start`` to ``stop``.
 
         Parameters
         ----------
         start, stop : int
-            First row, and the row after the last one.
+            Index of the first row, and index after the last row.
 
         Returns
         -------
         dict of list
-            Values by parameter.
+            For each parameter, the list of its values.
 
         Examples
         --------
@@ -104,7 +104,7 @@ class RandomSample:
         return {name: values[start - offset : stop - offset] for name, values in joined.items()}
 
     def _block(self, block: int) -> Columns:
-        """The values of one block, which has a random stream of its own."""
+        """The values of one block. Each block has its own random stream."""
         generator = np.random.Generator(np.random.Philox(key=np.array([self.seed, block], dtype=np.uint64)))
         found: Columns = {}
         for name, law in self.laws.items():
@@ -118,7 +118,7 @@ class RandomSample:
 
 
 def _law(name: str, law: str) -> tuple[str, float, float]:
-    """The kind of a law and its two numbers."""
+    """Parses a law. Returns its kind and its two numbers."""
     match = re.fullmatch(r"\s*(uniform|normal)\s*\(([^,()]+),([^,()]+)\)\s*", law)
     if match is None:
         raise ValueError(f"the law of {name} is uniform(a, b) or normal(mean, deviation), not {law!r}")
@@ -128,14 +128,14 @@ def _law(name: str, law: str) -> tuple[str, float, float]:
 class SimulationTask:
     """Task of a sweep: integrates a problem with the parameters of a row and stores the last row of the trajectory.
 
-    All runs of a partition share the cores.
+    The runs of a partition use all cores together.
 
     Parameters
     ----------
     problem : Problem, path or dict, optional
-        Problem of motion; by default the keys are arguments.
+        Problem of motion. Without it, give the keys as keyword arguments.
     columns : list of str, optional
-        Columns to store, by names or stems; by default all.
+        Columns to store, as names or stems; by default all columns.
     **keys
         Keys of a :class:`Problem`.
 
@@ -152,19 +152,19 @@ class SimulationTask:
         self.columns = None if columns is None else list(columns)
 
     def run_rows(self, rows: Columns) -> tuple[Columns, list[str | None]]:
-        """Integrates the problem once per row of parameters.
+        """Integrates the problem once for each row of parameters.
 
         Parameters
         ----------
         rows : dict of list
-            Values by parameter, as many as there are rows.
+            For each parameter, the list of its values, one per row.
 
         Returns
         -------
         results : dict of list
-            Values of the last row of each run, by column.
+            For each column, the list of its values in the last row of each run.
         errors : list of str or None
-            Reason of each failure.
+            For each run, the reason of its failure, or None.
 
         Examples
         --------
@@ -192,7 +192,7 @@ class Sweep:
     folder : pathlib.Path
         Folder of the data set. A temporary folder is removed with this object.
     computed : int
-        Number of partitions that this call computed; others were there before.
+        Number of partitions that this call computed. The other partitions already existed.
 
     Examples
     --------
@@ -208,11 +208,11 @@ class Sweep:
 
     @property
     def manifest(self) -> dict[str, Any]:
-        """Description of the sweep: its grid, chunk and version, and its partitions with their numbers of rows."""
+        """Description of the sweep: its grid, chunk and version, and the number of rows of each partition."""
         return _manifest(self.folder / _MANIFEST)
 
     def to_arrow(self) -> Any:
-        """All rows as a table of Arrow, in the order of the grid.
+        """All rows as an Arrow table, in the order of the grid.
 
         Returns
         -------
@@ -262,31 +262,32 @@ def sweep(
     version: str = "",
     progress: bool = False,
 ) -> Sweep:
-    """Runs a task for every row of a grid and writes the results as a Parquet data set.
+    """Runs a task for every row of a grid, and writes the results as a Parquet data set.
 
-    The rows do not depend on the engine: number of the row, parameters, results, and ``error``, the reason why a task failed.
-    A column has one kind: truth values, integers, floats, texts or lists. Integers up to 2^53 may occur among floats;
-    fractions and expressions become texts. A result of any other type, or of another kind than the earlier rows of its chunk,
-    is an error of its row; a chunk of another kind ends the sweep. A sweep has at most 2^40 rows.
+    Each row has its number, the parameters, the results, and ``error``, the reason why the task failed. The rows do not depend
+    on the engine. All values of a column have the same kind: truth values, integers, floats, strings or lists. Integers up to
+    2^53 may occur among floats; fractions and expressions become strings. A result of any other type is an error of its row, and
+    so is a result of another kind than the earlier rows of its chunk. A chunk of another kind ends the sweep. A sweep has at
+    most 2^40 rows.
 
     Parameters
     ----------
     task : callable or SimulationTask
-        Function from a dict of parameters to a dict of results, or a simulation.
+        Function that maps a dict of parameters to a dict of results, or a SimulationTask.
     grid : dict, DataFrame or RandomSample
-        Rows of parameters; a dict of lists has every combination, the last name fastest.
+        Rows of parameters. A dict of lists means every combination of their values; the last parameter varies fastest.
     on : str or dask.distributed.Client
-        ``"process"`` (this process, all cores), ``"dask"`` (a local cluster that ends with the sweep), a client of Dask, or
-        ``"ray"``.
+        ``"process"`` runs the task in this process, on all cores. ``"dask"`` runs it on a local cluster that ends with the
+        sweep. A client of Dask, or ``"ray"``, runs it on their workers.
     out : path, optional
-        Folder of the data set; by default a temporary folder. A sweep that was interrupted continues when it is called again
+        Folder of the data set; by default a temporary folder. An interrupted sweep continues if the function is called again
         with the same folder.
     chunk : int
-        Number of rows per partition, which is one file.
+        Number of rows in each partition. A partition is one file.
     version : str
-        Version of the task: change it when the code of the task, or a file that it reads, changes.
+        Version of the task. Change it if the code of the task changes, or a file that the task reads.
     progress : bool
-        Whether to show a bar of tqdm.
+        Whether to show a progress bar of tqdm.
 
     Returns
     -------
@@ -325,13 +326,13 @@ def sweep(
         folder = Path(out).absolute()
         folder.mkdir(parents=True, exist_ok=True)
         found = _run(task, source, folder, chunk, on, progress, version)
-        # the rows live as long as the sweep
+        # a temporary folder of rows is deleted when the Sweep object is deleted
         weakref.finalize(found, stack.pop_all().close)
     return found
 
 
 def _run(task: Any, source: _Grid, folder: Path, chunk: int, on: Any, progress: bool, version: str) -> Sweep:
-    """Computes the partitions that are missing in the folder."""
+    """Computes the partitions that the folder does not contain yet."""
     from affinor import __version__
 
     head = {"grid": source.digest(), "rows": len(source), "chunk": chunk, "version": version, "affinor": __version__}
@@ -373,7 +374,7 @@ def _run(task: Any, source: _Grid, folder: Path, chunk: int, on: Any, progress: 
 
 
 class _Grid:
-    """The rows of any grid by their indices."""
+    """A grid of any kind, whose rows are found by their indices."""
 
     def __init__(self, grid: Any) -> None:
         self.grid = grid
@@ -386,7 +387,7 @@ class _Grid:
             for name, values in grid.items():
                 if isinstance(values, (str, bytes)) or not isinstance(values, Iterable):
                     raise TypeError(f"the values of {name} are a list, not {type(values).__name__}")
-            # before ranges are converted to lists
+            # checks the number of rows before ranges are converted to lists
             _row_count(_length(values) for values in grid.values() if isinstance(values, Sequence))
             self.values: dict[str, Sequence[Any]] = {
                 str(name): values if isinstance(values, range) and len(values) > _LONG else list(values)
@@ -404,12 +405,12 @@ class _Grid:
         return self.length
 
     def digest(self) -> str:
-        """A hash of the values."""
+        """A hash of the grid, which identifies it."""
         draw = isinstance(self.grid, RandomSample)
         values = self.grid.laws if draw else self.values
 
         def whole(law: Any) -> bool:
-            """Whether the text of a law is hashed instead of its values."""
+            """Whether a law is hashed as text, and not by its values."""
             return isinstance(law, str) or (isinstance(law, range) and len(law) > _LONG)
 
         plain = [(name, law if whole(law) else [_plain(value) for value in law]) for name, law in values.items()]
@@ -431,7 +432,7 @@ class _Grid:
 
 
 def _length(values: Sequence[Any]) -> int:
-    """The number of values; ranges may be longer than ``len`` counts."""
+    """The number of values. A range may be so long that ``len`` overflows."""
     try:
         return len(values)
     except OverflowError:
@@ -439,7 +440,7 @@ def _length(values: Sequence[Any]) -> int:
 
 
 def _row_count(lengths: Iterable[int]) -> int:
-    """The number of rows of a grid of lists of these lengths."""
+    """The number of rows of a grid whose lists have these lengths."""
     count = math.prod(lengths)
     if count > _MOST_ROWS:
         raise ValueError(f"the grid has {count} rows, but a sweep has at most 2^40: split the grid")
@@ -457,7 +458,7 @@ def _name(part: int) -> str:
 def _partition(
     task: Any, start: int, rows: Columns, kinds: dict[str, Kind], folder: str, name: str, threads: int | None = None
 ) -> tuple[str, int]:
-    """Computes a partition and writes it: its name, and its number of rows."""
+    """Computes and writes a partition. Returns its name and its number of rows."""
     pa, pq = optional("pyarrow", "sweep"), optional("pyarrow.parquet", "sweep")
 
     before = _engine.threads()
@@ -479,7 +480,7 @@ def _partition(
     kinds = {"row": "integer", **kinds, **found, "error": "text"}
     table = pa.table({key: _array(pa, values, kinds[key]) for key, values in columns.items()})
     table = table.replace_schema_metadata({"affinor": json.dumps(found)})
-    # another run of this partition would write equal bytes
+    # writes to a temporary name and renames it: several runs of this partition write equal bytes
     path = os.path.join(folder, f".{name}.{os.getpid()}.{time.time_ns()}.tmp")
     with open(path, "wb") as file:
         pq.write_table(table, file, compression="zstd")
@@ -492,7 +493,7 @@ def _partition(
 def _each(
     task: Callable[[dict[str, Any]], Mapping[str, Any]], rows: Columns, count: int
 ) -> tuple[Columns, list[str | None], dict[str, Kind]]:
-    """The results of a function for each row, the errors, and the kinds of the results."""
+    """Calls a function for each row. Returns the results, the errors, and the kinds of the results."""
 
     def one(at: int) -> tuple[dict[str, Any], str | None]:
         before = interrupts.set("raise")
@@ -529,7 +530,7 @@ def _reason(error: BaseException) -> str:
 
 
 def _plain(value: Any) -> Any:
-    """A value of a type that Parquet supports."""
+    """Converts a value to a type that Parquet supports."""
     if value is None or isinstance(value, (bool, int, float, str)):
         return value
     if isinstance(value, np.floating):
@@ -544,7 +545,7 @@ def _plain(value: Any) -> Any:
 
 
 def _result(name: str, value: Any) -> Any:
-    """A result of a task as a Parquet value: a number, a text, a truth value, or lists of them."""
+    """Converts a result of a task to a Parquet value: a number, a string, a truth value, or lists of them."""
     if isinstance(value, np.generic):
         value = value.item()
     elif hasattr(value, "__array__") or is_matrix(value):
@@ -559,7 +560,7 @@ def _result(name: str, value: Any) -> Any:
 
 
 def _kind(value: Any) -> Kind:
-    """The kind of a value of Parquet."""
+    """The kind of a Parquet value."""
     if value is None:
         return None
     if isinstance(value, list):
@@ -575,7 +576,7 @@ def _kind(value: Any) -> Kind:
 
 
 def _common(name: str, a: Kind, b: Kind) -> Kind:
-    """The kind of a column that has values of two kinds."""
+    """The kind of a column that has values of the kinds ``a`` and ``b``."""
     if a is None or b is None or a == b:
         return b if a is None else a
     if isinstance(a, list) and isinstance(b, list):
@@ -589,9 +590,9 @@ def _common(name: str, a: Kind, b: Kind) -> Kind:
 
 
 def _kind_of(name: str, values: Iterable[Any]) -> Kind:
-    """The kind of a column of a grid; integers beside fractions are texts."""
+    """The kind of a column of a grid. If a column contains fractions, its integers are strings."""
     if isinstance(values, range) and len(values) > _LONG:
-        # the first and the last number of a range are the extreme ones
+        # the first and the last number of a range are its extremes, which determine the kind
         values = [values[0], values[-1]]
     exact = any(isinstance(value, Fraction) for value in values)
     found: Kind = None
@@ -602,7 +603,7 @@ def _kind_of(name: str, values: Iterable[Any]) -> Kind:
 
 
 def _array(pa: Any, values: list[Any], kind: Kind) -> Any:
-    """A column of Arrow with values of a kind."""
+    """Creates an Arrow column of values of one kind."""
     types = {None: pa.null(), "truth value": pa.bool_(), "float": pa.float64(), "text": pa.string()}
 
     def type_of(kind: Kind) -> Any:
@@ -615,7 +616,7 @@ def _array(pa: Any, values: list[Any], kind: Kind) -> Any:
 
 
 def _unify(kinds: dict[str, Kind], path: Path) -> None:
-    """Adds the kinds of the results of a partition, which must agree with the earlier partitions."""
+    """Adds the kinds of the results of a partition. They must agree with those of earlier partitions."""
     pq = optional("pyarrow.parquet", "sweep")
 
     metadata = pq.read_schema(path).metadata or {}
@@ -624,7 +625,7 @@ def _unify(kinds: dict[str, Kind], path: Path) -> None:
 
 
 def _begin(folder: Path, head: Mapping[str, Any]) -> dict[str, Any]:
-    """The partitions that the folder already contains; a folder of another sweep is an error."""
+    """Finds the partitions that the folder already contains. A folder of another sweep is an error."""
     pa, pq = optional("pyarrow", "sweep"), optional("pyarrow.parquet", "sweep")
 
     path = folder / _MANIFEST
@@ -640,7 +641,7 @@ def _begin(folder: Path, head: Mapping[str, Any]) -> dict[str, Any]:
         raise ValueError(f"{folder} has rows of another {other[0]}: choose another folder")
     done: dict[str, Any] = {}
     for item in folder.glob("part-*.parquet"):
-        # the partition of a damaged file is computed again
+        # ignores a damaged file, so that its partition is computed again
         with contextlib.suppress(pa.ArrowException, OSError):
             done[item.name] = {"rows": pq.read_metadata(item).num_rows}
     return done
@@ -658,7 +659,7 @@ def _manifest(path: Path) -> dict[str, Any]:
 
 
 def _write_json(path: Path, value: Any) -> None:
-    """Writes a JSON file; an existing file is replaced in one step."""
+    """Writes a JSON file. An existing file is replaced in a single step."""
     temporary = path.with_name(f".{path.name}.{os.getpid()}.tmp")
     temporary.write_text(json.dumps(value, indent=1), encoding="utf-8")
     os.replace(temporary, path)
@@ -670,7 +671,7 @@ Engine = Callable[[Iterator[tuple[Any, ...]]], Iterator[tuple[str, int]]]
 
 
 def _engine_of(on: Any) -> tuple[Engine, Callable[[], Any]]:
-    """The function that runs partitions, and a function that releases its resources."""
+    """Returns a function that runs partitions, and a function that releases the resources of the first."""
     if on == "process":
         return _in_process, lambda: None
     if on == "dask":
@@ -698,7 +699,7 @@ def _in_process(parts: Iterator[tuple[Any, ...]]) -> Iterator[tuple[str, int]]:
 
 
 def _on_dask(client: Any, parts: Iterator[tuple[Any, ...]]) -> Iterator[tuple[str, int]]:
-    """Keeps as many partitions in flight as the workers need; each future is released when it is done."""
+    """Runs partitions on Dask. Submits as many partitions at a time as the workers need, and releases each finished future."""
     from dask.distributed import as_completed
 
     def submit(part: tuple[Any, ...]) -> Any:
@@ -715,7 +716,7 @@ def _on_dask(client: Any, parts: Iterator[tuple[Any, ...]]) -> Iterator[tuple[st
 
 
 def _on_ray(parts: Iterator[tuple[Any, ...]]) -> Iterator[tuple[str, int]]:
-    """Runs partitions on Ray, a bounded number of them at a time."""
+    """Runs partitions on Ray. A limited number of partitions is submitted at a time."""
     ray = optional("ray", "ray")
 
     if not ray.is_initialized():

@@ -8,7 +8,7 @@ __all__ = ["Check", "LieAlgebra", "catalogue"]
 
 
 class Check:
-    """Check of a certificate; true if it holds.
+    """Check of a certificate. Its truth value tells whether the check succeeds.
 
     Attributes
     ----------
@@ -17,11 +17,11 @@ class Check:
     ok : bool
         Whether the identity holds.
     detail : str
-        Identity in words, or the reason of the failure.
+        Identity in words, or the reason why it fails.
     indices : list of int or None
-        Indices of the first component that fails, from 1; None if the check holds.
+        Indices, from 1, of the first component that fails; None if the check succeeds.
     residual : list of (int, str) or None
-        Nonzero components of the residual there; None if the check holds.
+        Nonzero components of the residual at these indices; None if the check succeeds.
 
     Examples
     --------

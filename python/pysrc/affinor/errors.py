@@ -1,4 +1,4 @@
-"""Exceptions. Each exception has its witness as data, and the same message as the command line prints."""
+"""Exceptions. Each exception has a witness as data, and the message that the command line prints."""
 
 from __future__ import annotations
 
@@ -30,16 +30,16 @@ class AffinorError(ValueError):
     message : str
         Description of the fault.
     help : str, optional
-        What to write instead.
+        Advice: the text or the argument to write instead.
     place : dict, optional
-        Source location: ``source`` and, where they are known, ``line``, ``column`` and ``text``.
+        Location of the fault: ``source`` and, if they are known, ``line``, ``column`` and ``text``.
     data : dict, optional
-        Witness; subclasses have its entries as properties.
+        Witness of the fault. Subclasses have its entries as properties.
 
     Attributes
     ----------
     message, help, place, data
-        The arguments.
+        The arguments of the constructor.
 
     Examples
     --------
@@ -78,7 +78,7 @@ class AffinorError(ValueError):
 
 
 class InputError(AffinorError):
-    """Wrong usage or unreadable input; exit status 2 of the command line.
+    """Wrong usage or unreadable input. On the command line, the exit status is 2.
 
     Examples
     --------
@@ -91,7 +91,7 @@ class InputError(AffinorError):
 
 
 class ShapeError(InputError):
-    """Tensor or array of the wrong dimension, slots or shape.
+    """Tensor or array with a wrong dimension, wrong slots or a wrong shape.
 
     Examples
     --------
@@ -104,7 +104,7 @@ class ShapeError(InputError):
 
 
 class MathematicsError(AffinorError):
-    """Valid input without a mathematical answer; exit status 1 of the command line.
+    """Valid input without a mathematical answer. On the command line, the exit status is 1.
 
     Examples
     --------
@@ -121,12 +121,12 @@ class _Pair(MathematicsError):
 
     @property
     def pair(self) -> tuple[str, str] | None:
-        """Names of the two basis vectors or matrices."""
+        """Names of the two basis vectors or matrices; None for other witnesses."""
         return self.data.get("pair")
 
     @property
     def residual(self) -> str | None:
-        """Component that should vanish, as text."""
+        """Component that should vanish, as a string; None for other witnesses."""
         return self.data.get("residual")
 
 
@@ -181,10 +181,10 @@ class ClosureError(_Pair):
 
 
 class ConstructionError(_Pair):
-    """Construction whose condition fails, such as the condition of an ideal, a subalgebra, a cocycle, a derivation, an action, a limit, or a
-    commutative, associative algebra.
+    """Construction whose condition fails. Examples are the conditions of an ideal, a subalgebra, a cocycle, a derivation, an
+    action, a limit, or a commutative, associative algebra.
 
-    ``data`` has the witness: ``pair`` or ``triple``, ``residual``, and ``derivation``, ``vector`` or ``component``.
+    ``data`` contains the witness: ``pair`` or ``triple``, ``residual``, and ``derivation``, ``vector`` or ``component``.
 
     Examples
     --------
@@ -197,7 +197,7 @@ class ConstructionError(_Pair):
 
     @property
     def triple(self) -> tuple[str, str, str] | None:
-        """Names of three vectors for which the condition of a cocycle or of an associative product fails; None for others."""
+        """Names of three vectors that violate the condition of a cocycle or of an associative product; None for other conditions."""
         return self.data.get("triple")
 
 
@@ -233,12 +233,12 @@ class MetricError(_Pair):
 
     @property
     def null(self) -> str | None:
-        """Nonzero vector that is orthogonal to every vector, ``g_ij v^j = 0``; None for other faults."""
+        """Nonzero vector ``v`` that is orthogonal to every vector, ``g_ij v^j = 0``; None for other faults."""
         return self.data.get("null")
 
 
 class SymmetryError(MathematicsError):
-    """Tensor without a symmetry that it needs.
+    """Tensor that lacks a required symmetry.
 
     Examples
     --------
@@ -251,17 +251,17 @@ class SymmetryError(MathematicsError):
 
     @property
     def at(self) -> list[int]:
-        """Indices of a component that violates the symmetry, from 1."""
+        """Indices, from 1, of a component that violates the symmetry."""
         return list(self.data["at"])
 
     @property
     def residual(self) -> str:
-        """Component that should vanish, as text."""
+        """Component that should vanish, as a string."""
         return str(self.data["residual"])
 
 
 class IntegrationError(MathematicsError):
-    """Integration that stopped before its end.
+    """Integration that stopped before the final time.
 
     Examples
     --------
@@ -274,7 +274,7 @@ class IntegrationError(MathematicsError):
 
     @property
     def time(self) -> float:
-        """Time that was reached."""
+        """Time at which the integration stopped."""
         return float(self.data["time"])
 
 
@@ -319,6 +319,6 @@ def _of_engine(
     place: dict[str, Any] | None,
     data: dict[str, Any],
 ) -> AffinorError:
-    """The exception with this class name."""
+    """Creates the exception of the class with the name ``kind``."""
     made: AffinorError = globals()[kind](message, help, place, data)
     return made

@@ -1,4 +1,4 @@
-"""Geometries: a frame with a connection and perhaps a metric.
+"""Geometries: a frame with a connection and, optionally, a metric.
 
 The functions read the arguments of :class:`Geometry`.
 """
@@ -23,7 +23,7 @@ __all__ = ["Geodesic", "Geometry", "Property", "check", "compare", "conventions"
 
 
 def metric_text(metric: Any, symbols: Symbols, *, floats: bool) -> str:
-    """A metric in the notation of the command line, from a text, a matrix, or the entries of a diagonal."""
+    """Writes a metric in the notation of the command line. The metric is a string, a matrix, or a list of diagonal entries."""
     if isinstance(metric, str):
         return metric
     if isinstance(metric, Tensor):
@@ -41,7 +41,7 @@ def metric_text(metric: Any, symbols: Symbols, *, floats: bool) -> str:
 
 
 def connection_text(connection: Any, symbols: Symbols, *, floats: bool) -> str:
-    """A connection in the notation of the command line: a name, or the factor lambda as a number or a text."""
+    """Writes a connection in the notation of the command line. The connection is a name, or lambda as a number or a string."""
     if isinstance(connection, str):
         return f"lambda = {connection.strip()}" if _NUMBER.fullmatch(connection) else connection
     return f"lambda = {text_of(connection, symbols, floats=floats)}"
@@ -51,7 +51,7 @@ _NUMBER = re.compile(r"\s*[+-]?\d+(\.\d+)?([eE][+-]?\d+)?(\s*/\s*\d+)?\s*")
 
 
 def completed(source: Source, connection: Any, metric: Any) -> Source:
-    """The source with a connection and a metric."""
+    """Adds a connection and a metric to a source."""
     symbols, floats = merged(source.symbols), source.scalar == "float"
     given = [
         None if metric is None else metric_text(metric, symbols, floats=floats),
@@ -65,7 +65,7 @@ def completed(source: Source, connection: Any, metric: Any) -> Source:
 
 
 def latex(geometry: Geometry) -> str:
-    """The metric and the affinities of a geometry in LaTeX, for notebooks."""
+    """The metric and the affinities of a geometry in LaTeX, which notebooks show."""
     metric = geometry.metric
     parts = [] if metric is None else [metric]
     shown = [tensor.to_latex(30) for tensor in [*parts, geometry.affinities]]
@@ -83,12 +83,12 @@ def check(
 ) -> list[Check]:
     """Certificate of a definition: antisymmetry, the Jacobi identity, the metric and the Bianchi identities.
 
-    A check that fails is a result with a witness, not an exception.
+    If a check fails, the result has a witness; the function does not raise an exception.
 
     Parameters
     ----------
     space : LieAlgebra, str, path or dict
-        Anything that makes a LieAlgebra or a Geometry.
+        Anything that defines a LieAlgebra or a Geometry.
     basis : str or list of str, optional
         Names of the basis vectors; required for brackets.
     connection : str or number, optional
@@ -98,7 +98,7 @@ def check(
     scalar : str
         ``"exact"`` or ``"float"``.
     tolerance : float, optional
-        For floats: bound below which a sum counts as zero, relative to its terms.
+        For floats: a sum counts as zero below this bound, relative to its terms.
 
     Returns
     -------
@@ -114,16 +114,16 @@ def check(
 
 
 class Property(NamedTuple):
-    """Property of a geometry; true if it holds.
+    """Property of a geometry. Its truth value tells whether the property holds.
 
     Attributes
     ----------
     holds : bool
         Whether the property holds.
     value : number or None
-        Constant of the property, such as ``c`` of ``Ric = c g``; None without one.
+        Constant of the property, such as ``c`` in ``Ric = c g``; None if the property has no constant.
     witness : str or None
-        First component that violates the property; None if it holds.
+        First component that violates the property; None if the property holds.
 
     Examples
     --------
@@ -140,17 +140,22 @@ class Property(NamedTuple):
         return self.holds
 
 
+Property.holds.__doc__ = "Whether the property holds."
+Property.value.__doc__ = "Constant of the property, such as ``c`` in ``Ric = c g``; None if the property has no constant."
+Property.witness.__doc__ = "First component that violates the property; None if the property holds."
+
+
 class Geodesic(NamedTuple):
     """Autoparallel curve on a group.
 
     Attributes
     ----------
     times : array of the shape (count,)
-        Times.
+        Times of the points of the curve.
     elements : array of the shape (count, coordinates)
-        Elements of the group.
+        Elements of the group at these times.
     tangents : array of the shape (count, dimension)
-        Velocities in the left-invariant frame.
+        Velocities at these times, in the left-invariant frame.
 
     Examples
     --------
@@ -161,6 +166,11 @@ class Geodesic(NamedTuple):
     times: NDArray[np.float64]
     elements: NDArray[np.float64]
     tangents: NDArray[np.float64]
+
+
+Geodesic.times.__doc__ = "Times of the points of the curve."
+Geodesic.elements.__doc__ = "Elements of the group at these times."
+Geodesic.tangents.__doc__ = "Velocities at these times, in the left-invariant frame."
 
 
 def parts(
@@ -176,7 +186,7 @@ def parts(
     scalar: str = "exact",
     tolerance: float | None = None,
 ) -> tuple[Source, list[tuple[str, Tensor]], str]:
-    """The source of a geometry, the tensors that determine its connection, and its frame."""
+    """Reads the arguments of a geometry. Returns its source, the tensors that define its connection, and its frame."""
     source = source_of(space, basis=basis, scalar=scalar, tolerance=tolerance)
     extra = {"affinities": (affinities, "^__"), "torsion": (torsion, "^__"), "nonmetricity": (nonmetricity, "___")}
     made = [(key, _tensor(given, slots, key, source.scalar)) for key, (given, slots) in extra.items()]
@@ -187,7 +197,7 @@ def parts(
 
 
 def restored(cls: type[Geometry], source: Source, extra: Mapping[str, Tensor], frame: str) -> Geometry:
-    """A pickled geometry."""
+    """Restores a pickled geometry."""
     given: dict[str, Any] = {**extra, "frame": frame}
     return cls(source, **given)
 
@@ -204,7 +214,7 @@ def chart(
     positive: Sequence[Any] = (),
     name: str = "chart",
 ) -> Source:
-    """The source of a geometry over coordinates."""
+    """The source of a geometry on a chart with these coordinates."""
     symbols: Symbols = {}
     if not isinstance(coordinates, Iterable):
         raise TypeError(f"coordinates are a text or a list of symbols, not {type(coordinates).__name__}")
@@ -231,7 +241,7 @@ def chart(
 
 
 def written(geometry: Geometry) -> Source:
-    """The source of a definition with the affinities and the metric of a geometry."""
+    """Writes a geometry as the source of a definition with its affinities and its metric."""
     extra, _ = geometry._extra
     left = restored(type(geometry), geometry._source, extra, "left")
     if left.frame != "left-invariant":
@@ -240,7 +250,7 @@ def written(geometry: Geometry) -> Source:
             "write its affinities in the definition of the chart",
         )
     scalar, tolerance, symbols = geometry._source.scalar, geometry._source.tolerance, geometry.symbols
-    # sums have names that cannot be read again
+    # basis vectors of sums have names with primes, which cannot be read again
     basis = [label.replace("'", "_") for label in left.basis]
     source = from_structure(left.structure, basis=basis, name=left.name, scalar=scalar, tolerance=tolerance)
     name, text = source.arguments["definition"]
@@ -256,7 +266,7 @@ def written(geometry: Geometry) -> Source:
 
 
 def subs(geometry: Geometry, values: Mapping[Any, Scalar]) -> Geometry:
-    """The geometry with parameters replaced."""
+    """The geometry with parameters replaced by values."""
     source, (extra, frame) = geometry._source, geometry._extra
     alone = {name for tensor in extra.values() for name in tensor.parameters}
     alone.difference_update(*source.names(True))
@@ -266,7 +276,7 @@ def subs(geometry: Geometry, values: Mapping[Any, Scalar]) -> Geometry:
 
 
 def _tensor(given: Any, slots: str, name: str, scalar: str) -> Tensor | None:
-    """An argument as a tensor with these slots; None stays None."""
+    """Converts an argument to a tensor with these slots; None remains None."""
     if given is None:
         return None
     if isinstance(given, Tensor) and given.scalar == "float" and scalar != "float":
@@ -278,7 +288,7 @@ def _tensor(given: Any, slots: str, name: str, scalar: str) -> Tensor | None:
 
 
 def _field(field: Any, names: Sequence[str], symbols: Symbols) -> str:
-    """A frame field as a text in the coordinate fields ``d_x``."""
+    """Writes a field of the frame in terms of the coordinate fields ``d_x``."""
     if isinstance(field, str) or is_sympy(field):
         return text_of(field, symbols)
     parts = [text_of(part, symbols) for part in field]

@@ -1,6 +1,6 @@
-"""Lie groups over arrays of elements.
+"""Lie groups whose methods act on arrays of elements.
 
-The functions are the methods of :class:`Group` that NumPy computes.
+The functions are the methods of :class:`Group` that are computed with NumPy.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ Floats = NDArray[np.float64]
 
 
 def _elements(group: Group, g: ArrayLike) -> Floats:
-    """Elements as an array of floats; checks the shape."""
+    """Converts elements to an array of floats, and checks its shape."""
     array = floats(g)
     if array.ndim == 0 or array.shape[-1] != group.coordinate_count:
         raise ValueError(f"g should be an array of the shape (..., {group.coordinate_count}), not of the shape {array.shape}")
@@ -30,13 +30,13 @@ def _elements(group: Group, g: ArrayLike) -> Floats:
 
 
 def interpolate(group: Group, g: ArrayLike, h: ArrayLike, t: ArrayLike) -> Floats:
-    """The point ``g exp(t log(g^-1 h))``: ``g`` at ``t = 0``, ``h`` at ``t = 1``; ``t`` has the shape of the batch."""
+    """The point ``g exp(t log(g^-1 h))``, which is ``g`` at ``t = 0`` and ``h`` at ``t = 1``. ``t`` has the shape of the batch."""
     steps = floats(t)[..., None] * group.log(group.between(g, h))
     return group.compose(g, group.exp(steps))
 
 
 def random(group: Group, shape: Any, rng: np.random.Generator | int | None, scale: float) -> Floats:
-    """Exponentials of vectors with normally distributed components of this scale."""
+    """Exponentials of vectors whose components are normally distributed with the standard deviation ``scale``."""
     shape = () if shape is None else shape
     generator = rng if isinstance(rng, np.random.Generator) else np.random.default_rng(rng)
     sizes = tuple(shape) if isinstance(shape, (tuple, list)) else (shape,)
@@ -70,11 +70,11 @@ def mean(group: Group, g: ArrayLike, weights: ArrayLike | None = None, axis: int
         size = np.abs(correction).max(axis=-1, initial=0.0)
         if not np.isfinite(size).all():
             break
-        # elements that are far from 1 have large rounding errors
+        # the rounding errors of elements with large entries are large
         own = 1e3 * np.finfo(float).eps * np.abs(found).max(axis=-1, initial=0.0)
         found = group.project(group.compose(found, group.exp(correction)))
         tiny = size <= _ROUNDING * spread
-        # rounding errors of the logarithms remain, however many steps there are
+        # ends if steps become no smaller, because further steps do not reduce the rounding errors of the logarithms
         stalled = (size <= np.maximum(own, 1e6 * _ROUNDING * spread)) & (size >= before)
         if (tiny | stalled).all():
             return found
@@ -88,7 +88,7 @@ _ROUNDING = 1e-14
 
 
 def _axes(axis: int | tuple[int, ...] | None, count: int) -> tuple[int, ...]:
-    """The axes from 0; None means all."""
+    """Converts the argument ``axis`` to a list of axes that count from 0; None means all axes."""
     if axis is None:
         return tuple(range(count))
     given = [index("axis", at) for at in (axis if isinstance(axis, (tuple, list)) else (axis,))]
@@ -99,7 +99,7 @@ def _axes(axis: int | tuple[int, ...] | None, count: int) -> tuple[int, ...]:
 
 
 def _weights(weights: Floats, batch: tuple[int, ...], axes: tuple[int, ...]) -> Floats:
-    """Weights with the shape of the batch; weights of a single axis may be a vector."""
+    """Broadcasts weights to the shape of the batch. For a single axis, the weights may be a vector."""
     if weights.ndim == 1 and len(axes) == 1:
         shape = [1] * len(batch)
         shape[axes[0]] = weights.shape[0]
@@ -133,12 +133,12 @@ def distance(group: Group, g: ArrayLike, h: ArrayLike, weights: ArrayLike | None
     if not _is_positive(form):
         raise ValueError("weights should be positive: the form of the weights has a negative eigenvalue")
     square = np.einsum("...i,ij,...j->...", x, form, x)
-    # cancellation may make the square of a short vector negative
+    # cancellation: the square of a short vector may be negative, so it is at least zero
     return np.asarray(np.sqrt(np.maximum(square, 0)))
 
 
 def _is_positive(form: Floats) -> bool:
-    """Whether a symmetric matrix has no negative eigenvalue, to rounding. Units of the basis do not matter."""
+    """Whether a symmetric matrix has no negative eigenvalue, up to rounding errors. The units of the basis do not matter."""
     diagonal = np.diag(form)
     if (diagonal < 0).any() or form[diagonal == 0].any():
         return False
@@ -158,7 +158,7 @@ def spline(
 
 
 class RotationGroup(Group):
-    """Rotations SO(3): elements are unit quaternions ``w, x, y, z``, vectors are rotation vectors in radians.
+    """Rotation group SO(3). Elements are unit quaternions ``w, x, y, z``; vectors are rotation vectors in radians.
 
     Parameters
     ----------
@@ -177,7 +177,7 @@ class RotationGroup(Group):
         return super().__new__(cls, name)
 
     def from_quaternion(self, q: ArrayLike, *, scalar_first: bool = True) -> Floats:
-        """Elements of quaternions, which are normalized.
+        """Elements from quaternions, which are normalized.
 
         Parameters
         ----------
@@ -234,7 +234,7 @@ class RotationGroup(Group):
         return g.copy() if scalar_first else np.roll(g, -1, axis=-1)
 
     def from_scipy(self, rotation: Any) -> Floats:
-        """Elements of a rotation of SciPy.
+        """Elements from a SciPy rotation.
 
         Parameters
         ----------
@@ -256,7 +256,7 @@ class RotationGroup(Group):
         return np.roll(np.asarray(rotation.as_quat(), dtype=np.float64), 1, axis=-1)
 
     def to_scipy(self, g: ArrayLike) -> Any:
-        """Rotation of SciPy.
+        """SciPy rotation from elements.
 
         Parameters
         ----------
@@ -277,7 +277,7 @@ class RotationGroup(Group):
 
 
 class RigidMotionGroup(Group):
-    """Rigid motions SE(3): elements are ``w, x, y, z`` and the position, vectors have the rotation first.
+    """Group SE(3) of rigid motions. Elements are a quaternion ``w, x, y, z`` and a position; vectors have the rotation first.
 
     Parameters
     ----------
@@ -296,7 +296,7 @@ class RigidMotionGroup(Group):
         return super().__new__(cls, name)
 
     def from_scipy(self, transform: Any) -> Floats:
-        """Elements of a rigid transform of SciPy 1.16 or later.
+        """Elements from a rigid transform of SciPy 1.16 or later.
 
         Parameters
         ----------
@@ -320,7 +320,7 @@ class RigidMotionGroup(Group):
         return np.concatenate([rotation, translation], axis=-1)
 
     def to_scipy(self, g: ArrayLike) -> Any:
-        """Rigid transform of SciPy 1.16 or later.
+        """Rigid transform of SciPy 1.16 or later, from elements.
 
         Parameters
         ----------

@@ -1,12 +1,11 @@
 """Lie groups in JAX: the operations of :mod:`affinor` under ``jit``, ``vmap``, ``grad``, ``jvp`` and ``vjp``.
 
-Values and derivatives are computed by the engine in float64 on the CPU and rounded to the type of the arguments. Derivatives are
-those of the group in closed form: they are finite at the identity and at half a turn. A row without a result, such as the
-logarithm of zeros, is NaN.
+The engine computes values and derivatives in float64 on the CPU and rounds them to the type of the arguments. Derivatives are in
+closed form, so they are finite at the identity and at half a turn. A row without a result, such as the logarithm of zeros, is
+NaN. Second derivatives raise NotImplementedError.
 
-The engine is called through ``jax.pure_callback`` (``vmap_method="expand_dims"``: one call for a whole batch), which costs some
-tens of microseconds for each operation and a copy of its arrays; so use batches rather than single elements in a compiled loop.
-Derivatives of derivatives raise NotImplementedError.
+The engine is called through ``jax.pure_callback``, with one call for a whole batch (``vmap_method="expand_dims"``). Each call
+takes some tens of microseconds and copies its arrays. In a compiled loop, batches are therefore faster than single elements.
 
 Examples
 --------
@@ -35,9 +34,9 @@ __all__ = ["SE2", "SE3", "SE2_3", "SL2", "SO2", "SO3", "Group"]
 
 
 def _called(function: Callable[..., Any], core: tuple[int, ...], arguments: tuple[Any, ...]) -> Any:
-    """The function on the host, as an operation of JAX whose rows have the shape ``core``."""
+    """Calls a function on the host, as an operation of JAX. The rows of the result have the shape ``core``."""
     dtype = _floats(*arguments)
-    # equal ranks, so that the axes which vmap adds in front correspond
+    # makes the ranks equal, so that the axes that vmap adds in front correspond
     rank = max(jnp.ndim(argument) for argument in arguments)
     arguments = tuple(jnp.reshape(a, (1,) * (rank - jnp.ndim(a)) + jnp.shape(a)) for a in arguments)
     batch = jnp.broadcast_shapes(*(a.shape[:-1] for a in arguments))
@@ -51,7 +50,7 @@ def _called(function: Callable[..., Any], core: tuple[int, ...], arguments: tupl
 
 
 def _with_rule(operation: Operation) -> Callable[..., Any]:
-    """The operation with its differentials as a function of JAX."""
+    """Converts an operation with its differentials to a function of JAX."""
 
     @jax.custom_jvp
     def apply(*arguments: Any) -> Any:
@@ -80,7 +79,7 @@ def _with_rule(operation: Operation) -> Callable[..., Any]:
 
 
 def _floats(*arguments: Any) -> Any:
-    """The type of floats for a result of these arguments."""
+    """The floating-point type of a result of these arguments."""
     dtype = jnp.result_type(*arguments)
     return dtype if jnp.issubdtype(dtype, jnp.floating) else jnp.result_type(float)
 
@@ -103,7 +102,7 @@ class Group(DifferentiableGroup):
         Parameters
         ----------
         dtype : dtype, optional
-            Floating-point type; by default that of JAX.
+            Floating-point type; by default the default type of JAX.
 
         Returns
         -------
@@ -118,7 +117,7 @@ class Group(DifferentiableGroup):
 
     @staticmethod
     def _real(name: str, value: Any) -> Any:
-        """An array of real numbers."""
+        """Converts an argument to an array of real numbers."""
         array = jnp.asarray(value)
         if jnp.issubdtype(array.dtype, jnp.complexfloating):
             raise TypeError(f"{name} should be an array of real numbers, not of dtype {array.dtype}")
@@ -126,7 +125,7 @@ class Group(DifferentiableGroup):
 
     @staticmethod
     def _converted(array: Any, dtype: Any) -> Any:
-        """An array of another floating-point type."""
+        """Converts an array to another floating-point type."""
         return array.astype(dtype)
 
 

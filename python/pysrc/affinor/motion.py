@@ -30,11 +30,11 @@ __all__ = ["Problem", "Trajectory", "convergence", "methods", "simulate"]
 Floats = NDArray[np.float64]
 
 interrupts: ContextVar[str] = ContextVar("interrupts", default="return")
-"""The default of ``on_interrupt``: ``raise`` in tasks of sweeps."""
+"""The default of ``on_interrupt``, which is ``raise`` in tasks of sweeps."""
 
 
 class ProblemKeys(TypedDict, total=False):
-    """The keys of a problem after replacements."""
+    """The keyword arguments of a problem: options that override keys of a file, and the keys themselves."""
 
     set: Mapping[str, Any] | str | None
     method: str | None
@@ -76,7 +76,7 @@ def spelled_out(function: Function) -> Function:
 
 
 def unknown(keys: Mapping[str, Any]) -> None:
-    """Rejects keys that do not occur in problems."""
+    """Raises an error for keys that problems do not have."""
     for key in keys:
         if key not in ProblemKeys.__annotations__:
             near = difflib.get_close_matches(key, ProblemKeys.__annotations__, 1)
@@ -88,7 +88,7 @@ def unknown(keys: Mapping[str, Any]) -> None:
 class Problem(_engine.Problem):
     """Problem of motion: a file, a dict with the keys of a file, or these keys as arguments.
 
-    Formulas are texts or expressions of SymPy. Angles are in radians, all other quantities in any consistent units.
+    Formulas are strings or SymPy expressions. Angles are in radians; all other quantities are in any consistent units.
     ``docs/motion.md`` describes all keys.
 
     Parameters
@@ -98,53 +98,55 @@ class Problem(_engine.Problem):
     set : dict or str, optional
         New values of parameters, ``{"m": 2}`` or ``"m=2"``.
     method : str, optional
-        Method of integration, one of :func:`methods`; replaces the method of the file.
+        Integration method, one of :func:`methods`; overrides the method of the file.
     step : number, expression or str, optional
-        Time step; replaces the step of the file.
+        Time step; overrides the step of the file.
     tolerance : number, expression or str, optional
-        Relative tolerance of a step; replaces the tolerance of the file.
+        Relative tolerance of a step; overrides the tolerance of the file.
     end : number, expression or str, optional
-        Final time; replaces the end of the file.
+        Final time; overrides the final time of the file.
     every : number, expression or str, optional
-        Time between rows; replaces the interval of the file.
+        Time between rows; overrides the interval of the file.
     name : str, optional
         Name of the problem.
     space : str, path or LieAlgebra, optional
         Group: a name of the catalogue, a sum of names, a definition file, or an algebra.
     definition : dict, optional
-        Instead of ``space``: the keys of a definition file.
+        The keys of a definition file, instead of ``space``.
     metric : str, array or list, optional
-        Inertia tensor ``J`` as ``"diag(1,2,3)"``, matrix or diagonal; the kinetic energy is ``J_ij Omega^i Omega^j/2``.
+        Inertia tensor ``J``: a string such as ``"diag(1,2,3)"``, a matrix, or a list of diagonal entries. The kinetic energy is
+        ``J_ij Omega^i Omega^j/2``.
     inertia : dict or list of dict, optional
-        Instead of ``metric``: bodies made of parts; a list has one dict per summand of a sum of groups.
+        Bodies that consist of parts, instead of ``metric``. A list has one dict for each summand of a sum of groups.
     connection : str or number, optional
-        By default ``plus``: the Euler-Poincare equations.
+        Connection; the default ``plus`` gives the Euler-Poincare equations.
     invariance : str, optional
-        ``"left"`` (default) or ``"right"``: invariance of the metric.
+        Whether the metric is left-invariant (``"left"``, the default) or right-invariant (``"right"``).
     parameters : dict, optional
-        Numbers or formulas by name; each may use earlier ones.
+        Numbers or formulas by name. A formula may use the parameters before it.
     flow : dict, optional
-        Isospectral flow of matrices instead of a space.
+        Isospectral flow of matrices, instead of a space.
     initial : dict, optional
-        Initial condition: ``coordinates``, ``quaternion``, ``position`` or ``element``; ``velocity``, ``momentum``,
-        ``spatial_velocity`` or ``spatial_momentum``; ``time``.
+        Initial condition. The element is given by ``coordinates``, ``quaternion``, ``position`` or ``element``; the velocity
+        by ``velocity``, ``momentum``, ``spatial_velocity`` or ``spatial_momentum``. ``time`` is the initial time.
     prescribed : dict, optional
-        ``velocity`` over time, instead of equations of motion.
+        Prescribed ``velocity`` as a function of time, instead of equations of motion.
     hamiltonian : str or expression, optional
-        Instead of ``metric``: function of the momentum ``H1``, ``H2``, ...
+        Function of the momentum ``H1``, ``H2``, ..., instead of ``metric``.
     constraints : list, optional
-        Holonomic constraints: formulas of the element; each must vanish.
+        Holonomic constraints: formulas in the entries of the element, each of which must vanish.
     forces : dict, optional
-        Covectors ``body`` or ``spatial`` as lists of formulas; ``potential``, a formula; ``table``, a path, an array whose
-        first column is the time, or a DataFrame with the columns ``t``, ``M1``, ``M2``, ... ``body`` and ``spatial`` may be
-        a function ``force(t, g, omega)`` of the time, the matrix of the element and the body velocity that returns the
-        components. A function is a few hundred times slower than a formula.
+        The covectors ``body`` and ``spatial`` are lists of formulas, and ``potential`` is a formula. ``table`` is a path, an
+        array whose first column is the time, or a DataFrame with the columns ``t``, ``M1``, ``M2`` and so on. ``body``
+        and ``spatial`` may also be functions ``force(t, g, omega)`` that return the components. Their arguments are the time,
+        the matrix of the element and the body velocity. A function is a few hundred times slower than a formula.
     integrator : dict, optional
-        ``method``, ``step``, ``tolerance``, ``absolute_tolerance``, ``max_step`` and ``max_steps``.
+        Settings ``method``, ``step``, ``tolerance``, ``absolute_tolerance``, ``max_step`` and ``max_steps``.
     output : dict, optional
-        ``end`` and ``every``, or ``times``; ``columns``; ``stop``, a terminal event; ``section``, an event that writes rows.
+        Times of the rows, as ``end`` and ``every`` or as ``times``; ``columns``; ``stop``, a terminal event; ``section``, an
+        event at which rows are written.
     quantities : dict, optional
-        More columns: formulas by name.
+        Additional columns: formulas by name.
     events : dict, optional
         Event functions: formulas by name.
     ensemble : dict, optional
@@ -153,7 +155,7 @@ class Problem(_engine.Problem):
     Raises
     ------
     InputError
-        A key or a formula cannot be read.
+        A key or a formula is invalid.
 
     Examples
     --------
@@ -175,7 +177,7 @@ class Problem(_engine.Problem):
         **keys: Unpack[ProblemKeys],
     ) -> Self:
         unknown(keys)
-        # keys with the value None count as not given
+        # a key with the value None counts as absent
         given: dict[str, Any] = {key: value for key, value in keys.items() if value is not None}
         options = {name: given.pop(name, None) for name in ("set", "method", "step", "tolerance", "end", "every")}
         return cls._made(problem, given, **options)
@@ -192,7 +194,7 @@ class Problem(_engine.Problem):
         end: Any,
         every: Any,
     ) -> Self:
-        """A problem from its keys, and from options that replace keys of a file."""
+        """Creates a problem from its keys, and from options that override keys of a file."""
         symbols: Symbols = {}
         texts = {"step": step, "tolerance": tolerance, "end": end, "every": every}
         options: dict[str, Any] = {
@@ -202,7 +204,7 @@ class Problem(_engine.Problem):
         }
         path = text = None
         table = False
-        # the engine reads the table of forces within this block
+        # the engine must read the table of forces within this block, because a temporary file is deleted at its end
         with contextlib.ExitStack() as stack:
             if isinstance(problem, (str, os.PathLike)):
                 if keys:
@@ -219,7 +221,7 @@ class Problem(_engine.Problem):
 
     @classmethod
     def _of(cls, path: str | None, text: str | None, options: dict[str, Any], *, in_memory: bool = False) -> Self:
-        """A problem from a file or a text, which are stored for pickling."""
+        """Creates a problem from a file or a text, and stores the arguments for pickling."""
         made = super().__new__(cls, path, None if text is None else ("problem", text), **options)
         made._arguments, made._in_memory = (path, text, options), in_memory
         return made
@@ -235,18 +237,18 @@ _LISTS = {
     "initial": ("coordinates", "velocity", "spatial_velocity", "momentum", "spatial_momentum"),
     "prescribed": ("velocity", "spatial_velocity"),
 }
-"""The keys whose values are lists of components; SymPy gives these as columns."""
+"""The keys whose values are lists of components. In SymPy, such a list is a column."""
 
 
 def _listed(vector: Any) -> Any:
-    """The components of a column or row of SymPy."""
+    """Converts a column or a row of SymPy to the list of its components."""
     if 1 not in vector.shape:
         raise ValueError(f"components are a list or a column, not a matrix of the shape {vector.shape}")
     return list(vector)
 
 
 def _document(keys: Mapping[str, Any], symbols: Symbols) -> Any:
-    """The keys of a problem in the form of a file."""
+    """Converts the keys of a problem to the form of a file."""
     for table, names in _LISTS.items():
         part = keys.get(table)
         if isinstance(part, Mapping):
@@ -259,7 +261,7 @@ def _document(keys: Mapping[str, Any], symbols: Symbols) -> Any:
 
 
 def _with_table(keys: dict[str, Any], stack: contextlib.ExitStack) -> tuple[dict[str, Any], bool]:
-    """The keys with the path of a table of forces, and whether the table was in memory."""
+    """Replaces a table of forces in memory by the path of a temporary file. Also returns whether there was such a table."""
     forces = keys.get("forces")
     if not isinstance(forces, Mapping) or isinstance(forces.get("table"), (str, type(None))):
         return keys, False
@@ -279,7 +281,7 @@ def _with_table(keys: dict[str, Any], stack: contextlib.ExitStack) -> tuple[dict
 
 
 def _functions(keys: dict[str, Any]) -> tuple[dict[str, Any], dict[str, Any]]:
-    """The keys without the forces that are Python functions, and these functions."""
+    """Removes the forces that are Python functions from the keys. Returns the remaining keys and these functions."""
     forces = keys.get("forces")
     if not isinstance(forces, Mapping):
         return keys, {}
@@ -291,7 +293,7 @@ def _functions(keys: dict[str, Any]) -> tuple[dict[str, Any], dict[str, Any]]:
 
 
 def _settings(values: Mapping[str, Any] | str | None, symbols: Symbols) -> str | None:
-    """New values of parameters as a text ``name=value,...``."""
+    """Writes new values of parameters as ``name=value,...``."""
     if values is None or isinstance(values, str):
         return values
     if not isinstance(values, Mapping):
@@ -302,27 +304,28 @@ def _settings(values: Mapping[str, Any] | str | None, symbols: Symbols) -> str |
 class Trajectory:
     """Rows of a motion, with one column per quantity.
 
-    ``trajectory["Omega1"]`` is a view of a column. ``trajectory["Omega"]`` has all components of a stem in their order, shape
-    (rows, components). Iteration runs over the names of the columns. ``trajectory(t)`` has the motion at other times.
+    ``trajectory["Omega1"]`` is a view of a column. ``trajectory["Omega"]`` contains all columns ``Omega1``, ``Omega2``, ... in
+    order, as an array of the shape (rows, components). Iteration runs over the names of the columns. ``trajectory(t)`` is the
+    motion at other times.
 
     Attributes
     ----------
     name : str
         Name of the problem.
     rows : array of the shape (rows, columns)
-        All values; angles in radians, other quantities in the units of the problem.
+        All values. Angles are in radians; other quantities are in the units of the problem.
     columns : list of str
         Names of the columns.
     watched : list of str
-        Columns that :meth:`drift` reports: energy, momentum, Casimir functions, named quantities.
+        Columns whose changes :meth:`drift` reports: energy, momentum, Casimir functions and named quantities.
     conserved : list of str
-        Columns that the equations conserve, as the forces allow.
+        Columns that the equations and the forces conserve.
     events : list of (str, float)
         Name and time of each event.
     method : str
-        Method of integration.
+        Integration method.
     notes : list of str
-        Notes of the run, such as the default that was chosen.
+        Notes on the run, such as a note on the default that was chosen.
     error : Exception or None
         Error that ended the run.
     interrupted : bool
@@ -352,7 +355,7 @@ class Trajectory:
         self.conserved: list[str] = [
             name for name, conserved in zip(self.columns, found["conserved"], strict=True) if conserved
         ]
-        """The columns that the equations conserve: the energy, the momentum in space, Casimir functions, as the forces allow."""
+        """The columns that the equations and the forces conserve, such as the energy, the spatial momentum and Casimir functions."""
         self.events: list[tuple[str, float]] = list(found["events"])
         self.method: str = found["method"]
         self.notes: list[str] = list(found["notes"])
@@ -382,7 +385,7 @@ class Trajectory:
         return self["t"]
 
     def __getstate__(self) -> Any:
-        # a motion may have functions that cannot be pickled
+        # leaves out the motion, because it may contain functions that cannot be pickled
         return None, {name: getattr(self, name) for name in self.__slots__ if name != "_motion"}
 
     def __setstate__(self, state: Any) -> None:
@@ -391,12 +394,12 @@ class Trajectory:
             setattr(self, name, value)
 
     def __call__(self, t: Any) -> Trajectory:
-        """Motion at other times, integrated anew by the same method.
+        """Motion at other times, integrated again with the same method.
 
         Parameters
         ----------
         t : float or array
-            Finite times in any order: a number or one axis of numbers.
+            Finite times in any order: a number, or an array with one axis.
 
         Returns
         -------
@@ -406,8 +409,8 @@ class Trajectory:
         Raises
         ------
         ValueError
-            The trajectory was unpickled, so its problem is unknown; times lie on both sides of the initial time or after the end
-            by ``output.stop``; or the rows are those of ``output.section``.
+            The trajectory was unpickled, so its problem is unknown. Some times are before and others after the initial time, or
+            a time is after the end at ``output.stop``. The rows are those of ``output.section``.
 
         Examples
         --------
@@ -445,7 +448,7 @@ class Trajectory:
         columns : list of str
             Names of the columns.
         rows : array of the shape (rows, columns)
-            Dense rows; the rows of the trajectory if the run did not reach its end or was unpickled.
+            Dense rows. If the run did not reach its end, or if the trajectory was unpickled, they are the rows of the trajectory.
 
         Examples
         --------
@@ -495,7 +498,7 @@ class Trajectory:
         return pd.DataFrame(self.rows, columns=self.columns)
 
     def to_arrow(self) -> Any:
-        """Table of Arrow with the columns of the trajectory.
+        """Arrow table with the columns of the trajectory.
 
         Returns
         -------
@@ -517,12 +520,12 @@ class Trajectory:
         Parameters
         ----------
         kind : str
-            ``"conserved"`` (change of conserved quantities), ``"series"`` (columns over time), ``"attitude"`` (paths of the body
+            ``"conserved"`` (changes of conserved quantities), ``"series"`` (columns over time), ``"attitude"`` (paths of the body
             axes) or ``"momentum"`` (path of the body momentum).
         columns : list of str, optional
-            Columns or stems to plot, for ``"conserved"`` and ``"series"``.
+            Columns to plot, for ``"conserved"`` and ``"series"``. A stem such as ``Omega`` means all its components.
         ax : matplotlib.axes.Axes, optional
-            Axes to draw on; ``"attitude"`` and ``"momentum"`` need the projection ``"3d"``. By default a new figure.
+            Axes to draw on; by default those of a new figure. ``"attitude"`` and ``"momentum"`` need the projection ``"3d"``.
 
         Returns
         -------
@@ -541,7 +544,7 @@ class Trajectory:
         return f"<Trajectory {self.name}, {len(self)} rows of {len(self.columns)} columns, {self.method}{state}>"
 
     def _repr_html_(self) -> str | None:
-        """The rows as a table of pandas, for notebooks."""
+        """The rows as a table of pandas, which notebooks show."""
         try:
             frame = self.to_pandas()
         except ImportError:
@@ -550,7 +553,7 @@ class Trajectory:
 
 
 def _rows_at(problem: _engine.Problem, member: int, times: list[float]) -> tuple[dict[str, Any], int]:
-    """A run with rows at the initial time and at these times, and the index of its column of times."""
+    """Integrates with rows at the initial time and at these times. Also returns the index of the column of times."""
     found = problem._at_times(times)._run(member)
     for failed in (found["interrupt"], found["failed"]):
         if failed is not None:
@@ -580,13 +583,13 @@ def simulate(
     member : int
         Number of the member of an ensemble, from 0.
     progress : bool or callable
-        ``True`` shows a bar of tqdm; a function is called with the share of the time that has passed, from 0 to 1.
+        ``True`` shows a progress bar of tqdm. A function is called with the fraction of the time that has passed, from 0 to 1.
     on_error : str
-        ``"raise"`` (default) raises an error of the integration or of a force, with the rows so far in its attribute
-        ``trajectory``. ``"keep"`` returns these rows, with the error in ``error``.
+        ``"raise"`` (default) raises an error of the integration or of a force; its attribute ``trajectory`` has the rows so far.
+        ``"keep"`` returns the trajectory with these rows, and the error in its attribute ``error``.
     on_interrupt : str, optional
-        ``"return"`` (default) returns the rows so far after Ctrl-C and sets ``interrupted``; ``"raise"`` raises
-        KeyboardInterrupt. Tasks of sweeps raise by default.
+        After Ctrl-C, ``"return"`` (default) returns the rows so far and sets ``interrupted``; ``"raise"`` raises
+        KeyboardInterrupt. In tasks of sweeps, the default is ``"raise"``.
     **keys
         Keys of a :class:`Problem`.
 
@@ -597,7 +600,7 @@ def simulate(
     Raises
     ------
     InputError
-        A key or a formula cannot be read.
+        A key or a formula is invalid.
     IntegrationError
         The integration stops before the final time.
 
@@ -649,7 +652,7 @@ def simulate(
 
 
 class Convergence(dict[str, Floats]):
-    """Errors of methods by name: a dict of arrays with one value per step size.
+    """Errors of integration methods: a dict with the names of methods as keys, and arrays with one error per step size.
 
     Attributes
     ----------
@@ -669,12 +672,12 @@ class Convergence(dict[str, Floats]):
         self.steps = list(steps)
 
     def plot(self, ax: Any = None) -> Any:
-        """Plot of the errors over the step size, on logarithmic axes.
+        """Plot of the errors against the step size, on logarithmic axes.
 
         Parameters
         ----------
         ax : matplotlib.axes.Axes, optional
-            Axes to draw on; by default a new figure.
+            Axes to draw on; by default those of a new figure.
 
         Returns
         -------
@@ -706,12 +709,12 @@ def convergence(
     column : str
         Name of the column.
     methods : list of str
-        Methods of integration, of :func:`methods`.
+        Integration methods, from :func:`methods`.
     steps : list of float
         Step sizes.
     reference : float, optional
-        Exact value of the column. By default ``rkmk853`` computes it with the tolerance 1e-13. Constraints, flows of matrices and
-        prescribed velocities have no such method: the most accurate one computes it with a quarter of the smallest step.
+        Exact value of the column. By default, the method ``rkmk853`` computes the value with the tolerance 1e-13. For constraints,
+        flows of matrices and prescribed velocities, their most accurate method computes it with a quarter of the smallest step.
 
     Returns
     -------

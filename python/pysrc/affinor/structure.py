@@ -1,6 +1,6 @@
 """Structure theory: reports, and the arguments of constructions.
 
-The functions read the arguments of the methods of :class:`affinor.LieAlgebra`.
+The functions read the arguments for methods of :class:`affinor.LieAlgebra`.
 """
 
 from __future__ import annotations
@@ -27,10 +27,10 @@ Read: TypeAlias = tuple[str, T, list[Tensor]]
 
 
 class Report(dict[str, Any]):
-    """JSON document of the command line as a dict.
+    """Report of the command line as a dict, which contains its JSON document.
 
-    ``print`` shows it as the command line does. Numbers of the algebra are texts, such as ``"-1/2"``. ``docs/formats.md``
-    describes the keys.
+    ``print`` shows the report as the command line does. Numbers of the algebra are strings, such as ``"-1/2"``.
+    ``docs/formats.md`` describes the keys.
 
     Attributes
     ----------
@@ -54,12 +54,12 @@ class Report(dict[str, Any]):
         return self.text
 
     def _repr_markdown_(self) -> str:
-        """The report as Markdown, for notebooks."""
+        """The report as Markdown, which notebooks show."""
         return self.markdown
 
 
 def subspace(algebra: LieAlgebra, rows: list[list[str]]) -> NDArray[Any]:
-    """The vectors of a basis as the rows of an array of numbers."""
+    """Converts the vectors of a basis to the rows of an array of numbers."""
     found = np.empty((len(rows), algebra.dimension), dtype=object)
     for at, _ in np.ndenumerate(found):
         found[at] = number(rows[at[0]][at[1]], algebra.symbols, False)
@@ -67,12 +67,12 @@ def subspace(algebra: LieAlgebra, rows: list[list[str]]) -> NDArray[Any]:
 
 
 def names(given: str | Sequence[str]) -> list[str]:
-    """The names in a text or a list."""
+    """The names in a string or a list."""
     return given.replace(",", " ").split() if isinstance(given, str) else [str(name) for name in given]
 
 
 def _named(title: str) -> Callable[..., Read[None]]:
-    """The reader for a construction with this title, from vectors or from the algebra alone."""
+    """Creates the function that reads the arguments of a construction: vectors, or no arguments. ``title`` names the result."""
 
     def read(algebra: LieAlgebra, vectors: Iterable[Any] = ()) -> Read[None]:
         return title.format(algebra.name), None, _vectors(algebra, vectors)
@@ -86,13 +86,13 @@ cotangent_algebra, complexification = _named("{} with its dual"), _named("comple
 
 
 def central_extension(algebra: LieAlgebra, cocycle: Any, centre: str | Sequence[str] | None) -> Read[list[str]]:
-    """The names of a centre, and a cocycle as constants ``w^i_jk`` over the algebra and the centre."""
+    """Reads the names of a centre, and a cocycle as constants ``w^i_jk`` over the algebra and the centre."""
     basis, new, title = algebra.basis, names("z" if centre is None else centre), f"extension of {algebra.name}"
     labels, n, count = [*basis, *new], len(basis), len(new)
     if not new or len(set(labels)) != len(labels):
         raise ValueError(f"the centre {new} needs names that differ from each other and from {basis}")
     if isinstance(cocycle, str):
-        # brackets into the centre are always an algebra
+        # brackets whose values are in the centre always define an algebra
         tensor = type(algebra)(cocycle, basis=labels).structure
         return title, new, [tensor]
     if isinstance(cocycle, Mapping):
@@ -113,7 +113,7 @@ def central_extension(algebra: LieAlgebra, cocycle: Any, centre: str | Sequence[
 
 
 def semidirect(algebra: LieAlgebra, on: Any, by: Iterable[Any] | None, basis: Any) -> LieAlgebra:
-    """The semidirect sum by matrices, or by the adjoint or the coadjoint action."""
+    """The semidirect sum for an action by matrices, or for the adjoint or the coadjoint action."""
     if by is not None:
         return algebra._semidirect(on, by, basis=basis)
     plain = {"adjoint": algebra.tangent_algebra, "coadjoint": algebra.cotangent_algebra}
@@ -123,7 +123,7 @@ def semidirect(algebra: LieAlgebra, on: Any, by: Iterable[Any] | None, basis: An
 
 
 def _semidirect(algebra: LieAlgebra, on: Any, by: Iterable[Any]) -> Read[list[str]]:
-    """The labels and the constants of an algebra, and the matrices that act on it."""
+    """Reads the labels and the structure constants of an algebra, and the matrices that act on it."""
     other = on if isinstance(on, LieAlgebra) else type(algebra)(on)
     matrices = [matrix if isinstance(matrix, Tensor) else Tensor(matrix, "^_") for matrix in by]
     if other.scalar == "float":
@@ -135,7 +135,7 @@ def _semidirect(algebra: LieAlgebra, on: Any, by: Iterable[Any]) -> Read[list[st
 
 
 def tensor_product(algebra: LieAlgebra, units: str | Sequence[str], products: Any) -> Read[list[str]]:
-    """The names of the basis of a commutative algebra, and its products."""
+    """Reads the names of the basis of a commutative algebra, and its products."""
     found = names(units)
     if not found or len(set(found)) != len(found):
         raise ValueError(f"the units {found} need names that differ from each other")
@@ -144,7 +144,7 @@ def tensor_product(algebra: LieAlgebra, units: str | Sequence[str], products: An
 
 
 def truncated(algebra: LieAlgebra, order: int) -> Read[int]:
-    """The order of truncation."""
+    """Reads the order of truncation."""
     order = index("the order", order)
     return f"{algebra.name}[t]/t^{order}", order, []
 
@@ -155,17 +155,17 @@ def tangent_algebra(algebra: LieAlgebra, basis: Any) -> LieAlgebra:
 
 
 def contraction(algebra: LieAlgebra, weights: Iterable[int]) -> Read[list[int]]:
-    """The weights of a contraction."""
+    """Reads the weights of a contraction."""
     return f"contraction of {algebra.name}", [index("a weight", weight) for weight in weights], []
 
 
 def matrix(algebra: LieAlgebra, given: Any) -> Tensor:
-    """A matrix over the scalar of the algebra."""
+    """Reads a matrix with the kind of scalars of the algebra."""
     return given if isinstance(given, Tensor) else Tensor(given, "^_", scalar=_scalar(algebra))
 
 
 def vector(algebra: LieAlgebra, x: Any) -> Tensor:
-    """A vector from its components or from a text."""
+    """Reads a vector, given by its components or by a string."""
     if isinstance(x, str):
         return _combination(algebra, x)
     vector = x if isinstance(x, Tensor) else Tensor(x, "^", scalar=_scalar(algebra))
@@ -175,19 +175,19 @@ def vector(algebra: LieAlgebra, x: Any) -> Tensor:
 
 
 def _vectors(algebra: LieAlgebra, given: Iterable[Any]) -> list[Tensor]:
-    """Vectors from a list."""
+    """Reads a list of vectors."""
     if isinstance(given, (str, Tensor)):
         raise TypeError("a list of vectors was expected, not a single one")
     return [vector(algebra, x) for x in given]
 
 
 def _scalar(algebra: LieAlgebra) -> str | None:
-    """The argument ``scalar`` of tensors over the numbers of the algebra."""
+    """The argument ``scalar`` for tensors with the kind of scalars of the algebra."""
     return "float" if algebra.scalar == "float" else None
 
 
 def _combination(algebra: LieAlgebra, text: str) -> Tensor:
-    """A vector from a text such as ``"e1 + 2*e2"``."""
+    """Reads a vector from a string such as ``"e1 + 2*e2"``."""
     places = {label: at for at, label in enumerate(algebra.basis)}
     symbols, parameters = algebra.symbols, algebra.parameters
 

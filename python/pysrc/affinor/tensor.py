@@ -1,6 +1,6 @@
-"""Tensors: sparse components over upper and lower slots.
+"""Tensors: sparse components with upper and lower indices.
 
-The functions are the parts of :class:`Tensor` that need NumPy, SymPy or pandas.
+The functions implement the parts of :class:`Tensor` that need NumPy, SymPy or pandas.
 """
 
 from __future__ import annotations
@@ -22,16 +22,16 @@ from affinor._scalars import Scalar, Symbols, floats, index, integers, is_matrix
 __all__ = ["Tensor", "contract"]
 
 _NAMES = "abcdefghijklmnopqrstuvwxyz"
-"""The names for factors that are given by position."""
+"""The names that factors without names get."""
 _DENSE = 1 << 27
 """The maximum number of components of a dense array."""
 
 Parts = tuple[int, str, NDArray[np.int64], list[Any], str, Symbols]
-"""The dimension, slots, indices, values (texts or floats) and the scalar of a tensor, and the symbols of SymPy in it."""
+"""The dimension, slots, indices, values (strings or floats) and kind of scalars of a tensor, and the SymPy symbols in it."""
 
 
 def parts(components: Any, slots: str, dimension: int | None, scalar: str | None) -> Parts:
-    """The parts of a tensor from an array or a dict of components."""
+    """Reads the parts of a tensor from an array or a dict of components."""
     if not isinstance(components, Mapping):
         indices, values, found = _dense(components, slots)
         if dimension is not None and dimension != found:
@@ -48,7 +48,7 @@ def parts(components: Any, slots: str, dimension: int | None, scalar: str | None
 
 
 def parts_of_coo(indices: Any, values: Any, slots: str, dimension: int, scalar: str | None) -> Parts:
-    """The parts of a tensor from indices and values."""
+    """Reads the parts of a tensor from indices and values."""
     listed = np.asarray(unmasked(values), dtype=None if isinstance(values, np.ndarray) else object)
     places = integers("indices", indices)
     if listed.ndim != 1:
@@ -59,7 +59,7 @@ def parts_of_coo(indices: Any, values: Any, slots: str, dimension: int, scalar: 
 def _checked(
     indices: NDArray[np.int64], values: Sequence[Any], slots: str, dimension: int, scalar: str | None
 ) -> Parts:
-    """The parts of a tensor, with checked values."""
+    """Checks the parts of a tensor, and returns them."""
     if not isinstance(slots, str):
         raise TypeError(f"slots are a text of ^ and _, not {type(slots).__name__}")
     dimension = index("the dimension", dimension)
@@ -99,7 +99,7 @@ def _dense(components: Any, slots: str) -> tuple[NDArray[np.int64], list[Any], i
 
 
 def rows(tensor: Tensor) -> Iterator[Any]:
-    """The tensor with the first index fixed, for each value of the index."""
+    """For each value of the first index, the tensor in which this index is fixed."""
     if not tensor.rank:
         raise TypeError("a tensor of rank 0 has no components to iterate over")
     return (tensor[(i, *[slice(None)] * (tensor.rank - 1))] for i in range(tensor.dimension))
@@ -111,7 +111,7 @@ def to_coo(tensor: Tensor, dtype: Any) -> tuple[NDArray[np.int64], NDArray[Any]]
         indices, numbers = tensor._coo()
         with np.errstate(invalid="ignore"):
             values: NDArray[Any] = numbers.astype(dtype, copy=False)
-        # floats of 2^53 and more may be rounded integers
+        # rejects floats of 2^53 and more, because they may be rounded integers
         if values.dtype.kind in "biu" and not ((values == numbers) & (abs(numbers) < 1 << 53)).all():
             raise TypeError(f"a component has no safe value of the type {values.dtype}; take float or object")
         return indices, values
@@ -121,7 +121,7 @@ def to_coo(tensor: Tensor, dtype: Any) -> tuple[NDArray[np.int64], NDArray[Any]]
 
 
 def to_numpy(tensor: Tensor, dtype: Any) -> NDArray[Any]:
-    """A dense array."""
+    """The tensor as a dense array."""
     count = tensor.dimension**tensor.rank
     if count > _DENSE:
         raise MemoryError(f"{count} components are too many for a dense array: take to_coo()")
@@ -142,7 +142,7 @@ def to_numpy(tensor: Tensor, dtype: Any) -> NDArray[Any]:
 def __array__(tensor: Tensor, dtype: Any, copy: bool | None) -> NDArray[Any]:
     if copy is False:
         raise ValueError("a dense array of a sparse tensor is always a copy")
-    # SymPy builds matrices from arrays, and floats would lose the exact values
+    # gives exact values to SymPy, which creates matrices from arrays; floats would not be exact
     caller = sys._getframe(1).f_globals.get("__name__", "")
     if dtype is None and tensor.scalar != "float" and caller.partition(".")[0] == "sympy":
         dtype = object
@@ -150,12 +150,12 @@ def __array__(tensor: Tensor, dtype: Any, copy: bool | None) -> NDArray[Any]:
 
 
 def _sympy_(tensor: Tensor) -> Any:
-    """The conversion of a tensor by ``sympy.sympify``."""
+    """Converts a tensor if ``sympy.sympify`` is called with it."""
     return to_sympy(tensor)
 
 
 def to_sympy(tensor: Tensor) -> Any:
-    """An array of SymPy; an expression for rank 0, a matrix for rank 2."""
+    """The tensor as a SymPy array; as an expression for rank 0, and as a matrix for rank 2."""
     sympy = optional("sympy", "sympy")
 
     found = {at: sympy.Float(value) if isinstance(value, float) else sympy.sympify(value) for at, value in tensor.items()}
@@ -170,7 +170,7 @@ def to_sympy(tensor: Tensor) -> Any:
 
 
 def to_pandas(tensor: Tensor) -> Any:
-    """A DataFrame with a row for each nonzero component."""
+    """The tensor as a DataFrame with one row for each nonzero component."""
     pd = optional("pandas", "pandas")
 
     indices, values = to_coo(tensor, float if tensor.scalar == "float" and not tensor.parameters else object)
@@ -178,7 +178,7 @@ def to_pandas(tensor: Tensor) -> Any:
 
 
 def subs(tensor: Tensor, values: Mapping[Any, Scalar]) -> Tensor:
-    """The tensor with parameters replaced."""
+    """The tensor with parameters replaced by values."""
     if tensor.scalar == "float":
         return tensor
     if others := [name for name in values if not str(name).isidentifier()]:
@@ -191,14 +191,14 @@ def subs(tensor: Tensor, values: Mapping[Any, Scalar]) -> Tensor:
 def operands(
     expression: str, factors: Sequence[Tensor], named: Mapping[str, Tensor] | None
 ) -> tuple[str, list[tuple[str, Tensor]]]:
-    """A contraction with names for the factors that are given by position, and all its factors."""
+    """Inserts names for the factors without names into the expression of a contraction. Also returns all factors by name."""
     named = named or {}
     if not isinstance(expression, str):
         raise TypeError(f"the expression is a text, not {type(expression).__name__}")
     found: dict[str, Tensor] = {}
     if factors:
         left, arrow, right = expression.partition("->")
-        # factors that are given by position get unused names
+        # gives unused names to the factors without names
         taken = {*named, *re.findall(r"(?<![\w^_])[A-Za-z][A-Za-z0-9]*", left)}
         names = [letter for letter in _NAMES if letter not in taken]
         count = itertools.count()

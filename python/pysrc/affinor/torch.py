@@ -1,8 +1,8 @@
 """Lie groups in PyTorch: the operations of :mod:`affinor` with derivatives, for ``autograd`` and ``torch.func``.
 
-Values and derivatives are computed by the engine in float64 on the CPU and rounded to the type of the arguments; tensors of other
-devices are copied there and back. Derivatives are those of the group in closed form: they are finite at the identity and at half
-a turn. A row without a result, such as the logarithm of zeros, is NaN. Derivatives of derivatives raise NotImplementedError.
+The engine computes values and derivatives in float64 on the CPU and rounds them to the type of the arguments. Tensors on other
+devices are copied to the CPU and back. Derivatives are in closed form, so they are finite at the identity and at half a turn. A
+row without a result, such as the logarithm of zeros, is NaN. Second derivatives raise NotImplementedError.
 
 Examples
 --------
@@ -33,7 +33,7 @@ __all__ = ["SE2", "SE3", "SE2_3", "SL2", "SO2", "SO3", "Group"]
 
 
 def _on_host(function: Any, core: tuple[int, ...], arguments: tuple[Any, ...]) -> Any:
-    """Calls the function with NumPy arrays; the result is a tensor of the type and the device of the first argument."""
+    """Calls a function with NumPy arrays. The result is a tensor with the type and the device of the first argument."""
     first = arguments[0]
     batch = torch.broadcast_shapes(*(argument.shape[:-1] for argument in arguments))
     arrays = [argument.detach().to("cpu", torch.float64).numpy() for argument in arguments]
@@ -42,7 +42,7 @@ def _on_host(function: Any, core: tuple[int, ...], arguments: tuple[Any, ...]) -
 
 
 def _in_front(in_dims: Any, arguments: tuple[Any, ...]) -> tuple[Any, ...]:
-    """Arguments of vmap with its axis first, and with equal ranks after it."""
+    """Moves the axis of vmap to the front of each argument, and makes the ranks of the arguments equal."""
     given = zip(arguments, in_dims, strict=True)
     moved = [a[None] if axis is None else a.movedim(axis, 0) for a, axis in given]
     rank = max(a.dim() for a in moved)
@@ -75,7 +75,7 @@ class _Differential(torch.autograd.Function):
 
 
 class _Apply(torch.autograd.Function):
-    """An operation with its differentials."""
+    """An operation, whose derivatives are its differentials."""
 
     @staticmethod
     def forward(operation: Operation, *arguments: Any) -> Any:
@@ -126,7 +126,7 @@ class Group(DifferentiableGroup):
         Parameters
         ----------
         dtype : torch.dtype, optional
-            Floating-point type; by default that of PyTorch.
+            Floating-point type; by default the default type of PyTorch.
         device : torch.device, optional
             Device of the tensor; by default the CPU.
 
@@ -143,12 +143,12 @@ class Group(DifferentiableGroup):
 
     @staticmethod
     def _differentiable(operation: Operation) -> Any:
-        """The operation with its differentials as a function of PyTorch."""
+        """Converts an operation with its differentials to a function of PyTorch."""
         return partial(_Apply.apply, operation)
 
     @staticmethod
     def _real(name: str, value: Any) -> Any:
-        """A tensor of real numbers."""
+        """Converts an argument to a tensor of real numbers."""
         tensor = torch.as_tensor(value)
         if tensor.is_complex():
             raise TypeError(f"{name} should be a tensor of real numbers, not of dtype {tensor.dtype}")
@@ -164,7 +164,7 @@ class Group(DifferentiableGroup):
 
     @staticmethod
     def _converted(array: Any, dtype: Any) -> Any:
-        """A tensor of another floating-point type."""
+        """Converts a tensor to another floating-point type."""
         return array.to(dtype)
 
 

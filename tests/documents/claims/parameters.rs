@@ -162,5 +162,5 @@ fn another_connection_is_said() {
     let other = free.replace("\"so3\"", "\"SO3\"");
     assert!(notes(&other).iter().any(|note| note.contains("not plus")), "{:?}", notes(&other));
     let named = notes(&format!("connection = \"zero\"\n{other}"));
-    assert!(named[0].contains("H' is 0.5 times that of theirs"), "{named:?}");
+    assert!(named[0].contains("H' is 0.5 times its value there"), "{named:?}");
 }

@@ -1,4 +1,4 @@
-//! Convergence of methods: error at the end time against step size and computing time.
+//! Convergence of methods: the error at the end time against the step size and the computing time.
 
 use super::super::failure::Failure;
 use super::super::stages::Stages;
@@ -10,16 +10,16 @@ use affinor_tensors::Effort;
 use clap::Args;
 use std::time::Instant;
 
-/// The largest error that is shown; larger ones do not show the order of a method.
+/// The largest error in the figure. Larger errors do not show the order of a method.
 const USEFUL: f64 = 1.0;
 
 /// One run of a method.
 pub struct Trial {
     /// The step size; with step-size control, the mean step size.
     pub step: f64,
-    /// The largest difference from the reference, among the columns at the end time.
+    /// The largest difference from the reference among all columns at the end time.
     pub error: f64,
-    /// The computing time in seconds, the minimum of three runs.
+    /// The computing time in seconds, as the minimum of three runs.
     pub seconds: f64,
 }
 
@@ -54,11 +54,11 @@ pub struct Comparison {
     /// The problem, a TOML file
     #[arg(value_name = "FILE")]
     problem: String,
-    /// A method to compare; may be repeated, or a list with commas [default: rkmk4,cf4, or the methods for constraints,
-    /// for flows of matrices, or for a velocity over time]
+    /// A method to compare; may be repeated, or a list with commas [default: rkmk4,cf4; for
+    /// constraints, matrix flows or a prescribed velocity, the methods of these problems]
     #[arg(long = "method", value_name = "NAME", value_delimiter = ',')]
     methods: Vec<String>,
-    /// The largest step size [default: a sixteenth of the time span]
+    /// The largest step size [default: 1/16 of the time span]
     #[arg(long, value_name = "H")]
     step: Option<f64>,
     /// The number of times that the step size is halved
@@ -67,7 +67,7 @@ pub struct Comparison {
 }
 
 impl Comparison {
-    /// The name of the problem, and the runs of each method.
+    /// Returns the name of the problem, and the runs of each method.
     pub fn trials(&self) -> Result<(String, Vec<Trials>), Failure> {
         let problem = Problem::read(&self.problem)?;
         let methods = self.methods.iter().map(|name| method_of(name));
@@ -94,7 +94,7 @@ impl Comparison {
     }
 }
 
-/// The method with this name given by an option.
+/// The method with the name that an option gives.
 pub fn method_of(name: &str) -> Result<Method, Failure> {
     Method::from_name(name.trim()).ok_or_else(|| {
         let all = Method::ALL.iter().map(|method| method.name()).collect::<Vec<_>>().join(", ");
@@ -103,8 +103,9 @@ pub fn method_of(name: &str) -> Result<Method, Failure> {
     })
 }
 
-/// Runs of each method with the step halved `halvings` times. The reference is the exact motion if there is one, and
-/// otherwise a run with step-size control to a tolerance of 1e-13. `each` is called before every run.
+/// Runs each method with the step size `step`, which is then halved `halvings` times. The reference
+/// is the exact motion if there is one; otherwise it is a run with step-size control and the
+/// tolerance 1e-13. `each` is called before every run.
 fn trials(
     problem: &Problem,
     methods: &[Method],
@@ -132,7 +133,8 @@ fn trials(
             each();
             let (found, step, seconds) = match end(&run) {
                 Ok(found) => found,
-                // the step may be too large for the method
+                // ignores a failed run with a larger step, because this step may be too large for
+                // the method
                 Err(_) if halving < halvings => continue,
                 Err(error) => return Err(error),
             };
@@ -147,7 +149,7 @@ fn trials(
     Ok(all)
 }
 
-/// A problem whose solution is more accurate than the compared runs.
+/// The problem with a method and a step that are more accurate than all compared runs.
 fn reference(problem: &Problem, step: f64, halvings: u32) -> Problem {
     let fine = step * 0.5_f64.powi(halvings as i32 + 2);
     match problem.own_methods().last() {
@@ -156,7 +158,8 @@ fn reference(problem: &Problem, step: f64, halvings: u32) -> Problem {
     }
 }
 
-/// The last row without the time, the mean step size, and the computing time in seconds.
+/// Runs a problem to its end. Returns the last row without the time, the mean step size, and the
+/// computing time in seconds.
 fn end(problem: &Problem) -> Result<(Vec<f64>, f64, f64), InputError> {
     let mut seconds = f64::INFINITY;
     let mut ready = problem.motion(0)?;
@@ -174,7 +177,8 @@ fn end(problem: &Problem) -> Result<(Vec<f64>, f64, f64), InputError> {
     Ok((row.collect(), whole / motion.steps().max(1) as f64, seconds))
 }
 
-/// The errors against the step size, with lines of integer slopes, and against the computing time.
+/// The graphs of the errors: against the step size, with lines of integer slopes, and against the
+/// computing time.
 pub fn diagram(name: &str, trials: &[Trials]) -> Diagram {
     let lines = |x: fn(&Trial) -> f64| -> Vec<Line> {
         let line = |trials: &Trials| {
@@ -201,7 +205,7 @@ pub fn diagram(name: &str, trials: &[Trials]) -> Diagram {
     Diagram { title: format!("{name}: error over step size and computing time"), graphs }
 }
 
-/// A line for each integer slope that a method has, below its errors.
+/// A straight line below the errors for each integer slope, once for all methods with this slope.
 fn guides(all: &[Trials]) -> Vec<Line> {
     let mut slopes: Vec<i32> = vec![];
     let mut guides = vec![];
@@ -215,7 +219,7 @@ fn guides(all: &[Trials]) -> Vec<Line> {
         let least = trials.trials.iter().map(|trial| trial.error).fold(f64::INFINITY, f64::min);
         let (from, error) = (first.step, 0.3 * first.error);
         let finest = trials.trials.iter().map(|trial| trial.step).fold(from, f64::min);
-        // not below the errors, whose slope ends at rounding errors
+        // ends the line at the smallest error, because smaller steps only show rounding errors
         let lowest = from * (least.max(f64::MIN_POSITIVE) / error).powf(1.0 / f64::from(slope));
         let to = finest.max(lowest).min(from);
         let points = vec![[from, error], [to, error * (to / from).powi(slope)]];

@@ -14,7 +14,7 @@ use affinor_documents::problem::Problem;
 use affinor_tensors::Effort;
 use clap::Args;
 
-/// The number of intervals of a motion in closed form, which needs no steps.
+/// The number of intervals at which a motion in closed form is evaluated, because it has no steps.
 const SAMPLES: u32 = 400;
 
 /// A problem of mechanics, and the methods whose drift is drawn.
@@ -22,14 +22,15 @@ const SAMPLES: u32 = 400;
 pub struct Comparison {
     #[command(flatten)]
     problem: ProblemOptions,
-    /// Draw the rows of this CSV file of `affinor simulate`, instead of integrating the problem
+    /// Draw the rows of this CSV file, written by `affinor simulate`, instead of integrating the
+    /// problem
     #[arg(long, value_name = "FILE", conflicts_with_all = ["methods", "step", "tolerance", "end", "every"])]
     rows: Option<String>,
-    /// A method to compare; may be repeated, or a list with commas [default: the method of the
-    /// problem]
+    /// A method to compare; may be repeated, or a list with commas [default: the method that the
+    /// problem sets]
     #[arg(long = "method", value_name = "NAME", value_delimiter = ',')]
     methods: Vec<String>,
-    /// Divide each change by the size of the initial value, where that is not zero
+    /// Divide each change by the absolute initial value, unless this value is zero
     #[arg(long)]
     relative: bool,
 }
@@ -78,14 +79,14 @@ impl Comparison {
     }
 }
 
-/// The names of the columns that are expected to be conserved, and their positions.
+/// The names and the positions of the columns that are expected to be conserved.
 fn watched(problem: &Problem) -> Result<(Vec<String>, Vec<usize>), Failure> {
     let columns = problem.motion(0)?.columns;
     let found = columns.iter().enumerate().filter(|(_, column)| column.watched);
     Ok(found.map(|(at, column)| (column.name.clone(), at)).unzip())
 }
 
-/// The drift along a motion, at each of its steps.
+/// The drift of the conserved quantities at each step of a motion.
 fn along(problem: &Problem, method: String) -> Result<Drift, Failure> {
     let (names, columns) = watched(problem)?;
     let mut times = times(problem)?;

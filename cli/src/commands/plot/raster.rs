@@ -1,4 +1,4 @@
-//! Pictures as PNG and animations as GIF, converted from SVG with the fonts of the system.
+//! PNG pictures and GIF animations, converted from SVG with the fonts of the system.
 
 use affinor_documents::picture::{Picture, svg};
 use gif::{Encoder, Frame, Repeat};
@@ -7,16 +7,16 @@ use resvg::usvg::fontdb::{Database, Family, Query};
 use resvg::usvg::{Options, Tree};
 use std::error::Error;
 
-/// Fonts that contain the symbols of figures, in the order of preference.
+/// Fonts that contain the symbols of the figures, the preferred one first.
 const SANS: [&str; 5] = ["DejaVu Sans", "Noto Sans", "Liberation Sans", "Arial", "Helvetica"];
 const SERIF: [&str; 5] =
     ["DejaVu Serif", "Noto Serif", "Liberation Serif", "Times New Roman", "Times"];
 
-/// The duration of a GIF frame, in hundredths of a second.
+/// The duration of one frame of a GIF, in hundredths of a second.
 const FRAME: u16 = 5;
 /// The largest number of frames of a GIF.
 const FRAMES: u32 = 600;
-/// The coarseness of the colour selection for a frame, from 1 to 30.
+/// How coarsely colours are sampled for a frame, from 1 (fine) to 30.
 const COARSE: i32 = 10;
 
 /// Draws pictures with the fonts of the system.
@@ -39,7 +39,7 @@ impl Renderer<'_> {
         Ok(Renderer(options))
     }
 
-    /// The pixels of a picture that is `width` pixels wide.
+    /// Renders a picture as pixels, `width` pixels wide.
     fn pixels(&self, picture: &Picture, width: u32) -> Result<Pixmap, Box<dyn Error>> {
         let tree = Tree::from_str(&svg(picture, width), &self.0)?;
         let size = tree.size().to_int_size();
@@ -50,19 +50,19 @@ impl Renderer<'_> {
     }
 }
 
-/// The picture as PNG, `width` pixels wide. Of an animation the first frame is used.
+/// Writes the picture as PNG, `width` pixels wide. An animation is drawn as its first frame.
 ///
 /// # Errors
-/// An error for a system without fonts, and for a picture with too many pixels.
+/// An error if the system has no fonts, or if the picture has too many pixels.
 pub fn png(picture: &Picture, width: u32) -> Result<Vec<u8>, Box<dyn Error>> {
     Ok(Renderer::new()?.pixels(picture, width)?.encode_png()?)
 }
 
-/// The animation as GIF, `width` pixels wide, 20 frames per second, repeated forever. A picture
-/// without animation is one frame.
+/// Writes the animation as GIF, `width` pixels wide, with 20 frames per second, repeated forever. A
+/// picture without animation becomes one frame.
 ///
 /// # Errors
-/// Those of [`png`]; an error for a picture of more than 65535 pixels in one direction.
+/// Those of [`png`]; an error if the picture has more than 65535 pixels in one direction.
 pub fn gif(picture: &Picture, width: u32) -> Result<Vec<u8>, Box<dyn Error>> {
     let renderer = Renderer::new()?;
     let seconds = picture.seconds().unwrap_or(0.0);
@@ -91,7 +91,7 @@ pub fn gif(picture: &Picture, width: u32) -> Result<Vec<u8>, Box<dyn Error>> {
     Ok(file)
 }
 
-/// The first of the names that is installed.
+/// The first of the font names that is installed.
 fn installed(fonts: &Database, names: &[&'static str]) -> Option<&'static str> {
     let has = |name: &&str| {
         fonts.query(&Query { families: &[Family::Name(name)], ..Query::default() }).is_some()

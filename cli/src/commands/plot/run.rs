@@ -16,22 +16,23 @@ use affinor_tensors::Effort;
 use clap::Args;
 use nalgebra::Matrix3;
 
-/// The entries of a rotation.
+/// The columns of the entries of a rotation.
 const ENTRIES: [&str; 9] = ["g11", "g12", "g13", "g21", "g22", "g23", "g31", "g32", "g33"];
-/// The entries of a position.
+/// The columns of the entries of a position.
 const POSITION: [&str; 3] = ["g14", "g24", "g34"];
-/// The reason why a problem has no attitude.
+/// The error message for a problem without an attitude.
 const NO_ATTITUDE: &str = "a plot of the attitude needs a rotating body, on so(3) or se(3)";
 
-/// A problem of mechanics, and a file with its rows if they are already computed.
+/// A problem of mechanics, and optionally a file that contains its computed rows.
 #[derive(Args)]
 pub struct Trajectory {
     #[command(flatten)]
     problem: ProblemOptions,
-    /// Override the method of integration of the file
+    /// Override the integration method that the file sets
     #[arg(long, value_name = "M")]
     method: Option<String>,
-    /// Draw the rows of this CSV file of `affinor simulate`, instead of integrating the problem
+    /// Draw the rows of this CSV file, written by `affinor simulate`, instead of integrating the
+    /// problem
     #[arg(long, value_name = "FILE", conflicts_with_all = ["method", "step", "tolerance", "end", "every"])]
     rows: Option<String>,
 }
@@ -41,26 +42,27 @@ pub struct Trajectory {
 pub struct Columns {
     #[command(flatten)]
     trajectory: Trajectory,
-    /// The columns, separated by commas: names of the output, such as H or g11, or names in
-    /// `[quantities]`
+    /// The columns, separated by commas: names of output columns, such as H or g11, or names that
+    /// `[quantities]` defines
     #[arg(long, value_name = "NAMES", value_delimiter = ',', required = true)]
     columns: Vec<String>,
 }
 
 impl Columns {
-    /// The columns over time.
+    /// The diagram of the columns over time.
     pub fn series(&self) -> Result<Diagram, Failure> {
         let (rows, names) = self.curve()?;
         Ok(series::over_time(&rows, &names)?)
     }
 
-    /// One column against the other, as a curve.
+    /// The diagram of one column against the other, as a curve.
     pub fn phase(&self) -> Result<Diagram, Failure> {
         let (rows, names) = self.curve()?;
         Ok(series::phase(&rows, &two(names)?)?)
     }
 
-    /// One column against the other, as points at the section of the problem.
+    /// The diagram of one column against the other, as points of the Poincare section of the
+    /// problem.
     pub fn section(&self) -> Result<Diagram, Failure> {
         let Columns { trajectory, .. } = self;
         let problem = trajectory.problem()?;
@@ -100,7 +102,8 @@ impl Columns {
         Ok((rows, names))
     }
 
-    /// The problem with the columns, and their names in its rows: `H` means `H1`, `H2`, ....
+    /// Returns the problem extended by the chosen columns, and the names of these columns in its
+    /// rows. A stem means all columns that begin with it: `H` means `H1`, `H2`, ....
     fn extended(&self, problem: &Problem) -> Result<(Problem, Vec<String>), Failure> {
         let own = problem.motion(0)?.columns;
         let (mut names, mut others) = (vec![], vec![]);
@@ -111,7 +114,8 @@ impl Columns {
             }
             others.push(wanted);
             let all = problem.with_columns(&[wanted]).motion(0)?.columns;
-            // named quantities and Casimir functions have single names, which are not abbreviated
+            // named quantities and Casimir functions are excluded: they have no numbered
+            // components, so their names are never stems
             let all = all.into_iter().filter(|column| column.formula.is_none());
             let all: Vec<String> = all.map(|column| column.name).collect();
             let exactly = |name: &&String| *name == wanted;
@@ -132,7 +136,7 @@ impl Columns {
     }
 }
 
-/// The names of the two columns of a plane.
+/// The names of the two columns that a plane diagram needs.
 fn two(names: Vec<String>) -> Result<[String; 2], Failure> {
     <[String; 2]>::try_from(names).map_err(|names| {
         let message = format!("a plane has two columns, not {}: {}", names.len(), names.join(", "));
@@ -140,7 +144,7 @@ fn two(names: Vec<String>) -> Result<[String; 2], Failure> {
     })
 }
 
-/// The times of a problem, up to its terminal event.
+/// The output times of a problem, up to its terminal event.
 pub fn times(problem: &Problem) -> Result<Vec<f64>, Failure> {
     let ready = problem.motion(0)?;
     let mut times = ready.times.clone();
@@ -160,7 +164,7 @@ pub fn times(problem: &Problem) -> Result<Vec<f64>, Failure> {
     }
 }
 
-/// The rows of some columns along the motion, dense enough for a curve.
+/// Integrates a motion with these columns, and returns rows that are dense enough for a curve.
 fn curve(problem: &Problem, names: &[String]) -> Result<(RunRows, Ready), Failure> {
     let stages = Stages::new(false, Effort::DEFAULT);
     stages.begin("the motion");
@@ -175,12 +179,12 @@ fn curve(problem: &Problem, names: &[String]) -> Result<(RunRows, Ready), Failur
 }
 
 impl Trajectory {
-    /// The problem, with the values of the options.
+    /// Opens the problem with the values of the options.
     fn problem(&self) -> Result<Problem, Failure> {
         self.problem.open(self.method.as_deref())
     }
 
-    /// The rows of some columns of a problem, read from the file or integrated.
+    /// The rows of these columns of a problem, read from the file or integrated.
     fn rows(&self, problem: &Problem, columns: &[&str]) -> Result<(RunRows, Ready), Failure> {
         let Some(file) = &self.rows else {
             let names: Vec<String> = columns.iter().map(|name| name.to_string()).collect();
@@ -189,14 +193,14 @@ impl Trajectory {
         Ok((rows_of_one(problem, file)?, problem.motion(0)?))
     }
 
-    /// The problem with the columns that a figure needs; `reason` explains which problems have
-    /// them.
+    /// The problem with the columns that a figure needs. `reason` is the error message if the
+    /// problem cannot have these columns.
     fn with_columns(&self, columns: &[&str], reason: &str) -> Result<Problem, Failure> {
         let problem = self.problem()?;
-        // errors of the problem itself are reported first
+        // reports errors of the problem itself first
         problem.motion(0)?;
         let extended = problem.with_columns(columns);
-        // an isospectral flow has fixed columns
+        // an isospectral flow ignores the requested columns, because its columns are fixed
         let has = |ready: &Ready| {
             columns.iter().all(|name| ready.columns.iter().any(|column| column.name == *name))
         };
@@ -206,7 +210,7 @@ impl Trajectory {
         }
     }
 
-    /// The body axes in space, for each factor that rotates.
+    /// The figure of the body axes in space, for each factor of the group that rotates.
     pub fn attitude(&self) -> Result<Figure, Failure> {
         let factors: Vec<_> =
             rotating(&self.problem()?)?.iter().map(|(_, one)| one.number).collect();
@@ -219,7 +223,7 @@ impl Trajectory {
 
     pub fn momentum(&self) -> Result<Figure, Failure> {
         let reason = "a plot of the momentum sphere needs a rotating body: space = \"so3\"";
-        // only rotations have a quaternion, so this column tests for them
+        // requests a column of the quaternion, because only rotations have it
         let columns = ["H1", "H2", "H3", "qw"];
         let problem = self.with_columns(&columns, reason)?;
         let (rows, ready) = self.rows(&problem, &columns[..3])?;
@@ -234,7 +238,7 @@ impl Trajectory {
         })
     }
 
-    /// The animated bodies, with a duration in seconds.
+    /// The animation of the rotating bodies, which lasts `seconds`.
     pub fn animation(&self, seconds: f64) -> Result<Figure, Failure> {
         let factors = rotating(&self.problem()?)?;
         let numbers: Vec<_> = factors.iter().map(|(_, factor)| factor.number).collect();
@@ -245,14 +249,15 @@ impl Trajectory {
         for places in &places {
             let with: Vec<&str> =
                 columns.iter().copied().chain(places.iter().map(String::as_str)).collect();
-            // factors without a position rotate about a fixed point
+            // adds the position where the factor has one; other factors rotate about a fixed point
             if let Ok(extended) = self.with_columns(&with, "") {
                 (problem, columns) = (extended, with);
             }
         }
         let (rows, ready) = self.rows(&problem, &columns)?;
         let moving = |(at, factor): &(usize, Factor)| {
-            // a motion with a prescribed velocity has no metric
+            // draws the body with equal inertias if there is no metric, as for a prescribed
+            // velocity
             let inertia = match &ready.inertia {
                 Some(inertia) => {
                     inertia.fixed_view::<3, 3>(factor.first, factor.first).into_owned()
@@ -267,8 +272,8 @@ impl Trajectory {
     }
 }
 
-/// The factors of the group that rotate bodies, with their indices. A group with a single factor
-/// may be any group; elements that are not rotations are then an error.
+/// The factors of the group that rotate bodies, with their indices. If the group has a single
+/// factor, this factor may be any group; elements that are not rotations cause an error later.
 fn rotating(problem: &Problem) -> Result<Vec<(usize, Factor)>, Failure> {
     let factors = problem.motion(0)?.factors;
     let is_single = factors.len() == 1;
@@ -280,7 +285,7 @@ fn rotating(problem: &Problem) -> Result<Vec<(usize, Factor)>, Failure> {
     Ok(found)
 }
 
-/// The names of columns for each of the factors with these numbers.
+/// The names of the columns, for each factor with one of these numbers.
 fn names(factors: &[Option<usize>], columns: &[&str]) -> Vec<String> {
     let of = |factor: &Option<usize>| {
         let factor = *factor;
@@ -289,14 +294,14 @@ fn names(factors: &[Option<usize>], columns: &[&str]) -> Vec<String> {
     factors.iter().flat_map(of).collect()
 }
 
-/// The error of rows without attitudes.
+/// The error for rows without attitudes.
 fn no_attitude(error: Error) -> InputError {
     let turns = matches!(error, Error::Invalid { what: "rotation", .. });
     let rows = "the rows need the columns `g11` to `g33`, or `qw` to `qz`";
     InputError::from(error).help(if turns { NO_ATTITUDE } else { rows })
 }
 
-/// The rows of a motion in a file, after checking that they belong to a single member of an
+/// Reads the rows of a motion from a file, and checks that they belong to a single member of an
 /// ensemble.
 pub fn rows_of_one(problem: &Problem, file: &str) -> Result<RunRows, Failure> {
     let (columns, rows) = read_rows(file)?;

@@ -1,9 +1,9 @@
-//! Checkpoints of ensembles: the complete members, so that a killed run can be resumed and ends
-//! with the same results.
+//! Checkpoints of ensembles: a checkpoint records the completed members, so that a killed run can
+//! be resumed with the same results.
 //!
-//! The rows are in `FILE.rows`, next to the checkpoint. They are flushed to the disk first; then
-//! the new checkpoint, which counts them, replaces the old one by a rename. One of the two
-//! checkpoints is therefore always complete.
+//! The rows are stored in `FILE.rows`, next to the checkpoint. First the rows are flushed to the
+//! disk. Then the new checkpoint, which contains their number, replaces the old checkpoint by a
+//! rename. Therefore the file always contains a complete checkpoint.
 
 use super::super::failure::Failure;
 use super::super::note::{counted, note};
@@ -23,13 +23,13 @@ const SCHEMA: &str = "affinor.checkpoint/4";
 #[derive(Serialize, Deserialize)]
 pub struct Checkpoint {
     schema: String,
-    /// The version of the program, because another one may round differently.
+    /// The version of the program: another version may round differently.
     version: String,
-    /// The text of the problem; only a run with the same text can be resumed.
+    /// The text of the problem; a run can be resumed only with the same text.
     problem: String,
     /// The files that the problem reads, with their fingerprints.
     files: Vec<(String, u64)>,
-    /// The options that replace keys of the problem, by name.
+    /// The options that override keys of the problem, by their names.
     options: Vec<(String, Option<String>)>,
     rows: u64,
     /// The number of completed members.
@@ -38,7 +38,7 @@ pub struct Checkpoint {
     pub stopped: Option<String>,
 }
 
-/// The checkpoint plan of a run, made before any file is written.
+/// The plan of the checkpoints of a run, made before any file is written.
 pub struct Plan {
     path: Option<PathBuf>,
     every: Duration,
@@ -103,8 +103,8 @@ impl Plan {
         Ok(Plan { path: Some(path), every, checkpoint: found.unwrap_or(fresh), resumed })
     }
 
-    /// Opens the file of rows. A checkpoint is written first, so that there are never rows without
-    /// a checkpoint.
+    /// Opens the file of rows. Writes a checkpoint first, so that there is never a file of rows
+    /// without a checkpoint.
     pub fn begin(self, width: usize) -> Result<Store, Failure> {
         let spool = match &self.path {
             None => Spool::temporary(width).map_err(failed)?,
@@ -135,17 +135,17 @@ impl Plan {
 }
 
 impl Store {
-    /// The checkpoint to resume from.
+    /// The checkpoint from which the run was resumed; `None` for a new run.
     pub fn resumed(&self) -> Option<&Checkpoint> {
         self.plan.resumed.then_some(&self.plan.checkpoint)
     }
 
-    /// Whether it is time for the next checkpoint.
+    /// Whether the time for the next checkpoint has come.
     pub fn is_due(&self) -> bool {
         self.plan.path.is_some() && self.last.elapsed() >= self.plan.every
     }
 
-    /// Records the failure of a member of an ensemble, if it is the first.
+    /// Records the reason why a member of an ensemble failed, unless an earlier member failed.
     pub fn stop(&mut self, reason: String) {
         self.plan.checkpoint.stopped.get_or_insert(reason);
     }
@@ -167,11 +167,11 @@ impl Store {
         Ok(())
     }
 
-    /// Deletes the checkpoint and its rows.
+    /// Deletes the checkpoint and the file of rows.
     pub fn finished(&self) {
         if let Some(path) = &self.plan.path {
             for file in [rows_of(path), path.clone()] {
-                // failure to delete a file does no harm
+                // ignores errors: a remaining file does no harm
                 let _ = fs::remove_file(file);
             }
         }
@@ -188,7 +188,7 @@ fn rows_of(path: &Path) -> PathBuf {
     name.into()
 }
 
-/// Reads the checkpoint in a file, if there is one, and checks that it belongs to the same run.
+/// Reads the checkpoint in a file, if the file exists, and checks that it belongs to the same run.
 fn read(path: &Path, fresh: &Checkpoint) -> Result<Option<Checkpoint>, Failure> {
     let shown = shown(path);
     let text = match fs::read_to_string(path) {
@@ -207,7 +207,8 @@ fn read(path: &Path, fresh: &Checkpoint) -> Result<Option<Checkpoint>, Failure> 
         let before = found.options.get(at);
         (option.0.clone(), before == Some(option))
     }));
-    // the same problem refers to its files in the same order, perhaps from another folder
+    // compares the files in order: the same problem always refers to its files in the same order,
+    // but their paths differ if it is run from another folder
     same.extend(fresh.files.iter().enumerate().map(|(at, (file, fingerprint))| {
         let before = found.files.get(at).map(|(_, before)| before);
         (format!("content of {}", file.escape_debug()), before == Some(fingerprint))

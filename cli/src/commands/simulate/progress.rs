@@ -4,14 +4,14 @@ use indicatif::{HumanDuration, ProgressBar, ProgressDrawTarget, ProgressState, P
 use std::fmt::Write;
 use std::time::Duration;
 
-/// The number of counts of the whole bar.
+/// The length of the bar in counts.
 const WHOLE: f64 = 1e6;
 
-/// A progress bar for the completed fraction of the motion, up to 1.
+/// A progress bar for the completed fraction of the motion, from 0 to 1.
 pub struct Progress(ProgressBar);
 
 impl Progress {
-    /// A bar for a run that begins at the fraction `begun`, which is above 0 if it resumes a
+    /// Creates a bar that begins at the fraction `begun`, which is above 0 if the run resumes a
     /// checkpoint.
     pub fn from(begun: f64) -> Self {
         let target = ProgressDrawTarget::stderr_with_hz(8);
@@ -30,12 +30,12 @@ impl Progress {
         Progress(bar)
     }
 
-    /// Moves the bar to a fraction of the motion.
+    /// Moves the bar to the fraction `share` of the motion.
     pub fn reach(&self, share: f64) {
         self.0.set_position((share * WHOLE) as u64);
     }
 
-    /// Hides the bar while something else is written to the terminal.
+    /// Hides the bar while `write` writes to the terminal.
     pub fn beside(&self, write: impl FnOnce()) {
         self.0.suspend(write);
     }
@@ -47,7 +47,8 @@ impl Drop for Progress {
     }
 }
 
-/// The remaining time at the mean speed of this run; `None` before it has made progress.
+/// The remaining time, estimated from the mean speed of this run; `None` before the run makes
+/// progress.
 fn remaining(elapsed: Duration, begun: f64, reached: f64) -> Option<Duration> {
     let seconds = elapsed.as_secs_f64() * (1.0 - reached) / (reached - begun);
     Duration::try_from_secs_f64(seconds).ok()
@@ -61,7 +62,8 @@ mod tests {
     fn the_remaining_time_is_proportional_to_the_remaining_share() {
         let seconds = Duration::from_secs;
         assert_eq!(remaining(seconds(10), 0.0, 0.25), Some(seconds(30)));
-        // the fraction computed before the checkpoint took no time in this run
+        // the fraction completed before the checkpoint does not count, because it took no time in
+        // this run
         assert_eq!(remaining(seconds(10), 0.5, 0.75), Some(seconds(10)));
         for reached in [0.0, f64::NAN] {
             assert_eq!(remaining(seconds(10), 0.0, reached), None);

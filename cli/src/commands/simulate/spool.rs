@@ -1,4 +1,5 @@
-//! Rows of a running simulation, stored as binary numbers until they are written in a format.
+//! Rows of a running simulation, stored as binary numbers until they are written in the chosen
+//! format.
 
 use super::super::failure::Failure;
 use std::fs::{File, OpenOptions};
@@ -15,12 +16,14 @@ pub struct Spool {
 const BYTES: usize = size_of::<f64>();
 
 impl Spool {
-    /// A spool in an unnamed temporary file, which the system deletes when the program ends.
+    /// Creates a spool in an unnamed temporary file, which the system deletes when the program
+    /// ends.
     pub fn temporary(width: usize) -> io::Result<Self> {
         Self::over(tempfile::tempfile()?, width, 0, 0)
     }
 
-    /// A spool in a named file, truncated to its first `kept` rows; `None` if it has fewer.
+    /// Opens a spool in a named file, and truncates the file to its first `kept` rows; `None` if
+    /// the file has fewer rows.
     pub fn named(path: &Path, width: usize, kept: u64) -> io::Result<Option<Self>> {
         let mut options = OpenOptions::new();
         options.read(true).write(true).create(kept == 0).truncate(false);
@@ -33,7 +36,7 @@ impl Spool {
         end.map(|end| Self::over(file, width, kept, end)).transpose()
     }
 
-    /// A spool over a file, truncated to `end` bytes.
+    /// Creates a spool on an open file, truncated to `end` bytes, that contains `count` rows.
     fn over(mut file: File, width: usize, count: u64, end: u64) -> io::Result<Self> {
         file.set_len(end)?;
         file.seek(SeekFrom::Start(end))?;
@@ -58,7 +61,7 @@ impl Spool {
         self.count
     }
 
-    /// All rows, from the first.
+    /// Reads all rows from the first one.
     pub fn rows(&mut self) -> io::Result<impl Iterator<Item = io::Result<Vec<f64>>>> {
         self.file.flush()?;
         let mut file = self.file.get_ref().try_clone()?;
@@ -73,7 +76,7 @@ impl Spool {
     }
 }
 
-/// The failure for an error while storing rows.
+/// The failure for an error of reading or writing stored rows.
 pub fn failed(error: io::Error) -> Failure {
     Failure::Output(error, "the rows of the run".into())
 }

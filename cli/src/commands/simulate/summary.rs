@@ -1,6 +1,8 @@
-//! The conservation summary: watched quantities at the start and the end, and their largest change.
+//! The conservation summary: the initial and the final value of each watched quantity, and its
+//! largest change.
 //!
-//! These are the energy, the spatial momentum, Casimir functions and named quantities. Whether one is conserved depends on the forces.
+//! Watched quantities are the energy, the spatial momentum, Casimir functions and named quantities.
+//! Whether a quantity is conserved depends on the forces.
 
 use super::super::note::line;
 use super::spool::Spool;
@@ -9,15 +11,15 @@ use affinor_documents::rows::Head;
 use comfy_table::{CellAlignment, ColumnConstraint, ContentArrangement, Table, presets};
 use std::io;
 
-/// The width of the table, plus the blank after the last column, which is not written. Long
-/// formulas wrap.
+/// The width of the table: 80 columns, plus the blank after the last column, which is not written.
+/// Longer formulas are wrapped.
 const WIDTH: u16 = 80 + 1;
 /// The magnitude from which numbers are written with an exponent.
 const LARGE: f64 = 1e6;
 
 /// Prints the summary on standard error.
 pub fn show(head: &Head, columns: &[Column], spool: &mut Spool) -> io::Result<()> {
-    // the value at the start, the value at the end, and the largest change
+    // for each quantity: the initial value, the final value, and the largest change
     let mut changes: Option<Vec<[f64; 3]>> = None;
     for row in spool.rows()? {
         let row = row?;

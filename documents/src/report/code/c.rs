@@ -1,4 +1,4 @@
-//! C99: the arrays are output arguments.
+//! C99: the function has the arrays as output arguments.
 
 use super::parts::{CodeFunction, split};
 use super::routine::{Array, Dialect, Routine, lengths};
@@ -7,7 +7,7 @@ use affinor_tensors::scalar::Function;
 
 struct C;
 
-/// The shape of the array; an array without indices has one component.
+/// The shape of the array in C, where an array without indices has one component.
 fn shape(array: &Array) -> &[usize] {
     if array.shape.is_empty() { &[1] } else { &array.shape }
 }

@@ -1,30 +1,30 @@
-//! Splits long functions in C into parts, because compilers take more than linear time for one long
-//! function.
+//! Splits a long function in C into parts, because the time of compilers grows faster than the
+//! length of a function.
 //!
-//! A value that several parts use is stored in the array `t`, the parameters in the array `p`. All
-//! other values are local to their part.
+//! A value that several parts use is stored in the array `t`; the parameters are stored in the
+//! array `p`. All other values are local to their part.
 
 use std::collections::{BTreeMap, BTreeSet};
 
-/// The number of statements of a part.
+/// The number of statements in a part.
 const PART: usize = 150;
 
-/// The number of statements below which a function is not split.
+/// The largest number of statements of a function that is not split.
 const WHOLE: usize = 2 * PART;
 
-/// The elements of a function.
+/// The parts of the signature of a function.
 pub struct CodeFunction<'f> {
     pub name: &'f str,
-    /// Declarations of the vectors among its arguments, with their names.
+    /// The arguments that are vectors: the declaration and the name of each.
     pub vectors: Vec<(String, String)>,
-    /// The names of its parameters, `p_a`.
+    /// The names of the parameters, such as `p_a`.
     pub parameters: &'f [String],
-    /// Declarations of its arrays, with their names.
+    /// The arguments that are arrays: the declaration and the name of each.
     pub arrays: Vec<(String, String)>,
 }
 
-/// The functions for the parts, and the statements of the function that calls them; `None` if there
-/// are few statements.
+/// Splits a function. Returns the functions of the parts, and the statements of the function that
+/// calls them; `None` if there are few statements.
 pub fn split(function: &CodeFunction, statements: &[String]) -> Option<(String, Vec<String>)> {
     if statements.len() <= WHOLE {
         return None;
@@ -77,7 +77,7 @@ pub fn split(function: &CodeFunction, statements: &[String]) -> Option<(String, 
     Some((before, calls))
 }
 
-/// A statement with the names used within a part.
+/// Rewrites a statement with the names that are valid within a part.
 fn in_part(
     line: &str,
     parameters: &[String],
@@ -114,7 +114,7 @@ fn is_temporary(name: &str) -> bool {
     !digits.is_empty() && digits.bytes().all(|b| b.is_ascii_digit())
 }
 
-/// The names in a text, in order. Digits are not names.
+/// The names that occur in a text, in order. A name does not begin with a digit.
 fn names(text: &str) -> impl Iterator<Item = &str> {
     let word = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '.';
     text.split(move |c| !word(c)).filter(|word| word.starts_with(|c: char| c.is_ascii_alphabetic()))

@@ -1,4 +1,5 @@
-//! Python with NumPy: arguments are numbers or arrays that broadcast; indices come last.
+//! Python with NumPy: the arguments are numbers or arrays that broadcast. The indices of a result
+//! come after the broadcast axes.
 
 use super::routine::{Array, Dialect, Routine, list};
 use crate::input::InputError;
@@ -26,7 +27,7 @@ impl Dialect for Python {
     }
 }
 
-/// A tuple of numbers.
+/// Writes numbers as a tuple in Python.
 fn tuple<T: ToString>(values: &[T]) -> String {
     match values {
         [one] => format!("({},)", one.to_string()),
@@ -46,7 +47,8 @@ pub fn write(routine: &Routine) -> Result<String, InputError> {
     let shapes = shapes.chain(numbers.iter().map(|name| format!("{name}.shape")));
     body.push(format!("shape = np.broadcast_shapes({})", list(shapes)));
     for Array { name, shape, .. } in &routine.arrays {
-        // contiguous for each component; at the end, the indices are moved to the last axes
+        // makes each component contiguous; the end of the function moves the indices to the last
+        // axes
         body.push(format!("{name} = np.zeros({} + shape)", tuple(shape)));
     }
     body.extend(routine.statements(&Python)?);

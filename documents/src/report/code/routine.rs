@@ -1,4 +1,5 @@
-//! A function to be written in some language: its arguments, its arrays, and its statements.
+//! A function to be written in a programming language: its arguments, its arrays, and its
+//! statements.
 
 use super::super::head::printable;
 use super::super::identifiers::identifiers;
@@ -7,21 +8,21 @@ use affinor_tensors::scalar::{Count, Function, Output, Step, StraightLine, Varia
 use affinor_tensors::{Notation, Rational, Recorded, Summable};
 use num_traits::{One, Zero};
 
-/// The largest width of a line of a long sum.
+/// The largest width of a line in a long sum.
 const WIDTH: usize = 96;
 
-/// An array of results.
+/// An array that the function computes.
 pub struct Array {
     pub name: String,
     pub shape: Vec<usize>,
-    /// The meaning of its indices.
+    /// The text that explains the indices.
     pub about: String,
-    /// The components that do not vanish identically, by their indices from 0.
+    /// The components that do not vanish identically, each with its indices from 0.
     pub entries: Vec<(Vec<usize>, Recorded)>,
 }
 
 impl Array {
-    /// Whether some components vanish identically, so that they are not assigned.
+    /// Whether some components vanish identically. Such components are not assigned.
     pub fn has_zeros(&self) -> bool {
         self.entries.len() < self.shape.iter().product()
     }
@@ -30,13 +31,13 @@ impl Array {
 /// A function that computes arrays from vectors and parameters.
 pub struct Routine {
     pub function: String,
-    /// Lines of the comment before the function.
+    /// The lines of the comment before the function.
     pub about: Vec<String>,
-    /// Arguments that are vectors, and their lengths.
+    /// The arguments that are vectors, each with its length.
     pub vectors: Vec<(String, usize)>,
-    /// The components of the vector `x`.
+    /// The names of the components of the vector `x`.
     coordinates: Vec<String>,
-    /// The names of the other arguments, sorted.
+    /// The other arguments, sorted by name.
     parameters: Vec<(Variable, String)>,
     pub arrays: Vec<Array>,
     program: StraightLine,
@@ -44,20 +45,21 @@ pub struct Routine {
 
 /// The parts of a function that depend on the language.
 pub trait Dialect {
-    /// The component of a vector.
+    /// Writes a component of a vector.
     fn component(&self, vector: &str, at: usize) -> String;
-    /// A function of a value.
+    /// Writes the call of an elementary function.
     fn call(&self, function: Function, argument: &str) -> String;
-    /// An expression that is `x` if the size of `a` is at least the size of `b`, otherwise `y`.
+    /// For the values `a, b, x, y`, writes an expression that is `x` if `|a| >= |b|`, and otherwise
+    /// `y`.
     fn select(&self, values: [String; 4]) -> String;
-    /// The definition of a temporary value.
+    /// Writes the definition of a temporary value.
     fn definition(&self, name: &str, value: &str) -> String;
-    /// The assignment to a component of an array.
+    /// Writes the assignment to a component of an array.
     fn assignment(&self, array: &Array, at: &[usize], value: &str) -> String;
 }
 
 impl Routine {
-    /// The function; `coordinates` are the names of the components of `x`.
+    /// Creates the function; `coordinates` are the names of the components of `x`.
     pub fn new(
         function: String,
         mut about: Vec<String>,
@@ -97,17 +99,18 @@ impl Routine {
         Routine { function, about, vectors, coordinates, parameters, arrays, program }
     }
 
-    /// The parameters as arguments.
+    /// The names of the parameters, as arguments.
     pub fn arguments(&self) -> Vec<String> {
         self.parameters.iter().map(|(_, name)| name.clone()).collect()
     }
 
-    /// Whether functions such as the sine are called, or absolute values compared.
+    /// Whether the function calls elementary functions such as the sine, or compares absolute
+    /// values.
     pub fn calls(&self) -> bool {
         self.program.count().functions + self.program.count().comparisons > 0
     }
 
-    /// The statements: temporary values, then the components of all arrays.
+    /// Writes the statements: first the temporary values, then the components of all arrays.
     ///
     /// # Errors
     /// An error for a constant beyond the range of floats.
@@ -153,7 +156,7 @@ impl Routine {
         Ok(lines)
     }
 
-    /// An input as an argument: a component of a vector, or a parameter.
+    /// Writes an input as a component of a vector, or as a parameter.
     fn argument(&self, input: Variable, dialect: &dyn Dialect) -> String {
         let name = input.text();
         let component = name.strip_suffix(']').and_then(|name| name.split_once('['));
@@ -169,7 +172,7 @@ impl Routine {
     }
 }
 
-/// The number of operations, and the condition of divisions.
+/// Remarks on the number of operations, and on divisors that must not be zero.
 fn remarks(count: Count) -> Vec<String> {
     let Count { additions, multiplications, divisions, functions, comparisons } = count;
     let counted = |n: usize, name: &str| match n {
@@ -202,7 +205,7 @@ fn remarks(count: Count) -> Vec<String> {
     lines
 }
 
-/// Source code of an expression, and its precedence.
+/// The source code of an expression, and the precedence of its outermost operator.
 struct Text {
     text: String,
     binds: Binds,
@@ -230,7 +233,7 @@ fn product(a: &Text, b: &Text) -> Text {
     Text { text, binds: Binds::Product }
 }
 
-/// A multiple of an expression, without the sign of the factor.
+/// Writes a multiple of an expression, without the sign of the factor.
 fn multiple(factor: &Rational, text: &Text) -> Result<String, InputError> {
     let size = factor.clone().abs();
     if size.is_one() {
@@ -239,7 +242,7 @@ fn multiple(factor: &Rational, text: &Text) -> Result<String, InputError> {
     Ok(format!("{}*{}", number(&size)?, text.within(Binds::Atom)))
 }
 
-/// A sum in parentheses, on several lines if it is long.
+/// Writes a sum in parentheses, on several lines if it is long.
 fn sum(
     constant: &Rational,
     terms: &[(Rational, usize)],
@@ -252,7 +255,7 @@ fn sum(
     if !constant.is_zero() {
         parts.push((constant.is_negative(), number(&constant.clone().abs())?));
     }
-    // another order may avoid a leading minus sign
+    // puts a positive term first, if there is one, to avoid a leading minus sign
     if let Some(at) = parts.iter().position(|(negative, _)| !negative) {
         parts.swap(0, at);
     }
@@ -281,7 +284,7 @@ fn sum(
     })
 }
 
-/// An output as source code.
+/// Writes an output as source code.
 fn written(output: &Output, texts: &[Text]) -> Result<String, InputError> {
     let text = match output.step {
         None => number(&output.factor.clone().abs())?,
@@ -290,8 +293,8 @@ fn written(output: &Output, texts: &[Text]) -> Result<String, InputError> {
     Ok(if output.factor.is_negative() { format!("-{text}") } else { text })
 }
 
-/// A nonnegative number: in decimal digits if these are exact, otherwise as a quotient of integers,
-/// or rounded if the integers are not exact either.
+/// Writes a nonnegative number: in decimal digits if they are exact, otherwise as a quotient of
+/// integers. If the integers are not exact as floats, the number is rounded.
 fn number(value: &Rational) -> Result<String, InputError> {
     if let Some((above, below)) = Rational::clear_denominators(std::iter::once(value)) {
         let above = above.first().copied().unwrap_or_default();

@@ -1,4 +1,4 @@
-//! Rust: the arrays are returned, several arrays as a tuple.
+//! Rust: the function returns the arrays, several arrays as a tuple.
 
 use super::routine::{Array, Dialect, Routine, lengths};
 use crate::input::InputError;
@@ -26,7 +26,7 @@ impl Dialect for Rust {
     }
 }
 
-/// A nested array with this element: its type, or its value.
+/// The type or the value of a nested array, if `element` is the type or the value of an element.
 fn nested(array: &Array, element: &str) -> String {
     array.shape.iter().rev().fold(element.to_string(), |inner, n| format!("[{inner}; {n}]"))
 }

@@ -7,7 +7,7 @@ use crate::page::page;
 use std::io::{self, Write};
 
 impl Grid {
-    /// A page that contains only this grid.
+    /// Writes a page that contains only this grid.
     pub(in crate::report) fn html(&self, out: &mut dyn Write) -> io::Result<()> {
         page(&self.title, out, |out| {
             writeln!(out, "<main>\n<h1>{}</h1>", escaped(&self.title))?;
@@ -16,7 +16,7 @@ impl Grid {
         })
     }
 
-    /// The header and the table.
+    /// Writes the header and the table.
     pub(in crate::report) fn table(&self, out: &mut dyn Write) -> io::Result<()> {
         if !self.head.is_empty() {
             head(self.head.iter().map(|(title, cell)| (*title, lines(cell))), out)?;
@@ -26,7 +26,7 @@ impl Grid {
             "<div class=\"table\" tabindex=\"0\" role=\"group\" aria-label=\"table\">\n<table>\n<thead><tr>"
         )?;
         for title in &self.header {
-            // an empty heading is an ordinary cell
+            // writes an empty heading as an ordinary cell
             match title.is_empty() {
                 true => writeln!(out, "<td></td>")?,
                 false => writeln!(out, "<th scope=\"col\">{}</th>", escaped(title))?,
@@ -44,7 +44,7 @@ impl Grid {
     }
 }
 
-/// The lines of a cell.
+/// The lines of a cell in HTML.
 fn lines(cell: &Cell) -> String {
     if cell.is_drawn {
         return format!("<pre>{}</pre>", escaped(&cell.text.join("\n")));

@@ -21,7 +21,7 @@ pub(in crate::report) struct Names {
 /// An index of a component.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::report) enum Index {
-    /// A free or summed letter.
+    /// A letter, free or summed.
     Letter(char),
     /// A number, from 0.
     Number(usize),
@@ -35,7 +35,7 @@ pub(in crate::report) struct Occurrence {
     pub span: Range<usize>,
     /// The name in the text, without the indices.
     pub name: String,
-    /// The indices with their variances; `None` for the tensor as a whole.
+    /// The indices with their variances; `None` if the text means the whole tensor.
     pub indices: Option<Vec<(Index, Variance)>>,
     /// The name of the tensor in the parsed expression.
     pub placeholder: String,
@@ -50,7 +50,7 @@ pub(in crate::report) struct Parsed {
 }
 
 impl Names {
-    /// The names of a geometry; `scalars` are names of scalars.
+    /// The names that expressions on a geometry may use; `scalars` are names of scalars.
     pub fn new<S: Coefficient>(
         geometry: &Geometry<S>,
         scalars: impl IntoIterator<Item = String>,
@@ -71,7 +71,8 @@ impl Names {
         self.indices.iter().find(|(other, _)| other == name).map(|(_, at)| *at)
     }
 
-    /// Parses an expression of tensors, parameters and numbers. A space between two tensors is a product.
+    /// Parses an expression of tensors, parameters and numbers. A space between two tensors means
+    /// their product.
     ///
     /// # Errors
     /// The first syntax error; an error for a tensor with a wrong number of indices, and for an
@@ -101,12 +102,12 @@ impl Names {
         Ok(Parsed { text: text.into(), expression, occurrences })
     }
 
-    /// The tensor that begins at a byte of the text, if there is one.
+    /// The tensor whose name begins at the byte `at` of the text; `None` if there is none.
     fn occurrence(&self, text: &str, at: usize) -> Result<Option<Occurrence>, ExpressionError> {
         let rest = &text[at..];
         let word = name_length(rest);
-        // if there is a parameter `c`, `c` and `c^2` refer to it, but `c^i_jk` is a tensor and not
-        // a power
+        // if there is a parameter `c`, then `c` and `c^2` mean the parameter, but `c^i_jk` means
+        // the tensor
         if self.scalars.contains(&rest[..word]) && !has_both_levels(text, at + word) {
             return Ok(None);
         }
@@ -116,7 +117,7 @@ impl Names {
             let indexed = behind.starts_with(['^', '_']) && !quantity.slots().is_empty();
             indexed || !behind.starts_with(|c| is_name_character(c) || c == '(')
         };
-        // of several tensors with the same name the first one is meant: `g` is the metric
+        // chooses the first of several tensors with the same name, so that `g` is the metric
         let longest = names.filter(begins).rev().max_by_key(|(_, name)| name.len());
         let Some((quantity, name)) = longest else { return Ok(None) };
         let rank = quantity.slots().len();
@@ -142,7 +143,7 @@ impl Names {
         Ok(Some(Occurrence { quantity, span, name, indices, placeholder: String::new() }))
     }
 
-    /// The indices of a run: names, numbers or letters. They may be separated by commas or spaces.
+    /// The indices of a run: names, numbers or letters, optionally separated by commas or spaces.
     fn indices(&self, run: &str) -> Result<Vec<Index>, String> {
         let mut indices = Vec::new();
         for piece in run.split([',', ' ']).filter(|piece| !piece.is_empty()) {
@@ -152,7 +153,7 @@ impl Names {
             }
             let mut rest = piece;
             while let Some(first) = rest.chars().next() {
-                // above dimension 9 an index may have several digits
+                // an index may have several digits above dimension 9
                 let length = match first.is_ascii_digit() && self.dimension > 9 {
                     true => rest.find(|c: char| !c.is_ascii_digit()).unwrap_or(rest.len()),
                     false => first.len_utf8(),
@@ -183,19 +184,20 @@ impl Names {
     }
 }
 
-/// Whether upper and then lower indices begin at this byte of the text.
+/// Whether upper indices, followed by lower indices, begin at this byte of the text.
 fn has_both_levels(text: &str, at: usize) -> bool {
     text[at..].starts_with('^')
         && run(text, at + 1)
             .is_ok_and(|(_, length)| length > 0 && text[at + 1 + length..].starts_with('_'))
 }
 
-/// The length in bytes of the name at the start of a text.
+/// The length, in bytes, of the name at the start of a text.
 fn name_length(text: &str) -> usize {
     text.find(|c| !is_name_character(c)).unwrap_or(text.len())
 }
 
-/// The indices after `^` or `_`, such as `212`, `10,2` or `{theta phi}`, and their length in bytes.
+/// The indices at the byte `at`, such as `212`, `10,2` or `{theta phi}`, and their length in bytes,
+/// including braces.
 fn run(text: &str, at: usize) -> Result<(&str, usize), ExpressionError> {
     let rest = &text[at..];
     if let Some(inside) = rest.strip_prefix('{') {
@@ -218,7 +220,7 @@ fn run(text: &str, at: usize) -> Result<(&str, usize), ExpressionError> {
 }
 
 /// Replaces every tensor with indices by a name of the same length, and inserts `*` between
-/// neighbours.
+/// adjacent tensors.
 fn masked(text: &str, occurrences: &mut [Occurrence]) -> Result<String, ExpressionError> {
     let unused = |prefix: &char| {
         !text
@@ -252,7 +254,7 @@ fn masked(text: &str, occurrences: &mut [Occurrence]) -> Result<String, Expressi
     Ok(masked + &text[end..])
 }
 
-/// Whether the name of a whole tensor is also a name in the grammar of expressions.
+/// Whether the name of a whole tensor is also a valid name in the grammar of expressions.
 fn is_plain(text: &str) -> bool {
     text.chars().all(|c| c.is_ascii_alphanumeric() || c == '_') && {
         Quantity::ALL.into_iter().any(|q| q.symbol() == text || q.key() == text)

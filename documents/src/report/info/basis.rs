@@ -1,5 +1,5 @@
-//! A basis in which structure constants with square roots become rational, and its row in the
-//! report.
+//! A basis in which structure constants that contain square roots become rational, and the rows of
+//! the report about it.
 
 use super::{Cell, Info, SHOWN, printable};
 use crate::input::InputError;
@@ -10,8 +10,8 @@ use affinor_tensors::{Symbolic, Tolerance};
 use num_traits::Zero;
 use serde_json::json;
 
-/// The algebra of a definition in its given basis, and in a basis in which the structure constants
-/// contain no roots.
+/// The algebra of a definition in its given basis, and in a basis whose structure constants contain
+/// no roots.
 pub(super) struct InBases {
     given: LieAlgebra<Symbolic>,
     pub rational: RationalBasis,
@@ -19,15 +19,15 @@ pub(super) struct InBases {
 
 impl InBases {
     /// # Errors
-    /// An error for brackets that do not define a Lie algebra, for a chart, and for structure
-    /// constants that cannot be made rational by dividing basis vectors by square roots.
+    /// An error if the brackets do not define a Lie algebra, for a chart, and if dividing basis
+    /// vectors by square roots does not make the structure constants rational.
     pub fn of(definition: &Definition) -> Result<Self, InputError> {
         let given = definition.algebra::<Symbolic>(Tolerance::default())?;
         let rational = RationalBasis::of(&given).map_err(|error| definition.refused(error))?;
         Ok(InBases { given, rational })
     }
 
-    /// The number `c` if the Killing form is `c` times the identity in the given basis.
+    /// The number `c`, if the Killing form is `c` times the identity in the given basis.
     fn killing_multiple(&self) -> Option<Symbolic> {
         let form = self.given.killing_form();
         let multiple = form.get(&[0, 0]);
@@ -37,7 +37,7 @@ impl InBases {
 }
 
 impl Info {
-    /// Adds the rows about a basis that differs from the given one.
+    /// Adds the rows about the rational basis, if it differs from the given basis.
     pub(super) fn describe(&mut self, bases: &InBases) {
         if !bases.rational.is_new() {
             return;

@@ -7,15 +7,16 @@ use affinor::algebra::structure::{GroundField, StructureTheory};
 use affinor_tensors::{Kind, Rational, Symbolic};
 use serde_json::json;
 
-/// Limits on Casimir functions: the highest degree, the number of monomials of this degree, and the
-/// product of this number and the number of structure constants, which is large in a dense basis.
+/// Limits on the search for Casimir functions: the highest degree, and the largest number of
+/// monomials of this degree. A third limit is on the product of this number and the number of
+/// structure constants, which is large in a dense basis.
 const CASIMIR_DEGREE: u32 = 4;
 const MONOMIALS: usize = 350;
 const TERMS: usize = 60_000;
-/// The limit on this product if the brackets have parameters.
+/// The limit on this product if the structure constants have parameters.
 const TERMS_OF_PARAMETERS: usize = 6_000;
 impl Notes {
-    /// Polynomial Casimir functions up to a degree, in the basis of the algebra.
+    /// Adds the polynomial Casimir functions up to a degree, in the basis of the algebra.
     pub(super) fn casimirs<S: GroundField + Coefficient>(
         &mut self,
         structure: &StructureTheory<S>,
@@ -58,7 +59,8 @@ impl Notes {
     }
 }
 
-/// Generators of the Casimir functions, and the degree up to which they were searched.
+/// Finds generators of the Casimir functions. Also returns the degree up to which they were
+/// searched.
 fn casimirs<S: GroundField + Coefficient>(
     structure: &StructureTheory<S>,
 ) -> Option<(u32, Vec<Symbolic>)> {
@@ -74,7 +76,7 @@ fn casimirs<S: GroundField + Coefficient>(
     Some((degree, structure.casimirs(degree).ok()?))
 }
 
-/// Whether the name is that of a coordinate `mu_i`.
+/// Whether `name` is the name of a coordinate `mu_i`.
 fn is_coordinate(name: &str) -> bool {
     name.strip_prefix("mu").is_some_and(|number| number.parse::<usize>().is_ok())
 }

@@ -1,4 +1,5 @@
-//! The exceptional values of a parameter, at which an answer differs from the generic one.
+//! The exceptional values of a parameter: values at which an answer differs from the generic
+//! answer.
 
 use super::{Cell, Info};
 use crate::space::Definition;
@@ -6,9 +7,9 @@ use affinor::algebra::structure::exceptional::{Candidates, MAX_DIMENSION};
 use affinor_tensors::{Rational, Symbolic};
 use serde_json::{Map, Value, json};
 
-/// The largest number of values at which answers are compared with the generic ones.
+/// The largest number of parameter values at which answers are compared with the generic answers.
 const MOST: usize = 60;
-/// The answers that are compared.
+/// The answers that are compared with the generic answers.
 const COMPARED: [&str; 15] = [
     "unimodular",
     "killing",
@@ -38,7 +39,8 @@ fn dimensions(answer: &Value) -> Value {
     }
 }
 
-/// Whether two algebras have Casimir generators of the same degrees, as far as both were searched.
+/// Whether two algebras have Casimir generators of the same degrees, up to the lower degree of the
+/// two searches.
 fn same_casimirs(a: &Value, b: &Value) -> bool {
     let [first, second] = [a, b].map(|found| found["degree"].as_u64().unwrap_or(0));
     let up_to = |found: &Value| -> Vec<u64> {
@@ -49,7 +51,7 @@ fn same_casimirs(a: &Value, b: &Value) -> bool {
 }
 
 impl Info {
-    /// Adds the parameter values at which an answer differs from the generic one. The candidates
+    /// Adds the parameter values at which an answer differs from the generic answer. The candidates
     /// are the roots of the polynomials that occurred in the computation.
     pub(super) fn exceptional_values(
         &mut self,

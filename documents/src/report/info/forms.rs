@@ -1,4 +1,4 @@
-//! Closed forms of low degree, symplectic and contact forms, complex structures.
+//! Closed forms of low degree, symplectic forms, contact forms, and complex structures.
 
 use super::{LONGEST, NOT_RATIONAL, Notes, SHOWN, certainty};
 use affinor::algebra::structure::{
@@ -11,7 +11,7 @@ use affinor_tensors::text::combination;
 use serde_json::{Value, json};
 
 impl Notes {
-    /// Bases of the first and the second cohomology, as closed forms.
+    /// Adds bases of the first and the second cohomology, represented by closed forms.
     pub(super) fn cocycles<S: GroundField>(&mut self, structure: &StructureTheory<S>) {
         let n = structure.dimension();
         let one = structure.closed_one_forms();
@@ -59,7 +59,8 @@ impl Notes {
         combination(row.iter().map(|(at, v)| (v.to_string(), pair(*at))))
     }
 
-    /// Symplectic forms in even dimension, contact forms in odd dimension, and a form of largest rank.
+    /// Adds symplectic forms in even dimension, contact forms in odd dimension, and a form of
+    /// largest rank.
     pub(super) fn nondegenerate_forms<S: GroundField>(&mut self, structure: &StructureTheory<S>) {
         let n = structure.dimension();
         let forms = structure.two_forms();
@@ -90,7 +91,7 @@ impl Notes {
         let n = structure.dimension();
         let [any, exact] =
             [structure.symplectic_form(forms), structure.exact_symplectic_form(forms)];
-        // an exact form is the better witness, so it is shown if there is one
+        // prefers an exact form as the witness, if there is one
         let best = if matches!(exact, Existence::Witness(_)) { &exact } else { &any };
         let (text, witness) = match best {
             Existence::Witness(form) if best == &exact => {
@@ -155,7 +156,8 @@ impl Notes {
         self.json.insert("contact".into(), contact);
     }
 
-    /// A form; if it is long, the place where to read it.
+    /// The text of a form, and a remark. The text of a long form is replaced by the remark where to
+    /// read it.
     fn shortened(&self, text: String) -> (String, &'static str) {
         match text.len() <= LONGEST {
             true => (text, ""),
@@ -163,7 +165,7 @@ impl Notes {
         }
     }
 
-    /// A complex structure, in dimension 2 and 4.
+    /// Adds a complex structure, in dimension 2 and 4.
     pub(super) fn complex_structure(
         &mut self,
         structure: Option<&StructureTheory<Rational>>,
@@ -204,7 +206,7 @@ impl Notes {
     }
 }
 
-/// The reason why closed 2-forms are missing.
+/// The reason why closed 2-forms are not computed.
 fn no_forms() -> String {
     format!(
         "not computed beyond dimension {MAX_FORMS}, nor beyond {MAX_FORMS_WITH_PARAMETERS} with parameters or in a dense basis"

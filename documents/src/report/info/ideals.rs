@@ -1,4 +1,4 @@
-//! The ideals of an algebra, and its name.
+//! The ideals of an algebra, and the name of the algebra.
 
 use super::{LONGEST, NOT_RATIONAL, Notes, SHOWN, SOLVABLE, certainty};
 use crate::input::InputError;
@@ -45,7 +45,7 @@ impl Notes {
             let [plus, minus] = ideal.signature;
             let name = ideal.names.join(" or ");
             let dimension = ideal.dimension();
-            // an ideal that is the whole algebra, or is not rational, is listed without a basis
+            // lists an ideal without a basis if it is the whole algebra, or is not rational
             let basis = levi.filter(|_| over_q == real.len()).and_then(|levi| {
                 let within = levi.within(rational.get(ideal.within)?);
                 (within.dimension() < levi.ambient()).then(|| self.basis(&within))

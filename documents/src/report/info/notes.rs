@@ -17,7 +17,7 @@ pub(super) struct Notes {
     pub labels: Vec<String>,
     rows: Vec<Vec<Cell>>,
     pub json: Map<String, Value>,
-    /// The reasons for keys that are null.
+    /// The reason for each key whose value is null.
     reasons: Map<String, Value>,
     matrices: BTreeMap<&'static str, Rows>,
 }
@@ -38,19 +38,19 @@ impl Notes {
         self.rows.push(vec![notion.into(), answer.into(), witness.into()]);
     }
 
-    /// The row of a missing answer: `-` if it is not computed.
+    /// Adds a row for a missing answer. The answer is `-` if it is not computed.
     pub(super) fn absent(&mut self, notion: &str, key: &str, answer: &str, reason: &str) {
         self.row(notion, answer, reason);
         self.null(key, reason);
     }
 
-    /// A key without a value.
+    /// Adds a key whose value is null, with the reason.
     pub(super) fn null(&mut self, key: &str, reason: &str) {
         self.json.insert(key.into(), Value::Null);
         self.reason(key, reason);
     }
 
-    /// A number, or the reason why it is missing.
+    /// Adds a number, or the reason why it is missing.
     pub(super) fn number(&mut self, key: &str, number: Option<usize>, reason: &str) {
         self.json.insert(key.into(), json!(number));
         if number.is_none() {

@@ -11,18 +11,18 @@ use affinor::algebra::structure::{RootSpaces, StructureTheory, Subspace};
 use affinor_tensors::{Rational, Tolerance};
 use serde_json::{Value, json};
 
-/// The reason in the row of the type, if no type is found.
+/// The reason that is shown if no Dynkin type is found.
 const NOT_FOUND: &str = "the Dynkin type is not found";
-/// The rank above which Cartan matrices are written in JSON only.
+/// The largest rank at which the report shows a Cartan matrix. Larger matrices are written only in
+/// JSON.
 const SHOWN_RANK: usize = 8;
 
 /// The types of the simple factors of the Levi subalgebra over the complex numbers; empty for a
 /// solvable algebra.
 ///
 /// # Errors
-/// An error for brackets that do not define a Lie algebra, for a chart, for structure constants
-/// that cannot be made rational by dividing basis vectors by square roots, and for a type that is
-/// not found.
+/// An error if the brackets do not define a Lie algebra, for a chart, if dividing basis vectors by
+/// square roots does not make the structure constants rational, and if the type is not found.
 pub fn dynkin_type(definition: &Definition) -> Result<Vec<CartanType>, InputError> {
     let definition = definition.algebra_alone();
     let types = if definition.is_rational() {
@@ -39,7 +39,7 @@ pub fn dynkin_type(definition: &Definition) -> Result<Vec<CartanType>, InputErro
 }
 
 impl Notes {
-    /// The types of the factors of the Levi subalgebra over the complex numbers.
+    /// Adds the types of the simple factors of the Levi subalgebra over the complex numbers.
     pub(super) fn types(&mut self, types: Option<&[CartanType]>, solvable: bool) {
         let written = types.map(|types| {
             let names: Vec<String> = types.iter().map(ToString::to_string).collect();
@@ -83,7 +83,8 @@ impl Notes {
         self.row("Cartan matrix", matrices, "<a_i, a_j^v>: row i, column j");
     }
 
-    /// The roots of the Levi subalgebra, with their values on a Cartan subalgebra if it splits.
+    /// Adds the roots of the Levi subalgebra. If the Cartan subalgebra splits, the values of the
+    /// roots on the Cartan subalgebra are added too.
     pub(super) fn roots(
         &mut self,
         types: Option<&[CartanType]>,

@@ -1,10 +1,10 @@
-//! Dense matrices of a report, stored by their nonzero entries until they are written.
+//! Matrices of a report: only their nonzero entries are stored, but all entries are written.
 
 use affinor_tensors::Scalar;
 use serde_json::Value;
 use std::io::{self, Write};
 
-/// A matrix of numbers as text, written as the last entry of a JSON object.
+/// A matrix of numbers in text form, which is written as the last entry of a JSON object.
 #[derive(Clone, Debug)]
 pub(super) struct Rows {
     key: &'static str,
@@ -13,7 +13,7 @@ pub(super) struct Rows {
 }
 
 impl Rows {
-    /// Sparse rows of a matrix with `columns` columns.
+    /// A matrix with `columns` columns, given by sparse rows.
     pub fn new<'a, S: Scalar + 'a>(
         key: &'static str,
         columns: usize,
@@ -23,8 +23,8 @@ impl Rows {
         Rows { key, columns, rows: rows.map(row).collect() }
     }
 
-    /// Writes an object without its last brace, such as `{"dimension":1`, then
-    /// `,"key":[["1","0"]]}`.
+    /// Writes a JSON object and the matrix as its last entry: first the object without its last
+    /// brace, such as `{"dimension":1`, then `,"key":[["1","0"]]}`.
     pub fn write_into(&self, object: &Value, out: &mut dyn Write) -> io::Result<()> {
         let object = object.to_string();
         write!(out, "{},{}:[", object.strip_suffix('}').unwrap_or(&object), Value::from(self.key))?;

@@ -23,8 +23,8 @@ pub(super) fn named(text: &str) -> Option<&'static str> {
     NAMES.into_iter().find(|name| name.eq_ignore_ascii_case(text))
 }
 
-/// Whether a property holds; if it fails, its witness as text. `None` if the property is not
-/// defined for the geometry.
+/// Whether a property holds. If it does not hold, the witness as text. `None` if the property is
+/// not defined for the geometry.
 pub(super) fn holds<S: Coefficient>(
     name: &str,
     geometry: &Geometry<S>,

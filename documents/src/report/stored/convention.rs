@@ -1,4 +1,5 @@
-//! Conventions of stored tables: formulas for their components in terms of the computed ones.
+//! Conventions of stored tables: formulas for stored components in terms of the computed
+//! components.
 
 use super::super::indexed::{Index, Names, Tensors};
 use super::super::statements::scalar;
@@ -11,8 +12,8 @@ use affinor_tensors::expression::ExpressionError;
 use affinor_tensors::{Symbolic, Tensor, contract};
 use std::collections::BTreeMap;
 
-/// The convention of a stored tensor: its component on the left-hand side, and an expression in the
-/// tensors of this program on the right-hand side.
+/// The convention of a stored tensor, as an equation. The left-hand side is a stored component; the
+/// right-hand side is an expression in the tensors of this program.
 ///
 /// | convention | the stored table has |
 /// |---|---|
@@ -24,7 +25,7 @@ pub struct Convention {
     source: Source,
 }
 
-/// The form, for messages.
+/// The form of a convention, for messages.
 const FORM: &str =
     "write the stored component, =, and its value here, as in \"R^i_jkl = -R^i_jkl\"";
 
@@ -34,12 +35,13 @@ impl Convention {
         Convention { source: Source::new("--convention", text) }
     }
 
-    /// Puts the tensor of a table into this convention, if the table has it. Returns which one it is, and whether the table has
-    /// it. These names are scalars; parameters that have been set have `values`.
+    /// Converts the tensor of a computed table to this convention, if the table contains it.
+    /// Returns the quantity, and whether the table contains it. `scalars` are the names of scalars,
+    /// and `values` are the values of parameters that were set.
     ///
     /// # Errors
-    /// An error for a text without a component and its value, and for an expression that has no
-    /// value, or other indices.
+    /// An error if the text is not a component, `=` and an expression, and if the expression has no
+    /// value, or indices that differ from those of the component.
     pub(in crate::report) fn apply<S: Coefficient>(
         &self,
         table: &mut Table<S>,
@@ -56,7 +58,7 @@ impl Convention {
         Ok((quantity, used))
     }
 
-    /// The remark that no stored table has the tensor of this convention.
+    /// The remark that no stored table contains the tensor of this convention.
     pub(in crate::report) fn unused(&self, quantity: Quantity) -> String {
         let text = crate::input::shown(self.source.text.trim());
         format!("--convention \"{text}\" is not used: no stored table has {}", quantity.key())

@@ -1,4 +1,5 @@
-//! Differences between a stored and a computed table, and the report about one or several tables.
+//! Differences between a stored table and a computed table, and the report about one or several
+//! stored tables.
 
 use super::super::components::plain;
 use super::super::grid::{Grid, head_of_grid};
@@ -9,15 +10,16 @@ use affinor_tensors::{Sum, Tensor};
 use serde_json::{Value, json};
 use std::io::{self, Write};
 
-/// The largest number of differing components that are shown by default; all are counted.
+/// The largest number of differing components that are shown by default. All of them are counted.
 const SHOWN: usize = 20;
 
 /// The components whose stored values differ from the computed ones.
 #[derive(Clone, Debug)]
 pub struct Differences {
-    /// The tensors compared.
+    /// The tensors that were compared.
     compared: Vec<Quantity>,
-    /// The component, `R^1_212`, its stored and its computed value.
+    /// For each differing component, its name, such as `R^1_212`, the stored value and the computed
+    /// value.
     found: Vec<[String; 3]>,
     /// The rule by which a float counts as zero.
     zero: Option<String>,
@@ -40,19 +42,19 @@ impl Differences {
         Differences { compared, found, zero, shown: SHOWN }
     }
 
-    /// Shows all components; otherwise the first 20.
+    /// Shows all differing components, not only the first 20.
     #[must_use]
     pub fn showing_all(self) -> Self {
         Differences { shown: usize::MAX, ..self }
     }
 
-    /// Whether there are none.
+    /// Whether all compared components agree.
     pub fn is_empty(&self) -> bool {
         self.found.is_empty()
     }
 
-    /// The components, such as `R^1_212`, with their stored and computed values; 0 if a value is
-    /// missing.
+    /// The differing components, each with its name, such as `R^1_212`, its stored value and its
+    /// computed value. A missing value counts as 0.
     pub fn iter(&self) -> impl Iterator<Item = &[String; 3]> {
         self.found.iter()
     }
@@ -77,7 +79,7 @@ impl Differences {
     }
 }
 
-/// The text `3 components differ`, with the number of those that are shown.
+/// The text `3 components differ`, with the number of shown components if it is smaller.
 fn count(all: usize, shown: usize) -> String {
     match all {
         1 => "1 component differs".into(),
@@ -108,7 +110,7 @@ impl Report for Differences {
 }
 
 impl Verification {
-    /// The outcomes of tables, by the names of their files.
+    /// The report about several stored tables, which are named after their files.
     pub fn new(tables: Vec<(String, Differences)>) -> Self {
         Verification { tables }
     }
@@ -158,7 +160,7 @@ impl Report for Verification {
     }
 }
 
-/// The components in which two tensors differ, in the order of their indices.
+/// Finds the components in which two tensors differ, in the order of their indices.
 pub(super) fn compare<S: Coefficient>(
     quantity: Quantity,
     stored: &Tensor<S>,

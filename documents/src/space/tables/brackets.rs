@@ -1,9 +1,9 @@
-//! Brackets in the notation of papers: `[x, y] = z, [y, z] = x`, separated by commas, semicolons or
-//! lines; `#` begins a comment.
+//! Brackets as in publications: `[x, y] = z, [y, z] = x`. They are separated by commas, semicolons
+//! or lines; `#` begins a comment.
 //!
-//! The basis is given by a first line `basis x y z`, or deduced: names in brackets are basis
-//! vectors, and so is the last name of a term without other basis vectors. Their order is
-//! determined by [`order_of`].
+//! A first line `basis x y z` gives the basis. Without such a line, the basis is deduced: names in
+//! brackets are basis vectors, and so is the last name of a term that contains no other basis
+//! vector. [`order_of`] determines the order of the basis vectors.
 
 use super::{add, basis_vectors, first_line, of_brackets, split_at_top};
 use crate::input::{InputError, Source};
@@ -22,7 +22,7 @@ pub(super) fn is_table(text: &str) -> bool {
     statement || named(first).is_some()
 }
 
-/// The names of a line `basis x y z`, which may have a colon and commas.
+/// The names in a line `basis x y z`, which may also contain a colon and commas.
 fn named(line: &str) -> Option<Vec<&str>> {
     let names = line.strip_prefix("basis")?;
     let names = names.trim_start_matches(':');
@@ -31,7 +31,7 @@ fn named(line: &str) -> Option<Vec<&str>> {
     is_list.then(|| names.split(apart).filter(|name| !name.is_empty()).collect())
 }
 
-/// The algebra of the brackets.
+/// Reads the algebra from the brackets.
 pub(super) fn definition(source: &Source) -> Result<Definition, InputError> {
     let text = source.content();
     let first = first_line(text);
@@ -61,7 +61,8 @@ pub(super) fn definition(source: &Source) -> Result<Definition, InputError> {
     Ok(definition)
 }
 
-/// The basis vectors in statements, in the order of their occurrence, possibly repeated.
+/// The basis vectors in statements, in the order of their occurrence. A vector may occur several
+/// times.
 fn vectors<'t>(statements: &[&'t str]) -> Vec<&'t str> {
     let sides = |line: &&'t str| {
         let inside = line.trim().strip_prefix('[')?;
@@ -91,9 +92,9 @@ fn names_in(term: &str) -> Vec<&str> {
     words.filter(|word| word.starts_with(|c: char| c.is_alphabetic() || c == '_')).collect()
 }
 
-/// The names as a basis. If all names are one stem with numbers from 1, such as `e1`, `e4`, the
-/// basis is `e1`, `e2`, ... up to the highest number. Otherwise they are in the order of their
-/// first occurrence.
+/// Arranges names as a basis. If all names have the same stem and numbers from 1, such as `e1`,
+/// `e4`, the basis is `e1`, `e2`, ... up to the highest number. Otherwise the names are in the
+/// order of their first occurrence.
 pub(super) fn order_of(names: &[&str]) -> Result<Vec<String>, InputError> {
     let mut distinct: Vec<String> = vec![];
     let mut seen = BTreeSet::new();

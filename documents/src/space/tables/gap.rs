@@ -1,23 +1,23 @@
-//! Tables of structure constants of GAP: a program with `SetEntrySCTable`, or a list as printed by
-//! GAP.
+//! Tables of structure constants for GAP: a program with `SetEntrySCTable`, or a list as GAP prints
+//! it.
 
 use super::{Entry, expect_characteristic_0, list as items, numbered, refuse};
 use crate::input::{InputError, Source};
 use crate::space::Definition;
 
-/// Whether a text is a table of GAP.
+/// Whether a text is a table for GAP.
 pub(super) fn is_table(text: &str) -> bool {
     text.contains("EmptySCTable")
         || (text.trim_start().starts_with("[ [") && list_end(text).is_some())
 }
 
-/// The end of a printed table, which contains the symmetry and the zero.
+/// The end of a printed table, which contains the symmetry and the zero of the field.
 fn list_end(text: &str) -> Option<&str> {
     let inside = text.trim().trim_end_matches(';').trim_end().strip_suffix(']')?;
     inside.rsplit_once(']').map(|(_, end)| end).filter(|end| end.matches(',').count() == 2)
 }
 
-/// The algebra of a table.
+/// Reads the algebra from a table.
 pub(super) fn definition(source: &Source) -> Result<Definition, InputError> {
     expect_characteristic_0(source)?;
     let text = source.content();
@@ -30,7 +30,8 @@ pub(super) fn definition(source: &Source) -> Result<Definition, InputError> {
 
 type Table<'t> = (usize, Vec<Entry<'t>>);
 
-/// Parses `EmptySCTable( n, ... )` and lines `SetEntrySCTable( T, j, k, [ v, i, ... ] )`.
+/// Parses a program: `EmptySCTable( n, ... )` and lines `SetEntrySCTable( T, j, k, [ v, i, ... ]
+/// )`.
 fn program<'t>(source: &Source, text: &'t str) -> Result<Table<'t>, InputError> {
     const HEAD: &str = "EmptySCTable";
     const ENTRY: &str = "SetEntrySCTable";
@@ -71,7 +72,8 @@ fn is_comment(statement: &str) -> bool {
     statement.lines().all(|line| line.trim().is_empty() || line.trim_start().starts_with('#'))
 }
 
-/// Parses `[ [ [ [ i, ... ], [ v, ... ] ], ... ], ..., symmetry, 0 ]`: row `j`, column `k`.
+/// Parses a list `[ [ [ [ i, ... ], [ v, ... ] ], ... ], ..., symmetry, 0 ]`, where `j` is the row
+/// and `k` is the column.
 fn list<'t>(source: &Source, text: &'t str) -> Result<Table<'t>, InputError> {
     let trimmed = text.trim().trim_end_matches(';').trim();
     let rows = items(trimmed).unwrap_or_default();

@@ -1,5 +1,5 @@
-//! The structure constants in a JSON table, `affinor.table/1`, as written by `affinor table
-//! --format json`.
+//! Structure constants in a JSON table with the schema `affinor.table/1`, as `affinor table
+//! --format json` writes it.
 
 use super::{add_constant, number, of_brackets};
 use crate::input::forms::{Entries, Number, Text};
@@ -9,15 +9,15 @@ use crate::space::{Definition, Pairs};
 use serde::de::IgnoredAny;
 use std::collections::BTreeMap;
 
-/// The schema of a table.
+/// The schema of a JSON table.
 const SCHEMA: &str = "affinor.table/1";
 
-/// Whether a text is a JSON object with a schema, which definition files do not have.
+/// Whether a text is a JSON object that contains a schema. Definition files contain no schema.
 pub(super) fn is_table(text: &str) -> bool {
     text.trim_start().starts_with('{') && text.contains("\"schema\"")
 }
 
-/// The keys of a table that are used here.
+/// The keys of a table that are used to define the algebra.
 #[derive(serde::Deserialize)]
 struct Table {
     schema: Text,
@@ -45,7 +45,7 @@ struct Components {
     components: Vec<(Vec<i64>, Number)>,
 }
 
-/// The algebra of a table.
+/// Reads the algebra from a table.
 pub(super) fn definition(source: &Source) -> Result<Definition, InputError> {
     let (table, source) = parse_keys::<Table>(source, "")?;
     if &*table.schema != SCHEMA {

@@ -1,6 +1,7 @@
-//! Lie algebras of Maple, package DifferentialGeometry: `LieAlgebraData([[x, y] = z], [x, y, z],
-//! Alg)`, as written by affinor, and `_DG([["LieAlgebra", Alg, [n]], [[[i, j, k], v], ...]])` for
-//! `[e_i, e_j] = ... + v e_k`, as printed by Maple.
+//! Lie algebras for the package DifferentialGeometry of Maple, in two forms. The first is
+//! `LieAlgebraData([[x, y] = z], [x, y, z], Alg)`, which affinor writes. The second is
+//! `_DG([["LieAlgebra", Alg, [n]], [[[i, j, k], v], ...]])`, which Maple prints; it means `[e_i,
+//! e_j] = ... + v e_k`.
 
 use super::{Entry, add, basis_vectors, enclosed, items, list, numbered, of_brackets, refuse};
 use crate::input::{InputError, Source};
@@ -16,20 +17,20 @@ pub(super) fn is_table(text: &str) -> bool {
     call(text, DATA).or_else(|| call(text, PRINTED)).is_some()
 }
 
-/// The text after a name, beginning with its parenthesis.
+/// The text after the name of a function that is called, beginning with its parenthesis.
 fn call<'t>(text: &'t str, name: &str) -> Option<&'t str> {
     let mut calls = text.match_indices(name).map(|(at, _)| text[at + name.len()..].trim_start());
     calls.find(|rest| rest.starts_with('('))
 }
 
-/// The algebra of a table.
+/// Reads the algebra from a table.
 pub(super) fn definition(source: &Source) -> Result<Definition, InputError> {
     let text = source.content();
     let mut definition = match call(text, DATA) {
         Some(call) => data(source, call)?,
         None => printed(source, call(text, PRINTED).unwrap_or_default())?,
     };
-    // Pi is the name of the constant in Maple
+    // replaces Pi, which is the name of the constant in Maple
     if definition.parameters().iter().any(|name| name == "Pi") {
         definition.set(&[("Pi".to_string(), Symbolic::pi())].into())?;
     }

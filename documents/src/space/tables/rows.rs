@@ -1,8 +1,8 @@
-//! Structure constants in CSV rows: `i,j,k,value` for `[e_j, e_k] = ... + value e_i`, the column
-//! order of affinor's own tables.
+//! Structure constants in CSV: a row `i,j,k,value` means `[e_j, e_k] = ... + value e_i`. The tables
+//! of affinor have this order of columns.
 //!
-//! A header names the columns `i`, `j`, `k` and `value` (or `c`) in any order. If there is a column
-//! `tensor`, only rows with the value `structure` are used. Columns are separated by commas,
+//! A header may name the columns `i`, `j`, `k` and `value` (or `c`) in any order. If there is a
+//! column `tensor`, only rows with the value `structure` are used. Columns are separated by commas,
 //! semicolons, tabs or spaces.
 
 use super::{Entry, first_line, numbered, refuse};
@@ -10,11 +10,11 @@ use crate::input::{InputError, Source, shown};
 use crate::space::Definition;
 use std::collections::BTreeSet;
 
-/// Names of the column of values.
+/// Names that a header may use for the column of values.
 const VALUE: [&str; 5] = ["value", "c", "v", "coefficient", "constant"];
 
-/// Whether the first line is a header that names `i`, `j` and `k`, or has at least four columns
-/// without brackets and `=`.
+/// Whether the first line is a header that names `i`, `j` and `k`, or a row of at least four
+/// columns without brackets and `=`.
 pub(super) fn is_table(text: &str) -> bool {
     let first = first_line(text);
     let fields = fields(first, separator(first));
@@ -26,10 +26,11 @@ pub(super) fn is_table(text: &str) -> bool {
 /// The positions of the columns.
 struct Columns {
     tensor: Option<usize>,
-    /// The columns `i`, `j`, `k`.
+    /// The positions of `i`, `j` and `k`.
     indices: [usize; 3],
     value: usize,
-    /// All columns of indices, of tensors of higher rank too.
+    /// The positions of all columns of indices, including those that only tensors of higher rank
+    /// use.
     all: Vec<usize>,
     count: usize,
 }
@@ -40,7 +41,7 @@ impl Columns {
         Columns { tensor: None, indices: [0, 1, 2], value: 3, all: vec![0, 1, 2], count: 4 }
     }
 
-    /// The columns named by a header.
+    /// The positions that a header gives.
     fn named(head: &[&str], line: &str, source: &Source) -> Result<Self, InputError> {
         let names: Vec<String> = head.iter().map(|name| name.to_lowercase()).collect();
         let find = |name: &str| names.iter().position(|other| other == name);
@@ -58,7 +59,7 @@ impl Columns {
     }
 }
 
-/// The algebra of the rows. Its dimension is the highest index.
+/// Reads the algebra from the rows. Its dimension is the highest index.
 pub(super) fn definition(source: &Source) -> Result<Definition, InputError> {
     let text = source.content();
     let first = first_line(text);
@@ -130,12 +131,13 @@ fn is_index(field: &str) -> bool {
     field.starts_with(|c: char| c.is_ascii_digit())
 }
 
-/// The separator of columns: a tab, a semicolon, a comma, otherwise spaces.
+/// The separator of columns: a tab, a semicolon or a comma, whichever occurs first in this list;
+/// otherwise spaces.
 fn separator(line: &str) -> char {
     ['\t', ';', ','].into_iter().find(|separator| line.contains(*separator)).unwrap_or(' ')
 }
 
-/// The fields of a line, without quotes.
+/// Splits a line into its fields, and removes their quotes.
 fn fields(line: &str, separator: char) -> Vec<&str> {
     if separator == ' ' {
         return line.split_whitespace().collect();

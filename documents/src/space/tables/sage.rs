@@ -1,8 +1,8 @@
-//! Dictionaries of Sage: `{('x', 'y'): {'z': 1}}` for `[x, y] = z`, on their own or in a call of
-//! `LieAlgebra`.
+//! Dictionaries for Sage: `{('x', 'y'): {'z': 1}}` means `[x, y] = z`. A dictionary may be alone,
+//! or in a call of `LieAlgebra`.
 //!
-//! The basis is given by `names='x,y,z'` or `L.<x,y,z>` in the program; otherwise the names are in
-//! the order of [`order_of`].
+//! The program may give the basis as `names='x,y,z'` or `L.<x,y,z>`. Otherwise [`order_of`]
+//! determines the order of the names.
 
 use super::brackets::order_of;
 use super::{
@@ -20,7 +20,7 @@ pub(super) fn is_table(text: &str) -> bool {
     dictionary(text).is_some()
 }
 
-/// The text from the opening brace of the dictionary on.
+/// The text from the opening brace of the dictionary to the end.
 fn dictionary(text: &str) -> Option<&str> {
     let is_program = text.contains("LieAlgebra(");
     let braces = text.match_indices('{').map(|(at, _)| &text[at..]);
@@ -33,7 +33,7 @@ fn dictionary(text: &str) -> Option<&str> {
     braces.into_iter().find(opens)
 }
 
-/// The algebra of a dictionary.
+/// Reads the algebra from a dictionary.
 pub(super) fn definition(source: &Source) -> Result<Definition, InputError> {
     expect_characteristic_0(source)?;
     let text = source.content();
@@ -91,7 +91,7 @@ fn pair_of<'t>(names: &[&'t str]) -> Option<[&'t str; 2]> {
     Some([unquoted(x), unquoted(y)])
 }
 
-/// A value without the parent that converts it: `1/2` for `QQ('1/2')`.
+/// Removes the call that converts a value: `QQ('1/2')` becomes `1/2`.
 fn number(value: &str) -> &str {
     let value = value.trim();
     let inside = ["QQ", "ZZ", "Rational", "Integer"].iter().find_map(|parent| {
@@ -101,7 +101,7 @@ fn number(value: &str) -> &str {
     inside.map_or(value, unquoted)
 }
 
-/// The names that a program gives to the basis.
+/// The names that the program gives to the basis vectors.
 fn named(text: &str) -> Option<Vec<String>> {
     let generators = text.split_once(".<").and_then(|(_, rest)| rest.split_once('>'));
     let keyword = || {

@@ -1,14 +1,15 @@
-//! Nilmanifolds in Salamon's notation: `(0,0,12)` lists `de^1`, `de^2`, `de^3` with `12` for `e^1 e^2`.
+//! Nilmanifolds in the notation of Salamon: `(0,0,12)` lists `de^1`, `de^2`, `de^3`, where `12`
+//! means `e^1 e^2`.
 //!
-//! `de^k = sum of a_ij e^i e^j` means `[e_i, e_j] = - a_ij e_k`, because `de^k(x, y) = -e^k([x,
-//! y])`. Indices of several digits are separated by a dot, `1.10`, or by a comma in braces,
-//! `{1,10}`. Terms may have factors, `2*13`. `0^3` means `0,0,0`.
+//! An equation `de^k = sum of a_ij e^i e^j` means `[e_i, e_j] = - a_ij e_k`, because `de^k(x, y) =
+//! -e^k([x, y])`. Indices of several digits are separated by a dot, as in `1.10`, or by a comma in
+//! braces, as in `{1,10}`. Terms may have factors, as in `2*13`. `0^3` means `0,0,0`.
 
 use super::{Entry, enclosed, first_line, items, numbered, refuse};
 use crate::input::{InputError, Source, shown};
 use crate::space::Definition;
 
-/// Whether a text begins with `(` and a number, sign or name, up to a `)` at the end of its first line.
+/// Whether a text begins with `(` and a number, a sign or a name, and the first line ends with `)`.
 pub(super) fn is_table(text: &str) -> bool {
     let line = first_line(text).trim_end_matches([';', '.']).trim_end();
     let inside = line.starts_with('(').then(|| enclosed(line)).flatten();
@@ -18,7 +19,7 @@ pub(super) fn is_table(text: &str) -> bool {
     })
 }
 
-/// The algebra of a list.
+/// Reads the algebra from a list.
 pub(super) fn definition(source: &Source) -> Result<Definition, InputError> {
     let text = source.content();
     let line = first_line(text);
@@ -44,11 +45,11 @@ pub(super) fn definition(source: &Source) -> Result<Definition, InputError> {
                     .at(&source.whole(if term.is_empty() { item } else { term }))
                     .help("write 12 for e^1 e^2, 1.10 for e^1 e^10, 2*12 with a factor"));
             };
-            // because e^j e^i = - e^i e^j
+            // sorts the indices, because e^j e^i = - e^i e^j
             let rising = i.parse::<usize>().ok() <= j.parse().ok();
             let (first, second) = if rising { (i, j) } else { (j, i) };
             let (j, k, i) = (first.into(), second.into(), k.to_string().into());
-            // [e_i, e_j] has the opposite sign of de^k
+            // reverses the sign, because [e_i, e_j] has the opposite sign of de^k
             let negative = rising != negative;
             entries.push(Entry { j, k, i, negative, value: factor, place: term });
         }
@@ -59,7 +60,7 @@ pub(super) fn definition(source: &Source) -> Result<Definition, InputError> {
     numbered(source, k, &entries)
 }
 
-/// The number of zeros in an item: 1 for `0`, and `n` for `0^n`.
+/// The number of zeros that an item means: 1 for `0`, and `n` for `0^n`.
 fn zeros(item: &str) -> Option<usize> {
     let rest = item.strip_prefix('0')?.trim();
     match rest.strip_prefix('^') {
@@ -68,7 +69,7 @@ fn zeros(item: &str) -> Option<usize> {
     }
 }
 
-/// The terms of a sum with their signs.
+/// Splits a sum into its terms, each with its sign.
 fn terms(sum: &str) -> Vec<(bool, &str)> {
     let (mut depth, mut from, mut negative, mut terms) = (0i64, 0, false, vec![]);
     for (at, symbol) in sum.char_indices() {
