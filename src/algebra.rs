@@ -1,7 +1,8 @@
 //! Lie algebras and their frames. In reading order:
 //!
 //! - [`frame`]: structure functions and derivations of frame vectors;
-//! - [`Bracket`]: antisymmetric structure constants; [`LieAlgebra`]: with the Jacobi identity;
+//! - [`Bracket`]: antisymmetric structure constants; [`LieAlgebra`]: a bracket that satisfies the
+//!   Jacobi identity;
 //! - [`BasisChange`], [`MatrixBasis`]: other bases, and structure constants from matrices;
 //! - [`RationalBasis`]: a basis in which the structure constants have no square roots;
 //! - [`roots`]: root systems and Chevalley bases; [`catalogue`]: Lie algebras by name;
@@ -9,7 +10,7 @@
 //! - [`lie_derivative`]: Lie derivatives of tensors; [`invariants`]: invariant tensors;
 //! - [`lie_poisson`]: the dual space, its Poisson bracket, Casimir functions, coadjoint orbits.
 //!
-//! The Baker-Campbell-Hausdorff series is [`LieAlgebra::bch`].
+//! The method [`LieAlgebra::bch`] computes the Baker-Campbell-Hausdorff series.
 
 mod basis;
 mod bch;
@@ -69,7 +70,8 @@ impl<S: Scalar> fmt::Display for LieAlgebra<S> {
 impl<S: Scalar> TryFrom<Bracket<S>> for LieAlgebra<S> {
     type Error = Error;
 
-    /// Checks the Jacobi identity; [`Law::Jacobi`](crate::Law::Jacobi) names the first triple that fails.
+    /// Checks the Jacobi identity; [`Law::Jacobi`](crate::Law::Jacobi) names the first triple that
+    /// fails.
     fn try_from(bracket: Bracket<S>) -> Result<Self, Error> {
         match bracket.jacobi_violation() {
             Some(violation) => Err(violation),
@@ -194,8 +196,8 @@ impl<S: Scalar> LieAlgebra<S> {
         formula("c^m_il c^l_jm -> _ij", &[("c", self.structure_constants())])
     }
 
-    /// The direct sum, in the basis of this algebra followed by the basis of `other`. A label of
-    /// `other` that this algebra also has gets a prime.
+    /// The direct sum, in the basis of this algebra followed by the basis of `other`. If a label of
+    /// `other` also occurs in this algebra, a prime is appended to it.
     ///
     /// ```
     /// use affinor::algebra::catalogue;
@@ -207,7 +209,8 @@ impl<S: Scalar> LieAlgebra<S> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Tensor`] if the dimension of the sum is too large for the indices of a tensor, 64 bits.
+    /// [`Error::Tensor`] if the dimension of the sum is too large for the indices of a tensor, 64
+    /// bits.
     #[doc(alias("direct product"))]
     pub fn direct_sum(&self, other: &Self) -> Result<Self, Error> {
         let (n, m) = (self.dimension(), other.dimension());
@@ -221,7 +224,7 @@ impl<S: Scalar> LieAlgebra<S> {
         let theirs = other.structure_constants().components().map(shifted(n));
         let both = mine.chain(theirs);
         let structure = Tensor::from_components(n + m, &[Up, Down, Down], both)?;
-        // a direct sum of Lie algebras satisfies the Jacobi identity
+        // no check is needed, because a direct sum of Lie algebras satisfies the Jacobi identity
         Ok(LieAlgebra { frame: Frame::invariant(labels, structure)? })
     }
 
@@ -230,7 +233,7 @@ impl<S: Scalar> LieAlgebra<S> {
         vector(self.structure_constants(), components)
     }
 
-    /// The same algebra over another scalar, by a homomorphism of rings.
+    /// The same algebra over another scalar type. The function `f` must be a homomorphism of rings.
     ///
     /// ```
     /// use affinor::algebra::catalogue;
@@ -242,7 +245,8 @@ impl<S: Scalar> LieAlgebra<S> {
     /// ```
     ///
     /// # Errors
-    /// [`Law::Jacobi`](crate::Law::Jacobi) or [`Law::Antisymmetry`](crate::Law::Antisymmetry) when `f` is not a homomorphism.
+    /// [`Law::Jacobi`](crate::Law::Jacobi) or [`Law::Antisymmetry`](crate::Law::Antisymmetry) when
+    /// `f` is not a homomorphism.
     #[doc(alias("convert scalars"))]
     pub fn map<T: Scalar>(&self, f: impl Fn(&S) -> T) -> Result<LieAlgebra<T>, Error> {
         Bracket::new(self.labels(), self.structure_constants().map(f))?.try_into()
@@ -258,12 +262,13 @@ impl<S: Field + Scalar> LieAlgebra<S> {
     pub fn change_basis(&self, change: &BasisChange<S>) -> Result<Self, Error> {
         let structure = change.apply(self.structure_constants())?;
         let labels = (1..=self.dimension()).map(|a| format!("e{a}"));
-        // a change of basis preserves the Jacobi identity, and rounding errors must not break it
+        // the Jacobi identity is not checked again: a change of basis preserves the identity, but
+        // the check might fail because of rounding errors
         Ok(LieAlgebra { frame: Frame::invariant(labels, structure)? })
     }
 }
 
-/// The matrix of `[n, .]`, from structure constants that are already checked.
+/// The matrix of `[n, .]`. The structure constants have been checked before.
 pub(crate) fn ad<S: Scalar>(structure: &Tensor<S>, n: &[S]) -> Result<Tensor<S>, Error> {
     let n = vector(structure, n)?;
     Ok(formula("c^i_jk n^j -> ^i_k", &[("c", structure), ("n", &n)]))
@@ -275,7 +280,8 @@ fn vector<S: Scalar>(structure: &Tensor<S>, components: &[S]) -> Result<Tensor<S
     Ok(vector)
 }
 
-/// The labels of a direct sum: a label of `second` that also occurs before it gets primes.
+/// The labels of a direct sum: a label of `second` that also occurs before it is extended by
+/// primes.
 pub fn join_labels(first: &[String], second: &[String]) -> Vec<String> {
     let mut labels = first.to_vec();
     for label in second {

@@ -1,17 +1,22 @@
-//! The conventions of signs and index orders, fixed in this module only.
+//! The conventions of signs and index orders. Only this module fixes them.
 //!
 //! The tests below verify every line of [`ALL`]. The command line, files and messages count indices
-//! from 1, Rust from 0. Most tests use aff(1), `[x, y] = y`. It is neither unimodular nor semisimple, so that no wrong
-//! sign or index order passes.
+//! from 1, but Rust counts from 0. Most tests use aff(1), `[x, y] = y`. This algebra is neither
+//! unimodular nor semisimple, so that each wrong sign or index order fails a test. Numbers such as
+//! (B14) are the numbers of the equations in E. Paraskevopoulos and S. Natsiavas (2013); see the
+//! [crate documentation](crate).
 //!
 //! # Algebras
 //!
-//! - *Bracket*: `[e_j, e_k] = c^i_jk e_i`, and `(ad_n)^i_k = c^i_jk n^j` with the upper index as row.
+//! - *Bracket*: `[e_j, e_k] = c^i_jk e_i`, and `(ad_n)^i_k = c^i_jk n^j`, where the upper index is
+//!   the row.
 //! - *Killing form*: `K_ij = c^m_il c^l_jm = tr(ad_i ad_j)`.
 //! - *Change of basis*: `e'_a = A^i_a e_i`, so `c' = A^-1 c (A, A)`, `g' = A^T g A`.
 //! - *Lie derivative*: `L_X Y = [X, Y]`.
-//! - *Forms*: `dw(x,y) = x(w(y)) - y(w(x)) - w([x,y])` and `(a ^ b)(x,y) = a(x) b(y) - a(y) b(x)`, without factorials.
-//! - *Lie-Poisson*: `{mu_i, mu_j} = -c^k_ij mu_k` for left-invariant systems, `+` for right ones.
+//! - *Forms*: `dw(x,y) = x(w(y)) - y(w(x)) - w([x,y])` and `(a ^ b)(x,y) = a(x) b(y) - a(y) b(x)`,
+//!   without factorials.
+//! - *Lie-Poisson*: `{mu_i, mu_j} = -c^k_ij mu_k` for left-invariant systems, and the opposite sign
+//!   for right-invariant systems.
 //!
 //! ```
 //! # use affinor::*;
@@ -40,17 +45,21 @@
 //!
 //! # Connections
 //!
-//! - *Affinities*: `nabla_{e_j} e_k = Lambda^i_jk e_i`, the first lower index is the direction; `plus` is `Lambda = c`.
+//! - *Affinities*: `nabla_{e_j} e_k = Lambda^i_jk e_i`. The first lower index is the direction. The
+//!   connection `plus` is `Lambda = c`.
 //! - *Torsion* (B10): `tau^i_jk = Lambda^i_jk - Lambda^i_kj - c^i_jk`.
-//! - *Curvature* (B14): `R(e_k, e_l) e_j = R^i_jkl e_i`. *Ricci*: `Ric_jl = R^i_jil`, with the parts `symRic`, `altRic`
-//!   of weight 1/2.
-//! - *Right frame*: structure `-c`, and `Lambda_right = Lambda - c` for connections that are
-//!   invariant under ad; other connections are rejected. `g -> g^-1` exchanges the frames, and
-//!   `lambda` with `1 - lambda`.
-//! - *Transport* along the autoparallel of a constant `n`: `du/dt = -Lambda(n) u`, that is `-ad_n` for `plus`.
+//! - *Curvature* (B14): `R(e_k, e_l) e_j = R^i_jkl e_i`. *Ricci*: `Ric_jl = R^i_jil`. Its parts
+//!   `symRic` and `altRic` contain the factor 1/2.
+//! - *Right frame*: the structure is `-c`. Connections that are invariant under ad have the
+//!   affinities `Lambda_right = Lambda - c`; other connections are rejected. The map `g -> g^-1`
+//!   exchanges the frames, and exchanges `lambda` with `1 - lambda`.
+//! - *Transport* along the autoparallel of a constant `n`: `du/dt = -Lambda(n) u`. The generator is
+//!   `-ad_n` for `plus`.
 //! - *Change of frame* by functions `A`: affinities follow the inhomogeneous law
-//!   `Lambda' = A^-1 (Lambda(A, A) + e(A))`, structure functions its antisymmetric part (A6).
-//! - *Homogeneous spaces* G/H with `g = m + h`: `R(x,y)` on `m` has the further term `-[[x,y]_h, .]`.
+//!   `Lambda' = A^-1 (Lambda(A, A) + e(A))`, and structure functions follow the antisymmetric part
+//!   of this law (A6).
+//! - *Homogeneous spaces* G/H with `g = m + h`: the curvature `R(x,y)` on `m` has the additional
+//!   term `-[[x,y]_h, .]`.
 //!
 //! ```
 //! # use affinor::*;
@@ -92,13 +101,15 @@
 //! # Metrics
 //!
 //! - *nabla of a tensor*: `(nabla_m T)^i_j = e_m(T^i_j) + Lambda^i_mp T^p_j - Lambda^p_mj T^i_p`,
-//!   the direction is the first lower index. *Nonmetricity*: `Q_kij = (nabla_k g)_ij`.
-//! - *Sectional curvature*: `K(x,y) = g(R(x,y)y, x) / (g(x,x) g(y,y) - g(x,y)^2)`; with
-//!   *Levi-Civita* by Koszul's formula aff(1) is the hyperbolic plane. *Scalar*: `S = g^jl Ric_jl`.
+//!   where the direction is the first lower index. *Nonmetricity*: `Q_kij = (nabla_k g)_ij`.
+//! - *Sectional curvature*: `K(x,y) = g(R(x,y)y, x) / (g(x,x) g(y,y) - g(x,y)^2)`. With the
+//!   *Levi-Civita* connection, from Koszul's formula, aff(1) is the hyperbolic plane. *Scalar*:
+//!   `S = g^jl Ric_jl`.
 //! - *Einstein*: `G_jl = Ric_jl - 1/2 S g_jl`. *Trace-free Ricci*: `tfRic_jl = Ric_jl - S/n g_jl`.
 //!   *Kretschmann*: `Kr = R_ijkl R^ijkl`.
 //! - *Contorsion* `K_ijk = (tau_ijk + tau_jik + tau_kij)/2` and *disformation*
-//!   `L_ijk = (Q_ijk - Q_jki - Q_kij)/2`, the first index lowered: `Lambda = LeviCivita + K + L`.
+//!   `L_ijk = (Q_ijk - Q_jki - Q_kij)/2`, where the metric lowers the first index:
+//!   `Lambda = LeviCivita + K + L`.
 //! - *Schouten*: `P_jl = (Ric_jl - S/(2(n-1)) g_jl)/(n-2)`. *Weyl*: `W^i_jkl = R^i_jkl - delta^i_k
 //!   P_jl + delta^i_l P_jk - g_jl P^i_k + g_jk P^i_l`. *Cotton*: `C_jkl = (nabla_k P)_jl - (nabla_l
 //!   P)_jk`.
@@ -134,51 +145,52 @@
 
 /// The bracket of the frame.
 pub const BRACKET: &str = "[e_j, e_k] = c^i_jk e_i";
-/// Affinities.
+/// The affinities.
 pub const AFFINITIES: &str = "nabla_{e_j} e_k = Lambda^i_jk e_i";
-/// Torsion.
+/// The torsion.
 pub const TORSION: &str = "tau^i_jk = Lambda^i_jk - Lambda^i_kj - c^i_jk";
 /// The curvature as an operator.
 pub const CURVATURE: &str = "R(e_k, e_l) e_j = R^i_jkl e_i";
-/// Curvature in components.
+/// The curvature in components.
 pub const CURVATURE_COMPONENTS: &str = "R^i_jkl = e_k(Lambda^i_lj) - e_l(Lambda^i_kj) \
      + Lambda^i_km Lambda^m_lj - Lambda^i_lm Lambda^m_kj - c^m_kl Lambda^i_mj";
-/// Ricci tensor.
+/// The Ricci tensor.
 pub const RICCI: &str = "Ric_jl = R^i_jil";
-/// Scalar curvature.
+/// The scalar curvature.
 pub const SCALAR_CURVATURE: &str = "S = g^jl Ric_jl";
-/// Nonmetricity.
+/// The nonmetricity.
 pub const NONMETRICITY: &str =
     "Q_kij = (nabla_k g)_ij = e_k(g_ij) - Lambda^m_ki g_mj - Lambda^m_kj g_im";
-/// Metric.
+/// The metric.
 pub const METRIC: &str = "g_ij = g(e_i, e_j)";
-/// Inverse metric.
+/// The inverse metric.
 pub const INVERSE_METRIC: &str = "g^ij g_jk = delta^i_k";
-/// Derivative of the torsion.
+/// The derivative of the torsion.
 pub const NABLA_TORSION: &str = "(nabla tau)^i_mjk = (nabla_m tau)^i_jk";
-/// Derivative of the curvature.
+/// The derivative of the curvature.
 pub const NABLA_CURVATURE: &str = "(nabla R)^i_mjkl = (nabla_m R)^i_jkl";
-/// Symmetric part of the Ricci tensor.
+/// The symmetric part of the Ricci tensor.
 pub const RICCI_SYMMETRIC: &str = "symRic_jl = 1/2 (Ric_jl + Ric_lj)";
-/// Antisymmetric part of the Ricci tensor.
+/// The antisymmetric part of the Ricci tensor.
 pub const RICCI_ANTISYMMETRIC: &str = "altRic_jl = 1/2 (Ric_jl - Ric_lj)";
-/// Trace-free part of the Ricci tensor.
+/// The trace-free part of the Ricci tensor.
 pub const RICCI_TRACE_FREE: &str = "tfRic_jl = Ric_jl - S/n g_jl";
-/// Einstein tensor.
+/// The Einstein tensor.
 pub const EINSTEIN: &str = "G_jl = Ric_jl - 1/2 S g_jl";
-/// Schouten tensor.
+/// The Schouten tensor.
 pub const SCHOUTEN: &str = "P_jl = (Ric_jl - S/(2(n-1)) g_jl)/(n-2)";
-/// Weyl tensor.
+/// The Weyl tensor.
 pub const WEYL: &str =
     "W^i_jkl = R^i_jkl - delta^i_k P_jl + delta^i_l P_jk - g_jl P^i_k + g_jk P^i_l";
-/// Cotton tensor.
+/// The Cotton tensor.
 pub const COTTON: &str = "C_jkl = (nabla_k P)_jl - (nabla_l P)_jk";
-/// Kretschmann scalar.
+/// The Kretschmann scalar.
 pub const KRETSCHMANN: &str = "Kr = R_ijkl R^ijkl";
-/// Killing form.
+/// The Killing form.
 pub const KILLING: &str = "K_ij = c^m_il c^l_jm";
 
-/// The conventions, as (object, its lines), in the order in which they build on each other.
+/// All conventions, as pairs of an object and its lines. They are listed in the order in which they
+/// build on each other.
 pub const ALL: &[(&str, &[&str])] = &[
     ("frame", &["e_1..e_n, for an algebra the left-invariant fields through its basis"]),
     ("bracket", &[BRACKET, "for matrices AB - BA"]),

@@ -31,9 +31,10 @@ use crate::{Error, Law};
 use affinor_tensors::{Field, Notation, Scalar, Tensor};
 use std::fmt;
 
-/// A frame with a connection and, optionally, a metric, all components given in that frame.
+/// A frame with a connection and, optionally, a metric. All components refer to this frame.
 ///
-/// Connection and metric are independent: M(3) and SO(3) have the same Lie algebra and differ in both.
+/// Connection and metric are independent: M(3) and SO(3) have the same Lie algebra, but different
+/// connections and metrics.
 ///
 /// ```
 /// use affinor::algebra::catalogue;
@@ -63,8 +64,8 @@ pub struct Geometry<S> {
 pub enum FrameOrigin<S> {
     /// The left-invariant frame of a Lie algebra.
     Algebra(LieAlgebra<S>),
-    /// Fields on a chart, and their Lie algebra if their structure functions are constants. In this
-    /// case the fields are locally the left-invariant fields of a group with this algebra.
+    /// Fields on a chart, and their Lie algebra if the structure functions are constant. In this
+    /// case, the fields are locally the left-invariant fields of a group with this algebra.
     Chart(Box<Fields<S>>, Option<LieAlgebra<S>>),
 }
 
@@ -85,10 +86,11 @@ impl<S: Field + Scalar> FrameOrigin<S> {
         }
     }
 
-    /// The Lie algebra of the frame; an error names `what` needs the algebra.
+    /// The Lie algebra of the frame. The parameter `what` names the computation that needs the
+    /// algebra; it occurs in the error.
     ///
     /// # Errors
-    /// [`Law::Constant`] with `what`, and the first structure function that is not constant.
+    /// [`Law::Constant`] with `what` and the first structure function that is not constant.
     pub fn algebra_for(&self, what: &'static str) -> Result<&LieAlgebra<S>, Error> {
         self.algebra().ok_or_else(|| {
             let frame = self.frame();
@@ -102,7 +104,7 @@ impl<S: Field + Scalar> FrameOrigin<S> {
         })
     }
 
-    /// Whether the value has a nonzero derivative along the frame.
+    /// Whether the value has a nonzero derivative along a frame vector.
     fn varies(&self, value: &S) -> bool {
         let frame = self.frame();
         (0..frame.dimension()).any(|k| !frame.derive(k, value).vanishes())
@@ -183,10 +185,10 @@ impl<S: Notation + Scalar> Geometry<S> {
         Ok(Geometry { name, algebra_name, origin, connection, kind, metric, right })
     }
 
-    /// The same geometry with its components in the right-invariant frame: structure `-c`,
-    /// affinities `Lambda - c`. A metric that is not bi-invariant is dropped, because its
-    /// components there are not constant. Without a metric, applying this method twice returns the
-    /// original geometry.
+    /// The same geometry with components in the right-invariant frame, which are the structure `-c`
+    /// and the affinities `Lambda - c`. A metric that is not bi-invariant is omitted, because its
+    /// components are not constant in this frame. Without a metric, applying this method twice
+    /// returns the original geometry.
     ///
     /// # Errors
     /// [`Law::AdInvariance`] for a connection without constant components in the right-invariant
@@ -217,8 +219,8 @@ impl<S: Notation + Scalar> Geometry<S> {
         })
     }
 
-    /// The name of the frame of all components: `left-invariant` or `right-invariant`, and over a
-    /// chart `coordinate` or `moving`.
+    /// The name of the frame to which all components refer: `left-invariant` or `right-invariant`,
+    /// or `coordinate` or `moving` over a chart.
     pub fn frame_name(&self) -> &'static str {
         match self.origin.fields() {
             Some(fields) if fields.are_coordinates() => "coordinate",
@@ -228,14 +230,14 @@ impl<S: Notation + Scalar> Geometry<S> {
         }
     }
 
-    /// The same geometry with another name of its algebra, such as so(3) for M(3).
+    /// The same geometry with another name for its algebra, such as so(3) for M(3).
     #[must_use]
     pub fn over(self, algebra_name: impl Into<String>) -> Self {
         Geometry { algebra_name: Some(algebra_name.into()), ..self }
     }
 
-    /// The name of its algebra; it is the name of the geometry unless [`over`](Self::over) set
-    /// another.
+    /// The name of the algebra. It is the name of the geometry, unless [`over`](Self::over) has set
+    /// another name.
     pub fn algebra_name(&self) -> &str {
         self.algebra_name.as_deref().unwrap_or(&self.name)
     }
@@ -250,7 +252,7 @@ impl<S: Notation + Scalar> Geometry<S> {
         &self.origin
     }
 
-    /// The frame of all components.
+    /// The frame to which all components refer.
     pub fn frame(&self) -> &Frame<S> {
         self.connection.frame()
     }
@@ -260,7 +262,7 @@ impl<S: Notation + Scalar> Geometry<S> {
         self.origin.algebra()
     }
 
-    /// The connection, in the [`frame`](Self::frame).
+    /// The connection, with components in the [`frame`](Self::frame).
     pub fn connection(&self) -> &Connection<S> {
         &self.connection
     }
@@ -270,16 +272,18 @@ impl<S: Notation + Scalar> Geometry<S> {
         &self.kind
     }
 
-    /// The metric; `None` for a geometry without one.
+    /// The metric; `None` if the geometry has no metric.
     pub fn metric(&self) -> Option<&Metric<S>> {
         self.metric.as_ref()
     }
 
-    /// Whether the connection is the Levi-Civita connection of the metric: torsion-free and
-    /// compatible. For a bi-invariant metric, `zero` is.
+    /// Whether the connection is the Levi-Civita connection of the metric, which means torsion-free
+    /// and compatible. For a bi-invariant metric, the connection `zero` is the Levi-Civita
+    /// connection.
     ///
     /// # Errors
-    /// None for a valid geometry; an [`Error::Shape`] of a computation is passed on.
+    /// No error occurs for a valid geometry. An [`Error::Shape`] of a computation is returned
+    /// unchanged.
     pub fn is_levi_civita(&self) -> Result<bool, Error> {
         let Some(metric) = &self.metric else { return Ok(false) };
         Ok(self.kind == ConnectionKind::LeviCivita
@@ -288,6 +292,7 @@ impl<S: Notation + Scalar> Geometry<S> {
     }
 }
 
+/// Writes the geometry, such as
 /// `so(3), connection plus (left invariant canonical), metric diag(1, 2, 3)`.
 impl<S: Notation + Scalar> fmt::Display for Geometry<S> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -4,8 +4,9 @@
 //! - [`LieGroup`], the trait of every group; [`Embedded`] for embedding coordinates,
 //!   [`MatrixNotation`] for matrices in files, [`TranslationSplit`] for the split of rotations and
 //!   translations in integrators;
-//! - in `groups`, one file for each group: closed forms [`Translations`], [`So2`], [`So3`], [`Se2`], [`Se3`], [`Se23`], [`Sl2`], [`Heisenberg`], [`Homotheties`];
-//!   general groups [`MatrixGroup`], [`Nilpotent`], [`Product`], [`Opposite`] (right-invariant systems);
+//! - in `groups`, one file for each group: groups in closed form [`Translations`], [`So2`],
+//!   [`So3`], [`Se2`], [`Se3`], [`Se23`], [`Sl2`], [`Heisenberg`], [`Homotheties`]; general groups
+//!   [`MatrixGroup`], [`Nilpotent`], [`Product`], [`Opposite`] (right-invariant systems);
 //! - [`AnyGroup`], a group chosen at run time, and the [`registry`] of all groups by name;
 //! - [`rotation`]: quaternions, matrices, Euler angles; [`batch`]: many rotations at once;
 //! - [`fields`] and [`velocity`]: invariant vector fields, body and spatial velocity of paths;
@@ -13,8 +14,8 @@
 //! - [`laws`]: checks of the laws of a Lie group, for user-defined groups.
 //!
 //! A vector is the list of its components in the basis of the algebra. A tangent vector at `g` has
-//! components in the left-invariant frame: for a matrix group, the components `x` at `g` represent
-//! the matrix `g x`.
+//! components in the left-invariant frame. For a matrix group, the components of `x` at `g`
+//! represent the matrix `g x`.
 
 mod any;
 pub mod batch;

@@ -1,14 +1,18 @@
-//! Differential geometry of Lie groups: torsion, curvature and the tensors derived from them, for
-//! any Lie algebra, over exact, symbolic and floating-point scalars.
+//! Differential geometry of Lie groups: torsion, curvature and the tensors derived from them. The
+//! algebra may be any Lie algebra, over exact, symbolic or floating-point scalars.
 //!
-//! A Lie algebra comes from a name, a table of brackets or matrices. With a connection and a metric
-//! it has torsion, curvature, Ricci tensor, equations of motion; its groups have exponentials,
-//! parallel transport and integrators that keep the state on the group. [`conventions`] fixes signs
-//! and the order of indices, which count from 0.
+//! A Lie algebra is defined by a name, a table of brackets or matrices. With a connection and a
+//! metric, it has torsion, curvature, a Ricci tensor and equations of motion. Its groups have
+//! exponentials, parallel transport, and integrators that keep the state on the group.
+//! [`conventions`] defines the signs and the order of indices, which count from 0.
+//!
+//! Equation numbers such as (A9), (B14) or (104) in this documentation refer to E. Paraskevopoulos
+//! and S. Natsiavas, *Int. J. Solids and Structures* 50 (2013) 57-72. "The paper" means this
+//! article.
 //!
 //! # Geometry
 //!
-//! The curvature of a left-invariant metric with letters, exactly:
+//! The exact curvature of a left-invariant metric with parameters:
 //!
 //! ```
 //! use affinor::algebra::catalogue;
@@ -38,8 +42,8 @@
 //!
 //! # Mechanics
 //!
-//! A free rigid body, integrated to a tolerance on the rotation group. Time, length and mass may have
-//! any consistent units; angles are radians:
+//! A free rigid body, integrated on the rotation group to a tolerance. Time, length and mass may
+//! have any consistent units; angles are in radians:
 //!
 //! ```
 //! use affinor::group::{LieGroup, So3};
@@ -67,17 +71,18 @@
 //! | [`mechanics`] | rigid bodies, Euler-Poincare and Lie-Poisson systems, integrators, events |
 //! | [`numerics`] | matrix exponentials, tableaux of Runge-Kutta methods |
 //!
-//! Each formula is implemented once, for the scalars [`Rational`], [`Symbolic`], `f64` and those of a
-//! user ([`Scalar`]). A [`LieAlgebra`] is a [`Frame`] with constant structure that satisfies the
-//! Jacobi identity; a [`Connection`] is a frame with affinities (connection coefficients).
+//! Each formula is implemented once, for all scalars: [`Rational`], [`Symbolic`], `f64` and
+//! user-defined types ([`Scalar`]). A [`LieAlgebra`] is a [`Frame`] with constant structure that
+//! satisfies the Jacobi identity; a [`Connection`] is a frame with affinities (connection
+//! coefficients).
 //!
 //! # Features
 //!
-//! - `serde`: scalars, tensors, algebras, metrics, connections, geometries and states of motions are
-//!   values of serde;
-//! - `ndarray`: tensors to and from arrays of `ndarray`;
-//! - `num-dual`: dual numbers of `num-dual` as scalars;
-//! - `simd`: batches of rotations by the vector instructions of the processor.
+//! - `serde`: scalars, tensors, algebras, metrics, connections, geometries and states of motions
+//!   implement the traits of serde;
+//! - `ndarray`: tensors are converted to and from arrays of `ndarray`;
+//! - `num-dual`: dual numbers of `num-dual` are scalars;
+//! - `simd`: batches of rotations use the vector instructions of the processor.
 
 pub mod algebra;
 pub mod conventions;
@@ -104,10 +109,10 @@ pub use geometry::forms::Form;
 pub use geometry::metric::Metric;
 pub use geometry::reductive::ReductivePair;
 pub use geometry::{ConnectionKind, FrameOrigin, Geometry};
-/// The crate for the vectors and matrices of group elements.
+/// The crate whose vectors and matrices represent group elements.
 pub use nalgebra;
 
-/// The program of the README, as a doctest.
+/// The program in the README, compiled as a doctest.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;

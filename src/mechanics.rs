@@ -1,18 +1,20 @@
-//! Mechanical systems on Lie groups and their motions, in floats.
+//! Mechanical systems on Lie groups and their trajectories, in floats.
 //!
 //! In reading order:
 //!
-//! - [`systems`]: equations of motion: [`EulerPoincare`] of a connection, a metric and a torque on any group,
-//!   [`LiePoissonSystem`] of a Hamiltonian, [`Constrained`] with holonomic constraints, flows of matrices such as [`Zeitlin`];
-//! - [`integrators`]: methods whose steps stay on the group, from [`MuntheKaas`] to [`MoserVeselov`]; [`Adaptive::run`] gives a
-//!   [`Trajectory`];
+//! - [`systems`]: equations of motion. [`EulerPoincare`] has a connection, a metric and a torque on
+//!   any group, [`LiePoissonSystem`] has a Hamiltonian, and [`Constrained`] has holonomic
+//!   constraints; flows of matrices are for example [`Zeitlin`];
+//! - [`integrators`]: methods whose steps stay on the group, from [`MuntheKaas`] to
+//!   [`MoserVeselov`]; [`Adaptive::run`] computes a [`Trajectory`];
 //! - [`events`]: sign changes of functions along a trajectory;
-//! - [`bodies`]: [`MassProperties`] of shapes, meshes and points, and the [`FreeBody`], whose
-//!   attitude and momentum at any time have a closed form;
+//! - [`formula`] and [`simulation`]: systems, forces and columns that are given as formulas and
+//!   chosen at run time.
 //! - [`formula`] and [`simulation`]: systems, forces and columns as formulas, chosen at run time.
 //!
-//! Attitudes map body to spatial components, `Rdot = R spin(Omega)`. Momentum `H = J Omega` and velocity are in body components,
-//! `Hdot = H cross Omega` is (108) without torque, and `R H` is the spatial momentum.
+//! Attitudes map body to spatial components, `Rdot = R spin(Omega)`. The momentum `H = J Omega` and
+//! the velocity are in body components. Without a torque, equation (108) is `Hdot = H cross Omega`.
+//! The spatial momentum is `R H`.
 
 pub mod bodies;
 pub mod events;
@@ -34,7 +36,7 @@ pub use systems::{Isospectral, LiePoissonSystem, Manakov, MatrixState, State, Sy
 
 use crate::Error;
 
-/// The error of an integration that stops at time `t`.
+/// The error if an integration stops at the time `t`.
 fn stopped(t: f64, reason: impl Into<String>) -> Error {
     Error::Integration { t, reason: reason.into() }
 }

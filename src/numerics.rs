@@ -1,11 +1,10 @@
-//! Numerical methods that do not involve groups; the modules for groups and mechanics build on
-//! them.
+//! Numerical methods that do not involve groups. The modules for groups and mechanics use them.
 //!
-//! - [`exponential`] of matrices, `logarithm` with `double`-double arithmetic, `stumpff` functions
-//!   of angles;
+//! - [`exponential`] and `logarithm` of matrices; `double` for double-double arithmetic; `stumpff`
+//!   functions of angles;
 //! - [`tableaux`] of Runge-Kutta methods, `ode` for initial value problems in R^n;
-//! - [`blocks`], recorded programs on many rows; `lanes`, several floats in one vector register;
-//!   `least_squares`, and `rounding`, which rejects results without correct digits.
+//! - [`blocks`] for recorded programs on many rows; `lanes` for several floats in one vector
+//!   register; `least_squares`; `rounding`, which rejects results without correct digits.
 
 pub mod blocks;
 pub(crate) mod double;

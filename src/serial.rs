@@ -1,4 +1,4 @@
-//! Reading and writing algebras, metrics, connections and geometries through serde.
+//! Reads and writes algebras, metrics, connections and geometries through serde.
 //!
 //! ```text
 //! {"schema": "affinor.algebra/1", "basis": ["e1", ...], "structure": TENSOR}
@@ -7,10 +7,11 @@
 //! {"schema": "affinor.geometry/1", "name": "M(3)", "algebra": ALGEBRA, "connection": "plus", "metric": METRIC}
 //! ```
 //!
-//! TENSOR is the serialized form of [`Tensor`]. The connection of a geometry is `"plus"`, `"zero"`,
-//! `"minus"`, `"levi-civita"`, `{"lambda": "1/3"}` or `{"affinities": TENSOR}`. Every value that is
-//! read passes the checks of the constructors: antisymmetry, the Jacobi identity, symmetry and the
-//! rank of a metric. Frames on charts and right-invariant frames cannot be serialized.
+//! In the formats above, TENSOR is the serialized form of [`Tensor`]. The connection of a geometry
+//! is `"plus"`, `"zero"`, `"minus"`, `"levi-civita"`, `{"lambda": "1/3"}` or
+//! `{"affinities": TENSOR}`. Every value that is read passes the checks of the constructors:
+//! antisymmetry, the Jacobi identity, symmetry and the rank of a metric. Frames on charts and
+//! right-invariant frames cannot be serialized.
 
 use crate::geometry::connection::{CanonicalConnection, Connection};
 use crate::{
@@ -21,7 +22,7 @@ use serde::de::{Deserialize, Deserializer, Error as _};
 use serde::ser::{Error as _, Serialize, Serializer};
 use std::borrow::Cow;
 
-/// The schema of a value: its name and its version.
+/// The schema of a serialized value: its name and its version.
 struct Schema<const AT: usize>;
 
 const SCHEMAS: [&str; 4] =
@@ -122,7 +123,8 @@ impl<'de, S: Field + Scalar + Deserialize<'de>> Deserialize<'de> for Metric<S> {
 
 impl<S: Scalar + Serialize> Serialize for Connection<S> {
     /// # Errors
-    /// Returns an error for a frame that is not invariant, and for a homogeneous space.
+    /// Returns an error for a frame that is not invariant, and for the frame of a homogeneous
+    /// space.
     fn serialize<W: Serializer>(&self, serializer: W) -> Result<W::Ok, W::Error> {
         let frame = self.frame();
         let bracket = Bracket::new(frame.labels(), frame.structure_functions().clone());

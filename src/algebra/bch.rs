@@ -15,9 +15,9 @@ impl<S: Field + Scalar> LieAlgebra<S> {
     ///     + sum_{p >= 1, 2p <= n} B_2p/(2p)! sum_{k_1 + .. + k_2p = n} [Z_{k_1}, [.. [Z_{k_2p}, x + y]]]
     /// ```
     ///
-    /// On a nilpotent algebra the sum is finite and equals the group product. On other algebras it
-    /// converges near zero. V. S. Varadarajan, *Lie Groups, Lie Algebras, and Their Representations* (1974),
-    /// Lemma 2.15.3.
+    /// On a nilpotent algebra, the sum is finite and equals the group product. On other algebras,
+    /// the series converges near zero. V. S. Varadarajan, *Lie Groups, Lie Algebras, and Their
+    /// Representations* (1974), Lemma 2.15.3.
     ///
     /// ```
     /// use affinor::Rational;
@@ -32,8 +32,8 @@ impl<S: Field + Scalar> LieAlgebra<S> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Shape`]; [`Error::Tensor`] if an integer up to the order has no inverse in the
-    /// scalars.
+    /// [`Error::Shape`]; [`Error::Tensor`] if the scalars have no inverse of an integer up to
+    /// `order`.
     #[doc(alias("Baker-Campbell-Hausdorff"))]
     pub fn bch(&self, x: &[S], y: &[S], order: usize) -> Result<Vec<Vec<S>>, Error> {
         let (_, _) = (self.vector(x)?, self.vector(y)?);
@@ -52,7 +52,7 @@ impl<S: Field + Scalar> LieAlgebra<S> {
             checkpoint();
             for q in 1..=n {
                 let mut total = zero.clone();
-                // q - 1 factors remain, each of degree at least 1
+                // each of the other q - 1 factors has at least degree 1
                 for k in 1..=n + 1 - q {
                     let inner = &nested[q - 1][n - k];
                     total = combined(&total, &self.bracket(&parts[k - 1], inner)?, 1);
@@ -68,17 +68,17 @@ impl<S: Field + Scalar> LieAlgebra<S> {
         Ok(parts)
     }
 
-    /// The series of `T_left(x)^-1 v` up to a power of `ad_x`,
+    /// The series of `T_left(x)^-1 v` up to the power `order` of `ad_x`,
     ///
     /// ```text
     /// sum (-1)^k B_k/k! ad_x^k v = v + [x,v]/2 + [x,[x,v]]/12 - [x,[x,[x,[x,v]]]]/720 + ..
     /// ```
     ///
     /// This is the part of [`bch`](Self::bch) that is linear in `y = v`. The series of
-    /// `T_right(x)^-1` is the same at `-x`.
+    /// `T_right(x)^-1` is this series at `-x`.
     ///
     /// # Errors
-    /// Those of [`bch`](Self::bch).
+    /// The errors of [`bch`](Self::bch).
     pub fn tangent_left_inverse(&self, x: &[S], v: &[S], order: usize) -> Result<Vec<S>, Error> {
         let _ = self.vector(x)?;
         let zeta = bernoulli(order / 2)?;
@@ -97,7 +97,7 @@ impl<S: Field + Scalar> LieAlgebra<S> {
 }
 
 /// `B_2p/(2p)!` for `p = 1..=count`, by Euler's recursion `(2p + 1) b_p = -sum b_k b_{p-k}`. All
-/// its terms have the same sign, so that floats do not cancel.
+/// its terms have the same sign, so no cancellation occurs in floats.
 fn bernoulli<S: Field + Scalar>(count: usize) -> Result<Vec<S>, Error> {
     let mut numbers: Vec<S> = Vec::new();
     for p in 1..=count {

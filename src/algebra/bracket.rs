@@ -10,7 +10,8 @@ use std::collections::btree_map::Entry;
 use std::fmt;
 
 /// An antisymmetric bracket `[e_j, e_k] = c^i_jk e_i` that may violate the Jacobi identity.
-/// [`LieAlgebra`](crate::LieAlgebra) is `TryFrom<Bracket>`.
+/// `LieAlgebra::try_from(bracket)` checks the identity and returns a
+/// [`LieAlgebra`](crate::LieAlgebra).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bracket<S> {
     frame: Frame<S>,
@@ -33,7 +34,7 @@ impl<S: Scalar> Bracket<S> {
     /// `j < k` only; indices count from 0.
     ///
     /// # Errors
-    /// Those of [`from_constants`](Self::from_constants).
+    /// The errors of [`from_constants`](Self::from_constants).
     pub fn from_fn(
         labels: impl IntoIterator<Item: AsRef<str>>,
         bracket: impl Fn(usize, usize) -> Vec<(usize, S)>,
@@ -46,10 +47,11 @@ impl<S: Scalar> Bracket<S> {
         Self::of_constants(labels, constants.collect())
     }
 
-    /// The bracket with `[e_j, e_k] = ... + v e_i` for each `(j, k, i, v)`, from 0, in any order.
+    /// The bracket with `[e_j, e_k] = ... + v e_i` for each `(j, k, i, v)`. Indices count from 0,
+    /// and the entries may have any order.
     ///
-    /// Each pair may be given in one order, or in both orders with opposite values. Definition files
-    /// follow the same rule.
+    /// Each pair may be given in one order, or in both orders with opposite values. Definition
+    /// files follow the same rule.
     ///
     /// ```
     /// use affinor::{Bracket, LieAlgebra, Rational};
@@ -61,9 +63,9 @@ impl<S: Scalar> Bracket<S> {
     /// ```
     ///
     /// # Errors
-    /// An index out of range; [`Error::NotFinite`]; [`Law::GivenOnce`] for a component given twice;
-    /// [`Law::OppositeOrders`] for a pair with nonzero `[x, y] + [y, x]`; [`Law::Antisymmetry`] for
-    /// a nonzero `[x, x]`.
+    /// [`Error::Tensor`] for an index out of range; [`Error::NotFinite`]; [`Law::GivenOnce`] for a
+    /// component given twice; [`Law::OppositeOrders`] for a pair with nonzero `[x, y] + [y, x]`;
+    /// [`Law::Antisymmetry`] for a nonzero `[x, x]`.
     #[doc(alias("structure constants"))]
     pub fn from_constants(
         labels: impl IntoIterator<Item: AsRef<str>>,
@@ -72,7 +74,8 @@ impl<S: Scalar> Bracket<S> {
         Self::of_constants(owned(labels), constants.into_iter().collect())
     }
 
-    /// The same for lists, so that it is compiled once for each scalar, and not for each iterator.
+    /// Builds the bracket from lists. This function is compiled once for each scalar type, and not
+    /// for each type of iterator.
     fn of_constants(labels: Vec<String>, constants: Vec<Constant<S>>) -> Result<Self, Error> {
         let given = sorted(&labels, constants)?;
         let pairs: Vec<&[Constant<S>]> = given.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1)).collect();
@@ -110,8 +113,8 @@ impl<S: Scalar> Bracket<S> {
         self.frame.labels()
     }
 
-    /// The Jacobi residual, slots `^i_jkl`:
-    /// `[[e_j,e_k],e_l] + [[e_k,e_l],e_j] + [[e_l,e_j],e_k]`. Zero for a Lie algebra.
+    /// The Jacobi residual, slots `^i_jkl`: `[[e_j,e_k],e_l] + [[e_k,e_l],e_j] + [[e_l,e_j],e_k]`.
+    /// The residual of a Lie algebra is zero.
     ///
     /// ```
     /// use affinor::{Bracket, Rational};
@@ -126,12 +129,12 @@ impl<S: Scalar> Bracket<S> {
         self.frame.jacobi()
     }
 
-    /// The first triple of basis vectors that violates the Jacobi identity; [`Error::NotFinite`] if
-    /// a float overflows in between.
+    /// Returns the first triple of basis vectors that violates the Jacobi identity, or
+    /// [`Error::NotFinite`] if a float overflows during the check.
     ///
-    /// With rational constants, it is enough to test the triples that begin with a generator,
-    /// because the `x` for which `[x, .]` is a derivation are closed under the bracket. All triples
-    /// are computed only if one of these fails.
+    /// For rational constants, the method tests only the triples that begin with a generator. This
+    /// is sufficient, because the vectors `x` for which `[x, .]` is a derivation are closed under
+    /// the bracket. All triples are computed only if one of these tests fails.
     #[doc(alias("Jacobi identity"))]
     pub fn jacobi_violation(&self) -> Option<Error> {
         if let Some(generators) = matrices_of_generators(self.structure_constants())
@@ -151,7 +154,8 @@ impl<S: Scalar> Bracket<S> {
         })
     }
 
-    /// Whether `[x_j, .]` is a derivation for all `x_j`, given by their matrices `a^i_jk`.
+    /// Whether `[x_j, .]` is a derivation for all `x_j`. The argument `matrices` contains their
+    /// matrices `a^i_jk`.
     fn are_derivations(&self, matrices: &Tensor<S>) -> bool {
         if let Some(are) = are_dense_derivations(self.structure_constants(), matrices) {
             return are;
@@ -163,8 +167,8 @@ impl<S: Scalar> Bracket<S> {
         residual.is_empty()
     }
 
-    /// The same bracket with another tolerance for floats. Everything computed from it inherits the
-    /// tolerance.
+    /// The same bracket with another tolerance for floats. All values computed from the bracket
+    /// inherit this tolerance.
     #[must_use]
     pub fn with_tolerance(self, tolerance: Tolerance) -> Self {
         Bracket { frame: self.frame.with_tolerance(tolerance) }
@@ -182,14 +186,14 @@ impl<S: Scalar> fmt::Display for Bracket<S> {
     }
 }
 
-/// `(j, k, i, v)`: `[e_j, e_k] = ... + v e_i`.
+/// An entry `(j, k, i, v)` means `[e_j, e_k] = ... + v e_i`.
 type Constant<S> = (usize, usize, usize, S);
 
 fn owned(labels: impl IntoIterator<Item: AsRef<str>>) -> Vec<String> {
     labels.into_iter().map(|label| label.as_ref().to_string()).collect()
 }
 
-/// Sorts the constants by pair and component, and checks that each is a finite number and is given
+/// Sorts the constants by pair and component, and checks that each constant is finite and occurs
 /// once.
 fn sorted<S: Scalar>(
     labels: &[String],
@@ -217,7 +221,7 @@ fn sorted<S: Scalar>(
     Ok(given)
 }
 
-/// Checks `[e_j, e_k] + [e_k, e_j] = 0`.
+/// Checks that `[e_j, e_k] + [e_k, e_j] = 0`.
 fn expect_opposite<S: Scalar>(
     labels: &[String],
     forward: &[Constant<S>],

@@ -40,7 +40,7 @@ use name::Argument;
 /// The largest dimension of an algebra of the catalogue.
 pub const MAX_DIMENSION: usize = crate::algebra::roots::MAX_DIMENSION;
 
-/// The Lie algebra of that name over the scalar `S`.
+/// Returns the Lie algebra of the catalogue with this name, over the scalar `S`.
 ///
 /// ```
 /// use affinor::algebra::catalogue;
@@ -51,8 +51,8 @@ pub const MAX_DIMENSION: usize = crate::algebra::roots::MAX_DIMENSION;
 /// ```
 ///
 /// # Errors
-/// Those of [`find`]; [`CatalogueError::Parameter`] if a structure constant does not exist in `S`,
-/// because it depends on a parameter or is out of range.
+/// The errors of [`find`]; [`CatalogueError::Parameter`] if a structure constant does not exist in
+/// `S`: it depends on a parameter, or is out of range.
 pub fn algebra<S: Notation + Scalar>(name: &str) -> Result<LieAlgebra<S>, Error> {
     let entry = find(name)?;
     let value = |value: &Symbolic| {
@@ -63,7 +63,8 @@ pub fn algebra<S: Notation + Scalar>(name: &str) -> Result<LieAlgebra<S>, Error>
     entry.bracket::<S, Error>(value)?.try_into()
 }
 
-/// A polynomial in the parameters over another scalar; `None` if a parameter does not exist in `S`.
+/// Converts a polynomial in the parameters to the scalar `S`. Returns `None` if a parameter does
+/// not exist in `S`.
 fn polynomial<S: Notation + Scalar>(value: &Symbolic) -> Option<S> {
     value.terms().into_iter().try_fold(S::zero(), |sum, (powers, coefficient)| {
         let mut powers = powers.into_iter();
@@ -74,7 +75,7 @@ fn polynomial<S: Notation + Scalar>(value: &Symbolic) -> Option<S> {
     })
 }
 
-/// The entry of that name: labels and structure constants.
+/// Returns the entry of the catalogue with this name: labels and structure constants.
 ///
 /// ```
 /// let entry = affinor::algebra::catalogue::find("so3")?;
@@ -83,7 +84,7 @@ fn polynomial<S: Notation + Scalar>(value: &Symbolic) -> Option<S> {
 /// ```
 ///
 /// # Errors
-/// [`CatalogueError`], with similar or possible names.
+/// [`CatalogueError`]. Its message lists similar or possible names.
 pub fn find(name: &str) -> Result<Entry, CatalogueError> {
     if let Some(other) = name::of_real_form(name) {
         return Ok(name::resolve(&other)?.build());
@@ -97,7 +98,8 @@ pub fn families() -> &'static [Family] {
 }
 
 /// The names of the algebras of a dimension, family by family. Borel and parabolic subalgebras are
-/// left out, and parameters have no values. Empty for dimensions above [`MAX_DIMENSION`].
+/// omitted, and parameters have no values. The list is empty for dimensions above
+/// [`MAX_DIMENSION`].
 ///
 /// ```
 /// let names = affinor::algebra::catalogue::names(2);
@@ -183,7 +185,7 @@ impl Entry {
         self.labels.len()
     }
 
-    /// The bracket with the constants converted by `value_of`.
+    /// Converts the constants by `value_of` and returns the bracket.
     ///
     /// # Errors
     /// The first error of `value_of`.
@@ -205,7 +207,7 @@ impl Entry {
         Self::of_constants(name, labels, constants.into_iter().collect())
     }
 
-    /// The same for a list, so that it is compiled once, and not for each family.
+    /// Builds an entry from a list. This function is compiled once, and not for each family.
     fn of_constants(
         name: String,
         labels: Vec<String>,
@@ -220,7 +222,7 @@ impl Entry {
         Entry { name, labels, constants, parameters, matrices: None }
     }
 
-    /// [`new`](Self::new) with integer constants.
+    /// The entry as in [`new`](Self::new), with integer constants.
     fn of_integers(
         name: String,
         labels: Vec<String>,
@@ -231,7 +233,8 @@ impl Entry {
         Self::new(name, labels, constants)
     }
 
-    /// The algebra of `size` x `size` matrices given by their nonzero entries, from 0.
+    /// The algebra of `size` x `size` matrices. Each matrix is a list of its nonzero entries, with
+    /// indices from 0.
     fn of_matrices(
         name: String,
         labels: Vec<String>,
@@ -249,7 +252,7 @@ impl Entry {
         Entry { matrices: Some(matrices), ..entry }
     }
 
-    /// [`of_matrices`](Self::of_matrices) with integer entries.
+    /// The entry as in [`of_matrices`](Self::of_matrices), with integer entries of the matrices.
     fn of_integer_matrices(
         name: String,
         labels: Vec<String>,
@@ -270,7 +273,7 @@ pub struct Family {
     pub pattern: &'static str,
     /// The condition on the arguments, such as `p, q >= 1`.
     pub needs: &'static str,
-    /// A description, with the basis in order.
+    /// A description that lists the basis in order.
     pub summary: &'static str,
     /// One of its names.
     pub example: &'static str,
@@ -280,14 +283,15 @@ pub struct Family {
 /// The parser of the arguments of a family.
 #[derive(Clone, Copy, Debug)]
 enum Reader {
-    /// `count` integers. `dimension` computes the dimension of the algebra, with saturation; it
-    /// returns `None` for arguments without an algebra.
+    /// Reads `count` integers. `dimension` computes the dimension of the algebra, with saturation,
+    /// and returns `None` if no algebra has these arguments.
     Integers {
         count: usize,
         dimension: fn(&[usize]) -> Option<usize>,
         build: fn(String, &[usize]) -> Entry,
     },
-    /// Arguments that may be words. The function gets the full name and the arguments.
+    /// Reads arguments that may be words. The function has the full name and the arguments as
+    /// parameters.
     Words(fn(&str, &[Argument]) -> Result<Entry, CatalogueError>),
 }
 
@@ -298,7 +302,7 @@ impl Family {
         &self.pattern[..end]
     }
 
-    /// The names of the algebras of a dimension.
+    /// The names of the algebras of this family with the given dimension.
     fn names(&self, dimension: usize) -> Vec<String> {
         let Reader::Integers { count, dimension: of, .. } = self.reader else {
             let all = match self.head() {
@@ -308,7 +312,7 @@ impl Family {
             let fits = |name: &String| find(name).is_ok_and(|e| e.dimension() == dimension);
             return all.into_iter().filter(fits).collect();
         };
-        // in every family the dimension is at least each argument minus two
+        // limits the search: no argument exceeds the dimension by more than two, in any family
         let most = dimension + 2;
         let first = (1..=most).map(|n| vec![n]);
         let arguments: Vec<Vec<usize>> = match count {
@@ -328,7 +332,7 @@ impl Family {
         matches!(last, "C" | "H").then_some(last)
     }
 
-    /// The name with these arguments, in the form of the pattern.
+    /// The name of an algebra with these arguments, in the form of the pattern.
     fn name(&self, arguments: &str) -> String {
         let head = self.head();
         if let Some(letter) = self.letter() {
@@ -342,13 +346,13 @@ impl Family {
     }
 }
 
-/// The names `e1 ... en` for the letter `e`.
+/// The names `e1 ... en`, if `letter` is `e`.
 fn numbered(letter: &str, n: usize) -> Vec<String> {
     (1..=n).map(|i| format!("{letter}{i}")).collect()
 }
 
-/// The name `E12` for the letter `E` and the position (0, 1) in matrices of size `n`; `E1_12` if an
-/// index can have two digits.
+/// The name of the matrix unit at `(i, j)`: `E12` for the letter `E` and the position (0, 1) in
+/// matrices of size `n`. The name is `E1_12` if an index can have two digits.
 fn at(letter: &str, (i, j): (usize, usize), n: usize) -> String {
     let between = if n < 10 { "" } else { "_" };
     format!("{letter}{}{between}{}", i + 1, j + 1)

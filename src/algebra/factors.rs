@@ -4,7 +4,7 @@ use affinor_tensors::stop::detached;
 use num_rational::BigRational;
 use polycore::Uni;
 
-/// The degree above which a factorization may take longer than a few milliseconds.
+/// Above this degree, a factorization may need more than a few milliseconds.
 const LONG: usize = 16;
 
 /// The irreducible factors of a polynomial with their multiplicities.

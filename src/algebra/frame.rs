@@ -11,9 +11,10 @@ use std::sync::Arc;
 /// -> e_k(f)`.
 ///
 /// The left-invariant frame of a Lie algebra has constant `c`, and its derivations vanish on
-/// constants. The right-invariant frame (that of the opposite algebra), moving and coordinate
-/// frames, and the tangent space of a homogeneous space ([`ReductivePair`](crate::ReductivePair))
-/// are frames too. Every formula of differential geometry is therefore written once.
+/// constants. The right-invariant frame (the frame of the opposite algebra), moving frames,
+/// coordinate frames and the tangent space of a homogeneous space
+/// ([`ReductivePair`](crate::ReductivePair)) are frames too. Therefore, every formula of
+/// differential geometry is implemented once.
 #[doc(alias("tetrad", "vielbein", "moving frame"))]
 #[derive(Clone)]
 pub struct Frame<S> {
@@ -42,8 +43,9 @@ impl<S: Scalar> Frame<S> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Shape`] unless `structure` has the slots `^i_jk` in the dimension of the labels; [`Error::Invalid`] for
-    /// an empty label, or two equal labels; [`Error::NotFinite`]; [`Law::Antisymmetry`].
+    /// [`Error::Shape`] unless `structure` has the slots `^i_jk` in the dimension of the labels;
+    /// [`Error::Invalid`] for an empty label, or two equal labels; [`Error::NotFinite`];
+    /// [`Law::Antisymmetry`].
     #[doc(alias("left-invariant frame"))]
     pub fn invariant(
         labels: impl IntoIterator<Item: AsRef<str>>,
@@ -78,10 +80,11 @@ impl<S: Scalar> Frame<S> {
         }
     }
 
-    /// A frame whose vectors differentiate the scalars: `derivations(k, f) = e_k(f)`.
+    /// A frame whose vectors differentiate the scalars: the closure computes
+    /// `derivations(k, f) = e_k(f)`.
     ///
     /// # Errors
-    /// Those of [`invariant`](Self::invariant).
+    /// The errors of [`invariant`](Self::invariant).
     pub fn moving(
         labels: impl IntoIterator<Item: AsRef<str>>,
         structure: Tensor<S>,
@@ -91,14 +94,14 @@ impl<S: Scalar> Frame<S> {
         Ok(Frame { derivations: Some(derivations), ..frame })
     }
 
-    /// The coordinate frame of partial derivatives: zero structure (A9).
+    /// The coordinate frame of partial derivatives; its structure functions (A9) are zero.
     pub(crate) fn holonomic(labels: &[String], partial: Derivations<S>) -> Result<Self, Error> {
         let structure = Tensor::zero(labels.len(), &[Up, Down, Down])?;
         Self::moving(labels, structure, partial)
     }
 
-    /// A frame with other vectors, given by their structure, isotropy and derivations. `derive` is
-    /// used only if this frame has derivations.
+    /// A frame with other vectors, which are given by their structure, isotropy and derivations.
+    /// The closure `derive` is used only if this frame has derivations.
     pub(crate) fn with_vectors(
         &self,
         labels: impl IntoIterator<Item: AsRef<str>>,
@@ -110,9 +113,9 @@ impl<S: Scalar> Frame<S> {
         Ok(Frame { derivations, ..Self::reductive(labels, structure, isotropy)? })
     }
 
-    /// The frame of the tangent space `m` of a reductive homogeneous space. Its structure is `[e_j,
-    /// e_k]_m`, its isotropy `[[e_k, e_l]_h, e_j] = h^i_jkl e_i`. Without isotropy it is an
-    /// invariant frame of a group.
+    /// The frame of the tangent space `m` of a reductive homogeneous space. Its structure is
+    /// `[e_j, e_k]_m`, its isotropy `[[e_k, e_l]_h, e_j] = h^i_jkl e_i`. If the isotropy vanishes,
+    /// the frame is an invariant frame of a group.
     pub(crate) fn reductive(
         labels: impl IntoIterator<Item: AsRef<str>>,
         structure: Tensor<S>,
@@ -139,8 +142,8 @@ impl<S: Scalar> Frame<S> {
     }
 
     /// The isotropy `h^i_jkl` of a homogeneous space, slots `[Up, Down, Down, Down]`, defined by
-    /// `[[e_k, e_l]_h, e_j] = h^i_jkl e_i`. The curvature contains it with a minus sign. Zero for
-    /// any other frame.
+    /// `[[e_k, e_l]_h, e_j] = h^i_jkl e_i`. The curvature contains it with a minus sign. Any other
+    /// frame has zero isotropy.
     ///
     /// # Errors
     /// If the dimension exceeds the limit of tensors of rank 4.
@@ -176,12 +179,12 @@ impl<S: Scalar> Frame<S> {
     }
 
     /// The Jacobi residual, slots `^i_jkl`: `[[e_j,e_k],e_l] + [[e_k,e_l],e_j] + [[e_l,e_j],e_k]`,
-    /// where `[[e_j,e_k],e_l] = c^m_jk c^i_ml e_i - e_l(c^i_jk) e_i`. Zero for fields on a
-    /// manifold.
+    /// where `[[e_j,e_k],e_l] = c^m_jk c^i_ml e_i - e_l(c^i_jk) e_i`. The residual vanishes for
+    /// fields on a manifold.
     pub fn jacobi(&self) -> Tensor<S> {
         let derivative = self.derivative(&self.structure).expect("the structure of this frame");
-        // the second term is written [[e_j,e_l],e_k] with its sign, so that it is the mirror image
-        // of the first
+        // the second term contains [[e_j,e_l],e_k] with the opposite sign, so that it is the mirror
+        // image of the first term
         formula(
             "c^m_jk c^i_ml - c^m_jl c^i_mk + c^m_kl c^i_mj \
              - d_l^i_jk + d_k^i_jl - d_j^i_kl -> ^i_[jkl]",
@@ -194,8 +197,8 @@ impl<S: Scalar> Frame<S> {
         Frame { structure: self.structure.with_tolerance(tolerance), ..self }
     }
 
-    /// Writes a line `{open}x, y{close} = z` for each nonzero product `e_j e_k = T^i_jk e_i` whose
-    /// indices are `wanted`.
+    /// Writes one line `{open}x, y{close} = z` for each nonzero product `e_j e_k = T^i_jk e_i`
+    /// whose indices satisfy `wanted`.
     pub(crate) fn write_products(
         &self,
         f: &mut fmt::Formatter<'_>,
@@ -225,12 +228,12 @@ impl<S: Scalar> Frame<S> {
 }
 
 impl Frame<Symbolic> {
-    /// The frame `d/dx^1 .. d/dx^n` of coordinates that are parameters of the scalars: zero
-    /// structure (A9), and partial derivatives.
+    /// The frame `d/dx^1 .. d/dx^n` of coordinates that are parameters of the scalars. Its
+    /// structure functions (A9) are zero, and its derivations are partial derivatives.
     ///
     /// # Errors
-    /// [`Error::Invalid`] for an empty name, or two equal names; [`Error::Tensor`] if the dimension is too large for the
-    /// indices of a tensor, 64 bits.
+    /// [`Error::Invalid`] for an empty name, or two equal names; [`Error::Tensor`] if the dimension
+    /// is too large for the indices of a tensor, 64 bits.
     pub fn coordinates(names: impl IntoIterator<Item: AsRef<str>>) -> Result<Self, Error> {
         let names: Arc<[String]> =
             names.into_iter().map(|name| name.as_ref().to_string()).collect();
@@ -239,7 +242,7 @@ impl Frame<Symbolic> {
     }
 }
 
-/// Frames are equal if their labels, structure, isotropy and derivations are. The closures of
+/// Two frames are equal if their labels, structure, isotropy and derivations are equal. Closures of
 /// derivations are compared by their addresses.
 impl<S: PartialEq> PartialEq for Frame<S> {
     fn eq(&self, other: &Self) -> bool {
@@ -266,7 +269,7 @@ impl<S: fmt::Debug> fmt::Debug for Frame<S> {
     }
 }
 
-/// Checks dimension and slots.
+/// Checks that the tensor has the given dimension and slots.
 pub(crate) fn expect_slots<S: Scalar>(
     what: &'static str,
     tensor: &Tensor<S>,
@@ -298,7 +301,8 @@ fn expect_names(what: &'static str, names: &[String]) -> Result<(), Error> {
     }
 }
 
-/// Checks that no component is infinite or NaN, because comparisons do not detect NaN.
+/// Checks that no component is infinite or NaN. The check is explicit, because comparisons with NaN
+/// are always false.
 ///
 /// # Errors
 /// [`Error::NotFinite`] with the first such component; `what` is the name of the tensor.
@@ -339,8 +343,8 @@ pub(crate) fn expect_symmetry<S: Scalar>(
     Ok(())
 }
 
-/// Evaluates a contraction formula of this package. It cannot fail: the formula is well formed, and
-/// constructors have checked the slots of the operands.
+/// Evaluates a contraction formula of this package. The evaluation cannot fail, because the formula
+/// is well formed and constructors have checked the slots of the operands.
 pub(crate) fn formula<S: Scalar>(text: &str, operands: &[(&str, &Tensor<S>)]) -> Tensor<S> {
     contract(text, operands).expect("a formula over tensors of one frame")
 }

@@ -12,21 +12,23 @@ use affinor_tensors::{Down, Scalar, Tensor, Up};
 use nalgebra::{DMatrix, Dyn};
 use std::collections::BTreeMap;
 
-/// The largest dimension at which a dense basis is searched for generators, because the time grows
-/// with the cube of the dimension.
+/// The largest dimension at which generators are searched in a dense basis. The time of the search
+/// grows with the cube of the dimension.
 const LARGEST_DENSE: usize = 600;
-/// The smallest dimension for generators in a dense basis. Below it, few triples are saved.
+/// The smallest dimension at which generators are searched in a dense basis. In lower dimensions,
+/// generators save few triples.
 const SMALLEST_DENSE: usize = 24;
-/// The largest dimension of a dense table of all constants in floats, which is limited by memory.
+/// The largest dimension at which all constants are stored as a dense table of floats. Memory
+/// limits this dimension.
 const LARGEST_IN_FLOATS: usize = 200;
-/// A table is multiplied as a dense matrix if at least one in this number of constants is nonzero.
+/// A table is multiplied as a dense matrix if at least one in `FILLED` constants is nonzero.
 const FILLED: usize = 8;
-/// The numbers of random combinations of the basis that are tried as generators.
+/// The numbers of generators that are tried. Each generator is a random combination of the basis.
 const COMBINATIONS: [usize; 3] = [2, 3, 5];
 
-/// The matrices `a^i_jk` of `[x_j, .]`, `[x_j, e_k] = a^i_jk e_i`, for generators `x_j` that are
-/// fewer than the basis vectors. `None` if the constants are not short rational numbers, or no such
-/// generators were found.
+/// The matrices `a^i_jk` of `[x_j, .]`, `[x_j, e_k] = a^i_jk e_i`, for generators `x_j`, which are
+/// fewer than the basis vectors. Returns `None` if the constants are not short rational numbers, or
+/// if no generators are found.
 pub(super) fn matrices_of_generators<S: Scalar>(structure: &Tensor<S>) -> Option<Tensor<S>> {
     let n = structure.dimension();
     let values: Vec<&S> = structure.components().map(|(_, value)| value).collect();
@@ -37,7 +39,8 @@ pub(super) fn matrices_of_generators<S: Scalar>(structure: &Tensor<S>) -> Option
     let basis = among_the_basis(&constants);
     let among_basis = |j: usize| basis.binary_search(&j).is_ok();
     let few = 2 * basis.len() <= n;
-    // two random combinations have full matrices, 2 n^2 entries together; basis vectors are better if their matrices have fewer
+    // two random combinations have full matrices, 2 n^2 entries together; basis vectors are better
+    // if their matrices have fewer
     let short = structure.components().filter(|(at, _)| among_basis(at[1])).count() <= 2 * n * n;
     let dense = (SMALLEST_DENSE..=LARGEST_DENSE).contains(&n) && structure.len() >= n * n;
     if dense
@@ -55,11 +58,11 @@ pub(super) fn matrices_of_generators<S: Scalar>(structure: &Tensor<S>) -> Option
     few.then(|| Tensor::from_components(n, &[Up, Down, Down], chosen).ok()).flatten()
 }
 
-/// Whether `[x_j, .]` is a derivation for all `x_j`, given by their matrices `A`: `A ad_y - ad_y A
-/// = ad_(A y)` for each basis vector `y`. `None` if few constants are nonzero, or if the numbers
-/// are not short rational ones.
+/// Whether `[x_j, .]` is a derivation for all `x_j`. The matrices `A` of the `x_j` must satisfy
+/// `A ad_y - ad_y A = ad_(A y)` for each basis vector `y`. Returns `None` if few constants are
+/// nonzero, or if the constants are not short rational numbers.
 ///
-/// Products of matrices of integers are exact in floats as long as no sum exceeds 2^53.
+/// Matrix products of integers are exact in floats as long as no sum exceeds 2^53.
 pub(super) fn are_dense_derivations<S: Scalar>(
     structure: &Tensor<S>,
     matrices: &Tensor<S>,
@@ -68,7 +71,7 @@ pub(super) fn are_dense_derivations<S: Scalar>(
     if !(SMALLEST_DENSE..=LARGEST_IN_FLOATS).contains(&n) || FILLED * structure.len() < n * n * n {
         return None;
     }
-    // the entries a^i_jk of the matrix of each j, at [i, k]
+    // for each j, the integer entries a^i_jk of its matrix, at [i, k]
     let numbers = |tensor: &Tensor<S>| {
         let values: Vec<&S> = tensor.components().map(|(_, value)| value).collect();
         let (integers, _) = S::clear_denominators(values.into_iter())?;
@@ -100,8 +103,8 @@ pub(super) fn are_dense_derivations<S: Scalar>(
     }))
 }
 
-/// Basis vectors that generate the algebra, in ascending order. The search only follows brackets
-/// with one new basis vector.
+/// Basis vectors that generate the algebra, in ascending order. The search follows only brackets
+/// that yield one new basis vector.
 fn among_the_basis(constants: &SparseBracket<i64>) -> Vec<usize> {
     let n = constants.dimension();
     let mut known = vec![false; n];
@@ -128,8 +131,8 @@ fn among_the_basis(constants: &SparseBracket<i64>) -> Vec<usize> {
 }
 
 /// The components `([i, j, k], v)` of `[x_j, e_k]` for a few combinations `x_j` of the basis that
-/// generate the algebra modulo a prime. They also generate it over the rationals, because vectors
-/// with independent residues are independent.
+/// generate the algebra modulo a prime. These combinations also generate the algebra over the
+/// rationals, because vectors with independent residues are independent.
 fn combinations(constants: &SparseBracket<i64>) -> Option<Vec<([usize; 3], i64)>> {
     let (n, prime) = (constants.dimension(), PRIMES[0]);
     let reduction = ModularAlgebra::of_integers(prime, constants)?;

@@ -8,12 +8,14 @@ use affinor_tensors::{Field, Scalar, Tensor, Tolerance, Variance};
 
 /// The largest number of unknowns in a search for invariants.
 ///
-/// The time depends on the basis. With few structure constants, as in the catalogue, this number of
-/// unknowns takes seconds. In a dense basis the numbers grow, and a thousand unknowns take minutes.
+/// The time depends on the basis. With few structure constants, as in the catalogue, a search with
+/// this number of unknowns needs seconds. In a dense basis the numbers become long, and a search
+/// with a thousand unknowns needs minutes.
 pub const MAX_UNKNOWNS: usize = 1 << 16;
 
-/// A basis of the tensors with `slots` that every endomorphism `A^i_j` annihilates, `A^i_p T^p_j -
-/// A^p_j T^i_p = 0`. It is in reduced row echelon form over the components.
+/// A basis of the tensors with `slots` that every endomorphism `A^i_j` annihilates,
+/// `A^i_p T^p_j - A^p_j T^i_p = 0`. The basis is in reduced row echelon form; its columns are the
+/// components.
 ///
 /// ```
 /// use affinor::algebra::invariants::invariant_tensors;
@@ -46,7 +48,8 @@ pub fn invariant_tensors<S: Field + Scalar>(
     (0..kernel.rows()).map(|at| of_row(kernel.row(at))).collect()
 }
 
-/// The common kernel of the maps on vectors with `unknowns` components, in reduced row echelon form.
+/// The common kernel of the maps on vectors with `unknowns` components, in reduced row echelon
+/// form.
 ///
 /// Each map is applied only to the common kernel of the previous maps, so that few vectors remain
 /// for the last maps. No map is stored as a matrix.
@@ -71,11 +74,11 @@ pub(crate) fn common_kernel<S: Field + Scalar, M: Copy>(
 }
 
 impl<S: Field + Scalar> LieAlgebra<S> {
-    /// A basis of the tensors with `slots` that satisfy `L_x T = 0` for all `directions`: the tensors
-    /// invariant under the subalgebra that the directions generate.
+    /// A basis of the tensors with `slots` that satisfy `L_x T = 0` for all `directions`: the
+    /// tensors invariant under the subalgebra that the directions generate.
     ///
     /// # Errors
-    /// Those of [`invariant_tensors`].
+    /// The errors of [`invariant_tensors`].
     pub fn invariant_tensors(
         &self,
         slots: &[Variance],

@@ -5,8 +5,9 @@ use crate::algebra::frame::{Frame, expect_slots, formula};
 use crate::algebra::{LETTERS, indices};
 use affinor_tensors::{Down, Scalar, Tensor, Up, Variance, contract};
 
-/// The derivation `e_k -> L^i_{direction}k e_i` of `T`, in the notation of contractions: a term `+
-/// L^a_p T^p...` for each upper slot, and `- L^p_a T_p...` for each lower one.
+/// The derivation `e_k -> L^i_{direction}k e_i` of `T`, as a formula for contractions. The formula
+/// has a term `+ L^a_p T^p...` for each upper slot, and a term `- L^p_a T_p...` for each lower
+/// slot.
 pub(crate) fn derivation<S: Scalar>(direction: &str, tensor: &Tensor<S>) -> String {
     let letters = &LETTERS[..tensor.rank()];
     let slots = letters.chars().zip(tensor.slots());
@@ -20,8 +21,8 @@ pub(crate) fn derivation<S: Scalar>(direction: &str, tensor: &Tensor<S>) -> Stri
     slots.map(term).collect()
 }
 
-/// The action of an endomorphism `A^i_j` on a tensor of any type, as a derivation:
-/// `(A T)^i_j = A^i_p T^p_j - A^p_j T^i_p`.
+/// The action of an endomorphism `A^i_j` on a tensor of any type. The action is a derivation; for
+/// slots `^i_j`, it is `(A T)^i_j = A^i_p T^p_j - A^p_j T^i_p`.
 ///
 /// # Errors
 /// [`Error::Shape`] unless `A` has the slots `^i_j` in the dimension of the tensor.
@@ -36,8 +37,8 @@ pub fn act<S: Scalar>(endomorphism: &Tensor<S>, tensor: &Tensor<S>) -> Result<Te
 }
 
 impl<S: Scalar> Frame<S> {
-    /// The bracket of two fields `X` and `Y`, by components in this frame: `[X, Y]^i = X^j
-    /// e_j(Y^i) - Y^j e_j(X^i) + c^i_jk X^j Y^k` (32), (A6).
+    /// The bracket of two fields `X` and `Y`, from their components in this frame:
+    /// `[X, Y]^i = X^j e_j(Y^i) - Y^j e_j(X^i) + c^i_jk X^j Y^k` (equations (32), (A6)).
     ///
     /// # Errors
     /// [`Error::Shape`] unless both fields have as many components as the frame.
@@ -48,17 +49,18 @@ impl<S: Scalar> Frame<S> {
         Ok(bracket.to_vector().expect("a tensor of rank 1"))
     }
 
-    /// The Lie derivative along the field `X^i`, of a tensor of any type:
+    /// The Lie derivative of a tensor of any type along the field `X^i`:
     ///
     /// ```text
     /// (L_X T)^i_j = X^m e_m(T^i_j) + A^i_p T^p_j - A^p_j T^i_p,    A^i_j = X^m c^i_mj - e_j(X^i)
     /// ```
     ///
-    /// With this definition `L_X Y = [X, Y]` (A7). In the left-invariant frame of an algebra and
-    /// for constant components, `A = ad_X`.
+    /// With this definition `L_X Y = [X, Y]`, equation (A7). In the left-invariant frame of an
+    /// algebra, `A = ad_X` if the components are constant.
     ///
     /// # Errors
-    /// [`Error::Shape`]; [`Error::Tensor`] if the derivative is too large for the indices of a tensor, 64 bits.
+    /// [`Error::Shape`]; [`Error::Tensor`] if the derivative is too large for the indices of a
+    /// tensor, 64 bits.
     pub fn lie_derivative(
         &self,
         field: &Tensor<S>,

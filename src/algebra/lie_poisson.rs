@@ -1,8 +1,8 @@
 //! The Lie-Poisson bracket on the dual of a Lie algebra, its Casimirs and the coadjoint orbits.
 //!
 //! Functions are [`Symbolic`] in the coordinates `mu1 ... mun` of `mu = mu_i e^i`. The sign follows
-//! J. E. Marsden and T. S. Ratiu, *Introduction to Mechanics and Symmetry* (1999), 13.1: `{f,g}(mu)
-//! = +- <mu, [df, dg]>`, minus for left-invariant systems.
+//! J. E. Marsden and T. S. Ratiu, *Introduction to Mechanics and Symmetry* (1999), 13.1:
+//! `{f,g}(mu) = +- <mu, [df, dg]>`, where the minus sign is for left-invariant systems.
 
 mod casimirs;
 
@@ -36,7 +36,7 @@ pub struct LiePoisson {
 }
 
 impl LiePoisson {
-    /// The bracket (-) of left-invariant systems on T*G, such as the rigid body.
+    /// The bracket with the minus sign, for left-invariant systems on T*G such as the rigid body.
     ///
     /// # Errors
     /// [`Error::Name`] if a parameter of the algebra has the name of a coordinate.
@@ -44,10 +44,10 @@ impl LiePoisson {
         Self::new(algebra, -1)
     }
 
-    /// The bracket (+) of right-invariant systems on T*G, such as the ideal fluid.
+    /// The bracket with the plus sign, for right-invariant systems on T*G such as the ideal fluid.
     ///
     /// # Errors
-    /// Those of [`left`](Self::left).
+    /// The errors of [`left`](Self::left).
     pub fn right(algebra: &LieAlgebra<Symbolic>) -> Result<Self, Error> {
         Self::new(algebra, 1)
     }
@@ -71,8 +71,8 @@ impl LiePoisson {
         &self.coordinates
     }
 
-    /// The Poisson tensor `Pi_ij = {mu_i, mu_j} = +- c^k_ij mu_k`, slots `_ij`. It acts on differentials
-    /// of functions on the dual, which are vectors of the algebra.
+    /// The Poisson tensor `Pi_ij = {mu_i, mu_j} = +- c^k_ij mu_k`, slots `_ij`. It acts on
+    /// differentials of functions on the dual, which are vectors of the algebra.
     pub fn tensor(&self) -> &Tensor<Symbolic> {
         &self.tensor
     }
@@ -80,17 +80,18 @@ impl LiePoisson {
     /// The bracket of two functions, `{f,g} = Pi_ij df/dmu_i dg/dmu_j`.
     ///
     /// # Errors
-    /// [`Error::Shape`], which cannot occur for functions of these coordinates.
+    /// [`Error::Shape`]. This error cannot occur for functions of these coordinates.
     pub fn bracket(&self, f: &Symbolic, g: &Symbolic) -> Result<Symbolic, Error> {
         let field = self.hamiltonian_field(g)?;
         let operands = [("f", &self.differential(f)), ("X", &field)];
         Ok(formula("f^i X_i ->", &operands).to_scalar().expect("a tensor of rank 0"))
     }
 
-    /// The equations of motion of a Hamiltonian: `dmu_i/dt = {mu_i, h} = Pi_ij dh/dmu_j`, slots `_i`.
+    /// The equations of motion of a Hamiltonian: `dmu_i/dt = {mu_i, h} = Pi_ij dh/dmu_j`, slots
+    /// `_i`.
     ///
     /// # Errors
-    /// Those of [`bracket`](Self::bracket).
+    /// The errors of [`bracket`](Self::bracket).
     pub fn hamiltonian_field(&self, h: &Symbolic) -> Result<Tensor<Symbolic>, Error> {
         let dh = self.differential(h);
         expect_slots("the differential", &dh, self.names.len(), &[Up])?;
@@ -110,9 +111,9 @@ impl LiePoisson {
 }
 
 impl<S: Field + Scalar> LieAlgebra<S> {
-    /// The dimension of the coadjoint orbit through `mu`, which is the rank of `c^k_ij mu_k` and
-    /// always even. Near a generic `mu` the number of independent Casimir functions is `n` minus
-    /// this dimension.
+    /// The dimension of the coadjoint orbit through `mu`, which is the rank of the matrix
+    /// `c^k_ij mu_k` and is always even. Near a generic `mu`, the number of independent Casimir
+    /// functions is `n` minus this dimension.
     ///
     /// # Errors
     /// [`Error::Shape`] unless `mu` has as many components as the algebra.

@@ -32,7 +32,8 @@ impl<S: Field + Scalar> Complex<S> {
 pub struct MatrixBasis<S> {
     labels: Vec<String>,
     matrices: Vec<Matrix<S>>,
-    /// The largest entry of each matrix, relative to which floats count as zero.
+    /// The largest entry of each matrix. Floats that are small relative to this entry count as
+    /// zero.
     scales: Vec<S>,
     complex: bool,
     tolerance: Tolerance,
@@ -42,12 +43,12 @@ pub struct MatrixBasis<S> {
 }
 
 impl<S: Field + Scalar> MatrixBasis<S> {
-    /// The basis of `size` x `size` matrices given by their nonzero entries (row, column, value),
-    /// from 0.
+    /// The basis of `size` x `size` matrices. Each matrix is a list of its nonzero entries (row,
+    /// column, value), with indices from 0.
     ///
     /// # Errors
     /// [`Error::Shape`] for an entry outside the matrix or a wrong number of labels;
-    /// [`Error::NotFinite`]; [`Law::Independent`] with a vanishing combination.
+    /// [`Error::NotFinite`]; [`Law::Independent`] with a linear combination that vanishes.
     #[doc(alias("matrix Lie algebra"))]
     pub fn new(
         labels: impl IntoIterator<Item: AsRef<str>>,
@@ -94,7 +95,7 @@ impl<S: Field + Scalar> MatrixBasis<S> {
         Ok(basis)
     }
 
-    /// The basis of real square matrices of nalgebra, all of one size.
+    /// The basis of square matrices of nalgebra that are real and have one size.
     ///
     /// ```
     /// use affinor::{LieAlgebra, MatrixBasis};
@@ -107,8 +108,8 @@ impl<S: Field + Scalar> MatrixBasis<S> {
     /// ```
     ///
     /// # Errors
-    /// Those of [`new`](Self::new), and [`Error::Shape`] for a matrix that is not square or has
-    /// another size.
+    /// The errors of [`new`](Self::new), and [`Error::Shape`] for a matrix that is not square or
+    /// has another size.
     pub fn from_dmatrices<'m>(
         labels: impl IntoIterator<Item: AsRef<str>>,
         matrices: impl IntoIterator<Item = &'m DMatrix<S>>,
@@ -133,12 +134,13 @@ impl<S: Field + Scalar> MatrixBasis<S> {
         &self.labels
     }
 
-    /// The matrices; complex matrices in their real form of twice the size.
+    /// The matrices. Complex matrices are in their real form of twice the size.
     pub fn matrices(&self) -> &[Matrix<S>] {
         &self.matrices
     }
 
-    /// The bracket of the span: `[A, B] = AB - BA` in coordinates of the basis.
+    /// The bracket of the algebra that the matrices span: `[A, B] = AB - BA` in coordinates of the
+    /// basis.
     ///
     /// # Errors
     /// [`Law::Closure`] with the first commutator that leaves the span.
@@ -148,7 +150,7 @@ impl<S: Field + Scalar> MatrixBasis<S> {
         let sparse: Vec<Vec<_>> = self.matrices.iter().map(|m| m.entries().collect()).collect();
         let mut constants = Vec::new();
         for (j, k) in (0..n).flat_map(|j| (j + 1..n).map(move |k| (j, k))) {
-            // encodes (row, column) of A B in one number
+            // encodes the position (row, column) in the product A B as one number
             let product = |a: usize, b: usize| {
                 sparse[a].iter().flat_map(move |&(r, m, x)| {
                     let row = self.matrices[b].row(m).iter();
@@ -203,9 +205,9 @@ impl<S: Field + Scalar> MatrixBasis<S> {
         Ok(Some(found))
     }
 
-    /// The Frobenius product `<A, B> = Re tr(A^* B)`, slots `[Down, Down]`: equation (102).
+    /// The Frobenius product `<A, B> = Re tr(A^* B)`, equation (102), with slots `[Down, Down]`.
     pub fn frobenius(&self) -> Tensor<S> {
-        // the real form counts the trace of a complex matrix twice
+        // halves the trace, because the real form counts the trace of a complex matrix twice
         let share = if self.complex { S::from_quotient(1, 2) } else { None }.unwrap_or_else(S::one);
         let product = |a: &Matrix<S>, b: &Matrix<S>| {
             let terms = a.entries().map(|(i, j, v)| b.get(i, j) * v);
@@ -227,7 +229,7 @@ impl<S: Field + Scalar> MatrixBasis<S> {
         self.size() * self.size()
     }
 
-    /// An entry of the real form `[[A, -B], [B, A]]`, shown as an entry of `A + iB`.
+    /// Writes an entry of the real form `[[A, -B], [B, A]]` as an entry of `A + iB`.
     fn entry(&self, row: usize, column: usize, value: S) -> String {
         let size = if self.complex { self.size() / 2 } else { self.size() };
         let value = match (row < size, column < size) {
@@ -238,7 +240,8 @@ impl<S: Field + Scalar> MatrixBasis<S> {
         format!("{value} at row {}, column {}", row % size + 1, column % size + 1)
     }
 
-    /// The linear combination of matrices that the unit vectors at the end of a remainder describe.
+    /// Writes the linear combination of matrices that the unit vectors at the end of a remainder
+    /// encode.
     fn named(&self, remainder: &[(usize, S)]) -> String {
         let entries = self.entries();
         combination(remainder.iter().map(|(column, v)| (v, self.labels[column - entries].clone())))
@@ -278,8 +281,8 @@ fn flat<S: Field + Scalar>(matrix: &Matrix<S>) -> impl Iterator<Item = (usize, S
     matrix.entries().map(move |(i, j, v)| (i * columns + j, v.clone()))
 }
 
-/// The entry of the largest pivot weight, which for floats is the largest magnitude; zero for
-/// an empty matrix.
+/// The entry with the largest pivot weight; the weight of a float is its magnitude. Returns zero
+/// for an empty matrix.
 fn largest<S: Field + Scalar>(matrix: &Matrix<S>) -> S {
     let entries = matrix.entries().map(|(_, _, value)| value);
     let largest = entries.max_by(|a, b| a.pivot_weight().total_cmp(&b.pivot_weight()));

@@ -2,9 +2,9 @@
 //!
 //! Let every structure constant be a rational number times the square root of a rational number.
 //! Then multiples `e'_i = e_i / d_i` with rational `d_i^2` may have rational structure constants
-//! `c^i_jk d_i / (d_j d_k)`. For each prime `p` the bits "p divides `d_i^2`" solve linear equations
-//! over the field of two elements: the bits of `d_i`, `d_j`, `d_k` and `c^i_jk` have the sum 0. The
-//! same holds for irreducible polynomials in parameters instead of primes.
+//! `c^i_jk d_i / (d_j d_k)`. For each prime `p`, the bits "p divides `d_i^2`" satisfy linear
+//! equations over the field of two elements: the bits of `d_i`, `d_j`, `d_k` and `c^i_jk` have the
+//! sum 0. The same holds for irreducible polynomials in parameters instead of primes.
 
 use crate::algebra::frame::Frame;
 use crate::{Error, Law, LieAlgebra};
@@ -13,7 +13,7 @@ use affinor_tensors::{Down, Field, Rational, Symbolic, Tensor, Up};
 use num_traits::One;
 use std::collections::BTreeSet;
 
-/// The largest number of free unknowns at which all solutions of the linear equations are compared.
+/// If at most `FREE` unknowns are free, all solutions of the linear equations are compared.
 const FREE: usize = 12;
 
 /// An algebra in a basis `e'_i = e_i / d_i` whose structure constants contain no square roots.
@@ -37,13 +37,14 @@ pub struct RationalBasis {
 }
 
 impl RationalBasis {
-    /// A basis of multiples in which the structure constants are rational, or rational functions of
-    /// parameters. If the solution is not unique and has few free unknowns, the one that changes
-    /// the fewest basis vectors is chosen.
+    /// Finds multiples of the basis vectors, so that the structure constants are rational, or
+    /// rational functions of parameters. If several solutions exist and few unknowns are free, the
+    /// solution that changes the fewest basis vectors is chosen.
     ///
     /// # Errors
-    /// [`Law::RationalConstants`] with a structure constant that prevents it: one that is not a rational number times a square
-    /// root, or one whose equation contradicts the others.
+    /// [`Law::RationalConstants`] with a structure constant that prevents a rational basis. Either
+    /// the constant is not a rational number times a square root, or its equation contradicts the
+    /// other equations.
     pub fn of(algebra: &LieAlgebra<Symbolic>) -> Result<Self, Error> {
         let (n, structure) = (algebra.dimension(), algebra.structure_constants());
         let refused = |at: &[usize], value: &Symbolic| {
@@ -65,7 +66,8 @@ impl RationalBasis {
                 divisors: vec![Symbolic::one(); n],
             });
         }
-        // rational constants come first, so that a contradiction is reported at a root
+        // sorts rational constants first, so that a contradiction is reported for a constant with a
+        // square root
         equations.sort_by_key(|(_, _, class)| !class.is_empty());
         let mut system = System::new(n);
         for (at, value, class) in &equations {
@@ -87,7 +89,7 @@ impl RationalBasis {
         let structure = Tensor::from_components(n, &[Up, Down, Down], constants)?;
         let labels =
             algebra.labels().iter().zip(&divisors).map(|(label, divisor)| multiple(label, divisor));
-        // a change of basis preserves the Jacobi identity
+        // no check is needed, because a change of basis preserves the Jacobi identity
         let algebra =
             LieAlgebra { frame: Frame::invariant(labels.collect::<Vec<_>>(), structure)? };
         Ok(RationalBasis { algebra, divisors })
@@ -103,7 +105,7 @@ impl RationalBasis {
         &self.divisors
     }
 
-    /// Whether a basis vector has a divisor other than 1.
+    /// Whether any basis vector has a divisor other than 1.
     pub fn is_new(&self) -> bool {
         self.divisors.iter().any(|divisor| !divisor.is_one())
     }
@@ -119,7 +121,7 @@ impl RationalBasis {
     }
 }
 
-/// The name of `label / divisor`, for the square root of a rational function.
+/// The name of `label / divisor`. The divisor is the square root of a rational function.
 fn multiple(label: &str, divisor: &Symbolic) -> String {
     match divisor.is_one() {
         true => label.to_string(),
@@ -127,8 +129,8 @@ fn multiple(label: &str, divisor: &Symbolic) -> String {
     }
 }
 
-/// The set of square roots whose product is the value, up to a rational function; `None` if there
-/// is no such product.
+/// The set of square roots whose product is the value, up to a rational function; returns `None` if
+/// the value is not such a product.
 fn class(value: &Symbolic) -> Option<BTreeSet<Variable>> {
     let [above, below] = [class_of_sum(&value.numerator())?, class_of_sum(&value.denominator())?];
     Some(&above ^ &below)
@@ -165,23 +167,23 @@ fn is_rational(value: &Symbolic) -> bool {
     only_parameters(value.numerator()) && only_parameters(value.denominator())
 }
 
-/// The error for an equation of [`System`] that contradicts earlier ones.
+/// The error for an equation of [`System`] that contradicts earlier equations.
 struct Contradiction;
 
 /// Linear equations `x_i + x_j + x_k = b` over the field of two elements, in reduced echelon form.
 /// Several right-hand sides share the same left-hand sides.
 struct System {
     unknowns: usize,
-    /// For each unknown the equation of which it is the pivot.
+    /// For each unknown, the equation whose pivot is this unknown.
     pivots: Vec<Option<Equation>>,
-    /// The unknowns that occur in an equation.
+    /// For each unknown, whether any equation contains it.
     used: Vec<bool>,
 }
 
 #[derive(Clone, Default)]
 struct Equation {
     left: BTreeSet<usize>,
-    /// The numbers of the right-hand sides that are 1.
+    /// The indices of the right-hand sides that are 1.
     right: BTreeSet<usize>,
 }
 
@@ -197,7 +199,8 @@ impl System {
         System { unknowns, pivots: vec![None; unknowns], used: vec![false; unknowns] }
     }
 
-    /// Adds the equation with these unknowns; an unknown that occurs twice cancels.
+    /// Adds the equation whose left-hand side is the sum of `unknowns`. An unknown that occurs
+    /// twice cancels.
     fn add(&mut self, unknowns: &[usize], right: BTreeSet<usize>) -> Result<(), Contradiction> {
         let mut equation = Equation { left: BTreeSet::new(), right };
         for at in unknowns {
@@ -221,8 +224,8 @@ impl System {
         Ok(())
     }
 
-    /// The unknowns that are 1 in a solution for a right-hand side. If few unknowns are free, as
-    /// few as possible are 1.
+    /// The unknowns that are 1 in a solution for the right-hand side `number`. If few unknowns are
+    /// free, the solution has the fewest such unknowns.
     fn smallest_solution(&self, number: usize) -> BTreeSet<usize> {
         let known =
             || self.pivots.iter().enumerate().filter_map(|(at, known)| Some((at, known.as_ref()?)));
@@ -230,7 +233,7 @@ impl System {
         let mut solution: BTreeSet<usize> = one.collect();
         let mut best = solution.clone();
         let free = (0..self.unknowns).filter(|at| self.used[*at] && self.pivots[*at].is_none());
-        // the changes of the solution for each free unknown
+        // for each free unknown, the changes of the solution if this unknown is 1
         let changes: Vec<BTreeSet<usize>> = free
             .take(FREE)
             .map(|free| {
@@ -239,7 +242,7 @@ impl System {
                 with.chain([free]).collect()
             })
             .collect();
-        // a Gray code changes one free unknown in each step
+        // follows a Gray code, which changes one free unknown in each step
         for step in 1..1usize << changes.len() {
             solution = &solution ^ &changes[step.trailing_zeros() as usize];
             if solution.len() < best.len() {

@@ -1,11 +1,11 @@
 //! Root systems of the simple Lie algebras over the complex numbers.
 //!
-//! [`CartanType`] is the name of a root system, and [`RootSystem`] lists its roots.
-//! [`chevalley_constants`] are the integer structure constants of the split real form.
+//! [`CartanType`] is the name of a root system, and [`RootSystem`] lists its roots. The function
+//! [`chevalley_constants`] computes the integer structure constants of the split real form.
 //!
 //! Simple roots are numbered as in Bourbaki, *Groupes et algèbres de Lie*, ch. VI, plates I-IX.
-//! Every vector in this module is a list of `rank` integers: a root over the simple roots `α_i`, a
-//! coroot over the simple coroots `α_i^∨`, a weight over the fundamental weights.
+//! Every vector in this module is a list of `rank` integers. Roots have coefficients in the simple
+//! roots `α_i`, coroots in the simple coroots `α_i^∨`, and weights in the fundamental weights.
 
 mod cartan;
 mod chevalley;
@@ -95,14 +95,15 @@ impl RootSystem {
         self.index.get(&key(coefficients, self.cartan_type)?).copied()
     }
 
-    /// Whether the coefficients are those of a root, positive or negative.
+    /// Whether the coefficients belong to a root, positive or negative.
     pub fn is_root(&self, coefficients: &[i64]) -> bool {
         let opposite: Vec<i64> = coefficients.iter().map(|c| c.saturating_neg()).collect();
         self.index(coefficients).or_else(|| self.index(&opposite)).is_some()
     }
 
-    /// The positive root `t - r`, if it is a root. The lookup is exact: keys of sums of two
-    /// positive roots are distinct, so `key(t) - key(r) = key(s)` implies `t = r + s`.
+    /// The position of the root `t - r`, if this difference is a positive root. The search is
+    /// exact: keys of sums of two positive roots are distinct, so `key(t) - key(r) = key(s)`
+    /// implies `t = r + s`.
     fn difference(&self, t: usize, r: usize) -> Option<usize> {
         let key = self.positive[t].key.checked_sub(self.positive[r].key)?;
         self.index.get(&key).copied()
@@ -119,7 +120,7 @@ impl Root {
         let weight: Vec<i64> = (0..coefficients.len())
             .map(|i| coefficients.iter().zip(cartan).map(|(c, row)| c * row[i]).sum())
             .collect();
-        // (α, α) = sum_i c_i (α, α_i), and 2 (α, α_i) = <α, α_i^∨> (α_i, α_i).
+        // uses (α, α) = sum_i c_i (α, α_i), and 2 (α, α_i) = <α, α_i^∨> (α_i, α_i).
         let twice: i64 =
             coefficients.iter().zip(&weight).zip(lengths).map(|((c, w), l)| c * w * l).sum();
         let squared_length = twice / 2;
@@ -128,17 +129,17 @@ impl Root {
         Root { coefficients, coroot, weight, squared_length, key }
     }
 
-    /// The root over the simple roots: `α = sum_i c_i α_i`.
+    /// The coefficients of the root in the simple roots: `α = sum_i c_i α_i`.
     pub fn coefficients(&self) -> &[i64] {
         &self.coefficients
     }
 
-    /// The coroot `α^∨ = 2α/(α, α)` over the simple coroots.
+    /// The coefficients of the coroot `α^∨ = 2α/(α, α)` in the simple coroots.
     pub fn coroot(&self) -> &[i64] {
         &self.coroot
     }
 
-    /// The root over the fundamental weights: the integers `<α, α_i^∨>`.
+    /// The coefficients of the root in the fundamental weights: the integers `<α, α_i^∨>`.
     pub fn weight(&self) -> &[i64] {
         &self.weight
     }
@@ -155,9 +156,9 @@ impl Root {
     }
 }
 
-/// The coefficients as the digits of one number, the first digit most significant. Keys of sums are
-/// sums of keys, and their order is lexicographic. `None` if there are not `rank` digits or one is
-/// out of range.
+/// Encodes the coefficients as the digits of one number; the first digit is the most significant
+/// digit. The key of a sum is the sum of the keys, and the order of keys is lexicographic. Returns
+/// `None` if there are not `rank` coefficients, or if one is out of range.
 fn key(coefficients: &[i64], cartan_type: CartanType) -> Option<u128> {
     let radix = radix(cartan_type);
     let digit = |&c: &i64| u128::try_from(c).ok().filter(|&c| c < radix);
@@ -165,9 +166,9 @@ fn key(coefficients: &[i64], cartan_type: CartanType) -> Option<u128> {
         .then(|| coefficients.iter().try_fold(0, |key, c| Some(key * radix + digit(c)?)))?
 }
 
-/// One more than the largest coefficient of a sum of two positive roots. The coefficients of a root
-/// are at most 6 in the exceptional types and at most 2 in the classical ones. `radix^rank` fits in
-/// 128 bits.
+/// The base of keys: one more than the largest coefficient of a sum of two positive roots. The
+/// coefficients of a root are at most 6 in the exceptional types, and at most 2 in the classical
+/// types. `radix^rank` fits in 128 bits.
 fn radix(cartan_type: CartanType) -> u128 {
     match cartan_type.series() {
         Series::A | Series::B | Series::C | Series::D => 5,

@@ -1,19 +1,20 @@
-//! Structure constants grouped by their first factor, over any type of numbers.
+//! Structure constants grouped by their first factor, for any type of numbers.
 
 use affinor_tensors::stop::checkpoint;
 use affinor_tensors::{Scalar, Tensor};
 
-/// The constants `(k, i, c^i_jk)` of each `j`, sorted, where `[e_j, e_k] = c^i_jk e_i`.
+/// For each `j`, the sorted list of constants `(k, i, c^i_jk)`, where `[e_j, e_k] = c^i_jk e_i`.
 ///
-/// The numbers may be scalars of tensors, residues modulo a prime, integers, or floats. Methods
-/// over numbers without operators take the operation `sum + a b` as an argument.
+/// The numbers may be scalars of tensors, residues modulo a prime, integers, or floats. Some of
+/// these types have no operators, so methods have the operation `sum + a b` as a parameter.
 #[derive(Clone, Debug)]
 pub(crate) struct SparseBracket<C> {
     by_first: Vec<Vec<(usize, usize, C)>>,
 }
 
 impl<C> SparseBracket<C> {
-    /// The bracket on `R^n` with the constants `(j, k, i, c^i_jk)`, for both orders of `j` and `k`.
+    /// The bracket on `R^n` with the constants `(j, k, i, c^i_jk)`. The list must contain both
+    /// orders of `j` and `k`.
     pub fn new(n: usize, constants: impl IntoIterator<Item = (usize, usize, usize, C)>) -> Self {
         let mut by_first: Vec<Vec<_>> = (0..n).map(|_| vec![]).collect();
         for (j, k, i, value) in constants {
@@ -33,7 +34,8 @@ impl<C> SparseBracket<C> {
         &self.by_first[j]
     }
 
-    /// The same bracket with its constants converted by `image`; `None` if a constant has no image.
+    /// The same bracket over another type of numbers: `image` converts each constant. Returns
+    /// `None` if a constant has no image.
     pub fn map<D>(&self, image: impl Fn(&C) -> Option<D>) -> Option<SparseBracket<D>> {
         let line = |line: &Vec<(usize, usize, C)>| {
             line.iter().map(|(k, i, value)| Some((*k, *i, image(value)?))).collect()
@@ -53,7 +55,7 @@ impl<S: Scalar> SparseBracket<S> {
 }
 
 impl<C: Copy + PartialEq> SparseBracket<C> {
-    /// The bracket of two vectors. `fused(s, a, b)` is `s + a b`.
+    /// The bracket of two vectors. The function `fused(s, a, b)` computes `s + a b`.
     pub fn bracket(&self, x: &[C], y: &[C], zero: C, fused: impl Fn(C, C, C) -> C) -> Vec<C> {
         checkpoint();
         let mut sum = vec![zero; self.dimension()];
@@ -65,7 +67,8 @@ impl<C: Copy + PartialEq> SparseBracket<C> {
         sum
     }
 
-    /// The rows of the Killing form `tr(ad_a ad_b)`. `fused(s, a, b)` is `s + a b`.
+    /// The rows of the Killing form `tr(ad_a ad_b)`. The function `fused(s, a, b)` computes
+    /// `s + a b`.
     pub fn killing(&self, zero: C, fused: impl Fn(C, C, C) -> C) -> Vec<Vec<C>> {
         let n = self.dimension();
         let mut dense = vec![zero; n * n];

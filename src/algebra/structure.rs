@@ -4,11 +4,15 @@
 //! - [`GroundField`]: the scalars, rationals and rational functions of parameters;
 //! - [`Subspace`]: subspaces in reduced row echelon form; `products`: brackets of vectors;
 //! - `kernels`: kernels of matrices, lifted from residues;
-//! - [`StructureTheory`]: an algebra with its brackets tabulated; `series`, `killing`, `radical`, `cartan`, `levi`;
-//! - [`reduction`]: the algebra modulo a prime, for ranks; `derivations`, `cohomology`; `certificates`: dimensions proved over the rationals; `index`;
-//! - [`dynkin`], `root_spaces`, `ideals`, [`real_forms`], `orthogonal_forms`: Dynkin types, roots, simple ideals over the reals and their names;
+//! - [`StructureTheory`]: an algebra with a table of its brackets; `series`, `killing`, `radical`,
+//!   `cartan`, `levi`;
+//! - [`reduction`]: the algebra modulo a prime, for ranks; `derivations`, `cohomology`;
+//!   `certificates`: dimensions proved over the rationals; `index`;
+//! - [`dynkin`], `root_spaces`, `ideals`, [`real_forms`], `orthogonal_forms`: Dynkin types, roots,
+//!   simple ideals over the reals and their names;
 //! - `quadratic`: quadratic Casimir functions of reductive algebras;
-//! - `cocycles`, `symplectic`, `complex_structures`: closed forms of low degree, symplectic and contact forms, Casimir functions;
+//! - `cocycles`, `symplectic`, `complex_structures`: closed forms of low degree, symplectic and
+//!   contact forms, Casimir functions;
 //! - `decomposition`: indecomposable ideals; `identification`: names in low dimension;
 //! - [`exceptional`]: candidates for exceptional values of a parameter;
 //! - `constructions`: quotients, extensions, semidirect sums, contractions, complexifications.
@@ -17,27 +21,28 @@
 //!
 //! # Choices by trial
 //!
-//! Every search among elements, forms or primes ends with a certificate, or the answer states that
-//! it is not proved. Primes that divide a denominator or a structure constant are skipped.
+//! Some algorithms try elements, forms or primes. Such a search ends with a certificate; otherwise
+//! the answer states that it is not proved. Primes that divide a denominator or a structure
+//! constant are skipped.
 //!
 //! | choice | certificate |
 //! |---|---|
-//! | `radical`: element that separates the weights | the subspace is a nilpotent ideal; points of a moment curve until one serves |
-//! | `cartan`: regular element | its null component is nilpotent, or has the dimension of the rank; tried until one serves |
-//! | `cartan`, dense basis: prime | the Killing form is regular modulo the prime; the kernel is multiplied out |
-//! | `kernels`: primes | as many rational vectors as modulo a prime, multiplied out; elimination otherwise |
-//! | `killing`: prime for the rank | full rank modulo a prime; elimination otherwise |
+//! | `radical`: element that separates the weights | the subspace is a nilpotent ideal; points of a moment curve until one separates them |
+//! | `cartan`: regular element | its null component is nilpotent, or has the dimension of the rank; tried until one succeeds |
+//! | `cartan`, dense basis: prime | the Killing form is regular modulo the prime; the kernel is verified by exact multiplication |
+//! | `kernels`: primes | as many rational vectors as modulo a prime, verified by exact multiplication; otherwise elimination |
+//! | `killing`: prime for the rank | full rank modulo a prime; otherwise elimination |
 //! | `dynkin`: prime and regular element | the Killing form is regular modulo the prime; ranks add up; one type satisfies its identities |
 //! | `ideals`: primes for the centroid | the maps commute with all `ad`, one for each simple factor |
-//! | `ideals`: generator of the centroid | degree of its minimal polynomial; points of a moment curve until one serves |
-//! | `decomposition`: element of the centroid | number of its eigenvalues; points of a moment curve until one serves |
-//! | `certificates`: primes for derivations, invariant forms, closed forms | a basis is multiplied out; otherwise "modulo two primes"; Betti numbers beyond dimension 11 always so |
-//! | `index`: form and primes | centre, abelian ideals, parity, or Pfaffians that vanish; otherwise "modulo two primes" |
+//! | `ideals`: generator of the centroid | degree of its minimal polynomial; points of a moment curve until one generates it |
+//! | `decomposition`: element of the centroid | number of its eigenvalues; points of a moment curve until one suffices |
+//! | `certificates`: primes for derivations, invariant forms, closed forms | a basis is verified by exact multiplication; otherwise "modulo two primes", as always for Betti numbers beyond dimension 11 |
+//! | `index`: form and primes | centre, abelian ideals, parity, or vanishing Pfaffians; otherwise "modulo two primes" |
 //! | `symplectic`: symplectic, contact and regular forms | full rank modulo a prime; "none" by Pfaffian, index theorem or common kernel; otherwise "modulo two primes" |
-//! | `orthogonal_forms`: regular element and primes | bounds of the coefficients, and intervals; otherwise both names |
-//! | `root_spaces`: prime | only excludes a Cartan subalgebra that does not split; root vectors are exact |
-//! | `identification`: names of nilpotent algebras | proved dimensions, or an isomorphism that is multiplied out; otherwise "modulo two primes" |
-//! | `identification`: isomorphisms | multiplied out; otherwise "by invariants", or the root that is needed |
+//! | `orthogonal_forms`: regular element and primes | bounds of the coefficients, and intervals; otherwise the answer has two possible names |
+//! | `root_spaces`: prime | the prime only excludes Cartan subalgebras that do not split; root vectors are exact |
+//! | `identification`: names of nilpotent algebras | proved dimensions, or an isomorphism verified by exact multiplication; otherwise "modulo two primes" |
+//! | `identification`: isomorphisms | verified by exact multiplication; otherwise "by invariants", or the root that is needed |
 //! | `complex_structures`: rational frames | existence by a theorem; otherwise "no rational one is found" |
 //! | generators for the Jacobi identity | independent modulo a prime; otherwise all triples |
 //! | sectional curvature: planes | exact curvature; "found by a search, not proved" unless a theorem decides |
@@ -95,7 +100,7 @@ use affinor_tensors::linear::Matrix;
 
 use std::cell::OnceCell;
 
-/// A Lie algebra, with cached answers to questions about its structure.
+/// A Lie algebra, with a cache of computed properties of its structure.
 ///
 /// ```
 /// use affinor::algebra::structure::StructureTheory;
@@ -123,7 +128,7 @@ pub struct StructureTheory<S> {
 }
 
 impl<S: GroundField> StructureTheory<S> {
-    /// The structure of an algebra.
+    /// Prepares the structure theory of an algebra.
     pub fn new(algebra: LieAlgebra<S>) -> Self {
         let products = SparseBracket::of_tensor(algebra.structure_constants());
         StructureTheory {
@@ -157,7 +162,7 @@ impl<S: GroundField> StructureTheory<S> {
         Subspace::whole(self.dimension())
     }
 
-    /// A subalgebra in the basis of its echelon form.
+    /// The subalgebra on a subspace, in the basis of the echelon form of the subspace.
     ///
     /// # Errors
     /// [`Law::Subalgebra`] with two basis vectors whose bracket leaves the subspace.
@@ -180,7 +185,7 @@ impl<S: GroundField> StructureTheory<S> {
             }
         }
         let labels = (1..=basis.len()).map(|at| format!("e{at}"));
-        // a subalgebra satisfies the Jacobi identity
+        // no check is needed, because a subalgebra satisfies the Jacobi identity
         let bracket = Bracket::from_constants(labels, constants)?;
         let inside = StructureTheory::new(LieAlgebra { frame: bracket.into_frame() });
         if self.levi.get() == Some(subspace) {
@@ -189,8 +194,8 @@ impl<S: GroundField> StructureTheory<S> {
         Ok(inside)
     }
 
-    /// The algebra over the rationals, with the types that are already known; `None` if a constant
-    /// is not rational.
+    /// The algebra over the rationals, with the Cartan types if they are already known; `None` if a
+    /// constant is not rational.
     pub fn over_the_rationals(&self) -> Option<StructureTheory<Rational>> {
         let constants = self.algebra.structure_constants();
         let rational = constants.components().all(|(_, value)| value.rational().is_some());
@@ -205,14 +210,14 @@ impl<S: GroundField> StructureTheory<S> {
         Some(same)
     }
 
-    /// Stores types that were found for the same algebra elsewhere.
+    /// Stores the Cartan types that were computed for the same algebra elsewhere.
     fn know_types(&self, types: Option<&Option<Vec<CartanType>>>) {
         if let Some(types) = types {
             self.types.get_or_init(|| types.clone());
         }
     }
 
-    /// A vector as a combination of the basis.
+    /// Writes a vector as a linear combination of the basis vectors.
     pub(crate) fn write(&self, row: &[(usize, S)]) -> String {
         let labels = self.algebra.labels();
         let terms = row.iter().map(|(i, value)| (value.to_string(), labels[*i].clone()));

@@ -1,17 +1,18 @@
-//! Laws whose violation is an error: the row of a law has its witness, class, message and advice.
+//! Laws whose violation is an error. The row of a law contains its witness, class, message and
+//! advice.
 
 use super::Error;
 use std::fmt;
 
-/// A row is `Law(part: names, ...; residual) Class "message" "advice"`. The message may use every
-/// name of the row.
+/// Defines the laws. A row is `Law(part: names, ...; residual) Class "message" "advice"`. The
+/// message may use every name of the row.
 macro_rules! laws {
     ($(
         $(#[$doc:meta])+
         $law:ident($($part:ident: $($name:ident)+),*; $residual:ident) $class:ident
         $message:literal $($advice:literal)?
     )+) => {
-        /// A law that a construction requires. [`Error::Broken`] reports where it fails.
+        /// A law that a construction requires. [`Error::Broken`] reports where the law fails.
         #[non_exhaustive]
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         pub enum Law {
@@ -30,14 +31,14 @@ macro_rules! laws {
                 }
             }
 
-            /// See [`Error::class`].
+            /// The class of the error; see [`Error::class`].
             pub(super) fn class(self) -> &'static str {
                 match self {
                     $(Law::$law => stringify!($class),)+
                 }
             }
 
-            /// See [`Error::advice`].
+            /// Advice on what to change; see [`Error::advice`].
             pub(super) fn advice(self) -> Option<&'static str> {
                 let advice: &[&str] = match self {
                     $(Law::$law => &[$($advice)?],)+
@@ -67,33 +68,34 @@ macro_rules! laws {
 }
 
 laws! {
-    /// `x - x = 0` for numbers. It fails for intervals.
+    /// The law `x - x = 0` for numbers. It fails for intervals.
     AdditiveInverse(value: x; residual) MathematicsError
         "the numbers are not a ring: {x} - {x} = {residual}, not 0, as for intervals"
         "compute over exact numbers or floats, and bound the error of the result"
-    /// `[x, y] + [y, x] = 0`.
+    /// The law `[x, y] + [y, x] = 0`.
     Antisymmetry(pair: x y; residual) AntisymmetryError
         "the bracket is not antisymmetric: [{x}, {y}] + [{y}, {x}] = {residual}"
         "[y,x] must be -[x,y], and [x,x] zero"
-    /// The same for a bracket that is given in both orders.
+    /// The law `[x, y] + [y, x] = 0`, for a bracket that is given in both orders.
     OppositeOrders(pair: x y, values: forward backward; residual) AntisymmetryError
         "the bracket is not antisymmetric: [{x}, {y}] + [{y}, {x}] = {residual}, \
          for [{x}, {y}] = {forward} and [{y}, {x}] = {backward}"
         "[y,x] must be -[x,y], and [x,x] zero"
-    /// A structure constant is given once. The residual is its second value.
+    /// Each structure constant is given only once. The residual is its second value.
     GivenOnce(pair: x y, component: component, value: first; second) MathematicsError
         "the component of [{x}, {y}] along {component} is given twice: {first} and {second}"
-    /// `[[x, y], z] + [[y, z], x] + [[z, x], y] = 0`.
+    /// The law `[[x, y], z] + [[y, z], x] + [[z, x], y] = 0`.
     Jacobi(triple: x y z; residual) JacobiError
         "the Jacobi identity fails: [[{x},{y}],{z}] + [[{y},{z}],{x}] + [[{z},{x}],{y}] = {residual}"
         "look at the brackets of these three basis vectors"
     /// Structure constants become rational if basis vectors are divided by square roots. The
-    /// residual is a constant that cannot be made rational.
+    /// residual is a constant that cannot become rational.
     RationalConstants(pair: x y, component: component; value) MathematicsError
         "no division of basis vectors by square roots makes all structure constants rational: \
          the component of [{x}, {y}] along {component} is {value}"
         "structure theory computes over the rational numbers: give another basis, or a parameter instead of the number"
-    /// The span of matrices is closed under the commutator. The residual is an entry of the remainder.
+    /// The span of the matrices is closed under the commutator. The residual is an entry of the
+    /// remainder.
     Closure(pair: x y; residual) ClosureError
         "the matrices do not close: [{x}, {y}] leaves their real span, by {residual}"
         "add the missing matrices to the basis"
@@ -105,26 +107,29 @@ laws! {
     Ideal(pair: x v; bracket) ConstructionError
         "the subspace is not an ideal: [{x}, {v}] = {bracket} is not in it"
         "add the bracket to the vectors"
-    /// `omega([x, y], z) + omega([y, z], x) + omega([z, x], y) = 0`; the residual is this sum up to its sign.
+    /// The law `omega([x, y], z) + omega([y, z], x) + omega([z, x], y) = 0`. The residual is this
+    /// sum, up to its sign.
     Cocycle(triple: x y z; residual) ConstructionError
         "the form is not a cocycle: \
          omega([{x},{y}],{z}) + omega([{y},{z}],{x}) + omega([{z},{x}],{y}) = {residual}"
         "change the values of the form on these vectors"
-    /// `x y - y x = 0` for a product of vectors.
+    /// The law `x y - y x = 0` for a product of vectors.
     Commutative(pair: x y; residual) ConstructionError
         "the products do not commute: {x} {y} - {y} {x} = {residual}"
         "the products must be commutative and associative: change them"
-    /// `(x y) z - x (y z) = 0` for a product of vectors.
+    /// The law `(x y) z - x (y z) = 0` for a product of vectors.
     Associative(triple: x y z; residual) ConstructionError
         "the products are not associative: ({x} {y}) {z} - {x} ({y} {z}) = {residual}"
         "the vectors span a commutative, associative algebra: change their products"
-    /// `D [x, y] - [D x, y] - [x, D y] = 0` for the matrix `D` by which the vector `d` acts.
+    /// The law `D [x, y] - [D x, y] - [x, D y] = 0` for the matrix `D` by which the vector `d`
+    /// acts.
     Derivation(derivation: d, pair: x y; residual) ConstructionError
         "the matrix D of {d} is not a derivation: D [{x},{y}] - [D {x},{y}] - [{x},D {y}] = {residual}"
-    /// `(D_x D_y - D_y D_x - D_[x,y]) v = 0` for the matrices by which an algebra acts.
+    /// The law `(D_x D_y - D_y D_x - D_[x,y]) v = 0` for the matrices by which an algebra acts.
     Action(pair: x y, vector: v; residual) ConstructionError
         "the matrices are not an action: (D_{x} D_{y} - D_{y} D_{x} - D_[{x},{y}]) {v} = {residual}"
-    /// The structure constants of a contraction have a limit. The residual is a constant without one.
+    /// The structure constants of a contraction have a limit. The residual is a constant without a
+    /// limit.
     Limit(pair: x y, component: component; value) ConstructionError
         "the contraction has no limit: the component {value} of [{x}, {y}] along {component} grows \
          beyond all bounds"
@@ -135,22 +140,24 @@ laws! {
     /// Vector fields are linearly independent at some point.
     IndependentFields(relation: relation; zero) DependentError
         "the frame is degenerate: its determinant is zero, for {relation} = {zero}"
-    /// `g(x, y) - g(y, x) = 0` for a metric.
+    /// The law `g(x, y) - g(y, x) = 0` for a metric.
     SymmetricMetric(pair: x y; residual) MetricError
         "the metric is not symmetric: g({x},{y}) - g({y},{x}) = {residual}"
         "write the same value at both places"
-    /// A value that must be constant for an operation, such as a structure function. The residual
-    /// is the value.
+    /// A value, such as a structure function, is constant, because an operation requires this. The
+    /// residual is the value.
     Constant(operation: what, component: component; value) MathematicsError
         "{what} needs constants, but here {component} = {value}"
-    /// `L_direction Lambda = 0` for a connection that has constant components in the right-invariant frame.
+    /// The law `L_direction Lambda = 0` for a connection. It is required for constant components in
+    /// the right-invariant frame.
     AdInvariance(direction: direction, indices: i j k; residual) MathematicsError
         "the connection has no constant components in the right-invariant frame: \
          (L_{direction} Lambda)^{i}_{j}{k} = {residual}, not 0 (it is not invariant under ad)"
-    /// The isotropy `h` of a reductive pair contains the bracket of any two of its vectors.
+    /// The isotropy algebra `h` of a reductive pair contains the bracket of any two of its vectors.
     ReductiveIsotropy(pair: x y; bracket) MathematicsError
         "the vectors of h do not span a subalgebra: [{x}, {y}] = {bracket} is not in their span"
-    /// The complement `m` of a reductive pair contains the bracket of its vectors `y` with any vector `x` of `h`.
+    /// The complement `m` of a reductive pair contains the bracket of its vectors `y` with any
+    /// vector `x` of `h`.
     ReductiveComplement(pair: x y; bracket) MathematicsError
         "the complement m is not invariant under h: [{x}, {y}] = {bracket} is not in m"
     /// A tensor at the origin of a homogeneous space is invariant under the isotropy group.
@@ -160,29 +167,32 @@ laws! {
     /// The Killing form is not degenerate on a subalgebra `h`.
     KillingOnSubalgebra(null: null; _zero) MathematicsError
         "the Killing form is degenerate on h: {null} is orthogonal to all of it"
-    /// `nabla_n n = 0`: the autoparallel in the direction `n` has a constant tangent vector.
+    /// The law `nabla_n n = 0`. The autoparallel in the direction `n` then has a constant tangent
+    /// vector.
     ConstantTangent(direction: n; residual) MathematicsError
         "{n} is not the constant tangent of an autoparallel: \
          nabla_n n = {residual} in the left-invariant frame"
-    /// The adjoint representation is faithful: there is no central vector.
+    /// The adjoint representation is faithful, which means that no vector is central.
     FaithfulAdjoint(central: central; zero) MathematicsError
         "the algebra has a centre: {central} commutes with everything, and ad takes it to {zero}"
-    /// An algebra is nilpotent. The residual is a component that should vanish.
+    /// The algebra is nilpotent. The residual is a component that should vanish.
     Nilpotent(; component) MathematicsError
         "the algebra is not nilpotent: {component} is not zero"
-    /// Canonical coordinates are regular at a point: the invariant forms are independent.
+    /// Canonical coordinates are regular at a point, which means that the invariant forms are
+    /// linearly independent.
     RegularPoint(vector: vector; _zero) MathematicsError
         "the coordinates are singular at this point: the invariant forms vanish on {vector}"
     /// The exponential map is locally invertible at `x`.
     RegularTangent(vector: x; _zero) MathematicsError
         "the tangent operator of exp is singular at {x}: ad_x has an eigenvalue 2 pi i k, k != 0"
-    /// The eigenvalues of `ad_x` are small integers `a + ib`. The residual is the minimal polynomial, in `z`.
+    /// The eigenvalues of `ad_x` are small integers `a + ib`. The residual is the minimal
+    /// polynomial, in `z`.
     Eigenvalues(vector: x; polynomial) MathematicsError
         "ad_{x} has an eigenvalue other than small integers a + ib: a root of {polynomial}"
 }
 
 impl Law {
-    /// The error of the law, which fails at these vectors.
+    /// The error that reports a violation of the law at these vectors.
     ///
     /// ```
     /// use affinor::Law;

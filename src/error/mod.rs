@@ -1,4 +1,4 @@
-//! Errors of the library, each with its witness.
+//! Errors of the library. Each error contains a witness.
 
 mod law;
 
@@ -8,22 +8,22 @@ use crate::algebra::catalogue::CatalogueError;
 use affinor_tensors::TensorError;
 use affinor_tensors::linear::LinearError;
 
-/// An error of the library. It reports the fault, the location, and the size of the violation.
+/// An error of the library. It reports the fault, the location and the size of the violation.
 ///
-/// Basis vectors are given by their labels, residuals as linear combinations of them.
+/// Basis vectors are identified by their labels. Residuals are linear combinations of these labels.
 #[non_exhaustive]
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum Error {
     /// The shapes of tensors do not fit, or a scalar in a formula has no inverse.
     #[error(transparent)]
     Tensor(#[from] TensorError),
-    /// Linear equations over scalars that are not a field.
+    /// Linear equations cannot be solved, because the scalars are not a field.
     #[error(transparent)]
     Linear(#[from] LinearError),
-    /// The name does not denote one algebra of the catalogue.
+    /// The name does not identify exactly one algebra of the catalogue.
     #[error(transparent)]
     Catalogue(#[from] CatalogueError),
-    /// The name does not denote a group or a column, or cannot be the name of a coordinate.
+    /// The name does not identify a group or a column, or cannot be the name of a coordinate.
     #[error("{0}")]
     Name(String),
     /// A tensor has the wrong dimension or the wrong slots.
@@ -31,9 +31,9 @@ pub enum Error {
     Shape {
         /// The name of the object.
         what: &'static str,
-        /// The shape it needs.
+        /// The required shape.
         expected: String,
-        /// The shape it has.
+        /// The shape that was found.
         found: String,
     },
     /// A search has more candidates than its limit.
@@ -41,9 +41,9 @@ pub enum Error {
     Size {
         /// The candidates, as a plural noun.
         what: &'static str,
-        /// Their number.
+        /// The number of candidates.
         size: usize,
-        /// The largest number allowed.
+        /// The largest number that is allowed.
         limit: usize,
     },
     /// A component is infinite or NaN.
@@ -53,13 +53,13 @@ pub enum Error {
         what: &'static str,
         /// The indices of the component, from 1.
         at: Vec<usize>,
-        /// The component.
+        /// The value of the component.
         value: String,
     },
-    /// A value exceeded the range of `f64`.
+    /// A value exceeds the range of `f64`.
     #[error("{component} = {value}: the computation left the range of f64")]
     Overflow {
-        /// The component.
+        /// The name of the component.
         component: String,
         /// The value.
         value: String,
@@ -71,7 +71,7 @@ pub enum Error {
         law: Law,
         /// The vectors and other names at which the law fails, in the order of [`Law::parts`].
         at: Vec<String>,
-        /// The value that contradicts the law: in most laws a remainder that should vanish.
+        /// The value that contradicts the law. In most laws, it is a remainder that should vanish.
         residual: String,
     },
     /// A tensor lacks a required symmetry.
@@ -80,60 +80,62 @@ pub enum Error {
         .slots[0], .slots[1], indices(.at.iter().copied())
     )]
     Symmetry {
-        /// The tensor.
+        /// The name of the tensor.
         what: &'static str,
-        /// `symmetric` or `antisymmetric`.
+        /// The required symmetry: `symmetric` or `antisymmetric`.
         symmetry: &'static str,
         /// The two slots, from 1.
         slots: [usize; 2],
         /// The indices of a component, from 1.
         at: Vec<usize>,
-        /// The component minus (for antisymmetry: plus) the one with the two indices exchanged.
+        /// The difference (for antisymmetry: the sum) of the component and the component with the
+        /// two indices exchanged.
         residual: String,
     },
-    /// A degenerate metric.
+    /// The metric is degenerate.
     #[error("the metric is degenerate: {null} is orthogonal to every vector")]
     Degenerate {
-        /// A vector of the kernel.
+        /// A vector of the kernel, as text.
         null: String,
-        /// Its nonzero components, each with the number of its basis vector, from 1.
+        /// The nonzero components of this vector, each with the number of its basis vector, from 1.
         components: Vec<(usize, String)>,
     },
     /// The Levi-Civita connection was requested without a metric.
     #[error("levi-civita is the connection of a metric, and none is given")]
     NoMetric,
-    /// A change of basis whose matrix is singular.
+    /// The matrix of a change of basis is singular.
     #[error("the new basis is linearly dependent")]
     SingularBasis,
-    /// A value does not exist or is not admissible: `invalid inertia: the mass is -1`.
+    /// A value does not exist or is not admissible, as in `invalid inertia: the mass is -1`.
     #[error("invalid {what}: {reason}")]
     Invalid {
-        /// The object: `basis`, `element of the group`, `logarithm`, `mean`, `rotation`, `inertia`, `state`, `solid`
-        /// or coordinates.
+        /// The name of the object: `basis`, `element of the group`, `logarithm`, `mean`,
+        /// `rotation`, `inertia`, `state`, `solid`, or the name of coordinates.
         what: &'static str,
         /// The reason, with the witness.
         reason: String,
     },
-    /// The operation is not defined in this frame, or a method does not apply to the problem.
+    /// The operation is not defined in this frame, or the method does not apply to the problem.
     #[error("{0}")]
     Unsupported(String),
-    /// An integration failed before its final time.
+    /// An integration has failed before its final time.
     #[error("the integration stops at t = {t}: {reason}")]
     Integration {
-        /// The time that was reached.
+        /// The time that has been reached.
         t: f64,
-        /// The reason.
+        /// The reason of the failure.
         reason: String,
     },
 }
 
 impl Error {
-    /// The error for a name that cannot be a coordinate: it is not an identifier, or is used twice.
+    /// The error for a name that cannot be a coordinate, because it is not an identifier or occurs
+    /// twice.
     pub(crate) fn coordinate(name: &str) -> Self {
         Error::Name(format!("`{name}` is not the name of one coordinate"))
     }
 
-    /// The class of the error: the name of its exception in Python, such as `JacobiError`.
+    /// The class of the error, which is the name of the exception in Python, such as `JacobiError`.
     pub fn class(&self) -> &'static str {
         self.row().0
     }
@@ -165,7 +167,7 @@ impl Error {
     }
 }
 
-/// A list of indices: `1,2,3`.
+/// Writes a list of indices, such as `1,2,3`.
 pub(crate) fn indices(at: impl IntoIterator<Item = usize>) -> String {
     at.into_iter().map(|index| index.to_string()).collect::<Vec<_>>().join(",")
 }

@@ -1,4 +1,4 @@
-//! Charts: coordinates, and frames of functions over them.
+//! Charts: coordinates, and frames whose vectors depend on the coordinates.
 //!
 //! A coordinate frame has zero structure functions (A9). There the curvature (B14) takes the form
 //! with partial derivatives (B12). Any other frame is the product of a coordinate frame and a
@@ -81,7 +81,8 @@ impl Chart {
         self.coordinates.iter().map(|name| field_of(name)).collect()
     }
 
-    /// The frame of the coordinate fields: zero structure (A9), and partial derivatives.
+    /// The frame of the coordinate fields. Its structure functions (A9) are zero, and its
+    /// derivations are partial derivatives.
     ///
     /// # Errors
     /// [`Error::Tensor`] if the dimension is too large for the indices of a tensor, 64 bits.
@@ -90,11 +91,12 @@ impl Chart {
         Frame::holonomic(&self.labels(), Arc::new(move |k, f: &S| f.derivative(&names[k])))
     }
 
-    /// The frame of the fields `e_i = e^a_i d/dx^a`, from the components `e^a_i`, slots
+    /// The frame of the fields `e_i = e^a_i d/dx^a`. The components `e^a_i` have the slots
     /// `[Up, Down]`: row `a`, column `i`.
     ///
     /// # Errors
-    /// [`Error::Shape`]; [`Law::IndependentFields`] for fields that are dependent everywhere.
+    /// [`Error::Shape`]; [`Law::IndependentFields`] for fields that are linearly dependent
+    /// everywhere.
     pub fn fields<S: Notation + Scalar>(
         &self,
         labels: impl IntoIterator<Item: AsRef<str>>,

@@ -5,11 +5,12 @@ use affinor_tensors::scalar::Variable;
 use affinor_tensors::{Notation, Rational, Scalar, Tensor};
 use std::collections::BTreeMap;
 
-/// The polynomials in the parameters whose common zeros make all components of the tensor vanish.
+/// Polynomials in the parameters. All components of the tensor vanish exactly at the common zeros
+/// of these polynomials.
 ///
-/// They are a basis of the linear span of the numerators, reduced over their monomials. For the
-/// nonmetricity of M(3) they state that `J` is a multiple of the identity. For a tensor of numbers
-/// the result is empty or the constant 1.
+/// The polynomials are a basis of the linear span of the numerators, reduced over their monomials.
+/// For the nonmetricity of M(3), they state that `J` is a multiple of the identity. For a tensor of
+/// numbers, the result is empty or contains only the constant 1.
 pub fn conditions<S: Notation + Scalar>(tensor: &Tensor<S>) -> Vec<S> {
     let polynomials: Vec<_> = tensor.components().map(|(_, v)| v.numerator_terms()).collect();
     let key = |powers: &[(Variable, u32)]| -> Vec<(&str, u32)> {

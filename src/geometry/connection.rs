@@ -13,19 +13,19 @@ use affinor_tensors::{Down, Scalar, Tensor, Up};
 use std::fmt;
 use std::sync::{Arc, OnceLock};
 
-/// A connection by its affinities in a frame: `nabla_{e_j} e_k = Lambda^i_jk e_i` (B1).
+/// A connection, given by its affinities in a frame: `nabla_{e_j} e_k = Lambda^i_jk e_i` (B1).
 ///
-/// The first lower index is the direction, the second the differentiated vector. Torsion and
-/// curvature are in [`curvature`](crate::geometry::curvature), quantities that also need a metric in
-/// [`metric_affine`](crate::geometry::metric_affine).
+/// The first lower index is the direction, and the second belongs to the differentiated vector.
+/// Torsion and curvature are in [`curvature`](crate::geometry::curvature). Quantities that also
+/// need a metric are in [`metric_affine`](crate::geometry::metric_affine).
 #[derive(Clone, Debug)]
 pub struct Connection<S> {
     frame: Frame<S>,
     gamma: Tensor<S>,
-    /// The curvature, computed by the first call of [`curvature`](Self::curvature) and shared by
-    /// clones.
+    /// The curvature. The first call of [`curvature`](Self::curvature) computes it, and clones
+    /// share it.
     pub(super) curvature: Arc<OnceLock<Tensor<S>>>,
-    /// The Ricci tensor, if [`ricci`](Self::ricci) computed it without the curvature.
+    /// The Ricci tensor, if [`ricci`](Self::ricci) has computed it without the curvature.
     pub(super) ricci: Arc<OnceLock<Tensor<S>>>,
 }
 
@@ -43,7 +43,7 @@ impl<S: Scalar> fmt::Display for Connection<S> {
 }
 
 impl<S: Scalar> Connection<S> {
-    /// The connection with the affinities `Lambda^i_jk`, slots `[Up, Down, Down]`.
+    /// A connection with the affinities `Lambda^i_jk`, slots `[Up, Down, Down]`.
     ///
     /// ```
     /// use affinor::algebra::catalogue;
@@ -56,7 +56,8 @@ impl<S: Scalar> Connection<S> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Shape`] if the affinities do not fit the frame; [`Error::NotFinite`] if one is NaN or infinite.
+    /// [`Error::Shape`] if the affinities do not fit the frame; [`Error::NotFinite`] if one is NaN
+    /// or infinite.
     #[doc(alias("affine connection"))]
     pub fn new(frame: Frame<S>, gamma: Tensor<S>) -> Result<Self, Error> {
         expect_slots("the affinities", &gamma, frame.dimension(), &[Up, Down, Down])?;
@@ -90,9 +91,10 @@ impl<S: Scalar> Connection<S> {
         &self.gamma
     }
 
-    /// The covariant derivative of a tensor of any type, `(nabla_m T)^i_j = e_m(T^i_j) +
-    /// Lambda^i_mp T^p_j - Lambda^p_mj T^i_p`. The direction `m` is the first lower index of the
-    /// result. Over the frame of a homogeneous space the tensor must be invariant.
+    /// The covariant derivative of a tensor of any type,
+    /// `(nabla_m T)^i_j = e_m(T^i_j) + Lambda^i_mp T^p_j - Lambda^p_mj T^i_p`. The direction `m` is
+    /// the first lower index of the result. In the frame of a homogeneous space, the tensor must be
+    /// invariant.
     ///
     /// ```
     /// use affinor::algebra::catalogue;
@@ -114,7 +116,8 @@ impl<S: Scalar> Connection<S> {
         let sum = format!("d_m{}{}", indices(letters, tensor), derivation("m", tensor));
         let at = tensor.slots().iter().position(|slot| *slot == Down).unwrap_or(tensor.rank());
         let before = indices(&letters[..at], tensor);
-        // nabla T has the symmetries of T, so an antisymmetric last pair is computed once
+        // computes an antisymmetric last pair of indices only once, because nabla T has the
+        // symmetries of T
         let pair = tensor.rank().checked_sub(2).filter(|&pair| {
             pair >= at
                 && tensor.slots()[pair..] == [Down, Down]

@@ -10,7 +10,7 @@ use crate::geometry::connection::Connection;
 use affinor_tensors::stop::stage;
 use affinor_tensors::{Scalar, Tensor};
 
-/// The components `R^i_jkl` of the curvature.
+/// The formula of the components `R^i_jkl` of the curvature.
 const CURVATURE: &str =
     "d_k^i_lj - d_l^i_kj + L^i_km L^m_lj - L^i_lm L^m_kj - c^m_kl L^i_mj - h^i_jkl";
 
@@ -40,15 +40,15 @@ impl<S: Scalar> Connection<S> {
     ///         + Lambda^i_km Lambda^m_lj - Lambda^i_lm Lambda^m_kj - c^m_kl Lambda^i_mj
     /// ```
     ///
-    /// Over the frame of a homogeneous space the isotropy `h^i_jkl` is subtracted.
+    /// Over the frame of a homogeneous space, the isotropy `h^i_jkl` is subtracted.
     ///
-    /// It is computed on the first call and stored.
+    /// The curvature is computed on the first call, and stored.
     #[doc(alias("Riemann tensor", "riemann"))]
     pub fn curvature(&self) -> &Tensor<S> {
         let _stage = stage("curvature");
         let cell = &self.curvature;
-        // `get_or_init(compute)` could deadlock: a pool thread that waits within `compute` may
-        // start other work that needs this curvature
+        // does not use `get_or_init(compute)`, which could deadlock: a pool thread that waits
+        // within `compute` may start other work that needs this curvature
         cell.get().unwrap_or_else(|| {
             let curvature = self.compute_curvature();
             cell.get_or_init(|| curvature)
@@ -59,11 +59,11 @@ impl<S: Scalar> Connection<S> {
         self.evaluate(&format!("{CURVATURE} -> ^i_j[kl]"))
     }
 
-    /// The Ricci tensor, slots `_jl`: `Ric_jl = R^i_jil`. It need not be symmetric.
+    /// The Ricci tensor, slots `_jl`: `Ric_jl = R^i_jil`. The tensor need not be symmetric.
     ///
-    /// For scalars that grow ([`GROWS`](affinor_tensors::Summable::GROWS)), it is computed without
-    /// the curvature unless this is already known, because the components of the curvature may be
-    /// much longer.
+    /// For scalars that grow ([`GROWS`](affinor_tensors::Summable::GROWS)), the Ricci tensor is
+    /// computed without the curvature, because the components of the curvature may be much longer.
+    /// If the curvature is already known, it is used.
     ///
     /// ```
     /// use affinor::algebra::catalogue;
@@ -79,7 +79,7 @@ impl<S: Scalar> Connection<S> {
         if S::GROWS && self.curvature.get().is_none() {
             let known = self.ricci.get().cloned();
             return known.unwrap_or_else(|| {
-                // not within `get_or_init`, for the reason given in `curvature`
+                // computes outside `get_or_init`, for the reason given in `curvature`
                 let ricci = self.evaluate(&format!("{} -> _jl", CURVATURE.replace('k', "i")));
                 self.ricci.get_or_init(|| ricci).clone()
             });
@@ -87,8 +87,8 @@ impl<S: Scalar> Connection<S> {
         formula("R^i_jil -> _jl", &[("R", self.curvature())])
     }
 
-    /// A formula in the affinities `L`, their derivatives `d`, the structure `c` and the isotropy
-    /// `h`.
+    /// Evaluates a formula in the affinities `L`, their derivatives `d`, the structure `c` and the
+    /// isotropy `h`.
     fn evaluate(&self, expression: &str) -> Tensor<S> {
         let derivative =
             self.frame().derivative(self.affinities()).expect("the affinities belong to the frame");
@@ -104,23 +104,23 @@ impl<S: Scalar> Connection<S> {
         )
     }
 
-    /// The derivative of the torsion, slots `^i_mjk`: `(nabla_m tau)^i_jk`. Zero for the canonical
-    /// connections of a group.
+    /// The derivative of the torsion, slots `^i_mjk`: `(nabla_m tau)^i_jk`. It vanishes for the
+    /// canonical connections of a group.
     pub fn nabla_torsion(&self) -> Tensor<S> {
         let _stage = stage("nabla_torsion");
         self.nabla(&self.torsion()).expect("the torsion belongs to the frame")
     }
 
     /// The derivative of the curvature, slots `^i_mjkl`: `(nabla_m R)^i_jkl`. For a torsion-free
-    /// connection it vanishes exactly if the space is locally symmetric.
+    /// connection, the derivative vanishes exactly if the space is locally symmetric.
     pub fn nabla_curvature(&self) -> Tensor<S> {
         let _stage = stage("nabla_curvature");
         self.nabla(self.curvature()).expect("the curvature belongs to the frame")
     }
 
     /// The residual of the first Bianchi identity with torsion, slots `^i_jkl`: the cyclic sum over
-    /// `j, k, l` of `R^i_jkl - tau^m_kl tau^i_mj - (nabla_k tau)^i_lj`. It vanishes for every
-    /// connection over a frame whose structure satisfies the Jacobi identity.
+    /// `j, k, l` of `R^i_jkl - tau^m_kl tau^i_mj - (nabla_k tau)^i_lj`. The residual vanishes for
+    /// every connection over a frame whose structure satisfies the Jacobi identity.
     ///
     /// ```
     /// use affinor::algebra::catalogue;
@@ -143,12 +143,12 @@ impl<S: Scalar> Connection<S> {
     }
 
     /// The residual of the second Bianchi identity with torsion, slots `^i_jmkl`: the cyclic sum
-    /// over `m, k, l` of `(nabla_m R)^i_jkl + tau^p_mk R^i_jpl`. It vanishes under the same
-    /// condition as the first.
+    /// over `m, k, l` of `(nabla_m R)^i_jkl + tau^p_mk R^i_jpl`. The residual vanishes under the
+    /// same condition as the residual of the first identity.
     ///
     /// The affinities between the lower indices `m, k, l` of `nabla R` cancel against those in the
-    /// torsion, whatever the connection. The remainder is the exterior covariant derivative of the
-    /// curvature form. This remainder is computed: the cyclic sum of
+    /// torsion, for every connection. The remainder is the exterior covariant derivative of the
+    /// curvature form. This method computes the remainder, which is the cyclic sum of
     ///
     /// ```text
     /// e_m(R^i_jkl) + Lambda^i_mp R^p_jkl - Lambda^p_mj R^i_pkl - c^p_mk R^i_jpl
@@ -158,7 +158,8 @@ impl<S: Scalar> Connection<S> {
         let curvature = self.curvature();
         let derivative =
             self.frame().derivative(curvature).expect("the curvature belongs to the frame");
-        // the kernel loops over the leading indices, so m, k, l lead and only m < k < l is computed
+        // m, k, l come first, because the kernel loops over the leading indices, and then computes
+        // only m < k < l
         let residual = formula(
             "d_m^i_jkl + d_k^i_jlm + d_l^i_jmk \
              + L^i_mp R^p_jkl + L^i_kp R^p_jlm + L^i_lp R^p_jmk \

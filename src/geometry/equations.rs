@@ -1,4 +1,4 @@
-//! Equations of motion of vectors and covectors along a curve, from a connection.
+//! Equations of motion of vectors and covectors along a curve, derived from a connection.
 //!
 //! All equations are quadratic: the time derivative of a vector is bilinear in the vector and the
 //! velocity. The coefficients are constants in an invariant frame, and functions of the position in
@@ -16,12 +16,13 @@ use affinor_tensors::{Down, Field, Scalar, Tensor, Up};
 #[doc(alias("geodesic equation", "Euler-Poincare", "Euler-Arnold"))]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum EquationKind {
-    /// `DH/Dt = M` for the covector `H = g(Omega, .)` (104). For the connection `plus` these are
-    /// the Euler-Poincare equations (106), (108) of a left-invariant system.
+    /// The equations `DH/Dt = M` (104) for the covector `H = g(Omega, .)`. For the connection
+    /// `plus`, these are the Euler-Poincare equations (106), (108) of a left-invariant system.
     EulerPoincare,
-    /// `nabla_v v = 0` (B6), in components (B7): the velocity of an autoparallel.
+    /// The equations `nabla_v v = 0` (B6), in components (B7), of the velocity of an autoparallel.
     Autoparallel,
-    /// `nabla_w u = 0` (B4), in components (B5): a vector transported along a curve of velocity `w`.
+    /// The equations `nabla_w u = 0` (B4), in components (B5), of a vector that is
+    /// parallel-transported along a curve of velocity `w`.
     Transport,
 }
 
@@ -39,13 +40,13 @@ impl EquationKind {
         }
     }
 
-    /// The kind with this name.
+    /// The kind with this name; `None` if no kind has the name.
     pub fn from_name(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|kind| kind.name() == name)
     }
 
-    /// The law of the equations and the law in components, in the notation of the paper: (104),
-    /// (B7) and (B5).
+    /// The law of the equations, without and with components, in the notation of the paper:
+    /// equations (104), (B7) and (B5).
     pub fn statement(self) -> [&'static str; 2] {
         match self {
             EquationKind::EulerPoincare => [
@@ -58,9 +59,9 @@ impl EquationKind {
     }
 }
 
-/// The equations `a_ij dx^j/dt = q_ijk y^j x^k + M_i`; only [`EquationKind::EulerPoincare`] has the
-/// external covector `M`. `y` is `x`, except for [`EquationKind::Transport`], where it is the
-/// velocity `w` of the curve.
+/// The equations `a_ij dx^j/dt = q_ijk y^j x^k + M_i`. Only [`EquationKind::EulerPoincare`] has the
+/// external covector `M`. For [`EquationKind::Transport`], `y` is the velocity `w` of the curve;
+/// for the other kinds, `y` is `x`.
 ///
 /// ```
 /// use affinor::algebra::catalogue;
@@ -88,7 +89,7 @@ impl<S: Field + Scalar> Equations<S> {
     /// The equations of this kind.
     ///
     /// # Errors
-    /// [`Error::NoMetric`] for Euler-Poincare without a metric; those of
+    /// [`Error::NoMetric`] for Euler-Poincare without a metric; the errors of
     /// [`euler_poincare`](Self::euler_poincare).
     pub fn new(
         kind: EquationKind,
@@ -105,8 +106,8 @@ impl<S: Field + Scalar> Equations<S> {
         }
     }
 
-    /// The equations `DH/Dt = M` (104), written out: `g_ij dOmega^j/dt = Lambda^j_ki Omega^k g_jm
-    /// Omega^m + M_i` (106).
+    /// The equations `DH/Dt = M` (104). In components, they are
+    /// `g_ij dOmega^j/dt = Lambda^j_ki Omega^k g_jm Omega^m + M_i` (106).
     ///
     /// # Errors
     /// [`Error::Shape`] if the dimensions differ; [`Error::Unsupported`] for a metric whose
@@ -140,11 +141,12 @@ impl<S: Field + Scalar> Equations<S> {
         }
     }
 
-    /// The same equations solved for the time derivatives, `dx^i/dt = h^il (q_ljk y^j x^k + M_l)`.
+    /// The same equations, solved for the time derivatives: `dx^i/dt = h^il (q_ljk y^j x^k + M_l)`.
     #[must_use]
     pub fn solved(&self) -> Self {
         let _stage = stage("solution for the derivatives");
-        // equations that are solved for the time derivatives have an upper index
+        // returns equations that are already solved for the time derivatives; they have an upper
+        // index
         if self.force.is_none() || self.quadratic.slots()[0] == Up {
             return self.clone();
         }
@@ -159,9 +161,9 @@ impl<S: Field + Scalar> Equations<S> {
         }
     }
 
-    /// Whether these equations and those of another connection with the same metric have the same
-    /// solutions. The symmetric parts of the quadratic terms must be equal up to the tolerance of
-    /// floats: `q_ijk + q_ikj = p_ijk + p_ikj`.
+    /// Whether these equations and the equations of another connection with the same metric have
+    /// the same solutions. This holds if the symmetric parts of the quadratic terms are equal up to
+    /// the tolerance of floats: `q_ijk + q_ikj = p_ijk + p_ikj`.
     ///
     /// ```
     /// use affinor::algebra::catalogue;
@@ -178,8 +180,8 @@ impl<S: Field + Scalar> Equations<S> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Shape`] for equations of another kind or dimension, or if only one of them is
-    /// solved for the time derivatives.
+    /// [`Error::Shape`] for equations of another kind or dimension, or if only one of the systems
+    /// is solved for the time derivatives.
     pub fn agree_with(&self, other: &Self) -> Result<bool, Error> {
         let slots = self.quadratic.slots();
         expect_slots("the quadratic terms", &other.quadratic, self.dimension(), slots)?;
@@ -189,11 +191,13 @@ impl<S: Field + Scalar> Equations<S> {
         Ok(formula(&text, &operands).is_empty())
     }
 
-    /// The time derivatives `dx/dt`, by one elimination. `other` is the external covector `M`
-    /// (Euler-Poincare), the velocity `w` of the curve (transport), or empty (autoparallel).
+    /// The time derivatives `dx/dt`, computed by one elimination. The vector `other` is the
+    /// external covector `M` (Euler-Poincare), the velocity `w` of the curve (transport), or empty
+    /// (autoparallel).
     ///
     /// # Errors
-    /// [`Error::Shape`] for vectors of another length; [`Error::Linear`] over a ring without pivots.
+    /// [`Error::Shape`] for vectors of another length; [`Error::Linear`] over a ring without
+    /// pivots.
     pub fn rate(&self, state: &[S], other: &[S]) -> Result<Vec<S>, Error> {
         let n = self.dimension();
         let x = Tensor::vector(state, Up);
@@ -226,12 +230,13 @@ impl<S: Field + Scalar> Equations<S> {
             }
         };
         let right = right.to_vector().unwrap_or_default();
-        // the matrix is invertible, so there is exactly one solution
+        // the solution is unique, because the matrix is invertible
         Ok(to_matrix(&self.left).solve(&right)?.unwrap_or_default())
     }
 }
 
-/// The quadratic part of (104), `q_ikm = Lambda^j_ki g_jm`: the inertial forces are `q_ikm Omega^k Omega^m`.
+/// The coefficients `q_ikm = Lambda^j_ki g_jm` of the quadratic part of equation (104). The
+/// inertial forces are `q_ikm Omega^k Omega^m`.
 pub(crate) fn inertial<S: Field + Scalar>(
     connection: &Connection<S>,
     metric: &Metric<S>,
@@ -239,7 +244,7 @@ pub(crate) fn inertial<S: Field + Scalar>(
     formula("L^j_ki g_jm -> _ikm", &[("L", connection.affinities()), ("g", metric.components())])
 }
 
-/// A variable of the equations: its role and its index, from 0.
+/// A variable of the equations: its role, and its index from 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Variable {
     /// The velocity `w` of the curve along which a vector is transported.
@@ -250,12 +255,12 @@ pub enum Variable {
     Force(usize),
 }
 
-/// One equation: coefficients of the time derivatives, and of products of the variables.
+/// One equation: the coefficients of the time derivatives, and of the products of variables.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Row<S> {
     /// The coefficient `a_j` of each time derivative `dx^j/dt`, with `j` from 0.
     pub left: Vec<(S, usize)>,
-    /// The coefficient of each product and its factors; a square lists its variable twice.
+    /// The coefficient and the factors of each product. A square lists its variable twice.
     pub right: Vec<(S, Vec<Variable>)>,
 }
 
@@ -275,7 +280,7 @@ impl<S: Scalar> Equations<S> {
         &self.inverse
     }
 
-    /// The equations one by one, with equal products collected.
+    /// The equations, one row for each. Equal products are collected.
     pub fn rows(&self) -> Vec<Row<S>> {
         let n = self.dimension();
         let mut rows = vec![Row { left: vec![], right: vec![] }; n];
@@ -295,8 +300,8 @@ impl<S: Scalar> Equations<S> {
     }
 }
 
-/// The quadratic terms `q_ijk x^j x^k` with each product once: `q_ijk + q_ikj` for `j < k`, `q_ijj`
-/// for squares.
+/// The quadratic terms `q_ijk x^j x^k`, in which each product occurs once. The coefficients are
+/// `q_ijk + q_ikj` for `j < k`, and `q_ijj` for squares.
 fn collect<S: Scalar>(quadratic: &Tensor<S>) -> Tensor<S> {
     let first = if quadratic.slots()[0] == Up { "^i" } else { "_i" };
     let both = formula(&format!("q{first}_jk + q{first}_kj -> {first}_jk"), &[("q", quadratic)]);

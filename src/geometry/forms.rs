@@ -1,9 +1,11 @@
-//! Differential forms in a frame: exterior derivative, products, and Cartan's structure equations.
+//! Differential forms in a frame: the exterior derivative, products, and Cartan's structure
+//! equations.
 //!
 //! A form of degree `p` is stored by its components `w_{i1...ip} = w(e_i1, ..., e_ip)`, which are
 //! antisymmetric: `w = 1/p! w_{i1...ip} e^i1 ^ ... ^ e^ip`. The exterior derivative and the wedge
-//! product contain no factorials: `(e^1 ^ e^2)(e_1, e_2) = 1` and `dw(x,y) = x(w(y)) - y(w(x)) -
-//! w([x,y])`. This is the convention of Spivak and Warner; Kobayashi and Nomizu divide by `p + 1`.
+//! product contain no factorials: `(e^1 ^ e^2)(e_1, e_2) = 1` and
+//! `dw(x,y) = x(w(y)) - y(w(x)) - w([x,y])`. This is the convention of Spivak and Warner; the
+//! exterior derivative of Kobayashi and Nomizu is divided by `p + 1`.
 
 use crate::Error;
 use crate::algebra::LETTERS;
@@ -16,7 +18,8 @@ use affinor_tensors::{Down, Indices, Scalar, Tensor, TensorError, Up, contract};
 pub struct Form<S>(Tensor<S>);
 
 impl<S: Scalar> Form<S> {
-    /// The form with these components, all slots lower. A form of degree 0 is a function.
+    /// A form with these components, which must have lower slots only. A form of degree 0 is a
+    /// function.
     ///
     /// # Errors
     /// [`Error::Shape`]; [`Error::NotFinite`]; [`Error::Symmetry`] unless the components are
@@ -25,7 +28,7 @@ impl<S: Scalar> Form<S> {
         let degree = components.rank();
         expect_slots("the form", &components, components.dimension(), &vec![Down; degree])?;
         expect_numbers("the form", &components)?;
-        // exchanges of neighbours generate all permutations
+        // checks neighbouring slots only, because exchanges of neighbours generate all permutations
         for a in 1..degree {
             expect_symmetry("the form", &components, [a - 1, a], -1)?;
         }
@@ -47,8 +50,8 @@ impl<S: Scalar> Form<S> {
         self.0.is_empty()
     }
 
-    /// The exterior product, `a ^ b = (p+q)!/(p! q!) Alt(a b)`: the signed sum of `a_{i...}
-    /// b_{j...}` over all ways to distribute the indices.
+    /// The exterior product, `a ^ b = (p+q)!/(p! q!) Alt(a b)`. It is the signed sum of
+    /// `a_{i...} b_{j...}` over all distributions of the indices among the factors.
     ///
     /// ```
     /// use affinor::algebra::catalogue;
@@ -61,7 +64,8 @@ impl<S: Scalar> Form<S> {
     /// ```
     ///
     /// # Errors
-    /// [`TensorError::Dimension`]; [`TensorError::TooLarge`] beyond degree 8.
+    /// [`TensorError::Dimension`] if the dimensions differ; [`TensorError::TooLarge`] beyond
+    /// degree 8.
     #[doc(alias("exterior product"))]
     pub fn wedge(&self, other: &Self) -> Result<Self, Error> {
         let (p, degree) = (self.degree(), self.degree() + other.degree());
@@ -86,7 +90,8 @@ impl<S: Scalar> Form<S> {
         Ok(Form(contract(&format!("{sum} -> {result}"), &[("a", &self.0), ("b", &other.0)])?))
     }
 
-    /// The interior product with a vector: `(i_X w)_{j...} = X^i w_{ij...}`; zero for functions.
+    /// The interior product with a vector: `(i_X w)_{j...} = X^i w_{ij...}`. It is zero for
+    /// functions.
     ///
     /// # Errors
     /// [`Error::Shape`] unless `X` has the slots `^i` in the dimension of the form.
@@ -103,8 +108,8 @@ impl<S: Scalar> Form<S> {
 }
 
 impl<S: Scalar> Frame<S> {
-    /// The dual forms `e^1 ... e^n`, `e^i(e_j) = delta^i_j`. For an algebra they are its
-    /// Maurer-Cartan forms, with `de^i = -1/2 c^i_jk e^j ^ e^k`.
+    /// The dual forms `e^1 ... e^n`, which satisfy `e^i(e_j) = delta^i_j`. The dual forms of an
+    /// algebra are its Maurer-Cartan forms, with `de^i = -1/2 c^i_jk e^j ^ e^k`.
     ///
     /// ```
     /// use affinor::algebra::catalogue;
@@ -129,16 +134,16 @@ impl<S: Scalar> Frame<S> {
         (0..self.dimension()).map(unit).collect()
     }
 
-    /// The exterior derivative,
+    /// The exterior derivative of a form,
     ///
     /// ```text
     /// (dw)_{i0..ip} = sum_a     (-1)^a     e_ia(w_{.. no ia ..})
     ///               + sum_{a<b} (-1)^(a+b) c^m_{ia ib} w_{m .. no ia, ib ..}
     /// ```
     ///
-    /// On left-invariant forms only the second sum remains: the differential of C. Chevalley and S.
-    /// Eilenberg, *Trans. Amer. Math. Soc.* 63 (1948) 85-124. `d d = 0` by the Jacobi identity. On
-    /// a homogeneous space, the differential of invariant forms is computed.
+    /// On left-invariant forms, only the second sum remains. It is the differential of C. Chevalley
+    /// and S. Eilenberg, *Trans. Amer. Math. Soc.* 63 (1948) 85-124. The Jacobi identity implies
+    /// `d d = 0`. On a homogeneous space, the method computes the differential of invariant forms.
     ///
     /// # Errors
     /// [`Error::Shape`]; [`TensorError::TooLarge`] beyond degree 8.
@@ -162,8 +167,8 @@ impl<S: Scalar> Frame<S> {
 }
 
 impl<S: Scalar> Connection<S> {
-    /// The connection forms `w^i_j = Lambda^i_kj e^k`, indexed by `i` and then `j`: `nabla e_j =
-    /// w^i_j e_i`.
+    /// The connection forms `w^i_j = Lambda^i_kj e^k`, defined by `nabla e_j = w^i_j e_i`. The
+    /// first index of the list is `i`, and the second is `j`.
     pub fn connection_forms(&self) -> Vec<Vec<Form<S>>> {
         let n = self.frame().dimension();
         let mut forms = vec![vec![vec![S::zero(); n]; n]; n];
@@ -175,8 +180,9 @@ impl<S: Scalar> Connection<S> {
         forms.into_iter().map(|row| row.into_iter().map(form).collect()).collect()
     }
 
-    /// The torsion forms by Cartan's first structure equation, `T^i = de^i + w^i_j ^ e^j`. Their
-    /// components are the [`torsion`](Self::torsion), `T^i(e_j, e_k) = tau^i_jk`.
+    /// The torsion forms, computed by Cartan's first structure equation,
+    /// `T^i = de^i + w^i_j ^ e^j`. Their components are the [`torsion`](Self::torsion),
+    /// `T^i(e_j, e_k) = tau^i_jk`.
     ///
     /// # Errors
     /// [`Error::Tensor`] if the dimension is too large for the indices of a tensor, 64 bits.
@@ -189,9 +195,9 @@ impl<S: Scalar> Connection<S> {
         coframe.iter().zip(self.connection_forms()).map(equation).collect()
     }
 
-    /// The curvature forms by Cartan's second structure equation, `W^i_j = dw^i_j + w^i_k ^ w^k_j`,
-    /// indexed by `i` and then `j`. Their components are the [`curvature`](Self::curvature),
-    /// `W^i_j(e_k, e_l) = R^i_jkl`.
+    /// The curvature forms, computed by Cartan's second structure equation,
+    /// `W^i_j = dw^i_j + w^i_k ^ w^k_j`. The first index of the list is `i`, and the second is `j`.
+    /// Their components are the [`curvature`](Self::curvature), `W^i_j(e_k, e_l) = R^i_jkl`.
     ///
     /// ```
     /// use affinor::algebra::catalogue;
@@ -223,7 +229,7 @@ impl<S: Scalar> Connection<S> {
     }
 }
 
-/// The sum of 2-forms.
+/// The sum of several 2-forms.
 fn total<S: Scalar>(
     first: Form<S>,
     others: impl Iterator<Item = Result<Form<S>, Error>>,
@@ -234,7 +240,7 @@ fn total<S: Scalar>(
     })
 }
 
-/// The index letters of a form of a given degree.
+/// The index letters of a form of degree `degree`.
 fn letters(dimension: usize, degree: usize) -> Result<&'static str, Error> {
     let fits = degree <= Indices::MAX;
     let letters = fits.then(|| &LETTERS[..degree]);
@@ -245,7 +251,7 @@ fn lower(letters: &str) -> String {
     if letters.is_empty() { String::new() } else { format!("_{letters}") }
 }
 
-/// The index notation of an antisymmetric result.
+/// The index notation of an antisymmetric result with these letters.
 fn antisymmetric(letters: &str) -> String {
     if letters.len() < 2 { lower(letters) } else { format!("_[{letters}]") }
 }

@@ -8,26 +8,27 @@ use affinor_tensors::linear::{Echelon, Row};
 use affinor_tensors::stop::stage;
 use affinor_tensors::{Down, Field, Indices, Scalar, Tensor, Up};
 
-/// The Lie algebra of the holonomy group: a subalgebra of gl(n) with a reduced basis.
+/// The Lie algebra of the holonomy group, which is a subalgebra of gl(n), with a reduced basis.
 #[derive(Clone, Debug)]
 pub struct Holonomy<S> {
     dimension: usize,
-    /// The matrices as rows of `n n` entries.
+    /// The basis matrices, as rows of `n * n` entries.
     span: Echelon<S>,
 }
 
 impl<S: Field + Scalar> Connection<S> {
     /// The holonomy algebra of a connection with constant components in an invariant frame. It is
-    /// the smallest space of matrices `A^i_j` that contains all `R(e_k, e_l)` and, for each of its
-    /// elements `A`, all `[Lambda_m, A]`, where `(Lambda_m)^i_j = Lambda^i_mj`.
+    /// the smallest space of matrices `A^i_j` that satisfies two conditions: it contains all
+    /// `R(e_k, e_l)`, and with each matrix `A` it contains all `[Lambda_m, A]`, where
+    /// `(Lambda_m)^i_j = Lambda^i_mj`.
     ///
-    /// This space is closed under the commutator: K. Nomizu, *Amer. J. Math.* 76 (1954) 33-65;
-    /// Kobayashi and Nomizu, *Foundations II*, section X.4. With parameters it is the algebra for
-    /// generic values. Over floats its dimension depends on the tolerance.
+    /// This space is closed under the commutator (K. Nomizu, *Amer. J. Math.* 76 (1954) 33-65;
+    /// Kobayashi and Nomizu, *Foundations II*, section X.4). If there are parameters, the result is
+    /// the algebra for generic values. Over floats, the dimension depends on the tolerance.
     ///
     /// # Errors
-    /// [`Error::Unsupported`] in a frame that is not invariant; [`Error::Linear`] over a ring that is not a
-    /// field.
+    /// [`Error::Unsupported`] in a frame that is not invariant; [`Error::Linear`] over a ring that
+    /// is not a field.
     ///
     /// ```
     /// use affinor::algebra::catalogue;
@@ -45,9 +46,9 @@ impl<S: Field + Scalar> Connection<S> {
         self.holonomy_up_to(n * n)
     }
 
-    /// Like [`holonomy`](Self::holonomy), but faster if the connection preserves the metric: then
-    /// the matrices are antisymmetric with respect to it, so that the search ends with `n(n-1)/2`
-    /// of them.
+    /// The holonomy algebra as in [`holonomy`](Self::holonomy), but computed faster if the
+    /// connection preserves the metric. The matrices are then antisymmetric with respect to the
+    /// metric, so the search ends when it has found `n(n-1)/2` of them.
     ///
     /// ```
     /// use affinor::{Connection, Metric, Rational};
@@ -60,7 +61,7 @@ impl<S: Field + Scalar> Connection<S> {
     /// ```
     ///
     /// # Errors
-    /// Those of [`holonomy`](Self::holonomy); [`Error::Shape`] if the dimensions differ.
+    /// The errors of [`holonomy`](Self::holonomy); [`Error::Shape`] if the dimensions differ.
     pub fn holonomy_beside(&self, metric: &Metric<S>) -> Result<Holonomy<S>, Error> {
         let n = self.frame().dimension();
         match self.metric_compatible(metric)?.holds() {
@@ -69,7 +70,7 @@ impl<S: Field + Scalar> Connection<S> {
         }
     }
 
-    /// The holonomy algebra, whose dimension is at most `largest`.
+    /// The holonomy algebra, whose dimension must be at most `largest`.
     fn holonomy_up_to(&self, largest: usize) -> Result<Holonomy<S>, Error> {
         let _stage = stage("holonomy");
         if !self.frame().is_invariant() {
@@ -78,9 +79,10 @@ impl<S: Field + Scalar> Connection<S> {
         let n = self.frame().dimension();
         let tolerance = self.affinities().tolerance();
         let mut span = Echelon::new().with_tolerance(tolerance);
-        // R(e_k, e_l) is the matrix of slots 0 and 1, one for each value of slots 2 and 3
+        // collects the matrices R(e_k, e_l): slots 2 and 3 are k and l, and slots 0 and 1 are the
+        // row and the column of each matrix
         let mut open = matrices(self.curvature(), [0, 1], &[2, 3])?;
-        // in order of levels, because matrices of later levels have longer entries
+        // proceeds level by level, because matrices of later levels have longer entries
         while !open.is_empty() {
             let mut found = vec![];
             for matrix in open {
@@ -113,22 +115,22 @@ impl<S: Field + Scalar> Holonomy<S> {
     /// The reduced basis: matrices `A^i_j`, slots `[Up, Down]`.
     ///
     /// # Errors
-    /// [`Error::Tensor`] if the dimension is too large for a tensor, which cannot occur for the
-    /// dimension of a connection.
+    /// [`Error::Tensor`] if the dimension is too large for a tensor. This error cannot occur for
+    /// the dimension of a connection.
     pub fn basis(&self) -> Result<Vec<Tensor<S>>, Error> {
         let matrix =
             |row: &Row<S>| Ok(Tensor::from_row(self.dimension, &[Up, Down], row.iter().cloned())?);
         self.span.rows().iter().map(matrix).collect()
     }
 
-    /// Whether a matrix `A^i_j`, slots `[Up, Down]`, lies in the algebra.
+    /// Whether the algebra contains a matrix `A^i_j`, slots `[Up, Down]`.
     pub fn contains(&self, matrix: &Tensor<S>) -> bool {
         let fits = matrix.slots() == [Up, Down] && matrix.dimension() == self.dimension;
         fits && self.span.contains(matrix.to_row())
     }
 }
 
-/// The nonzero matrices in the two slots `of`, one for each value of the other slots.
+/// The nonzero matrices that the two slots `of` form, one for each value of the other slots.
 fn matrices<S: Scalar>(
     tensor: &Tensor<S>,
     of: [usize; 2],

@@ -8,14 +8,14 @@ use affinor_tensors::text::{combination, written};
 use affinor_tensors::{Down, Field, Scalar, Tensor, Up};
 use std::fmt;
 
-/// A metric `g_ij` with its inverse `g^ij`; of any signature.
+/// A metric `g_ij` of any signature, with its inverse `g^ij`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Metric<S> {
     components: Tensor<S>,
     inverse: Tensor<S>,
 }
 
-/// Writes the metric as definitions do: `diag(1, 2, 3)`, or rows `[[2, 1], [1, 2]]`.
+/// Writes the metric in the notation of definitions: `diag(1, 2, 3)`, or rows `[[2, 1], [1, 2]]`.
 impl<S: Field + Scalar> fmt::Display for Metric<S> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (g, n) = (&self.components, self.components.dimension());
@@ -33,7 +33,7 @@ impl<S: Field + Scalar> fmt::Display for Metric<S> {
 }
 
 impl<S: Field + Scalar> Metric<S> {
-    /// The metric with these components, slots `[Down, Down]`.
+    /// A metric with these components, slots `[Down, Down]`.
     ///
     /// ```
     /// use affinor::{Down, Metric, Rational, Tensor};
@@ -48,8 +48,8 @@ impl<S: Field + Scalar> Metric<S> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Shape`]; [`Error::NotFinite`]; [`Law::SymmetricMetric`]; [`Error::Degenerate`] with a
-    /// vector of the kernel.
+    /// [`Error::Shape`]; [`Error::NotFinite`]; [`Law::SymmetricMetric`]; [`Error::Degenerate`] with
+    /// a vector of the kernel.
     #[doc(alias("inner product"))]
     pub fn new(
         labels: impl IntoIterator<Item: AsRef<str>>,
@@ -79,7 +79,7 @@ impl<S: Field + Scalar> Metric<S> {
                 components: row.iter().map(|(i, v)| (i + 1, written(v))).collect(),
             });
         };
-        // copies one half, so that floats are exactly symmetric too
+        // mirrors the upper half, so that the matrix is exactly symmetric, also in floats
         let upper = entries.into_iter().filter(|([i, j], _)| i <= j);
         let both = upper.flat_map(|([i, j], v)| {
             let mirrored = (i < j).then(|| ([j, i], v.clone()));
@@ -89,7 +89,7 @@ impl<S: Field + Scalar> Metric<S> {
         Ok(Metric { components, inverse: inverse.with_tolerance(tolerance) })
     }
 
-    /// The metric `diag(values)`. Messages call the basis vectors `e1 ...`.
+    /// The metric `diag(values)`. In messages, the basis vectors have the names `e1 ...`.
     ///
     /// ```
     /// use affinor::{Metric, Rational};
@@ -130,7 +130,8 @@ impl<S: Field + Scalar> Metric<S> {
     /// The trace `g^jl t_jl` of a bilinear form with the slots `_jl`.
     ///
     /// # Errors
-    /// [`Error::Shape`] unless the form has two lower slots and the dimension of the metric.
+    /// [`Error::Shape`] unless the form has two lower slots and its dimension is the dimension of
+    /// the metric.
     pub fn trace(&self, form: &Tensor<S>) -> Result<S, Error> {
         expect_slots("the form", form, self.components.dimension(), &[Down, Down])?;
         let trace = formula("g^jl t_jl ->", &[("g", &self.inverse), ("t", form)]);
@@ -153,7 +154,7 @@ impl<S: Field + Scalar> Metric<S> {
         expect_slots("the metric", &self.components, dimension, &[Down, Down])
     }
 
-    /// The covector `v_i = g_ij v^j` (97).
+    /// The covector `v_i = g_ij v^j`, equation (97).
     ///
     /// ```
     /// use affinor::{Metric, Rational};
@@ -163,7 +164,7 @@ impl<S: Field + Scalar> Metric<S> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Shape`] unless `v` has as many components as the metric has rows.
+    /// [`Error::Shape`] unless the number of components of `v` is the dimension of the metric.
     #[doc(alias("flat", "lower an index"))]
     pub fn lower(&self, v: &[S]) -> Result<Vec<S>, Error> {
         let v = Tensor::vector(v, Up);

@@ -1,8 +1,8 @@
 //! Connections on a space with a metric: nonmetricity, and the connections that a metric
 //! determines.
 //!
-//! Connection and metric are given independently (metric-affine geometry). This module is based on
-//! Koszul's formula alone: [`Connection::levi_civita`] and the connections with given torsion and
+//! Connection and metric are independent (metric-affine geometry). All functions of this module use
+//! Koszul's formula: [`Connection::levi_civita`] and the connections with given torsion and
 //! nonmetricity are special cases.
 
 use crate::algebra::frame::{Frame, expect_slots, expect_symmetry, formula};
@@ -13,7 +13,7 @@ use affinor_tensors::stop::stage;
 use affinor_tensors::{Down, Field, Scalar, Tensor, TensorError, Up, contract};
 
 impl<S: Field + Scalar> Connection<S> {
-    /// The nonmetricity `Q_kij = (nabla_k g)_ij`; zero if the metric is parallel.
+    /// The nonmetricity `Q_kij = (nabla_k g)_ij`. It is zero if the metric is parallel.
     ///
     /// ```
     /// use affinor::algebra::catalogue;
@@ -32,7 +32,7 @@ impl<S: Field + Scalar> Connection<S> {
         self.nabla(metric.components())
     }
 
-    /// The torsion-free connection compatible with `metric`, in any frame:
+    /// The torsion-free connection that is compatible with `metric`, in any frame:
     ///
     /// ```text
     /// 2 g(nabla_{e_j} e_k, e_i) = e_j(g_ki) + e_k(g_ij) - e_i(g_jk)
@@ -40,8 +40,8 @@ impl<S: Field + Scalar> Connection<S> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Shape`] when the dimensions differ; [`Law::IsotropyInvariance`] on a homogeneous space, unless the metric is
-    /// invariant under its isotropy: `h^m_ikl g_mj + h^m_jkl g_im = 0`.
+    /// [`Error::Shape`] when the dimensions differ; [`Law::IsotropyInvariance`] on a homogeneous
+    /// space, unless the metric is invariant under its isotropy: `h^m_ikl g_mj + h^m_jkl g_im = 0`.
     #[doc(alias("Christoffel symbols", "Koszul formula"))]
     pub fn levi_civita(frame: &Frame<S>, metric: &Metric<S>) -> Result<Self, Error> {
         let _stage = stage("levi-civita");
@@ -61,8 +61,8 @@ impl<S: Field + Scalar> Connection<S> {
         Connection::new(frame.clone(), gamma)
     }
 
-    /// The unique connection compatible with `metric` that has this torsion, slots `^i_jk`, in any
-    /// frame: Levi-Civita plus the [`contorsion`].
+    /// The unique connection with this torsion, slots `^i_jk`, that is compatible with `metric`, in
+    /// any frame. It is the sum of the Levi-Civita connection and the [`contorsion`].
     ///
     /// ```
     /// use affinor::algebra::catalogue;
@@ -76,7 +76,7 @@ impl<S: Field + Scalar> Connection<S> {
     /// ```
     ///
     /// # Errors
-    /// Those of [`contorsion`].
+    /// The errors of [`contorsion`].
     #[doc(alias("metric connection with torsion"))]
     pub fn with_torsion(
         frame: &Frame<S>,
@@ -87,9 +87,9 @@ impl<S: Field + Scalar> Connection<S> {
         Self::with_torsion_and_nonmetricity(frame, metric, torsion, &nonmetricity)
     }
 
-    /// The [`contorsion`] of this connection's torsion. For a connection compatible with the metric
-    /// it is the difference `K = Lambda - LeviCivita`; for any other the difference also contains
-    /// the [`disformation`](Self::disformation).
+    /// The [`contorsion`] of the torsion of this connection. If the connection is compatible with
+    /// the metric, the contorsion is the difference `K = Lambda - LeviCivita`. Otherwise, the
+    /// difference also contains the [`disformation`](Self::disformation).
     ///
     /// # Errors
     /// [`Error::Shape`] when the dimensions differ.
@@ -104,8 +104,8 @@ impl<S: Field + Scalar> Connection<S> {
     /// Lambda = LeviCivita + K(tau) + L(Q)
     /// ```
     ///
-    /// with the [`contorsion`] and the [`disformation`]. Koszul's formula is linear, and each
-    /// summand is its value for one of the three inputs.
+    /// with the [`contorsion`] and the [`disformation`]. Koszul's formula is linear in three
+    /// inputs, and each summand is its value for one of them.
     ///
     /// # Errors
     /// [`Error::Shape`]; [`Error::Symmetry`] unless `tau^i_jk = -tau^i_kj` and `Q_kij = Q_kji`.
@@ -126,7 +126,7 @@ impl<S: Field + Scalar> Connection<S> {
         Connection::new(frame.clone(), koszul(metric, &d, &b)?)
     }
 
-    /// The [`disformation`] of this connection's nonmetricity.
+    /// The [`disformation`] of the nonmetricity of this connection.
     ///
     /// # Errors
     /// [`Error::Shape`] when the dimensions differ.
@@ -135,15 +135,15 @@ impl<S: Field + Scalar> Connection<S> {
     }
 }
 
-/// The contorsion of a torsion `tau^i_jk`, with slots `^i_jk` like the affinities (direction
-/// first):
+/// The contorsion of a torsion `tau^i_jk`. Its slots are `^i_jk` as for the affinities, with the
+/// direction first:
 ///
 /// ```text
 /// K_ijk = (tau_ijk + tau_jik + tau_kij) / 2,    K_ijk = -K_kji
 /// ```
 ///
-/// with the first index lowered by the metric (F. W. Hehl et al., *Phys. Rep.* 258 (1995) 1-171;
-/// J. Beltrán Jiménez, L. Heisenberg and T. Koivisto, *Universe* 5 (2019) 173).
+/// where the metric lowers the first index (F. W. Hehl et al., *Phys. Rep.* 258 (1995) 1-171; J.
+/// Beltrán Jiménez, L. Heisenberg and T. Koivisto, *Universe* 5 (2019) 173).
 ///
 /// # Errors
 /// [`Error::Shape`]; [`Error::NotFinite`]; [`Error::Symmetry`] unless the torsion is antisymmetric.
@@ -162,14 +162,14 @@ fn expect_torsion<S: Field + Scalar>(torsion: &Tensor<S>, n: usize) -> Result<()
     expect_symmetry("the torsion", torsion, [1, 2], -1)
 }
 
-/// The disformation of a nonmetricity `Q_kij = (nabla_k g)_ij`, with slots `^i_jk` like the
+/// The disformation of a nonmetricity `Q_kij = (nabla_k g)_ij`. Its slots are `^i_jk` as for the
 /// affinities:
 ///
 /// ```text
 /// L_ijk = (Q_ijk - Q_jki - Q_kij) / 2,    L_ijk = L_ikj
 /// ```
 ///
-/// with the first index lowered by the metric (J. Beltrán Jiménez, L. Heisenberg and T. Koivisto,
+/// where the metric lowers the first index (J. Beltrán Jiménez, L. Heisenberg and T. Koivisto,
 /// *Universe* 5 (2019) 173).
 ///
 /// # Errors
@@ -190,15 +190,15 @@ fn expect_nonmetricity<S: Scalar>(nonmetricity: &Tensor<S>, n: usize) -> Result<
 }
 
 /// The unique tensor `L^i_jk` with `L_ikj + L_jki = d_kij` and `L^i_jk - L^i_kj = b^i_jk`, where
-/// `d_kij` is symmetric in `ij` and `b^i_jk` antisymmetric in `jk`. With its first index lowered by
-/// the metric it is
+/// `d_kij` is symmetric in `ij` and `b^i_jk` is antisymmetric in `jk`. If the metric lowers the
+/// first index, the tensor is
 ///
 /// ```text
 /// 2 L_ijk = d_jki + d_kij - d_ijk + b_ijk - b_jki + b_kij
 /// ```
 ///
-/// It is linear in `d` and `b`. The affinities have `d = e(g) - Q` and `b = c + tau`; each summand
-/// alone gives its contribution.
+/// The tensor is linear in `d` and `b`. The affinities have `d = e(g) - Q` and `b = c + tau`, and
+/// each summand yields its own contribution.
 fn koszul<S: Field + Scalar>(
     metric: &Metric<S>,
     d: &Tensor<S>,
@@ -206,8 +206,8 @@ fn koszul<S: Field + Scalar>(
 ) -> Result<Tensor<S>, Error> {
     let half = S::from_i64(2).recip().ok_or(TensorError::NotInvertible(2))?;
     let lowered = formula("g_im b^m_jk -> _ijk", &[("g", metric.components()), ("b", b)]);
-    // All terms except b_ijk are symmetric in j and k, and raising the index of b_ijk returns b. In
-    // floats, too, the antisymmetric part of the result is therefore exactly b/2.
+    // The antisymmetric part of the result is exactly b/2, also in floats. All terms except b_ijk
+    // are symmetric in j and k, and raising the index of b_ijk returns b.
     let symmetric =
         formula("d_j_ki + d_k_ij - d_i_jk + b_jik + b_kij -> _ijk", &[("d", d), ("b", &lowered)]);
     let raised = formula("h^im s_mjk -> ^i_jk", &[("h", metric.inverse()), ("s", &symmetric)]);

@@ -1,5 +1,5 @@
 //! Properties of connections and metrics. A property holds, possibly with a value such as a
-//! constant, or fails with a nonzero component as witness.
+//! constant, or it fails. A property that fails has a nonzero component as a witness.
 
 mod einstein;
 mod invariant;
@@ -16,7 +16,7 @@ use crate::geometry::metric::Metric;
 use affinor_tensors::{Field, Scalar, Tensor};
 use std::fmt;
 
-/// The answer whether a property holds.
+/// The answer to the question whether a property holds.
 ///
 /// ```
 /// use affinor::geometry::properties::Property;
@@ -37,25 +37,25 @@ use std::fmt;
 pub enum Property<S, T = ()> {
     /// The property holds, with an associated value such as a constant or a derivation.
     Holds(T),
-    /// The property fails, with a witness.
+    /// The property fails; the witness proves this.
     Fails(Witness<S>),
 }
 
-/// A nonzero component of a tensor that must vanish for a property to hold.
+/// A nonzero component of a tensor. The tensor must vanish if the property holds.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Witness<S> {
     /// The formula of the tensor, such as `Ric_jl - (1/2) g_jl`.
     pub equation: String,
-    /// The free letters of the equation, in the order of the indices.
+    /// The free index letters of the equation, in the order of the indices.
     pub letters: &'static str,
-    /// The values of the letters, from 0.
+    /// The values of the index letters, from 0.
     pub indices: Vec<usize>,
-    /// The component.
+    /// The value of the component.
     pub residual: S,
 }
 
 impl<S, T> Property<S, T> {
-    /// The value of a property that holds; `None` if it fails.
+    /// The value of the property if it holds; `None` if it fails.
     pub fn holds(self) -> Option<T> {
         match self {
             Property::Holds(value) => Some(value),
@@ -63,7 +63,7 @@ impl<S, T> Property<S, T> {
         }
     }
 
-    /// The witness of a property that fails; `None` if it holds.
+    /// The witness if the property fails; `None` if it holds.
     pub fn witness(self) -> Option<Witness<S>> {
         match self {
             Property::Holds(_) => None,
@@ -80,7 +80,7 @@ impl<S, T> Property<S, T> {
     }
 }
 
-/// Writes `Ric_jl - (1/2) g_jl = 3 at j = 1, l = 1`.
+/// Writes the witness in the form `Ric_jl - (1/2) g_jl = 3 at j = 1, l = 1`.
 impl<S: fmt::Display> fmt::Display for Witness<S> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{} = {}", self.equation, self.residual)?;
@@ -142,8 +142,8 @@ impl<S: Scalar> Connection<S> {
     }
 
     /// Whether the curvature is parallel, `nabla R = 0`. If the torsion is parallel too, the space
-    /// is locally a reductive homogeneous space with its canonical connection: Kobayashi and
-    /// Nomizu, *Foundations II*, section X.2.
+    /// is locally a reductive homogeneous space with its canonical connection (Kobayashi and
+    /// Nomizu, *Foundations II*, section X.2).
     pub fn parallel_curvature(&self) -> Property<S> {
         vanishing(&self.nabla_curvature(), "(nabla_m R)^i_jkl".into(), "imjkl")
     }
@@ -158,8 +158,8 @@ impl<S: Scalar> Connection<S> {
     }
 }
 
-/// Whether a tensor is zero. `equation` is its formula, and `letters` are the index letters of its
-/// slots.
+/// Whether a tensor is zero. In the witness, `equation` is the formula of the tensor, and `letters`
+/// are the index letters of its slots.
 fn vanishing<S: Scalar>(
     tensor: &Tensor<S>,
     equation: String,

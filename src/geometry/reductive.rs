@@ -10,20 +10,21 @@ use crate::{Error, Law};
 use affinor_tensors::linear::Matrix;
 use affinor_tensors::{Down, Field, Scalar, Tensor, TensorError, Up, Variance};
 
-/// An algebra `g = m + h` with a subalgebra `h` and a complement `m` such that `[h, m]` lies in
-/// `m`. It describes the homogeneous space G/H at its origin, where `m` is the tangent space.
+/// An algebra `g = m + h` with a subalgebra `h` and a complement `m` such that `m` contains
+/// `[h, m]`. The pair describes the homogeneous space G/H at its origin, where `m` is the tangent
+/// space.
 ///
-/// An invariant connection on G/H is an `h`-invariant bilinear map `Lambda^i_jk` on `m`. Its torsion
-/// and curvature are (K. Nomizu, *Amer. J. Math.* 76 (1954) 33-65)
+/// An invariant connection on G/H is an `h`-invariant bilinear map `Lambda^i_jk` on `m`. Its
+/// torsion and curvature are (K. Nomizu, *Amer. J. Math.* 76 (1954) 33-65)
 ///
 /// ```text
 /// T(x,y)  = Lambda(x) y - Lambda(y) x - [x,y]_m
 /// R(x,y)z = Lambda(x) Lambda(y) z - Lambda(y) Lambda(x) z - Lambda([x,y]_m) z - [[x,y]_h, z]
 /// ```
 ///
-/// These are (B10) and (B14) over [`frame`](Self::frame). An invariant connection is therefore a
-/// [`Connection`], with `nabla` of invariant tensors, Ricci, the Bianchi identities and scalar
-/// curvature.
+/// These formulas are the torsion (B10) and the curvature (B14) over [`frame`](Self::frame). An
+/// invariant connection is therefore a [`Connection`], so `nabla` of invariant tensors, the Ricci
+/// tensor, the Bianchi identities and the scalar curvature are available.
 ///
 /// ```
 /// use affinor::algebra::catalogue;
@@ -47,12 +48,13 @@ pub struct ReductivePair<S> {
 }
 
 impl<S: Field + Scalar> ReductivePair<S> {
-    /// The pair with these bases of `h` and `m`, given by components in the basis of `algebra`.
+    /// The pair with these bases of `h` and `m`. The vectors have components in the basis of
+    /// `algebra`.
     ///
     /// # Errors
     /// [`Error::Shape`]; [`Error::SingularBasis`] unless the vectors of `h` and `m` together are a
     /// basis; [`Law::ReductiveIsotropy`] or [`Law::ReductiveComplement`] with the first bracket
-    /// that violates it.
+    /// that violates the condition.
     pub fn new(algebra: &LieAlgebra<S>, h: &[Vec<S>], m: &[Vec<S>]) -> Result<Self, Error> {
         let (n, r) = (algebra.dimension(), m.len());
         let basis: Vec<_> = m.iter().chain(h).collect();
@@ -68,8 +70,7 @@ impl<S: Field + Scalar> ReductivePair<S> {
         let change = change.with_tolerance(algebra.structure_constants().tolerance());
         let adapted = algebra.change_basis(&BasisChange::new(change)?)?;
         let c = adapted.structure_constants();
-        // the constants c^i_jk in which an index belongs to h where `of_h` is true, and to m
-        // otherwise
+        // the constants c^i_jk whose indices belong to h where `of_h` is true, and to m elsewhere
         let part = |of_h: [bool; 3]| {
             c.filter_map(|at, value| at.iter().map(|i| *i >= r).eq(of_h).then(|| value.clone()))
         };
@@ -86,7 +87,7 @@ impl<S: Field + Scalar> ReductivePair<S> {
         if let Some([x, y, bracket]) = escaped([true, true, false]) {
             return Err(Law::ReductiveComplement.broken([x, y], bracket));
         }
-        // the vertical part [x, y]_h
+        // the components of the brackets in h: [x, y]_h
         let vertical = part([true, false, false]);
         let curving = formula("v^a_kl c^i_aj -> ^i_j[kl]", &[("v", &vertical), ("c", c)]);
         let labels = &adapted.labels()[..r];
@@ -101,12 +102,13 @@ impl<S: Field + Scalar> ReductivePair<S> {
         Ok(ReductivePair { algebra: adapted, frame, isotropy })
     }
 
-    /// The pair with the complement of `h` that is orthogonal under the Killing form.
+    /// The pair of `h` and the complement that is orthogonal to `h` under the Killing form.
     ///
     /// # Errors
-    /// [`Law::KillingOnSubalgebra`] if the Killing form is degenerate on `h`: then the orthogonal
-    /// complement is not a complement, though others may exist. [`Error::SingularBasis`] for
-    /// dependent vectors. Otherwise those of [`new`](Self::new).
+    /// [`Law::KillingOnSubalgebra`] if the Killing form is degenerate on `h`. In this case, the
+    /// orthogonal space is not a complement, but other complements may exist.
+    /// [`Error::SingularBasis`] for dependent vectors. The other errors are those of
+    /// [`new`](Self::new).
     pub fn orthogonal(algebra: &LieAlgebra<S>, h: &[Vec<S>]) -> Result<Self, Error> {
         let killing = algebra.killing_form();
         let rows = h.iter().map(|x| {
@@ -122,7 +124,7 @@ impl<S: Field + Scalar> ReductivePair<S> {
             return Err(Error::SingularBasis);
         }
         if !h.is_empty() {
-            // the Killing form K restricted to h
+            // the kernel of the Killing form restricted to h
             let null = products.mul(&vectors.transpose())?.nullspace()?;
             if null.rows() > 0 {
                 let x = vectors.transpose().apply(&null.to_dense()[0])?;
@@ -133,14 +135,14 @@ impl<S: Field + Scalar> ReductivePair<S> {
         Self::new(algebra, h, &products.nullspace()?.to_dense())
     }
 
-    /// The second canonical connection, `Lambda = 0`: invariant tensors are parallel, and
-    /// `T(x,y) = -[x,y]_m`, `R(x,y)z = -[[x,y]_h, z]`.
+    /// The second canonical connection, `Lambda = 0`. Invariant tensors are parallel. The torsion
+    /// is `T(x,y) = -[x,y]_m`, and the curvature is `R(x,y)z = -[[x,y]_h, z]`.
     pub fn canonical(&self) -> Connection<S> {
         Connection::in_frame(&self.frame, &S::zero())
     }
 
-    /// The first canonical connection, which is the torsion-free natural one: `Lambda(x) y =
-    /// [x,y]_m / 2`. It has the geodesics of [`canonical`](Self::canonical).
+    /// The first canonical connection, which is the torsion-free natural one:
+    /// `Lambda(x) y = [x,y]_m / 2`. It has the same geodesics as [`canonical`](Self::canonical).
     ///
     /// # Errors
     /// [`Error::Tensor`] if 2 has no inverse in the scalars.
@@ -183,11 +185,11 @@ impl<S: Field + Scalar> ReductivePair<S> {
     }
 
     /// A basis of the `h`-invariant tensors on `m`, which are the invariant tensor fields of G/H.
-    /// With the slots `^i_jk` these are, for connected H, its invariant connections (H.-C. Wang,
-    /// *Nagoya Math. J.* 13 (1958) 1-19).
+    /// If H is connected, the tensors with the slots `^i_jk` are the invariant connections (H.-C.
+    /// Wang, *Nagoya Math. J.* 13 (1958) 1-19).
     ///
     /// # Errors
-    /// Those of [`invariant_tensors`].
+    /// The errors of [`invariant_tensors`].
     pub fn invariant_tensors(&self, slots: &[Variance]) -> Result<Vec<Tensor<S>>, Error> {
         invariant_tensors(self.dimension(), slots, &self.isotropy)
     }
@@ -209,13 +211,13 @@ impl<S: Field + Scalar> ReductivePair<S> {
 }
 
 impl<S: Scalar> ReductivePair<S> {
-    /// The Lie algebra in the adapted basis: first the basis of `m`, then that of `h`.
+    /// The Lie algebra in the adapted basis: first the basis of `m`, then the basis of `h`.
     pub fn algebra(&self) -> &LieAlgebra<S> {
         &self.algebra
     }
 
-    /// The frame of `m`: its structure is `[e_j, e_k]_m`, and every curvature contains `[[e_k,
-    /// e_l]_h, .]`.
+    /// The frame of `m`. Its structure is `[e_j, e_k]_m`; its isotropy `[[e_k, e_l]_h, .]` occurs
+    /// in every curvature.
     pub fn frame(&self) -> &Frame<S> {
         &self.frame
     }
@@ -225,19 +227,20 @@ impl<S: Scalar> ReductivePair<S> {
         self.frame.dimension()
     }
 
-    /// The isotropy representation: `ad_x` on `m`, slots `^i_j`, for the basis of `h`.
+    /// The isotropy representation. For each basis vector `x` of `h`, the list contains `ad_x` on
+    /// `m`, slots `^i_j`.
     pub fn isotropy(&self) -> &[Tensor<S>] {
         &self.isotropy
     }
 
-    /// Whether `[m, m]` lies in `h`. In this case the two canonical connections coincide, are
-    /// torsion-free and have parallel curvature.
+    /// Whether `h` contains `[m, m]`. In this case, the two canonical connections coincide, are
+    /// torsion-free, and have parallel curvature.
     pub fn is_symmetric(&self) -> bool {
         self.frame.structure_functions().is_empty()
     }
 }
 
-/// The components with all indices below `r`, as a tensor of dimension `r`.
+/// The components whose indices are all below `r`, as a tensor of dimension `r`.
 fn restricted<S: Scalar>(tensor: &Tensor<S>, r: usize) -> Result<Tensor<S>, Error> {
     let inside = tensor.components().filter(|(at, _)| at.iter().all(|index| *index < r));
     let inside = inside.map(|(at, value)| (at, value.clone()));

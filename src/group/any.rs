@@ -10,13 +10,13 @@ use std::any::Any;
 use std::fmt::Debug;
 use std::sync::Arc;
 
-/// A group chosen at run time, [by its name](AnyGroup::named), or [made](AnyGroup::new) from any
-/// group type.
+/// A group chosen at run time. It is found [by its name](AnyGroup::named), or [made](AnyGroup::new)
+/// from any group type.
 ///
-/// It is a [`LieGroup`] like the others. Elements are lists of embedding coordinates
-/// ([`Embedded::coordinates`]), vectors are lists of components. Lengths are not checked in every
-/// call: a list of a wrong length panics or gives a wrong result. For matrices of elements use
-/// [`MatrixNotation::write`].
+/// It is a [`LieGroup`] like every other group. Elements are lists of embedding coordinates
+/// ([`Embedded::coordinates`]), vectors are lists of components. Not every call checks lengths: a
+/// list of a wrong length panics or yields a wrong result. [`MatrixNotation::write`] returns the
+/// matrix of an element.
 ///
 /// ```
 /// use affinor::group::{AnyGroup, LieGroup, MatrixNotation};
@@ -41,16 +41,16 @@ impl AnyGroup {
         AnyGroup(Arc::new(Flat(group)))
     }
 
-    /// The group with this name, by [`registry::find`](super::registry::find).
+    /// The group with this name, as [`registry::find`](super::registry::find) returns it.
     ///
     /// # Errors
-    /// Those of [`registry::find`](super::registry::find).
+    /// The errors of [`registry::find`](super::registry::find).
     pub fn named(name: &str) -> Result<Self, Error> {
         super::registry::find(name)
     }
 
-    /// The factors, in order, of a direct product of groups that were chosen at run time; for any
-    /// other group, the group itself.
+    /// The factors, in order, of a direct product of groups that were chosen at run time. The only
+    /// factor of any other group is the group itself.
     ///
     /// ```
     /// use affinor::group::{AnyGroup, LieGroup};
@@ -66,7 +66,7 @@ impl AnyGroup {
         }
     }
 
-    /// The group from which this was [made](Self::new), if it has type `G`.
+    /// The group from which this group was [made](Self::new), if it has the type `G`.
     pub fn downcast_ref<G: 'static>(&self) -> Option<&G> {
         self.0.group().downcast_ref()
     }
@@ -85,7 +85,7 @@ trait Erased:
     fn group(&self) -> &dyn Any;
 }
 
-/// A wrapper of any group that converts its elements and vectors to lists of numbers.
+/// A wrapper of a group that converts its elements and vectors to lists of numbers.
 #[derive(Debug)]
 struct Flat<G>(G);
 
@@ -143,8 +143,8 @@ fn list(x: impl Coordinates) -> DVector<f64> {
     DVector::from_column_slice(x.components())
 }
 
-/// Implements the traits of a group by forwarding to the wrapped group; `element`, `vector`,
-/// `to_element` and `to_vector` convert.
+/// Implements the traits of a group for a wrapper: each call is forwarded to the wrapped group. The
+/// functions `element`, `vector`, `to_element` and `to_vector` convert arguments and results.
 macro_rules! on_lists {
     ([$($parameters:tt)*] $Group:ty) => {
         impl $($parameters)* LieGroup for $Group {

@@ -1,11 +1,11 @@
-//! Operations on many elements of SO(3) or SE(3): arrays of rows, computed in the thread of the
-//! caller.
+//! Operations on many elements of SO(3) or SE(3). The elements are rows of arrays, and all
+//! computations run in the thread of the caller.
 //!
-//! [`exp_rows`], [`log_rows`] and [`compose_rows`] compute with rotations; [`map`] applies any
+//! [`exp_rows`], [`log_rows`] and [`compose_rows`] compute with rotations. [`map`] applies any
 //! kernel of [`rotations`] and [`motions`] to rows. The formulas are those of [`So3`] and
-//! [`Se3`](super::Se3). For blocks of rows the compiler emits vector instructions; with the feature
-//! `simd` they are chosen at run time for the processor. All instruction sets round alike, so a
-//! result depends on its argument alone.
+//! [`Se3`](super::Se3). For blocks of rows, the compiler emits vector instructions. The feature
+//! `simd` chooses the instructions at run time, to suit the processor. All instruction sets round
+//! alike, so a result depends only on its argument.
 
 pub mod motions;
 pub mod rotations;
@@ -21,8 +21,9 @@ use crate::numerics::stumpff::{NEAR, near};
 use multiversion::multiversion;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
-/// A quarter of the squared angle, and for values below [`NEAR`] the scalar part and the ratio of
-/// the vector parts.
+/// Returns a quarter of the squared angle, the scalar part of the quaternion, and the ratio of its
+/// vector part to the rotation vector. The last two values are valid only if the first value is
+/// below [`NEAR`].
 #[inline(always)]
 fn exp_near([x, y, z]: [f64; 3]) -> (f64, f64, f64) {
     let quarter = 0.25 * (x * x + y * y + z * z);
@@ -40,7 +41,8 @@ fn exp_alone(x: [f64; 3]) -> [f64; 4] {
     [g.w, g.i, g.j, g.k]
 }
 
-/// The squared norm, and for norms near 1 the ratio of the vector parts.
+/// Returns the squared norm of the quaternion, and the ratio of the rotation vector to the vector
+/// part. The ratio is valid only if the norm is near 1.
 #[inline(always)]
 fn log_near([w, i, j, k]: [f64; 4]) -> (f64, f64) {
     let square = i * i + j * j + k * k;
@@ -53,14 +55,14 @@ fn log_alone([w, i, j, k]: [f64; 4]) -> [f64; 3] {
     So3.log(&g).unwrap_or(Vector3::repeat(f64::NAN)).into()
 }
 
-/// Products `g h` of all pairs of rows `w, x, y, z`.
+/// Computes the products `g h` of all pairs of rows `w, x, y, z`.
 pub fn compose_rows(g: &[[f64; 4]], h: &[[f64; 4]], products: &mut [[f64; 4]]) {
     for ((g, h), gh) in g.iter().zip(h).zip(products) {
         *gh = product(*g, *h);
     }
 }
 
-/// Exponentials of rows `x, y, z`, as rows `w, x, y, z`.
+/// Computes the exponentials of rows `x, y, z`, as rows `w, x, y, z`.
 ///
 /// ```
 /// use affinor::group::batch;
@@ -110,8 +112,8 @@ fn exp_lanes(x: &[[f64; 3]; LANES], g: &mut [[f64; 4]; LANES]) {
     }
 }
 
-/// Logarithms of rows `w, x, y, z`, of length at most `pi`; NaN for a quaternion that is zero or
-/// not finite. Returns whether every row has a logarithm.
+/// Computes the logarithms of rows `w, x, y, z`, whose length is at most `pi`. The logarithm of a
+/// quaternion that is zero or not finite is NaN. Returns whether every row has a logarithm.
 ///
 /// # Panics
 /// If the numbers of rows differ.
@@ -162,13 +164,14 @@ fn log_lanes(g: &[[f64; 4]; LANES], x: &mut [[f64; 3]; LANES]) -> bool {
 /// The number of rows that are computed at once.
 const LANES: usize = 16;
 
-/// Transposes rows to columns, over which loops become vector instructions.
+/// Transposes rows to columns, because the compiler turns loops over columns into vector
+/// instructions.
 #[inline(always)]
 fn columns<const N: usize>(rows: &[[f64; N]; LANES]) -> [[f64; LANES]; N] {
     std::array::from_fn(|column| std::array::from_fn(|row| rows[row][column]))
 }
 
-/// The last rows, padded to a whole block.
+/// The rows of an incomplete block, padded with `fill`.
 #[inline(always)]
 fn filled<const N: usize>(rest: &[[f64; N]], fill: [f64; N]) -> [[f64; N]; LANES] {
     let mut block = [fill; LANES];
@@ -180,8 +183,8 @@ fn filled<const N: usize>(rest: &[[f64; N]], fill: [f64; N]) -> [[f64; N]; LANES
 mod tests {
     use super::*;
 
-    /// The instructions of this processor give the same floats as the basic ones, at every position
-    /// of a batch.
+    /// The instructions of this processor yield the same floats as the basic instructions, at every
+    /// position of a batch.
     #[test]
     fn equal_floats_on_every_processor_at_every_place() {
         let scales = [0.0, 1e-170, 1e-9, 0.1, 1.2, 2.99, 3.0, 3.01, 6.3, 1e3, 1e150, f64::NAN];

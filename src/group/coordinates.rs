@@ -1,10 +1,10 @@
-//! Components of vectors, of a size that is fixed at compile time or dynamic.
+//! Components of vectors. Their number is fixed at compile time or dynamic.
 
 use nalgebra::{DMatrix, DVector, SMatrix, SVector};
 use std::fmt::Debug;
 use std::ops::{Add, Mul, Neg, Sub};
 
-/// Components in a basis: a column vector of nalgebra, of fixed or dynamic size.
+/// Components in a basis: a column vector of nalgebra, whose size is fixed or dynamic.
 pub trait Coordinates:
     Clone
     + Debug
@@ -17,11 +17,11 @@ pub trait Coordinates:
     /// Square matrices that act on these vectors. Matrices have a fixed size if vectors have one.
     type Matrix: Clone + Debug + PartialEq;
 
-    /// The matrix with these columns; a fixed size ignores `dimension`.
+    /// The matrix with these columns. If the size is fixed, `dimension` is ignored.
     fn matrix(dimension: usize, column: impl FnMut(usize) -> Self) -> Self::Matrix;
 
-    /// The vector with components given by a function of the index; a fixed size ignores
-    /// `dimension`.
+    /// The vector whose components are a function of the index. If the size is fixed, `dimension`
+    /// is ignored.
     fn from_fn(dimension: usize, component: impl FnMut(usize) -> f64) -> Self;
 
     /// The list of components.
@@ -42,7 +42,7 @@ pub trait Coordinates:
         Self::from_fn(dimension, |_| 0.0)
     }
 
-    /// The largest absolute value of a component; NaN is ignored.
+    /// The largest absolute value of a component. NaN is ignored.
     #[inline]
     fn largest(&self) -> f64 {
         self.components().iter().fold(0.0, |most, x| if x.abs() > most { x.abs() } else { most })
@@ -51,7 +51,7 @@ pub trait Coordinates:
     /// Whether no component is infinite or NaN.
     #[inline]
     fn is_finite(&self) -> bool {
-        // branchless: x * 0.0 is NaN for an infinite x or NaN, and zero otherwise
+        // tests without branches: x * 0.0 is NaN if x is infinite or NaN, and zero otherwise
         self.components().iter().fold(0.0, |sum, x| sum + x * 0.0) == 0.0
     }
 }
@@ -81,7 +81,7 @@ impl Coordinates for DVector<f64> {
     type Matrix = DMatrix<f64>;
 
     fn matrix(dimension: usize, column: impl FnMut(usize) -> Self) -> Self::Matrix {
-        // nalgebra needs the number of rows even if there are no columns
+        // passes the number of rows, which nalgebra needs even if there are no columns
         let columns: Vec<_> = (0..dimension).map(column).collect();
         DMatrix::from_fn(dimension, dimension, |i, k| columns[k][i])
     }

@@ -2,8 +2,8 @@
 
 use super::{Coordinates, LieGroup};
 
-/// A group with embedding coordinates: an embedded submanifold of some `R^N`, as the unit
-/// quaternions are of `R^4`.
+/// A group with embedding coordinates. The group is an embedded submanifold of some `R^N`, as the
+/// unit quaternions are a submanifold of `R^4`.
 ///
 /// [`LieGroup::project`] projects points near the submanifold back onto it.
 ///
@@ -22,12 +22,13 @@ pub trait Embedded: LieGroup {
     /// The embedding coordinates of an element.
     fn coordinates(&self, g: &Self::Element) -> Self::Ambient;
 
-    /// The point with these coordinates. It is an element of the group only if it is on the
-    /// submanifold.
+    /// The point with these coordinates. It is an element of the group only if the coordinates
+    /// belong to the submanifold.
     #[allow(clippy::wrong_self_convention, reason = "the group makes its elements")]
     fn from_coordinates(&self, y: &Self::Ambient) -> Self::Element;
 
-    /// The time derivative of the coordinates for `g' = g v`, also for `g` near the submanifold.
+    /// The time derivative of the coordinates for `g' = g v`. The derivative is also defined for
+    /// `g` near the submanifold.
     fn rate(&self, g: &Self::Element, v: &Self::Vector) -> Self::Ambient;
 
     /// The [`rate`](Self::rate) at a point near the submanifold, for a caller that already has the
@@ -48,15 +49,15 @@ pub trait Embedded: LieGroup {
         self.coordinates(&self.identity()).components().len()
     }
 
-    /// Whether the coordinate with an index, from 0, belongs to a
+    /// Whether the coordinate at the index `at`, from 0, belongs to a
     /// [translation](super::TranslationSplit::translational_part).
     fn is_translation_coordinate(&self, at: usize) -> bool {
         let _ = at;
         false
     }
 
-    /// Whether projection methods can be used: [`LieGroup::project`] maps any point near the group
-    /// to an element.
+    /// Whether projection methods can be used. This requires that [`LieGroup::project`] maps any
+    /// point near the group to an element.
     fn has_projection(&self) -> bool {
         true
     }

@@ -1,4 +1,4 @@
-//! The groups: one file for each.
+//! The groups, with one file for each group.
 
 mod heisenberg;
 mod homotheties;

@@ -1,7 +1,7 @@
 //! The laws of a Lie group, as checks for any implementation of [`LieGroup`].
 //!
-//! The two sides of a law may differ by a bound relative to their sizes. The bounds are meant for
-//! vectors with components between -1 and 1.
+//! The two sides of a law may differ by a tolerance that is relative to their sizes. The tolerances
+//! are suitable for vectors with components between -1 and 1.
 
 use super::{Coordinates, LieGroup, TranslationSplit};
 use crate::Error;
@@ -13,9 +13,9 @@ use nalgebra::{DMatrix, DVector};
 pub struct BrokenGroupLaw {
     /// The law, as a formula.
     pub law: &'static str,
-    /// The relative difference; infinite if a side does not exist.
+    /// The relative difference of the sides. It is infinite if a side does not exist.
     pub defect: f64,
-    /// Both sides, or the error of a side that does not exist.
+    /// The two sides, or the error of a side that does not exist.
     pub sides: String,
 }
 
@@ -44,7 +44,7 @@ pub fn all<G: LieGroup>(
     interpolation(group, x, y)?;
     adjoint(group, x, y, z)?;
     tangents(group, &(x.clone() * 2.0), z)?;
-    // a vector so short that closed forms use their series
+    // checks a vector that is so short that closed forms use their series
     tangents(group, &(x.clone() * 1e-5), z)
 }
 
@@ -52,8 +52,8 @@ pub fn all<G: LieGroup>(
 fn axioms<G: LieGroup>(group: &G, x: &G::Vector, y: &G::Vector, z: &G::Vector) -> Check {
     let (g, h, k) = (group.exp(x), group.exp(y), group.exp(z));
     let e = group.identity();
-    // compared by matrices first, because inverse and logarithm, on which other comparisons depend,
-    // may be wrong themselves
+    // compares by matrices first, because inverse and logarithm, which other comparisons use, may
+    // be wrong
     let equal = |law, g: &G::Element, h| near(law, &group.matrix(g), &group.matrix(h), 1e-12);
     equal("g e = g", &group.compose(&g, &e), &g)?;
     equal("e g = g", &group.compose(&e, &g), &g)?;
@@ -86,7 +86,8 @@ fn exponential<G: LieGroup>(group: &G, x: &G::Vector) -> Check {
 
 /// Checks `between`, `interpolate` and `mean` for `exp(x)` and `exp(y)`.
 fn interpolation<G: LieGroup>(group: &G, x: &G::Vector, y: &G::Vector) -> Check {
-    // close to each other, because a product of distant elements may have no logarithm
+    // uses elements that are close to each other, because a product of distant elements may have no
+    // logarithm
     let [g, h] = [x, y].map(|x| group.exp(&(x.clone() * 0.3)));
     same("g (g^-1 h) = h", group, &group.compose(&g, &group.between(&g, &h)), &h, 1e-12)?;
     let at = |t: f64| exists("interpolate(g, h, t)", group.interpolate(&g, &h, t));
@@ -124,8 +125,8 @@ fn adjoint<G: LieGroup>(group: &G, x: &G::Vector, y: &G::Vector, v: &G::Vector) 
     near(law, &ad(group, &group.bracket(x, y)), &commutator, 1e-12)
 }
 
-/// Checks the laws of a [`TranslationSplit`]: closed forms at `exp(x)`, `exp(y)` and the covector
-/// `h` agree with their definitions.
+/// Checks the laws of a [`TranslationSplit`]. The closed forms at `exp(x)`, `exp(y)` and the
+/// covector `h` must agree with their definitions.
 ///
 /// # Errors
 /// The first law that is violated.
@@ -160,8 +161,8 @@ pub fn translations<G: TranslationSplit>(
     }
 }
 
-/// Checks the tangent operators at `x`: their series, their inverses, and that they are derivatives
-/// of `exp` along `v`.
+/// Checks the tangent operators at `x`: they agree with their series and their inverses, and they
+/// are derivatives of `exp` along `v`.
 fn tangents<G: LieGroup>(group: &G, x: &G::Vector, v: &G::Vector) -> Check {
     let g = group.exp(x);
     let n = group.dimension();
@@ -197,11 +198,11 @@ fn tangents<G: LieGroup>(group: &G, x: &G::Vector, v: &G::Vector) -> Check {
     close(law, &slope(law, &from_right)?, &right, 1e-6)
 }
 
-/// Checks that matrices of elements multiply as the elements do. This is not a law of every group,
-/// because [`Opposite`](super::Opposite) reverses products.
+/// Checks that the matrices of elements multiply as the elements do. Not every group satisfies this
+/// law, because [`Opposite`](super::Opposite) reverses products.
 ///
 /// # Errors
-/// The law, if it is violated.
+/// The law, if the group violates it.
 pub fn represented<G: LieGroup>(
     group: &G,
     x: &G::Vector,
@@ -223,7 +224,7 @@ fn exists<T>(law: &'static str, side: Result<T, Error>) -> Result<T, BrokenGroup
 
 fn near(law: &'static str, a: &DMatrix<f64>, b: &DMatrix<f64>, tolerance: f64) -> Check {
     let defect = (a - b).norm() / (1.0 + a.norm() + b.norm());
-    // `<=` rejects NaN as well
+    // the comparison `<=` also rejects NaN
     if defect <= tolerance {
         return Ok(());
     }
@@ -235,7 +236,8 @@ fn close<V: Coordinates>(law: &'static str, x: &V, y: &V, tolerance: f64) -> Che
     near(law, &column(x), &column(y), tolerance)
 }
 
-/// Checks that two elements are equal as matrices, and by the logarithm of `g^-1 h`.
+/// Checks that two elements are equal. The matrices are compared, and the logarithm of `g^-1 h`
+/// must be small.
 fn same<G: LieGroup>(
     law: &'static str,
     group: &G,

@@ -4,12 +4,12 @@ use super::{Coordinates, LieGroup};
 use crate::{Error, Frame};
 use affinor_tensors::stop::checkpoint;
 
-/// The tolerance of structure constants, relative to the largest of them, because a change of units
-/// causes rounding errors of this size.
+/// The tolerance of structure constants, relative to the largest constant. A change of units causes
+/// rounding errors of this size.
 const ROUNDING: f64 = 1e-12;
 
-/// Checks that a frame has the structure constants of the group, in the group's basis, and no
-/// derivations.
+/// Checks that a frame has the structure constants of the group in the basis of the group, and that
+/// it has no derivations.
 pub(crate) fn expect_left_frame<G: LieGroup>(group: &G, frame: &Frame<f64>) -> Result<(), Error> {
     let differs = |found: String| Error::Shape {
         what: "the connection",

@@ -13,8 +13,9 @@ use std::fmt::Debug;
 /// ```
 ///
 /// A group must implement nine methods. The tangent operators are computed from their series unless
-/// the group has closed forms. [`laws`](super::laws) checks the implementation. Equations (17)-(27)
-/// of the paper, and (77)-(86) for the map `Phi = exp`.
+/// the group has closed forms. [`laws`](super::laws) checks the implementation. The methods
+/// implement equations (17)-(27) of Paraskevopoulos and Natsiavas, and equations (77)-(86) for the
+/// map `Phi = exp`.
 ///
 /// ```
 /// use affinor::group::{Coordinates, LieGroup, So3};
@@ -34,34 +35,36 @@ use std::fmt::Debug;
 pub trait LieGroup {
     /// The type of an element.
     type Element: Clone + Debug;
-    /// A vector of the algebra, by its components in the basis.
+    /// The type of a vector of the algebra, which consists of the components in the basis.
     type Vector: Coordinates;
 
     /// The dimension of the algebra.
     fn dimension(&self) -> usize;
     /// The neutral element.
     fn identity(&self) -> Self::Element;
-    /// The product `g h`: the left translate (17) of `h`, and the right translate (18) of `g`.
+    /// The product `g h`, which is the left translate (17) of `h`, and the right translate (18) of
+    /// `g`.
     fn compose(&self, g: &Self::Element, h: &Self::Element) -> Self::Element;
     /// The inverse `g^-1`.
     fn inverse(&self, g: &Self::Element) -> Self::Element;
-    /// The exponential (26): the one-parameter group of `x` at time 1.
+    /// The exponential (26), which is the one-parameter group of `x` at time 1.
     fn exp(&self, x: &Self::Vector) -> Self::Element;
-    /// A logarithm, `exp(log(g)) = g`; for elements near the identity, the logarithm near 0.
+    /// A logarithm of `g`, which satisfies `exp(log(g)) = g`. For elements near the identity, it is
+    /// the logarithm near 0.
     ///
     /// # Errors
-    /// [`Error::Invalid`] for an element without a logarithm, or for one whose logarithm the group
-    /// cannot compute.
+    /// [`Error::Invalid`] for an element without a logarithm, or for an element whose logarithm the
+    /// group cannot compute.
     fn log(&self, g: &Self::Element) -> Result<Self::Vector, Error>;
-    /// The adjoint action `Ad_g x`, for matrices `g x g^-1`.
+    /// The adjoint action `Ad_g x`, which is `g x g^-1` for matrices.
     fn adjoint(&self, g: &Self::Element, x: &Self::Vector) -> Self::Vector;
-    /// The bracket `[x, y] = ad_x y`, for matrices the commutator (28).
+    /// The bracket `[x, y] = ad_x y`, which is the commutator (28) for matrices.
     fn bracket(&self, x: &Self::Vector, y: &Self::Vector) -> Self::Vector;
     /// The element as a matrix.
     fn matrix(&self, g: &Self::Element) -> DMatrix<f64>;
 
-    /// The tangent operator `T_left(x) v`: left components of the derivative of exp at `x` along
-    /// `v`.
+    /// The tangent operator `T_left(x) v`. The result consists of the left components of the
+    /// derivative of exp at `x` along `v`.
     fn tangent_left(&self, x: &Self::Vector, v: &Self::Vector) -> Self::Vector {
         tangent::by_series(self, x, v)
     }
@@ -69,9 +72,9 @@ pub trait LieGroup {
     /// The inverse operator `T_left(x)^-1 v`.
     ///
     /// # Errors
-    /// [`Law::RegularTangent`](crate::Law::RegularTangent) where `exp` is singular: an eigenvalue
-    /// of `ad_x` is `2 pi i k`, `k != 0`, up to the rounding error of `x`. Near such a point the
-    /// result is large.
+    /// [`Law::RegularTangent`](crate::Law::RegularTangent) where `exp` is singular, which means
+    /// that an eigenvalue of `ad_x` is `2 pi i k`, `k != 0`, up to the rounding error of `x`. Near
+    /// such a point, the result is large.
     fn tangent_left_inverse(
         &self,
         x: &Self::Vector,
@@ -88,7 +91,7 @@ pub trait LieGroup {
     /// The inverse operator `T_right(x)^-1 v`.
     ///
     /// # Errors
-    /// Those of [`LieGroup::tangent_left_inverse`].
+    /// The errors of [`LieGroup::tangent_left_inverse`].
     fn tangent_right_inverse(
         &self,
         x: &Self::Vector,
@@ -100,8 +103,8 @@ pub trait LieGroup {
     /// The coadjoint action `Ad*_g h`, the covector with `(Ad*_g h)_i = h_j (Ad_g e_i)^j`. It
     /// converts spatial to body momentum.
     ///
-    /// It is the transpose of `Ad_g` and a right action: `Ad*_(gh) = Ad*_h Ad*_g`. Many books write
-    /// it `Ad*_(g^-1)`.
+    /// The action is the transpose of `Ad_g` and a right action: `Ad*_(gh) = Ad*_h Ad*_g`. Many
+    /// books denote it by `Ad*_(g^-1)`.
     fn coadjoint(&self, g: &Self::Element, h: &Self::Vector) -> Self::Vector {
         Self::Vector::from_fn(self.dimension(), |i| {
             let image = self.adjoint(g, &self.basis_vector(i));
@@ -109,17 +112,17 @@ pub trait LieGroup {
         })
     }
 
-    /// The operator `Ad_exp(x) = exp(ad_x)` as a matrix; the upper index is the row.
+    /// The matrix of the operator `Ad_exp(x) = exp(ad_x)`. The upper index is the row.
     fn adjoint_exp(&self, x: &Self::Vector) -> DMatrix<f64> {
         let g = self.exp(x);
         let columns: Vec<_> = self.basis().iter().map(|v| self.adjoint(&g, v)).collect();
         DMatrix::from_fn(columns.len(), columns.len(), |i, k| columns[k].components()[i])
     }
 
-    /// The product (73) in canonical coordinates, `log(exp(x) exp(y))`.
+    /// The product in canonical coordinates, `log(exp(x) exp(y))`, equation (73).
     ///
     /// # Errors
-    /// Those of [`log`](Self::log).
+    /// The errors of [`log`](Self::log).
     fn log_product(&self, x: &Self::Vector, y: &Self::Vector) -> Result<Self::Vector, Error> {
         self.log(&self.compose(&self.exp(x), &self.exp(y)))
     }
@@ -130,12 +133,12 @@ pub trait LieGroup {
     }
 
     /// Projects a drifted element back onto the group; for example, it normalizes a quaternion.
-    /// Groups whose elements are unconstrained coordinates return it unchanged.
+    /// Groups whose elements are unconstrained coordinates return the element unchanged.
     fn project(&self, g: Self::Element) -> Self::Element {
         g
     }
 
-    /// The element `g^-1 h`, by which `g` must be multiplied from the right to get `h`.
+    /// The element `g^-1 h`. The product of `g` and this element is `h`.
     fn between(&self, g: &Self::Element, h: &Self::Element) -> Self::Element {
         self.compose(&self.inverse(g), h)
     }
@@ -155,7 +158,7 @@ pub trait LieGroup {
     /// ```
     ///
     /// # Errors
-    /// Those of [`log`](Self::log).
+    /// The errors of [`log`](Self::log).
     fn interpolate(
         &self,
         g: &Self::Element,
@@ -165,26 +168,28 @@ pub trait LieGroup {
         Ok(self.compose(g, &self.exp(&(self.log(&self.between(g, h))? * t))))
     }
 
-    /// The mean of elements: the `m` with `sum log(m^-1 g_i) = 0` to which the iteration converges
-    /// from the first element.
+    /// The mean of elements. It is the element `m` with `sum log(m^-1 g_i) = 0` to which an
+    /// iteration from the first element converges.
     ///
-    /// For rotations it is the Karcher mean, which minimizes the sum of squared distances; elements
-    /// should be within a half turn of each other. On other groups it is the group exponential
-    /// mean, which commutes with left and right translations. X. Pennec and V. Arsigny, in *Matrix
-    /// Information Geometry* (2013) 123-166.
+    /// For rotations, the mean is the Karcher mean, which minimizes the sum of squared distances;
+    /// elements should be within a half turn of each other. On other groups, the mean is the group
+    /// exponential mean, which commutes with left and right translations. X. Pennec and V. Arsigny,
+    /// in *Matrix Information Geometry* (2013) 123-166.
     ///
     /// # Errors
-    /// [`Error::Shape`] for an empty list; the errors of [`log`](Self::log); [`Error::Invalid`] if the iteration does not converge.
+    /// [`Error::Shape`] for an empty list; the errors of [`log`](Self::log); [`Error::Invalid`] if
+    /// the iteration does not converge.
     fn mean(&self, elements: &[Self::Element]) -> Result<Self::Element, Error> {
         mean::mean(self, elements)
     }
 
-    /// The left Jacobian of exp at `x`, the matrix of [`tangent_right`](Self::tangent_right):
-    /// `exp(x + dx) = exp(J dx + ...) exp(x)`. The matrix has a fixed size if vectors have one.
+    /// The left Jacobian of exp at `x`, which is the matrix of
+    /// [`tangent_right`](Self::tangent_right): `exp(x + dx) = exp(J dx + ...) exp(x)`. The matrix
+    /// has a fixed size if vectors have a fixed size.
     ///
-    /// The names left and right follow J. Sola, J. Deray and D. Atchuthan, arXiv 1812.01537: the
-    /// side of the factor `exp(J dx)`. The names of the tangent operators refer to the frame of the
-    /// result.
+    /// The names left and right refer to the side of the factor `exp(J dx)`, as in J. Sola, J.
+    /// Deray and D. Atchuthan, arXiv 1812.01537. The names of the tangent operators refer to the
+    /// frame of the result.
     ///
     /// ```
     /// use affinor::group::{LieGroup, So3};
@@ -200,8 +205,8 @@ pub trait LieGroup {
         Self::Vector::matrix(self.dimension(), |k| self.tangent_right(x, &self.basis_vector(k)))
     }
 
-    /// The right Jacobian of exp at `x`, the matrix of [`tangent_left`](Self::tangent_left):
-    /// `exp(x + dx) = exp(x) exp(J dx + ...)`.
+    /// The right Jacobian of exp at `x`, which is the matrix of
+    /// [`tangent_left`](Self::tangent_left): `exp(x + dx) = exp(x) exp(J dx + ...)`.
     fn jacobian_right(&self, x: &Self::Vector) -> <Self::Vector as Coordinates>::Matrix
     where
         Self: Sized,
@@ -209,9 +214,9 @@ pub trait LieGroup {
         Self::Vector::matrix(self.dimension(), |k| self.tangent_left(x, &self.basis_vector(k)))
     }
 
-    /// The inverse of the left Jacobian, the matrix of
-    /// [`tangent_right_inverse`](Self::tangent_right_inverse): `log(exp(dx) exp(x)) = x + J^-1 dx +
-    /// ...`.
+    /// The inverse of the left Jacobian, which is the matrix of
+    /// [`tangent_right_inverse`](Self::tangent_right_inverse):
+    /// `log(exp(dx) exp(x)) = x + J^-1 dx + ...`.
     ///
     /// ```
     /// use affinor::group::{LieGroup, Se3};
@@ -223,7 +228,7 @@ pub trait LieGroup {
     /// ```
     ///
     /// # Errors
-    /// Those of [`tangent_left_inverse`](Self::tangent_left_inverse).
+    /// The errors of [`tangent_left_inverse`](Self::tangent_left_inverse).
     fn jacobian_left_inverse(
         &self,
         x: &Self::Vector,
@@ -234,12 +239,12 @@ pub trait LieGroup {
         self.jacobian_right_inverse(&-x.clone())
     }
 
-    /// The inverse of the right Jacobian, the matrix of
-    /// [`tangent_left_inverse`](Self::tangent_left_inverse): `log(exp(x) exp(dx)) = x + J^-1 dx +
-    /// ...`.
+    /// The inverse of the right Jacobian, which is the matrix of
+    /// [`tangent_left_inverse`](Self::tangent_left_inverse):
+    /// `log(exp(x) exp(dx)) = x + J^-1 dx + ...`.
     ///
     /// # Errors
-    /// Those of [`tangent_left_inverse`](Self::tangent_left_inverse).
+    /// The errors of [`tangent_left_inverse`](Self::tangent_left_inverse).
     fn jacobian_right_inverse(
         &self,
         x: &Self::Vector,
@@ -253,7 +258,8 @@ pub trait LieGroup {
         Ok(Self::Vector::matrix(columns.len(), |k| columns[k].clone()))
     }
 
-    /// The matrix of `Ad_g`; the upper index is the row. It has a fixed size if vectors have one.
+    /// The matrix of `Ad_g`. The upper index is the row. The matrix has a fixed size if vectors
+    /// have a fixed size.
     ///
     /// ```
     /// use affinor::group::{LieGroup, Se3};
@@ -270,17 +276,18 @@ pub trait LieGroup {
         Self::Vector::matrix(self.dimension(), |k| self.adjoint(g, &self.basis_vector(k)))
     }
 
-    /// The basis vector with an index, from 0.
+    /// The basis vector at the index `at`, from 0.
     fn basis_vector(&self, at: usize) -> Self::Vector {
         Self::Vector::from_fn(self.dimension(), |i| f64::from(i == at))
     }
 
-    /// The basis of the algebra, in components.
+    /// The basis vectors of the algebra, as components.
     fn basis(&self) -> Vec<Self::Vector> {
         (0..self.dimension()).map(|a| self.basis_vector(a)).collect()
     }
 
-    /// The algebra. Its basis is named `e1`, `e2`, ... unless the group has other names.
+    /// The algebra. Its basis vectors have the names `e1`, `e2`, ... unless the group defines other
+    /// names.
     ///
     /// # Errors
     /// [`Law::Jacobi`](crate::Law::Jacobi) if `bracket` is not a Lie bracket.
@@ -295,7 +302,7 @@ pub trait LieGroup {
         LieAlgebra::try_from(bracket)
     }
 
-    /// The matrix of a linear map of the algebra, such as `|v| group.tangent_left(&x, v)`; the
+    /// The matrix of a linear map of the algebra, such as `|v| group.tangent_left(&x, v)`. The
     /// upper index is the row.
     fn operator_matrix(&self, map: impl Fn(&Self::Vector) -> Self::Vector) -> DMatrix<f64>
     where

@@ -1,33 +1,34 @@
-//! Elements in tables and files: the matrix of numbers with which an element is written and read.
+//! Elements in tables and files. An element is written and read as a matrix of numbers.
 
 use super::{Coordinates, Embedded};
 use crate::Error;
 use crate::numerics::logarithm::logarithm;
 use nalgebra::{DMatrix, DVectorView};
 
-/// The tolerance of the equations of the group for matrices that are read.
+/// The tolerance of the equations of the group for a matrix that is read.
 pub(super) const TOLERANCE: f64 = 1e-6;
 
-/// A group whose elements are written as matrices of numbers and read back.
+/// A group whose elements can be written as matrices of numbers and read back.
 ///
-/// The written form of a linear group is its matrix. For a vector group, such as R^n, it is a
-/// column of coordinates. For a [`Product`](super::Product) it is one column with the entries of
-/// the first factor, row by row, then those of the second.
+/// The written form of a linear group is its matrix. The written form of a vector group, such as
+/// R^n, is a column of coordinates. The written form of a [`Product`](super::Product) is one
+/// column: the entries of the first factor, row by row, followed by the entries of the second
+/// factor.
 pub trait MatrixNotation: Embedded {
     /// The written form of an element.
     fn write(&self, g: &Self::Element) -> DMatrix<f64> {
         self.matrix(g)
     }
 
-    /// The element with the written form `matrix`.
+    /// The element whose written form is `matrix`.
     ///
     /// # Errors
     /// [`Error::Shape`] for a wrong shape; [`Error::Invalid`] with the defect if the matrix is not
     /// an element.
     fn read(&self, matrix: &DMatrix<f64>) -> Result<Self::Element, Error>;
 
-    /// A bound on the error of the components of `x = log(g)` that is caused by rounding each entry
-    /// of `g` to a float. `None` if the group does not estimate it, for example if it has closed
+    /// A bound on the error of the components of `x = log(g)` if each entry of `g` is rounded to a
+    /// float. `None` if the group does not estimate this error, for example because it has closed
     /// forms.
     fn log_rounding(&self, g: &Self::Element, x: &Self::Vector) -> Option<f64> {
         let _ = (g, x);
@@ -40,37 +41,39 @@ pub trait MatrixNotation: Embedded {
         false
     }
 
-    /// Names of further coordinates that are not entries, such as those of a quaternion.
+    /// Names of additional coordinates that are not entries of the matrix, such as the components
+    /// of a quaternion.
     fn names(&self) -> &'static [&'static str] {
         &[]
     }
 
-    /// The coordinate with the `k`-th name, from 0, in the list of the names of all
-    /// [`blocks`](Self::blocks).
+    /// The value of the coordinate with the `k`-th name. The names of all [`blocks`](Self::blocks)
+    /// are counted from 0.
     fn named(&self, g: &Self::Element, k: usize) -> f64 {
         let _ = (g, k);
         f64::NAN
     }
 
     /// Replaces the content of `entries` by the entries of the [written](Self::write) element,
-    /// column by column.
+    /// listed column by column.
     fn entries(&self, g: &Self::Element, entries: &mut Vec<f64>) {
         replace(entries, self.write(g).as_slice());
     }
 
-    /// The written forms of the factors of a product. A group that is not a product is its only
-    /// factor.
+    /// The written forms of the factors of a product. If a group is not a product, its only factor
+    /// is the group itself.
     fn blocks(&self) -> Vec<Block> {
         vec![Block { names: self.names(), shape: self.write(&self.identity()).shape() }]
     }
 
-    /// The derivatives at 0 of the written form of `exp(s e_i)`, one for each basis vector.
+    /// The derivatives at `s = 0` of the written form of `exp(s e_i)`, one for each basis vector.
     ///
     /// Entries that are zero must be exactly zero, because [`derivatives`](Self::derivatives)
     /// multiplies them by coordinates, which may be large.
     fn generators(&self) -> Vec<DMatrix<f64>> {
         let half = |x: &Self::Vector| self.write(&self.exp(&(x.clone() * 0.5)));
-        // half of a basis vector is short enough to be a principal logarithm
+        // uses half of the basis vector, so that it is short enough to be the principal logarithm
+        // of its exponential
         let log = |x: &Self::Vector| {
             let half = half(x);
             match logarithm(&half) {
@@ -81,9 +84,10 @@ pub trait MatrixNotation: Embedded {
         self.basis().iter().map(log).collect()
     }
 
-    /// The derivatives at 0 of a function of the written form of `g exp(s e_i)`, one for each `i`.
-    /// `entries` are the entries of `g`, `generators` the result of [`Generator::of`], and
-    /// `partial` the nonzero derivatives of the function with respect to entries.
+    /// The derivatives at `s = 0` of a function of the written form of `g exp(s e_i)`, one for each
+    /// `i`. The list `entries` contains the entries of `g`, and `generators` is the result of
+    /// [`Generator::of`]. The list `partial` contains the nonzero derivatives of the function with
+    /// respect to the entries.
     #[inline]
     fn derivatives(
         &self,
@@ -97,15 +101,15 @@ pub trait MatrixNotation: Embedded {
     }
 }
 
-/// The derivative of a function with respect to an entry of the written element: row, column and
+/// The derivative of a function with respect to an entry of the written element, as row, column and
 /// value.
 pub type Partial = (usize, usize, f64);
 
-/// The square matrix of a basis vector, by its nonzero entries.
+/// The square matrix of a basis vector, stored as its nonzero entries.
 #[derive(Clone, Debug, Default)]
 pub struct Generator {
-    /// For each column, its nonzero entries: the offset in the list of entries of the column of `g`
-    /// that is multiplied, and the value.
+    /// For each column, the list of its nonzero entries. An entry consists of its value and the
+    /// offset, in the list of entries of `g`, of the column that it multiplies.
     columns: Vec<Vec<(usize, f64)>>,
 }
 
@@ -122,8 +126,8 @@ impl Generator {
         group.generators().into_iter().map(sparse).collect()
     }
 
-    /// The derivative `sum_rc (g E)_rc p_rc` for the generator `E` and the derivatives `p_rc`.
-    /// `entries` are those of `g`, column by column.
+    /// The derivative `sum_rc (g E)_rc p_rc` for the generator `E` and the derivatives `p_rc`. The
+    /// list `entries` contains the entries of `g`, column by column.
     #[inline]
     fn derivative(&self, entries: &[f64], partial: &[Partial]) -> f64 {
         let slope = |&(row, column, share): &Partial| {
@@ -135,7 +139,7 @@ impl Generator {
     }
 }
 
-/// Replaces the content of a list, and reuses its memory.
+/// Replaces the content of a list and reuses the memory of the list.
 pub(super) fn replace(list: &mut Vec<f64>, numbers: &[f64]) {
     list.clear();
     list.extend_from_slice(numbers);
@@ -144,32 +148,32 @@ pub(super) fn replace(list: &mut Vec<f64>, numbers: &[f64]) {
 /// The written form of one factor of a group: named coordinates and the shape of its matrix.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Block {
-    /// Names of further coordinates that are not entries.
+    /// Names of additional coordinates that are not entries of the matrix.
     pub names: &'static [&'static str],
-    /// Rows and columns.
+    /// The numbers of rows and columns.
     pub shape: (usize, usize),
 }
 
-/// The meaning of a name of a [`Block`].
+/// The coordinate to which a name of a [`Block`] refers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Coordinate {
-    /// A named coordinate, by its index from 0.
+    /// A named coordinate, given by its index from 0.
     Named(usize),
-    /// An entry, by its row and column from 0.
+    /// An entry of the matrix, given by its row and column from 0.
     Entry(usize, usize),
 }
 
-/// The names of the coordinates of a position. They are entries of the last column of the matrix.
+/// The names of the components of a position. These are entries of the last column of the matrix.
 const POSITION: [&str; 3] = ["x", "y", "z"];
 
 impl Block {
-    /// The letter of the entries: `g` for matrices, `x` for columns.
+    /// The letter in the names of entries: `g` for matrices, `x` for columns.
     pub fn letter(&self) -> &'static str {
         if self.shape.1 == 1 { "x" } else { "g" }
     }
 
-    /// The coordinate with this name: `qw`, `x`; `g12` or `R12` by row and column, `g1_12` for larger
-    /// matrices; `x1` for a column.
+    /// The coordinate with this name. Names are `qw` or `x` for named coordinates, `g12` or `R12`
+    /// for a row and a column (`g1_12` in larger matrices), and `x1` in a column.
     pub fn find(&self, name: &str) -> Option<Coordinate> {
         if let Some(k) = self.names.iter().position(|named| *named == name) {
             let axis = POSITION.iter().position(|axis| *axis == name);
@@ -202,14 +206,14 @@ impl Block {
         entries.map(|(i, j)| format!("{letter}{i}{between}{j}")).collect()
     }
 
-    /// The names of the components of a position in this block, from [`POSITION`].
+    /// Whether a name is the name of a component of a position.
     pub(crate) fn is_position(name: &str) -> bool {
         POSITION.contains(&name)
     }
 }
 
-/// Returns the element that `of` finds for a matrix, after checking that its written form is the
-/// matrix.
+/// Calls `of` to convert a matrix to an element. Returns the element after checking that its
+/// written form is the matrix.
 pub(super) fn checked<G: MatrixNotation>(
     group: &G,
     matrix: &DMatrix<f64>,
@@ -221,7 +225,7 @@ pub(super) fn checked<G: MatrixNotation>(
         return Err(Error::Invalid { what: "element of the group", reason });
     }
     let element = of(matrix)?;
-    // a NaN counts as an infinite distance
+    // treats a NaN as an infinite distance
     let written = group.write(&element);
     let differences = matrix.iter().zip(&written).map(|(a, b)| (a - b).abs());
     let defect = differences.fold(0.0, |largest, d| if d <= largest { largest } else { d });
@@ -242,19 +246,19 @@ pub(super) fn expect_shape(matrix: &DMatrix<f64>, shape: (usize, usize)) -> Resu
     Err(Error::Shape { what: "an element", expected, found })
 }
 
-/// Coordinates in a column.
+/// Writes coordinates as a column.
 pub(super) fn column(x: &impl Coordinates) -> DMatrix<f64> {
     DMatrix::from_column_slice(x.components().len(), 1, x.components())
 }
 
-/// A matrix by its nonzero entries: row, column and value.
+/// A matrix that is given by its nonzero entries: row, column and value.
 pub(super) fn sparse(size: usize, entries: &[(usize, usize, f64)]) -> DMatrix<f64> {
     let mut matrix = DMatrix::zeros(size, size);
     entries.iter().for_each(|&(row, column, value)| matrix[(row, column)] = value);
     matrix
 }
 
-/// `spin(e_i)`, `i = 1, 2, 3`, in the upper left corner of a matrix.
+/// The matrices `spin(e_i)`, `i = 1, 2, 3`, in the upper left corner of a larger matrix.
 pub(super) fn spins(size: usize) -> impl Iterator<Item = DMatrix<f64>> {
     (0..3).map(move |i| {
         let (j, k) = ((i + 1) % 3, (i + 2) % 3);

@@ -7,8 +7,8 @@ use affinor_tensors::stop::checkpoint;
 /// The largest number of iterations.
 const MAX_STEPS: usize = 100;
 
-/// A step of this size, relative to the largest logarithm of the first iteration, counts as
-/// rounding error.
+/// A step counts as rounding error if its size, relative to the largest logarithm of the first
+/// iteration, is at most this value.
 const ROUNDING: f64 = 1e-14;
 
 /// Iterates `m <- m exp(sum log(m^-1 g_i)/n)` until the step is of the size of rounding errors.
@@ -37,10 +37,12 @@ pub(super) fn mean<G: LieGroup + ?Sized>(
             return Err(no_mean(step + 1, f64::NAN));
         }
         let size = correction.largest();
-        // the rounding error of elements that are far from the identity
+        // the rounding error of the mean itself, which is large if the elements are far from the
+        // identity
         let own = 1e3 * f64::EPSILON * group.matrix(&mean).amax();
         mean = group.project(group.compose(&mean, &group.exp(&correction)));
-        // rounding errors of the logarithms remain, whatever the number of steps
+        // also ends if the steps no longer decrease, because the rounding errors of the logarithms
+        // remain
         if size <= ROUNDING * spread || (size <= own.max(1e6 * ROUNDING * spread) && size >= before)
         {
             return Ok(mean);

@@ -1,9 +1,9 @@
-//! The registry of groups, with a group for every name of the catalogue of algebras.
+//! The registry of groups. It contains a group for every name in the catalogue of algebras.
 //!
 //! [`find`] returns the group for a name such as `se(3)`, `heisenberg(5)` or `so3+R^3`.
-//! [`families`] lists the groups in closed form. Other algebras get a group from their matrices or,
-//! near the identity, from their brackets. A sum of algebras gets the direct product of the groups,
-//! with the basis of the sum.
+//! [`families`] lists the groups in closed form. The groups of other algebras are defined by their
+//! matrices or, near the identity, by their brackets. The group of a sum of algebras is the direct
+//! product of their groups, with the basis of the sum.
 //!
 //! | algebra | an element as written ([`MatrixNotation::write`](super::MatrixNotation::write)) |
 //! |---|---|
@@ -14,8 +14,8 @@
 //! | a sum | one column: the entries of each factor as above, row by row, factor after factor |
 //!
 //! For example, an element of `se3+se3` has 32 numbers, which are two 4 x 4 matrices; an element of
-//! `so3+R^3` has 9 + 3. In formulas of motions the names of factor `k` end in `_k`, as in `x_2`,
-//! `qw_1` and `g11_2`.
+//! `so3+R^3` has 9 + 3. In formulas for motions, the names of the coordinates of factor `k` end in
+//! `_k`, such as `x_2`, `qw_1` and `g11_2`.
 
 use super::{
     AnyGroup, Heisenberg, Homotheties, MatrixGroup, Nilpotent, Product, Se2, Se3, Se23, Sl2, So2,
@@ -30,7 +30,7 @@ use nalgebra::{DMatrix, Dyn};
 /// A family of groups in closed form.
 #[derive(Clone, Copy, Debug)]
 pub struct GroupFamily {
-    /// The name in the catalogue of algebras, with `n` for a number.
+    /// The name in the catalogue of algebras, in which `n` represents a number.
     pub pattern: &'static str,
     /// The written form of elements.
     pub summary: &'static str,
@@ -67,7 +67,7 @@ const fn family(
     GroupFamily { pattern, summary, build }
 }
 
-/// The group for a name of the catalogue, or for names joined by `+`.
+/// The group for a name of the catalogue, or for several names joined by `+`.
 ///
 /// ```
 /// use affinor::group::{LieGroup, registry};
@@ -78,18 +78,18 @@ const fn family(
 /// ```
 ///
 /// # Errors
-/// [`Error::Name`] for an unknown name or one with parameters; those of [`of_algebra`].
+/// [`Error::Name`] for an unknown name or a name with parameters; the errors of [`of_algebra`].
 pub fn find(name: &str) -> Result<AnyGroup, Error> {
     let mut factors = summands(name).into_iter().map(factor);
     let first = factors.next().unwrap_or_else(|| factor(name))?;
     factors.try_fold(first, |product, next| Ok(AnyGroup::new(Product(product, next?))))
 }
 
-/// A group of an algebra that is given by its brackets: simply connected if the algebra is
-/// nilpotent, otherwise a group of matrices near the identity.
+/// A group of an algebra that is given by its brackets. The group is simply connected if the
+/// algebra is nilpotent. Otherwise, it is a group of matrices near the identity.
 ///
 /// # Errors
-/// Those of [`MatrixGroup::of_algebra`].
+/// The errors of [`MatrixGroup::of_algebra`].
 pub fn of_algebra(algebra: &LieAlgebra<f64>) -> Result<AnyGroup, Error> {
     match Nilpotent::new(algebra.clone()) {
         Ok(group) => Ok(AnyGroup::new(group)),
@@ -100,7 +100,7 @@ pub fn of_algebra(algebra: &LieAlgebra<f64>) -> Result<AnyGroup, Error> {
     }
 }
 
-/// The names in a sum; a `+` inside parentheses does not separate names.
+/// The names in a sum. A `+` inside parentheses does not separate names.
 pub fn summands(name: &str) -> Vec<&str> {
     let mut depth = 0_i64;
     let joins = |symbol: char| {
@@ -133,7 +133,7 @@ fn factor(name: &str) -> Result<AnyGroup, Error> {
     of_algebra(&LieAlgebra::try_from(entry.bracket(number)?)?)
 }
 
-/// The number in a name at the position of the `n` of a pattern; 0 for a pattern without `n`.
+/// The number in `name` at the position of `n` in `pattern`. Returns 0 if the pattern has no `n`.
 fn argument(pattern: &str, name: &str) -> Option<usize> {
     let (before, behind) = match (pattern.strip_suffix("n)"), pattern.strip_suffix("^n")) {
         (Some(before), _) => (before, ")"),

@@ -1,5 +1,5 @@
-//! The element of a group that is nearest to a matrix, for example to a rotation matrix rounded to
-//! three digits.
+//! Finds the element of a group that is nearest to a matrix, for example to a rotation matrix
+//! rounded to three digits.
 
 use super::matrices::expect_shape;
 use super::{Coordinates, MatrixNotation};
@@ -7,8 +7,8 @@ use crate::Error;
 use affinor_tensors::stop::checkpoint;
 use nalgebra::{DMatrix, DVector};
 
-/// The largest accepted distance of a matrix from the group, for each entry, relative to entries
-/// above 1.
+/// The largest accepted distance of an entry of a matrix from the group, relative to the entry if
+/// it exceeds 1.
 pub const RESTORABLE: f64 = 0.1;
 
 /// The largest number of steps of the Levenberg-Marquardt method.
@@ -18,14 +18,14 @@ const STEPS: usize = 200;
 const DIFFERENCE: f64 = 1e-6;
 
 /// The length of the vectors whose exponentials serve as further initial guesses. They are needed
-/// because the identity may be a stationary point of the distance without being a minimum, for
+/// because the identity may be a stationary point of the distance that is not a minimum, for
 /// example for a half turn.
 const GUESS: f64 = 2.0;
 
-/// The nearest element of a group to a matrix of its written form, and the largest difference of an
-/// entry.
+/// The element of a group whose written form is nearest to a matrix, and the largest difference of
+/// an entry.
 ///
-/// It minimizes the sum of the squares of all differences, by the method of Levenberg and
+/// The element minimizes the sum of the squares of all differences, by the method of Levenberg and
 /// Marquardt. The iterations start from the identity, and from exponentials of basis vectors.
 ///
 /// ```
@@ -38,7 +38,8 @@ const GUESS: f64 = 2.0;
 /// ```
 ///
 /// # Errors
-/// [`Error::Shape`]; [`Error::Invalid`] for entries that are not finite, and with the distance if it exceeds [`RESTORABLE`].
+/// [`Error::Shape`]; [`Error::Invalid`] for entries that are not finite, or, with the distance, if
+/// the distance exceeds [`RESTORABLE`].
 pub fn restored<G: MatrixNotation>(
     group: &G,
     matrix: &DMatrix<f64>,
@@ -55,7 +56,7 @@ pub fn restored<G: MatrixNotation>(
         let nearest = nearest(group, guess, matrix);
         let differences = group.write(&nearest) - matrix;
         let pairs = || differences.iter().zip(matrix);
-        // a NaN counts as far
+        // a NaN is not accepted, because the comparison is then false
         if pairs().all(|(off, entry)| off.abs() <= RESTORABLE * entry.abs().max(1.0)) {
             return Ok((nearest, differences.amax()));
         }
@@ -65,7 +66,7 @@ pub fn restored<G: MatrixNotation>(
     refused(format!("the nearest element found differs by {least:.2e} in an entry"))
 }
 
-/// A local minimum of the distance `|g - m|`, from an initial guess.
+/// A local minimum of the distance `|g - m|`, found from an initial guess.
 fn nearest<G: MatrixNotation>(group: &G, guess: G::Element, m: &DMatrix<f64>) -> G::Element {
     let off = |g: &G::Element| DVector::from_column_slice((m - group.write(g)).as_slice());
     let n = group.dimension();
@@ -83,7 +84,7 @@ fn nearest<G: MatrixNotation>(group: &G, guess: G::Element, m: &DMatrix<f64>) ->
         };
         let moved = group.compose(&g, &group.exp(&Coordinates::from_components(step.as_slice())));
         let next = off(&moved);
-        // below this size, steps change the distance by less than rounding errors
+        // smaller steps change the distance by less than rounding errors
         let settled = step.amax() <= 1e-9;
         if settled || next.norm() < rest.norm() {
             (g, rest, damping) = (moved, next, damping * 0.1);

@@ -1,4 +1,4 @@
-//! Parallel transport along curves of a group, its generator, and autoparallels.
+//! Parallel transport along curves of a group, the generator of the transport, and autoparallels.
 
 mod autoparallel;
 
@@ -15,8 +15,8 @@ use affinor_tensors::{Scalar, Tensor, Up};
 use nalgebra::{DMatrix, DVector};
 
 impl<S: Scalar> Connection<S> {
-    /// The generator of parallel transport along a curve with the tangent `w`, slots `^i_k`: `du/dt
-    /// = G u` with `G^i_k = -Lambda^i_jk w^j`, from (42), (B5).
+    /// The generator `G` of parallel transport along a curve with the tangent `w`, slots `^i_k`.
+    /// The transport equation is `du/dt = G u` with `G^i_k = -Lambda^i_jk w^j`, from (42), (B5).
     ///
     /// # Errors
     /// [`Error::Shape`].
@@ -27,13 +27,13 @@ impl<S: Scalar> Connection<S> {
     }
 
     /// The generator of parallel transport along the autoparallel with the constant tangent `n`,
-    /// (45).
+    /// equation (45).
     ///
-    /// It is `-ad_n` for `plus`, `-ad_n/2` for `zero`, and 0 for `minus`.
+    /// The generator is `-ad_n` for `plus`, `-ad_n/2` for `zero`, and 0 for `minus`.
     ///
     /// # Errors
-    /// [`Law::ConstantTangent`] unless `Lambda^i_jk n^j n^k = 0` (B7): otherwise the tangent of the
-    /// autoparallel is not constant in this frame. [`Error::Shape`].
+    /// [`Law::ConstantTangent`] unless `Lambda^i_jk n^j n^k = 0` (B7), because otherwise the
+    /// tangent of the autoparallel is not constant in this frame. [`Error::Shape`].
     pub fn transport_generator(&self, n: &[S]) -> Result<Tensor<S>, Error> {
         let generator = self.transport_along(n)?;
         let vector = Tensor::vector(n, Up).with_tolerance(self.affinities().tolerance());
@@ -47,15 +47,15 @@ impl<S: Scalar> Connection<S> {
     }
 }
 
-/// The size of generators above which the rounding error of the exponential is checked, and the
-/// largest error allowed.
+/// If a generator is larger than `LARGE`, the rounding error of the exponential is checked. The
+/// error may be at most `NOISE`.
 const LARGE: f64 = 1e8;
 const NOISE: f64 = 1e-3;
 
 /// A group with a left-invariant connection: parallel transport along curves, and autoparallels.
 ///
-/// Vectors are given by left components. A vector is transported from `p` to `q` by a matrix `B`
-/// with `u(q) = B u(p)`, (49).
+/// Vectors are lists of left components. A matrix `B` transports a vector from `p` to `q`:
+/// `u(q) = B u(p)` (49).
 ///
 /// ```
 /// use affinor::group::{LieGroup, So3};
@@ -81,7 +81,7 @@ pub struct ParallelTranslation<G> {
 }
 
 impl<G: LieGroup> ParallelTranslation<G> {
-    /// Combines a group with a connection on its algebra, in the same basis.
+    /// Combines a group with a connection on its algebra. Both must use the same basis.
     ///
     /// # Errors
     /// [`Error::Shape`] if the structure constants of the connection's frame differ from those of
@@ -101,13 +101,13 @@ impl<G: LieGroup> ParallelTranslation<G> {
         &self.connection
     }
 
-    /// The matrix of transport from `g` to `g exp(x)` along `g exp(s x)`. It is `exp(-Lambda_x)`,
-    /// whether or not the curve is autoparallel: (51) for `plus`, (71) for `zero`, the identity for
-    /// `minus`.
+    /// The matrix of transport from `g` to `g exp(x)` along the curve `g exp(s x)`. The matrix is
+    /// `exp(-Lambda_x)`, whether or not the curve is an autoparallel. It is equation (51) for
+    /// `plus`, equation (71) for `zero`, and the identity for `minus`.
     ///
     /// # Errors
-    /// [`Error::Shape`]; [`Error::Integration`] for so many turns that the rounding error of the
-    /// angle exceeds a turn.
+    /// [`Error::Shape`]; [`Error::Integration`] if the number of turns is so large that the
+    /// rounding error of the angle exceeds a turn.
     pub fn along_subgroup(&self, x: &G::Vector) -> Result<DMatrix<f64>, Error> {
         let generator = self.generator(x)?;
         let carried = exponential::exp(&generator);
@@ -124,17 +124,17 @@ impl<G: LieGroup> ParallelTranslation<G> {
         Err(Error::Integration { t: 1.0, reason })
     }
 
-    /// The matrix of transport along the arcs `exp(s x_1)`, then `exp(x_1) exp(s x_2)`, and so on,
-    /// `0 <= s <= 1`.
+    /// The matrix of transport along the arcs `exp(s x_1)`, then `exp(x_1) exp(s x_2)`, and so on.
+    /// The parameter of each arc is `0 <= s <= 1`.
     ///
     /// # Errors
-    /// Those of [`along_subgroup`](Self::along_subgroup). [`Error::Invalid`] if large matrices
-    /// cancel, so that rounding errors may change more than a millionth of the product; this occurs
-    /// for long arcs of a noncompact group, and back.
+    /// The errors of [`along_subgroup`](Self::along_subgroup). [`Error::Invalid`] if large matrices
+    /// cancel, so that rounding errors may change more than a millionth of the product. This occurs
+    /// for long arcs of a noncompact group that return to their start.
     pub fn along_arcs(&self, arcs: &[G::Vector]) -> Result<DMatrix<f64>, Error> {
         let n = self.group.dimension();
         let mut carried = DMatrix::identity(n, n);
-        // the same product, with every entry changed by a rounding error
+        // computes the same product again, with a rounding error in every entry
         let mut rounded = carried.clone();
         let mut signs = signs();
         for x in arcs {
@@ -147,7 +147,8 @@ impl<G: LieGroup> ParallelTranslation<G> {
         Ok(carried)
     }
 
-    /// Transports a vector from the start of a path to its end, by the matrix of the path.
+    /// Transports a vector from the start of a path to its end. The matrix `path` is the matrix of
+    /// transport along the path.
     ///
     /// # Errors
     /// [`Error::Shape`]; [`Error::Invalid`] if large numbers cancel, so that rounding errors may
@@ -162,9 +163,10 @@ impl<G: LieGroup> ParallelTranslation<G> {
         Ok(carried)
     }
 
-    /// The matrix of transport along a sampled curve: the arcs `g_i exp(s x_i)` from one element to
-    /// the next, with the logarithms `x_i`. It is exact for curves made of such arcs, and otherwise
-    /// of second order in the distance of the samples. A loop gives its holonomy.
+    /// The matrix of transport along a sampled curve. The arcs from one element to the next are
+    /// `g_i exp(s x_i)`, where `x_i` are the logarithms. The result is exact for curves that
+    /// consist of such arcs; otherwise its error is of second order in the distance of the samples.
+    /// The result for a loop is its holonomy.
     ///
     /// # Errors
     /// [`Error::Invalid`] if two consecutive samples are too far apart.
@@ -174,7 +176,7 @@ impl<G: LieGroup> ParallelTranslation<G> {
     }
 
     /// The matrices of transport along a curve with the velocity `w(t) = g^-1 g'`, from the first
-    /// of the times to each of them. They solve `du/dt = -Lambda_w u` (B5) to a tolerance.
+    /// time to each of the times. The method solves `du/dt = -Lambda_w u` (B5) to a tolerance.
     ///
     /// # Errors
     /// [`Error::Integration`].

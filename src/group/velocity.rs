@@ -5,11 +5,11 @@ use super::{Coordinates, LieGroup};
 use crate::Error;
 use affinor_tensors::stop::checkpoint;
 
-/// The velocity `g'` of a path, translated to the identity: `g' = L_g* body` (55) `= R_g* spatial`
-/// (59).
+/// The velocity `g'` of a path, translated to the identity: `g' = L_g* body` (55) and
+/// `g' = R_g* spatial` (59).
 ///
-/// For matrices the velocities are `g^-1 g'` and `g' g^-1`, for rotations `Omega` and `omega`;
-/// `spatial = Ad_g body`, (10), (57).
+/// For matrices, the velocities are `g^-1 g'` and `g' g^-1`; for rotations, they are `Omega` and
+/// `omega`. They are related by `spatial = Ad_g body`, equations (10), (57).
 ///
 /// ```
 /// use affinor::group::velocity::Velocity;
@@ -29,40 +29,40 @@ use affinor_tensors::stop::checkpoint;
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Velocity<V> {
-    /// The body velocity `L_{g^-1}* g'`, the left components.
+    /// The body velocity `L_{g^-1}* g'`, which consists of the left components.
     pub body: V,
-    /// The spatial velocity `R_{g^-1}* g'`, the right components.
+    /// The spatial velocity `R_{g^-1}* g'`, which consists of the right components.
     pub spatial: V,
 }
 
-/// The number of samples from which the velocity at one of them is computed.
+/// The number of samples from which the velocity at one sample is computed.
 const WINDOW: usize = 5;
 /// The largest number of Newton steps from one sample to the next.
 const MAX_STEPS: usize = 20;
 
 impl<V: Coordinates> Velocity<V> {
-    /// Both velocities, from the body velocity at `g`.
+    /// Computes both velocities from the body velocity at `g`.
     pub fn from_body<G: LieGroup<Vector = V>>(group: &G, g: &G::Element, body: V) -> Self {
         let spatial = group.adjoint(g, &body);
         Velocity { body, spatial }
     }
 
-    /// Both velocities, from the spatial velocity at `g`.
+    /// Computes both velocities from the spatial velocity at `g`.
     pub fn from_spatial<G: LieGroup<Vector = V>>(group: &G, g: &G::Element, spatial: V) -> Self {
         let body = right_translate(group, &spatial, g);
         Velocity { body, spatial }
     }
 
-    /// The velocity of the path `exp(x(t))`, from `x` and `dx/dt`: `T_left(x) dx/dt` and
-    /// `T_right(x) dx/dt`, on which (86) is based.
+    /// The velocity of the path `exp(x(t))`, computed from `x` and `dx/dt`. The velocities are
+    /// `T_left(x) dx/dt` and `T_right(x) dx/dt`, on which equation (86) is based.
     pub fn in_coordinates<G: LieGroup<Vector = V>>(group: &G, x: &V, rate: &V) -> Self {
         Velocity { body: group.tangent_left(x, rate), spatial: group.tangent_right(x, rate) }
     }
 
-    /// The velocity of a smooth path at the time `t`, by central differences of `log(g(t)^-1 g(t +
-    /// s))` over `step`, its half and its quarter, extrapolated. The error is of order 6 in `step`,
-    /// plus rounding errors divided by `step`. A good step is a hundredth to a tenth of the time
-    /// scale on which the velocity changes.
+    /// The velocity of a smooth path at the time `t`. It is extrapolated from central differences
+    /// of `log(g(t)^-1 g(t + s))` over `step`, half of it and a quarter of it. The error is of
+    /// order 6 in `step`, plus rounding errors divided by `step`. A suitable step is a hundredth to
+    /// a tenth of the time scale on which the velocity changes.
     ///
     /// # Errors
     /// [`Error::Invalid`] if the logarithm does not exist within `step`.
@@ -86,19 +86,19 @@ impl<V: Coordinates> Velocity<V> {
         Ok(Self::from_body(group, &g, body))
     }
 
-    /// The velocity of a sampled path, at each sample: the slope of the polynomial through the five
-    /// nearest samples (at the ends one-sided) in canonical coordinates around the sample. The
-    /// times need not be equidistant. The error is of order 4 in their distance; for `n < 5`
-    /// samples it is of order `n - 1`.
+    /// The velocity of a sampled path, at each sample. It is the slope of the polynomial through
+    /// the five nearest samples, in canonical coordinates around the sample; at the ends, the
+    /// samples are one-sided. The times need not be equidistant. The error is of order 4 in their
+    /// distance; for `n < 5` samples, it is of order `n - 1`.
     ///
     /// Coordinates are continued from one sample to the next, so that only consecutive samples must
-    /// be near each other. Rotations must be less than a half turn apart, and less than a whole
-    /// turn over the samples used.
+    /// be near each other. Consecutive rotations must differ by less than a half turn, and the
+    /// samples that are used together by less than a whole turn.
     ///
     /// # Errors
     /// [`Error::Shape`] unless there are two or more samples with as many increasing times;
-    /// [`Error::Invalid`] and [`Law::RegularTangent`](crate::Law::RegularTangent) for samples too
-    /// far apart.
+    /// [`Error::Invalid`] and [`Law::RegularTangent`](crate::Law::RegularTangent) for samples that
+    /// are too far apart.
     pub fn of_samples<G: LieGroup<Vector = V>>(
         group: &G,
         times: &[f64],
@@ -137,15 +137,15 @@ fn check(times: &[f64], samples: usize) -> Result<(), Error> {
     late.map_or(Ok(()), |t| refused("increasing times", format!("{} after {}", t[1], t[0])))
 }
 
-/// The weight of the value at `times[k]` in the slope, at `times[i]`, of the interpolation
-/// polynomial.
+/// The weight of the value at `times[k]` in the slope of the interpolation polynomial at
+/// `times[i]`.
 fn weight(times: &[f64], i: usize, k: usize) -> f64 {
     let others = (0..times.len()).filter(|m| *m != i && *m != k);
     let ratio = |m: usize| (times[i] - times[m]) / (times[k] - times[m]);
     others.map(ratio).product::<f64>() / (times[k] - times[i])
 }
 
-/// The logarithm of `g` near `x`, by Newton's method from `x`; at 0 it is `log`.
+/// The logarithm of `g` near `x`, computed by Newton's method from `x`. At `x = 0`, it is `log`.
 fn continued<G: LieGroup>(group: &G, x: &G::Vector, g: &G::Element) -> Result<G::Vector, Error> {
     let mut x = x.clone();
     for _ in 0..MAX_STEPS {
@@ -153,7 +153,7 @@ fn continued<G: LieGroup>(group: &G, x: &G::Vector, g: &G::Element) -> Result<G:
         let rest = group.log(&group.compose(&group.exp(&-x.clone()), g))?;
         let step = group.tangent_left_inverse(&x, &rest)?;
         x = x + step.clone();
-        // Newton's method converges quadratically: the remaining error is the square of the step
+        // Newton's method converges quadratically, so the remaining error is the square of the step
         if step.largest() <= 1e-12 * (1.0 + x.largest()) {
             return Ok(x);
         }

@@ -1,5 +1,5 @@
-//! Rigid bodies: mass properties of shapes and meshes, the inertia with its principal axes, and the exact motion of a free body
-//! by elliptic functions.
+//! Rigid bodies: mass properties of shapes and meshes, the inertia with its principal axes, and the
+//! motion of a free body in closed form, by elliptic functions.
 
 pub mod elliptic;
 pub mod free_body;

@@ -8,11 +8,11 @@ use crate::mechanics::stopped;
 /// The sign changes that count as events, as time increases.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Direction {
-    /// From negative to positive.
+    /// The function changes from negative to positive.
     Rising,
-    /// From positive to negative.
+    /// The function changes from positive to negative.
     Falling,
-    /// Both directions.
+    /// Sign changes in both directions count.
     #[default]
     Both,
 }
@@ -23,11 +23,11 @@ pub enum AfterEvent {
     /// The run goes on.
     #[default]
     GoOn,
-    /// The run ends at the event: a terminal event.
+    /// The run ends at the event, which is a terminal event.
     Stop,
 }
 
-/// An event function of the state, with the sign changes that count.
+/// An event function of the state, and the sign changes that count as events.
 pub struct Event<'a, T> {
     function: Box<dyn Fn(&T) -> f64 + 'a>,
     direction: Direction,
@@ -35,7 +35,7 @@ pub struct Event<'a, T> {
 }
 
 impl<'a, T> Event<'a, T> {
-    /// The event that a function of the state changes its sign.
+    /// An event that occurs where a function of the state changes its sign.
     pub fn new(function: impl Fn(&T) -> f64 + 'a, direction: Direction, then: AfterEvent) -> Self {
         Event { function: Box::new(function), direction, then }
     }
@@ -53,26 +53,27 @@ impl<'a, T> Event<'a, T> {
     }
 }
 
-/// An occurrence of an event, with the state there.
+/// An occurrence of an event, with the state at the event.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Crossing<T> {
     /// The index of the event in the list of watched events, from 0.
     pub event: usize,
-    /// The state at the first time, within the resolution of floats, after the sign change.
+    /// The state at the first time after the sign change, up to the resolution of floats.
     pub state: T,
-    /// Whether the run ends here.
+    /// Whether the run ends at this event.
     pub then: AfterEvent,
 }
 
-/// Finds events along a run, each once, in the step where the sign changes.
+/// Finds the events of a run. Each event is found once, in the step in which the sign changes.
 ///
-/// Sign changes at poles and at angle wraps are ignored: there the absolute value grows towards the
-/// change on both sides. A jump between constant values is an event.
+/// Sign changes at poles and at angle wraps are ignored: near these, the absolute value increases
+/// towards the change on both sides. A jump between two constant values is an event.
 ///
-/// A zero at the end of a step belongs to that step, not to the next one. A zero at the start of
-/// the run is not an event. If a function becomes zero and stays zero, the event is where it
-/// becomes zero, and not where it leaves zero. Two sign changes within one step are missed, so
-/// steps must be shorter than the time between events.
+/// If the function is zero at the end of a step, the event belongs to this step, and not to the
+/// next one. If it is zero at the start of the run, there is no event. If a function becomes zero
+/// and remains zero, the event is at the time when it becomes zero, and not when it leaves zero.
+/// Two sign changes within one step are missed, so steps must be shorter than the time between
+/// events.
 ///
 /// ```
 /// use affinor::mechanics::events::{Direction, Event, AfterEvent, EventDetector};
@@ -97,14 +98,14 @@ pub struct Crossing<T> {
 /// ```
 pub struct EventDetector<'a, T> {
     events: Vec<Event<'a, T>>,
-    /// The values of the functions at the present state.
+    /// The values of the functions at the current state.
     values: Vec<f64>,
-    /// Their values at the end of a step.
+    /// The values of the functions at the end of a step.
     next: Vec<f64>,
 }
 
 impl<'a, T: Clone> EventDetector<'a, T> {
-    /// Watches events from a state on.
+    /// Watches events from this state on.
     ///
     /// # Errors
     /// [`Error::Integration`] if the value of a function is NaN.
@@ -120,13 +121,13 @@ impl<'a, T: Clone> EventDetector<'a, T> {
         Ok(watch)
     }
 
-    /// Makes a step, which must start at the end of the last one. `state` becomes the end of the
-    /// step, or the state at the first event that stops the run. Returns the events in the order of
-    /// the run; a terminal event is the last.
+    /// Makes a step. It must start at the end of the previous step. The parameter `state` becomes
+    /// the end of the step, or the state at the first terminal event. Returns the events in the
+    /// order of the run; a terminal event is the last event.
     ///
     /// # Errors
-    /// Those of the method, and [`Error::Integration`] if the value of a function is NaN. `state`
-    /// is then unchanged.
+    /// The errors of the method, and [`Error::Integration`] if the value of a function is NaN. In
+    /// this case, `state` is unchanged.
     pub fn advance<S: System<State = T>, I: Integrator<S>>(
         &mut self,
         step: &DenseStep<S, I>,
@@ -135,11 +136,11 @@ impl<'a, T: Clone> EventDetector<'a, T> {
         self.pass(step, step.after(step.length)?, state)
     }
 
-    /// Like [`advance`](Self::advance), for a step whose end is known, such as that of an adaptive
-    /// method.
+    /// Processes events as in [`advance`](Self::advance), for a step whose end is already known,
+    /// such as a step of an adaptive method.
     ///
     /// # Errors
-    /// Those of [`advance`](Self::advance).
+    /// The errors of [`advance`](Self::advance).
     pub fn pass<S: System<State = T>, I: Integrator<S>>(
         &mut self,
         step: &DenseStep<S, I>,
@@ -185,13 +186,14 @@ impl<'a, T: Clone> EventDetector<'a, T> {
     }
 }
 
-/// The sign changes of functions in a step from a time. The length of the step is negative
-/// backwards. Returns the time since the start and the number of the function, in the order of the
-/// run.
+/// The sign changes of functions in a step that begins at a time. The length of the step is
+/// negative backwards in time. Returns, in the order of the run, the time since the start and the
+/// index of the function.
 ///
 /// The functions have the values `before` and `after` at the ends of the step, and `value` within
-/// it. A zero at the start does not count. Changes whose direction is not `wanted` are left out;
-/// the argument tells whether the function rises with time.
+/// the step. If a function is zero at the start, this is not a sign change. Sign changes whose
+/// direction is not `wanted` are omitted; the argument of `wanted` is true if the function
+/// increases with time.
 pub(crate) fn changes_of_sign(
     [before, after]: [&[f64]; 2],
     (start, length): (f64, f64),
@@ -211,7 +213,7 @@ pub(crate) fn changes_of_sign(
     Ok(found)
 }
 
-/// Checks the value of an event function.
+/// Checks that the value of an event function is not NaN.
 ///
 /// # Errors
 /// [`Error::Integration`] if the value is NaN.
@@ -222,13 +224,15 @@ pub(crate) fn expect_number(time: f64, value: f64) -> Result<f64, Error> {
     Ok(value)
 }
 
-/// The first point after a sign change of a function between 0 and `end`, within the resolution of
-/// the times `start + x`. The function has the values `ends` at 0 and `end`. `None` at a pole or an
-/// angle wrap, where its absolute value grows towards the sign change.
+/// The first point after a sign change of a function between 0 and `end`, up to the resolution of
+/// the times `start + x`. The function has the values `ends` at 0 and at `end`. Returns `None` at a
+/// pole or an angle wrap, where the absolute value of the function increases towards the sign
+/// change.
 ///
-/// The ITP method of I. F. D. Oliveira and R. H. C. Takahashi, *ACM Trans. Math. Softw.* 47 (2021)
-/// 5: as fast as the secant method, and with at most one evaluation more than bisection.
-#[inline(never)] // otherwise its logarithm would be computed in every step
+/// The method is the ITP method of I. F. D. Oliveira and R. H. C. Takahashi, *ACM Trans. Math.
+/// Softw.* 47 (2021) 5. It is as fast as the secant method, and needs at most one evaluation more
+/// than bisection.
+#[inline(never)] // if this function were inlined, its logarithm would be computed in every step
 fn change_of_sign(
     mut value: impl FnMut(f64) -> Result<f64, Error>,
     start: f64,
@@ -246,7 +250,7 @@ fn change_of_sign(
             break;
         }
         let secant = (behind * a - before * b) / (behind - before);
-        // a shift towards the middle, so that both ends of the bracket move
+        // shifts the point towards the middle, so that both ends of the bracket move
         let nudge = 0.2 * (b - a).powi(2) / end.abs();
         let towards = (middle - secant).signum();
         let nudged =
@@ -254,7 +258,8 @@ fn change_of_sign(
         let radius = 0.5 * (allowed - (b - a).abs()).max(0.0);
         let inside = (nudged - middle).abs() <= radius;
         let mut at = if inside { nudged } else { middle - towards * radius };
-        // a function may stay zero; then the event is where it becomes zero
+        // bisects if the function is zero at the end, because it may remain zero; the event is
+        // where it becomes zero
         if behind == 0.0 || !(at.is_finite() && at != a && at != b) {
             at = middle;
         }

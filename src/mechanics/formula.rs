@@ -1,4 +1,5 @@
-//! Formulas in floats that are evaluated many times: torques, potentials, columns of a trajectory.
+//! Formulas in floats that are evaluated many times, such as torques, potentials and columns of a
+//! trajectory.
 
 mod functions;
 
@@ -9,7 +10,7 @@ use std::cell::RefCell;
 use std::collections::HashMap;
 use std::f64::consts::{PI, TAU};
 
-/// A formula: numbers and variables, followed by a list of operations on earlier values.
+/// A formula, stored as numbers and variables, followed by a list of operations on earlier values.
 ///
 /// ```
 /// use affinor::mechanics::formula::Formula;
@@ -26,12 +27,13 @@ pub struct Formula {
     numbers: Vec<f64>,
     variables: Vec<usize>,
     operations: Vec<Operation>,
-    /// The position of the value in the list of numbers, variables and results of operations.
+    /// The position of the value of the formula in the list of numbers, variables and results of
+    /// operations.
     last: usize,
 }
 
-/// A formula and its partial derivatives as one list of operations. Subexpressions without
-/// variables are computed once, when the list is made.
+/// A formula and its partial derivatives, stored as one list of operations. Subexpressions without
+/// variables are computed only once, when the list is made.
 ///
 /// ```
 /// use affinor::mechanics::formula::{Formula, Symbol, Workspace};
@@ -50,15 +52,15 @@ pub struct Formula {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Gradient {
     formula: Formula,
-    /// Variables, and the positions of the derivatives with respect to them; other derivatives are
-    /// zero.
+    /// The variables with nonzero derivatives, each with the position of the derivative. All other
+    /// derivatives are zero.
     slopes: Vec<(usize, usize)>,
 }
 
-/// A buffer for the evaluation of formulas, reused from one evaluation to the next.
+/// A buffer for the evaluation of formulas. It is reused from one evaluation to the next.
 #[derive(Clone, Debug, Default)]
 pub struct Workspace {
-    /// Numbers, variables and results of operations.
+    /// The values of numbers, variables and results of operations.
     results: Vec<f64>,
 }
 
@@ -71,7 +73,7 @@ pub enum Symbol {
     Variable(usize),
 }
 
-/// An operation on two earlier values; some operations ignore the second one.
+/// An operation on two earlier values; some operations ignore the second value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 struct Operation {
     kind: Kind,
@@ -86,12 +88,13 @@ enum Kind {
     Reciprocal,
     Call(&'static Function),
     CallTwo(&'static FunctionOfTwo),
-    /// A derivative times a number; 0 if the derivative is 0, even if the number is infinite.
+    /// The product of a derivative and a number. The product is 0 if the derivative is 0, even if
+    /// the number is infinite.
     Share,
-    /// The slope of a function at its argument; the second operand is the value of the function
-    /// there.
+    /// The slope of a function at its argument. The second operand is the value of the function at
+    /// this argument.
     Slope(&'static Function),
-    /// The slope of a function of two numbers with respect to one of them.
+    /// The slope of a function of two numbers with respect to the argument at this index.
     SlopeOfTwo(&'static FunctionOfTwo, usize),
 }
 
@@ -114,8 +117,8 @@ impl Kind {
 }
 
 impl Formula {
-    /// Parses a formula. `variable` returns the index of the variable with a name. `pi` and `tau`
-    /// are constants.
+    /// Parses a formula. The function `variable` returns the index of the variable with a name. The
+    /// names `pi` and `tau` are constants.
     ///
     /// # Errors
     /// A syntax error, an unknown name or an unknown function, with its position in the text.
@@ -126,10 +129,10 @@ impl Formula {
         Self::read(text, &mut |name| variable(name).map(Symbol::Variable))
     }
 
-    /// Like [`parse`](Self::parse), but names may also be constants.
+    /// Parses a formula as in [`parse`](Self::parse), but names may also be constants.
     ///
     /// # Errors
-    /// Those of [`parse`](Self::parse).
+    /// The errors of [`parse`](Self::parse).
     pub fn read(
         text: &str,
         symbol: &mut dyn FnMut(&str) -> Option<Symbol>,
@@ -139,26 +142,26 @@ impl Formula {
         Ok(reader.graph.into_inner().formula(last, &mut []))
     }
 
-    /// The formula that is a constant number.
+    /// A formula that is a constant number.
     pub fn number(number: f64) -> Self {
         Formula { numbers: vec![number], variables: vec![], operations: vec![], last: 0 }
     }
 
-    /// The value at given values of the variables.
+    /// The value of the formula at these values of the variables.
     pub fn value(&self, variables: &[f64]) -> f64 {
         self.value_in(variables, &mut Workspace::default())
     }
 
-    /// Like [`value`](Self::value), with a reusable buffer: once it has grown, no memory is
-    /// allocated.
+    /// The value as in [`value`](Self::value), computed in a reusable buffer. Once the buffer is
+    /// large enough, no memory is allocated.
     #[inline]
     pub fn value_in(&self, variables: &[f64], workspace: &mut Workspace) -> f64 {
         self.evaluate(variables, workspace)[self.last]
     }
 
     /// Returns the value, and writes its partial derivatives with respect to all variables to
-    /// `slopes`. For many points, [`differentiated`](Self::differentiated) is faster, because it
-    /// prepares the derivatives once.
+    /// `slopes`. If there are many points, [`differentiated`](Self::differentiated) is faster,
+    /// because it prepares the derivatives once.
     pub fn gradient(&self, variables: &[f64], slopes: &mut [f64]) -> f64 {
         let (gradient, mut workspace) = (self.differentiated(), Workspace::default());
         let (value, derivatives) = gradient.evaluate(variables, &mut workspace);
@@ -167,7 +170,7 @@ impl Formula {
         value
     }
 
-    /// The formula with its partial derivatives, by reverse accumulation.
+    /// The formula with its partial derivatives, computed by reverse accumulation.
     pub fn differentiated(&self) -> Gradient {
         let numbers = self.numbers.iter().map(|number| Node::Number(number.to_bits()));
         let variables = self.variables.iter().map(|k| Node::Variable(*k));
@@ -176,7 +179,7 @@ impl Formula {
         for (at, node) in numbers.chain(variables).chain(operations).enumerate() {
             assert_eq!(graph.push(node), at, "nodes of a formula are distinct");
         }
-        // the derivatives of the value with respect to the nodes; `None` if they vanish
+        // the derivatives of the value with respect to each node; `None` if the derivative vanishes
         let mut shares = vec![None; graph.nodes.len()];
         shares[self.last] = Some(graph.number(1.0));
         let mut slopes: Vec<(usize, usize)> = vec![];
@@ -232,7 +235,7 @@ impl Formula {
                         add(&mut graph, operand, part);
                     }
                 }
-                // these operations occur only in derivatives
+                // these operations occur only in derivatives, which are not differentiated
                 Kind::Share | Kind::Slope(_) | Kind::SlopeOfTwo(..) => {}
             }
         }
@@ -241,7 +244,7 @@ impl Formula {
         Gradient { formula, slopes }
     }
 
-    /// The indices of the variables that occur, each once.
+    /// The indices of the variables that occur in the formula, each once.
     pub fn variables(&self) -> &[usize] {
         &self.variables
     }
@@ -268,8 +271,8 @@ impl Formula {
 }
 
 impl Gradient {
-    /// The value at given values of the variables, and the derivatives that do not vanish
-    /// identically, each with the index of its variable.
+    /// The value at these values of the variables, and the derivatives, each with the index of its
+    /// variable. Derivatives that vanish identically are omitted.
     #[inline]
     pub fn evaluate<'g>(
         &'g self,
@@ -290,8 +293,8 @@ enum Node {
     Result(Operation),
 }
 
-/// The nodes of formulas under construction, each once, so that repeated subexpressions are
-/// computed once.
+/// The nodes of formulas under construction. Each node occurs once, so that repeated subexpressions
+/// are computed once.
 #[derive(Debug, Default)]
 struct Graph {
     nodes: Vec<Node>,
@@ -299,7 +302,7 @@ struct Graph {
 }
 
 impl Graph {
-    /// The position of a node; it is added unless it is already present.
+    /// The position of a node. The node is added unless it is already present.
     fn push(&mut self, node: Node) -> usize {
         let place = *self.places.entry(node).or_insert(self.nodes.len());
         if place == self.nodes.len() {
@@ -312,8 +315,8 @@ impl Graph {
         self.push(Node::Number(number.to_bits()))
     }
 
-    /// The result of an operation, simplified: a number if both operands are numbers, the other
-    /// factor if one is 1.
+    /// The result of an operation, simplified: a number if both operands are numbers, or the other
+    /// factor if one factor is 1.
     fn apply(&mut self, kind: Kind, mut operands: [usize; 2]) -> usize {
         let number = |operand: usize| match self.nodes[operand] {
             Node::Number(bits) => Some(f64::from_bits(bits)),
@@ -329,8 +332,9 @@ impl Graph {
         self.push(Node::Result(Operation { kind, operands }))
     }
 
-    /// The formula of a node, with all nodes that it and the `outputs` need. Each output is a pair
-    /// of a name and a node; the node is replaced by its position in the formula.
+    /// Builds the formula of a node, with all nodes on which this node and the `outputs` depend.
+    /// Each output is a pair of a name and a node; the node is replaced by its position in the
+    /// formula.
     fn formula(self, last: usize, outputs: &mut [(usize, usize)]) -> Formula {
         let mut needed = vec![false; self.nodes.len()];
         needed[last] = true;
@@ -340,7 +344,7 @@ impl Graph {
                 operation.operands.iter().for_each(|operand| needed[*operand] = true);
             }
         }
-        // numbers come first, then variables
+        // sorts the nodes: first numbers, then variables
         let rank = |node: &Node| match node {
             Node::Number(_) => 0,
             Node::Variable(_) => 1,
@@ -367,10 +371,10 @@ impl Graph {
     }
 }
 
-/// Returns the meaning of a name.
+/// A function that returns the meaning of a name.
 type Symbols<'s> = dyn FnMut(&str) -> Option<Symbol> + 's;
 
-/// An evaluator that records operations instead of computing; its values are numbers of nodes.
+/// An evaluator that records operations instead of computing. Its values are indices of nodes.
 struct Reader<'s> {
     graph: RefCell<Graph>,
     symbol: RefCell<&'s mut Symbols<'s>>,
@@ -468,7 +472,8 @@ mod tests {
         assert_eq!(read("sin(a*pi)/2 + a"), Formula::number((1.5 * PI).sin() * 0.5 + 1.5));
         let linear = read("a*2*(3*x - sqrt(a)*y) + 1^2");
         assert_eq!(linear.operations.len(), 6);
-        // the derivatives of a linear formula are constants
+        // the number of operations remains the same, because the derivatives of a linear formula
+        // are constants
         assert_eq!(linear.differentiated().formula.operations.len(), 6);
         let mut slopes = [0.0; 2];
         assert_eq!(linear.gradient(&[f64::MAX, f64::MIN], &mut slopes), f64::INFINITY);
@@ -478,7 +483,7 @@ mod tests {
     #[test]
     fn what_repeats_is_computed_once() {
         let formula = read("sin(x*y)/sqrt(x^2 + y^2) + sin(y*x)*(y^2 + x^2)");
-        // x y, sin, x^2, y^2, their sum, sqrt, 1/sqrt, two products, the sum
+        // the operations are x y, sin, x^2, y^2, their sum, sqrt, 1/sqrt, two products, and the sum
         assert_eq!(formula.operations.len(), 10);
         assert_eq!(formula.variables(), [0, 1]);
         let mut slopes = [0.0; 2];
@@ -486,7 +491,7 @@ mod tests {
         assert_eq!(slopes, [150.0, 90.0]);
     }
 
-    /// An example is `min(x, 1/y)` at `y = 0`.
+    /// The product of zero and an infinite slope is zero, for example in `min(x, 1/y)` at `y = 0`.
     #[test]
     fn zero_times_an_infinite_slope_is_zero() {
         let mut slopes = [f64::NAN; 2];

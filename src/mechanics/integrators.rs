@@ -11,12 +11,13 @@
 //! | [`Kick`] | 2, 4, 6 | a body, torques of time and attitude | momentum of symmetries, symplectic form |
 //! | [`MoserVeselov`] | 2 to 10 | a free body | momentum, energy, symplectic form |
 //!
-//! Momentum means the spatial momentum. It is conserved exactly on groups of rotations, where it is
-//! a part of the state, and up to rounding errors on others. In reading order: [`runge_kutta`] with
-//! its [`tableaux`](crate::numerics::tableaux), [`munthe_kaas`] and [`projected`] are the methods
-//! for any system. [`dense_output`] gives states within steps, a [`Trajectory`] the states of a
-//! whole run with events. [`GeneralisedAlpha`] is for constraints, [`IsospectralMidpoint`] for
-//! flows of matrices, and [`Composed`] raises the order.
+//! Momentum in this table means the spatial momentum. It is conserved exactly on groups of
+//! rotations, where it is a part of the state, and up to rounding errors on other groups. In
+//! reading order: [`runge_kutta`] with its [`tableaux`](crate::numerics::tableaux), [`munthe_kaas`]
+//! and [`projected`] are the methods for any system. [`dense_output`] computes states within steps,
+//! and a [`Trajectory`] contains the states of a whole run with events. [`GeneralisedAlpha`] is for
+//! constraints, [`IsospectralMidpoint`] is for flows of matrices, and [`Composed`] raises the order
+//! of a method.
 
 mod adaptive;
 mod commutator_free;
@@ -58,10 +59,11 @@ use crate::mechanics::systems::System;
 
 /// A one-step method for the systems `S`.
 pub trait Integrator<S: System> {
-    /// Advances the state by a step of length `h`, which is negative backwards in time.
+    /// Advances the state by a step of length `h`. The length is negative backwards in time.
     ///
     /// # Errors
-    /// [`Error::Integration`] if a value is not finite, or implicit equations have no solution; the state is then unchanged.
+    /// [`Error::Integration`] if a value is not finite, or if implicit equations have no solution.
+    /// In this case, the state is unchanged.
     fn step(&self, system: &S, state: &mut S::State, h: f64) -> Result<(), Error>;
 }
 

@@ -1,14 +1,16 @@
-//! Motions of systems that are chosen at run time, from formulas.
+//! Motions of systems that are given by formulas and chosen at run time.
 //!
-//! A [`Motion`] is a system, its state and the method that advances it. It is sufficient for a
-//! program that writes rows, shows progress and can be interrupted. In reading order:
+//! A [`Motion`] is a system, its state and the method that advances it. Its interface suffices for
+//! programs that write rows, show progress and can be interrupted. In reading order:
 //!
-//! - `classes`, one file for each class of problems: [`EulerPoincareSpec`], [`ConstrainedSpec`], [`LiePoissonSpec`],
-//!   [`PrescribedVelocitySpec`] and [`MatrixFlow`] start motions on groups chosen at run time;
+//! - `classes`, with one file for each class of problems: [`EulerPoincareSpec`],
+//!   [`ConstrainedSpec`], [`LiePoissonSpec`], [`PrescribedVelocitySpec`] and [`MatrixFlow`] start
+//!   motions on groups chosen at run time;
 //! - [`Method`]: the table of the methods of integration; [`Integration`]: the settings of the
 //!   integration of a motion;
-//! - [`quantities`]: the names that formulas may use; [`Observables`]: their values at a point of a motion;
-//! - [`Forces`] and potentials as formulas, and tables over time ([`ForceTable`]);
+//! - [`quantities`]: the names that formulas may use; [`Observables`]: the values of these names at
+//!   a point of a motion;
+//! - [`Forces`]: forces and potentials as formulas; [`ForceTable`]: forces as tables over time;
 //! - [`Crossings`] finds events along a motion;
 //! - [`SimulationGroup`]: the operations that a group must provide for simulations.
 

@@ -1,9 +1,9 @@
-//! Equations of motion on groups and of matrices.
+//! Equations of motion on groups, and of matrices.
 //!
-//! In reading order: [`cotangent`] is the common interface of systems of an element and its
-//! momentum; [`euler_poincare`] contains the systems of a connection and a metric, [`lie_poisson`]
-//! those of a Hamiltonian; [`constrained`] adds holonomic constraints; [`isospectral`] contains
-//! flows of matrices that conserve the spectrum.
+//! In reading order, [`cotangent`] is the common interface of systems of an element and its
+//! momentum. [`euler_poincare`] contains the systems of a connection and a metric, and
+//! [`lie_poisson`] contains the systems of a Hamiltonian. [`constrained`] adds holonomic
+//! constraints. [`isospectral`] contains flows of matrices that conserve the spectrum.
 
 mod bilinear;
 mod centred;
@@ -23,7 +23,7 @@ pub use lie_poisson::LiePoissonSystem;
 
 /// Equations of motion, in first order.
 pub trait System {
-    /// The state at a time.
+    /// The type of the state at a time.
     type State: Clone;
 
     /// The time of a state.

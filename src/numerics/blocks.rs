@@ -7,10 +7,11 @@ use affinor_tensors::scalar::{Function, Output, Step, StraightLine};
 use multiversion::multiversion;
 use std::ops::{Add, Mul};
 
-/// A straight-line program in floats, for many rows of inputs.
+/// A straight-line program in floats, which is evaluated for many rows of inputs.
 ///
-/// The steps are those of a [`StraightLine`], in the same order. A product that is used by a single
-/// sum is computed within that sum. A row of results depends only on its row of inputs.
+/// The steps are the steps of a [`StraightLine`], in the same order. If only one sum uses a
+/// product, the product is computed within this sum. A row of results depends only on its row of
+/// inputs.
 ///
 /// ```
 /// use affinor::numerics::blocks::{BlockProgram, Column};
@@ -34,18 +35,20 @@ pub struct BlockProgram {
     terms: Vec<Term>,
     /// The largest number of values that are stored at the same time.
     slots: usize,
-    /// Results that are constants: the position and the value.
+    /// The results that are constants, as pairs of position and value.
     constants: Vec<(usize, f64)>,
 }
 
-/// The values of one input in an array: the value for row `k` is at `offset + k step`.
+/// The values of one input, stored in an array. The value for row `k` is at the position
+/// `offset + k step`.
 #[derive(Clone, Copy, Debug)]
 pub struct Column<'a> {
     /// The array.
     pub numbers: &'a [f64],
     /// The position of the value for the first row.
     pub offset: usize,
-    /// The distance from one row to the next one; 0 if all rows have the same value.
+    /// The distance between the positions of consecutive rows. It is 0 if all rows have the same
+    /// value.
     pub step: usize,
 }
 
@@ -53,7 +56,7 @@ pub struct Column<'a> {
 enum Instruction {
     /// Loads an input.
     Input(usize, usize),
-    /// A constant and the terms of a range: products first, then single values.
+    /// Adds a constant and a range of terms: first the products, then the single values.
     Sum {
         constant: f64,
         products: (usize, usize),
@@ -63,18 +66,18 @@ enum Instruction {
     Product([usize; 2], usize),
     Reciprocal(usize, usize),
     Function(Function, usize, usize),
-    /// The third value if the size of the first one is at least that of the second one, otherwise
-    /// the fourth value.
+    /// Selects the third value if the size of the first value is at least the size of the second;
+    /// otherwise selects the fourth value.
     Select(Box<[(f64, Option<usize>); 4]>, usize),
     /// Writes a multiple of a value to a position of the results.
     Store(f64, usize, usize),
 }
 
-/// A multiple of the product of two values, or of the first value alone.
+/// A multiple of the product of two values, or of the first value only.
 #[derive(Clone, Copy, Debug)]
 struct Term(f64, usize, usize);
 
-/// Values in a program, for several rows.
+/// The values of one step of a program, for several rows.
 trait Value: Copy + Add<Output = Self> + Mul<Output = Self> {
     fn constant(value: f64) -> Self;
     fn scaled(self, factor: f64) -> Self;
@@ -82,7 +85,7 @@ trait Value: Copy + Add<Output = Self> + Mul<Output = Self> {
     fn function(self, function: Function) -> Self;
     /// Selects `x` where the size of `self` is at least the size of `other`, otherwise `y`.
     fn select(self, other: Self, x: Self, y: Self) -> Self;
-    /// The numbers that are written as results.
+    /// The numbers that are written to the results.
     fn result(&self) -> &[f64; LANES];
 }
 
@@ -113,7 +116,7 @@ impl Value for Lanes {
     }
 }
 
-/// Values and their derivatives along the rates of the inputs.
+/// Values, and their derivatives along the time derivatives of the inputs.
 #[derive(Clone, Copy)]
 struct Moving(Lanes, Lanes);
 
@@ -164,7 +167,7 @@ impl Value for Moving {
     }
 }
 
-/// Slots for the values of steps; a slot is free again after the last use of its value.
+/// Slots for the values of steps. A slot becomes free after the last use of its value.
 struct Slots {
     of: Vec<usize>,
     last: Vec<usize>,
@@ -184,7 +187,8 @@ impl Slots {
 
     fn release(&mut self, steps: &[usize], now: usize) {
         for step in steps {
-            // a step that an instruction uses twice is released once
+            // marks the step as released, so that a step that an instruction uses twice is released
+            // only once
             if self.last[*step] == now {
                 self.last[*step] = usize::MAX;
                 self.free.push(self.of[*step]);
@@ -194,9 +198,9 @@ impl Slots {
 }
 
 impl BlockProgram {
-    /// The program with inputs of these names, whose results are written to these positions of a
-    /// row. `None` if an input is missing among the names, or a constant is beyond the range of
-    /// floats.
+    /// Compiles a program. The `inputs` are the names of its inputs, and `places` are the positions
+    /// of its results in a row. Returns `None` if a name is missing among `inputs`, or if a
+    /// constant is beyond the range of floats.
     ///
     /// # Panics
     /// If there are fewer places than outputs.
@@ -242,14 +246,14 @@ impl BlockProgram {
             own.code.push(instruction.into(to));
             let stores = stores[at].iter();
             own.code.extend(stores.map(|(factor, place)| Instruction::Store(*factor, to, *place)));
-            // a value that is used by results only
+            // releases the slot at once if only results use the value
             slots.release(&[at], at);
         }
         own.slots = slots.count;
         Some(own)
     }
 
-    /// The instruction of a step; the slot of its result is not yet known.
+    /// Compiles the instruction of a step, without the slot of its result.
     fn instruction(
         &mut self,
         step: &Step,
@@ -291,11 +295,11 @@ impl BlockProgram {
         })
     }
 
-    /// Writes the results of all rows from the index `start` on, `width` numbers for each row.
-    /// Positions without a result are not changed.
+    /// Writes the results of all rows, beginning with the row `start`. Each row of `out` has
+    /// `width` numbers. Positions without a result are not changed.
     ///
     /// # Panics
-    /// If a column is shorter than the rows, or a position is not below `width`.
+    /// If a column is shorter than the rows require, or if a position is not below `width`.
     pub fn evaluate(&self, inputs: &[Column<'_>], start: usize, out: &mut [f64], width: usize) {
         let load = |at: usize, rows: [usize; LANES]| inputs[at].load(rows);
         let mut values = vec![Lanes::splat(0.0); self.slots];
@@ -303,11 +307,11 @@ impl BlockProgram {
         self.write_constants(out, width, false);
     }
 
-    /// Writes the derivatives of the results along given rates of the inputs, like
-    /// [`evaluate`](Self::evaluate).
+    /// Writes the derivatives of the results along given time derivatives of the inputs, in the
+    /// same form as [`evaluate`](Self::evaluate).
     ///
     /// # Panics
-    /// See [`evaluate`](Self::evaluate).
+    /// If [`evaluate`](Self::evaluate) would panic.
     pub fn derivative(
         &self,
         inputs: &[Column<'_>],
@@ -331,7 +335,7 @@ impl BlockProgram {
         }
     }
 
-    /// Makes all places below `width` results: those without one are 0.
+    /// Makes all positions below `width` results. Positions without a result become 0.
     ///
     /// ```
     /// use affinor::numerics::blocks::BlockProgram;
@@ -362,7 +366,7 @@ impl BlockProgram {
     }
 }
 
-/// Whether each step is a product that is used by a single sum.
+/// For each step, whether it is a product that only one sum uses.
 fn inner(steps: &[Step], uses: &[usize], stores: &[Vec<(f64, usize)>]) -> Vec<bool> {
     let mut inner = vec![false; steps.len()];
     for step in steps {
@@ -376,7 +380,7 @@ fn inner(steps: &[Step], uses: &[usize], stores: &[Vec<(f64, usize)>]) -> Vec<bo
 }
 
 impl Instruction {
-    /// The instruction with a slot for its result.
+    /// The same instruction, with a slot for its result.
     fn into(mut self, slot: usize) -> Self {
         match &mut self {
             Instruction::Input(_, to)
@@ -392,10 +396,10 @@ impl Instruction {
 }
 
 impl Column<'_> {
-    /// The number of a row.
+    /// The value for the row at the index `row`.
     ///
     /// # Panics
-    /// If the column is shorter.
+    /// If the column is too short.
     #[inline(always)]
     pub fn number(&self, row: usize) -> f64 {
         self.numbers[self.offset + row * self.step]
@@ -411,7 +415,7 @@ impl Column<'_> {
     }
 }
 
-/// Runs the program on all rows of `out`.
+/// Evaluates the program on all rows of `out`.
 #[cfg_attr(
     feature = "simd",
     multiversion(targets("x86_64+avx512f+avx512dq+avx512vl+avx2", "x86_64+avx2"))
@@ -428,7 +432,7 @@ fn run<V: Value, L: Fn(usize, [usize; LANES]) -> V>(
     for (block, out) in out.chunks_mut(LANES * width.max(1)).enumerate() {
         let begin = block * LANES;
         let here = LANES.min(count - begin);
-        // copies of the last row fill unused lanes
+        // fills unused lanes with copies of the last row
         let rows = std::array::from_fn(|t| start + begin + t.min(here - 1));
         for instruction in &program.code {
             match instruction {

@@ -1,8 +1,9 @@
-//! Double-double numbers: an unevaluated sum of two floats, with a relative precision of about `2^-104`.
+//! Double-double numbers. They are unevaluated sums of two floats, and have a relative precision of
+//! about `2^-104`.
 //!
-//! Error-free sums and products: T. J. Dekker, *Numerische Mathematik* 18 (1971) 224-242. Products
-//! are computed by splitting and not by fused multiply-add, so that results are the same on every
-//! machine.
+//! Sums and products are free of errors (T. J. Dekker, *Numerische Mathematik* 18 (1971) 224-242).
+//! Products are computed by splitting, and not by fused multiply-add, so that results are the same
+//! on every machine.
 
 use affinor_tensors::stop::checkpoint;
 use nalgebra::DMatrix;
@@ -20,12 +21,12 @@ impl Double {
     /// The relative precision of sums and products.
     pub const EPSILON: f64 = f64::EPSILON * f64::EPSILON;
 
-    /// The nearest float.
+    /// The float that is nearest to the number.
     pub fn rounded(self) -> f64 {
         self.high
     }
 
-    /// The number times a power of two; the result must be in the range of floats.
+    /// The product of the number and a power of two. The result must be in the range of floats.
     pub fn scaled(self, power: f64) -> Self {
         Double { high: self.high * power, low: self.low * power }
     }
@@ -37,20 +38,20 @@ impl From<f64> for Double {
     }
 }
 
-/// The sum `a + b` with its rounding error.
+/// The sum `a + b`, together with its rounding error.
 fn sum(a: f64, b: f64) -> Double {
     let high = a + b;
     let part = high - a;
     Double { high, low: (a - (high - part)) + (b - part) }
 }
 
-/// Like [`sum`], for `|a| >= |b|`.
+/// The sum `a + b`, together with its rounding error, for `|a| >= |b|`.
 fn ordered_sum(a: f64, b: f64) -> Double {
     let high = a + b;
     Double { high, low: b - (high - a) }
 }
 
-/// The upper and the lower half of the digits.
+/// Splits a float into the upper and the lower half of its digits.
 fn halves(a: f64) -> (f64, f64) {
     const SPLIT: f64 = 134_217_729.0; // 2^27 + 1
     let shifted = SPLIT * a;
@@ -58,7 +59,7 @@ fn halves(a: f64) -> (f64, f64) {
     (upper, a - upper)
 }
 
-/// The product `a b` with its rounding error.
+/// The product `a b`, together with its rounding error.
 fn product(a: f64, b: f64) -> Double {
     let high = a * b;
     let ((a, a_low), (b, b_low)) = (halves(a), halves(b));
@@ -146,13 +147,13 @@ impl One for Double {
     }
 }
 
-/// The nearest matrix of floats.
+/// The matrix of floats that is nearest to a matrix.
 pub(crate) fn rounded(m: &DMatrix<Double>) -> DMatrix<f64> {
     m.map(Double::rounded)
 }
 
-/// Applies a linear map of matrices of floats, which must not cause rounding errors, to both parts
-/// of the entries.
+/// Applies a linear map of matrices of floats to both parts of the entries. The map must not cause
+/// rounding errors.
 pub(crate) fn mapped(
     m: &DMatrix<Double>,
     map: impl Fn(&DMatrix<f64>) -> DMatrix<f64>,
@@ -160,10 +161,10 @@ pub(crate) fn mapped(
     map(&m.map(|value| value.high)).zip_map(&map(&m.map(|value| value.low)), ordered_sum)
 }
 
-/// The matrix `exp(m) - 1`, accurate also for small `m`: the series for `2^-k m`, then `k` times `x
-/// -> 2 x + x^2`.
+/// The matrix `exp(m) - 1`. It is accurate also for small `m`. The function computes the series for
+/// `2^-k m`, and then applies `x -> 2 x + x^2` `k` times.
 pub(crate) fn exp_less_identity(m: &DMatrix<Double>) -> DMatrix<Double> {
-    /// The norm up to which the series needs few terms.
+    /// The series needs few terms if the norm is at most this value.
     const SHORT: f64 = 0.0625;
     let size = rounded(m).norm();
     let halvings = (size / SHORT).log2().ceil().clamp(0.0, 1100.0) as i32;
@@ -180,7 +181,8 @@ pub(crate) fn exp_less_identity(m: &DMatrix<Double>) -> DMatrix<Double> {
     (0..halvings).fold(sum, |x, _| &x * &x + x.map(|value| value.scaled(2.0)))
 }
 
-/// The inverse by Gauss-Jordan elimination with partial pivoting. `None` if the matrix is singular.
+/// The inverse of a matrix, computed by Gauss-Jordan elimination with partial pivoting. Returns
+/// `None` if the matrix is singular.
 pub(crate) fn inverse(m: &DMatrix<Double>) -> Option<DMatrix<Double>> {
     let n = m.nrows();
     let (mut m, mut inverse) = (m.clone(), DMatrix::identity(n, n));
@@ -214,8 +216,8 @@ pub(crate) fn inverse(m: &DMatrix<Double>) -> Option<DMatrix<Double>> {
 mod tests {
     use super::*;
 
-    /// Sums and products of integers of 100 bits agree with machine integers of 128 bits; quotients
-    /// invert products.
+    /// The results for integers of 100 bits agree with machine integers of 128 bits: sums and
+    /// products are equal, and quotients invert products.
     #[test]
     fn doubles_have_a_hundred_digits() {
         let integer = |n: i128| {

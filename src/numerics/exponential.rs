@@ -4,12 +4,12 @@ use affinor_tensors::linear::balancing;
 use affinor_tensors::stop::{checkpoint, detached};
 use nalgebra::DMatrix;
 
-/// The size of entries, times the number of rows, up to which nalgebra computes the exponential;
-/// its algorithm forms sixth powers.
+/// Below this value of the size of entries times the number of rows, nalgebra computes the
+/// exponential. Its algorithm forms sixth powers, which overflow for large entries.
 const LARGE: f64 = 1e8;
 
 /// The exponential of a square matrix, for entries of any size. Results beyond the range of floats
-/// are infinite or NaN. Oscillations of more than `1e16` radians are meaningless.
+/// are infinite or NaN. If a matrix rotates by more than `1e16` radians, the result is meaningless.
 ///
 /// ```
 /// use affinor::numerics::exponential::exp;
@@ -21,7 +21,8 @@ pub fn exp(m: &DMatrix<f64>) -> DMatrix<f64> {
     exp_halved_from(m, LARGE)
 }
 
-/// Like [`exp`]; matrices of at least the size `large` are halved and squared.
+/// The exponential as in [`exp`]. Matrices whose size is at least `large` are halved, and the
+/// results are squared.
 fn exp_halved_from(m: &DMatrix<f64>, large: f64) -> DMatrix<f64> {
     let size = m.amax() * m.nrows() as f64;
     if m.is_empty() {
@@ -54,10 +55,12 @@ fn plain(m: &DMatrix<f64>) -> DMatrix<f64> {
     detached(move || m.exp())
 }
 
-/// The number of rows above which the exponential takes longer than a few milliseconds.
+/// The exponential of matrices with at least this number of rows takes longer than a few
+/// milliseconds.
 const LONG: usize = 100;
 
-/// The entries times powers of two, in two factors that are each in the range of floats.
+/// Multiplies the entries by powers of two. Each power is applied as two factors that are in the
+/// range of floats.
 fn scaled(m: &DMatrix<f64>, exponent: impl Fn(usize, usize) -> i32) -> DMatrix<f64> {
     DMatrix::from_fn(m.nrows(), m.ncols(), |i, k| {
         let (all, part) = (exponent(i, k), exponent(i, k) / 4);
@@ -66,22 +69,22 @@ fn scaled(m: &DMatrix<f64>, exponent: impl Fn(usize, usize) -> i32) -> DMatrix<f
     })
 }
 
-/// A similar matrix with small entries off the diagonal, `m_ik 2^(e_k - e_i)`, and the exponents
-/// `e`. Functions of matrices are then accurate even if a rotation is combined with a long
-/// translation.
+/// Computes a similar matrix `m_ik 2^(e_k - e_i)` whose entries off the diagonal are small. Returns
+/// the matrix and the exponents `e`. Functions of such matrices are accurate even if a rotation is
+/// combined with a long translation.
 pub(crate) fn balanced(m: &DMatrix<f64>) -> (DMatrix<f64>, Vec<i32>) {
     let exponents = balance(m);
     (balanced_by(m, &exponents), exponents)
 }
 
-/// The exponents `e` of [`balanced`].
+/// The exponents `e` that [`balanced`] uses.
 pub(crate) fn balance(m: &DMatrix<f64>) -> Vec<i32> {
     let n = m.nrows();
     let places = (0..n).flat_map(|i| (0..n).map(move |k| (i, k)));
     balancing(n, places.map(|(i, k)| (i, k, m[(i, k)])))
 }
 
-/// The similar matrix `m_ik 2^(e_k - e_i)`.
+/// The similar matrix with the entries `m_ik 2^(e_k - e_i)`.
 pub(crate) fn balanced_by(m: &DMatrix<f64>, exponents: &[i32]) -> DMatrix<f64> {
     scaled(m, |i, k| exponents[k] - exponents[i])
 }
@@ -91,8 +94,8 @@ pub(crate) fn unbalanced(m: &DMatrix<f64>, exponents: &[i32]) -> DMatrix<f64> {
     scaled(m, |i, k| exponents[i] - exponents[k])
 }
 
-/// The integral `sum M^k/(k+1)! = int_0^1 exp(s M) ds`, as the upper right block of the exponential
-/// of `[[M, 1], [0, 0]]`.
+/// The integral `sum M^k/(k+1)! = int_0^1 exp(s M) ds`. It is the upper right block of the
+/// exponential of `[[M, 1], [0, 0]]`.
 ///
 /// C. F. Van Loan, *IEEE Transactions on Automatic Control* 23 (1978) 395-404.
 ///
@@ -110,7 +113,7 @@ pub fn phi1(m: &DMatrix<f64>) -> DMatrix<f64> {
     exp(&block).view((0, n), (n, n)).into_owned()
 }
 
-/// The matrix `exp(m) - 1`, accurate also for small `m`.
+/// The matrix `exp(m) - 1`. It is accurate also for small `m`.
 pub(crate) fn exp_less_identity(m: &DMatrix<f64>) -> DMatrix<f64> {
     m * phi1(m)
 }
@@ -131,7 +134,7 @@ mod tests {
             let expected = DMatrix::from_row_slice(3, 3, &screw);
             for large in [0.0, LARGE] {
                 let off = (exp_halved_from(&m, large) - &expected).amax();
-                // squarings double the relative error of the angle
+                // the tolerance is large, because squarings double the relative error of the angle
                 assert!(
                     off <= 16.0 * f64::EPSILON * (1.0 + turn),
                     "{turn}, {large}: off by {off:e}"
@@ -140,8 +143,8 @@ mod tests {
         }
     }
 
-    /// A translation of any length does not change the linear part and is accurate itself: `[[a,
-    /// b], [0, 0]]` around the size from which matrices are balanced.
+    /// A translation of any length is accurate and does not change the linear part. The matrices
+    /// are `[[a, b], [0, 0]]`, around the size from which matrices are balanced.
     #[test]
     fn exponentials_with_long_translations() {
         let a = 0.5_f64;

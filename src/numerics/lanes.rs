@@ -1,11 +1,12 @@
-//! Several floats that are processed together, so that loops over them become vector instructions.
+//! Several floats that are processed together. The compiler turns loops over them into vector
+//! instructions.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// A float, or several floats that are processed together: the arguments of branchless formulas.
+/// A float, or several floats that are processed together. Formulas without branches accept both.
 ///
-/// Each float is rounded in the same way alone and in a group, so a result depends only on its
-/// arguments.
+/// A float is rounded in the same way whether it is processed alone or in a group, so a result
+/// depends only on its arguments.
 pub trait Lane:
     Copy
     + Add<Output = Self>
@@ -35,19 +36,19 @@ pub trait Lane:
         self.map(f64::sqrt)
     }
 
-    /// The absolute value of `self` with the sign of another value.
+    /// The absolute value of `self`, with the sign of `sign`.
     #[inline(always)]
     fn copysign(self, sign: Self) -> Self {
         self.zip(sign, f64::copysign)
     }
 
-    /// Selects `self` where it is not zero, otherwise the other value.
+    /// Selects `self` where it is not zero, otherwise `other`.
     #[inline(always)]
     fn or(self, other: Self) -> Self {
         self.zip(other, |a, b| if a != 0.0 { a } else { b })
     }
 
-    /// The larger value; NaN if one is NaN.
+    /// The larger of the two values. The result is NaN if one of them is NaN.
     #[inline(always)]
     fn larger(self, other: Self) -> Self {
         self.zip(other, |a, b| if a > b || a.is_nan() { a } else { b })
@@ -76,7 +77,7 @@ impl Lane for f64 {
 /// The number of lanes.
 pub const LANES: usize = 8;
 
-/// A group of floats, one for each lane.
+/// A group of floats, with one float in each lane.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(align(64))]
 pub struct Lanes(pub [f64; LANES]);
@@ -110,7 +111,7 @@ impl Lane for Lanes {
     }
 }
 
-/// Operators for each lane.
+/// Defines operators that act on each lane.
 macro_rules! operators {
     ($($trait:ident $method:ident $operator:tt;)*) => {
         $(impl $trait for Lanes {

@@ -2,13 +2,15 @@
 
 use nalgebra::{DMatrix, DVector};
 
-/// The fraction of the largest eigenvalue of `A^T A` below which eigenvalues count as zero.
+/// Eigenvalues of `A^T A` count as zero if their ratio to the largest eigenvalue is at most this
+/// value.
 const KERNEL: f64 = 1e-13;
 
 /// The shortest of the vectors `x` that minimize `|A x - b|`. The columns may be linearly
 /// dependent, but should have similar scales.
 pub(crate) fn least_squares(matrix: &DMatrix<f64>, right: &DVector<f64>) -> DVector<f64> {
-    // nalgebra's singular values are not reliable if some of them are zero
+    // uses eigenvalues, because the singular values of nalgebra are unreliable if some of them are
+    // zero
     let eigen = (matrix.transpose() * matrix).symmetric_eigen();
     let least = KERNEL * eigen.eigenvalues.amax();
     let inverse = eigen.eigenvalues.map(|value| if value > least { 1.0 / value } else { 0.0 });
@@ -18,7 +20,8 @@ pub(crate) fn least_squares(matrix: &DMatrix<f64>, right: &DVector<f64>) -> DVec
         vectors * turned.component_mul(&inverse)
     };
     let first = solved(right);
-    // one step of iterative refinement, because the normal equations square the condition number
+    // makes one step of iterative refinement, because the normal equations square the condition
+    // number
     let second = solved(&(right - matrix * &first));
     first + second
 }

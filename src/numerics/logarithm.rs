@@ -1,7 +1,8 @@
 //! Logarithms of matrices by inverse scaling and squaring.
 //!
-//! `log(A) = 2^k log(A^(1/2^k))`: square roots bring the matrix near 1, where a Pade approximant is
-//! accurate up to rounding errors. N. J. Higham, *Functions of Matrices* (2008), chapter 11.
+//! The logarithm is `log(A) = 2^k log(A^(1/2^k))`. Square roots move the matrix close to 1, where a
+//! Pade approximant is accurate up to rounding errors. N. J. Higham, *Functions of Matrices*
+//! (2008), chapter 11.
 
 use super::double::{self, Double, mapped, rounded};
 use super::exponential::{balance, balanced, balanced_by, exp, unbalanced};
@@ -11,31 +12,32 @@ use nalgebra::linalg::Schur;
 use nalgebra::{ClosedAddAssign, ClosedMulAssign, ClosedSubAssign, DMatrix, Scalar};
 use num_traits::{One, Zero};
 
-/// The norm up to which the approximant with [`NODES`] nodes is accurate up to rounding errors
-/// (Higham, Table 11.1).
+/// If the norm is at most this value, the approximant with [`NODES`] nodes is accurate up to
+/// rounding errors (Higham, Table 11.1).
 const NEAR: f64 = 0.25;
 const NODES: usize = 8;
-/// The largest number of square roots, of iterations for one root, and of corrections of the sum.
+/// The largest number of square roots. The next two limits are for the iterations of one root, and
+/// for the corrections of the sum.
 const ROOTS: usize = 64;
 const STEPS: usize = 60;
 const CORRECTIONS: usize = 4;
-/// The relative error of the exponential of the result above which the sum is corrected.
+/// If the relative error of the exponential of the result exceeds this value, the sum is corrected.
 const COARSE: f64 = 1e-13;
-/// The relative tolerance of the exponential of the result.
+/// The largest accepted relative error of the exponential of the result.
 const OFF: f64 = 1e-9;
 
-/// The principal logarithm: its eigenvalues have imaginary parts between `-pi` and `pi`.
+/// The principal logarithm. The imaginary parts of its eigenvalues are between `-pi` and `pi`.
 pub(crate) fn logarithm(a: &DMatrix<f64>) -> Result<DMatrix<f64>, Error> {
     expect_finite(a)?;
     let (a, exponents) = balanced(a);
     Ok(unbalanced(&rooted_to(&a, NEAR)?, &exponents))
 }
 
-/// The principal logarithm of `1 + x`, accurate up to rounding errors of the result.
+/// The principal logarithm of `1 + x`. It is accurate up to rounding errors of the result.
 ///
 /// The condition number of the logarithm is about `|a| |a^-1|` for `a = 1 + x`. Square roots are
-/// computed in double-double arithmetic, with twice the precision of floats, and the root near 1 is
-/// well conditioned.
+/// computed in double-double arithmetic, which has twice the precision of floats; the logarithm of
+/// the root near 1 is well-conditioned.
 pub(crate) fn logarithm_of_double(x: &DMatrix<Double>) -> Result<DMatrix<f64>, Error> {
     let rounded_x = rounded(x);
     expect_finite(&rounded_x)?;
@@ -46,7 +48,7 @@ pub(crate) fn logarithm_of_double(x: &DMatrix<Double>) -> Result<DMatrix<f64>, E
     let exponents = balance(&rounded_x);
     let mut less_one = mapped(x, |x| balanced_by(x, &exponents));
     let a = rounded(&(&less_one + &one));
-    // small eigenvalues may be smaller than the rounding error
+    // tests with a tolerance, because small eigenvalues may be smaller than the rounding error
     off_the_negative_axis(&a, rounding(&a))?;
     let mut squarings = 0;
     while rounded(&less_one).norm() > NEAR {
@@ -61,8 +63,8 @@ pub(crate) fn logarithm_of_double(x: &DMatrix<Double>) -> Result<DMatrix<f64>, E
     Ok(unbalanced(&log, &exponents))
 }
 
-/// Like [`logarithm`], with as many square roots as bring the matrix within the distance `near` of
-/// 1.
+/// The logarithm as in [`logarithm`]. Square roots are computed until the distance of the matrix
+/// from 1 is at most `near`.
 fn rooted_to(a: &DMatrix<f64>, near: f64) -> Result<DMatrix<f64>, Error> {
     off_the_negative_axis(a, 0.0)?;
     if let Some(log) = unipotent(a) {
@@ -80,8 +82,8 @@ fn rooted_to(a: &DMatrix<f64>, near: f64) -> Result<DMatrix<f64>, Error> {
     let mut log = near_identity(&less_identity(&root))? * 2.0_f64.powi(squarings as i32);
     let distance = |log: &DMatrix<f64>| (exp(log) - a).norm() / a.norm();
     let mut off = distance(&log);
-    // roots of eigenvalues near the negative axis are inaccurate: log A = L + log(exp(-L) A),
-    // because L commutes with A
+    // corrects the sum by log A = L + log(exp(-L) A), because roots of eigenvalues near the
+    // negative axis are inaccurate; L commutes with A
     for _ in 0..CORRECTIONS {
         if off <= COARSE {
             break;
@@ -99,14 +101,15 @@ fn rooted_to(a: &DMatrix<f64>, near: f64) -> Result<DMatrix<f64>, Error> {
             break;
         }
     }
-    // `<=` rejects NaN as well
+    // the comparison `<=` also rejects NaN
     if off <= OFF {
         return Ok(log);
     }
     Err(refused(format!("the series does not converge: its exponential is off by {off:e}")))
 }
 
-/// The logarithm `sum -(-X)^k/k` for `a = 1 + X` with nilpotent `X`, for which the sum is finite.
+/// The logarithm `sum -(-X)^k/k` of `a = 1 + X`, if `X` is nilpotent. In this case, the sum is
+/// finite.
 fn unipotent(a: &DMatrix<f64>) -> Option<DMatrix<f64>> {
     let x = less_identity(a);
     let (mut power, mut sum) = (x.clone(), x.clone());
@@ -141,12 +144,12 @@ fn rounding(a: &DMatrix<f64>) -> f64 {
     a.nrows() as f64 * f64::EPSILON * a.norm()
 }
 
-/// Returns an error for eigenvalues on the negative axis, from `-known` on.
+/// Returns an error if an eigenvalue is on the negative axis and is at most `-known`.
 fn off_the_negative_axis(a: &DMatrix<f64>, known: f64) -> Result<(), Error> {
     let n = a.nrows();
     let Some(schur) = Schur::try_new(a.clone(), 4.0 * f64::EPSILON, 100 * n) else {
-        // without eigenvalues there is nothing to report, and the square roots will not converge
-        // either
+        // returns no error if the eigenvalues are unknown, because the square roots then do not
+        // converge either
         return Ok(());
     };
     let rounding = rounding(a);
@@ -167,14 +170,14 @@ trait Entry:
     /// The relative precision.
     const EPSILON: f64;
 
-    /// The nearest float.
+    /// The float that is nearest to the entry.
     fn rounded(&self) -> f64;
 
-    /// A scale of about this size whose square and reciprocal have no rounding errors beyond
+    /// A scale of about this `size`. Its square and its reciprocal have no rounding errors beyond
     /// [`EPSILON`](Self::EPSILON).
     fn scale(size: f64) -> f64;
 
-    /// The approximate determinant, and the inverse unless the matrix is singular.
+    /// The approximate determinant, and the inverse; `None` if the matrix is singular.
     fn inverse(m: &DMatrix<Self>) -> (f64, Option<DMatrix<Self>>);
 }
 
@@ -211,9 +214,9 @@ impl Entry for Double {
     }
 }
 
-/// The principal square root by the product form of the Denman-Beavers iteration, scaled by the
-/// determinant: `X -> A^(1/2)`, `M -> 1`. S. H. Cheng, N. J. Higham, C. S. Kenney and A. J. Laub,
-/// *SIAM J. Matrix Anal. Appl.* 22 (2001) 1112-1125.
+/// The principal square root, computed by the product form of the Denman-Beavers iteration, which
+/// is scaled by the determinant: `X -> A^(1/2)`, `M -> 1`. S. H. Cheng, N. J. Higham, C. S. Kenney
+/// and A. J. Laub, *SIAM J. Matrix Anal. Appl.* 22 (2001) 1112-1125.
 fn square_root<T: Entry>(a: &DMatrix<T>) -> Result<DMatrix<T>, Error> {
     let n = a.nrows();
     let one = DMatrix::<T>::identity(n, n);
@@ -222,7 +225,7 @@ fn square_root<T: Entry>(a: &DMatrix<T>) -> Result<DMatrix<T>, Error> {
     for _ in 0..STEPS {
         let (determinant, inverse) = T::inverse(&m);
         let size = determinant.abs().powf(-0.5 / n as f64);
-        // near the limit, scaling would only disturb the convergence
+        // does not scale near the limit, where scaling would slow down the convergence
         let scale = if before < 0.01 || !size.is_normal() { 1.0 } else { T::scale(size) };
         let singular = || refused("a square root does not converge".into());
         let square = T::from(scale * scale);
@@ -239,9 +242,9 @@ fn square_root<T: Entry>(a: &DMatrix<T>) -> Result<DMatrix<T>, Error> {
     Err(refused(format!("a square root does not converge: it is off by {before:e}")))
 }
 
-/// The logarithm `log(1 + X) = int_0^1 X (1 + s X)^-1 ds` by Gauss-Legendre quadrature, which is
-/// the diagonal Pade approximant for `|X| <= 1/4`: L. Dieci, B. Morini and A. Papini, *SIAM J.
-/// Matrix Anal. Appl.* 17 (1996) 570-593.
+/// The logarithm `log(1 + X) = int_0^1 X (1 + s X)^-1 ds`, computed by Gauss-Legendre quadrature.
+/// For `|X| <= 1/4`, it is the diagonal Pade approximant (L. Dieci, B. Morini and A. Papini, *SIAM
+/// J. Matrix Anal. Appl.* 17 (1996) 570-593).
 pub(crate) fn near_identity(x: &DMatrix<f64>) -> Result<DMatrix<f64>, Error> {
     let n = x.nrows();
     let mut sum = DMatrix::zeros(n, n);
@@ -253,8 +256,9 @@ pub(crate) fn near_identity(x: &DMatrix<f64>) -> Result<DMatrix<f64>, Error> {
     Ok(sum)
 }
 
-/// The nodes and weights of Gauss-Legendre quadrature between 0 and 1: the zeros `t` of the
-/// Legendre polynomial `P` by Newton's method, and `2/((1 - t^2) P'(t)^2)`.
+/// The nodes and weights of Gauss-Legendre quadrature between 0 and 1. The nodes are the zeros `t`
+/// of the Legendre polynomial `P`, computed by Newton's method. The weights are
+/// `2/((1 - t^2) P'(t)^2)`, scaled to the interval.
 fn nodes() -> [(f64, f64); NODES] {
     let n = NODES as f64;
     std::array::from_fn(|at| {
@@ -277,11 +281,11 @@ fn nodes() -> [(f64, f64); NODES] {
 mod tests {
     use super::*;
 
-    /// Logarithms of rotations by angles around the threshold for square roots, and with more
-    /// square roots than needed.
+    /// Logarithms of rotations are accurate for angles around the threshold for square roots, also
+    /// with more square roots than needed.
     #[test]
     fn logarithms_with_and_without_roots() -> Result<(), Error> {
-        // |R - 1| = 2 sqrt(2) sin(angle/2)
+        // the threshold follows from |R - 1| = 2 sqrt(2) sin(angle/2)
         let threshold = 2.0 * (NEAR / 8.0_f64.sqrt()).asin();
         let around = [0.5, 0.99, 1.0 - 1e-9, 1.0 + 1e-9, 1.01, 2.0, 10.0];
         for angle in around.map(|ratio| ratio * threshold) {
@@ -290,15 +294,16 @@ mod tests {
             let exact = DMatrix::from_row_slice(2, 2, &[0.0, -angle, angle, 0.0]);
             for near in [NEAR, 0.1 * NEAR, 1e-3] {
                 let off = (rooted_to(&turn, near)? - &exact).amax() / angle;
-                // each root halves the distance from 1, and so doubles its relative rounding error
+                // the tolerance grows with the number of roots: each root halves the distance from
+                // 1, and so doubles its relative rounding error
                 assert!(off <= 8.0 * f64::EPSILON / near.min(angle), "{angle}, {near}: {off:e}");
             }
         }
         Ok(())
     }
 
-    /// Logarithms of `[[exp(a), c], [0, 1]]` with `c` of any size: `[[a, a c/(exp(a) - 1)], [0,
-    /// 0]]`.
+    /// Logarithms of `[[exp(a), c], [0, 1]]` are accurate for `c` of any size. They are
+    /// `[[a, a c/(exp(a) - 1)], [0, 0]]`.
     #[test]
     fn logarithms_with_long_translations() -> Result<(), Error> {
         let a = 0.5_f64;
@@ -311,9 +316,10 @@ mod tests {
         Ok(())
     }
 
-    /// Eigenvalues `3/2 exp(+-i (pi - gap))` and `1/2` in more and more skewed bases. A logarithm has the matrix as its
-    /// exponential; it is found at every distance from the negative axis where the basis is well-conditioned, and rejected
-    /// where rounding errors of the basis exceed the tolerance.
+    /// The exponential of a logarithm is the matrix, for the eigenvalues `3/2 exp(+-i (pi - gap))`
+    /// and `1/2` in increasingly skewed bases. If the basis is well-conditioned, the logarithm is
+    /// found at every distance from the negative axis. It is rejected if the rounding errors of the
+    /// basis exceed the tolerance.
     #[test]
     fn logarithms_lead_back_up_to_the_negative_axis() {
         let mut rejected = 0;

@@ -5,17 +5,19 @@ use crate::Error;
 use affinor_tensors::stop::checkpoint;
 use nalgebra::DVector;
 
-/// The smallest step relative to the time. For a shorter step, the times of the stages would
-/// coincide because of rounding.
+/// The smallest step, relative to the time. In a shorter step, rounding would make the times of the
+/// stages coincide.
 pub(crate) const LEAST_STEP: f64 = 16.0 * f64::EPSILON;
 
 /// The largest number of steps between two output times.
 const MAX_STEPS: usize = 50_000;
 
-/// Solves `y' = f(t, y)`, `y(start) = y0`. Returns the solution at the given times, in their order.
+/// Solves `y' = f(t, y)`, `y(start) = y0`. Returns the solution at the given times, in the same
+/// order.
 ///
-/// The method is [`DormandPrince8`] with step-size control. `tolerance` bounds the error of a step, relative and
-/// absolute. Each output time ends a step, so no value is interpolated. Times may decrease.
+/// The method is [`DormandPrince8`] with step-size control. The parameter `tolerance` bounds the
+/// relative and the absolute error of a step. A step ends at each output time, so no value is
+/// interpolated. Times may decrease.
 pub(crate) fn solve(
     f: impl Fn(f64, &DVector<f64>) -> DVector<f64>,
     start: f64,
@@ -58,7 +60,7 @@ fn advance(
     if !slope.iter().all(|slope| slope.is_finite()) {
         return Err(stop(t, "the right side is not finite"));
     }
-    // the first step: a hundredth of the time in which y would change by its own size
+    // the first step is a hundredth of the time in which y would change by its own size
     let [size, speed] = [&y, &slope].map(|v| norm(v, &y, &y, tolerance));
     let mut next = if size > 1e-5 && speed > 1e-5 { 0.01 * size / speed } else { 1e-6 };
     for _ in 0..MAX_STEPS {
@@ -70,7 +72,7 @@ fn advance(
             return Err(stop(t, "the steps become too small: a pole"));
         }
         let (reached, error) = step(f, t, &y, &slope, h, tolerance);
-        // a shorter step may still have finite values
+        // tries a shorter step, which may still have finite values
         let factor = if error.is_finite() { 0.9 * error.powf(-0.125) } else { 0.0 };
         next = h.abs() * factor.clamp(0.2, 5.0);
         if error <= 1.0 {
@@ -84,15 +86,15 @@ fn advance(
     Err(stop(t, "too many steps: the equations are stiff, or the output times far apart"))
 }
 
-/// The root mean square of the components in units of their tolerance, for a solution between `y`
-/// and `z`.
+/// The root mean square of the components, in units of their tolerance. The tolerance is for a
+/// solution between `y` and `z`.
 fn norm(v: &DVector<f64>, y: &DVector<f64>, z: &DVector<f64>, tolerance: f64) -> f64 {
     let scale = |i: usize| tolerance * (1.0 + y[i].abs().max(z[i].abs()));
     let squares = v.iter().enumerate().map(|(i, v)| (v / scale(i)).powi(2));
     (squares.sum::<f64>() / v.len().max(1) as f64).sqrt()
 }
 
-/// The value after a step of length `h`, and its estimated error in units of the tolerance.
+/// The value after a step of length `h`, and the estimated error in units of the tolerance.
 fn step(
     f: &impl Fn(f64, &DVector<f64>) -> DVector<f64>,
     t: f64,
@@ -157,7 +159,7 @@ mod tests {
         let reason = |f, end| stop(f, end).1;
         assert!(reason(rotation, f64::NAN).contains("not finite"));
         assert!(reason(|_, y| y / 0.0, 1.0).contains("right side"));
-        // y' = y^2 has a pole at t = 1
+        // the solution of y' = y^2 has a pole at t = 1
         let (t, pole) = stop(|_, y| y.component_mul(y), 2.0);
         assert!((t - 1.0).abs() < 1e-8 && pole.contains("a pole"), "{pole} at t = {t}");
         assert!(reason(|t, y| rotation(t, y) * 1e7, 1e3).contains("too many steps"));

@@ -1,12 +1,13 @@
-//! Rejects results that rounding errors may change too much.
+//! Rejects results that rounding errors may have changed too much.
 
 use crate::Error;
 
-/// The largest accepted relative change of a result by rounding errors.
+/// The largest accepted relative change of a result due to rounding errors.
 const LOST: f64 = 1e-6;
 
 /// Returns an error for the object `what` if rounding errors may change it by more than a
-/// millionth; `reason` describes the cause and receives the change as text.
+/// millionth. The function `reason` returns the description of the cause; its argument is the
+/// change as text.
 pub(crate) fn expect_digits(
     what: &'static str,
     lost: f64,
@@ -18,7 +19,7 @@ pub(crate) fn expect_digits(
     Ok(())
 }
 
-/// Like [`expect_digits`], for `log(exp(x) exp(y))`.
+/// Checks the result of `log(exp(x) exp(y))` as in [`expect_digits`].
 pub(crate) fn expect_digits_of_product(lost: f64) -> Result<(), Error> {
     expect_digits("logarithm of the product", lost, |lost| {
         format!("the rounding of exp(x) exp(y) may change it by {lost}: x and y are too large")

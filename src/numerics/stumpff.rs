@@ -1,12 +1,13 @@
-//! The Stumpff functions, used in the closed forms of rotations and related groups.
+//! The Stumpff functions, which occur in the closed forms of rotations and related groups.
 
 use super::lanes::Lane;
 
-/// The Stumpff functions `c_k(z) = sum (-z)^i/(k + 2i)!` for `k = 0..=5`, for any sign of `z`.
+/// The Stumpff functions `c_k(z) = sum (-z)^i/(k + 2i)!` for `k = 0..=5`. The argument `z` may have
+/// any sign.
 ///
-/// `c_0(x^2) = cos x`, `c_1(x^2) = sin x/x`, `c_0(-x^2) = cosh x`, and `c_k = 1/k! - z c_{k+2}`. For a
-/// matrix with `A^3 = -z A`, `exp(A) = 1 + c_1 A + c_2 A^2` and `sum A^k/(k+1)! = 1 + c_2 A + c_3 A^2`.
-/// K. Stumpff, *Himmelsmechanik* (1959), section V.41.
+/// They satisfy `c_0(x^2) = cos x`, `c_1(x^2) = sin x/x`, `c_0(-x^2) = cosh x`, and
+/// `c_k = 1/k! - z c_{k+2}`. For a matrix with `A^3 = -z A`, `exp(A) = 1 + c_1 A + c_2 A^2` and
+/// `sum A^k/(k+1)! = 1 + c_2 A + c_3 A^2`. K. Stumpff, *Himmelsmechanik* (1959), section V.41.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Stumpff {
     /// The argument.
@@ -25,16 +26,16 @@ pub(crate) struct Stumpff {
     pub c5: f64,
 }
 
-/// The square of an angle beyond which neighbouring floats are many turns apart, so that `cos` and
-/// `sin` are meaningless. Tangent operators are then replaced by their mean over a turn.
+/// If the square of an angle exceeds this value, neighbouring floats are many turns apart, so that
+/// `cos` and `sin` are meaningless. Tangent operators are then replaced by their mean over a turn.
 pub(crate) const FAR: f64 = 1e40;
 
-/// The magnitude of `z` below which the closed forms suffer from cancellation, and the series need
-/// few terms.
+/// If the magnitude of `z` is below this value, the closed forms suffer from cancellation, and the
+/// series need few terms.
 pub(crate) const SERIES: f64 = 10.0;
 
 impl Stumpff {
-    /// All functions at `z`. They overflow where cosh does.
+    /// All functions at `z`. They overflow where cosh overflows.
     #[inline]
     pub(crate) fn at(z: f64) -> Self {
         if z.abs() < SERIES {
@@ -44,7 +45,8 @@ impl Stumpff {
         Self::by_half_angle(z)
     }
 
-    /// Computed by the series of `c_4` and `c_5`, with eight terms each if `short`.
+    /// Computes all functions from the series of `c_4` and `c_5`. If `short` is set, each series
+    /// has eight terms.
     #[inline(always)]
     fn by_series(z: f64, short: bool) -> Self {
         let (c4, c5) = if short {
@@ -56,11 +58,11 @@ impl Stumpff {
         Stumpff { z, c0: 1.0 - z * c2, c1, c2, c3, c4, c5 }
     }
 
-    /// Computed in closed form, by the cosine and sine of the half angle.
+    /// Computes all functions in closed form, from the cosine and sine of the half angle.
     #[inline(always)]
     fn by_half_angle(z: f64) -> Self {
         let (cos, half) = far(0.25 * z);
-        // 1 - cos x = 2 sin^2(x/2) avoids cancellation
+        // uses 1 - cos x = 2 sin^2(x/2), which avoids cancellation
         let (c0, c1, c2) = (1.0 - 0.5 * z * half * half, half * cos, 0.5 * half * half);
         let c3 = (1.0 - c1) / z;
         Stumpff { z, c0, c1, c2, c3, c4: (0.5 - c2) / z, c5: (1.0 / 6.0 - c3) / z }
@@ -71,7 +73,7 @@ impl Stumpff {
         if self.z.abs() < SERIES {
             self.c4 - 0.5 * self.c3
         } else {
-            // for large z the first form would suffer from cancellation
+            // uses the second form, because the first form suffers from cancellation for large z
             (0.5 * self.c1 - self.c2) / self.z
         }
     }
@@ -86,8 +88,8 @@ impl Stumpff {
     }
 }
 
-/// The functions `c_1 ... c_5` by their series, for `|z| <` [`SERIES`], for one or several
-/// arguments at once.
+/// The functions `c_1 ... c_5`, computed by their series for `|z| <` [`SERIES`]. There may be
+/// several arguments at once.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Series<T> {
     pub c1: T,
@@ -103,7 +105,7 @@ impl<T: Lane> Series<T> {
         Self::of_last(z, polynomial(&FOURTH, z), polynomial(&FIFTH, z))
     }
 
-    /// All functions from `c_4` and `c_5`.
+    /// Computes all functions from `c_4` and `c_5`.
     #[inline(always)]
     fn of_last(z: T, c4: T, c5: T) -> Self {
         let (c2, c3) = (T::splat(0.5) - z * c4, T::splat(1.0 / 6.0) - z * c5);
@@ -118,8 +120,9 @@ impl<T: Lane> Series<T> {
     }
 }
 
-/// The `d` of [`inverse_tangent`] and its derivative `d'(z)`, for `|z| <` [`SERIES`]: `d' = (c_1
-/// (c_2' - c_3') - c_1' (c_2 - c_3))/(16 c_1^2)` at `z/4`, where `2 c_1' = c_3 - c_2`.
+/// The number `d` of [`inverse_tangent`] and its derivative `d'(z)`, for `|z| <` [`SERIES`]. The
+/// derivative is `d' = (c_1 (c_2' - c_3') - c_1' (c_2 - c_3))/(16 c_1^2)` at `z/4`, where
+/// `2 c_1' = c_3 - c_2`.
 #[inline(always)]
 pub(crate) fn inverse_series<T: Lane>(z: T) -> (T, T) {
     let c = Series::at(T::splat(0.25) * z);
@@ -130,7 +133,7 @@ pub(crate) fn inverse_series<T: Lane>(z: T) -> (T, T) {
     (difference / below, above / (below * below))
 }
 
-/// The values `(c_0(z), c_1(z))` only, accurate up to one or two rounding errors.
+/// The values `(c_0(z), c_1(z))`. They are accurate up to one or two rounding errors.
 #[inline]
 pub(crate) fn first_two(z: f64) -> (f64, f64) {
     if z.abs() < SMALL {
@@ -139,13 +142,15 @@ pub(crate) fn first_two(z: f64) -> (f64, f64) {
     larger(z)
 }
 
-/// Like [`first_two`], for angles larger than those of a step; it is not inlined.
+/// The values of [`first_two`] for angles that are larger than in a typical step. The function is
+/// not inlined.
 #[inline(never)]
 fn larger(z: f64) -> (f64, f64) {
     if z.abs() < NEAR { near(z) } else { far(z) }
 }
 
-/// The values `(c_1(z), c_2(z))` only: `R = 1 + c_1 spin(x) + c_2 spin(x)^2` at `z = |x|^2`.
+/// The values `(c_1(z), c_2(z))`. At `z = |x|^2`, the rotation is
+/// `R = 1 + c_1 spin(x) + c_2 spin(x)^2`.
 #[inline]
 pub(crate) fn turning(z: f64) -> (f64, f64) {
     if z.abs() < SMALL {
@@ -160,8 +165,8 @@ fn turning_far(z: f64) -> (f64, f64) {
     (c.c1, c.c2)
 }
 
-/// The magnitude of `z` below which [`TERMS`] terms of a series are enough, because the next one is
-/// below 4e-17. An example is half the rotation angle of a body in a step.
+/// If the magnitude of `z` is below this value, [`TERMS`] terms of a series suffice, because the
+/// next term is below 4e-17. For example, half the rotation angle of a body in a step is small.
 const SMALL: f64 = 0.4;
 const TERMS: usize = 8;
 
@@ -176,17 +181,17 @@ const fn first<const N: usize>(series: &[f64; N]) -> [f64; TERMS] {
     terms
 }
 
-/// The limit for [`near`], which corresponds to `x` up to 1.5. Near a right angle, the rounding of
-/// `z` does not resolve on which side `x` is.
+/// The limit of `z` for [`near`], which corresponds to `x` up to 1.5. Near a right angle, the
+/// rounding of `z` does not determine on which side of the angle `x` is.
 pub(crate) const NEAR: f64 = 2.25;
 
-/// Like [`first_two`], for `|z| < NEAR`, without a branch.
+/// The values of [`first_two`] for `|z| < NEAR`, computed without a branch.
 #[inline(always)]
 pub(crate) fn near<T: Lane>(z: T) -> (T, T) {
     (polynomial(&ZEROTH, z), polynomial(&FIRST, z))
 }
 
-/// Like [`first_two`], for `z` that is not small.
+/// The values of [`first_two`] for `z` that is not small.
 fn far(z: f64) -> (f64, f64) {
     let root = z.abs().sqrt();
     if z > 0.0 {
@@ -197,7 +202,7 @@ fn far(z: f64) -> (f64, f64) {
     }
 }
 
-/// The coefficients `(-1)^i/(k + 2i)!`.
+/// The coefficients `(-1)^i/(k + 2i)!` of the series of `c_k`.
 const fn coefficients<const N: usize>(k: usize) -> [f64; N] {
     let mut coefficients = [1.0; N];
     let mut factorial = 1.0;
@@ -213,37 +218,39 @@ const fn coefficients<const N: usize>(k: usize) -> [f64; N] {
     coefficients
 }
 
-// the first omitted term is below 1e-16 of the sum for z up to NEAR, and below 1e-18 of it up to
-// SERIES
+// the first omitted term is small relative to the sum: below 1e-16 for z up to NEAR, and below
+// 1e-18 for z up to SERIES
 const ZEROTH: [f64; 12] = coefficients(0);
 const FIRST: [f64; 12] = coefficients(1);
 const SECOND: [f64; TERMS] = coefficients(2);
 const FOURTH: [f64; 15] = coefficients(4);
 const FIFTH: [f64; 15] = coefficients(5);
 
-/// The error of `z` in units of its rounding error: those of a squared length, and of the
-/// components from which it is computed.
+/// The error of `z` in units of its rounding error. It includes the rounding errors of a squared
+/// length, and of the components from which this length is computed.
 const ROUNDINGS: f64 = 8.0;
 
-/// The function `d = (1 - (x/2) cot(x/2))/x^2` at `z = x^2`: `(sum A^k/(k+1)!)^-1 = 1 - A/2 + d
-/// A^2` for a matrix with `A^3 = -z A`.
+/// The function `d = (1 - (x/2) cot(x/2))/x^2` at `z = x^2`. For a matrix with `A^3 = -z A`, it
+/// satisfies `(sum A^k/(k+1)!)^-1 = 1 - A/2 + d A^2`.
 ///
-/// With `w = z/4` it is `(c_2(w) - c_3(w))/(4 c_1(w))`, which does not cancel up to its first pole
-/// `x = 2 pi`. `size` is the sum of the magnitudes of the terms of `z`. `None` if their rounding
-/// errors exceed the distance of `z` from a pole `z = (2 pi k)^2`.
+/// With `w = z/4`, the function is `(c_2(w) - c_3(w))/(4 c_1(w))`, which causes no cancellation up
+/// to its first pole `x = 2 pi`. The parameter `size` is the sum of the magnitudes of the terms of
+/// `z`. Returns `None` if the rounding errors of these terms exceed the distance of `z` from a pole
+/// `z = (2 pi k)^2`.
 #[inline]
 pub(crate) fn inverse_tangent(z: f64, size: f64) -> Option<f64> {
     if z.abs() < SMALL {
         return Some(eight_terms(&INVERSE, z));
     }
     let c = Stumpff::at(0.25 * z);
-    // near a pole, c_1 = sin(x/2)/(x/2) is half of the relative distance of z from it
+    // near a pole, c_1 = sin(x/2)/(x/2) is half of the relative distance of z from the pole; this
+    // distance must exceed the rounding error
     let regular = c.c1.abs() > ROUNDINGS * f64::EPSILON * (size / z.abs());
     regular.then(|| (c.c2 - c.c3) / (4.0 * c.c1)).filter(|d| d.is_finite())
 }
 
-/// The numbers `|B_2k|/(2k)!` for `k = 1..=8`, with the Bernoulli numbers: the first coefficients
-/// of [`inverse_tangent`].
+/// The numbers `|B_2k|/(2k)!` for `k = 1..=8`, where `B_2k` are the Bernoulli numbers. They are the
+/// first coefficients of [`inverse_tangent`].
 const INVERSE: [f64; 8] = [
     1.0 / 12.0,
     1.0 / 720.0,
@@ -255,8 +262,8 @@ const INVERSE: [f64; 8] = [
     3617.0 / 10670622842880000.0,
 ];
 
-/// The polynomial `c_0 + c_1 z + c_2 z^2 + ...`, in four independent chains of every fourth term,
-/// which a processor evaluates in parallel.
+/// The value of the polynomial `c_0 + c_1 z + c_2 z^2 + ...`. It is computed in four independent
+/// chains, each of every fourth term, which a processor evaluates in parallel.
 #[inline(always)]
 pub(crate) fn polynomial<T: Lane, const N: usize>(coefficients: &[f64; N], z: T) -> T {
     let square = z * z;
@@ -268,7 +275,8 @@ pub(crate) fn polynomial<T: Lane, const N: usize>(coefficients: &[f64; N], z: T)
     (chains[0] + z * chains[1]) + square * (chains[2] + z * chains[3])
 }
 
-/// The same for eight terms, by Estrin's scheme, which has the shortest chain of operations.
+/// The value of a polynomial of eight terms, computed by Estrin's scheme, which has the shortest
+/// chain of operations.
 ///
 /// G. Estrin, *Western Joint IRE-AIEE-ACM Computer Conference* (1960) 33-40.
 #[inline(always)]
@@ -284,7 +292,7 @@ mod tests {
     use super::*;
     use affinor_tensors::Rational;
 
-    /// `c_k(z)` by its series in exact fractions, up to terms below 1e-30.
+    /// The value `c_k(z)`, computed by its series in exact fractions up to terms below 1e-30.
     fn exact(k: i64, z: f64) -> Rational {
         let z = Rational::from_f64(z).expect("a finite number");
         let mut term = (1..=k).fold(Rational::from(1), |term, n| term / Rational::from(n));
@@ -298,15 +306,16 @@ mod tests {
         sum
     }
 
-    /// The error of a number, in machine epsilons relative to the exact number or to a size.
+    /// The error of a number, in machine epsilons. It is relative to the exact number, or to a
+    /// size.
     fn off(found: f64, exact: Rational, size: f64) -> f64 {
         let size = exact.to_f64().abs().max(size);
         let found = Rational::from_f64(found).expect("a finite number");
         (found - exact).to_f64().abs() / size / f64::EPSILON
     }
 
-    /// Asserts that the error is within its bound, relative to the size of `c_k` near `z`, where it
-    /// oscillates.
+    /// Asserts that the error is at most `bound`, relative to the size of `c_k` near `z`, where
+    /// `c_k` oscillates.
     fn bounded(k: i64, z: f64, found: f64, bound: f64) {
         let largest = 1.0 / (1..=k).map(|n| n as f64).product::<f64>();
         let envelope = [1.0, z.powf(-0.5), 2.0 / z, 1.0 / z, 0.5 / z, 1.0 / (6.0 * z)][k as usize];
@@ -318,7 +327,7 @@ mod tests {
         [c.c0, c.c1, c.c2, c.c3, c.c4, c.c5]
     }
 
-    /// A threshold, its neighbouring floats, and numbers farther away on both sides.
+    /// A threshold, its neighbouring floats, and more distant numbers on both sides.
     fn around(threshold: f64, farthest: f64) -> impl Iterator<Item = f64> {
         let far = (1..=20).map(move |step| farthest.powf(f64::from(step) / 20.0));
         let near = [1.0, 1.0 + 1e-9, 1.0 + 2.0 * f64::EPSILON].into_iter().chain(far);
@@ -341,7 +350,7 @@ mod tests {
         }
     }
 
-    /// Each algorithm on its own is accurate in its range, and somewhat beyond its threshold.
+    /// Each algorithm is accurate in its range, and slightly beyond its threshold.
     #[test]
     fn every_path_beyond_its_threshold() {
         let six = |z: f64, c: Stumpff, bound: f64| {
@@ -399,7 +408,8 @@ mod tests {
             let (d, slope) = inverse_series(z);
             let expected = inverse_tangent(z, z).expect("no pole");
             assert!((d - expected).abs() <= 8e-16 * expected, "d({z:e}) = {d:e}");
-            // a central difference of odd order, within the errors of the step and of rounding
+            // a central difference of odd order; the tolerance includes the errors of the step and
+            // of rounding
             let h = 1e-3;
             let at = |z: f64| inverse_series(z).0;
             let difference =
@@ -421,7 +431,8 @@ mod tests {
         for z in points.chain(around(4.0 * SERIES, 2.0)) {
             let expected = exact(z);
             let size = expected.to_f64().abs().max(z.abs().recip().min(1.0 / 12.0));
-            // near the pole, the rounding of the argument is amplified
+            // the tolerance depends on the condition, because near the pole, the rounding of the
+            // argument is amplified
             let step = f64::from(1 << 20).recip();
             let change = exact(z * (1.0 + step)) - expected.clone();
             let condition = change.to_f64().abs() / step / size;

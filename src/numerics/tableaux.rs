@@ -6,34 +6,35 @@ pub trait Tabulated<const STAGES: usize> {
     const TABLEAU: Tableau<STAGES>;
 }
 
-/// The coefficients of a Runge-Kutta method: rows below the diagonal, weights and nodes.
+/// The coefficients of an explicit Runge-Kutta method: the rows below the diagonal, the weights and
+/// the nodes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tableau<const STAGES: usize> {
     /// The order of convergence.
     pub order: u32,
-    /// The number of stages that the step needs; its error estimate uses all stages.
+    /// The number of stages that a step needs. The error estimate uses all stages.
     pub needed: usize,
     /// The rows of coefficients `a_ij`.
     pub a: [[f64; STAGES]; STAGES],
     /// The weights `b_j` of the step.
     pub b: [f64; STAGES],
-    /// The differences between `b_j` and the weights of two embedded methods, the higher order
-    /// first; 0 for a missing method.
+    /// The differences between `b_j` and the weights of two embedded methods. The method of higher
+    /// order comes first. The differences are 0 if a method is missing.
     pub errors: [[f64; STAGES]; 2],
-    /// The nodes `c_i`: the times of the stages within the step.
+    /// The nodes `c_i`, which are the times of the stages within the step.
     pub c: [f64; STAGES],
 }
 
-/// The error estimate of a step from the estimates of its two embedded methods, the higher order
-/// first: `a^2/sqrt(a^2 + b^2/100)`. It is of order 7 for methods of orders 5 and 3, and equals `a`
-/// without a second method.
+/// The error estimate `a^2/sqrt(a^2 + b^2/100)` of a step. The estimates of the two embedded
+/// methods are `a` and `b`; `a` has the higher order. The result is of order 7 for methods of
+/// orders 5 and 3. Without a second method, the result is `a`.
 #[inline]
 pub(crate) fn combined_error([a, b]: [f64; 2]) -> f64 {
-    // the comparison `a == 0.0` lets NaN pass through
+    // compares `a` only with 0.0, so that a NaN remains NaN
     if a == 0.0 { 0.0 } else { a * (a / a.hypot(0.1 * b)) }
 }
 
-/// The rows of a strictly lower triangular matrix, given without trailing zeros.
+/// The rows of a strictly lower triangular matrix. They are given without trailing zeros.
 const fn padded<const N: usize>(rows: [&[f64]; N]) -> [[f64; N]; N] {
     let mut matrix = [[0.0; N]; N];
     let mut i = 0;
@@ -95,8 +96,9 @@ impl Tabulated<7> for DormandPrince {
     };
 }
 
-/// The method of order 8 of Dormand and Prince with the error estimates of orders 5 and 3 of E. Hairer, S. P.
-/// Norsett and G. Wanner, *Solving Ordinary Differential Equations I* (1993), II.10.
+/// The method of order 8 of Dormand and Prince. The error estimates of orders 5 and 3 are those of
+/// E. Hairer, S. P. Norsett and G. Wanner, *Solving Ordinary Differential Equations I* (1993),
+/// II.10.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct DormandPrince8;
 

@@ -1,4 +1,4 @@
-//! Contraction by index letters: a sum of products of tensors, written as on paper.
+//! Contraction with index letters: a sum of products of tensors, in the usual index notation.
 //!
 //! ```
 //! use affinor_tensors::{Down, Rational, Tensor, Up, contract};
@@ -19,18 +19,18 @@
 //! # }
 //! ```
 //!
-//! A term has named factors and may begin with a rational coefficient: `1/2 a^i_j b^j_k c^k_l`.
-//! After a name, `^` begins upper and `_` lower letters, in the order of the slots. A letter occurs
-//! once in every term and once in the result, or it occurs twice in a term, once upper and once
-//! lower, and is summed. Variances are checked.
+//! A term consists of named factors, and may begin with a rational coefficient:
+//! `1/2 a^i_j b^j_k c^k_l`. After a name, `^` begins upper letters and `_` begins lower letters, in
+//! the order of the slots. A free letter occurs once in every term and once in the result. A summed
+//! letter occurs twice in a term, once upper and once lower. Variances are checked.
 //!
 //! All terms of one or two factors are added in one pass. In a longer term, pairs of factors are
-//! contracted first, those that leave the fewest indices; the tolerance applies to each of these
-//! sums.
+//! contracted first, and pairs that leave the fewest indices come first. The tolerance applies to
+//! each of these sums.
 //!
 //! Brackets in the result, `-> ^i_j[kl]`, declare that the sum is antisymmetric in these letters.
-//! Then only the components with `k < l` are computed; the others follow by sign. The declaration
-//! is not checked.
+//! Then only the components with `k < l` are computed; the other components follow from the sign.
+//! The declaration is not checked.
 
 mod accumulator;
 mod arithmetic;
@@ -57,15 +57,15 @@ use paths::MAX_PLACES;
 pub use scalar::Scalar;
 use std::borrow::Cow;
 
-/// The tensor that `expression` describes, with operands found by name.
+/// The tensor that `expression` describes. The operands are found by their names.
 ///
 /// # Errors
 /// [`TensorError::Notation`] if the expression is malformed or does not fit the operands;
 /// [`TensorError::Dimension`] if the dimensions differ; [`TensorError::NotInvertible`] if the
-/// denominator of a coefficient has no inverse; [`TensorError::TooLarge`] if the keys of the result
-/// exceed 64 bits, if its last two indices take more than 2^24 values together, or if an operand
-/// has more than 2^32 - 1 components. The same limits hold for the contracted pairs of a longer
-/// term.
+/// denominator of a coefficient has no inverse. [`TensorError::TooLarge`] if the keys of the result
+/// exceed 64 bits, or if its last two indices have more than 2^24 pairs of values.
+/// [`TensorError::TooLarge`] also if an operand has more than 2^32 - 1 components. The same limits
+/// apply to the contracted pairs of a longer term.
 pub fn contract<S: Scalar>(
     expression: &str,
     operands: &[(&str, &Tensor<S>)],
@@ -73,11 +73,11 @@ pub fn contract<S: Scalar>(
     S::contracted(&KernelThresholds::default(), expression, operands)
 }
 
-/// [`contract`] with other thresholds between the paths of the kernel, so that tests can run every
-/// path with small tensors.
+/// Computes [`contract`] with other thresholds between the paths of the kernel. Tests can thus run
+/// every path with small tensors.
 ///
 /// # Errors
-/// Those of [`contract`], with [`KernelThresholds::places`] in place of 2^24.
+/// The errors of [`contract`], with [`KernelThresholds::places`] instead of 2^24.
 #[doc(hidden)]
 pub fn contract_by<S: Scalar>(
     paths: &KernelThresholds,
@@ -87,7 +87,7 @@ pub fn contract_by<S: Scalar>(
     S::contracted(paths, expression, operands)
 }
 
-/// Implements [`Scalar::contracted`]: the contraction over one scalar type.
+/// Implements [`Scalar::contracted`], which is the contraction over one scalar type.
 pub(crate) fn over<S: Scalar>(
     paths: &KernelThresholds,
     expression: &str,
@@ -99,7 +99,7 @@ pub(crate) fn over<S: Scalar>(
         if operand.dimension() != dimension {
             return Err(TensorError::Dimension(dimension, operand.dimension()));
         }
-        // the kernel numbers entries by 32 bits
+        // rejects longer operands, because the kernel numbers their entries with 32 bits
         if u32::try_from(operand.len()).is_err() {
             return Err(TensorError::TooLarge { dimension, rank: operand.rank() });
         }
@@ -124,7 +124,8 @@ pub(crate) fn over<S: Scalar>(
         (!integers.failed()).then_some(found)
     });
     let on_big_integers = || {
-        // in a browser, a small program matters more than speed
+        // omits this path in a browser, where the size of the program is more important than its
+        // speed
         if cfg!(target_family = "wasm") {
             return None;
         }
@@ -139,7 +140,7 @@ pub(crate) fn over<S: Scalar>(
     Ok(zero.fill(keys, values))
 }
 
-/// Index letters as the notation writes them, with their variances: `^i_j_k`.
+/// Index letters with their variances, in the notation of contractions: `^i_j_k`.
 pub fn indices(letters: impl IntoIterator<Item = (char, Variance)>) -> String {
     let mark = |slot| if slot == Up { '^' } else { '_' };
     letters.into_iter().flat_map(|(letter, slot)| [mark(slot), letter]).collect()
@@ -148,22 +149,23 @@ pub fn indices(letters: impl IntoIterator<Item = (char, Variance)>) -> String {
 /// A term with its operands: `coefficient * factors[0] * factors[1] * ...`.
 struct Product<'a, S: Clone> {
     coefficient: Ratio<i64>,
-    /// Whether the image of the term under the exchange of the last two indices of the result is
+    /// Whether the image of the term under the exchange of the last two result indices is
     /// subtracted.
     mirrored: bool,
     factors: Vec<(Vec<Role>, Cow<'a, Tensor<S>>)>,
 }
 
-/// The role of a slot's letter.
+/// The role of the index letter of a slot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Role {
-    /// The letter is the index of the result with this number.
+    /// The letter is the result index with this number.
     Free(usize),
-    /// The letter is summed; both of its slots have the same number.
+    /// The letter is summed; both of its slots have this number.
     Summed(usize),
 }
 
-/// Joins pairs of terms that are opposite images under the exchange of an antisymmetric last pair.
+/// Joins pairs of terms, if each is the opposite image of the other under the exchange of an
+/// antisymmetric last pair.
 fn fold_mirrors<S: Clone>(terms: Vec<Product<S>>, pair: Option<(usize, usize)>) -> Vec<Product<S>> {
     let Some((a, b)) = pair else { return terms };
     let exchange = |role: &Role| match *role {
@@ -191,8 +193,8 @@ fn fold_mirrors<S: Clone>(terms: Vec<Product<S>>, pair: Option<(usize, usize)>) 
 }
 
 impl<'a, S: Scalar> Product<'a, S> {
-    /// Reduces the product to two factors: contracts the pair that leaves the fewest indices until
-    /// two factors remain. A single factor is multiplied by `one`.
+    /// Reduces the product to two factors: repeatedly contracts the pair that leaves the fewest
+    /// indices. A single factor is multiplied by `one`.
     fn in_pairs(
         mut self,
         paths: &KernelThresholds,
@@ -225,7 +227,7 @@ impl<'a, S: Scalar> Product<'a, S> {
         Ok(self)
     }
 
-    /// The term with its components converted by `V`.
+    /// The term, with its components converted to the type `V`.
     fn with_values<'t, V: Clone>(
         &'t self,
         mut values: impl FnMut(usize, &'t Tensor<S>) -> Cow<'t, [V]>,
@@ -238,12 +240,12 @@ impl<'a, S: Scalar> Product<'a, S> {
     }
 }
 
-/// The slots of a factor: their roles and variances.
+/// The role and the variance of each slot of a factor.
 fn slots<S: Scalar>((roles, tensor): &(Vec<Role>, Cow<Tensor<S>>)) -> Vec<(Role, Variance)> {
     roles.iter().copied().zip(tensor.slots().iter().copied()).collect()
 }
 
-/// The slots that remain after the summation over pairs of slots.
+/// The slots that remain after the sum over pairs of slots.
 fn open(slots: &[(Role, Variance)]) -> Vec<(Role, Variance)> {
     let times = |role: Role| slots.iter().filter(|(other, _)| *other == role).count();
     slots.iter().filter(|(role, _)| times(*role) == 1).copied().collect()

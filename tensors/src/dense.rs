@@ -2,13 +2,14 @@
 
 use crate::{Summable, Tensor, TensorError, Variance};
 
-/// The largest number of components of an array.
+/// The largest number of components of a dense array.
 #[cfg(feature = "ndarray")]
 const MAX_ARRAY: u64 = 1 << 24;
 
 #[cfg(feature = "nalgebra")]
 impl<S: Summable> Tensor<S> {
-    /// The tensor of rank 2 as a matrix of nalgebra: the first index is the row, as in `(ad_n)^i_k`.
+    /// Converts a tensor of rank 2 to a matrix of nalgebra. The first index is the row, as in
+    /// `(ad_n)^i_k`.
     ///
     /// ```
     /// use affinor_tensors::{Tensor, Up, Down};
@@ -28,7 +29,8 @@ impl<S: Summable> Tensor<S> {
         Ok(nalgebra::DMatrix::from_fn(n, n, |i, j| self[[i, j]].clone()))
     }
 
-    /// The tensor of a square matrix of nalgebra, with these slots: the row is the first index.
+    /// Converts a square matrix of nalgebra to a tensor with these slots. The row is the first
+    /// index.
     ///
     /// # Errors
     /// [`TensorError::NotSquare`] if the matrix is not square.
@@ -45,7 +47,8 @@ impl<S: Summable> Tensor<S> {
 
 #[cfg(feature = "ndarray")]
 impl<S: Summable> Tensor<S> {
-    /// All components as an array of ndarray, one axis for each slot, zeros included.
+    /// Converts the tensor to an array of ndarray with one axis for each slot. Components that are
+    /// zero are included.
     ///
     /// ```
     /// use affinor_tensors::{Down, Tensor, Up};
@@ -57,7 +60,7 @@ impl<S: Summable> Tensor<S> {
     /// ```
     ///
     /// # Errors
-    /// [`TensorError::TooLarge`] for more than 2^24 components.
+    /// [`TensorError::TooLarge`] if the array has more than 2^24 components.
     pub fn to_array(&self) -> Result<ndarray::ArrayD<S>, TensorError> {
         let (dimension, rank) = (self.dimension(), self.rank());
         if (dimension as u64).saturating_pow(rank as u32) > MAX_ARRAY {
@@ -67,13 +70,13 @@ impl<S: Summable> Tensor<S> {
         Ok(ndarray::ArrayD::from_shape_fn(vec![dimension; rank], component))
     }
 
-    /// The tensor of an array of ndarray whose axes all have the same length.
+    /// Converts an array of ndarray to a tensor. All axes must have the same length.
     ///
-    /// An array without axes is a tensor of rank 0, in dimension 0.
+    /// An array without axes becomes a tensor of rank 0 in dimension 0.
     ///
     /// # Errors
-    /// [`TensorError::NotSquare`] for axes of different lengths, [`TensorError::Rank`] unless there
-    /// is one slot for each axis, [`TensorError::TooLarge`].
+    /// [`TensorError::NotSquare`] if axes have different lengths; [`TensorError::Rank`] unless
+    /// there is one slot for each axis; [`TensorError::TooLarge`].
     pub fn from_array(array: &ndarray::ArrayD<S>, slots: &[Variance]) -> Result<Self, TensorError> {
         let shape = array.shape();
         if shape.len() != slots.len() {
@@ -82,7 +85,8 @@ impl<S: Summable> Tensor<S> {
         if shape.windows(2).any(|pair| pair[0] != pair[1]) {
             return Err(TensorError::NotSquare { shape: shape.to_vec() });
         }
-        // an array iterates in the order of the indices, whatever its memory layout
+        // uses the iteration of the array, which follows the order of the indices for every memory
+        // layout
         let row = array.iter().cloned().enumerate().filter(|(_, value)| !value.vanishes());
         Tensor::from_row(shape.first().copied().unwrap_or(0), slots, row)
     }

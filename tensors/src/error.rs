@@ -12,18 +12,18 @@ pub enum TensorError {
         /// The dimension.
         dimension: usize,
     },
-    /// A wrong number of indices for the rank of a tensor.
+    /// The number of indices differs from the rank of a tensor.
     #[error("a tensor of rank {rank} was given {given} indices")]
     Rank {
         /// The rank of the tensor.
         rank: usize,
-        /// The number of indices given.
+        /// The number of indices that were given.
         given: usize,
     },
     /// The slots are not different slots of the tensor.
     #[error("{slots:?} are not different slots, counted from 0, of a tensor of rank {rank}")]
     Slots {
-        /// The slots given.
+        /// The slots that were given.
         slots: Vec<usize>,
         /// The rank of the tensor.
         rank: usize,
@@ -37,8 +37,8 @@ pub enum TensorError {
     /// An integer has no inverse in the scalars.
     #[error("{0} has no inverse in the scalars")]
     NotInvertible(i64),
-    /// `dimension^rank` exceeds the 64-bit component keys, or a table of a contraction would be too
-    /// large.
+    /// `dimension^rank` exceeds the range of 64-bit component keys, or a table of a contraction
+    /// would be too large.
     #[error("a tensor of rank {rank} in dimension {dimension} is too large")]
     TooLarge {
         /// The dimension.
@@ -49,7 +49,7 @@ pub enum TensorError {
     /// The operands have different dimensions.
     #[error("the operands have different dimensions, {0} and {1}")]
     Dimension(usize, usize),
-    /// A contraction that is malformed or does not fit its operands.
+    /// A contraction is malformed, or does not fit its operands.
     #[error("in `{expression}`: {error}")]
     Notation {
         /// The text of the contraction.
@@ -81,7 +81,7 @@ pub enum NotationError {
     /// Two operands have the same name.
     #[error("two operands are called `{0}`")]
     Ambiguous(String),
-    /// The variances in the text differ from the slots of the operand.
+    /// The variances in the notation differ from the slots of the operand.
     #[error("the indices of `{0}` do not match its slots")]
     Slots(String),
     /// A symbol is not allowed among these indices.
@@ -90,10 +90,10 @@ pub enum NotationError {
     /// An opening bracket is not closed.
     #[error("`[` without `]`")]
     Unclosed,
-    /// A closing bracket was not opened.
+    /// A closing bracket has no opening bracket.
     #[error("`]` without `[`")]
     Unopened,
-    /// Brackets around indices of a factor.
+    /// The indices of a factor contain brackets.
     #[error("brackets are allowed in the result only")]
     Brackets,
     /// A letter occurs twice in the result.
@@ -102,13 +102,13 @@ pub enum NotationError {
     /// A letter of the result is missing in a term.
     #[error("a term lacks `{0}`")]
     Missing(char),
-    /// A letter is upper in a term and lower in the result, or the reverse.
+    /// A letter is upper in a term and lower in the result, or vice versa.
     #[error("`{0}` is upper on one side of `->` and lower on the other")]
     Variance(char),
     /// The two slots of a summed letter have the same variance.
     #[error("`{0}` is summed, but not once upper and once lower")]
     Level(char),
-    /// A letter is neither in the result once nor summed in a pair.
+    /// A letter neither occurs once in the result, nor is summed as a pair.
     #[error("`{0}` is neither an index of the result nor summed in a pair")]
     Count(char),
 }

@@ -1,10 +1,11 @@
-//! Expressions: parsing and evaluating written scalars.
+//! Expressions: parsing and evaluation of scalars in written form.
 //!
 //! The grammar has `+ - * / ^ ( )`, integers, quotients `p/q`, decimals, `1e-3`, names, and
-//! functions like `sin(x)`. Decimals are exact. White space is ASCII only. A `*` or a space
-//! separates a number from a name; `2x` and `a b` are errors. The caller gives names and operations
-//! their meaning ([`Evaluator`]), so one grammar serves scalars, vectors written in basis names,
-//! and complex numbers.
+//! functions like `sin(x)`. Decimals are exact. White space is ASCII only. A `*` or a space must
+//! separate a number from a name, so `2x` is an error. A `*` must separate two names, so `a b` is
+//! an error. The caller defines the meaning of names and operations ([`Evaluator`]). Therefore, one
+//! grammar applies to scalars, to vectors that are written with the names of basis vectors, and to
+//! complex numbers.
 //!
 //! | notation | means |
 //! |---|---|
@@ -36,9 +37,9 @@ use crate::{Notation, Rational};
 use num_traits::One;
 use std::ops::Range;
 
-/// The largest number of digits of a number.
+/// The largest number of digits of a number in an expression.
 pub const MAX_DIGITS: usize = 10_000;
-/// The largest exponent, of a power or of ten.
+/// The largest exponent of a power, or of ten.
 pub const MAX_EXPONENT: i64 = 10_000;
 /// The deepest nesting of parentheses.
 pub const MAX_DEPTH: usize = 100;
@@ -59,7 +60,7 @@ pub struct ExpressionError {
     pub reason: String,
 }
 
-/// A parsed expression. Every part has its byte range in the text.
+/// A parsed expression. Every part of it has a byte range in the text.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Expression {
     span: Range<usize>,
@@ -70,11 +71,11 @@ pub struct Expression {
 enum Node {
     Number(Rational),
     Name(String),
-    /// Terms; the flag marks a subtracted term.
+    /// A list of terms. The flag marks a subtracted term.
     Sum(Vec<(bool, Expression)>),
-    /// Factors; the flag marks a divisor.
+    /// A list of factors. The flag marks a divisor.
     Product(Vec<(bool, Expression)>),
-    /// A base and an exponent. An exponent without names and functions is folded to a number.
+    /// A base and an exponent. An exponent without names and functions is reduced to a number.
     Power(Box<Expression>, Box<Expression>),
     /// A function and its arguments.
     Call(String, Vec<Expression>),
@@ -87,9 +88,10 @@ pub enum View<'e> {
     Number(&'e Rational),
     /// A name.
     Name(&'e str),
-    /// Terms; the flag marks a subtracted term.
+    /// A list of terms. The flag marks a subtracted term.
     Sum(&'e [(bool, Expression)]),
-    /// Factors; the flag marks a factor that divides the product of the factors before it.
+    /// A list of factors. The flag marks a factor that divides the product of the factors before
+    /// it.
     Product(&'e [(bool, Expression)]),
     /// A base and an exponent. An exponent without names is a number.
     Power(&'e Expression, &'e Expression),
@@ -97,9 +99,10 @@ pub enum View<'e> {
     Call(&'e str, &'e [Expression]),
 }
 
-/// An interpretation of expressions: the values of numbers and names, and the operations on values.
+/// An interpretation of expressions. It defines the values of numbers and names, and the operations
+/// on values.
 ///
-/// An error is a message; [`Expression::evaluate`] adds the byte range.
+/// An error of these methods is a message. [`Expression::evaluate`] adds the byte range.
 pub trait Evaluator {
     /// The type of the values of expressions.
     type Value: Clone;
@@ -107,29 +110,29 @@ pub trait Evaluator {
     fn number(&self, number: &Rational) -> Result<Self::Value, String>;
     /// The value of a name.
     fn name(&self, name: &str) -> Result<Self::Value, String>;
-    /// `a + b`.
+    /// Computes `a + b`.
     fn add(&self, a: Self::Value, b: Self::Value) -> Result<Self::Value, String>;
-    /// `a * b`.
+    /// Computes `a * b`.
     fn multiply(&self, a: Self::Value, b: Self::Value) -> Result<Self::Value, String>;
-    /// `-a`.
+    /// Computes `-a`.
     fn negate(&self, a: Self::Value) -> Self::Value;
-    /// `1 / a`.
+    /// Computes `1 / a`.
     fn reciprocal(&self, a: Self::Value) -> Result<Self::Value, String>;
-    /// `base^exponent` for an exponent that is not an integer; integer powers are computed as
-    /// products. By default only integers are allowed.
+    /// Computes `base^exponent` for an exponent that is not an integer; integer powers are computed
+    /// as products. By default, such an exponent is an error.
     fn raise(&self, base: Self::Value, exponent: Self::Value) -> Result<Self::Value, String> {
         let _ = (base, exponent);
         Err(NO_INTEGER.into())
     }
-    /// `1 / a^n`.
+    /// Computes `1 / a^n`.
     fn divide(&self, a: Self::Value, n: u64) -> Result<Self::Value, String> {
         self.reciprocal(power(self, a, n)?)
     }
-    /// The value of a function at an argument. By default every function is an error.
+    /// The value of a function at an argument. By default, every function is an error.
     fn function(&self, name: &str, argument: Self::Value) -> Result<Self::Value, String> {
         no_function(name, &argument)
     }
-    /// The value of a function at a list of arguments. By default functions have one argument.
+    /// The value of a function at a list of arguments. By default, a function has one argument.
     fn call(&self, name: &str, arguments: Vec<Self::Value>) -> Result<Self::Value, String> {
         match <[_; 1]>::try_from(arguments) {
             Ok([argument]) => self.function(name, argument),
@@ -138,24 +141,24 @@ pub trait Evaluator {
     }
 }
 
-/// The name of the function of two arguments that computes `base^exponent` for [`Scalars`].
+/// The name of the function of two arguments by which [`Scalars`] compute `base^exponent`.
 pub const POWER: &str = "pow";
 
-/// The message for a power whose exponent must be an integer.
+/// The message for an exponent that is not an integer, but must be an integer.
 pub(crate) const NO_INTEGER: &str = "an exponent must be an integer";
 
-/// Returns the error for a function, in expressions that have no functions.
+/// The error for a function in expressions that must not contain functions.
 pub fn no_function<V, A: ?Sized>(name: &str, _: &A) -> Result<V, String> {
     Err(if name == POWER { NO_INTEGER.into() } else { format!("`{name}` is not a function here") })
 }
 
-/// The message for several arguments of a function of one argument.
+/// The message if a function of one argument has several arguments.
 pub(crate) fn several_arguments(name: &str, count: usize) -> String {
     format!("there is no function `{name}` of {count} arguments here")
 }
 
 impl Expression {
-    /// Parses a whole text.
+    /// Parses a text, which must be a single expression.
     ///
     /// # Errors
     /// The first syntax error, or the first violation of a limit of this module.
@@ -163,11 +166,12 @@ impl Expression {
         Self::parse_beside(text, &|_| false)
     }
 
-    /// Parses a text in which names like `e1` exist, so that `2e1` is ambiguous. A number directly
-    /// followed by a name for which `known` is true is an error.
+    /// Parses a text in which names such as `e1` exist, so that `2e1` is ambiguous. If `known` is
+    /// true for a name, it is an error that a number directly precedes this name.
     ///
     /// # Errors
-    /// Those of [`parse`](Self::parse), and a number that is directly followed by a known name.
+    /// The errors of [`parse`](Self::parse); also an error for a number that directly precedes a
+    /// known name.
     pub fn parse_beside(text: &str, known: &dyn Fn(&str) -> bool) -> Result<Self, ExpressionError> {
         parser::parse(text, known)
     }
@@ -197,7 +201,7 @@ impl Expression {
         }
     }
 
-    /// The value of the expression under an evaluator.
+    /// The value of the expression, computed by an evaluator.
     ///
     /// # Errors
     /// The error of the evaluator, with the byte range of the part where it occurs.
@@ -251,7 +255,7 @@ impl Expression {
         }
     }
 
-    /// The number, if the expression is an integer without an operation.
+    /// The value, if the expression is an integer without an operation.
     fn as_integer(&self) -> Option<i64> {
         match &self.node {
             Node::Number(number) => number.to_i64(),
@@ -259,7 +263,7 @@ impl Expression {
         }
     }
 
-    /// Whether the expression consists of numbers and rational operations.
+    /// Whether the expression consists only of numbers and rational operations.
     fn is_rational(&self) -> bool {
         match &self.node {
             Node::Number(_) => true,
@@ -271,10 +275,11 @@ impl Expression {
         }
     }
 
-    /// The value as a scalar without parameters.
+    /// The value of the expression as a scalar without parameters.
     ///
     /// # Errors
-    /// A name, a division by zero, or a value that exceeds a limit.
+    /// A message if the expression contains a name or a division by zero, or if a value exceeds a
+    /// limit.
     pub fn evaluate_constant<S: Notation>(&self) -> Result<S, ExpressionError> {
         self.evaluate(&Scalars(|name: &str| Err(format!("`{name}` is not a number")), no_function))
     }
@@ -299,8 +304,8 @@ pub(crate) fn power<M: Evaluator + ?Sized>(
     }
 }
 
-/// The evaluator for scalars. One closure gives the values of names, another the values of
-/// functions, like [`Notation::call`] or [`no_function`].
+/// The evaluator for scalars. The first closure returns the values of names. The second closure
+/// returns the values of functions, as in [`Notation::call`] or [`no_function`].
 pub struct Scalars<N, F>(pub N, pub F);
 
 impl<S, N, F> Evaluator for Scalars<N, F>
@@ -330,8 +335,8 @@ where
     fn reciprocal(&self, a: S) -> Result<S, String> {
         finite(a.recip().ok_or("division by zero")?)
     }
-    /// Divides by the base repeatedly: the factors of a formula are found in the base, but not in
-    /// the expanded power.
+    /// Divides by the base repeatedly, because the factors of a formula are found in the base, but
+    /// not in the expanded power.
     fn divide(&self, a: S, n: u64) -> Result<S, String> {
         if S::KIND == crate::Kind::Symbolic {
             power(self, self.reciprocal(a)?, n)

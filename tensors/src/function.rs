@@ -1,4 +1,5 @@
-//! The elementary functions: one table for their values, and for their names in generated programs.
+//! The elementary functions. One table contains their values, and their names in generated
+//! programs.
 
 use std::fmt;
 
@@ -39,7 +40,7 @@ impl Function {
         Function::Sqrt,
     ];
 
-    /// The name of the function, which most programming languages share.
+    /// The name of the function. Most programming languages use the same name.
     pub fn name(self) -> &'static str {
         match self {
             Function::Sin => "sin",
@@ -54,7 +55,7 @@ impl Function {
         }
     }
 
-    /// The function with this name.
+    /// The function with this name; `None` if there is no such function.
     pub fn from_name(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|function| function.name() == name)
     }
@@ -74,7 +75,7 @@ impl Function {
         }
     }
 
-    /// The derivative in floats at `x`, where the function has this value.
+    /// The derivative at `x`, in floats. The parameter `value` is the value of the function at `x`.
     pub fn slope(self, x: f64, value: f64) -> f64 {
         match self {
             Function::Sin => x.cos(),
@@ -96,10 +97,10 @@ impl fmt::Display for Function {
     }
 }
 
-/// The cotangent, which is computed as a quotient of functions of the table.
+/// The name of the cotangent. It is computed as a quotient of functions in the table.
 const COTANGENT: &str = "cot";
 
-/// The names of the functions that expressions call, for messages.
+/// The names of the functions that expressions may call, as text for messages.
 pub(crate) fn names() -> String {
     let named = |function: Function| match function {
         Function::Tan => vec![function.name(), COTANGENT],
@@ -108,7 +109,7 @@ pub(crate) fn names() -> String {
     Function::ALL.into_iter().flat_map(named).collect::<Vec<_>>().join(", ")
 }
 
-/// Whether a name is reserved for an elementary function. Free functions may not have it.
+/// Whether a name is reserved for an elementary function. Free functions must have other names.
 pub(crate) fn is_elementary(name: &str) -> bool {
     name == COTANGENT || Function::from_name(name).is_some()
 }

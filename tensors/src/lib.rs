@@ -1,23 +1,23 @@
-//! Sparse tensors, contraction by index letters and exact linear algebra, over any scalar.
+//! Sparse tensors, contraction with index letters, and exact linear algebra, over any scalar.
 //!
 //! This package does not contain geometry. In reading order:
-//! - [`scalar`]: the traits [`Ring`], [`Field`] and [`Summable`], their laws, and the scalars:
-//!   exact [`Rational`]s, `f64`, [`TrackedFloat`] floats with a rounding error estimate,
-//!   [`Symbolic`] rational functions of parameters, [`Jet`]s, which are floats with first and
-//!   second derivatives, and [`Recorded`] values, which are programs;
-//! - [`expression`]: parsing and evaluating written scalars;
+//! - [`scalar`]: the traits [`Ring`], [`Field`] and [`Summable`], and their laws. The scalars are
+//!   exact [`Rational`]s, `f64`, [`TrackedFloat`]s with an estimate of their rounding error, and
+//!   [`Symbolic`] rational functions of parameters. [`Jet`]s are floats with first and second
+//!   derivatives, and [`Recorded`] values are programs;
+//! - [`expression`]: parsing and evaluation of scalars in written form;
 //! - [`Tensor`]: sorted nonzero components with upper and lower slots;
-//! - [`contract`]: sums of products written with index letters, computed by one kernel;
+//! - [`contract`]: sums of products that are written with index letters and computed by one kernel;
 //! - [`linear`]: rank, nullspace, solutions, inverse and determinant over any field;
 //! - [`text`]: values and linear combinations as text;
 //! - [`stop`]: computations that can be stopped from outside.
 //!
 //! # Features
-//! - `parallel` (default): contractions on several threads, by rayon;
-//! - `nalgebra`, `ndarray`: conversions of tensors to and from dense matrices and arrays;
-//! - `num-dual`: `Dual64` as a scalar. `Ratio<i64>` and `BigRational` of num-rational are always
+//! - `parallel` (default): contractions use several threads, by rayon;
+//! - `nalgebra`, `ndarray`: tensors are converted to and from dense matrices and arrays;
+//! - `num-dual`: `Dual64` is a scalar. `Ratio<i64>` and `BigRational` of num-rational are always
 //!   scalars;
-//! - `serde`: tensors and scalars are serialized, and checked when they are read.
+//! - `serde`: tensors and scalars are serialized. They are checked when they are read.
 
 pub mod contraction;
 #[cfg(any(feature = "nalgebra", feature = "ndarray"))]

@@ -1,4 +1,4 @@
-//! The limits of a computation, which its threads share.
+//! The limits of a computation. All threads of the computation have the same limits.
 
 mod effort;
 mod token;
@@ -10,11 +10,11 @@ pub use token::{StopReason, StopToken};
 use std::cell::RefCell;
 use std::sync::Arc;
 
-/// The limits under which a thread computes: the number of terms of symbolic values ([`Effort`]), a [`StopToken`], and the
-/// [stage](crate::stop::stage) that the token reports.
+/// The limits under which a thread computes. They are the number of terms of symbolic values
+/// ([`Effort`]), a [`StopToken`], and the [stage](crate::stop::stage) that the token reports.
 ///
-/// Kernels pass their limits to their worker threads. Code that starts its own threads passes them
-/// in the same way:
+/// Kernels pass their limits to their worker threads. Code that starts other threads should pass
+/// the limits in the same way:
 ///
 /// ```
 /// use affinor_tensors::Limits;
@@ -43,7 +43,7 @@ thread_local! {
 }
 
 impl Limits {
-    /// The limits of this thread.
+    /// The limits of the current thread.
     pub fn current() -> Self {
         Self::with(Clone::clone)
     }
@@ -53,20 +53,20 @@ impl Limits {
         self.clone().lend(work)
     }
 
-    /// Reads the limits of this thread.
+    /// Calls `read` with the limits of the current thread.
     pub(crate) fn with<T>(read: impl FnOnce(&Limits) -> T) -> T {
         CURRENT.with_borrow(read)
     }
 
-    /// Sets the stage of this thread. Returns the previous stage.
+    /// Sets the stage of the current thread. Returns the previous stage.
     pub(crate) fn set_stage(stage: &'static str) -> &'static str {
         CURRENT.with_borrow_mut(|limits| std::mem::replace(&mut limits.stage, stage))
     }
 
-    /// Runs `work` with the limits of this thread and these limits exchanged. It counts no
-    /// references, so workers call it for each small piece of work.
+    /// Runs `work` after exchanging these limits with the limits of the thread. No references are
+    /// counted, so workers call this method for each small piece of work.
     pub(crate) fn lend<T>(&mut self, work: impl FnOnce() -> T) -> T {
-        /// Restores the limits of the thread when it is dropped, also if the work unwinds.
+        /// Restores the limits of the thread when the value is dropped, also if the work unwinds.
         struct Lent<'l>(&'l mut Limits);
         impl Drop for Lent<'_> {
             fn drop(&mut self) {

@@ -1,13 +1,13 @@
 //! Exact linear algebra over any [`Field`](crate::Field): sparse matrices and their echelon form.
 //!
-//! The same code serves rationals, rational functions and floats. Exact scalars are stored in
-//! lowest terms. Every intermediate number is therefore a quotient of minors of the matrix, and its
-//! size is bounded (E. H. Bareiss, *Math. Comp.* 22 (1968) 565-578). Whether a float counts as zero
-//! is decided by its [`Sum`] and the [`Tolerance`] of the matrix.
+//! The same code computes with rationals, rational functions and floats. Exact scalars are stored
+//! in lowest terms. Every intermediate number is therefore a quotient of minors of the matrix, and
+//! its size is bounded (E. H. Bareiss, *Math. Comp.* 22 (1968) 565-578). Whether a float counts as
+//! zero is decided by its [`Sum`] and the [`Tolerance`] of the matrix.
 //!
 //! The ring of scalars may contain non-units other than zero. Determinants are correct over any
-//! commutative ring, inverses over local rings such as the dual numbers. An elimination that needs
-//! the inverse of a non-unit returns [`LinearError::NotInvertible`].
+//! commutative ring. Inverses are correct over local rings such as the dual numbers. An elimination
+//! that needs the inverse of a non-unit returns [`LinearError::NotInvertible`].
 
 mod balance;
 mod echelon;
@@ -55,7 +55,7 @@ pub enum LinearError {
         /// The length of the offending row.
         found: usize,
     },
-    /// An entry lies outside the matrix.
+    /// An entry is outside the matrix.
     #[error("column {column} is out of range for {columns} columns")]
     Column {
         /// The column of the entry, from 0.
@@ -63,16 +63,16 @@ pub enum LinearError {
         /// The number of columns.
         columns: usize,
     },
-    /// The shapes (rows, columns) of two terms, two factors or the two sides of a system do not
-    /// match.
+    /// The shapes (rows, columns) of two terms or two factors, or of the two sides of a system, do
+    /// not match.
     #[error("shapes {}x{} and {}x{} do not match", .left.0, .left.1, .right.0, .right.1)]
     Shape {
-        /// Rows and columns of the left operand.
+        /// The numbers of rows and columns of the left operand.
         left: (usize, usize),
-        /// Rows and columns of the right operand.
+        /// The numbers of rows and columns of the right operand.
         right: (usize, usize),
     },
-    /// The determinant of a matrix that is not square.
+    /// The determinant of a matrix that is not square was requested.
     #[error("a {rows}x{columns} matrix is not square")]
     NotSquare {
         /// The number of rows.
@@ -80,21 +80,21 @@ pub enum LinearError {
         /// The number of columns.
         columns: usize,
     },
-    /// No entry that could be a pivot is a unit, but not all are zero. This cannot occur in a
-    /// field.
+    /// None of the possible pivots is a unit, but some of them are not zero. This error cannot
+    /// occur in a field.
     #[error("none of the nonzero entries left in column {column} can be inverted")]
     NotInvertible {
-        /// The column of the missing pivot, from 0.
+        /// The column in which the pivot is missing, from 0.
         column: usize,
     },
 }
 
 impl<S: Summable> Matrix<S> {
-    /// The matrix with the given rows of entries `(column, value)`, in any order. Entries in the same
-    /// column are added.
+    /// The matrix with these rows. A row is a list of entries `(column, value)` in any order.
+    /// Entries in the same column are added.
     ///
     /// # Errors
-    /// [`LinearError::Column`] if an entry lies outside the matrix.
+    /// [`LinearError::Column`] if an entry is outside the matrix.
     pub fn from_rows<R: IntoIterator<Item = (usize, S)>>(
         columns: usize,
         rows: impl IntoIterator<Item = R>,
@@ -113,10 +113,10 @@ impl<S: Summable> Matrix<S> {
         Ok(matrix)
     }
 
-    /// The matrix with the given dense rows. Without rows it is 0x0.
+    /// The matrix with these dense rows. If there are no rows, it has no columns either.
     ///
     /// # Errors
-    /// [`LinearError::Ragged`] if the rows differ in length.
+    /// [`LinearError::Ragged`] if the rows have different lengths.
     pub fn from_dense(rows: &[Vec<S>]) -> Result<Self, LinearError> {
         let expected = rows.first().map_or(0, Vec::len);
         if let Some(row) = rows.iter().position(|row| row.len() != expected) {
@@ -126,7 +126,7 @@ impl<S: Summable> Matrix<S> {
         Self::from_rows(expected, rows.iter().map(|row| row.iter().cloned().enumerate()))
     }
 
-    /// The square matrix with the given diagonal.
+    /// The square matrix with this diagonal.
     pub fn diagonal(entries: impl IntoIterator<Item = S>) -> Self {
         let tolerance = Tolerance::default();
         let rows: Vec<_> =
@@ -134,7 +134,7 @@ impl<S: Summable> Matrix<S> {
         Matrix { columns: rows.len(), rows, tolerance }
     }
 
-    /// The identity of `n` rows.
+    /// The identity matrix with `n` rows.
     pub fn identity(n: usize) -> Self {
         Self::diagonal(std::iter::repeat_n(S::one(), n))
     }
@@ -144,7 +144,7 @@ impl<S: Summable> Matrix<S> {
         Matrix { columns, rows: vec![vec![]; rows], tolerance: Tolerance::default() }
     }
 
-    /// The same matrix with another tolerance for computations with it (floats only).
+    /// The same matrix with another tolerance. Only computations in floats use the tolerance.
     #[must_use]
     pub fn with_tolerance(mut self, tolerance: Tolerance) -> Self {
         self.tolerance = tolerance;
@@ -171,7 +171,8 @@ impl<S: Summable> Matrix<S> {
         at(self.row(i), j).cloned().unwrap_or_else(S::zero)
     }
 
-    /// The nonzero entries `(column, value)` of row `i`; empty if the matrix has no such row.
+    /// The nonzero entries `(column, value)` of row `i`. The list is empty if the matrix has no
+    /// such row.
     pub fn row(&self, i: usize) -> &[(usize, S)] {
         self.rows.get(i).map_or(&[], Vec::as_slice)
     }
@@ -182,7 +183,7 @@ impl<S: Summable> Matrix<S> {
             .flat_map(|(i, row)| row.iter().map(move |(j, value)| (i, *j, value)))
     }
 
-    /// All entries, zeros included, row by row.
+    /// All entries, row by row. Zeros are included.
     pub fn to_dense(&self) -> Vec<Vec<S>> {
         let dense = |row: &Row<S>| {
             let mut entries = vec![S::zero(); self.columns];
@@ -192,7 +193,7 @@ impl<S: Summable> Matrix<S> {
         self.rows.iter().map(dense).collect()
     }
 
-    /// The transpose: entry `(i, j)` becomes `(j, i)`.
+    /// The transpose, in which the entry `(i, j)` is the entry `(j, i)` of this matrix.
     #[must_use]
     pub fn transpose(&self) -> Self {
         let mut rows = vec![vec![]; self.columns];
@@ -202,8 +203,8 @@ impl<S: Summable> Matrix<S> {
         Matrix { columns: self.rows(), rows, tolerance: self.tolerance }
     }
 
-    /// The matrix with its entries mapped into another ring, and the same tolerance. `f` must map
-    /// zero to zero; it is called for nonzero entries only.
+    /// Maps the entries of the matrix into another ring. The tolerance remains the same. The
+    /// function `f` must map zero to zero, because it is called only for nonzero entries.
     pub fn map<T: Summable>(&self, f: impl Fn(&S) -> T) -> Matrix<T> {
         let mapped = |row: &Row<S>| {
             let values = row.iter().map(|(j, value)| (*j, f(value)));
@@ -230,7 +231,7 @@ impl<S: Summable> Matrix<S> {
         Ok(Matrix { columns: self.columns, rows, tolerance })
     }
 
-    /// The product `A B`, `(AB)_ij = A_ik B_kj`.
+    /// The product `A B`, with `(AB)_ij = A_ik B_kj`.
     ///
     /// # Errors
     /// [`LinearError::Shape`] unless the number of rows of `B` is the number of columns of `A`.
@@ -251,7 +252,7 @@ impl<S: Summable> Matrix<S> {
         })
     }
 
-    /// The vector `A x`, `(A x)_i = A_ij x_j`.
+    /// The vector `A x`, with `(A x)_i = A_ij x_j`.
     ///
     /// # Errors
     /// [`LinearError::Shape`] unless `x` has one component for each column of `A`.
@@ -267,7 +268,8 @@ impl<S: Summable> Matrix<S> {
         Ok(self.rows.iter().map(component).collect())
     }
 
-    /// The rows of `[A | B]`: this matrix with a further block of columns on its right.
+    /// The rows of `[A | B]`, where `A` is this matrix, and `B` is an additional block of columns
+    /// on its right.
     fn beside(&self, block: impl IntoIterator<Item = Row<S>>) -> impl Iterator<Item = Row<S>> {
         self.rows.iter().zip(block).map(|(row, right)| {
             let shifted = right.into_iter().map(|(j, value)| (j + self.columns, value));
@@ -280,14 +282,14 @@ impl<S: Summable> Matrix<S> {
     }
 }
 
-/// Matrices are equal if their shapes and entries are; the tolerance is ignored.
+/// Two matrices are equal if their shapes and entries are equal. The tolerance is ignored.
 impl<S: PartialEq> PartialEq for Matrix<S> {
     fn eq(&self, other: &Self) -> bool {
         self.columns == other.columns && self.rows == other.rows
     }
 }
 
-/// Writes one row per line, with all entries: `[1, 0]`.
+/// Writes all entries, with one row per line: `[1, 0]`.
 impl<S: Summable> fmt::Display for Matrix<S> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for (i, row) in self.to_dense().iter().enumerate() {

@@ -1,17 +1,18 @@
 //! Operations on the slots of one tensor: traces, symmetrization, raising and lowering.
 //!
-//! Slots count from 0. Each operation is a [`contract`] whose notation is built from the slots.
+//! Slots count from 0. Each operation calls [`contract`] with a notation that is built from the
+//! slots.
 
 use crate::contraction::indices;
 use crate::{Down, Field, Scalar, Tensor, TensorError, Up, Variance, contract};
 
-/// The letters of the slots in order.
+/// The index letters of the slots, in order.
 const LETTERS: &str = "abcdefgh";
-/// The letter of a summed index.
+/// The index letter of a summed index.
 const SUMMED: char = 'p';
 
 impl<S: Scalar> Tensor<S> {
-    /// The trace over an upper and a lower slot, `T^p_p`; the other slots keep their order.
+    /// The trace `T^p_p` over an upper and a lower slot. The other slots remain in the same order.
     ///
     /// ```
     /// use affinor_tensors::{Rational, Tensor};
@@ -22,7 +23,7 @@ impl<S: Scalar> Tensor<S> {
     ///
     /// # Errors
     /// [`TensorError::Slots`] unless `a` and `b` are two slots of this tensor;
-    /// [`TensorError::Notation`] when both are upper or both lower.
+    /// [`TensorError::Notation`] if both are upper, or both are lower.
     pub fn trace(&self, a: usize, b: usize) -> Result<Self, TensorError> {
         self.distinct(&[a, b])?;
         let mut letters = self.letters();
@@ -32,27 +33,28 @@ impl<S: Scalar> Tensor<S> {
         contract(&format!("T{operand} -> {result}"), &[("T", self)])
     }
 
-    /// Lowers the upper slot `slot` in place: `g_ap T^p`, where `g` is a metric with the slots
-    /// `[Down, Down]`.
+    /// Lowers the upper slot `slot`, which remains at its position: `g_ap T^p`, where `g` is a
+    /// metric with the slots `[Down, Down]`.
     ///
     /// # Errors
-    /// [`TensorError::Slots`] unless `slot` is one of this tensor; [`TensorError::Notation`]
+    /// [`TensorError::Slots`] unless `slot` is a slot of this tensor; [`TensorError::Notation`]
     /// unless it is upper and `metric` has two lower slots; [`TensorError::Dimension`].
     pub fn lower(&self, slot: usize, metric: &Self) -> Result<Self, TensorError> {
         self.shift(slot, metric, Down)
     }
 
-    /// Raises the lower slot `slot` in place: `g^ap T_p`, where `g` is an inverse metric with the
-    /// slots `[Up, Up]`.
+    /// Raises the lower slot `slot`, which remains at its position: `g^ap T_p`, where `g` is an
+    /// inverse metric with the slots `[Up, Up]`.
     ///
     /// # Errors
-    /// [`TensorError::Slots`] unless `slot` is one of this tensor; [`TensorError::Notation`]
+    /// [`TensorError::Slots`] unless `slot` is a slot of this tensor; [`TensorError::Notation`]
     /// unless it is lower and `inverse_metric` has two upper slots; [`TensorError::Dimension`].
     pub fn raise(&self, slot: usize, inverse_metric: &Self) -> Result<Self, TensorError> {
         self.shift(slot, inverse_metric, Up)
     }
 
-    /// Raises or lowers one slot to the variance `to`, by a metric with two slots of this variance.
+    /// Raises or lowers one slot to the variance `to`. The metric must have two slots of this
+    /// variance.
     fn shift(&self, slot: usize, metric: &Self, to: Variance) -> Result<Self, TensorError> {
         self.distinct(&[slot])?;
         let (mut operand, mut result) = (self.letters(), self.letters());
@@ -65,13 +67,13 @@ impl<S: Scalar> Tensor<S> {
         contract(&text, &[("g", metric), ("T", self)])
     }
 
-    /// The sum (`sign` is `+`) or the difference (`-`) of two tensors of the same shape.
+    /// The sum (`sign` is `+`) or the difference (`sign` is `-`) of two tensors of the same shape.
     pub(crate) fn combined(&self, sign: char, other: &Self) -> Result<Self, TensorError> {
         let own = indices(self.letters());
         contract(&format!("a{own} {sign} b{own} -> {own}"), &[("a", self), ("b", other)])
     }
 
-    /// The index letters of the slots with their variances.
+    /// The index letters of the slots, with their variances.
     fn letters(&self) -> Vec<(char, Variance)> {
         LETTERS.chars().zip(self.slots().iter().copied()).collect()
     }
@@ -86,19 +88,20 @@ impl<S: Scalar> Tensor<S> {
 }
 
 impl<S: Field + Scalar> Tensor<S> {
-    /// The part symmetric in `slots`: the mean over all orders of their indices, as
-    /// `T_(ab) = (T_ab + T_ba)/2`.
+    /// The part of the tensor that is symmetric in `slots`. It is the mean over all orders of their
+    /// indices, such as `T_(ab) = (T_ab + T_ba)/2`.
     ///
     /// # Errors
     /// [`TensorError::Slots`] unless `slots` are different slots of this tensor;
-    /// [`TensorError::Notation`] when they mix upper and lower;
-    /// [`TensorError::NotInvertible`] when `k!` has no inverse in the field.
+    /// [`TensorError::Notation`] if some are upper and some are lower.
+    /// [`TensorError::NotInvertible`] if `k!` has no inverse in the field, where `k` is the number
+    /// of slots.
     pub fn symmetrise(&self, slots: &[usize]) -> Result<Self, TensorError> {
         self.mean(slots, '+')
     }
 
-    /// The part antisymmetric in `slots`: the signed mean over all orders of their indices, as
-    /// `T_[ab] = (T_ab - T_ba)/2`.
+    /// The part of the tensor that is antisymmetric in `slots`. It is the signed mean over all
+    /// orders of their indices, such as `T_[ab] = (T_ab - T_ba)/2`.
     ///
     /// ```
     /// use affinor_tensors::{Down, Rational, Tensor};
@@ -108,13 +111,13 @@ impl<S: Field + Scalar> Tensor<S> {
     /// ```
     ///
     /// # Errors
-    /// Those of [`symmetrise`](Self::symmetrise).
+    /// The errors of [`symmetrise`](Self::symmetrise).
     pub fn antisymmetrise(&self, slots: &[usize]) -> Result<Self, TensorError> {
         self.mean(slots, '-')
     }
 
-    /// The mean over all permutations of the `k` indices in `slots`; with the sign `-`, every
-    /// exchange of two indices changes the sign of its term.
+    /// The mean over all permutations of the `k` indices in `slots`. If `sign` is `-`, every
+    /// exchange of two indices changes the sign of the term.
     fn mean(&self, slots: &[usize], sign: char) -> Result<Self, TensorError> {
         self.distinct(slots)?;
         let orders = (1..=slots.len() as i64).product();
@@ -122,7 +125,8 @@ impl<S: Field + Scalar> Tensor<S> {
         let letters = self.letters();
         let result = indices(letters.iter().copied());
         let mut sum = self.clone();
-        // a permutation of k slots permutes the first k - 1, then exchanges at most one with the k-th
+        // a permutation of k slots is a permutation of the first k - 1 slots, followed by at most
+        // one exchange with the last slot
         for (behind, &last) in slots.iter().enumerate() {
             let mut text = format!("T{result}");
             for &slot in &slots[..behind] {

@@ -1,12 +1,13 @@
-//! Scalars: the traits of coefficients, and the types that implement them.
+//! Scalars: the traits of coefficients, and the types that implement these traits.
 //!
-//! [`Ring`] and [`Field`] are arithmetic: they build on [`Zero`], [`One`] and the operators of num-traits. Neither requires
-//! `Copy` or an order, so that big rationals and rational functions are scalars too. [`Summable`] names the accumulator of
-//! sums of products, [`Notation`] the written form. Tensors are contracted over a [`Scalar`](crate::Scalar).
+//! [`Ring`] and [`Field`] define the arithmetic. They use [`Zero`], [`One`] and the operators of
+//! num-traits. Neither requires `Copy` or an order, so that big rationals and rational functions
+//! are scalars too. [`Summable`] defines the accumulator of sums of products, and [`Notation`]
+//! defines the written form. Tensors are contracted over a [`Scalar`](crate::Scalar).
 //!
-//! *Zero* always means the whole value: the dual number `0 + eps` is not zero ([`Ring::vanishes`]).
-//! The functions in [`laws`] test the laws that every scalar obeys; use them to test a user-defined
-//! scalar.
+//! *Zero* always refers to the whole value: the dual number `0 + eps` is not zero
+//! ([`Ring::vanishes`]). The functions in [`laws`] test the laws that every scalar must satisfy.
+//! They can also test a user-defined scalar.
 
 mod caches;
 mod divisors;
@@ -44,11 +45,12 @@ pub use symbolic::{CommonFactors, FreeFunction, PositiveFactors, Symbolic, Varia
 pub use tabular::Tabular;
 pub use tracked::TrackedFloat;
 
-/// A commutative ring with 1, with operators by value and by reference. Every `x` has a negative:
-/// `x - x` must vanish. Intervals violate this law, and brackets over them are rejected.
+/// A commutative ring with 1. Its operators accept values and references. Every `x` must have a
+/// negative, so that `x - x` vanishes. Intervals violate this law, and brackets over intervals are
+/// rejected.
 ///
-/// The constants `zero()`, `one()` and [`from_i64`](Ring::from_i64) combine with every value of the
-/// type.
+/// The constants `zero()`, `one()` and [`from_i64`](Ring::from_i64) can be combined with every
+/// value of the type.
 pub trait Ring:
     Clone
     + PartialEq
@@ -64,11 +66,11 @@ pub trait Ring:
     + for<'a> Sub<&'a Self, Output = Self>
     + for<'a> Mul<&'a Self, Output = Self>
 {
-    /// The integer `n` as an element of this ring: `n` times one.
+    /// The integer `n` as an element of this ring, which is `n` times one.
     fn from_i64(n: i64) -> Self;
 
     /// Whether the whole value is zero. Sparse storage uses this test instead of [`Zero::is_zero`],
-    /// which some types define by their leading part alone.
+    /// which some types define only by their leading part.
     fn vanishes(&self) -> bool;
 
     /// The value `numerator / denominator`; `None` if this quotient does not exist in the ring.
@@ -77,13 +79,14 @@ pub trait Ring:
     }
 }
 
-/// A ring in which units can be inverted.
+/// A ring with inverses of all units.
 pub trait Field: Ring {
-    /// The multiplicative inverse; `None` exactly for non-units.
+    /// The multiplicative inverse. It is `None` exactly for non-units.
     fn recip(&self) -> Option<Self>;
 
-    /// The weight of the value as a pivot of an elimination; larger is better. Floats return the
-    /// magnitude, which is compared with the other entries of its row and column. Exact scalars
-    /// prefer short values, so that numbers stay small; their weights are not positive.
+    /// The weight of the value as a pivot of an elimination. A pivot with a larger weight is
+    /// better. Floats return the magnitude, which is compared with the other entries of its row and
+    /// column. Exact scalars prefer short values, so that numbers remain short; their weights are
+    /// not positive.
     fn pivot_weight(&self) -> f64;
 }

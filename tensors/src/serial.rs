@@ -1,13 +1,14 @@
-//! Reading and writing scalars and tensors through serde.
+//! Reads and writes scalars and tensors through serde.
 //!
-//! Exact and symbolic values are written as text, `"-1/2"` and `"a/(b + 1)"`, and a tensor as
+//! Exact and symbolic values are written as text, such as `"-1/2"` and `"a/(b + 1)"`. A tensor is
+//! written as
 //!
 //! ```text
 //! {"schema": "affinor.tensor/1", "dimension": 3, "slots": ["up", "down"], "tolerance": 1.4e-14,
 //!  "components": [[[1, 2], "-1/2"], ...]}
 //! ```
 //!
-//! with indices from 1. Every value that is read passes the checks of the constructors.
+//! where indices count from 1. Every value that is read passes the checks of the constructors.
 
 use crate::{Rational, Summable, Symbolic, Tensor, Tolerance, TrackedFloat, Variance};
 use serde::de::{Deserialize, Deserializer, Error};
@@ -35,7 +36,7 @@ macro_rules! as_text {
 }
 as_text!(Rational, Symbolic);
 
-/// A tracked float is serialized as a pair: the value and its error.
+/// A tracked float is serialized as a pair of its value and its error.
 impl Serialize for TrackedFloat {
     fn serialize<W: Serializer>(&self, serializer: W) -> Result<W::Ok, W::Error> {
         (self.value(), self.error()).serialize(serializer)
@@ -62,7 +63,7 @@ struct Written<'t, V> {
 
 impl<S: Summable + Serialize> Serialize for Tensor<S> {
     /// # Errors
-    /// Returns an error for a component that is infinite or NaN, which JSON cannot represent.
+    /// Returns an error if a component is infinite or NaN, which JSON cannot represent.
     fn serialize<W: Serializer>(&self, serializer: W) -> Result<W::Ok, W::Error> {
         let component =
             |(at, value): (crate::Indices, _)| (at.iter().map(|index| index + 1).collect(), value);

@@ -1,11 +1,12 @@
 //! Computations that can be stopped from outside.
 //!
 //! A [`StopToken`] is a flag. Kernels poll it at [checkpoints](checkpoint), also on their worker
-//! threads. Once it is set, the computation unwinds to [`StopToken::run`], which returns
-//! [`Stopped`]. Formulas therefore need no error type for stops. No result of a stopped computation
-//! is stored, and the next computation starts as in a new process.
+//! threads. If it is set, the computation unwinds to [`StopToken::run`], which returns [`Stopped`].
+//! Therefore, formulas need no error type for stopped computations. No result of a stopped
+//! computation is stored, and the next computation starts as in a new process.
 //!
-//! Unwinding calls no panic hook. Programs that are built with `panic = "abort"` must not use tokens.
+//! Unwinding calls no panic hook. Programs that are built with `panic = "abort"` must not use
+//! tokens.
 
 pub use crate::limits::{StopReason, StopToken};
 
@@ -17,17 +18,17 @@ use std::thread;
 use std::time::Duration;
 
 impl StopToken {
-    /// The token under which this thread computes, if any.
+    /// The token under which this thread computes; `None` if there is no token.
     pub fn current() -> Option<Self> {
         Limits::with(|limits| limits.stop.clone())
     }
 
-    /// Runs `work` and returns its result. Its checkpoints poll this flag, and no other one. The
-    /// work may unwind: values that it changes through references may be left as they are in the
-    /// middle of the work.
+    /// Runs `work`, and returns its result. The checkpoints of the work poll this flag and no other
+    /// flag. If the work unwinds, values that it changes through references may remain in an
+    /// intermediate state.
     ///
     /// # Errors
-    /// [`Stopped`] if the flag was set before the work ended.
+    /// [`Stopped`] if the flag is set before the work ends.
     pub fn run<T>(&self, work: impl FnOnce() -> T) -> Result<T, Stopped> {
         let limits = Limits { stop: Some(self.clone()), ..Limits::current() };
         catch_unwind(AssertUnwindSafe(|| limits.run(work))).map_err(|payload| {
@@ -39,12 +40,13 @@ impl StopToken {
     }
 }
 
-/// A computation that was stopped.
+/// The error of a computation that was stopped.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Stopped {
-    /// The reason.
+    /// The reason for which the computation was stopped.
     pub reason: StopReason,
-    /// The stage during which it was stopped; empty if the computation names no stages.
+    /// The stage during which the computation was stopped. It is empty if the computation does not
+    /// name its stages.
     pub stage: &'static str,
 }
 
@@ -64,8 +66,8 @@ impl fmt::Display for Stopped {
 
 impl std::error::Error for Stopped {}
 
-/// Ends the computation if the token of this thread is set. Loops call it if one pass may take
-/// longer than a few microseconds.
+/// Ends the computation if the token of this thread is set. Loops call this function if one
+/// iteration may take longer than a few microseconds.
 ///
 /// ```
 /// use affinor_tensors::stop::{StopReason, StopToken, Stopped, checkpoint, stage};
@@ -80,7 +82,7 @@ impl std::error::Error for Stopped {}
 /// ```
 #[inline]
 pub fn checkpoint() {
-    // the web page has no token and only one thread
+    // does not poll in the web page, which has no token and only one thread
     if !cfg!(target_family = "wasm") && is_any_requested() {
         end();
     }
@@ -97,14 +99,14 @@ fn end() {
     }
 }
 
-/// Names the current stage of the computation, for [`Stopped`], until the returned value is
-/// dropped.
+/// Names the current stage of the computation, which [`Stopped`] reports. The stage ends when the
+/// returned value is dropped.
 #[must_use = "the stage ends when the value is dropped"]
 pub fn stage(name: &'static str) -> Stage {
     Stage { before: Limits::set_stage(name) }
 }
 
-/// A stage of a computation; it ends when this value is dropped.
+/// A stage of a computation. It ends when this value is dropped.
 #[derive(Debug)]
 pub struct Stage {
     before: &'static str,
@@ -116,12 +118,12 @@ impl Drop for Stage {
     }
 }
 
-/// The polling interval of a thread that waits for [`detached`] work.
+/// The interval at which a thread polls while it waits for [`detached`] work.
 const OFTEN: Duration = Duration::from_millis(10);
 
 /// The result of long work without checkpoints, such as a function of another library. If this
-/// thread has a token, another thread does the work. When the token is set, this thread unwinds,
-/// and the result of the other thread is discarded.
+/// thread has a token, another thread does the work. If the token is set, this thread unwinds, and
+/// the result of the other thread is discarded.
 ///
 /// ```
 /// use affinor_tensors::stop::{StopReason, StopToken, detached};
@@ -145,7 +147,8 @@ pub fn detached<T: Send + 'static>(work: impl FnOnce() -> T + Send + 'static) ->
     let shared = work.clone();
     let thread = thread::Builder::new().spawn(move || {
         if let Some(work) = take(&shared) {
-            // sending fails if this thread has unwound and dropped the receiver
+            // ignores the failure of sending, which means that this thread has unwound and dropped
+            // the receiver
             let _ = send.send(catch_unwind(AssertUnwindSafe(work)));
         }
     });

@@ -1,4 +1,5 @@
-//! The tensor: sparse components in the order of their indices, with upper and lower slots.
+//! Tensors with upper and lower slots. Their components are sparse, and stored in the order of
+//! their indices.
 
 mod indices;
 mod operators;
@@ -21,11 +22,12 @@ pub enum Variance {
 }
 pub use Variance::{Down, Up};
 
-/// A tensor of any rank up to 8 over a space of dimension `n`: its nonzero components in the order
-/// of their indices.
+/// A tensor of any rank up to 8 over a space of dimension `n`. It stores its nonzero components in
+/// the order of their indices.
 ///
 /// Slots are ordered: `c^i_jk` has the slots `[Up, Down, Down]`, and its component indices are
-/// `[i, j, k]`, from 0. A zero is never stored ([`Ring::vanishes`](crate::Ring::vanishes)). Clones share their components.
+/// `[i, j, k]`, from 0. Zeros are never stored ([`Ring::vanishes`](crate::Ring::vanishes)). Clones
+/// share their components.
 ///
 /// ```
 /// use affinor_tensors::{Down, Rational, Tensor, Up};
@@ -42,13 +44,13 @@ pub use Variance::{Down, Up};
 pub struct Tensor<S> {
     dimension: usize,
     slots: Box<[Variance]>,
-    // shared by clones
+    // the lists of components, which clones share
     keys: Arc<Vec<u64>>,
     values: Arc<Vec<S>>,
-    /// `None` for the default tolerance. In a sum, a tolerance that was chosen takes precedence
-    /// over the default.
+    /// The tolerance; `None` for the default. In a sum, a tolerance that was chosen takes
+    /// precedence over the default.
     tolerance: Option<Tolerance>,
-    /// The value of all components that are not stored.
+    /// The zero of the ring, which is the value of all components that are not stored.
     zero: S,
 }
 
@@ -56,7 +58,7 @@ impl<S: Summable> Tensor<S> {
     /// The zero tensor.
     ///
     /// # Errors
-    /// [`TensorError::TooLarge`] when `dimension^rank` exceeds 64 bits.
+    /// [`TensorError::TooLarge`] if `dimension^rank` exceeds 64 bits.
     pub fn zero(dimension: usize, slots: &[Variance]) -> Result<Self, TensorError> {
         let rank = slots.len();
         let fits = rank <= Indices::MAX
@@ -65,16 +67,19 @@ impl<S: Summable> Tensor<S> {
             .ok_or(TensorError::TooLarge { dimension, rank })
     }
 
-    /// The zero tensor of a shape whose component keys are known to fit 64 bits.
+    /// The zero tensor of a shape. The caller must ensure that the keys of its components fit in 64
+    /// bits.
     fn unchecked(dimension: usize, slots: &[Variance]) -> Self {
         let (keys, values) = Default::default();
         Tensor { dimension, slots: slots.into(), keys, values, tolerance: None, zero: S::zero() }
     }
 
-    /// The tensor with the given components, in any order. Components with equal indices are added.
+    /// A tensor with these components, which may be in any order. Components with equal indices are
+    /// added.
     ///
     /// # Errors
-    /// An index out of range, a wrong number of indices, or a tensor that is too large.
+    /// An error if an index is out of range, if the number of indices is wrong, or if the tensor is
+    /// too large.
     pub fn from_components<I: AsRef<[usize]>>(
         dimension: usize,
         slots: &[Variance],
@@ -87,9 +92,9 @@ impl<S: Summable> Tensor<S> {
         Ok(zero.gather(keyed))
     }
 
-    /// The tensor whose components form one sparse row. The position of a component is `i` for a
-    /// vector, `i n + j` for a matrix, and `(i n + j) n + k` for rank 3. Components at equal
-    /// positions are added. The inverse of [`to_row`](Self::to_row).
+    /// A tensor whose components are given as one sparse row. The position of a component is `i`
+    /// for a vector, `i n + j` for a matrix, and `(i n + j) n + k` for rank 3. Components at equal
+    /// positions are added. This function is the inverse of [`to_row`](Self::to_row).
     ///
     /// ```
     /// use affinor_tensors::{Down, Tensor};
@@ -100,7 +105,7 @@ impl<S: Summable> Tensor<S> {
     /// ```
     ///
     /// # Errors
-    /// A position that is not below `n^rank`, or a tensor that is too large.
+    /// An error if a position is not below `n^rank`, or if the tensor is too large.
     pub fn from_row(
         dimension: usize,
         slots: &[Variance],
@@ -116,7 +121,7 @@ impl<S: Summable> Tensor<S> {
         Ok(zero.gather(keyed))
     }
 
-    /// The tensor with the components `f([i, j, ...])`, indices from 0.
+    /// A tensor with the components `f([i, j, ...])`. Indices count from 0.
     ///
     /// # Errors
     /// [`TensorError::TooLarge`].
@@ -140,27 +145,27 @@ impl<S: Summable> Tensor<S> {
         Self::diagonal(std::iter::repeat_n(S::one(), dimension), [Up, Down])
     }
 
-    /// The tensor of rank 2 with these components on the diagonal and zeros elsewhere.
+    /// A tensor of rank 2 with these components on the diagonal, and zeros elsewhere.
     pub fn diagonal(entries: impl IntoIterator<Item = S>, slots: [Variance; 2]) -> Self {
         let entries: Vec<S> = entries.into_iter().collect();
         let n = entries.len();
         Self::unchecked(n, &slots).store(n, (0..).step_by(n + 1).zip(entries))
     }
 
-    /// The vector `v^i` (or covector, by `variance`) with these components.
+    /// The vector `v^i` with these components. If `variance` is lower, it is the covector `v_i`.
     pub fn vector(components: &[S], variance: Variance) -> Self {
         let n = components.len();
         Self::unchecked(n, &[variance]).store(n, (0..).zip(components.iter().cloned()))
     }
 
-    /// The same tensor with another tolerance for computations with it (floats only).
+    /// The same tensor with another tolerance. Only computations in floats use the tolerance.
     #[must_use]
     pub fn with_tolerance(mut self, tolerance: Tolerance) -> Self {
         self.tolerance = Some(tolerance);
         self
     }
 
-    /// The dimension `n`: indices run from 0 to `n - 1`.
+    /// The dimension `n`. Indices run from 0 to `n - 1`.
     pub fn dimension(&self) -> usize {
         self.dimension
     }
@@ -180,8 +185,8 @@ impl<S: Summable> Tensor<S> {
         self.tolerance.unwrap_or_default()
     }
 
-    /// The weakest of the explicitly chosen tolerances of these tensors; `None` if all have the
-    /// default.
+    /// The largest of the tolerances that were chosen for these tensors. Returns `None` if all
+    /// tensors have the default tolerance.
     pub(crate) fn common_tolerance<'a>(
         tensors: impl Iterator<Item = &'a Self>,
     ) -> Option<Tolerance> {
@@ -198,20 +203,20 @@ impl<S: Summable> Tensor<S> {
         self.values.iter().all(Summable::is_small)
     }
 
-    /// The component with these indices, from 0; zero if it is not stored.
+    /// The component with these indices, from 0. It is zero if it is not stored.
     ///
     /// # Panics
-    /// If an index is out of range or the number of indices is wrong, as for slices.
+    /// If an index is out of range, or if the number of indices is wrong, as for slices.
     /// [`try_get`](Self::try_get) returns an error instead.
     pub fn get(&self, indices: &[usize]) -> S {
         self[indices].clone()
     }
 
-    /// The component with these indices, from 0; zero if it is not stored.
+    /// The component with these indices, from 0. It is zero if it is not stored.
     ///
     /// # Errors
-    /// [`TensorError::Rank`] for a wrong number of indices, [`TensorError::IndexRange`] for an
-    /// index out of range.
+    /// [`TensorError::Rank`] if the number of indices is wrong; [`TensorError::IndexRange`] if an
+    /// index is out of range.
     pub fn try_get(&self, indices: &[usize]) -> Result<&S, TensorError> {
         let key = self.key(indices)?;
         let found = self.keys.binary_search(&key).ok().map(|at| &self.values[at]);
@@ -223,8 +228,8 @@ impl<S: Summable> Tensor<S> {
         self.into_iter()
     }
 
-    /// The tensor of one rank less in which the index of `slot` has the value `index`: slot 0 of
-    /// `c^i_jk` and index 2 give `c^2_jk`.
+    /// The components for which the index of `slot` has the value `index`, as a tensor of one rank
+    /// less. For example, the slot 0 of `c^i_jk` and the index 2 yield `c^2_jk`.
     ///
     /// ```
     /// use affinor_tensors::{Down, Tensor, Up};
@@ -255,12 +260,12 @@ impl<S: Summable> Tensor<S> {
         Ok(slice.store(0, components))
     }
 
-    /// The value of a tensor of rank 0.
+    /// The value of a tensor of rank 0; `None` for other ranks.
     pub fn to_scalar(&self) -> Option<S> {
         self.slots.is_empty().then(|| self.get(&[]))
     }
 
-    /// All `n` components of a tensor of rank 1, zeros included.
+    /// All `n` components of a tensor of rank 1, including zeros; `None` for other ranks.
     pub fn to_vector(&self) -> Option<Vec<S>> {
         (self.rank() == 1).then(|| (0..self.dimension).map(|i| self.get(&[i])).collect())
     }
@@ -272,13 +277,13 @@ impl<S: Summable> Tensor<S> {
         shown.map(|(&key, value)| (key as usize, value.clone())).collect()
     }
 
-    /// The tensor with its components mapped into another ring, and the same tolerance.
+    /// Maps the components into another ring. The tolerance remains the same.
     pub fn map<T: Summable>(&self, f: impl Fn(&S) -> T) -> Tensor<T> {
         self.filter_map(|_, value| Some(f(value)))
     }
 
-    /// The tensor with its components mapped by `f`, which also receives the indices; `None` means
-    /// zero.
+    /// Maps the components by `f`, whose arguments are the indices and the component. The result
+    /// `None` means zero.
     pub fn filter_map<T: Summable>(&self, f: impl Fn(&[usize], &S) -> Option<T>) -> Tensor<T> {
         let mut tensor = Tensor::unchecked(self.dimension, &self.slots);
         tensor.tolerance = self.tolerance;
@@ -288,8 +293,9 @@ impl<S: Summable> Tensor<S> {
         tensor.store(self.keys.len(), mapped)
     }
 
-    /// The tensor with one more slot in front: its component `k` is `f(k, v)` for each component
-    /// `v`. Components that count as zero but are stored ([`Summable::is_small`]) are mapped too.
+    /// A tensor with an additional slot in front. For each component `v`, its component with the
+    /// first index `k` is `f(k, v)`. Components that count as zero but are stored
+    /// ([`Summable::is_small`]) are mapped too.
     ///
     /// # Errors
     /// [`TensorError::TooLarge`].
@@ -310,17 +316,18 @@ impl<S: Summable> Tensor<S> {
         Ok(tensor.store(0, components))
     }
 
-    /// The tensor with every component multiplied by `factor`.
+    /// The tensor multiplied by `factor`.
     #[must_use]
     pub fn scale(&self, factor: &S) -> Self {
         self.map(|value| value.clone() * factor)
     }
 
-    /// The tensor with its slots in another order: slot `a` of the result is slot `order[a]` of
-    /// this tensor.
+    /// The tensor with its slots in another order. The slot `a` of the result is the slot
+    /// `order[a]` of this tensor.
     ///
     /// # Errors
-    /// [`TensorError::Rank`] or [`TensorError::Slots`] unless `order` is a permutation of the slots.
+    /// [`TensorError::Rank`] or [`TensorError::Slots`] unless `order` is a permutation of the
+    /// slots.
     pub fn permute(&self, order: &[usize]) -> Result<Self, TensorError> {
         if order.len() != self.rank() {
             return Err(TensorError::Rank { rank: self.rank(), given: order.len() });
@@ -338,8 +345,8 @@ impl<S: Summable> Tensor<S> {
         Ok(Tensor { tolerance: self.tolerance, ..tensor })
     }
 
-    /// The symmetry of the components in two slots of equal variance: `Some(1)` if symmetric,
-    /// `Some(-1)` if antisymmetric, `None` if neither.
+    /// The symmetry of the components in two slots of equal variance. It is `Some(1)` if they are
+    /// symmetric, `Some(-1)` if they are antisymmetric, and `None` otherwise.
     pub fn pair_symmetry(&self, a: usize, b: usize) -> Option<i64> {
         if self.slots[a] != self.slots[b] || self.is_empty() {
             return None;
@@ -354,7 +361,7 @@ impl<S: Summable> Tensor<S> {
         })
     }
 
-    /// Stores components given in any order; components with equal keys are added.
+    /// Stores components that are given in any order. Components with equal keys are added.
     fn gather(self, mut keyed: Vec<(u64, S)>) -> Self {
         keyed.sort_by_key(|(key, _)| *key);
         let tolerance = self.tolerance();
@@ -366,8 +373,8 @@ impl<S: Summable> Tensor<S> {
         self.store(keyed.len(), components)
     }
 
-    /// Stores components given in the order of their keys, and drops zeros. `room` is the expected
-    /// number of components.
+    /// Stores components that are given in the order of their keys, and omits zeros. The parameter
+    /// `room` is the expected number of components.
     fn store(self, room: usize, components: impl Iterator<Item = (u64, S)>) -> Self {
         let (mut keys, mut values) = (Vec::with_capacity(room), Vec::with_capacity(room));
         for (key, value) in components.filter(|(_, value)| !value.vanishes() || value.is_small()) {
@@ -377,7 +384,7 @@ impl<S: Summable> Tensor<S> {
         self.fill(keys, values)
     }
 
-    /// Stores sorted, nonzero components.
+    /// Stores components that are sorted and nonzero.
     pub(crate) fn fill(mut self, keys: Vec<u64>, values: Vec<S>) -> Self {
         debug_assert!(keys.is_sorted_by(|a, b| a < b) && keys.len() == values.len());
         (self.keys, self.values) = (Arc::new(keys), Arc::new(values));
@@ -392,7 +399,7 @@ impl<S: Summable> Tensor<S> {
         &self.values
     }
 
-    /// The key of a component: its position in the order of all indices.
+    /// The key of a component, which is its position in the order of all indices.
     fn key(&self, indices: &[usize]) -> Result<u64, TensorError> {
         let dimension = self.dimension;
         if indices.len() != self.rank() {

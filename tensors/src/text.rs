@@ -6,9 +6,10 @@ pub use decimal::{exact_decimal, rounded};
 
 use std::fmt::Display;
 
-/// Writes a linear combination, from its coefficients and labels: `a + 2*b - (p + q)*c`.
+/// Writes a linear combination from its coefficients and labels, such as `a + 2*b - (p + q)*c`.
 ///
-/// A coefficient that is a sum is put in parentheses. A combination without terms is written `0`.
+/// A coefficient that is a sum is enclosed in parentheses. A combination without terms is written
+/// `0`.
 ///
 /// ```
 /// use affinor_tensors::text::combination;
@@ -60,7 +61,7 @@ pub fn written(value: &impl Display) -> String {
 }
 
 fn short(text: String) -> String {
-    // only floats contain a decimal point
+    // changes only numbers with a decimal point, because only floats contain a decimal point
     match text.parse::<f64>() {
         Ok(x) if text.contains('.') && x != 0.0 && x.abs() < 1e-5 => format!("{x:e}"),
         _ => text,

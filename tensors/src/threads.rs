@@ -1,4 +1,5 @@
-//! The threads of rayon; one thread without the feature `parallel`, and in a browser.
+//! The threads of rayon. Without the feature `parallel`, and in a browser, there is only one
+//! thread.
 
 #[cfg(all(feature = "parallel", not(target_family = "wasm")))]
 mod many;
@@ -12,15 +13,15 @@ pub(crate) use one::{count, join, map};
 
 use std::sync::{Mutex, PoisonError};
 
-/// A pool of working states for threads. A state may be large, so it is reused: there are hardly
-/// more states than threads.
+/// A pool of working states for threads. A state may be large, so states are reused, and there are
+/// hardly more states than threads.
 pub(crate) struct States<W, I> {
     init: I,
     idle: Mutex<Vec<W>>,
 }
 
 impl<W, I: Fn() -> W> States<W, I> {
-    /// An empty pool; `init` creates a state.
+    /// An empty pool. The function `init` creates a state.
     pub(crate) fn new(init: I) -> Self {
         States { init, idle: Mutex::default() }
     }
@@ -29,14 +30,15 @@ impl<W, I: Fn() -> W> States<W, I> {
         self.idle.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Takes a state out of the pool, until the returned value is dropped.
+    /// Takes a state out of the pool. The state returns to the pool when the returned value is
+    /// dropped.
     fn take(&self) -> Taken<'_, W, I> {
         let idle = self.idle().pop();
         Taken { states: self, state: Some(idle.unwrap_or_else(|| (self.init)())) }
     }
 }
 
-/// A state that is in use; it returns to the pool when it is dropped.
+/// A state that is in use. It returns to the pool when this value is dropped.
 struct Taken<'s, W, I: Fn() -> W> {
     states: &'s States<W, I>,
     state: Option<W>,
@@ -53,7 +55,7 @@ mod tests {
     use super::*;
     use std::sync::atomic::{AtomicUsize, Ordering};
 
-    /// Many rounds of work create no more states than there are threads, and preserve the order of
+    /// Many rounds of work create no more states than there are threads. They preserve the order of
     /// the results.
     #[test]
     fn states_are_used_again() {

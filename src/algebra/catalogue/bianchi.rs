@@ -1,8 +1,8 @@
 //! The three-dimensional algebras in Bianchi's list.
 //!
-//! A bracket in three dimensions is given by a symmetric matrix and a vector, `c^i_jk = eps_jkl
-//! n^li + delta^i_k a_j - delta^i_j a_k`, and the Jacobi identity is `n^ij a_j = 0`. With `a` along
-//! e3 the types are
+//! A bracket in three dimensions is given by a symmetric matrix and a vector,
+//! `c^i_jk = eps_jkl n^li + delta^i_k a_j - delta^i_j a_k`, and the Jacobi identity is
+//! `n^ij a_j = 0`. If `a` is along e3, the types are:
 //!
 //! | type | n^11 | n^22 | n^33 | n^12 | a_3 | bracket |
 //! |---|---|---|---|---|---|---|
@@ -19,12 +19,12 @@
 //! G. F. R. Ellis and M. A. H. MacCallum, *Commun. Math. Phys.* 12 (1969) 108-141; L. D. Landau and
 //! E. M. Lifshitz, *The Classical Theory of Fields*, section 116. They diagonalize `n`, take `a`
 //! along the first axis, and choose the parameter `h_EM = a^2 / (n^2 n^3)`, with which the brackets
-//! contain square roots. Here the brackets are rational in `h`. In VI it is the ratio of the two
-//! eigenvalues, `h_EM = -((1+h)/(1-h))^2`. In VII it is the ratio of the real to the imaginary part
-//! of the eigenvalues, `h_EM = h^2`.
+//! contain square roots. Here, the brackets are rational in `h`. In type VI, `h` is the ratio of
+//! the two eigenvalues, `h_EM = -((1+h)/(1-h))^2`. In type VII, `h` is the ratio of the real to the
+//! imaginary part of the eigenvalues, `h_EM = h^2`.
 //!
-//! Therefore VI_0 of the literature is `h = -1`, and VII_0 is `h = 0`. In VI, `h` and `1/h` give
-//! the same algebra, `h = 0` gives III (`h_EM = -1`) and `h = 1` gives V.
+//! Therefore type VI_0 of the literature has `h = -1`, and type VII_0 has `h = 0`. In type VI, `h`
+//! and `1/h` give the same algebra; `h = 0` gives type III (`h_EM = -1`), and `h = 1` gives type V.
 
 use super::name::{Argument, rule};
 use super::{CatalogueError, Entry, Family, Reader, numbered};
@@ -90,7 +90,7 @@ pub(super) fn names() -> Vec<String> {
     types.map(|name| format!("bianchi({name})")).to_vec()
 }
 
-/// The value of a parameter; errors refer to positions in the whole name.
+/// Evaluates the value of a parameter. The positions in errors refer to the whole name.
 pub(super) fn evaluate(name: &str, value: Argument) -> Result<Symbolic, CatalogueError> {
     let parameter = |name: &str| Notation::parameter(name).ok_or("this is not a name".to_string());
     let result = Expression::parse(value.text)

@@ -1,8 +1,8 @@
 //! The compact forms of the simple complex algebras.
 //!
-//! With a Chevalley basis `e_a, f_a, h_k` they are spanned by `u_a = e_a - f_a`, `v_a = i (e_a +
-//! f_a)` and `w_k = i h_k`. These are fixed points of the antilinear map `e_a -> -f_a`, `h_k ->
-//! -h_k`.
+//! Let `e_a, f_a, h_k` be a Chevalley basis. The compact form is spanned by `u_a = e_a - f_a`,
+//! `v_a = i (e_a + f_a)` and `w_k = i h_k`. These vectors are fixed points of the antilinear map
+//! `e_a -> -f_a`, `h_k -> -h_k`.
 
 use super::name::{Argument, rule};
 use super::triangular::cartan_type;
@@ -11,7 +11,7 @@ use crate::algebra::SparseBracket;
 use crate::algebra::roots::{RootSystem, chevalley_constants};
 use std::collections::BTreeMap;
 
-/// compact(X).
+/// The family compact(X).
 pub(super) const FAMILY: Family = Family {
     pattern: "compact(TYPE)",
     needs: "a TYPE such as G2 or E8",
@@ -39,7 +39,7 @@ fn read(name: &str, arguments: &[Argument]) -> Result<Entry, CatalogueError> {
     let roots = RootSystem::new(cartan_type);
     let (positive, rank) = (roots.positive_roots().len(), cartan_type.rank());
     let n = 2 * positive + rank;
-    // [e_j, e_k] of the Chevalley basis, for both orders
+    // the brackets [e_j, e_k] of the Chevalley basis, in both orders of j and k
     let constants = chevalley_constants(&roots).into_iter();
     let both = constants.flat_map(|(j, k, i, value)| [(j, k, i, value), (k, j, i, -value)]);
     let split = SparseBracket::new(n, both);

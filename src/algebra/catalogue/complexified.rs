@@ -1,11 +1,11 @@
-//! Complex matrix algebras regarded as real ones of twice the dimension.
+//! Complex matrix algebras, regarded as real algebras of twice the dimension.
 
 use super::{Entry, Family, Reader, linear, orthogonal, symplectic};
 use crate::MatrixBasis;
 use crate::algebra::Complex;
 use affinor_tensors::{Rational, Symbolic, Tolerance};
 
-/// sl(n,C).
+/// The family sl(n,C).
 pub(super) const LINEAR: Family = Family {
     pattern: "sl(n,C)",
     needs: "n >= 2",
@@ -19,7 +19,7 @@ pub(super) const LINEAR: Family = Family {
     },
 };
 
-/// so(n,C).
+/// The family so(n,C).
 pub(super) const ORTHOGONAL: Family = Family {
     pattern: "so(n,C)",
     needs: "n >= 2",
@@ -32,7 +32,7 @@ pub(super) const ORTHOGONAL: Family = Family {
     },
 };
 
-/// sp(2n,C).
+/// The family sp(2n,C).
 pub(super) const SYMPLECTIC: Family = Family {
     pattern: "sp(2n,C)",
     needs: "an even number, at least 2",
@@ -45,8 +45,8 @@ pub(super) const SYMPLECTIC: Family = Family {
     },
 };
 
-/// The complex algebra in the basis `x` and `i x`: `[x, iy] = i[x,y]`, `[ix, iy] = -[x,y]`. Its
-/// matrices are those of the real algebra, and `i` times them.
+/// The complex algebra in the basis `x` and `i x`: `[x, iy] = i[x,y]`, `[ix, iy] = -[x,y]`. The
+/// matrices are the matrices of the real algebra, and their products with `i`.
 fn complexified(name: String, real: Entry) -> Entry {
     let n = real.dimension();
     let imaginary = real.labels.iter().map(|label| format!("i{label}"));

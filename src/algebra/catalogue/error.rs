@@ -1,14 +1,14 @@
-//! Errors for names that do not denote exactly one algebra of the catalogue.
+//! Errors for names that do not identify exactly one algebra of the catalogue.
 
 use crate::algebra::roots::MAX_DIMENSION;
 use affinor_tensors::expression::ExpressionError;
 use std::ops::Range;
 
-/// A name that denotes no algebra of the catalogue, or more than one.
+/// The name does not identify exactly one algebra of the catalogue.
 #[non_exhaustive]
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum CatalogueError {
-    /// No family has a name that begins like this.
+    /// The beginning of the name matches no family.
     #[error("there is no algebra named `{}`{}", .name.escape_debug(), suggestion(.nearest))]
     Unknown {
         /// The name.
@@ -27,7 +27,7 @@ pub enum CatalogueError {
         /// All readings, written in full.
         readings: Vec<String>,
     },
-    /// The name lacks the arguments that its family needs.
+    /// The name has no arguments, but its family needs them.
     #[error(
         "`{}` needs arguments: write for instance {}",
         .name.escape_debug(), .candidates.join(" or ")
@@ -35,7 +35,7 @@ pub enum CatalogueError {
     Incomplete {
         /// The name.
         name: String,
-        /// An example from every family whose names begin like this.
+        /// One example from each family that the beginning of the name matches.
         candidates: Vec<String>,
     },
     /// The family has no algebra for these arguments.

@@ -1,9 +1,9 @@
-//! The Euclidean algebras: rotations of R^n with one or two vectors.
+//! The Euclidean algebras: rotations of R^n, together with one or two copies of the translations.
 
 use super::orthogonal::rotations;
 use super::{Entry, Family, Reader, numbered, pair_count};
 
-/// se(n), as matrices of size n + 1.
+/// The family se(n), as matrices of size n + 1.
 pub(super) const FAMILY: Family = Family {
     pattern: "se(n)",
     needs: "n >= 2",
@@ -17,7 +17,7 @@ pub(super) const FAMILY: Family = Family {
     },
 };
 
-/// se_2(n), as matrices of size n + 2.
+/// The family se_2(n), as matrices of size n + 2.
 pub(super) const EXTENDED: Family = Family {
     pattern: "se_2(n)",
     needs: "n >= 2",

@@ -1,10 +1,11 @@
-//! Algebras of kinematics: Poincare, Galilei, conformal, similarities, homotheties, Schroedinger, oscillator.
+//! Algebras of kinematics: Poincare, Galilei, conformal, similarities, homotheties, Schroedinger,
+//! oscillator.
 
 use super::orthogonal::rotations;
 use super::{Entry, Family, Reader, numbered, pair_count};
 use affinor_tensors::{Ring, Symbolic};
 
-/// iso(p,q).
+/// The family iso(p,q).
 pub(super) const POINCARE: Family = Family {
     pattern: "iso(p,q)",
     needs: "p, q >= 1",
@@ -21,7 +22,7 @@ pub(super) const POINCARE: Family = Family {
     },
 };
 
-/// galilei(n).
+/// The family galilei(n).
 pub(super) const GALILEI: Family = Family {
     pattern: "galilei(n)",
     needs: "n >= 1",
@@ -38,7 +39,7 @@ pub(super) const GALILEI: Family = Family {
     },
 };
 
-/// sim(n).
+/// The family sim(n).
 pub(super) const SIMILARITIES: Family = Family {
     pattern: "sim(n)",
     needs: "n >= 1",
@@ -51,7 +52,7 @@ pub(super) const SIMILARITIES: Family = Family {
     },
 };
 
-/// hom(n).
+/// The family hom(n).
 pub(super) const HOMOTHETIES: Family = Family {
     pattern: "hom(n)",
     needs: "n >= 1",
@@ -65,7 +66,7 @@ pub(super) const HOMOTHETIES: Family = Family {
     },
 };
 
-/// conformal(p,q).
+/// The family conformal(p,q).
 pub(super) const CONFORMAL: Family = Family {
     pattern: "conformal(p,q)",
     needs: "p, q >= 1",
@@ -82,7 +83,7 @@ pub(super) const CONFORMAL: Family = Family {
     },
 };
 
-/// oscillator(2m+2).
+/// The family oscillator(2m+2).
 pub(super) const OSCILLATOR: Family = Family {
     pattern: "oscillator(2m+2)",
     needs: "an even number, at least 4",
@@ -96,7 +97,7 @@ pub(super) const OSCILLATOR: Family = Family {
     },
 };
 
-/// schroedinger(n).
+/// The family schroedinger(n).
 pub(super) const SCHROEDINGER: Family = Family {
     pattern: "schroedinger(n)",
     needs: "n >= 1",
@@ -146,7 +147,7 @@ fn homotheties(name: String, n: usize) -> Entry {
     Entry::of_integer_matrices(name, labels, n + 1, [dilation].into_iter().chain(translations))
 }
 
-/// Matrices that preserve `eta + 2 x_n x_(n+1)`.
+/// The algebra of the matrices that preserve the quadratic form `eta + 2 x_n x_(n+1)`.
 fn conformal(name: String, signs: &[i64]) -> Entry {
     let n = signs.len();
     let names = [numbered("p", n), vec!["d".into()], numbered("k", n)].concat();

@@ -2,7 +2,7 @@
 
 use super::{Entry, Family, Reader, at, numbered, pairs};
 
-/// sl(n).
+/// The family sl(n).
 pub(super) const SPECIAL: Family = Family {
     pattern: "sl(n)",
     needs: "n >= 2",
@@ -16,7 +16,7 @@ pub(super) const SPECIAL: Family = Family {
     },
 };
 
-/// gl(n).
+/// The family gl(n).
 pub(super) const GENERAL: Family = Family {
     pattern: "gl(n)",
     needs: "n >= 1",
@@ -29,7 +29,7 @@ pub(super) const GENERAL: Family = Family {
     },
 };
 
-/// aff(n), as matrices of size n + 1 with a last row of zeros.
+/// The family aff(n), as matrices of size n + 1 with a last row of zeros.
 pub(super) const AFFINE: Family = Family {
     pattern: "aff(n)",
     needs: "n >= 1",

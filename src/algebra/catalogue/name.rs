@@ -1,4 +1,4 @@
-//! The names of the catalogue: a head, and arguments with or without parentheses.
+//! Parses names of the catalogue: a head, and arguments with or without parentheses.
 
 use super::{CatalogueError, Entry, FAMILIES, Family, MAX_DIMENSION, Reader};
 
@@ -9,7 +9,7 @@ pub(super) struct Argument<'t> {
     pub at: usize,
 }
 
-/// The algebra with this name, before the constants of a matrix algebra are computed.
+/// The algebra that a name identifies. The constants of a matrix algebra are not computed yet.
 pub(super) enum Reading<'t> {
     Integers { family: &'static Family, digits: Vec<&'t str>, dimension: usize, build: Build },
     Entry(Entry),
@@ -39,12 +39,12 @@ impl Reading<'_> {
     }
 }
 
-/// Finds the algebra with a name.
+/// Finds the algebra with this name.
 pub(super) fn resolve(name: &str) -> Result<Reading<'_>, CatalogueError> {
     let whole = Argument { text: name, at: 0 }.trimmed();
     let letters = &whole.text[..whole.find(|c| !c.is_ascii_alphabetic())];
-    // a head that contains more than letters, such as se_2, takes precedence over a head that is a
-    // prefix of it
+    // tries heads such as se_2 first: they contain more than letters, and are longer than a head
+    // such as se
     let longer = |head: &&str| {
         head.starts_with(letters) && head.contains(['_', '*']) && whole.text.starts_with(head)
     };
@@ -84,9 +84,9 @@ pub(super) fn resolve(name: &str) -> Result<Reading<'_>, CatalogueError> {
     }
 }
 
-/// Translates the name of a real form in Helgason's tables to the catalogue's name: `su*(2n)`, and
-/// for split and compact forms of exceptional type names with the signature of the Killing form,
-/// such as `g2(2)`.
+/// Translates names of real forms in Helgason's tables to names of the catalogue. Supports
+/// `su*(2n)`, and names of exceptional types with the signature of the Killing form, such as
+/// `g2(2)`, for split and compact forms.
 pub(super) fn of_real_form(name: &str) -> Option<String> {
     let (head, argument) = name.trim().strip_suffix(')')?.split_once('(')?;
     if head.trim() == "su*" {
@@ -104,7 +104,7 @@ pub(super) fn of_real_form(name: &str) -> Option<String> {
     }
 }
 
-/// The condition on the arguments of these families, for messages.
+/// The condition on the arguments of these families, as text for messages.
 pub(super) fn rule(families: &[&Family]) -> String {
     let rules = families.iter().map(|family| format!("{} needs {}", family.pattern, family.needs));
     rules.collect::<Vec<_>>().join(", ")
@@ -148,7 +148,7 @@ fn arguments<'t>(
     Ok((parts.collect(), bare))
 }
 
-/// The position of the parenthesis that closes the first one.
+/// The position of the parenthesis that closes the first parenthesis.
 fn closing(text: &str) -> Option<usize> {
     let mut depth = 0;
     text.bytes().position(|symbol| {
@@ -161,8 +161,8 @@ fn closing(text: &str) -> Option<usize> {
     })
 }
 
-/// All readings as an existing algebra, including too large ones. Digits without parentheses may be
-/// read as several arguments.
+/// Lists all readings of the name as an existing algebra, including algebras that are too large.
+/// Digits without parentheses may be read as several arguments.
 fn integer_readings<'t>(
     families: &[&'static Family],
     arguments: &[Argument<'t>],
@@ -171,7 +171,8 @@ fn integer_readings<'t>(
     let written: Vec<&str> = arguments.iter().map(|argument| argument.text).collect();
     let mut splits = vec![written.clone()];
     if let (true, [digits]) = (bare, written.as_slice())
-        // two numbers with more digits than this would be too large anyway
+        // does not split longer digit strings, because one of the two numbers would be too large
+        // anyway
         && digits.len() <= 20
         && digits.is_ascii()
     {
@@ -191,7 +192,7 @@ fn integers<'t>(family: &'static Family, digits: Vec<&'t str>) -> Option<Reading
     let plain = |text: &&str| text.bytes().all(|b| b.is_ascii_digit()) && !text.starts_with('0');
     let mut digits = digits;
     let field = digits.last().copied().filter(|last| matches!(*last, "C" | "H" | "R"));
-    // the field R may be named: sl(2,R), sp(4,R)
+    // accepts the letter R for the real field: sl(2,R), sp(4,R)
     let real = matches!(family.head(), "sl" | "gl" | "sp") && family.letter().is_none();
     match (family.letter(), field) {
         (letter, Some(field)) if letter.unwrap_or("R") == field && (letter.is_some() || real) => {
@@ -203,15 +204,16 @@ fn integers<'t>(family: &'static Family, digits: Vec<&'t str>) -> Option<Reading
     if digits.len() != count || !digits.iter().all(plain) || digits.contains(&"") {
         return None;
     }
-    // a number that does not fit a machine word belongs to an algebra beyond the limit
+    // counts a number that overflows a machine word as an algebra that is too large
     let numbers: Result<Vec<usize>, _> = digits.iter().map(|digits| digits.parse()).collect();
     let dimension = numbers.map_or(Some(usize::MAX), |numbers| dimension(&numbers))?;
     Some(Reading::Integers { family, digits, dimension, build })
 }
 
-/// Similar heads for a mistyped `word`, with the same arguments where these fit.
+/// Lists heads that are similar to the mistyped `word`. The arguments are retained if the family
+/// accepts them.
 fn nearest(word: &str, behind: &str) -> Vec<String> {
-    /// The length up to which a word may be a typing error.
+    /// The maximum length of a word that may be a typing error.
     const LONGEST: usize = 32;
     let lower = word.to_lowercase();
     let distance = |family: &&Family| {
@@ -240,13 +242,13 @@ fn nearest(word: &str, behind: &str) -> Vec<String> {
 }
 
 impl<'t> Argument<'t> {
-    /// Without white space at its ends.
+    /// The argument without white space at its ends.
     pub(super) fn trimmed(self) -> Self {
         let text = self.text.trim_start();
         Argument { text: text.trim_end(), at: self.at + self.text.len() - text.len() }
     }
 
-    /// The rest of the argument after the first `bytes`.
+    /// The rest of the argument, without its first `bytes` bytes.
     pub(super) fn from(self, bytes: usize) -> Self {
         Argument { text: &self.text[bytes..], at: self.at + bytes }
     }

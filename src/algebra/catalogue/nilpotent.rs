@@ -4,7 +4,7 @@ use super::{Entry, Family, MAX_DIMENSION, Reader, numbered};
 use affinor_tensors::{Rational, Symbolic};
 use std::collections::BTreeMap;
 
-/// free_nilpotent(g,s).
+/// The family free_nilpotent(g,s).
 pub(super) const FREE: Family = Family {
     pattern: "free_nilpotent(g,s)",
     needs: "from 2 to 9 generators, and a step >= 1",
@@ -18,7 +18,7 @@ pub(super) const FREE: Family = Family {
     },
 };
 
-/// filiform(n).
+/// The family filiform(n).
 pub(super) const FILIFORM: Family = Family {
     pattern: "filiform(n)",
     needs: "n >= 3",
@@ -34,7 +34,7 @@ pub(super) const FILIFORM: Family = Family {
     },
 };
 
-/// filiform_q(n).
+/// The family filiform_q(n).
 pub(super) const FILIFORM_Q: Family = Family {
     pattern: "filiform_q(n)",
     needs: "an even number, at least 6",
@@ -54,7 +54,7 @@ pub(super) const FILIFORM_Q: Family = Family {
     },
 };
 
-/// damek_ricci(m,k).
+/// The family damek_ricci(m,k).
 pub(super) const DAMEK_RICCI: Family = Family {
     pattern: "damek_ricci(m,k)",
     needs: "m >= 1 and k = 1, 2, 3",
@@ -71,8 +71,9 @@ pub(super) const DAMEK_RICCI: Family = Family {
     },
 };
 
-/// The dimension by Witt's formula: there are `1/l sum over d of mu(d) g^(l/d)` words of length
-/// `l`, and the lengths are summed.
+/// The dimension of the free nilpotent algebra by Witt's formula. There are
+/// `1/l sum over d of mu(d) g^(l/d)` Lyndon words of length `l`; the dimension is the sum over the
+/// lengths `l`.
 fn free_dimension(generators: usize, step: usize) -> usize {
     let mut total = 0usize;
     for length in 1..=step.min(64) {
@@ -108,7 +109,8 @@ type Word = Vec<u8>;
 /// A linear combination of words.
 type Polynomial = BTreeMap<Word, i64>;
 
-/// The Lyndon words up to a length, by length and then in alphabetical order (J.-P. Duval's algorithm).
+/// The Lyndon words up to a length, by length and then in alphabetical order (J.-P. Duval's
+/// algorithm).
 fn lyndon(generators: usize, step: usize) -> Vec<Word> {
     let mut words = vec![];
     let mut word: Word = vec![0];
@@ -142,9 +144,10 @@ fn commutator(a: &Polynomial, b: &Polynomial) -> Polynomial {
     result
 }
 
-/// The polynomial of a Lyndon word is the word plus larger words. The coefficients of a Lie
-/// polynomial in these polynomials are therefore found word by word (C. Reutenauer, *Free Lie
-/// Algebras*, theorem 5.1).
+/// The algebra free_nilpotent(g,s) in the basis of the polynomials of the Lyndon words. The
+/// polynomial of a Lyndon word is the word plus larger words. The coefficients of a Lie polynomial
+/// in this basis are therefore found word by word (C. Reutenauer, *Free Lie Algebras*, theorem
+/// 5.1).
 fn free(name: String, generators: usize, step: usize) -> Entry {
     let words = lyndon(generators, step);
     let places: BTreeMap<&Word, usize> = words.iter().zip(0..).collect();
@@ -153,7 +156,7 @@ fn free(name: String, generators: usize, step: usize) -> Entry {
         let polynomial = match word.len() {
             1 => Polynomial::from([(word.clone(), 1)]),
             _ => {
-                // the longest proper suffix that is a Lyndon word
+                // finds the longest proper suffix that is a Lyndon word
                 let cut = (1..word.len()).find(|&cut| places.contains_key(&word[cut..].to_vec()));
                 let cut = cut.unwrap_or(1);
                 let (left, right) = (places[&word[..cut].to_vec()], places[&word[cut..].to_vec()]);
@@ -192,7 +195,7 @@ fn damek_ricci(name: String, m: usize, k: usize) -> Entry {
     let constant = |n: i64, d: i64| Rational::new(n, d).map(Symbolic::constant).unwrap_or_default();
     let scaled = (1..=4 * m).map(|v| (0, v, v, constant(1, 2)));
     let scaled = scaled.chain((1..=k).map(|z| (0, 4 * m + z, 4 * m + z, constant(1, 1))));
-    // the products of unit quaternions: q 1 = q, and q times the next unit is the unit after it
+    // multiplication by the unit quaternion q maps 1 to q, and the next unit to the unit after that
     let products = |q: usize| {
         let (next, after) = (q % 3 + 1, (q + 1) % 3 + 1);
         [(0, q, 1), (next, after, 1)]

@@ -2,7 +2,7 @@
 
 use super::{Entry, Family, Reader, numbered, pair_count, pairs};
 
-/// so(n).
+/// The family so(n).
 pub(super) const DEFINITE: Family = Family {
     pattern: "so(n)",
     needs: "n >= 2",
@@ -16,7 +16,7 @@ pub(super) const DEFINITE: Family = Family {
     },
 };
 
-/// so(p,q).
+/// The family so(p,q).
 pub(super) const INDEFINITE: Family = Family {
     pattern: "so(p,q)",
     needs: "p, q >= 1",

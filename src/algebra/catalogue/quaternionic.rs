@@ -5,7 +5,7 @@ use super::{Entry, Family, Reader, numbered, pairs};
 use crate::algebra::Complex;
 use affinor_tensors::Rational;
 
-/// sl(n,H) = su*(2n).
+/// The family sl(n,H) = su*(2n).
 pub(super) const LINEAR: Family = Family {
     pattern: "sl(n,H)",
     needs: "n >= 1",
@@ -20,7 +20,7 @@ pub(super) const LINEAR: Family = Family {
     },
 };
 
-/// sp(p,q).
+/// The family sp(p,q).
 pub(super) const INDEFINITE: Family = Family {
     pattern: "sp(p,q)",
     needs: "p, q >= 1",
@@ -39,7 +39,7 @@ pub(super) const INDEFINITE: Family = Family {
     },
 };
 
-/// usp(2n), the compact form of sp(2n).
+/// The family usp(2n), the compact form of sp(2n).
 pub(super) const COMPACT: Family = Family {
     pattern: "usp(2n)",
     needs: "an even number, at least 2",
@@ -53,7 +53,7 @@ pub(super) const COMPACT: Family = Family {
     },
 };
 
-/// so*(2n).
+/// The family so*(2n).
 pub(super) const SKEW: Family = Family {
     pattern: "so*(2n)",
     needs: "an even number, at least 2",
@@ -67,12 +67,12 @@ pub(super) const SKEW: Family = Family {
     },
 };
 
-/// A unit of the quaternions, from 0: 1, i, j, k.
+/// A unit of the quaternions: 0 to 3 are 1, i, j, k.
 type Unit = usize;
 const REAL: Unit = 0;
 const IMAGINARY: [Unit; 3] = [1, 2, 3];
 
-/// The entries of `sign * unit * E_ij`.
+/// The nonzero entries of the complex form of the matrix `sign * unit * E_ij`.
 fn entry((i, j): (usize, usize), unit: Unit, sign: i64) -> Vec<(usize, usize, Complex<Rational>)> {
     let value =
         |re: i64, im: i64| Complex { re: Rational::from(sign * re), im: Rational::from(sign * im) };

@@ -1,8 +1,8 @@
-//! Solvable families: R^n, the Heisenberg algebras.
+//! Solvable families: R^n and the Heisenberg algebras.
 
 use super::{Entry, Family, Reader, numbered};
 
-/// R^n.
+/// The family R^n.
 pub(super) const ABELIAN: Family = Family {
     pattern: "R^n",
     needs: "n >= 1",
@@ -15,7 +15,7 @@ pub(super) const ABELIAN: Family = Family {
     },
 };
 
-/// heisenberg(2m+1), as upper triangular matrices of size m + 2.
+/// The family heisenberg(2m+1), as upper triangular matrices of size m + 2.
 pub(super) const HEISENBERG: Family = Family {
     pattern: "heisenberg(2m+1)",
     needs: "an odd number, at least 3",

@@ -2,7 +2,7 @@
 
 use super::{Entry, Family, Reader, at, pairs};
 
-/// sp(2n) = sp(2n,R).
+/// The family sp(2n) = sp(2n,R).
 pub(super) const FAMILY: Family = Family {
     pattern: "sp(2n)",
     needs: "an even number, at least 2",

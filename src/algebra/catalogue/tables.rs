@@ -1,5 +1,5 @@
-//! Tables from the literature: real algebras of dimension up to 4, nilpotent ones of dimension up
-//! to 6, and of step 2 in dimension 7.
+//! Tables from the literature: real algebras up to dimension 4, nilpotent algebras up to dimension
+//! 6, and nilpotent algebras of step 2 in dimension 7.
 
 use super::bianchi::evaluate;
 use super::name::{Argument, rule};
@@ -8,7 +8,7 @@ use affinor_tensors::expression::{Expression, Scalars, no_function};
 use affinor_tensors::{Notation, Symbolic};
 use std::collections::BTreeMap;
 
-/// The indecomposable real algebras of dimension up to 4. At some zeros of the parameters a row is
+/// The indecomposable real algebras of dimension up to 4. If some parameters are zero, a row may be
 /// a direct sum.
 ///
 /// J. Patera, R. T. Sharp, P. Winternitz, H. Zassenhaus, *J. Math. Phys.* 17 (1976) 986-994, after
@@ -23,8 +23,8 @@ pub(super) const PATERA: Family = Family {
     reader: Reader::Words(|name, arguments| read(&PATERA, PATERA_TABLE, name, arguments)),
 };
 
-/// The indecomposable nilpotent algebras of dimension up to 6. One parameter range of one row is a
-/// direct sum.
+/// The indecomposable nilpotent algebras of dimension up to 6. One row is a direct sum for a range
+/// of its parameter.
 ///
 /// W. A. de Graaf, *J. Algebra* 309 (2007) 640-653.
 pub(super) const DE_GRAAF: Family = Family {
@@ -36,17 +36,20 @@ pub(super) const DE_GRAAF: Family = Family {
     reader: Reader::Words(|name, arguments| read(&DE_GRAAF, DE_GRAAF_TABLE, name, arguments)),
 };
 
-/// The indecomposable real nilpotent algebras of dimension 7: 140 of them and 9 families with a parameter.
+/// The indecomposable real nilpotent algebras of dimension 7: 140 of them and 9 families with a
+/// parameter.
 ///
 /// M.-P. Gong, *Classification of nilpotent Lie algebras of dimension 7 (over algebraically closed
-/// fields and R)*, Ph.D. thesis, University of Waterloo 1998. A number consists of the dimensions
-/// of the upper central series and a letter; a digit after the letter marks other real forms.
-/// Different values of a parameter may give isomorphic algebras, also across numbers.
+/// fields and R)*, Ph.D. thesis, University of Waterloo 1998. The number of an algebra consists of
+/// the dimensions of the upper central series and a letter; a digit after the letter marks other
+/// real forms. Different values of a parameter may give isomorphic algebras, even if their numbers
+/// differ.
 ///
-/// The algebras of step 2 can be checked by hand. With a centre of dimension 1 there is one. With
-/// dimension 2 they are pencils of alternating forms on R^5 without a common kernel: two by
-/// Kronecker. With dimension 3 they are nets of alternating forms on R^4, which are distinguished
-/// by the rank and the signature (up to sign) of the Pfaffian: six by Witt.
+/// The algebras of step 2 can be checked by hand. With a centre of dimension 1, there is one
+/// algebra. With a centre of dimension 2, the algebras are pencils of alternating forms on R^5
+/// without a common kernel, of which there are two (Kronecker). With a centre of dimension 3, they
+/// are nets of alternating forms on R^4. The rank and the signature (up to sign) of the Pfaffian
+/// distinguish these nets; there are six (Witt).
 pub(super) const GONG: Family = Family {
     pattern: "gong(7,k,a=v)",
     needs: "7 and a number of Gong: 17, 27A, 37B1, .. 123457I; `a=v` in 147E 147E1 1357M 1357N 1357S 1357QRS1 12457N 12457N2 123457I",
@@ -56,7 +59,8 @@ pub(super) const GONG: Family = Family {
     reader: Reader::Words(|name, arguments| read(&GONG, GONG_TABLE, name, arguments)),
 };
 
-/// The number, the parameters, and the brackets `jk>i:v`, meaning `[e_j, e_k] = ... + v e_i`.
+/// Rows with the number, the parameters, and the brackets `jk>i:v`, meaning
+/// `[e_j, e_k] = ... + v e_i`.
 const PATERA_TABLE: &str = "\
 2,1|12>2:1
 3,1|23>1:1

@@ -5,7 +5,7 @@ use super::{CatalogueError, Entry, Family, MAX_DIMENSION, Reader, at};
 use crate::algebra::roots::{CartanType, RootSystem, Series, basis_names, chevalley_constants};
 use affinor_tensors::{Ring, Symbolic};
 
-/// t(n).
+/// The family t(n).
 pub(super) const TRIANGULAR: Family = Family {
     pattern: "t(n)",
     needs: "n >= 1",
@@ -18,7 +18,7 @@ pub(super) const TRIANGULAR: Family = Family {
     },
 };
 
-/// n(n).
+/// The family n(n).
 pub(super) const STRICT: Family = Family {
     pattern: "n(n)",
     needs: "n >= 2",
@@ -31,7 +31,7 @@ pub(super) const STRICT: Family = Family {
     },
 };
 
-/// borel(X).
+/// The family borel(X).
 pub(super) const BOREL: Family = Family {
     pattern: "borel(TYPE)",
     needs: "a TYPE such as A2 or E7",
@@ -40,7 +40,7 @@ pub(super) const BOREL: Family = Family {
     reader: Reader::Words(|name, arguments| parabolic(&BOREL, name, arguments)),
 };
 
-/// parabolic(X,i,..).
+/// The family parabolic(X,i,...).
 pub(super) const PARABOLIC: Family = Family {
     pattern: "parabolic(TYPE,i,..)",
     needs: "a TYPE such as E7 and the numbers of simple roots that leave the Levi factor",

@@ -4,8 +4,8 @@ use super::{Entry, Family, Reader, numbered, pairs};
 use crate::algebra::Complex;
 use affinor_tensors::{Rational, Ring};
 
-/// su(n). The last n - 1 matrices are simple coroots. Gell-Mann's orthogonal diagonal matrices are
-/// not used, because their normalization contains square roots from n = 3 on.
+/// The family su(n). The last n - 1 matrices are simple coroots. Gell-Mann's orthogonal diagonal
+/// matrices are not used, because their normalization contains square roots if n >= 3.
 pub(super) const FAMILY: Family = Family {
     pattern: "su(n)",
     needs: "n >= 2",
@@ -20,7 +20,7 @@ pub(super) const FAMILY: Family = Family {
     },
 };
 
-/// su(p,q).
+/// The family su(p,q).
 pub(super) const INDEFINITE: Family = Family {
     pattern: "su(p,q)",
     needs: "p, q >= 1",
@@ -38,7 +38,7 @@ pub(super) const INDEFINITE: Family = Family {
     },
 };
 
-/// u(n).
+/// The family u(n).
 pub(super) const FULL: Family = Family {
     pattern: "u(n)",
     needs: "n >= 1",

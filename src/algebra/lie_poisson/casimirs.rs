@@ -1,9 +1,9 @@
 //! Polynomial Casimir functions, the invariants of the coadjoint action, by degree.
 //!
 //! The coordinate `mu_i` acts on a monomial by `{mu_i, mu^a} = c^k_ij a_j mu_k mu^a / mu_j`, up to
-//! the sign of the bracket. A function that all coordinates annihilate is a Casimir function. With
-//! parameters in the brackets, the linear algebra is over the field of rational functions of the
-//! parameters.
+//! the sign of the bracket. A function that all coordinates annihilate is a Casimir function. If
+//! the brackets contain parameters, the linear equations are solved over the field of rational
+//! functions of the parameters.
 
 use super::LiePoisson;
 use crate::Error;
@@ -18,25 +18,25 @@ use num_traits::{One, Signed, Zero};
 use std::collections::BTreeMap;
 
 /// The largest number of monomials of one degree in a search for Casimir functions. In a dense
-/// basis, far fewer are practical, as for
+/// basis, only far smaller searches are practical; see
 /// [`MAX_UNKNOWNS`](crate::algebra::invariants::MAX_UNKNOWNS).
 pub const MAX_MONOMIALS: usize = 1 << 15;
 /// The highest degree of a search for Casimir functions.
 pub const MAX_DEGREE: u32 = 255;
 
 impl LiePoisson {
-    /// A basis of the homogeneous Casimir functions of a degree: the polynomial invariants of the
-    /// coadjoint action of the connected group.
+    /// A basis of the homogeneous Casimir functions of a degree. They are the polynomial invariants
+    /// of the coadjoint action of the connected group.
     ///
     /// For a simple algebra of rank `l` the Casimir functions are the polynomials in `l`
     /// generators, whose degrees are the exponents plus 1 (C. Chevalley, *Amer. J. Math.* 77 (1955)
     /// 778-782).
     ///
-    /// With parameters in the structure constants, the basis is valid for generic values. Each
-    /// function is also a polynomial in the parameters, without a common factor. It is therefore a
-    /// Casimir function at every value for which the structure constants are defined. At
-    /// exceptional values the functions may be linearly dependent, and there may be more Casimir
-    /// functions.
+    /// If the structure constants contain parameters, the basis is valid for generic values. Each
+    /// function is also a polynomial in the parameters, without a common factor. Each function is
+    /// therefore a Casimir function at all parameter values for which the structure constants are
+    /// defined. At exceptional values the functions may be linearly dependent, and there may be
+    /// more Casimir functions.
     ///
     /// ```
     /// use affinor::algebra::Bracket;
@@ -50,7 +50,8 @@ impl LiePoisson {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Size`] beyond [`MAX_DEGREE`] or [`MAX_MONOMIALS`].
+    /// [`Error::Size`] if the degree exceeds [`MAX_DEGREE`], or the number of monomials exceeds
+    /// [`MAX_MONOMIALS`].
     #[doc(alias("Casimir invariants"))]
     pub fn casimirs(&self, degree: u32) -> Result<Vec<Symbolic>, Error> {
         let _stage = stage("casimirs");
@@ -61,11 +62,11 @@ impl LiePoisson {
     }
 
     /// Generators of the polynomial Casimir functions up to degree `most`, sorted by degree.
-    /// Functions that are polynomials in earlier generators are left out. With parameters, the
-    /// generators are valid for generic values.
+    /// Polynomials in earlier generators are omitted. If the structure constants contain
+    /// parameters, the generators are valid for generic values.
     ///
     /// # Errors
-    /// Those of [`casimirs`](Self::casimirs).
+    /// The errors of [`casimirs`](Self::casimirs).
     pub fn casimir_generators(&self, most: u32) -> Result<Vec<Symbolic>, Error> {
         let _stage = stage("casimirs");
         match self.constants::<Rational>() {
@@ -109,7 +110,8 @@ impl LiePoisson {
         Ok(written)
     }
 
-    /// The constants `c^k_ij` for each `i`, as `(j, k, c)`; `None` unless they belong to the field.
+    /// The constants `c^k_ij` for each `i`, as `(j, k, c)`. Returns `None` unless all constants
+    /// belong to the field `F`.
     fn constants<F: Coefficient>(&self) -> Option<Vec<Vec<Constant<F>>>> {
         let mut constants = vec![vec![]; self.names.len()];
         for (at, value) in self.structure.components() {
@@ -118,8 +120,8 @@ impl LiePoisson {
         Some(constants)
     }
 
-    /// A polynomial with coprime integer coefficients and without denominators that depend on
-    /// parameters.
+    /// Writes a basis row as a polynomial, multiplied by a common factor. No denominator then
+    /// depends on parameters, and the rational coefficients are coprime integers.
     fn written<F: Coefficient>(&self, monomials: &Monomials, row: &[(usize, F)]) -> Symbolic {
         let mut common = Symbolic::one();
         let values: Vec<Symbolic> = row.iter().map(|(_, value)| value.symbolic()).collect();
@@ -138,7 +140,7 @@ impl LiePoisson {
     }
 }
 
-/// The positive factor that makes all numbers coprime integers.
+/// The positive factor that turns the numbers into coprime integers.
 pub(in crate::algebra) fn primitive_factor(numbers: &[Rational]) -> Rational {
     let above = denominator(numbers.iter());
     let divisor = numbers.iter().fold(BigInt::zero(), |mut divisor, number| {
@@ -154,10 +156,10 @@ pub(in crate::algebra) fn primitive_factor(numbers: &[Rational]) -> Rational {
 
 const MONOMIALS: &str = "monomials";
 
-/// For a fixed `i`: `(j, k, c^k_ij)`.
+/// An entry `(j, k, c^k_ij)` of the list for a fixed `i`.
 type Constant<F> = (usize, usize, F);
 
-/// A polynomial: coefficients by exponents.
+/// A polynomial: a map from exponents to coefficients.
 type Polynomial<F> = BTreeMap<Vec<u32>, F>;
 
 /// The fields of coefficients: the rational numbers, and rational functions of parameters.
@@ -186,7 +188,7 @@ impl Coefficient for Symbolic {
     }
 }
 
-/// The numbered monomials of one degree.
+/// The monomials of one degree, with their numbers.
 struct Monomials {
     exponents: Vec<Vec<u32>>,
     places: BTreeMap<Vec<u32>, usize>,
@@ -200,7 +202,7 @@ impl Monomials {
         Ok(Monomials { exponents, places })
     }
 
-    /// A basis of the polynomials that every coordinate annihilates.
+    /// A basis of the polynomials that the action of every coordinate maps to zero.
     fn invariants<F: Coefficient>(
         &self,
         constants: &[Vec<Constant<F>>],
@@ -211,7 +213,7 @@ impl Monomials {
         Ok((0..kernel.rows()).map(|at| kernel.row(at).to_vec()).collect())
     }
 
-    /// The action of a coordinate: `c^k_j mu_k df/dmu_j`.
+    /// The image of a polynomial under the action of a coordinate: `c^k_j mu_k df/dmu_j`.
     fn image<F: Coefficient>(&self, action: &[Constant<F>], row: &[(usize, F)]) -> Row<F> {
         let mut image: BTreeMap<usize, F> = BTreeMap::new();
         for (at, coefficient) in row {
@@ -250,8 +252,8 @@ fn expect_size(space: &LiePoisson, degree: u32) -> Result<(), Error> {
     bounded(MONOMIALS, count(space.names.len(), degree), MAX_MONOMIALS)
 }
 
-/// The number of monomials, `C(n+d-1, d)`; if it exceeds [`MAX_MONOMIALS`], some number above this
-/// limit.
+/// The number of monomials, `C(n+d-1, d)`. If this number exceeds [`MAX_MONOMIALS`], returns some
+/// number above the limit.
 fn count(n: usize, degree: u32) -> usize {
     let Some(others) = n.checked_sub(1) else { return usize::from(degree == 0) };
     let (small, large) = (others.min(degree as usize), others.max(degree as usize));
@@ -265,7 +267,8 @@ fn count(n: usize, degree: u32) -> usize {
     size
 }
 
-/// All exponents of `n` variables and a degree; high powers of the first variables come first.
+/// All exponents of monomials in `n` variables of a degree. Exponents with high powers of the first
+/// variables come first.
 fn exponents(n: usize, degree: u32) -> Vec<Vec<u32>> {
     match n {
         0 => (degree == 0).then(Vec::new).into_iter().collect(),
@@ -280,7 +283,8 @@ fn exponents(n: usize, degree: u32) -> Vec<Vec<u32>> {
     }
 }
 
-/// All products, in `n` variables and of a given degree, of factors with given degrees, each once.
+/// All products of `factors` that have the given degree, each product once. Each factor has its
+/// degree and is a polynomial in `n` variables.
 fn products<F: Coefficient>(
     factors: &[(u32, Polynomial<F>)],
     degree: u32,

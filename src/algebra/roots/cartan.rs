@@ -5,7 +5,7 @@ use std::fmt;
 /// The largest dimension of an algebra that a [`CartanType`] may name.
 pub const MAX_DIMENSION: usize = 2048;
 
-/// The Cartan type of a simple Lie algebra: a series and a rank, written `E8`.
+/// The Cartan type of a simple Lie algebra: a series and a rank, such as `E8`.
 ///
 /// ```
 /// use affinor::algebra::roots::{CartanType, Series};
@@ -21,7 +21,7 @@ pub struct CartanType {
     rank: usize,
 }
 
-/// The four classical series and the three exceptional ones.
+/// The four classical series and the three exceptional series.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Series {
     /// `sl(n+1)`
@@ -40,7 +40,7 @@ pub enum Series {
     G,
 }
 
-/// The reason why a series and a rank have no [`CartanType`].
+/// The reason why no [`CartanType`] has this series and rank.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum RootError {
     /// The series has no simple algebra of this rank.
@@ -48,23 +48,23 @@ pub enum RootError {
         "there is no simple Lie algebra {series}{rank}: {series}n needs {}", .series.ranks()
     )]
     NoSuchType {
-        /// The series asked for.
+        /// The requested series.
         series: Series,
-        /// The rank asked for.
+        /// The requested rank.
         rank: usize,
     },
     /// The algebra exists, but its dimension exceeds [`MAX_DIMENSION`].
     #[error("the dimension of {series}{rank} exceeds the limit of {MAX_DIMENSION}")]
     TooLarge {
-        /// The series asked for.
+        /// The requested series.
         series: Series,
-        /// The rank asked for.
+        /// The requested rank.
         rank: usize,
     },
 }
 
 impl Series {
-    /// The condition on the rank.
+    /// The condition on the rank, as text for messages.
     fn ranks(self) -> &'static str {
         match self {
             Series::A => "n >= 1",
@@ -81,13 +81,13 @@ impl CartanType {
     /// The type of this series and rank: `A_n` with n >= 1, `B_n` and `C_n` with n >= 2, `D_n` with
     /// n >= 3, `E6`, `E7`, `E8`, `F4`, `G2`.
     ///
-    /// Up to the numbering of the simple roots, `C2` is `B2` and `D3` is `A3`; both names are
-    /// accepted.
+    /// Two names are aliases, up to the numbering of the simple roots: `C2` is `B2`, and `D3` is
+    /// `A3`. All four names are accepted.
     ///
     /// # Errors
     ///
     /// [`RootError::NoSuchType`] for every other rank; [`RootError::TooLarge`] if the dimension
-    /// exceeds [`MAX_DIMENSION`], from `A45`, `B32`, `C32` and `D33` on.
+    /// exceeds [`MAX_DIMENSION`]: from rank 45 in series A, 32 in B and C, 33 in D.
     pub fn new(series: Series, rank: usize) -> Result<Self, RootError> {
         let exists = match series {
             Series::A => rank >= 1,
@@ -143,7 +143,7 @@ impl CartanType {
         for (i, row) in matrix.iter_mut().enumerate() {
             row[i] = 2;
         }
-        // Joined simple roots have (α_i, α_j) = -max(|α_i|², |α_j|²)/2.
+        // joined simple roots satisfy (α_i, α_j) = -max(|α_i|², |α_j|²)/2.
         for (i, j) in self.edges() {
             let longer = lengths[i].max(lengths[j]);
             matrix[i][j] = -longer / lengths[j];
@@ -152,7 +152,7 @@ impl CartanType {
         matrix
     }
 
-    /// The squared lengths of the simple roots; short roots have 2.
+    /// The squared lengths of the simple roots. The squared length of short roots is 2.
     pub(super) fn squared_lengths(self) -> Vec<i64> {
         let n = self.rank;
         match self.series {
@@ -170,7 +170,7 @@ impl CartanType {
         let chain = |from: usize, to: usize| (from + 1..to).map(|i| (i - 1, i));
         match self.series {
             Series::D => chain(0, n - 1).chain([(n - 3, n - 1)]).collect(),
-            // α_2 is joined to α_4; the other roots form a chain 1, 3, 4, ..., n.
+            // joins α_2 to α_4; the other roots form the chain 1, 3, 4, ..., n.
             Series::E => [(0, 2), (1, 3)].into_iter().chain(chain(2, n)).collect(),
             _ => chain(0, n).collect(),
         }

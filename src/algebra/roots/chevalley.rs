@@ -14,9 +14,9 @@ use super::RootSystem;
 /// - `[e_α, e_β] = N_αβ e_{α+β}` if `α + β` is a root: `N_αβ = ±(p + 1)` with `p` the largest
 ///   number such that `β - pα` is a root, and `N_{-α,-β} = -N_αβ`.
 ///
-/// The signs are fixed by `N_αβ > 0` for the extraspecial pairs: among all ways to write a positive
-/// root as `α + β` with `α` before `β`, the one whose `α` comes first. Carter, *Simple Groups of
-/// Lie Type*, 4.1-4.2.
+/// The signs are fixed by `N_αβ > 0` for the extraspecial pairs. The extraspecial pair of a
+/// positive root is the decomposition `α + β`, with `α` before `β`, whose `α` comes first. Carter,
+/// *Simple Groups of Lie Type*, 4.1-4.2.
 ///
 /// ```
 /// use affinor::algebra::roots::{CartanType, RootSystem, Series, chevalley_constants};
@@ -32,7 +32,7 @@ pub fn chevalley_constants(roots: &RootSystem) -> Vec<(usize, usize, usize, i64)
     let h = |i: usize| 2 * count + i;
     let mut constants = Vec::new();
     for (r, s, t, n) in positive_constants(roots) {
-        // If r + s + t = 0, then N_rs/(t,t) = N_st/(r,r) = N_tr/(s,s).
+        // if r + s + t = 0, then N_rs/(t,t) = N_st/(r,r) = N_tr/(s,s).
         let turned =
             |x: usize| n * roots.positive[x].squared_length / roots.positive[t].squared_length;
         constants.extend([
@@ -83,9 +83,9 @@ fn positive_constants(roots: &RootSystem) -> Vec<(usize, usize, usize, i64)> {
 
 /// All `(r, s, N_rs)` with `r + s = t` and `r < s`, from the constants for smaller sums.
 ///
-/// Let `f` be the root vector of `-α_i`, `(α_i, t - α_i)` the extraspecial pair, and `[f, e_x] =
-/// d(x) e_{x - α_i}`. The derivation `[f, ·]` applied to `[e_r, e_s] = N_rs e_t` gives `N_rs d(t) =
-/// d(r) N_{r-α_i, s} + d(s) N_{r, s-α_i}`.
+/// The recursion is as follows. Let `f` be the root vector of `-α_i`, `(α_i, t - α_i)` the
+/// extraspecial pair, and `[f, e_x] = d(x) e_{x - α_i}`. The derivation `[f, ·]` applied to
+/// `[e_r, e_s] = N_rs e_t` gives `N_rs d(t) = d(r) N_{r-α_i, s} + d(s) N_{r, s-α_i}`.
 fn constants_of_sum(roots: &RootSystem, known: &[Vec<i64>], t: usize) -> Vec<(usize, usize, i64)> {
     let mut pairs = decompositions(roots, t);
     // the first summand of the extraspecial pair is simple, because every positive root that is not
@@ -95,7 +95,7 @@ fn constants_of_sum(roots: &RootSystem, known: &[Vec<i64>], t: usize) -> Vec<(us
     };
     let length = |x: usize| roots.positive[x].squared_length;
     let lowered = |n: i64, below: usize, x: usize| n * length(below) / length(x);
-    // d(x) N_{x - α_i, y}
+    // the product d(x) N_{x - α_i, y}
     let term = |x: usize, y: usize| {
         roots
             .difference(x, i)
@@ -103,7 +103,7 @@ fn constants_of_sum(roots: &RootSystem, known: &[Vec<i64>], t: usize) -> Vec<(us
     };
     let extraspecial = roots.steps_down(rest, i) + 1;
     let d_t = lowered(extraspecial, rest, t);
-    // N_{r, s - α_i} = -N_{s - α_i, r}
+    // uses N_{r, s - α_i} = -N_{s - α_i, r}
     let others = pairs.map(|(r, s)| (r, s, (term(r, s) - term(s, r)) / d_t));
     std::iter::once((i, rest, extraspecial)).chain(others).collect()
 }
@@ -112,8 +112,8 @@ fn constants_of_sum(roots: &RootSystem, known: &[Vec<i64>], t: usize) -> Vec<(us
 fn decompositions(roots: &RootSystem, t: usize) -> impl Iterator<Item = (usize, usize)> {
     (0..t)
         .map_while(move |r| {
-            // roots are sorted by height, so beyond half the height of t the root r is the larger
-            // summand
+            // stops where r becomes the larger summand: roots are sorted by height, so the height
+            // of r then exceeds half the height of t
             (2 * roots.positive[r].height() <= roots.positive[t].height()).then_some(r)
         })
         .filter_map(move |r| roots.difference(t, r).filter(|&s| r < s).map(|s| (r, s)))

@@ -8,14 +8,14 @@ use affinor_tensors::stop::stage;
 use std::cmp::Ordering;
 
 impl<S: GroundField> StructureTheory<S> {
-    /// A Cartan subalgebra: the null component of `ad x` for an element `x` whose null component is
-    /// nilpotent. Every null component is its own normalizer.
+    /// A Cartan subalgebra. It is the null component of `ad x` for an element `x` whose null
+    /// component is nilpotent; every null component is its own normalizer.
     ///
-    /// The first candidates for `x` are sums of commuting basis vectors, which keep the numbers
-    /// short, alternating with sums of more and more basis vectors. For `m` commuting vectors an
-    /// algebra may have about `m^2` roots, so the coefficients are of this size: with smaller ones
-    /// some root would vanish on the element. Finally, sums of all basis vectors are tried until
-    /// one succeeds.
+    /// The first candidates for `x` alternate between sums of commuting basis vectors, which yield
+    /// short numbers, and sums of more and more basis vectors. For `m` commuting vectors, an
+    /// algebra may have about `m^2` roots, so the coefficients have about this size. With smaller
+    /// coefficients, some root would vanish on the element. Finally, sums of all basis vectors are
+    /// tried until one succeeds.
     pub fn cartan_subalgebra(&self) -> Subspace<S> {
         let _stage = stage("cartan");
         self.cartan.get_or_init(|| self.search_cartan_subalgebra()).clone()
@@ -54,7 +54,8 @@ impl<S: GroundField> StructureTheory<S> {
             }
             let x = super::subspace::collected(x);
             if let Some(rank) = rank {
-                // Cartan subalgebras are the null components of smallest dimension
+                // if the rank is known, a dimension equal to the rank is sufficient, because Cartan
+                // subalgebras are the null components of smallest dimension
                 match self.null_component_of_dimension(&x, rank) {
                     Some(null) => return null,
                     None => continue,
@@ -78,24 +79,24 @@ impl<S: GroundField> StructureTheory<S> {
         Some(types.iter().map(|one| one.rank()).sum())
     }
 
-    /// Whether brackets of basis vectors have more than two terms on average, which makes the
-    /// numbers in rational eliminations long.
+    /// Whether brackets of basis vectors have more than two terms on average. In such a basis, the
+    /// numbers in rational eliminations become long.
     fn is_dense(&self) -> bool {
         let n = self.dimension();
         let constants: usize = (0..n).map(|j| self.products.of(j).len()).sum();
         constants > 2 * n * n
     }
 
-    /// The null component of `ad x` in a semisimple algebra, if its dimension is the rank; then it
-    /// is the kernel. Modulo a prime its dimension can only be larger, and over the rationals no
-    /// null component is smaller than the rank.
+    /// The null component of `ad x` in a semisimple algebra, if its dimension equals the rank; the
+    /// null component then is the kernel. The dimension modulo a prime is an upper bound, and the
+    /// rank is a lower bound over the rationals.
     fn null_component_of_dimension(&self, x: &[(usize, S)], rank: usize) -> Option<Subspace<S>> {
         let n = self.dimension();
         if !self.is_dense() {
             let ad = self.products.ad(x);
             let kernel = self.whole().kernel_of(|v| ad.image(v));
-            // the image is orthogonal to the kernel, so they intersect in zero if the Killing form
-            // is nondegenerate on the kernel
+            // if the Killing form is nondegenerate on the kernel, the kernel and the image
+            // intersect in zero, because they are orthogonal
             let basis = Matrix::from_rows(n, kernel.basis().iter().cloned()).ok()?;
             let form = basis.mul(self.killing_matrix()).ok()?.mul(&basis.transpose()).ok()?;
             return (kernel.dimension() == rank && form.rank().ok()? == rank).then_some(kernel);
@@ -108,7 +109,7 @@ impl<S: GroundField> StructureTheory<S> {
             }
             let ad = reduction.ad(&dense);
             let kernel = ad.clone().kernel();
-            // no vector of the kernel is in the image
+            // checks that no nonzero vector of the kernel is in the image
             let image = (0..n).map(|k| ad.rows().iter().map(|row| row[k]).collect()).collect();
             let mut image = ResidueMatrix::new(prime, n, image);
             image.reduce();
@@ -125,7 +126,7 @@ impl<S: GroundField> StructureTheory<S> {
         Subspace::lifted_kernel(n, &rows).or_else(|| Some(self.null_component(x)))
     }
 
-    /// The vectors that some power of `ad x` maps to zero.
+    /// The subspace of the vectors that some power of `ad x` maps to zero.
     pub fn null_component(&self, x: &[(usize, S)]) -> Subspace<S> {
         let ad = self.products.ad(x);
         let mut kernel = Subspace::zero(self.dimension());
@@ -138,13 +139,13 @@ impl<S: GroundField> StructureTheory<S> {
         }
     }
 
-    /// A Cartan subalgebra of a semisimple algebra that contains commuting basis vectors: first as
-    /// many with positive Killing squares as possible, then others. `None` if the null component of
-    /// these has a dimension larger than the rank.
+    /// A Cartan subalgebra of a semisimple algebra that contains commuting basis vectors. As many
+    /// of these as possible have positive Killing squares. Returns `None` if the null component of
+    /// the chosen vectors has a dimension larger than the rank.
     pub(super) fn hyperbolic_cartan_subalgebra(&self, rank: usize) -> Option<Subspace<S>> {
         let positive = |square: &S| square.sign() == Some(Ordering::Greater);
         let chosen = self.commuting_basis_vectors(positive);
-        // generic weights: powers of 3
+        // the weights are powers of 3, so that the combination is generic
         let mut weight = S::one();
         let mut x: Row<S> = vec![];
         for at in chosen {
@@ -154,7 +155,8 @@ impl<S: GroundField> StructureTheory<S> {
         self.null_component_of_dimension(&x, rank)
     }
 
-    /// Commuting basis vectors with nonzero Killing squares; preferred ones come first.
+    /// Chooses commuting basis vectors with nonzero Killing squares. Vectors whose square is
+    /// `preferred` are chosen first.
     fn commuting_basis_vectors(&self, preferred: impl Fn(&S) -> bool) -> Vec<usize> {
         let square = |at: usize| self.killing_matrix().get(at, at);
         let semisimple = (0..self.dimension()).filter(|at| !square(*at).vanishes());

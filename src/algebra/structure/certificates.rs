@@ -1,8 +1,8 @@
 //! Dimensions of solution spaces, proved over the rationals.
 //!
 //! Modulo a prime, the solution space of a linear system with integer coefficients is at least as
-//! large as over the rationals. It is not larger if a basis modulo primes lifts to rational vectors
-//! that satisfy the system.
+//! large as over the rationals. The dimensions are equal if a basis modulo primes lifts to rational
+//! vectors that satisfy the system.
 
 use super::reduction::ModularAlgebra;
 use super::{GroundField, StructureTheory};
@@ -11,31 +11,33 @@ use affinor_tensors::linear::Row;
 use affinor_tensors::linear::modular::{RationalReconstruction, primes};
 use num_traits::Zero;
 
-/// The numbers of primes for a basis of long rational numbers: with few unknowns, and with many.
+/// The maximum number of primes for the reconstruction of long rational numbers: for few unknowns,
+/// and for many unknowns.
 const PRIMES: [usize; 2] = [16, 4];
-/// The number of unknowns from which on they count as many.
+/// The number of unknowns from which the second entry of `PRIMES` applies.
 const MANY: usize = 150;
 
-/// A dimension, with a flag that tells whether it is proved.
+/// A dimension, and whether it is proved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Certified {
     /// The dimension.
     pub dimension: usize,
-    /// Whether the dimension is proved over the rationals. Otherwise it follows from a rank modulo
-    /// at least two primes.
+    /// Whether the dimension is proved over the rationals. Otherwise, the dimension follows from a
+    /// rank modulo at least two primes.
     pub proved: bool,
 }
 
 impl Certified {
-    /// A dimension that follows from a theorem, and is therefore proved.
+    /// A dimension that a theorem proves.
     pub(super) fn theorem(dimension: usize) -> Self {
         Certified { dimension, proved: true }
     }
 }
 
 impl<S: GroundField> StructureTheory<S> {
-    /// The dimension of the solution space of linear equations. `kernel` is a basis in reduced
-    /// echelon form modulo a prime; `holds` tests a rational vector in the equations.
+    /// The dimension of the solution space of linear equations. The function `kernel` computes a
+    /// basis in reduced echelon form modulo a prime; `holds` checks whether a rational vector
+    /// satisfies the equations.
     pub(super) fn counted(
         &self,
         length: usize,
@@ -57,7 +59,8 @@ impl<S: GroundField> StructureTheory<S> {
             }
             let (known, mut images) = match found.take() {
                 Some((known, images)) if known <= dimension => (known, images),
-                // the earlier primes divide a minor
+                // starts again with this prime: the earlier primes divide a minor, so their
+                // dimension was too large
                 _ => (dimension, RationalReconstruction::new(dimension * length)),
             };
             if known == dimension {

@@ -1,6 +1,8 @@
-//! Closed left-invariant forms of degree 1 and 2: representatives of cohomology with trivial coefficients.
+//! Closed left-invariant forms of degree 1 and 2: representatives of cohomology with trivial
+//! coefficients.
 //!
-//! `d a(x, y) = -a([x, y])` and `d b(x, y, z) = -b([x, y], z) - b([y, z], x) - b([z, x], y)`.
+//! The differentials are `d a(x, y) = -a([x, y])` and
+//! `d b(x, y, z) = -b([x, y], z) - b([y, z], x) - b([z, x], y)`.
 
 use super::subspace::collected;
 use super::{GroundField, StructureTheory, Subspace};
@@ -9,8 +11,8 @@ use affinor_tensors::stop::stage;
 
 /// The largest dimension at which closed 2-forms are computed.
 pub const MAX_DIMENSION: usize = 60;
-/// The largest dimension at which 2-forms are computed for any structure constants. Beyond it the
-/// structure constants must be rational and few.
+/// The largest dimension at which 2-forms are computed for all structure constants. In larger
+/// dimensions, the structure constants must be rational and few.
 pub const MAX_ANY: usize = 12;
 const MAX_CONSTANTS: usize = 4000;
 
@@ -19,7 +21,7 @@ const MAX_CONSTANTS: usize = 4000;
 pub struct TwoForms<S> {
     /// The closed forms.
     pub closed: Subspace<S>,
-    /// The exact forms `d a`, in the order of the coframe.
+    /// The exact forms `d a`, for the 1-forms `a` of the coframe in order.
     pub exact: Subspace<S>,
 }
 
@@ -32,7 +34,7 @@ impl<S: GroundField> TwoForms<S> {
 }
 
 impl<S: GroundField> StructureTheory<S> {
-    /// The closed 1-forms, which vanish on the derived algebra. They are a basis of the first
+    /// The closed 1-forms. They vanish on the derived algebra, and are a basis of the first
     /// cohomology.
     pub fn closed_one_forms(&self) -> Subspace<S> {
         Subspace::kernel(self.dimension(), self.derived().basis().iter().cloned())
@@ -49,8 +51,9 @@ impl<S: GroundField> StructureTheory<S> {
         collected(terms.collect())
     }
 
-    /// The closed and the exact 2-forms. `None` beyond [`MAX_DIMENSION`]; beyond dimension 12 also
-    /// with parameters or more than 4000 structure constants `c^i_jk`.
+    /// The closed and the exact 2-forms. Returns `None` beyond [`MAX_DIMENSION`]. Beyond dimension
+    /// 12, also returns `None` if there are parameters or more than 4000 structure constants
+    /// `c^i_jk`.
     pub fn two_forms(&self) -> Option<TwoForms<S>> {
         let _stage = stage("forms");
         let n = self.dimension();
@@ -78,7 +81,7 @@ impl<S: GroundField> StructureTheory<S> {
                 }
             }
         }
-        // components on and below the diagonal are not unknowns
+        // sets the components on and below the diagonal to zero, because they are not unknowns
         equations.extend((0..n).flat_map(|i| (0..=i).map(move |j| vec![(i * n + j, S::one())])));
         equations.retain(|row| !row.is_empty());
         let closed = Subspace::kernel_of_long(n * n, equations);

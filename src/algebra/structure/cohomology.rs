@@ -20,20 +20,21 @@ pub const MAX_DIMENSION: usize = 18;
 const MAX_ROWS: usize = 13_000;
 const MAX_WORK: usize = 1_500_000;
 
-/// The largest Betti number that is returned.
+/// Larger Betti numbers are not returned.
 const LARGEST: u64 = 1 << 53;
 
 impl<S: GroundField> StructureTheory<S> {
-    /// The Betti numbers `b_0, ..., b_n`. Unless the algebra is reductive, `None` beyond
-    /// [`MAX_DIMENSION`] or if the differentials have too many entries. `None` also if a number
-    /// exceeds `2^53`, the largest range of integers of a float.
+    /// The Betti numbers `b_0, ..., b_n`. Unless the algebra is reductive, the method returns
+    /// `None` beyond [`MAX_DIMENSION`], or if the differentials have too many entries. It also
+    /// returns `None` if a number exceeds `2^53`, because floats represent all integers only up to
+    /// this limit.
     ///
     /// The Poincaré polynomial of a reductive algebra is `(1+t)^z prod (1 + t^(2m+1))`, with the
     /// dimension `z` of the centre and the exponents `m` of its simple factors.
     ///
     /// The flag tells whether the numbers are proved: by a theorem, or, up to dimension 11, by
-    /// verified closed forms. Beyond, they are computed from ranks modulo two primes. In a
-    /// unimodular algebra `d` on `Lambda^k` has the rank of `d` on `Lambda^(n-1-k)` (Poincare
+    /// verified closed forms. Beyond dimension 11, they follow from ranks modulo two primes. In a
+    /// unimodular algebra, `d` on `Lambda^k` has the same rank as `d` on `Lambda^(n-1-k)` (Poincare
     /// duality).
     ///
     /// ```
@@ -83,14 +84,15 @@ impl<S: GroundField> StructureTheory<S> {
         Some((polynomial, true))
     }
 
-    /// The Betti numbers from the ranks modulo two primes; the larger rank is used.
+    /// The Betti numbers from the ranks modulo two primes; if these differ, the larger rank is
+    /// used.
     fn betti_modulo_primes(&self) -> Option<Vec<u64>> {
         let (n, duality) = (self.dimension(), self.is_unimodular());
         let mut best: Option<Vec<Vec<u64>>> = None;
         for reduction in self.reductions().take(2) {
             let [forms, ranks] = reduction.ranks_of_differentials(duality)?;
             best = Some(match best {
-                // the weights are equal modulo both primes
+                // combines the ranks only if the numbers of forms agree modulo both primes
                 Some(known) if known[0] == forms => {
                     let larger = known[1].iter().zip(&ranks).map(|(a, b)| *a.max(b)).collect();
                     vec![forms, larger]
@@ -103,7 +105,7 @@ impl<S: GroundField> StructureTheory<S> {
         (0..=n).map(|k| forms[k].checked_sub(ranks[k])?.checked_sub(exact(k))).collect()
     }
 
-    /// The closed forms of degree `k`.
+    /// The dimension of the space of closed forms of degree `k`.
     fn closed_forms(&self, k: usize) -> Certified {
         let n = self.dimension();
         let sets: Vec<usize> =
@@ -127,13 +129,13 @@ fn binomial(n: usize, k: usize) -> usize {
 }
 
 impl ModularAlgebra {
-    /// The dimensions of a complex with the cohomology of the algebra, and the ranks of its
-    /// differentials, by degree. `None` if they are too large. With `duality`, ranks above the
-    /// middle degree are taken from those below.
+    /// The dimensions of a complex whose cohomology is the cohomology of the algebra, and the ranks
+    /// of its differentials, by degree. Returns `None` if the matrices are too large. If `duality`
+    /// is set, the ranks above the middle degree are copied from the ranks below it.
     ///
-    /// A derivation `ad_x` acts as zero on cohomology. If `ad_x` is diagonal in the basis, forms of
-    /// weight zero therefore suffice. Forms that are pivots of exact forms are left out: they are
-    /// closed up to other forms, because `d d = 0`.
+    /// A derivation `ad_x` acts as zero on cohomology. If `ad_x` is diagonal in the basis, the
+    /// forms of weight zero are therefore sufficient. Forms that are pivots of exact forms are
+    /// omitted, because they are closed up to other forms (`d d = 0`).
     fn ranks_of_differentials(&self, duality: bool) -> Option<[Vec<u64>; 2]> {
         let (n, p) = (self.dimension(), self.prime());
         if n > MAX_DIMENSION {
@@ -184,7 +186,8 @@ impl ModularAlgebra {
         Some([sets.iter().map(|sets| sets.len() as u64).collect(), ranks])
     }
 
-    /// A basis of the closed forms with these index sets, in reduced echelon form.
+    /// A basis of the closed forms that are combinations of the forms with these index `sets`, in
+    /// reduced echelon form.
     fn closed_forms(&self, sets: &[usize]) -> Vec<Vec<u64>> {
         let (n, p) = (self.dimension(), self.prime());
         let mut equations: BTreeMap<usize, Vec<(usize, u64)>> = BTreeMap::new();
@@ -209,8 +212,8 @@ impl ModularAlgebra {
     }
 }
 
-/// The terms `(set, minus, c)` of `d e^set`, with `d e^i = -sum over j < l of c^i_jl e^j e^l`;
-/// `minus` marks a negative sign.
+/// The terms `(set, minus, c)` of `d e^set`, of `d e^set`, where
+/// `d e^i = -sum over j < l of c^i_jl e^j e^l`; `minus` marks a negative sign.
 pub(super) fn differential<'a, V>(
     n: usize,
     of: impl Fn(usize) -> &'a [(usize, usize, V)],
@@ -224,7 +227,7 @@ pub(super) fn differential<'a, V>(
         for j in (0..n).filter(|j| rest >> j & 1 == 0) {
             for (l, component, value) in of(j) {
                 if *component == i && *l > j && rest >> l & 1 == 0 {
-                    // the sign of sorting e^j e^l, inserted in place of e^i
+                    // the sign of the permutation that sorts e^j e^l into the set, in place of e^i
                     let minus = !(below(i) ^ below(j) ^ below(*l));
                     terms.push((rest | 1 << j | 1 << l, minus, value));
                 }

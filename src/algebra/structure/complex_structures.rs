@@ -2,11 +2,11 @@
 //! `[Jx, Jy] = [x, y] + J [Jx, y] + J [x, Jy]`.
 //!
 //! Let `D = ad_e` act on an abelian ideal `U` of dimension 3. The plane `U & J U` is invariant, and
-//! `D` commutes with `J` on it: take `e = J v` with `v` in `U`, and `x` in the plane; then `[v, x]
-//! = [v, Jx] = 0` implies `D J x = J D x`. A complex structure therefore exists if and only if `D`
-//! has complex eigenvalues or an eigenspace of dimension 2, and `J` exchanges `e` with a vector
-//! outside the plane. All other algebras of dimension 4 have a complex structure. Compare G.
-//! Ovando, *Manuscripta Math.* 103 (2000) 19-30.
+//! `D` commutes with `J` on the plane. To see this, take `e = J v` with `v` in `U`, and `x` in the
+//! plane. Then `[v, x] = [v, Jx] = 0` implies `D J x = J D x`. Therefore, a complex structure
+//! exists if and only if `D` has complex eigenvalues or an eigenspace of dimension 2. In this case,
+//! `J` exchanges `e` with a vector outside the plane. All other algebras of dimension 4 have a
+//! complex structure. Compare G. Ovando, *Manuscripta Math.* 103 (2000) 19-30.
 
 use super::identification::{scale as scaled, spectrum, sum, vector_images};
 use super::{StructureTheory, Subspace};
@@ -16,7 +16,7 @@ use affinor_tensors::{Field, Rational, Ring};
 
 type Vector = Row<Rational>;
 
-/// The answer whether a complex structure exists over the reals.
+/// Whether a complex structure exists over the reals, and a rational structure if one is found.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ComplexStructure {
     /// Whether a complex structure exists.
@@ -26,8 +26,8 @@ pub struct ComplexStructure {
 }
 
 impl StructureTheory<Rational> {
-    /// Decides whether there is a left-invariant complex structure; `None` for dimensions other
-    /// than 2 and 4.
+    /// Decides whether there is a left-invariant complex structure. Returns `None` in dimensions
+    /// other than 2 and 4.
     pub fn complex_structure(&self) -> Option<ComplexStructure> {
         let _stage = stage("complex structure");
         let pairs = match self.dimension() {
@@ -82,7 +82,7 @@ impl StructureTheory<Rational> {
         found.map_or(Pairs::Irrational, Pairs::Found)
     }
 
-    /// The matrix of `ad_e` on the span of independent vectors.
+    /// The matrix of `ad_e` on the span of the independent vectors `acted`.
     fn matrix_on(&self, e: &Vector, acted: &[Vector]) -> Option<Matrix<Rational>> {
         let space = Subspace::span(self.dimension(), acted.iter().cloned());
         let basis = Matrix::from_rows(self.dimension(), acted.iter().cloned()).ok()?.transpose();
@@ -98,11 +98,11 @@ impl StructureTheory<Rational> {
         Some(Matrix::from_dense(&columns).ok()?.transpose())
     }
 
-    /// The case in which `e` acts by `D` on an abelian ideal of dimension 3.
+    /// Finds `J` if `e` acts by `D` on an abelian ideal of dimension 3.
     fn pairs_on_space(&self, e: &Vector, acted: &[Vector], action: &Matrix<Rational>) -> Pairs {
         let Some(spectrum) = spectrum(action) else { return Pairs::Unknown };
         let polynomial = |constant: &Rational, linear: &Rational| {
-            // D^2 + linear D + constant, or D + constant
+            // evaluates the polynomial D^2 + linear D + constant, or D + constant
             let shift = Matrix::diagonal(std::iter::repeat_n(constant.clone(), 3));
             let linear = action.map(|v| v.clone() * linear);
             linear.add(&shift).ok()
@@ -144,9 +144,9 @@ impl StructureTheory<Rational> {
         Pairs::Impossible
     }
 
-    /// The case in which `e` acts by `D` on `v, w` of the Heisenberg algebra with `z = [v, w]`. If
-    /// `D` commutes with a complex structure of the plane, `J` exchanges `e` and `z`. Otherwise let
-    /// `D v = a v` and let `b` be the other eigenvalue: `J e = -b w`, `J v = -z`.
+    /// Finds `J` if `e` acts by `D` on `v, w` of the Heisenberg algebra with `z = [v, w]`. If `D`
+    /// commutes with a complex structure of the plane, `J` exchanges `e` and `z`. Otherwise let
+    /// `D v = a v`, and let `b` be the other eigenvalue; then `J e = -b w` and `J v = -z`.
     fn pairs_on_heisenberg(
         &self,
         e: Vector,
@@ -180,7 +180,7 @@ impl StructureTheory<Rational> {
             let kernel = Subspace::kernel(2, (0..2).map(|i| matrix.row(i).to_vec()));
             let v = kernel.dense().first()?.clone();
             let place = usize::from(v[0].vanishes());
-            // any vector outside the line of v
+            // w is any vector that is not a multiple of v
             let mut w = [Rational::from(0), Rational::from(0)];
             w[1 - place] = Rational::from(1);
             let (v, w) = (in_algebra(&v), in_algebra(&w));
@@ -191,7 +191,7 @@ impl StructureTheory<Rational> {
         None
     }
 
-    /// The case in which two vectors act on the nilradical: the algebra is a sum of two algebras of
+    /// Finds `J` if two vectors act on the nilradical. The algebra then is a sum of two algebras of
     /// dimension 2, or a complex algebra.
     fn pairs_on_plane(&self) -> Option<Vec<[Vector; 2]>> {
         let form = self.form_on_plane()?;
@@ -206,9 +206,10 @@ impl StructureTheory<Rational> {
         Some(vec![[u.clone(), v.clone()], [h.clone(), k.clone()]])
     }
 
-    /// The case in which `x` rotates `y` and `[x, y]`; then `J x` is central.
+    /// Finds `J` if `x` rotates `y` and `[x, y]`; then `J x` is central.
     fn simple_and_centre(&self) -> Option<Vec<[Vector; 2]>> {
-        // the length of x must be rational, that of y need not be
+        // prefers a frame in which the lengths of x and y are rational, but only the length of x
+        // must be rational
         let frame = self.frame(2).or_else(|| self.frame(1))?;
         let [x, y, z, centre] = &frame.vectors[..] else { return None };
         Some(vec![[y.clone(), z.clone()], [x.clone(), centre.clone()]])
@@ -218,7 +219,7 @@ impl StructureTheory<Rational> {
 /// A complex structure as pairs `x, J x` that form a basis.
 enum Pairs {
     Found(Vec<[Vector; 2]>),
-    /// A structure exists over the reals; a rational one is not known.
+    /// A structure exists over the reals, but no rational structure is known.
     Irrational,
     Impossible,
     Unknown,

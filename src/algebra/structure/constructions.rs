@@ -1,8 +1,8 @@
 //! Constructions of Lie algebras: quotients, extensions, semidirect sums, tensor products,
 //! contractions, complexifications.
 //!
-//! Each construction checks its conditions; a violation is an error with a witness. Direct sums are
-//! [`LieAlgebra::direct_sum`], subalgebras [`StructureTheory::subalgebra`], other bases
+//! Each construction checks its conditions, and returns an error with a witness if a condition is
+//! violated. Related functions are [`LieAlgebra::direct_sum`], [`StructureTheory::subalgebra`] and
 //! [`LieAlgebra::change_basis`].
 
 use super::subspace::{collected, combination};
@@ -12,15 +12,15 @@ use crate::{Error, Law};
 use affinor_tensors::linear::{Matrix, Row};
 use affinor_tensors::{Down, Tensor, Up};
 
-/// The largest dimension of a commutative factor, because the time for checking its products grows
-/// with the cube of the dimension.
+/// The largest dimension of a commutative factor. The time to check its products grows with the
+/// cube of the dimension.
 const MOST_UNITS: usize = 64;
 
-/// Structure constants `(j, k, i, v)`: `[e_j, e_k] = ... + v e_i`.
+/// Structure constants `(j, k, i, v)`, which mean `[e_j, e_k] = ... + v e_i`.
 type Constants<S> = Vec<(usize, usize, usize, S)>;
 
 impl<S: GroundField> StructureTheory<S> {
-    /// The constants with `j < k`.
+    /// The structure constants with `j < k`.
     fn constants(&self) -> Constants<S> {
         let lines = (0..self.dimension()).flat_map(|j| {
             let line = self.products.of(j).iter().filter(move |(k, ..)| j < *k);
@@ -29,8 +29,8 @@ impl<S: GroundField> StructureTheory<S> {
         lines.collect()
     }
 
-    /// The quotient by an ideal, in the basis of the images of the basis vectors that complement
-    /// the ideal.
+    /// The quotient by an ideal. Its basis consists of the images of those basis vectors that
+    /// complement the ideal.
     ///
     /// # Errors
     /// [`Law::Ideal`] with a bracket that leaves the subspace; [`Error::Shape`] if the subspace has
@@ -63,8 +63,8 @@ impl<S: GroundField> StructureTheory<S> {
         Bracket::from_constants(labels, constants)?.try_into()
     }
 
-    /// The central extension by the vectors `labels`: `[x, y]` gets the further components
-    /// `omega_a(x, y)`, given as `(j, k, a, omega_a(e_j, e_k))`.
+    /// The central extension by the vectors `labels`. The bracket `[x, y]` is extended by the
+    /// components `omega_a(x, y)`, which are given as `(j, k, a, omega_a(e_j, e_k))`.
     ///
     /// # Errors
     /// [`Law::Cocycle`] with three basis vectors for which the cyclic sum of `omega([x,y],z)` is
@@ -166,8 +166,8 @@ impl<S: GroundField> StructureTheory<S> {
         Bracket::from_constants(labels, constants)?.try_into()
     }
 
-    /// The semidirect sum with the dual space, by the coadjoint action: `[x, f](y) = -f([x, y])`.
-    /// The labels of the dual basis end in `_star`.
+    /// The semidirect sum with the dual space, on which the algebra acts by the coadjoint action:
+    /// `[x, f](y) = -f([x, y])`. The labels of the dual basis end in `_star`.
     ///
     /// # Errors
     /// [`Error::Tensor`] if the dimension is too large for the indices of a tensor, 64 bits.
@@ -178,7 +178,7 @@ impl<S: GroundField> StructureTheory<S> {
         let coadjoint = (0..n).map(|j| {
             let mut rows = vec![vec![]; n];
             for (k, i, value) in self.products.of(j) {
-                // row k, column i of the negative transpose of ad
+                // row k and column i of the negative transpose of ad
                 rows[*k].push((*i, -value.clone()));
             }
             Matrix::from_rows(n, rows)
@@ -187,9 +187,9 @@ impl<S: GroundField> StructureTheory<S> {
         self.semidirect(&StructureTheory::new(dual), &coadjoint)
     }
 
-    /// The tensor product with a commutative algebra, in the basis `x u_a` with the labels `x_u`:
-    /// `[x u_a, y u_b] = [x, y] (u_a u_b)`. `products` has the slots `^d_ab` and defines `u_a u_b =
-    /// p^d_ab u_d` for the basis `units`.
+    /// The tensor product with a commutative algebra: `[x u_a, y u_b] = [x, y] (u_a u_b)`. The
+    /// basis is `x u_a`, with the labels `x_u`. `products` has the slots `^d_ab` and defines
+    /// `u_a u_b = p^d_ab u_d` for the basis `units`.
     ///
     /// ```
     /// use affinor::algebra::catalogue;
@@ -234,8 +234,9 @@ impl<S: GroundField> StructureTheory<S> {
         self.over(units.iter().flat_map(label).collect(), &table)
     }
 
-    /// The tensor product with the truncated polynomials `R[t]/(t^order)`: `[x t^a, y t^b] = [x,y]
-    /// t^(a+b)`. Order 2 gives the dual numbers, and the product is the tangent algebra.
+    /// The tensor product with the truncated polynomials `R[t]/(t^order)`:
+    /// `[x t^a, y t^b] = [x,y] t^(a+b)`. If the order is 2, the polynomials are the dual numbers,
+    /// and the product is the tangent algebra.
     ///
     /// # Errors
     /// [`Error::Tensor`] if the dimension is too large for the indices of a tensor, 64 bits.
@@ -252,7 +253,8 @@ impl<S: GroundField> StructureTheory<S> {
         self.over(labels.collect(), &(0..order).map(row).collect::<Vec<_>>())
     }
 
-    /// The complexification as a real algebra, in the basis `x` and `i x`, labelled `ix`.
+    /// The complexification as a real algebra, in the basis `x` and `i x`. The label of `i x` is
+    /// `ix`.
     ///
     /// # Errors
     /// [`Error::Tensor`] if the dimension is too large for the indices of a tensor, 64 bits.
@@ -264,8 +266,9 @@ impl<S: GroundField> StructureTheory<S> {
         self.over(labels, &[vec![one, i.clone()], vec![i, minus]])
     }
 
-    /// The tensor product by a table of products: `[x u_a, y u_b] = [x, y] (u_a u_b)`, in the basis
-    /// of all `x u_0`, then all `x u_1`, and so on.
+    /// The tensor product with the algebra that has this table of `products`:
+    /// `[x u_a, y u_b] = [x, y] (u_a u_b)`. The basis consists of all `x u_0`, then all `x u_1`,
+    /// and so on.
     fn over(&self, labels: Vec<String>, products: &[Vec<Row<S>>]) -> Result<LieAlgebra<S>, Error> {
         let (n, all) = (self.dimension(), self.products_of_all());
         let mut constants = vec![];
@@ -281,13 +284,14 @@ impl<S: GroundField> StructureTheory<S> {
         Bracket::from_constants(labels, constants)?.try_into()
     }
 
-    /// The contraction in which `e_i` is scaled by `t^w_i`, in the limit of `t` to 0. Constants
-    /// with `w_j + w_k = w_i` are unchanged, those with `w_j + w_k > w_i` vanish (Inönü and Wigner,
-    /// *Proc. Natl. Acad. Sci.* 39 (1953) 510-524; E. J. Saletan, *J. Math. Phys.* 2 (1961) 1-21).
+    /// The contraction that scales `e_i` by `t^w_i` in the limit of `t` to 0. Constants with
+    /// `w_j + w_k = w_i` are unchanged, and constants with `w_j + w_k > w_i` vanish (Inönü and
+    /// Wigner, *Proc. Natl. Acad. Sci.* 39 (1953) 510-524; E. J. Saletan, *J. Math. Phys.* 2 (1961)
+    /// 1-21).
     ///
     /// # Errors
-    /// [`Law::Limit`] with a constant for which `w_j + w_k < w_i`; [`Error::Shape`] for a wrong
-    /// number of weights.
+    /// [`Law::Limit`] with a constant for which `w_j + w_k < w_i`; [`Error::Shape`] if the number
+    /// of weights is wrong.
     pub fn inonu_wigner_contraction(&self, weights: &[i64]) -> Result<LieAlgebra<S>, Error> {
         if weights.len() != self.dimension() {
             let (expected, found) = (self.dimension().to_string(), weights.len().to_string());
@@ -309,7 +313,7 @@ impl<S: GroundField> StructureTheory<S> {
         Bracket::from_constants(labels, kept)?.try_into()
     }
 
-    /// All constants, including those with `j > k`.
+    /// The structure constants of all pairs, including those with `j > k`.
     fn products_of_all(&self) -> Constants<S> {
         let lines = (0..self.dimension()).flat_map(|j| {
             self.products.of(j).iter().map(move |(k, i, value)| (j, *k, *i, value.clone()))

@@ -1,15 +1,15 @@
-//! Decomposition into indecomposable ideals (de Graaf 1.15; Rand, Winternitz, Zassenhaus, *Linear Algebra
-//! Appl.* 109 (1988) 197-246).
+//! Decomposition into indecomposable ideals (de Graaf 1.15; Rand, Winternitz, Zassenhaus, *Linear
+//! Algebra Appl.* 109 (1988) 197-246).
 //!
 //! Central lines outside the derived algebra are split off first. The rest is decomposed by its
-//! centroid, the maps that commute with all `ad`: the coprime factors of the minimal polynomial of
-//! a general element give the ideals.
+//! centroid, which consists of the maps that commute with all `ad`. Each coprime factor of the
+//! minimal polynomial of a general element yields an ideal.
 //!
-//! Certificate: the centroid `C` modulo its radical is a product of number fields, because its
-//! commutators map to the centre, which lies in the derived algebra, and annihilate the derived
-//! algebra. So `C` has `dim C - dim rad C` characters over the complex numbers. An element on which
-//! all characters differ generates the product, and its minimal polynomial has as many distinct
-//! roots.
+//! The certificate is as follows. The commutators of the centroid `C` map to the centre, which is
+//! contained in the derived algebra, and they annihilate the derived algebra. Therefore `C` modulo
+//! its radical is a product of number fields, and `C` has `dim C - dim rad C` characters over the
+//! complex numbers. An element on which all characters differ generates the product, and the number
+//! of distinct roots of its minimal polynomial is the number of characters.
 
 use super::ideals::{evaluate, minimal_polynomial};
 use super::radical::on_moment_curve;
@@ -31,16 +31,16 @@ const SHORT: i64 = 3;
 pub struct Indecomposable {
     /// The ideal.
     pub ideal: Subspace<Rational>,
-    /// The number of indecomposable ideals into which it decomposes over the reals.
+    /// The number of indecomposable ideals of its decomposition over the reals.
     pub real_parts: usize,
 }
 
 impl StructureTheory<Rational> {
-    /// Ideals that are indecomposable over the rationals and whose sum is the algebra; `None`
-    /// beyond [`MAX_DIMENSION`].
+    /// Decomposes the algebra into ideals that are indecomposable over the rationals. Returns
+    /// `None` beyond [`MAX_DIMENSION`].
     ///
     /// # Errors
-    /// Those of [`subalgebra`](Self::subalgebra), which cannot occur for a Lie algebra.
+    /// The errors of [`subalgebra`](Self::subalgebra). They cannot occur for a Lie algebra.
     pub fn indecomposable_ideals(&self) -> Result<Option<Vec<Indecomposable>>, Error> {
         let _stage = stage("decomposition");
         let n = self.dimension();
@@ -55,7 +55,7 @@ impl StructureTheory<Rational> {
                 ideals.push(Indecomposable { ideal, real_parts: 1 });
             }
         }
-        // a complement of the central lines, which contains the derived algebra
+        // computes a complement of the central lines that contains the derived algebra
         let mut rest = self.derived().clone();
         for vector in self.whole().basis() {
             if span.add(vector.clone()) {
@@ -106,8 +106,8 @@ impl StructureTheory<Rational> {
         None
     }
 
-    /// The centroid: the maps `A^i_j`, stored at `i n + j`, with `A [e_a, e_k] = [e_a, A e_k]` for
-    /// all `a` and `k`.
+    /// The centroid: the maps `A^i_j` with `A [e_a, e_k] = [e_a, A e_k]` for all `a` and `k`. The
+    /// component `A^i_j` is stored at `i n + j`.
     fn centroid_by_equations(&self) -> Subspace<Rational> {
         let n = self.dimension();
         let mut equations: Vec<Row<Rational>> = vec![];
@@ -134,15 +134,15 @@ impl StructureTheory<Rational> {
     }
 }
 
-/// The matrix of a map whose component `A^i_j` is stored at `i n + j`.
+/// The matrix of a map. Its component `A^i_j` is stored at `i n + j` of `map`.
 fn square(n: usize, map: &[(usize, Rational)]) -> Option<Matrix<Rational>> {
     let mut rows = vec![vec![]; n];
     map.iter().for_each(|(at, value)| rows[at / n].push((at % n, value.clone())));
     Matrix::from_rows(n, rows).ok()
 }
 
-/// The number `dim C - dim rad C` for an algebra `C` of maps: the rank of the form `tr(A B)`, whose
-/// kernel is the radical in characteristic 0.
+/// The number `dim C - dim rad C` for an algebra `C` of maps. It is the rank of the form `tr(A B)`,
+/// whose kernel is the radical in characteristic 0.
 fn geometric_idempotents(n: usize, maps: &[Row<Rational>]) -> usize {
     let transposed = |at: usize| at % n * n + at / n;
     let form = maps.iter().map(|a| {

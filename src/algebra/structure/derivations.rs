@@ -1,4 +1,5 @@
-//! Dimensions of derivations, of the centroid and of invariant symmetric forms (de Graaf 1.9, 1.11).
+//! Dimensions of derivations, of the centroid and of invariant symmetric forms (de Graaf 1.9,
+//! 1.11).
 
 use super::certificates::Certified;
 use super::reduction::ModularAlgebra;
@@ -9,14 +10,15 @@ use affinor_tensors::linear::Row;
 use affinor_tensors::linear::modular::ResidueMatrix;
 use affinor_tensors::stop::stage;
 
-/// The largest dimension at which derivations are counted for an algebra that is not reductive.
+/// The largest dimension at which derivations are counted, if the algebra is not reductive.
 pub const MAX_DIMENSION: usize = 30;
 
 impl<S: GroundField> StructureTheory<S> {
-    /// The dimension of the derivations, with a proof: a theorem, or a verified basis. `None`
-    /// beyond [`MAX_DIMENSION`] unless the algebra is reductive.
+    /// The dimension of the algebra of derivations, proved by a theorem or a verified basis where
+    /// possible. Returns `None` beyond [`MAX_DIMENSION`] unless the algebra is reductive.
     ///
-    /// Derivations of a semisimple algebra are inner (de Graaf 4.5); those of `s + z` are `ad s + gl(z)`.
+    /// All derivations of a semisimple algebra are inner (de Graaf 4.5). The derivations of
+    /// `s + z`, with `s` semisimple and `z` abelian, are `ad s + gl(z)`.
     pub fn derivation_dimension(&self) -> Option<Certified> {
         let _stage = stage("derivations");
         let n = self.dimension();
@@ -29,14 +31,15 @@ impl<S: GroundField> StructureTheory<S> {
         }
         let kernel = |reduction: &ModularAlgebra| reduction.derivation_equations().kernel();
         let counted = self.counted(n * n, kernel, StructureTheory::is_derivation_row);
-        // a lower bound: the inner derivations
+        // the dimension is proved if it equals the number of inner derivations, which is a lower
+        // bound
         let inner = n - self.centre().dimension();
         Some(Certified { proved: counted.proved || counted.dimension == inner, ..counted })
     }
 
-    /// The dimension of the symmetric forms with `B([x,y],z) = B(x,[y,z])`, with a proof. `None`
-    /// beyond [`MAX_DIMENSION`] unless the algebra is reductive: then there is a form for each
-    /// simple factor over the complex numbers, and all forms on the centre.
+    /// The dimension of the symmetric forms with `B([x,y],z) = B(x,[y,z])`, proved where possible.
+    /// Returns `None` beyond [`MAX_DIMENSION`] unless the algebra is reductive. A reductive algebra
+    /// has one form for each simple factor over the complex numbers, and all forms on the centre.
     pub fn invariant_form_dimension(&self) -> Option<Certified> {
         let _stage = stage("invariant forms");
         let n = self.dimension();
@@ -51,7 +54,7 @@ impl<S: GroundField> StructureTheory<S> {
 }
 
 impl StructureTheory<Rational> {
-    /// Whether the map whose component `D^a_b` is stored at `a n + b` is a derivation.
+    /// Whether `map` is a derivation. Its component `D^a_b` is stored at `a n + b`.
     fn is_derivation_row(&self, map: &Row<Rational>) -> bool {
         let n = self.dimension();
         let (mut rows, mut columns) = (vec![vec![]; n], vec![vec![]; n]);
@@ -61,13 +64,13 @@ impl StructureTheory<Rational> {
         }
         (0..n).all(|j| {
             let mut terms = vec![];
-            // [D e_j, e_k]
+            // adds [D e_j, e_k]
             for &(a, d) in &columns[j] {
                 let line = self.products.of(a).iter();
                 terms.extend(line.map(|(k, i, c)| (k * n + i, c.clone() * d)));
             }
             for (a, i, c) in self.products.of(j) {
-                // [e_j, D e_k], then -D [e_j, e_k], where a plays the role of k
+                // adds [e_j, D e_k], and -D [e_j, e_k], in which a plays the role of k
                 terms.extend(rows[*a].iter().map(|(k, d)| (k * n + i, c.clone() * *d)));
                 terms.extend(columns[*i].iter().map(|(b, d)| (a * n + b, -(c.clone() * *d))));
             }
@@ -75,7 +78,8 @@ impl StructureTheory<Rational> {
         })
     }
 
-    /// Whether the symmetric form with the components `B_jk`, `j <= k`, in one list, is invariant.
+    /// Whether the symmetric form is invariant. The list `form` contains its components `B_jk` with
+    /// `j <= k`.
     fn is_invariant_row(&self, form: &Row<Rational>) -> bool {
         let n = self.dimension();
         let mut places = (0..n).flat_map(|j| (j..n).map(move |k| (j, k))).enumerate();
@@ -100,15 +104,16 @@ impl StructureTheory<Rational> {
 }
 
 impl ModularAlgebra {
-    /// The equations `D[x,e_j] = [Dx,e_j] + [x,De_j]` for generators `x`, in the unknowns `D^a_b`
-    /// at `a n + b`. A map that satisfies them for generators satisfies them for all `x`.
+    /// The equations `D[x,e_j] = [Dx,e_j] + [x,De_j]` for generators `x`. The unknown `D^a_b` has
+    /// the index `a n + b`. If a map satisfies the equations for generators, it satisfies them for
+    /// all `x`.
     fn derivation_equations(&self) -> ResidueMatrix {
         let (n, p) = (self.dimension(), self.prime());
         let mut rows = vec![];
         for x in self.generators() {
             let ad = self.ad(&x);
             for j in 0..n {
-                // row i of the block: component i of the equation
+                // row i of the block is component i of the equation
                 let mut block = vec![vec![0; n * n]; n];
                 for (i, row) in block.iter_mut().enumerate() {
                     for b in 0..n {
@@ -117,7 +122,7 @@ impl ModularAlgebra {
                         row[at] = p.add(row[at], p.neg(ad.rows()[i][b]));
                     }
                 }
-                // -[Dx, e_j] = [e_j, e_a] D^a_b x_b
+                // adds -[Dx, e_j] = [e_j, e_a] D^a_b x_b
                 for &(a, i, value) in self.of(j) {
                     for (b, &component) in x.iter().enumerate() {
                         let at = a * n + b;
@@ -130,7 +135,7 @@ impl ModularAlgebra {
         ResidueMatrix::new(p, n * n, rows)
     }
 
-    /// The equations `B([x,e_j],e_k) + B(e_j,[x,e_k]) = 0` for generators `x`, in the unknowns
+    /// The equations `B([x,e_j],e_k) + B(e_j,[x,e_k]) = 0` for generators `x`. The unknowns are
     /// `B_jk` with `j <= k`.
     fn form_equations(&self) -> ResidueMatrix {
         let (n, p) = (self.dimension(), self.prime());

@@ -1,22 +1,22 @@
 //! The Dynkin type of a semisimple algebra over the algebraic closure, computed modulo a prime.
 //!
-//! Take a prime that does not divide the determinant of the Killing form. The Casimir element acts
-//! as 1 on the algebra modulo the prime, so its second cohomology with adjoint coefficients
-//! vanishes. The algebra modulo the prime therefore lifts uniquely, and has the type of the
-//! algebra.
+//! The proof is as follows. Take a prime that does not divide the determinant of the Killing form.
+//! The Casimir element acts as 1 on the algebra modulo the prime, so the second cohomology of this
+//! algebra with adjoint coefficients vanishes. The algebra modulo the prime therefore lifts
+//! uniquely, so it has the same type as the algebra.
 //!
-//! Take a pseudorandom `x` with Cartan subalgebra `H = ker ad_x`, and a vector `v` that generates
-//! `V = [x, L]` under `X = ad_x`. A map `A` that commutes with all `ad` is a polynomial `q(X)` on
-//! `V`; it is even, because opposite roots belong to the same factor. Projected to `V`, the
-//! relations `A [v,y] = [A v, y]` are linear equations in the coefficients of `q`. The solutions
-//! are the centroid; its idempotents are the factors. The rank `r` and the dimension `n` of a
-//! factor determine its type, except for B, C and E6, which are distinguished by the power sums of
-//! the roots.
+//! The method is as follows. Take a pseudorandom `x` with Cartan subalgebra `H = ker ad_x`, and a
+//! vector `v` that generates `V = [x, L]` under `X = ad_x`. A map `A` that commutes with all `ad`
+//! is a polynomial `q(X)` on `V`; it is even, because opposite roots belong to the same factor.
+//! Projected to `V`, the relations `A [v,y] = [A v, y]` are linear equations in the coefficients of
+//! `q`. The solutions form the centroid, and its primitive idempotents correspond to the factors.
+//! The rank `r` and the dimension `n` of a factor determine its type, except that B, C and E6 are
+//! distinguished by the power sums of the roots.
 //!
-//! Certificates: `X` is invertible on `V` and `H` is abelian, so `H` is a Cartan subalgebra. The
-//! ranks of the factors, each of which can only be underestimated, add up to the rank of `H`. Each
-//! type of the same rank and dimension implies an identity of power sums, and only one type
-//! satisfies its own identity. If a certificate fails, another prime is tried.
+//! The certificates are as follows. `X` is invertible on `V` and `H` is abelian, so `H` is a Cartan
+//! subalgebra. The rank of each factor can only be underestimated, but the ranks add up to the rank
+//! of `H`. Each type of the same rank and dimension implies an identity of power sums, and only one
+//! type satisfies its own identity. If a certificate fails, another prime is tried.
 
 use super::reduction::{ModularAlgebra, PseudoRandom};
 use super::{GroundField, StructureTheory};
@@ -27,7 +27,7 @@ use polycore::{Fp, Uni};
 
 impl<S: GroundField> StructureTheory<S> {
     /// The types of the simple factors of the Levi subalgebras over the algebraic closure, in
-    /// order. `None` if all primes that are tried fail.
+    /// order. Returns `None` if the computation fails modulo all primes that are tried.
     ///
     /// ```
     /// use affinor::algebra::{catalogue, structure::StructureTheory};
@@ -62,7 +62,8 @@ impl<S: GroundField> StructureTheory<S> {
     }
 }
 
-/// The Dynkin diagram of a type in text, with the numbers of Bourbaki; arrows point to the short roots.
+/// Draws the Dynkin diagram of a type as text, with the numbers of Bourbaki. Arrows point to the
+/// short roots.
 ///
 /// ```
 /// use affinor::algebra::roots::{CartanType, Series};
@@ -74,7 +75,7 @@ pub fn diagram(cartan_type: CartanType) -> String {
     let r = cartan_type.rank();
     let chain =
         |from: usize, to: usize| (from..=to).map(|i| i.to_string()).collect::<Vec<_>>().join("---");
-    // draws a branch below the node that ends the given text
+    // draws a branch below the node at which the given text ends
     let below = |text: &str, node: &str, rest: &str, branch: usize| {
         let indent = " ".repeat(text.len());
         format!("{text}{node}{rest}\n{indent}|\n{indent}{branch}")
@@ -94,7 +95,7 @@ pub fn diagram(cartan_type: CartanType) -> String {
     }
 }
 
-/// The exponents of a type: the degrees of the invariants of its Weyl group, minus one.
+/// The exponents of a type: the degrees of the invariants of its Weyl group, each minus one.
 pub fn exponents(cartan_type: CartanType) -> Vec<usize> {
     let r = cartan_type.rank();
     match (cartan_type.series(), r) {
@@ -113,18 +114,20 @@ pub fn exponents(cartan_type: CartanType) -> Vec<usize> {
 pub(super) struct Split {
     prime: Prime,
     pub rank: usize,
-    /// A basis of H, then `X^k v`.
+    /// A basis of H, followed by the vectors `X^k v`.
     pub basis: Vec<Vec<u64>>,
     /// Maps a vector to its coordinates in `basis`.
     pub coordinates: ResidueMatrix,
-    /// `X^m v = sum relation_k X^k v`
+    /// The coefficients of `X^m v = sum relation_k X^k v`.
     relation: Vec<u64>,
-    /// The centroid, as even polynomials in `X`, by their coefficients.
+    /// A basis of the centroid. Each element is an even polynomial in `X`, stored as its
+    /// coefficients.
     pub centroid: Vec<Vec<u64>>,
 }
 
 impl ModularAlgebra {
-    /// The types of the simple factors; `None` if the prime or the random elements are unsuitable.
+    /// The types of the simple factors. Returns `None` if the prime or the random elements are
+    /// unsuitable.
     pub fn factors(&self) -> Option<Vec<CartanType>> {
         let mut draw = PseudoRandom::new(3);
         let split = Split::new(self, &mut draw)?;
@@ -166,7 +169,7 @@ impl Split {
             }
         }
         let v = split.basis.get(rank)?.clone();
-        // A w = [A v, y] on V, for w = [v, y]
+        // computes the columns of the equation A w = [A v, y] on V, for w = [v, y]
         let right = algebra.ad(&draw.vector(p, n)).sparse();
         let mut w = split.roots_part(&right.apply(&v));
         let mut columns = vec![];
@@ -187,8 +190,9 @@ impl Split {
         (!split.centroid.is_empty()).then_some(split)
     }
 
-    /// The kernel and a cyclic vector of the image of `X`, without the centroid. `None` if some
-    /// power of `X` has a larger kernel than `X`, or if the vector is not cyclic.
+    /// Computes the kernel of `X` and a cyclic vector of its image. The centroid remains empty.
+    /// Returns `None` if some power of `X` has a larger kernel than `X`, or if the vector is not
+    /// cyclic.
     pub fn of(ad: &ResidueMatrix, draw: &mut PseudoRandom) -> Option<Self> {
         let (n, p) = (ad.columns(), ad.prime());
         let mut basis = ad.clone().kernel();
@@ -206,7 +210,7 @@ impl Split {
         Some(Split { prime: p, rank, basis, coordinates, relation, centroid: vec![] })
     }
 
-    /// The coefficients `s_k` with `X^m v = sum of s_k X^k v`.
+    /// The coefficients `s_k` of the relation `X^m v = sum of s_k X^k v`.
     pub fn relation(&self) -> &[u64] {
         &self.relation
     }
@@ -215,12 +219,12 @@ impl Split {
         self.basis.len() - self.rank
     }
 
-    /// The coordinates of the V-part of a vector.
+    /// The coordinates of the component of a vector in V.
     fn roots_part(&self, vector: &[u64]) -> Vec<u64> {
         self.coordinates.apply(vector)[self.rank..].to_vec()
     }
 
-    /// `X` times a polynomial in `X`.
+    /// The product of `X` and a polynomial in `X`.
     pub fn times_x(&self, polynomial: &[u64]) -> Vec<u64> {
         checkpoint();
         let (p, m) = (self.prime, polynomial.len());
@@ -247,8 +251,8 @@ impl Split {
     /// The traces of `X^k` on V, for `k` below `2 m + 3`, by Newton's identities.
     pub fn power_sums(&self) -> Vec<u64> {
         let (p, m) = (self.prime, self.dimension_of_v());
-        // the polynomial t^m - sum of relation_k t^k has the elementary functions as coefficients,
-        // up to signs
+        // Newton's identities apply, because the coefficients of t^m - sum of relation_k t^k are
+        // the elementary symmetric functions up to signs
         let mut sums = vec![p.integer(m as i64)];
         for k in 1..2 * m + 3 {
             checkpoint();
@@ -286,7 +290,7 @@ impl Split {
             if multiplicity > 1 {
                 return None;
             }
-            // the idempotent e = u h with h = g/factor, and u h = 1 modulo the factor
+            // computes the idempotent e = u h, where h = g/factor, and u h = 1 modulo the factor
             let h = polynomial.exact(&factor)?;
             let (u, ..) = h.bezout(&factor);
             let (_, e) = (&u * &h).divrem(&polynomial);
@@ -302,8 +306,8 @@ impl Split {
         one
     }
 
-    /// The dimension of the part of H in the factors of an idempotent: `[e v, X^k e v]` for odd `k`
-    /// span it.
+    /// The dimension of the part of H that belongs to the factors of an idempotent `e`. The vectors
+    /// `[e v, X^k e v]` with odd `k` span this part.
     fn rank_within(&self, algebra: &ModularAlgebra, idempotent: &[u64]) -> usize {
         let rows = self.coroots(algebra, idempotent, idempotent);
         ResidueMatrix::new(self.prime, self.rank, rows).rank()
@@ -335,8 +339,8 @@ impl Split {
         sum
     }
 
-    /// The simple type of dimension `n` and rank `r`. `sums` are the power sums of the roots, which
-    /// distinguish B, C and E6.
+    /// The simple type of dimension `n` and rank `r`. The parameter `sums` contains the power sums
+    /// of the roots, which distinguish B, C and E6.
     fn recognise(&self, n: usize, r: usize, sums: &[u64]) -> Option<CartanType> {
         let simple = |series| CartanType::new(series, r).ok().filter(|t| t.dimension() == n);
         let mut fits: Vec<CartanType> =
@@ -344,7 +348,7 @@ impl Split {
                 .into_iter()
                 .filter_map(simple)
                 .collect();
-        // C2 is B2, D3 is A3
+        // selects one of two names of the same type: B2 instead of C2, A3 instead of D3
         if r <= 3 && fits.len() > 1 && fits.iter().any(|t| t.series() != Series::C || r == 2) {
             fits.retain(|t| r > 2 || t.series() == Series::B);
             fits.retain(|t| r != 3 || t.series() != Series::D);
@@ -366,14 +370,14 @@ impl Split {
     }
 
     /// Whether `2 (n + 2) tr X^4 = 5 (tr X^2)^2`, which holds for the types without an invariant of
-    /// degree 4: A1, A2 and the exceptional ones.
+    /// degree 4: A1, A2 and the exceptional types.
     fn has_no_quartic_invariant(&self, n: usize, sums: &[u64]) -> bool {
         let p = self.prime;
         p.mul(p.integer(2 * n as i64 + 4), sums[4]) == p.mul(5, p.mul(sums[2], sums[2]))
     }
 
-    /// Whether the roots are those of B_r or C_r for some numbers `a_1, ..., a_r`. The resulting
-    /// power sums `s_2k` belong to `r` numbers if Newton's identity of order `r + 1` holds.
+    /// Whether the roots are the roots of B_r or C_r for some numbers `a_1, ..., a_r`. The power
+    /// sums `s_2k` are those of `r` numbers if Newton's identity of order `r + 1` holds.
     fn is_classical(&self, series: Series, r: usize, sums: &[u64]) -> bool {
         let p = self.prime;
         let functions = weight_power_sums(p, series, r, sums, r + 1)
@@ -383,9 +387,10 @@ impl Split {
 }
 
 /// The power sums `s_0, s_2, ..., s_2k` up to `k = count` of the weights `a_1, ..., a_r` of B_r,
-/// C_r or D_r, from the power sums of the roots: `tr X^2k = 2 sum over even m of binomial(2k,m) s_m
-/// s_(2k-m) + f s_2k` with `f = 2 - 4^k` in B_r, `4^k` in C_r, `-4^k` in D_r. `None` if a factor of
-/// `s_2k` is zero.
+/// C_r or D_r. They are computed from the power sums of the roots by
+/// `tr X^2k = 2 sum over even m of binomial(2k,m) s_m s_(2k-m) + f s_2k`. The factor `f` is
+/// `2 - 4^k` for B_r, `4^k` for C_r and `-4^k` for D_r. Returns `None` if a factor of `s_2k` is
+/// zero.
 pub(super) fn weight_power_sums(
     p: Prime,
     series: Series,
@@ -411,8 +416,8 @@ pub(super) fn weight_power_sums(
     Some(s)
 }
 
-/// The elementary symmetric functions of numbers from their power sums: `k e_k = sum of (-1)^(i-1)
-/// e_(k-i) s_i`.
+/// The elementary symmetric functions of numbers, computed from their power sums by
+/// `k e_k = sum of (-1)^(i-1) e_(k-i) s_i`.
 pub(super) fn elementary_functions(p: Prime, s: &[u64]) -> Option<Vec<u64>> {
     let mut e = vec![1];
     for k in 1..s.len() {
@@ -433,7 +438,7 @@ fn binomial(p: Prime, n: usize, k: usize) -> u64 {
     })
 }
 
-/// The inverse of the matrix with these columns.
+/// The inverse of the matrix that has these columns.
 pub(super) fn inverse_of_columns(p: Prime, columns: &[Vec<u64>]) -> Option<ResidueMatrix> {
     let n = columns.len();
     let row = |i: usize| {
@@ -448,8 +453,8 @@ pub(super) fn inverse_of_columns(p: Prime, columns: &[Vec<u64>]) -> Option<Resid
     })
 }
 
-/// The monic relation between the powers, in ascending order, if only the last power depends on the
-/// earlier ones.
+/// The coefficients of the monic relation between the powers, in ascending order. Returns `None`
+/// unless the last power depends on the earlier powers, and these are independent.
 pub(super) fn relation_of(p: Prime, powers: &[Vec<u64>]) -> Option<Vec<u64>> {
     let rows = (0..powers[0].len()).map(|i| powers.iter().map(|power| power[i]).collect());
     let kernel = ResidueMatrix::new(p, powers.len(), rows.collect()).kernel();

@@ -1,8 +1,8 @@
-//! Values of a parameter at which an answer may differ from the generic one.
+//! Values of a parameter at which an answer may differ from the answer for generic values.
 //!
-//! Generic answers are ranks of matrices over rational functions. An elimination is valid for every
-//! value at which no numerator or denominator of a pivot vanishes. The roots of these polynomials
-//! therefore include all exceptional values.
+//! Generic answers follow from ranks of matrices over rational functions. An elimination is valid
+//! for every value at which no numerator or denominator of a pivot vanishes. The roots of these
+//! polynomials therefore include all exceptional values.
 
 use super::StructureTheory;
 use super::cohomology::differential;
@@ -17,7 +17,7 @@ use polycore::Uni;
 use std::collections::BTreeMap;
 
 /// The largest dimension at which ranks are computed over rational functions to find exceptional
-/// values; for generic answers they are computed modulo primes.
+/// values. Generic answers need only ranks modulo primes.
 pub const MAX_DIMENSION: usize = 6;
 /// The largest degree of a polynomial that is factored.
 const MAX_DEGREE: usize = 60;
@@ -27,14 +27,13 @@ const MAX_DEGREE: usize = 60;
 pub struct Candidates {
     /// The rational roots of the polynomials, in increasing order.
     pub values: Vec<Rational>,
-    /// Irreducible polynomials with irrational real roots, and expressions whose roots are not
-    /// found.
+    /// Irreducible polynomials with irrational real roots, and expressions whose roots are unknown.
     pub open: Vec<String>,
 }
 
 impl Candidates {
-    /// The roots of the numerators and denominators of values as functions of a parameter. For a
-    /// polynomial in other variables, the common roots of its coefficients are used.
+    /// Finds the roots of numerators and denominators of values that are functions of a parameter.
+    /// If a polynomial contains other variables, the common roots of its coefficients are used.
     pub fn new(parameter: &str, values: &[Symbolic]) -> Self {
         let mut found = Candidates::default();
         for part in values.iter().flat_map(|value| [value.numerator(), value.denominator()]) {
@@ -70,8 +69,8 @@ impl Candidates {
     }
 }
 
-/// The greatest common divisor of the coefficients of a polynomial in the other variables; `None`
-/// if a variable is a function of the parameter.
+/// The greatest common divisor of the coefficients of `polynomial`, which is regarded as a
+/// polynomial in the other variables. Returns `None` if a variable is a function of the parameter.
 fn common_factor(parameter: &str, polynomial: &Symbolic) -> Option<Uni<BigRational>> {
     let mut coefficients: BTreeMap<String, BTreeMap<usize, Rational>> = BTreeMap::new();
     for (powers, coefficient) in polynomial.terms() {
@@ -96,10 +95,11 @@ fn common_factor(parameter: &str, polynomial: &Symbolic) -> Option<Uni<BigRation
 }
 
 impl StructureTheory<Symbolic> {
-    /// The expressions that decide answers which are otherwise found modulo primes. They are the
-    /// traces of `ad`, and the pivots of several systems of equations: for derivations, invariant
-    /// forms, closed forms of all degrees, and the general forms `f([x, y])`, the same bordered by
-    /// `f`, and the general closed 2-form. Beyond [`MAX_DIMENSION`] only the traces.
+    /// The expressions whose zeros may change an answer; at generic values, the answers are
+    /// computed modulo primes. The expressions are the traces of `ad`, and the pivots of several
+    /// systems of equations. These systems are for derivations, invariant forms, closed forms of
+    /// all degrees, the general forms `f([x, y])`, the same forms bordered by `f`, and the general
+    /// closed 2-form. Beyond [`MAX_DIMENSION`], only the traces are returned.
     pub fn deciding_expressions(&self) -> Vec<Symbolic> {
         let n = self.dimension();
         let trace = |j: usize| {
@@ -113,12 +113,13 @@ impl StructureTheory<Symbolic> {
         found
     }
 
-    /// Eliminates the equations, so that the pivots are recorded.
+    /// Eliminates the systems of equations, so that their pivots are recorded.
     fn eliminate(&self) {
         let n = self.dimension();
         let rank = |columns: usize, rows: Vec<Row<Symbolic>>| {
             let rows = rows.into_iter().map(collected).filter(|row| !row.is_empty());
-            // the result is not needed, only its pivots; errors of shape cannot occur
+            // the rank is not needed, because the elimination records its pivots; errors of shape
+            // cannot occur
             Matrix::from_rows(columns, rows.collect::<Vec<_>>()).map(|matrix| matrix.rank()).ok();
         };
         let mut maps = vec![];
@@ -128,14 +129,14 @@ impl StructureTheory<Symbolic> {
             let ad = self.products.of(j);
             let of = |at: usize| ad.iter().filter(move |(to, ..)| *to == at);
             for i in 0..n {
-                // component i of D [e_j, e_k] - [D e_j, e_k] - [e_j, D e_k]
+                // the terms of component i of D [e_j, e_k] - [D e_j, e_k] - [e_j, D e_k]
                 let first = of(k).map(|(_, m, c)| (i * n + m, c.clone()));
                 let second = self.products.of(k).iter().filter(|(_, to, _)| *to == i);
                 let second = second.map(|(m, _, c)| (m * n + j, c.clone()));
                 let third = ad.iter().filter(|(_, to, _)| *to == i);
                 let third = third.map(|(m, _, c)| (m * n + k, -c.clone()));
                 maps.push(first.chain(second).chain(third).collect());
-                // B([e_j, e_k], e_i) + B(e_k, [e_j, e_i])
+                // the terms of B([e_j, e_k], e_i) + B(e_k, [e_j, e_i])
                 let left = of(k).map(|(_, m, c)| (pair(*m, i), c.clone()));
                 let right = of(i).map(|(_, m, c)| (pair(k, *m), c.clone()));
                 forms.push(left.chain(right).collect());
@@ -153,8 +154,8 @@ impl StructureTheory<Symbolic> {
             };
             rank(1 << n, sets.map(row).collect());
         }
-        // the parameters of general forms begin with a space, so no parameter of the algebra has
-        // the same name
+        // the parameters of general forms begin with a space, so they differ from all parameters of
+        // the algebra
         let general = |rows: &[Row<Symbolic>]| {
             let mut general = vec![vec![]; n + 1];
             for (at, row) in rows.iter().enumerate() {

@@ -7,21 +7,22 @@ use std::cmp::Ordering;
 
 /// An exact field of characteristic 0 whose elements have residues modulo primes.
 ///
-/// Parameters and transcendental numbers get pseudorandom residues. A rank over rational functions
-/// is the rank at generic values, so ranks of residues are generic ranks. Residues of roots are
-/// roots of residues, and satisfy the same equations.
+/// Parameters and transcendental numbers have pseudorandom residues. A rank over rational functions
+/// is the rank at generic values, so the rank of the residues equals it for almost all residues.
+/// The residue of a root is a root of the residue, and satisfies the same equations.
 pub trait GroundField: Field + Scalar {
-    /// The residue. `None` if the prime divides the denominator, or if a root in the value has no
-    /// residue.
+    /// The residue of the value. `None` if the prime divides the denominator, or if a root in the
+    /// value has no residue.
     fn residue(&self, prime: Prime) -> Option<u64>;
 
-    /// The sign of a real number; `None` if it depends on parameters, or if approximations do not decide it.
+    /// The sign of a real number; `None` if it depends on parameters, or if approximations do not
+    /// decide it.
     fn sign(&self) -> Option<Ordering>;
 
-    /// The value as a rational number, if it is one.
+    /// The value as a rational number; `None` if it is irrational or has parameters.
     fn rational(&self) -> Option<Rational>;
 
-    /// A rational number.
+    /// Converts a rational number to this field.
     fn from_rational(value: Rational) -> Self;
 
     /// The value as a rational function.
@@ -97,8 +98,8 @@ impl GroundField for Symbolic {
     }
 }
 
-/// The residue of a variable: for a root a root of the residue, for other variables a hash of the
-/// name (FNV-1a).
+/// The residue of a variable. The residue of a root is a root of the residue; the residue of
+/// another variable is a hash of its name (FNV-1a).
 fn place(variable: Variable, prime: Prime) -> Option<u64> {
     if let Some((argument, order)) = variable.root() {
         return root(argument.residue(prime)?, order, prime);
@@ -107,22 +108,21 @@ fn place(variable: Variable, prime: Prime) -> Option<u64> {
     Some(variable.text().bytes().fold(0xcbf2_9ce4_8422_2325, mix) % prime.get())
 }
 
-/// The root of a given order among the squares modulo the prime; `None` unless there is exactly
-/// one.
+/// The root of order `order` that is a square modulo the prime; `None` unless there is exactly one.
 ///
 /// If -1 is not a square, the squares form a group of odd order `q = (p - 1)/2`. Roots whose order
-/// is coprime to `q` are unique in it. Therefore roots of products are products of roots, and roots
-/// of roots are roots.
+/// is coprime to `q` are unique in this group. Therefore, roots of products are products of roots,
+/// and roots of roots are roots.
 fn root(value: u64, order: u32, prime: Prime) -> Option<u64> {
     let (p, q, n) = (prime.get(), (prime.get() - 1) / 2, u64::from(order));
     let power = |exponent: u64| polycore::modp::pow(value, exponent, p);
-    // the inverse of n modulo q is (1 + k q)/n
+    // the inverse of n modulo q is the integer (1 + k q)/n
     let inverse = (0..n).map(|k| 1 + k * q).find(|multiple| multiple.is_multiple_of(n))? / n;
     (q % 2 == 1 && power(q) == 1).then(|| power(inverse))
 }
 
-/// The sign of a nonzero polynomial in roots of numbers and pi; `None` if it has parameters, or if
-/// its terms nearly cancel.
+/// The sign of a nonzero polynomial in roots of numbers and pi. Returns `None` if the polynomial
+/// has parameters, or if its terms nearly cancel.
 fn sign_of_sum(sum: &Symbolic) -> Option<Ordering> {
     let (mut total, mut size) = (Rational::default(), Rational::default());
     for (powers, coefficient) in sum.terms() {
@@ -134,8 +134,8 @@ fn sign_of_sum(sum: &Symbolic) -> Option<Ordering> {
         total += &term;
         size += &term.abs();
     }
-    // the bound is far above the rounding errors of the floats that represent functions other than
-    // roots
+    // returns a sign only if the sum exceeds a bound far above the rounding errors of floats, which
+    // approximate all functions except roots
     let decided = total.clone().abs() > size * &Rational::new(1, 1 << 30)?;
     total.sign().filter(|_| decided)
 }

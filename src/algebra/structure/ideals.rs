@@ -1,9 +1,9 @@
 //! The simple ideals of a semisimple algebra, over the rationals and over the reals.
 //!
 //! An algebra over the rationals is the sum of ideals that are simple over the rationals. The
-//! centroid of such an ideal is a number field. Over the reals, the ideal is the sum of absolutely
-//! simple ideals, one for each real place of the field, and complex algebras, one for each pair of
-//! complex places.
+//! centroid of such an ideal is a number field. Over the reals, the ideal is a sum: one absolutely
+//! simple ideal for each real place of the field, and one complex algebra for each pair of complex
+//! places.
 
 use super::dynkin::{Split, inverse_of_columns};
 use super::killing::Killing;
@@ -26,7 +26,7 @@ use polycore::Uni;
 pub struct SimpleIdeals {
     /// The ideals that are simple over the rationals.
     pub rational: Vec<Subspace<Rational>>,
-    /// The ideals that are simple over the reals, each with the number of the rational ideal that
+    /// The ideals that are simple over the reals, each with the index of the rational ideal that
     /// contains it.
     pub real: Vec<RealIdeal>,
 }
@@ -34,15 +34,16 @@ pub struct SimpleIdeals {
 /// An ideal that is simple over the reals.
 #[derive(Clone, Debug)]
 pub struct RealIdeal {
-    /// The number of the ideal over the rationals, from 0.
+    /// The index of the rational ideal that contains this ideal.
     pub within: usize,
-    /// The type over the complex numbers; for a complex algebra the type of one of its two factors.
+    /// The type over the complex numbers; for a complex algebra, the type of one of its two
+    /// factors.
     pub cartan_type: CartanType,
     /// Whether it is a complex algebra regarded as real.
     pub is_complex: bool,
     /// The numbers of positive and of negative squares of the Killing form.
     pub signature: [usize; 2],
-    /// The name; two names if type and signature do not decide.
+    /// The names: one name, or two names if type and signature do not determine the real form.
     pub names: Vec<String>,
 }
 
@@ -61,7 +62,7 @@ impl RealIdeal {
     }
 }
 
-/// The number of primes that are tried for the reconstruction of the centroid.
+/// The maximum number of primes for the reconstruction of the centroid.
 const PRIMES: usize = 200;
 /// The number of elements of the centroid with short coefficients that are tried first, if its
 /// dimension is small.
@@ -69,10 +70,10 @@ const SHORT: i64 = 64;
 const FEW: usize = 12;
 
 impl StructureTheory<Rational> {
-    /// The simple ideals of a semisimple algebra; `None` if the search gives up.
+    /// The simple ideals of a semisimple algebra. Returns `None` if the search fails.
     ///
     /// # Errors
-    /// Those of [`subalgebra`](Self::subalgebra), which cannot occur for a semisimple algebra.
+    /// The errors of [`subalgebra`](Self::subalgebra). They cannot occur for a semisimple algebra.
     pub fn simple_ideals(&self) -> Result<Option<SimpleIdeals>, Error> {
         let _stage = stage("simple ideals");
         let Some(types) = self.dynkin_type() else { return Ok(None) };
@@ -99,7 +100,7 @@ impl StructureTheory<Rational> {
             let Some(types) = inside.dynkin_type() else { return Ok(None) };
             let Some(&cartan_type) = types.first() else { return Ok(None) };
             let within = ideals.rational.len();
-            // gamma in the basis of the ideal, as columns
+            // the columns of gamma in the basis of the ideal
             let columns = ideal.basis().iter().map(|row| {
                 let image = super::subspace::combination(
                     &(0..gamma.columns()).map(|k| column(&gamma, k)).collect::<Vec<_>>(),
@@ -120,12 +121,12 @@ impl StructureTheory<Rational> {
         Ok(Some(ideals))
     }
 
-    /// The real ideals of an ideal that is simple over the rationals; `theta` generates its
-    /// centroid.
+    /// The absolutely simple ideals, over the reals, of an ideal that is simple over the rationals.
+    /// `theta` generates the centroid of the ideal.
     ///
-    /// The signature at one real place is half the sum of the signatures of `K` and of `K(g(theta)
-    /// x, y)`, where `g` is positive at this place and negative at the other real places. Complex
-    /// places contribute nothing.
+    /// The signature at one real place is half the sum of the signatures of `K(x, y)` and of
+    /// `K(g(theta) x, y)`. Here `g` is positive at this place, and negative at the other real
+    /// places. Complex places contribute nothing.
     fn real_places(
         &self,
         within: usize,
@@ -170,11 +171,11 @@ impl StructureTheory<Rational> {
         Some(ideals)
     }
 
-    /// Chooses between two real forms with the same type and signature, by a regular element or the
-    /// Cartan subalgebra, if these decide.
+    /// Chooses between two real forms with the same type and signature. A regular element or the
+    /// Cartan subalgebra may exclude one of them; otherwise both names are returned.
     ///
     /// The dimension of the noncompact part of a Cartan subalgebra is at most the real rank. The
-    /// real rank is the smaller of `p` and `q` for su(p,q) and so(p,q), and half of `n` for
+    /// real rank is the minimum of `p` and `q` for su(p,q) and so(p,q), and half of `n` for
     /// so*(2n). The Cartan subalgebras of su*(2n) are conjugate, and their noncompact part has
     /// dimension `n - 1`, which exceeds the real rank of the other form.
     fn by_cartan_subalgebra(&self, rank: usize, names: Vec<String>) -> Vec<String> {
@@ -203,7 +204,8 @@ impl StructureTheory<Rational> {
         }
     }
 
-    /// A basis of the maps that commute with all `ad`, reconstructed from residues and verified.
+    /// A basis of the maps that commute with all `ad`. The basis is reconstructed from residues and
+    /// verified.
     pub(super) fn centroid(&self, dimension: usize) -> Option<Vec<Matrix<Rational>>> {
         let n = self.dimension();
         let mut images = RationalReconstruction::new(dimension * n * n);
@@ -258,20 +260,22 @@ impl RealIdeal {
 }
 
 impl ModularAlgebra {
-    /// The centroid modulo the prime, as lists of the matrix entries, row by row.
+    /// The centroid modulo the prime. Each map is a list of its matrix entries, row by row.
     fn centroid(&self, draw: &mut PseudoRandom) -> Option<Vec<Vec<u64>>> {
         let (n, p) = (self.dimension(), self.prime());
         let split = Split::new(self, draw)?;
         let (r, m) = (split.rank, n - split.rank);
         let mut one = vec![0; m];
         one[0] = 1;
-        // the columns are the coordinates of h_k in H, and of their images under each map
+        // the columns are the coordinates in H of the coroots h_k, and of their images under each
+        // map
         let coroots = split.coroots(self, &one, &one);
         let from = inverse_of_columns(p, &coroots)?;
         let mut matrices = vec![];
         for polynomial in &split.centroid {
             let images = split.coroots(self, polynomial, &one);
-            // the matrix of the map on H: the images times the inverse of the columns
+            // the matrix of the map on H is the product of the images and the inverse of the
+            // columns
             let mut coordinates = vec![vec![0; n]; n];
             for (at, column) in coordinates.iter_mut().enumerate() {
                 if at < r {
@@ -287,7 +291,7 @@ impl ModularAlgebra {
                 column[r..].copy_from_slice(&power);
                 power = split.times_x(&power);
             }
-            // changes from coordinates to vectors on both sides
+            // transforms the matrix from coordinates to vectors, for arguments and for images
             let columns: Vec<Vec<u64>> = coordinates
                 .iter()
                 .map(|column| {
@@ -318,8 +322,8 @@ fn column(matrix: &Matrix<Rational>, k: usize) -> Row<Rational> {
     entries.filter(|(_, value)| !value.vanishes()).collect()
 }
 
-/// An element that generates the algebra of commuting matrices, and its minimal polynomial; the
-/// degree of the polynomial proves it.
+/// An element that generates the algebra of commuting matrices, and its minimal polynomial. The
+/// degree of the polynomial proves that the element is a generator.
 fn generator(matrices: &[Matrix<Rational>]) -> Option<(Matrix<Rational>, Uni<BigRational>)> {
     let (degree, n) = (matrices.len(), matrices.first()?.rows());
     let first = if degree <= FEW { 1 } else { SHORT };
@@ -333,8 +337,8 @@ fn generator(matrices: &[Matrix<Rational>]) -> Option<(Matrix<Rational>, Uni<Big
                 };
                 (integers(degree, &factor), integers(n, &component))
             }
-            // on all but few points of the curve, distinct eigenvalues stay distinct and
-            // eigenspaces are not missed
+            // uses points of a moment curve: at all but a few of them, distinct eigenvalues remain
+            // distinct and the vector has components in all eigenspaces
             false => {
                 let t = trial - SHORT + 2;
                 (on_moment_curve(t, degree), on_moment_curve(t, n))
@@ -358,13 +362,14 @@ fn generator(matrices: &[Matrix<Rational>]) -> Option<(Matrix<Rational>, Uni<Big
     None
 }
 
-/// The polynomial `t^m - sum of s_k t^k` of a relation `x^m = sum of s_k x^k`.
+/// The polynomial `t^m - sum of s_k t^k` that belongs to a relation `x^m = sum of s_k x^k`.
 pub(super) fn monic(relation: &[Rational]) -> Uni<BigRational> {
     let coefficients = relation.iter().map(|value| -BigRational::from(value));
     Uni::new(coefficients.chain([BigRational::from_integer(1.into())]).collect())
 }
 
-/// The minimal polynomial of a matrix, from the first power that depends on the lower ones.
+/// The minimal polynomial of a matrix, which is the relation for the first power that depends on
+/// lower powers.
 pub(super) fn minimal_polynomial(matrix: &Matrix<Rational>) -> Option<Uni<BigRational>> {
     let n = matrix.rows();
     let flat = |m: &Matrix<Rational>| m.to_dense().concat();
@@ -383,7 +388,7 @@ pub(super) fn minimal_polynomial(matrix: &Matrix<Rational>) -> Option<Uni<BigRat
     }
 }
 
-/// A polynomial of a matrix.
+/// The value of a polynomial at a matrix.
 pub(super) fn evaluate(
     matrix: &Matrix<Rational>,
     polynomial: &Uni<BigRational>,
@@ -404,8 +409,8 @@ fn separated(polynomial: &Uni<BigRational>) -> Vec<(BigRational, BigRational)> {
         .isolate()
         .into_iter()
         .map(|(lower, upper)| {
-            // roots of irreducible polynomials of degree above 1 are irrational, so a rational
-            // bound is not a root
+            // enlarges the interval of a rational root; other roots are irrational, so they differ
+            // from the rational bounds
             let room = (&upper - &lower) / &two;
             if polynomial.deg() == 1 { (&lower - &room, &upper + &room) } else { (lower, upper) }
         })

@@ -1,14 +1,15 @@
-//! Names of algebras: real ones of dimension up to 4, nilpotent ones of dimension up to 6, simple
+//! Names of algebras: real algebras up to dimension 4, nilpotent algebras up to dimension 6, simple
 //! and Heisenberg algebras, and direct sums of these.
 //!
-//! Parameters are decided by invariants of the action that do not change if the acting vector is
-//! scaled, such as `tr^2 / det`. They are rational even if the eigenvalues are not.
+//! Parameters are determined by invariants of the action that do not change if the acting vector is
+//! scaled, such as `tr^2 / det`. These invariants are rational even if the eigenvalues are
+//! irrational.
 //!
-//! An isomorphism is a witness if it is rational and found; for simple algebras also over square
-//! roots. Nilpotent algebras are distinguished by the dimensions of both central series and of the
-//! derivations, and by the Betti numbers. These separate all real nilpotent algebras up to
-//! dimension 6, except for the sign of the parameter of four families, which quadratic forms
-//! decide.
+//! An isomorphism is returned as a witness if a rational isomorphism is found; isomorphisms of
+//! simple algebras may also contain square roots. Nilpotent algebras are distinguished by the
+//! dimensions of both central series and of the algebra of derivations, and by the Betti numbers.
+//! These numbers distinguish all real nilpotent algebras up to dimension 6, except for the sign of
+//! the parameter in four families. Quadratic forms determine this sign.
 
 mod four;
 mod nilpotent;
@@ -31,17 +32,19 @@ pub(super) use witness::{images as vector_images, sum};
 /// The name of an algebra in the catalogue.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Identification {
-    /// The names: one, or several if the invariants do not decide.
+    /// The names: one name, or several names if the invariants do not determine the algebra.
     pub names: Vec<String>,
-    /// Equations for parameters that are not rational.
+    /// Equations for the parameters, if these are irrational.
     pub parameter: Option<String>,
-    /// The images of the basis of the named algebra, if they are rational up to the factors in
+    /// The images of the basis of the named algebra. They are rational, up to the factors in
     /// `under_root`.
     pub isomorphism: Option<Vec<Vec<Rational>>>,
-    /// Positive numbers: each image must be multiplied by the square root of its number.
+    /// Positive numbers, one for each image. Each image must be multiplied by the square root of
+    /// its number.
     pub under_root: Option<Vec<Rational>>,
-    /// A positive number whose irrational square root occurs in every isomorphism: the algebras are
-    /// isomorphic over the reals, but not over the rationals. Only set if `isomorphism` is `None`.
+    /// A positive number whose irrational square root occurs in every isomorphism. The algebras are
+    /// then isomorphic over the reals, but not over the rationals. The number is present only if
+    /// `isomorphism` is `None`.
     pub root: Option<Rational>,
     /// Whether the names are proved: by an isomorphism, or by invariants that are proved over the
     /// rationals.
@@ -64,9 +67,9 @@ impl Identification {
 type Vector = Row<Rational>;
 
 impl StructureTheory<Rational> {
-    /// The name of the algebra, or of the summands of a direct sum: simple ideals by type and
-    /// signature, Heisenberg and abelian ideals, and ideals of low dimension. `None` for other
-    /// algebras.
+    /// The name of the algebra, or the names of the summands of a direct sum. Summands may be
+    /// simple ideals, named by type and signature, Heisenberg and abelian ideals, and ideals of low
+    /// dimension. Returns `None` for other algebras.
     #[doc(alias("classification", "name of an algebra"))]
     pub fn identify(&self) -> Option<Identification> {
         let _stage = stage("identification");
@@ -101,7 +104,7 @@ impl StructureTheory<Rational> {
         self.whole().basis().to_vec()
     }
 
-    /// A vector `x` with `[x, v] = target`, which is a multiple of a basis vector.
+    /// A multiple `x` of a basis vector with `[x, v] = target`.
     fn scaled_onto(&self, v: &Vector, target: &Vector) -> Option<Vector> {
         let (at, wanted) = target.first()?;
         self.unit_vectors().into_iter().find_map(|x| {
@@ -130,7 +133,7 @@ impl StructureTheory<Rational> {
         Identification { isomorphism, under_root, ..Identification::by_name(vec![name.into()]) }
     }
 
-    /// The Bianchi type, by the dimension of the derived algebra.
+    /// The Bianchi type, which depends on the dimension of the derived algebra.
     fn bianchi(&self) -> Option<Identification> {
         let derived = self.derived();
         match derived.dimension() {
@@ -145,7 +148,7 @@ impl StructureTheory<Rational> {
                 self.named("bianchi(II)", vec![z, all[x].clone(), all[y].clone()])
             }
             1 => {
-                // [e1, e3] = e1, and e2 is central
+                // uses the normal form [e1, e3] = e1, with e2 in the centre
                 let v = derived.basis()[0].clone();
                 let e3 = scale(&self.scaled_onto(&v, &v)?, &Rational::from(-1));
                 self.named("bianchi(III)", vec![v, self.centre().basis().first()?.clone(), e3])
@@ -158,7 +161,7 @@ impl StructureTheory<Rational> {
         }
     }
 
-    /// The case of `ad_e` on the derived plane `U`, with trace `t`, determinant `d` and
+    /// The name if `ad_e` acts on the derived plane `U` with trace `t`, determinant `d` and
     /// discriminant `q = t^2 - 4 d`.
     fn acting_on_the_plane(&self, plane: &Subspace<Rational>) -> Option<Identification> {
         let outside = plane.complement().next()?;
@@ -196,7 +199,7 @@ impl StructureTheory<Rational> {
             let beta = (-discriminant.clone()).sqrt().map(|root| root * &half);
             let Some(beta) = beta else {
                 if trace.vanishes() {
-                    // the images are e1 and e3, times the square root of 1 / determinant
+                    // the images of e1 and e3 contain the square root of 1 / determinant
                     let images = vec![ad.image(u), u.clone(), scale(&e, &Rational::from(-1))];
                     let unit = determinant.recip()?;
                     let under_root = Some(vec![unit.clone(), Rational::from(1), unit]);
@@ -229,7 +232,8 @@ impl StructureTheory<Rational> {
         if small.clone().abs().to_f64() > large.clone().abs().to_f64() {
             std::mem::swap(&mut large, &mut small);
         }
-        // for an eigenvalue, (D - other) x is an eigenvector
+        // finds an eigenvector: if `other` is the other eigenvalue, (D - other) x is an eigenvector
+        // or zero
         let eigenvector = |other: &Rational| {
             let one = Rational::from(1);
             let vectors = [u, v].map(|x| difference(&image(x, &one), x, other));
@@ -254,7 +258,8 @@ impl StructureTheory<Rational> {
                 }
             }
         }
-        // e = 1 and e = -1 have the same dimensions of invariants
+        // determines the sign of e by a quadratic form, because e = 1 and e = -1 have the same
+        // invariants
         let positive = match &names[..] {
             [first, _] => self.has_positive_parameter(first),
             _ => None,
@@ -265,7 +270,7 @@ impl StructureTheory<Rational> {
         (!names.is_empty()).then(|| Identification { proved, ..Identification::by_name(names) })
     }
 
-    /// The invariant dimensions, and whether all of them are proved.
+    /// The fingerprint of the algebra, and whether all of its dimensions are proved.
     fn fingerprint(&self) -> (Fingerprint, bool) {
         let dimensions = |series: &[Subspace<Rational>]| -> Vec<usize> {
             series.iter().map(Subspace::dimension).collect()
@@ -283,11 +288,12 @@ impl StructureTheory<Rational> {
     }
 }
 
-/// The dimensions of both central series and of the derivations, and the Betti numbers.
+/// The dimensions of the lower and the upper central series, the dimension of the derivations, and
+/// the Betti numbers.
 type Fingerprint = (Vec<usize>, Vec<usize>, Option<usize>, Option<Vec<u64>>);
 
 /// The nilpotent algebras of a dimension that are not a direct sum with a line. In de Graaf's
-/// family 6,22, `e = 1` is a sum of two Heisenberg algebras.
+/// family 6,22, the algebra with `e = 1` is a sum of two Heisenberg algebras.
 fn nilpotent_names(dimension: usize) -> Vec<String> {
     if dimension == 1 {
         return vec!["R^1".into()];
@@ -302,7 +308,7 @@ fn nilpotent_names(dimension: usize) -> Vec<String> {
     rows.flat_map(valued).collect()
 }
 
-/// The direct sum of algebras named in the catalogue.
+/// The direct sum of algebras with names of the catalogue.
 fn catalogued(names: &str) -> Option<LieAlgebra<Rational>> {
     let parts = names.split('+').map(catalogue::algebra::<Rational>);
     let parts = parts.collect::<Result<Vec<_>, _>>().ok()?;

@@ -1,13 +1,14 @@
 //! The index: the dimension minus the largest rank of the forms `f([x, y])`.
 //!
-//! For a reductive algebra the index is the rank. In general, the rank at a form, modulo a prime,
-//! is a lower bound of the largest rank `r`. That `r` is not larger is proved by a lower bound of
-//! the index: the dimension of the centre; `2 dim a - n` for an abelian ideal `a`, because only two
-//! blocks of the form are nonzero; or the fact that an antisymmetric form has even rank.
+//! For a reductive algebra, the index is the rank. In general, the rank at one form, modulo a
+//! prime, is a lower bound of the largest rank `r`. An upper bound of `r` follows from a lower
+//! bound of the index. One lower bound is the dimension of the centre. Another is `2 dim a - n` for
+//! an abelian ideal `a`, because only two blocks of the form are nonzero. In addition, the rank of
+//! an antisymmetric form is even.
 //!
-//! Otherwise it is proved by Pfaffians, as polynomials in `f`. If the Pfaffian of `r` rows is
-//! nonzero, and the Pfaffians of the same rows and any two others vanish, the Schur complement of
-//! the rows is zero, and the rank is `r`.
+//! Otherwise, Pfaffians prove the upper bound; they are polynomials in `f`. Assume that the
+//! Pfaffian of `r` rows is nonzero, and that the Pfaffians of the same rows and any two others
+//! vanish. Then the Schur complement of the rows is zero, and the rank is `r`.
 
 use super::certificates::Certified;
 use super::reduction::{ModularAlgebra, PseudoRandom};
@@ -20,21 +21,22 @@ use num_traits::Zero;
 
 /// The number of primes modulo which a form is reduced.
 const PRIMES: usize = 6;
-/// The largest dimension at which abelian ideals are searched.
+/// The largest dimension at which abelian ideals are searched for.
 const MAX_IDEALS: usize = 60;
-/// The largest number of products of entries in the Pfaffians that are expanded.
+/// The largest number of products of entries in one expanded Pfaffian.
 const MAX_PRODUCTS: usize = 4000;
-/// The largest average number of coordinates of the form in the entries of a row of a Pfaffian.
+/// The largest average number of coordinates of `f` in the entries of one row of a Pfaffian.
 const MAX_TERMS: usize = 30;
 
 impl<S: GroundField> StructureTheory<S> {
-    /// The index, with a proof: the dimension minus the largest rank of the forms `f([x, y])`. It
-    /// is the number of independent invariants of the coadjoint representation.
+    /// The index: the dimension minus the largest rank of the forms `f([x, y])`, with a proof if
+    /// one is found. The index is the number of independent invariants of the coadjoint
+    /// representation.
     pub fn index(&self) -> Certified {
         let _stage = stage("index");
         if self.is_reductive() {
-            // an invariant form identifies forms with elements, and the centralizer of a regular
-            // element is a Cartan subalgebra
+            // the index is the dimension of a Cartan subalgebra: an invariant form identifies forms
+            // with elements, and the centralizer of a regular element is a Cartan subalgebra
             return Certified::theorem(self.cartan_subalgebra().dimension());
         }
         let (n, rows) = (self.dimension(), self.regular_rows());
@@ -44,13 +46,14 @@ impl<S: GroundField> StructureTheory<S> {
         Certified { dimension, proved }
     }
 
-    /// Indices of a nonsingular principal minor of a form `f([x, y])`, as large as was found.
+    /// The indices of a nonsingular principal minor of a form `f([x, y])`. The minor is the largest
+    /// that was found.
     fn regular_rows(&self) -> Vec<usize> {
         let rows = self.reductions().take(PRIMES).map(|reduction| reduction.regular_rows());
         rows.max_by_key(Vec::len).unwrap_or_default()
     }
 
-    /// Whether the index is at least this number, by a lower bound.
+    /// Whether one of the lower bounds proves that the index is at least `index`.
     fn has_index(&self, index: usize) -> bool {
         let n = self.dimension();
         if index <= self.centre().dimension().max(n % 2) {
@@ -69,8 +72,8 @@ impl<S: GroundField> StructureTheory<S> {
 }
 
 impl StructureTheory<Rational> {
-    /// Whether every Pfaffian of these rows and two others is zero; `false` if the Pfaffians are
-    /// too long.
+    /// Whether every Pfaffian of the given rows and two other rows is zero. Returns `false` if the
+    /// Pfaffians are too long.
     fn has_no_more_rows(&self, rows: &[usize]) -> bool {
         let n = self.dimension();
         let others: Vec<usize> = (0..n).filter(|row| rows.binary_search(row).is_err()).collect();
@@ -99,8 +102,9 @@ impl StructureTheory<Rational> {
 }
 
 impl ModularAlgebra {
-    /// Indices of a nonsingular principal minor of `f([e_i, e_j])` for a pseudorandom linear form
-    /// `f`. For an antisymmetric matrix, any maximal set of independent rows gives one.
+    /// The indices of a nonsingular principal minor of `f([e_i, e_j])` for a pseudorandom linear
+    /// form `f`. For an antisymmetric matrix, any maximal set of independent rows yields such a
+    /// minor.
     fn regular_rows(&self) -> Vec<usize> {
         let (n, p) = (self.dimension(), self.prime());
         let form = PseudoRandom::new(1).vector(p, n);

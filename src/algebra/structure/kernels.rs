@@ -21,20 +21,21 @@ const MANY: usize = 150;
 const SPARSE: usize = 12;
 
 impl<S: GroundField> Subspace<S> {
-    /// Like [`kernel`](Self::kernel), for rows of dense bases, whose rational entries are long.
+    /// The kernel as in [`kernel`](Self::kernel), for rows in a dense basis, whose rational entries
+    /// are long.
     pub(super) fn kernel_of_long(ambient: usize, rows: Vec<Row<S>>) -> Self {
         Self::lifted_kernel(ambient, &rows).unwrap_or_else(|| Self::kernel(ambient, rows))
     }
 
-    /// The vectors `x` with `v_i x_i = 0` for all given rows `v`, as [`kernel`](Self::kernel). It
-    /// is faster if the numbers grow long. `None` if a component is not rational, or if the lifting
-    /// fails for a number of primes.
+    /// The vectors `x` with `v_i x_i = 0` for all given rows `v`, as in [`kernel`](Self::kernel).
+    /// This function is faster if the numbers become long. Returns `None` if a component is
+    /// irrational, or if the lifting fails for all primes that are tried.
     pub(super) fn lifted_kernel(ambient: usize, rows: &[Row<S>]) -> Option<Self> {
         let rational = |row: &Row<S>| {
             row.iter().map(|(at, value)| Some((*at, value.rational()?))).collect::<Option<_>>()
         };
         let rows: Vec<Row<Rational>> = rows.iter().map(rational).collect::<Option<_>>()?;
-        // the positions of the nonzero entries, vector by vector, and their residues
+        // the positions of the nonzero entries of each vector, and the residues of the entries
         let mut found: Option<(Vec<Vec<usize>>, RationalReconstruction)> = None;
         let mut taken = 0;
         for prime in primes().take(PRIMES) {
@@ -45,8 +46,8 @@ impl<S: GroundField> Subspace<S> {
             let of = |row: &SparseRow| row.iter().map(|(at, _)| *at).collect::<Vec<usize>>();
             let places: Vec<Vec<usize>> = kernel.iter().map(of).collect();
             let entries = |places: &[Vec<usize>]| places.iter().map(Vec::len).sum::<usize>();
-            // a prime that divides a minor gives more vectors or other pivots; a prime that divides
-            // an entry gives fewer entries
+            // prefers the better prime: a prime that divides a minor yields more vectors or other
+            // pivots, and a prime that divides an entry yields fewer entries
             let size = |places: &[Vec<usize>]| (places.len(), usize::MAX - entries(places));
             let (known, mut images) = match found.take() {
                 Some((known, images)) if known == places => (known, images),
@@ -63,7 +64,8 @@ impl<S: GroundField> Subspace<S> {
             let residues: Vec<u64> = kernel.iter().flatten().map(|(_, value)| *value).collect();
             images.add(prime, &residues);
             taken += 1;
-            // a reconstruction takes longer than a further prime
+            // reconstructs only after some primes, because a reconstruction takes longer than
+            // another prime
             if taken % (1 + taken / 8) == 0
                 && let Some(numbers) = images.rationals()
             {
@@ -88,7 +90,8 @@ impl<S: GroundField> Subspace<S> {
 
 type SparseRow = Vec<(usize, u64)>;
 
-/// The kernel modulo a prime in reduced row echelon form; `None` if the prime divides a denominator.
+/// The kernel modulo a prime, in reduced row echelon form. Returns `None` if the prime divides a
+/// denominator.
 fn kernel_modulo(prime: Prime, ambient: usize, rows: &[Row<Rational>]) -> Option<Vec<SparseRow>> {
     if ambient > MANY && rows.iter().map(Vec::len).sum::<usize>() < SPARSE * rows.len() {
         let mut echelon = Echelon::new(Lead::High, prime.get());
@@ -100,7 +103,7 @@ fn kernel_modulo(prime: Prime, ambient: usize, rows: &[Row<Rational>]) -> Option
         }
         return Some(echelon.nullspace(ambient));
     }
-    // with the columns reversed, the last component of a kernel vector is its pivot
+    // reverses the columns, so that the last component of a kernel vector is its pivot
     let residues = rows.iter().map(|row| {
         let mut dense = vec![0; ambient];
         for (at, value) in row {
@@ -116,7 +119,7 @@ fn kernel_modulo(prime: Prime, ambient: usize, rows: &[Row<Rational>]) -> Option
     Some(kernel.iter().rev().map(sparse).collect())
 }
 
-/// Whether all rows annihilate a vector.
+/// Whether all rows map the vector to zero.
 fn sent_to_zero(ambient: usize, rows: &[Row<Rational>], vector: &Row<Rational>) -> bool {
     let denominator = denominator(vector.iter().map(|(_, value)| value));
     let mut integers = vec![Rational::from(0); ambient];

@@ -25,9 +25,10 @@ impl<S: GroundField> Killing<S> {
         let mut gram = Gram::new(&matrix);
         let mut vectors: Vec<Row<S>> = (0..n).map(|at| vec![(at, S::one())]).collect();
         let (mut basis, mut values) = (vec![], vec![]);
-        // rows without entries have no influence on the others
+        // the loop ends if all remaining rows are zero, because such rows have no effect on other
+        // rows
         while let Some(pivot) = gram.anisotropic.first().copied().or_else(|| {
-            // if all vectors are isotropic, x_i + x_j with nonzero K_ij is not
+            // if all vectors are isotropic but some K_ij is nonzero, x_i + x_j is not isotropic
             let (i, j) = gram.first_entry()?;
             gram.add(i, j);
             vectors[i] = sum_of_rows(&vectors[i], &vectors[j], &S::one());
@@ -43,7 +44,7 @@ impl<S: GroundField> Killing<S> {
             basis.push(std::mem::take(&mut vectors[pivot]));
             values.push(value);
         }
-        // the form vanishes on the remaining vectors
+        // appends the remaining vectors, on which the form vanishes
         basis.extend(gram.open.iter().map(|&i| std::mem::take(&mut vectors[i])));
         values.resize(n, S::zero());
         Killing { matrix, basis, values }
@@ -76,7 +77,7 @@ impl<S: GroundField> Killing<S> {
 struct Gram<S> {
     rows: Vec<Row<S>>,
     open: BTreeSet<usize>,
-    /// The remaining `i` with nonzero `K_ii`.
+    /// The indices `i` of the remaining vectors with nonzero `K_ii`.
     anisotropic: BTreeSet<usize>,
 }
 
@@ -89,7 +90,7 @@ impl<S: GroundField> Gram<S> {
         gram
     }
 
-    /// Updates whether `K_ii` is zero.
+    /// Records whether `K_ii` is zero.
     fn note(&mut self, i: usize) {
         match place(&self.rows[i], i) {
             Ok(_) => self.anisotropic.insert(i),
@@ -102,11 +103,11 @@ impl<S: GroundField> Gram<S> {
         self.open.iter().find_map(|&i| Some((i, self.rows[i].first()?.0)))
     }
 
-    /// Replaces `x_i` by `x_i + x_j`; both are isotropic.
+    /// Replaces `x_i` by `x_i + x_j`, where both vectors are isotropic.
     fn add(&mut self, i: usize, j: usize) {
         let row = self.rows[j].clone();
         for (k, value) in &row {
-            // K_ii increases by K_ji and by K_ij
+            // the change of K_ii is the sum of K_ji and K_ij
             let value = if *k == i { value.clone() + value } else { value.clone() };
             add_entry(&mut self.rows[i], *k, &value);
             if *k != i {
@@ -116,7 +117,7 @@ impl<S: GroundField> Gram<S> {
         self.note(i);
     }
 
-    /// Removes `x_i`. Returns `K_ii`, and the other entries of its row.
+    /// Removes `x_i`. Returns `K_ii` and the other entries of its row.
     fn remove(&mut self, i: usize) -> (S, Row<S>) {
         let mut row = std::mem::take(&mut self.rows[i]);
         let at = place(&row, i).expect("an entry that is not zero");
@@ -131,7 +132,7 @@ impl<S: GroundField> Gram<S> {
         (value, row)
     }
 
-    /// Adds a multiple of a row to the row of `x_i`.
+    /// Adds a multiple of `row` to the row of `x_i`.
     fn add_to_row(&mut self, i: usize, row: &[(usize, S)], factor: &S) {
         self.rows[i] = sum_of_rows(&self.rows[i], row, factor);
         self.note(i);
@@ -156,7 +157,7 @@ fn add_entry<S: GroundField>(row: &mut Row<S>, at: usize, value: &S) {
     }
 }
 
-/// The sum `row + factor other`.
+/// The sum of `row` and `factor` times `other`.
 fn sum_of_rows<S: GroundField>(row: &[(usize, S)], other: &[(usize, S)], factor: &S) -> Row<S> {
     let mut sum = Vec::with_capacity(row.len() + other.len());
     let (mut left, mut right) = (row.iter().peekable(), other.iter().peekable());
@@ -207,10 +208,11 @@ impl<S: GroundField> StructureTheory<S> {
         self.killing.get_or_init(|| Killing::new(self.killing_matrix().clone()))
     }
 
-    /// Whether the radical is zero. By Cartan's criterion this holds if the Killing form is
-    /// nondegenerate.
+    /// Whether the radical is zero. By Cartan's criterion, the radical is zero if and only if the
+    /// Killing form is nondegenerate.
     ///
-    /// A rank modulo a prime is at most the rank, so a full rank modulo one prime is a proof.
+    /// A rank modulo a prime is a lower bound of the rank, so a full rank modulo one prime is a
+    /// proof.
     pub fn is_semisimple(&self) -> bool {
         let n = self.dimension();
         *self.semisimple.get_or_init(|| {
@@ -220,7 +222,8 @@ impl<S: GroundField> StructureTheory<S> {
         })
     }
 
-    /// Whether the Killing form has full rank modulo a prime; `None` if the prime divides a denominator.
+    /// Whether the Killing form has full rank modulo a prime. Returns `None` if the prime divides a
+    /// denominator.
     pub(super) fn has_regular_killing_form(&self, prime: Prime) -> Option<bool> {
         let mut regular = true;
         for block in blocks(self.killing_matrix()) {
@@ -238,8 +241,8 @@ impl<S: GroundField> StructureTheory<S> {
     }
 }
 
-/// The finest partition of the indices into blocks such that a symmetric matrix has no entries
-/// between different blocks. Each block is sorted.
+/// The finest partition of the indices such that a symmetric matrix has no entries between
+/// different blocks. Each block is sorted.
 fn blocks<S: GroundField>(matrix: &Matrix<S>) -> Vec<Vec<usize>> {
     let mut block_of = vec![None; matrix.rows()];
     let mut blocks = vec![];

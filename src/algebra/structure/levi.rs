@@ -7,13 +7,13 @@ use affinor_tensors::linear::{Matrix, Row};
 use affinor_tensors::stop::stage;
 
 impl<S: GroundField> StructureTheory<S> {
-    /// A Levi subalgebra. It is not unique: any two are conjugate (Malcev).
+    /// A Levi subalgebra. It is not unique, but all Levi subalgebras are conjugate (Malcev).
     ///
-    /// A Levi subalgebra of a smaller algebra that maps onto `L/R` is also one of `L`. The
-    /// normalizer of a Cartan subalgebra of the radical is such an algebra (Frattini), and so is
-    /// the last term of the derived series. The remaining complement is lifted through the lower
-    /// central series of the radical, by linear equations (de Graaf, Ivanyos, Kuronya, Rónyai,
-    /// *AAECC* 8 (1997) 291-303).
+    /// If a smaller algebra maps onto `L/R`, its Levi subalgebras are also Levi subalgebras of `L`.
+    /// The normalizer of a Cartan subalgebra of the radical is such an algebra (Frattini), and so
+    /// is the last term of the derived series. A complement of the remaining radical is lifted
+    /// through the lower central series of the radical, by linear equations (de Graaf, Ivanyos,
+    /// Kuronya, Rónyai, *AAECC* 8 (1997) 291-303).
     ///
     /// ```
     /// use affinor::algebra::{catalogue, structure::StructureTheory};
@@ -24,7 +24,7 @@ impl<S: GroundField> StructureTheory<S> {
     /// ```
     ///
     /// # Errors
-    /// Those of [`subalgebra`](Self::subalgebra), which cannot occur for a Lie algebra.
+    /// The errors of [`subalgebra`](Self::subalgebra). They cannot occur for a Lie algebra.
     #[doc(alias("Levi decomposition", "semisimple part"))]
     pub fn levi(&self) -> Result<&Subspace<S>, Error> {
         let _stage = stage("levi");
@@ -55,8 +55,8 @@ impl<S: GroundField> StructureTheory<S> {
         self.lift(&inside)
     }
 
-    /// Corrects a complement of a nilpotent radical to a subalgebra, modulo each term of its lower
-    /// central series.
+    /// Corrects a complement of a nilpotent radical, so that it becomes a subalgebra. The
+    /// corrections are computed modulo each term of the lower central series of the radical.
     fn lift(&self, inside: &StructureTheory<S>) -> Result<Subspace<S>, Error> {
         let (n, radical) = (self.dimension(), self.radical());
         let mut lifted: Vec<Row<S>> = radical.complement().map(|at| vec![(at, S::one())]).collect();
@@ -65,13 +65,13 @@ impl<S: GroundField> StructureTheory<S> {
             inside.lower_central_series().iter().map(|term| radical.within(term)).collect();
         for pair in series.windows(2) {
             let (upper, lower) = (&pair[0], &pair[1]);
-            // a basis of the upper term modulo the lower one
+            // a basis of the upper term modulo the lower term
             let mut span = lower.clone();
             let factor: Vec<&Row<S>> =
                 upper.basis().iter().filter(|row| span.add((*row).clone())).collect();
             let (s, d) = (lifted.len(), factor.len());
             let ads: Vec<_> = lifted.iter().map(|x| self.products.ad(x)).collect();
-            // the unknown correction y_i = sum of u_(i d + a) factor_a
+            // the unknown corrections are y_i = sum of u_(i d + a) factor_a
             let moved: Vec<Vec<Row<S>>> = ads
                 .iter()
                 .map(|ad| factor.iter().map(|v| lower.reduce(ad.image(v))).collect())

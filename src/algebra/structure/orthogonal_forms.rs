@@ -1,19 +1,19 @@
 //! Distinguishes the real forms so(p,q) and so*(2r) of D_r by one regular element.
 //!
-//! Let `a_1, -a_1, ..., a_r, -a_r` be the eigenvalues of `x` on the vectors of dimension `2 r`. The
-//! numbers `a_i^2` are the roots of a polynomial `g` over the rationals, and the eigenvalues of
-//! `ad_x` are `a_i + a_j` and so on.
+//! Let `a_1, -a_1, ..., a_r, -a_r` be the eigenvalues of `x` in the representation of dimension
+//! `2 r`. The numbers `a_i^2` are the roots of a polynomial `g` over the rationals, and the
+//! eigenvalues of `ad_x` are the sums `a_i + a_j` and differences `a_i - a_j`.
 //!
-//! In so(p,q) a positive `a_i^2` belongs to a plane of signature (1, 1). In so*(2r) there is none:
-//! a Cartan subalgebra is a sum of Cartan subalgebras of so*(4), where the `a_i^2` are conjugate,
-//! and so*(2), where they are negative.
+//! In so(p,q), a positive `a_i^2` belongs to a plane of signature (1, 1). In so*(2r), no `a_i^2` is
+//! positive, because a Cartan subalgebra is a sum of Cartan subalgebras of so*(4) and so*(2). In
+//! so*(4) the `a_i^2` are complex conjugates, and in so*(2) they are negative.
 //!
-//! Two negative numbers `u^2` and `v^2` belong to two planes that `x` rotates. In so(p,q) the roots
-//! `u + v` and `u - v` are both compact if the form has the same sign on both planes, and otherwise
-//! both noncompact. In so*(2r) exactly one of them is compact, because the compact roots are those
-//! of u(r). The Killing form is negative on compact root spaces. Without positive `a_i^2`, so(p,q)
-//! has at least `|p - q| / 2` negative ones. S. Helgason, *Differential Geometry, Lie Groups, and
-//! Symmetric Spaces*, ch. X.
+//! Let two negative numbers `u^2` and `v^2` belong to two planes that `x` rotates. In so(p,q), the
+//! roots `u + v` and `u - v` are both compact if the form has the same sign on both planes;
+//! otherwise both are noncompact. In so*(2r), exactly one of these roots is compact, because the
+//! compact roots are the roots of u(r). The Killing form is negative on compact root spaces. If no
+//! `a_i^2` is positive in so(p,q), at least `|p - q| / 2` of them are negative. S. Helgason,
+//! *Differential Geometry, Lie Groups, and Symmetric Spaces*, ch. X.
 
 use super::StructureTheory;
 use super::dynkin::{Split, elementary_functions, weight_power_sums};
@@ -31,14 +31,13 @@ use std::cmp::Ordering;
 
 /// The number of elements that are tried.
 const TRIALS: usize = 24;
-/// The first and the last number of binary places; the precision doubles from one attempt to the
-/// next.
+/// The smallest and the largest number of binary places. The precision doubles in each attempt.
 const PLACES: [usize; 2] = [64, 1 << 14];
 
 impl StructureTheory<Rational> {
-    /// Whether a real form of D_r with `r` at least 5 is so*(2r), and not so(p,q). `None` for other
-    /// algebras, if none of the elements that are tried decides, and for `r` = 16, 64, ..., powers
-    /// of 4.
+    /// Whether a real form of D_r with `r >= 5` is so*(2r), and not so(p,q). Returns `None` for
+    /// other algebras, or if no element that is tried is decisive. Also returns `None` if `r` is
+    /// 16, 64, or a higher power of 4.
     ///
     /// ```
     /// use affinor::algebra::{catalogue, structure::StructureTheory};
@@ -54,7 +53,7 @@ impl StructureTheory<Rational> {
             return None;
         }
         let [plus, minus, _] = self.killing().signature()?;
-        // (p - q)^2 = p + q + 2 (dim k - dim p)
+        // computes (p - q)^2 = p + q + 2 (dim k - dim p), where p + q = 2 r
         let square = (2 * r + 2 * minus).checked_sub(2 * plus)?;
         let n = self.dimension();
         let mut draw = PseudoRandom::new(5);
@@ -70,18 +69,18 @@ impl StructureTheory<Rational> {
     }
 }
 
-/// The map `ad_x` with integer entries, and its polynomials.
+/// The map `ad_x` with integer entries, and polynomials of its eigenvalues.
 struct Element {
     /// The columns of the matrix.
     columns: Vec<Vec<BigInt>>,
-    /// The polynomial with the roots `4 a_i^2`, ascending.
+    /// The polynomial whose roots are `4 a_i^2`, with ascending powers.
     squares: Vec<BigInt>,
-    /// The polynomial with the roots `(a_i + a_j)^2` and `(a_i - a_j)^2`, ascending.
+    /// The polynomial whose roots are `(a_i + a_j)^2` and `(a_i - a_j)^2`, with ascending powers.
     roots: Vec<BigInt>,
 }
 
 impl Element {
-    /// Returns `None` if the element is not regular.
+    /// Computes the matrix and the polynomials of `ad_x`. Returns `None` if `x` is not regular.
     fn new(structure: &StructureTheory<Rational>, x: &Row<Rational>, r: usize) -> Option<Self> {
         let n = structure.dimension();
         let ad = structure.products.ad(x);
@@ -93,8 +92,9 @@ impl Element {
                 columns[k][*i] = integer(&(value.clone() * &factor));
             }
         }
-        // The numbers 2 a_i are algebraic integers, and the squares of the sizes of all eigenvalues add up to at most those of the entries.
-        // So the coefficients are integers, below (1 + sum / (2 r (r - 1)))^(r (r - 1)).
+        // The numbers 2 a_i are algebraic integers, so the coefficients are integers. The sum of
+        // the squared sizes of all eigenvalues is at most the sum of the squared entries. The
+        // coefficients are therefore below (1 + sum / (2 r (r - 1)))^(r (r - 1)).
         let norm: BigInt = columns.iter().flatten().map(|entry| entry * entry).sum();
         let half = r * (r - 1);
         let most: BigInt = (BigInt::from(2) + norm / BigInt::from(2 * half)).pow(half);
@@ -196,14 +196,14 @@ impl Element {
                 row.iter().map(|(j, entry)| entry * &vector[*j]).sum::<BigInt>() * value
             });
             let square: BigInt = square.sum();
-            // X is antisymmetric with respect to the form
+            // alternates the sign, because X is antisymmetric with respect to the form
             moments.push(if k % 2 == 0 { square } else { -square });
         }
         moments
     }
 
-    /// Whether the roots `u + v` and `u - v` are both compact or both noncompact, where two
-    /// isolating intervals contain `4 u^2` and `4 v^2`. `None` if the precision does not suffice.
+    /// Whether the roots `u + v` and `u - v` are both compact or both noncompact. The two isolating
+    /// intervals contain `4 u^2` and `4 v^2`. Returns `None` if the precision is too low.
     fn same_kind(
         &self,
         intervals: &[(BigRational, BigRational)],
@@ -218,13 +218,13 @@ impl Element {
                 return None;
             }
             let root = bisected(&self.squares, lower.to_integer(), upper.to_integer(), places)?;
-            // 2 |u| is a root of the reflected polynomial
+            // 2 |u| is the square root of -4 u^2, where 4 u^2 is the root in the interval
             let opposite = Interval { lower: -root.upper, upper: -root.lower };
             sizes.push(opposite.sqrt(places)?);
         }
         let kind = |size: Interval| {
             let square = size.times(&size, places);
-            // - (u +- v)^2, from 2 u and 2 v
+            // the interval of -(u +- v)^2, computed from 2 u and 2 v
             let eigenvalue =
                 Interval { lower: -(square.upper >> 2usize) - 1, upper: -(square.lower >> 2usize) };
             self.kind(&eigenvalue, moments, places)
@@ -235,9 +235,9 @@ impl Element {
         Some(kind(sum)? == kind(difference)?)
     }
 
-    /// The sign of `K(w, w)` for the part `w` of `v` in the eigenspace of `X^2` of a simple root
-    /// `m` of `F`. With `h = F / (t - m)` it is the sign of `K(h(X^2) v, v) F'(m)`, because
-    /// `h(X^2)` is `F'(m)` on the eigenspace and zero on all others.
+    /// The sign of `K(w, w)`, where `w` is the part of `v` in the eigenspace of `X^2` for a simple
+    /// root `m` of `F`. It is the sign of `K(h(X^2) v, v) F'(m)` with `h = F / (t - m)`, because
+    /// `h(X^2)` is `F'(m)` on this eigenspace and zero on all others.
     fn kind(&self, eigenvalue: &Interval, moments: &[BigInt], places: usize) -> Option<Ordering> {
         let constant = |value: &BigInt| {
             let value = value.clone() << places;
@@ -255,7 +255,7 @@ impl Element {
     }
 }
 
-/// An interval, whose bounds are integers times a power of 2.
+/// An interval. Its bounds are integers times a power of 2.
 struct Interval {
     lower: BigInt,
     upper: BigInt,
@@ -277,20 +277,20 @@ impl Interval {
 
     fn times(&self, other: &Self, places: usize) -> Self {
         let (a, b) = (self.multiple(&other.lower), self.multiple(&other.upper));
-        // shifting a negative number rounds down, so the interval stays enclosing
+        // a shift rounds down, also for negative numbers, so the bounds still enclose the product
         let lower = a.lower.min(b.lower) >> places;
         let upper = -(-a.upper.max(b.upper) >> places);
         Interval { lower, upper }
     }
 
-    /// Returns `None` if the interval contains negative numbers.
+    /// The interval of the square root. Returns `None` if the interval contains negative numbers.
     fn sqrt(&self, places: usize) -> Option<Self> {
         let root = |value: &BigInt| (value << places).sqrt();
         let positive = self.lower.is_positive();
         positive.then(|| Interval { lower: root(&self.lower), upper: root(&self.upper) + 1 })
     }
 
-    /// The common sign of all numbers; `None` if the interval contains zero.
+    /// The common sign of all numbers in the interval; `None` if it contains zero.
     fn sign(&self) -> Option<Ordering> {
         match (self.lower.is_positive(), self.upper.is_negative()) {
             (true, _) => Some(Ordering::Greater),
@@ -300,8 +300,8 @@ impl Interval {
     }
 }
 
-/// An interval of length 1 around the root between two bounds, in units of a power of 2; `None` if
-/// the signs at the bounds do not differ.
+/// Bisects until the interval around the root has length 1, in units of a power of 2. Returns
+/// `None` if the signs at the bounds are equal.
 fn bisected(
     polynomial: &[BigInt],
     mut lower: BigInt,

@@ -5,7 +5,7 @@ use crate::algebra::SparseBracket;
 use affinor_tensors::linear::Row;
 use affinor_tensors::{Field, Scalar};
 
-/// The matrix of `[x, .]`: its nonzero columns, sorted.
+/// The matrix of `[x, .]`, stored as its nonzero columns in order.
 pub(super) struct Ad<S>(Vec<(usize, Row<S>)>);
 
 impl<S: Field + Scalar> SparseBracket<S> {

@@ -1,9 +1,10 @@
 //! Quadratic Casimir functions of reductive algebras, in any dimension.
 //!
-//! An invariant form `B` on the semisimple part is `K(A x, y)` with the Killing form `K` and a map
-//! `A` of the centroid. Its inverse is an invariant quadratic form on the dual. As the centroid is
-//! a field on each ideal that is simple over the rationals, every invariant quadratic form is `A
-//! K^-1`, and there is one for each simple factor over the complex numbers.
+//! An invariant form `B` on the semisimple part is `K(A x, y)`, where `K` is the Killing form and
+//! `A` is a map of the centroid. The inverse of `B` is an invariant quadratic form on the dual. The
+//! centroid is a field on each ideal that is simple over the rationals. Therefore every invariant
+//! quadratic form is `A K^-1`, and there is one such form for each simple factor over the complex
+//! numbers.
 
 use super::StructureTheory;
 use crate::Error;
@@ -14,10 +15,10 @@ use affinor_tensors::{Rational, Ring, Symbolic};
 use num_traits::Zero;
 
 impl StructureTheory<Rational> {
-    /// Generators of the Casimir functions of degree 1 and 2 of a reductive algebra, like
-    /// [`casimirs`](Self::casimirs): the centre, and a quadratic form for each simple factor over
-    /// the complex numbers. `None` if the algebra is not reductive, or if its simple ideals are not
-    /// found.
+    /// Generators of the Casimir functions of degree 1 and 2 of a reductive algebra, as in
+    /// [`casimirs`](Self::casimirs). They are a basis of the centre, and one quadratic form for
+    /// each simple factor over the complex numbers. Returns `None` if the algebra is not reductive,
+    /// or if its simple ideals are not found.
     ///
     /// ```
     /// use affinor::algebra::structure::StructureTheory;
@@ -31,7 +32,7 @@ impl StructureTheory<Rational> {
     /// ```
     ///
     /// # Errors
-    /// Those of [`subalgebra`](Self::subalgebra), which cannot occur for a Lie algebra.
+    /// The errors of [`subalgebra`](Self::subalgebra). They cannot occur for a Lie algebra.
     pub fn quadratic_casimirs(&self) -> Result<Option<Vec<Symbolic>>, Error> {
         let _stage = stage("casimirs");
         if !self.is_reductive() {
@@ -77,7 +78,7 @@ impl StructureTheory<Rational> {
     }
 }
 
-/// The polynomial scaled to coprime integer coefficients, of which the first is positive.
+/// Writes a polynomial, scaled to coprime integer coefficients; the first coefficient is positive.
 fn written<'a>(
     terms: impl Iterator<Item = (&'a Rational, Vec<usize>)>,
     coordinates: &[Symbolic],

@@ -8,8 +8,8 @@ use affinor_tensors::stop::stage;
 pub(super) const TRIALS: usize = 64;
 
 /// The coefficients `1, t, t^2, ...`. A nonzero linear form vanishes at fewer than `count` values
-/// of `t`. Combinations with these coefficients therefore separate finitely many linear forms after
-/// finitely many values of `t`.
+/// of `t`. Therefore, after finitely many values of `t`, the combination with these coefficients
+/// separates any finite set of linear forms.
 pub(super) fn on_moment_curve<S: GroundField>(t: i64, count: usize) -> Vec<S> {
     let powers =
         std::iter::successors(Some(S::one()), |power| Some(power.clone() * &S::from_i64(t)));
@@ -17,8 +17,8 @@ pub(super) fn on_moment_curve<S: GroundField>(t: i64, count: usize) -> Vec<S> {
 }
 
 impl<S: GroundField> StructureTheory<S> {
-    /// The radical, the largest solvable ideal: the orthogonal complement of `[L, L]` for the Killing
-    /// form (de Graaf 2.6).
+    /// The radical, the largest solvable ideal: the orthogonal complement of `[L, L]` for the
+    /// Killing form (de Graaf 2.6).
     ///
     /// ```
     /// use affinor::algebra::{catalogue, structure::StructureTheory};
@@ -48,10 +48,11 @@ impl<S: GroundField> StructureTheory<S> {
 
     /// The nilradical, the largest nilpotent ideal.
     ///
-    /// The weights of the radical `R` on itself vanish on `[L, R]`, and the nilradical is their
-    /// common kernel. For an element `y` on which distinct weights have distinct values, it is the
-    /// set of the `x` in `R` with `tr(ad_x ad_y^k) = 0` on `R` for all `k`. For any `y` this set
-    /// contains the nilradical, so it equals the nilradical if it is a nilpotent ideal.
+    /// The weights of the radical `R` on itself vanish on `[L, R]`, and the nilradical is the
+    /// common kernel of the weights. Let `y` be an element on which distinct weights have distinct
+    /// values. Then the nilradical is the set of all `x` in `R` with `tr(ad_x ad_y^k) = 0` on `R`
+    /// for all `k`. For any `y`, this set contains the nilradical. So, if the set is a nilpotent
+    /// ideal, it equals the nilradical.
     ///
     /// ```
     /// use affinor::algebra::{catalogue, structure::StructureTheory};
@@ -85,7 +86,8 @@ impl<S: GroundField> StructureTheory<S> {
                     let powers = std::iter::successors(next(&1), next);
                     powers.map(S::from_i64).take(open.len()).collect()
                 }
-                // distinct weights coincide at few points of the curve only
+                // uses points of a moment curve, because distinct weights coincide only at a few of
+                // its points
                 false => on_moment_curve(trial - TRIALS as i64 + 1, open.len()),
             };
             let y: Row<S> = open.iter().copied().zip(coefficients).collect();
@@ -98,13 +100,14 @@ impl<S: GroundField> StructureTheory<S> {
         }
     }
 
-    /// The `x` with `tr(ad_x ad_y^k) = 0` for all `k`: the subspace `lower`, and combinations of
-    /// the basis vectors `open`.
+    /// The vectors `x` with `tr(ad_x ad_y^k) = 0` for all `k`. The search is among the subspace
+    /// `lower` and combinations of the basis vectors `open`; all vectors of `lower` satisfy the
+    /// equations.
     fn weightless(&self, lower: &Subspace<S>, open: &[usize], y: &Row<S>) -> Subspace<S> {
         let n = self.dimension();
         let matrix = |x: &[(usize, S)]| {
             let ad = self.products.ad(x);
-            // the columns of ad are the rows here, so this is the transpose
+            // stores the columns of ad as rows, which yields the transpose of ad
             Matrix::from_rows(n, (0..n).map(|k| ad.column(k).to_vec())).expect("a square matrix")
         };
         let ads: Vec<Matrix<S>> = open.iter().map(|&at| matrix(&[(at, S::one())])).collect();

@@ -1,14 +1,14 @@
 //! The real forms of the simple complex algebras, by type and signature of the Killing form.
 //!
-//! The dimension of a maximal compact subalgebra is the number of negative squares. Type and
-//! signature decide the form, except for su(p,q) and su*(p+q) with `(p-q)^2 = p+q+2`, and so(p,q) and
-//! so*(p+q) with `(p-q)^2 = 2(p+q)`. S. Helgason, *Differential Geometry, Lie Groups, and Symmetric
-//! Spaces*, ch. X, table V.
+//! The number of negative squares of the Killing form is the dimension of a maximal compact
+//! subalgebra. Type and signature determine the real form, except for su(p,q) and su*(p+q) with
+//! `(p-q)^2 = p+q+2`, and so(p,q) and so*(p+q) with `(p-q)^2 = 2(p+q)`. S. Helgason, *Differential
+//! Geometry, Lie Groups, and Symmetric Spaces*, ch. X, table V.
 
 use crate::algebra::roots::{CartanType, Series};
 
-/// The names of the real forms of a type whose maximal compact subalgebra has a given dimension:
-/// one name, or two in the exceptional cases.
+/// The names of the real forms of a type whose maximal compact subalgebra has the dimension
+/// `compact`: one name, or two in the exceptional cases.
 ///
 /// ```
 /// use affinor::algebra::roots::{CartanType, Series};
@@ -32,7 +32,7 @@ pub fn real_forms(cartan_type: CartanType, compact: usize) -> Vec<String> {
         .map(|(_, name)| name)
         .collect();
     if r == 4 && series == Series::D {
-        // so*(8) is so(6,2)
+        // removes so*(8), which is isomorphic to so(6,2)
         names.truncate(1);
     }
     names
@@ -50,17 +50,17 @@ pub fn complex_form(cartan_type: CartanType) -> String {
     }
 }
 
-/// The name of a form with two arguments, or with one argument if it is compact.
+/// The name of a form with the arguments `p`, `q`, or with one argument if the form is compact.
 fn two(head: &str, p: usize, q: usize) -> String {
     if q == 0 { format!("{head}({p})") } else { format!("{head}({p},{q})") }
 }
 
 fn special_linear(n: usize) -> Vec<(usize, String)> {
     let split = (n * (n - 1) / 2, format!("sl({n},R)"));
-    // su(1,1) is sl(2,R)
+    // omits su(1,1), which is isomorphic to sl(2,R)
     let unitary = (0..=n / 2).filter(|q| (n, *q) != (2, 1));
     let unitary = unitary.map(|q| (q * q + (n - q) * (n - q) - 1, two("su", n - q, q)));
-    // su*(2) is su(2)
+    // omits su*(2), which is isomorphic to su(2)
     let quaternionic =
         (n > 2 && n.is_multiple_of(2)).then(|| (n / 2 * (n + 1), format!("su*({n})")));
     [split].into_iter().chain(unitary).chain(quaternionic).collect()
@@ -71,11 +71,12 @@ fn orthogonal(n: usize) -> impl Iterator<Item = (usize, String)> {
     (0..=n / 2).map(move |q| (pairs(q) + pairs(n - q), two("so", n - q, q)))
 }
 
-/// sp(p,q) has quaternionic arguments, sp(2r,R) real ones; usp(2r) is the compact form.
+/// The real forms of C_r. The arguments of sp(p,q) count quaternions, the argument of sp(2r,R) is a
+/// number of real coordinates, and usp(2r) is the compact form.
 fn symplectic(r: usize) -> Vec<(usize, String)> {
     let compact = |n: usize| n * (2 * n + 1);
     let split = (r * r, format!("sp({},R)", 2 * r));
-    // the catalogue has another meaning of sp(r), so the compact form is usp
+    // names the compact form usp, because the catalogue uses sp(r) with another meaning
     let name = |q: usize| match q {
         0 => format!("usp({})", 2 * r),
         q => format!("sp({},{q})", r - q),
@@ -84,7 +85,8 @@ fn symplectic(r: usize) -> Vec<(usize, String)> {
     [split].into_iter().chain(others).collect()
 }
 
-/// The names contain the character `dim p - dim k` in parentheses.
+/// The real forms of an exceptional type. Their names contain the character `dim p - dim k` in
+/// parentheses.
 fn exceptional(cartan_type: CartanType) -> Vec<(usize, String)> {
     let compact: &[usize] = match (cartan_type.series(), cartan_type.rank()) {
         (Series::G, _) => &[6, 14],

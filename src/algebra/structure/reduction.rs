@@ -1,7 +1,7 @@
 //! A Lie algebra modulo a prime: brackets of residues, for ranks.
 //!
-//! The rank of a matrix modulo a prime is at most its rank, and equal to it for all but finitely many
-//! primes.
+//! The rank of a matrix modulo a prime is at most the rank of the matrix, and equal to it for all
+//! but finitely many primes.
 
 use super::{GroundField, StructureTheory};
 use crate::algebra::SparseBracket;
@@ -14,12 +14,12 @@ pub struct ModularAlgebra {
     constants: SparseBracket<u64>,
 }
 
-/// Pseudorandom residues, the same in every run.
+/// A generator of pseudorandom residues. The residues are the same in every run.
 #[derive(Clone, Debug)]
 pub struct PseudoRandom(u64);
 
 impl PseudoRandom {
-    /// The sequence with a given number.
+    /// The sequence of residues with the number `seed`.
     pub fn new(seed: u64) -> Self {
         PseudoRandom(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1)
     }
@@ -39,13 +39,15 @@ impl PseudoRandom {
 }
 
 impl ModularAlgebra {
-    /// The algebra modulo a prime; `None` if the prime divides a denominator or a structure constant.
+    /// Reduces an algebra modulo a prime. Returns `None` if the prime divides a denominator or a
+    /// structure constant.
     pub fn new<S: GroundField>(structure: &StructureTheory<S>, prime: Prime) -> Option<Self> {
         let residue = |value: &S| value.residue(prime).filter(|residue| *residue != 0);
         Some(ModularAlgebra { prime, constants: structure.products.map(residue)? })
     }
 
-    /// The algebra with the residues of integers.
+    /// The algebra whose structure constants are the residues of these integers. Returns `None` if
+    /// the prime divides one of them.
     pub(crate) fn of_integers(prime: Prime, constants: &SparseBracket<i64>) -> Option<Self> {
         let constants = constants.map(|value| Some(prime.integer(*value)))?;
         Some(ModularAlgebra { prime, constants })
@@ -66,7 +68,7 @@ impl ModularAlgebra {
         self.constants.of(j)
     }
 
-    /// The matrix of `[x, .]`: row `i`, column `k`.
+    /// The matrix of `[x, .]`, with rows `i` and columns `k`.
     pub fn ad(&self, x: &[u64]) -> ResidueMatrix {
         let (n, p) = (self.dimension(), self.prime);
         let mut rows = vec![vec![0; n]; n];
@@ -83,7 +85,7 @@ impl ModularAlgebra {
         self.constants.bracket(x, y, 0, self.fused())
     }
 
-    /// `sum + a b` of residues.
+    /// A function that computes `sum + a b` for residues.
     fn fused(&self) -> impl Fn(u64, u64, u64) -> u64 + use<> {
         let p = self.prime;
         move |sum, a, b| p.reduce(sum + a * b)
@@ -95,8 +97,8 @@ impl ModularAlgebra {
         ResidueMatrix::new(self.prime, self.dimension(), rows)
     }
 
-    /// A few vectors that generate the algebra: pseudorandom ones, or the basis if these would not
-    /// be fewer.
+    /// A few vectors that generate the algebra. They are pseudorandom vectors, or the basis vectors
+    /// if the number of pseudorandom vectors would not be smaller.
     pub(super) fn generators(&self) -> Vec<Vec<u64>> {
         let (n, p) = (self.dimension(), self.prime);
         let mut draw = PseudoRandom::new(2);
@@ -125,7 +127,8 @@ impl ModularAlgebra {
             if grown == rank {
                 return false;
             }
-            // random combinations of the images have the same span as the images
+            // continues with the reduced rows if there are many images: these rows span the images
+            // too, and are at most n
             layer = match images.len() > 2 * n {
                 true => next.rows().to_vec(),
                 false => images,
@@ -143,8 +146,8 @@ impl<S: GroundField> StructureTheory<S> {
         primes().filter_map(|prime| ModularAlgebra::new(self, prime))
     }
 
-    /// The reductions of a semisimple algebra with a nondegenerate Killing form, which have the
-    /// types of the algebra. Empty for other algebras.
+    /// The reductions of a semisimple algebra with a nondegenerate Killing form. They have the same
+    /// types as the algebra. The sequence is empty for other algebras.
     pub(super) fn semisimple_reductions(&self) -> impl Iterator<Item = ModularAlgebra> {
         let regular = |prime: &Prime| self.has_regular_killing_form(*prime) == Some(true);
         let candidates = primes().take_while(|_| self.is_semisimple()).filter(regular);

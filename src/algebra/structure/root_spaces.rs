@@ -25,9 +25,11 @@ const MAX_EIGENVALUES: usize = 24;
 pub struct RootSpaces {
     /// The Cartan subalgebra, with its basis `h_i`.
     pub cartan: Subspace<Rational>,
-    /// All roots: the positive ones in lexicographic order of their values, then their opposites.
+    /// All roots: first the positive roots in lexicographic order of their values, then the
+    /// opposite roots.
     pub roots: Vec<RootSpace>,
-    /// The positions of the simple roots in `roots`, factor by factor, numbered as in Bourbaki.
+    /// The positions of the simple roots in `roots`, factor by factor. Within a factor, they are
+    /// numbered as in Bourbaki.
     pub simple: Vec<usize>,
     /// The types of the factors.
     pub types: Vec<CartanType>,
@@ -43,10 +45,10 @@ pub struct RootSpace {
 }
 
 impl StructureTheory<Rational> {
-    /// The root spaces of a semisimple algebra for a Cartan subalgebra with basis vectors of
-    /// positive Killing squares, or for [`cartan_subalgebra`](Self::cartan_subalgebra). `None` if
-    /// neither splits over the rationals, or if a vector has components in more than 24
-    /// eigenspaces.
+    /// The root spaces of a semisimple algebra for a Cartan subalgebra that splits over the
+    /// rationals. The first candidate contains basis vectors with positive Killing squares; the
+    /// second is [`cartan_subalgebra`](Self::cartan_subalgebra). Returns `None` if neither splits,
+    /// or if a vector has components in more than 24 eigenspaces.
     pub fn root_spaces(&self) -> Option<RootSpaces> {
         let _stage = stage("roots");
         let types = self.dynkin_type().filter(|_| self.is_semisimple())?;
@@ -94,10 +96,11 @@ impl StructureTheory<Rational> {
         Some(found)
     }
 
-    /// A fast test modulo a prime. It returns `false` if the components of some unit vectors, for
-    /// the first vector of the Cartan subalgebra, belong to more than [`MAX_EIGENVALUES`]
-    /// eigenvalues, or to irrational ones. Over the rationals this would take long in a dense
-    /// basis, because the powers of `ad` contain long numbers.
+    /// A fast test modulo a prime whether the Cartan subalgebra may split. The test decomposes some
+    /// unit vectors by the first vector of the Cartan subalgebra. It returns `false` if their
+    /// components belong to more than [`MAX_EIGENVALUES`] eigenvalues, or to irrational
+    /// eigenvalues. Over the rationals, this test would be slow in a dense basis, because the
+    /// powers of `ad` contain long numbers.
     fn may_split(&self, cartan: &Subspace<Rational>) -> bool {
         let Some(h) = cartan.basis().first() else { return true };
         let found = PRIMES.into_iter().find_map(|prime| {
@@ -128,8 +131,8 @@ impl StructureTheory<Rational> {
 }
 
 impl RootSpaces {
-    /// The Cartan matrix `a_ij = <a_i, a_j^v>` of the simple roots, from root strings: `a_i - a_j`
-    /// is not a root, and `-a_ij` is the largest `k` such that `a_i + k a_j` is a root.
+    /// The Cartan matrix `a_ij = <a_i, a_j^v>` of the simple roots, computed from root strings.
+    /// `a_i - a_j` is not a root, and `-a_ij` is the largest `k` such that `a_i + k a_j` is a root.
     pub fn cartan_matrix(&self) -> Vec<Vec<i64>> {
         self.matrix(&self.simple)
     }
@@ -151,13 +154,13 @@ impl RootSpaces {
         simple.iter().map(|&i| simple.iter().map(|&j| entry(i, j)).collect()).collect()
     }
 
-    /// The positive roots that are not a sum of two positive roots. At this point `roots` contains
-    /// the positive roots only.
+    /// The indices of the positive roots that are not a sum of two positive roots. When this
+    /// function is called, `roots` contains only the positive roots.
     fn indecomposable(&self) -> Vec<usize> {
         let all: HashSet<&[Rational]> = self.roots.iter().map(|r| &r.values[..]).collect();
         let mut simple: Vec<usize> = vec![];
         for (at, root) in self.roots.iter().enumerate() {
-            // smaller roots come first, so the difference is searched among them
+            // searches for the difference among the earlier roots, because smaller roots come first
             let rest = |other: &usize| {
                 let minus = self.roots[*other].values.iter().map(|v| -v.clone());
                 sum(&root.values, &minus.collect::<Vec<_>>())
@@ -169,7 +172,7 @@ impl RootSpaces {
         simple
     }
 
-    /// The simple roots, ordered so that the Cartan matrix is that of the types.
+    /// The simple roots, ordered so that their Cartan matrix is the Cartan matrix of the types.
     fn numbered(&self, simple: &[usize]) -> Option<Vec<usize>> {
         let matrix = self.matrix(simple);
         let mut wanted = vec![vec![0; simple.len()]; simple.len()];
@@ -185,7 +188,7 @@ impl RootSpaces {
     }
 }
 
-/// Completes the order of the rows by a search, which abandons a partial order at the first wrong
+/// Completes the order of the rows by a search, which rejects a partial order at the first wrong
 /// entry.
 fn place(matrix: &[Vec<i64>], wanted: &[Vec<i64>], order: &mut Vec<usize>) -> bool {
     let at = order.len();
@@ -211,8 +214,8 @@ fn sum(a: &[Rational], b: &[Rational]) -> Vec<Rational> {
     a.iter().zip(b).map(|(a, b)| a.clone() + b).collect()
 }
 
-/// Decomposes a vector into eigenvectors of a map. `None` unless all eigenvalues that occur are
-/// rational and simple roots of its minimal polynomial.
+/// Decomposes a vector into eigenvectors of a map. Returns `None` unless all eigenvalues that occur
+/// are rational, and are simple roots of the minimal polynomial of the vector.
 fn eigenvectors(
     ad: &Ad<Rational>,
     n: usize,
@@ -262,7 +265,7 @@ fn eigenvectors(
     Some(parts)
 }
 
-/// The factor between a vector and its image; `None` if they are not proportional.
+/// The factor between a vector and its image. Returns `None` if the two are not proportional.
 fn eigenvalue(image: &Row<Rational>, vector: &Row<Rational>) -> Option<Rational> {
     let Some((at, first)) = image.first() else { return Some(Rational::from(0)) };
     let (_, own) = vector.first().filter(|(place, _)| place == at)?;

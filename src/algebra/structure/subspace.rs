@@ -1,4 +1,4 @@
-//! Subspaces of an algebra, by the reduced row echelon form of a basis.
+//! Subspaces of an algebra. They are represented by a basis in reduced row echelon form.
 
 use affinor_tensors::linear::{Echelon, Matrix, Row};
 use affinor_tensors::stop::checkpoint;
@@ -45,7 +45,7 @@ impl<S: Field + Scalar> Subspace<S> {
         Self::span(ambient, (0..kernel.rows()).map(|at| kernel.row(at).to_vec()))
     }
 
-    /// The number of components of its vectors.
+    /// The number of components of the vectors.
     pub fn ambient(&self) -> usize {
         self.ambient
     }
@@ -65,7 +65,7 @@ impl<S: Field + Scalar> Subspace<S> {
         self.echelon.rows()
     }
 
-    /// The basis with all components.
+    /// The basis as rows that contain all components.
     pub fn dense(&self) -> Vec<Vec<S>> {
         let dense = |row: &Row<S>| {
             let mut vector = vec![S::zero(); self.ambient];
@@ -95,17 +95,18 @@ impl<S: Field + Scalar> Subspace<S> {
         self.echelon.contains(vector.iter().cloned())
     }
 
-    /// Whether the other subspace lies in this one.
+    /// Whether this subspace contains the other subspace.
     pub fn includes(&self, other: &Self) -> bool {
         other.basis().iter().all(|row| self.contains(row))
     }
 
-    /// The remainder of a vector, zero at every pivot.
+    /// The remainder of a vector modulo the subspace; it is zero at every pivot.
     pub fn reduce(&self, vector: Row<S>) -> Row<S> {
         self.echelon.reduce(vector)
     }
 
-    /// The nonzero coordinates in [`basis`](Self::basis); `None` outside the subspace.
+    /// The nonzero coordinates of a vector in [`basis`](Self::basis); `None` if the subspace does
+    /// not contain the vector.
     pub fn coordinates(&self, vector: &[(usize, S)]) -> Option<Row<S>> {
         let place = |at: &usize| self.echelon.pivots().binary_search(at).ok();
         let own = vector.iter().filter_map(|(at, value)| Some((place(at)?, value.clone())));
@@ -118,13 +119,14 @@ impl<S: Field + Scalar> Subspace<S> {
         combination(self.basis(), coordinates)
     }
 
-    /// The subspace of this one whose coordinates in [`basis`](Self::basis) form the given
-    /// subspace.
+    /// The subspace of this space that consists of the vectors with these `coordinates` in
+    /// [`basis`](Self::basis).
     pub fn within(&self, coordinates: &Self) -> Self {
         Self::span(self.ambient, coordinates.basis().iter().map(|row| self.vector(row)))
     }
 
-    /// The vectors of this subspace that a linear map annihilates; `image` maps a basis vector.
+    /// The vectors of this subspace that a linear map sends to zero. The function `image` maps a
+    /// basis vector.
     pub fn kernel_of(&self, image: impl Fn(&Row<S>) -> Row<S>) -> Self {
         let mut rows: std::collections::BTreeMap<usize, Row<S>> = Default::default();
         for (at, vector) in self.basis().iter().enumerate() {
@@ -135,21 +137,21 @@ impl<S: Field + Scalar> Subspace<S> {
         self.within(&Self::kernel(self.dimension(), rows.into_values()))
     }
 
-    /// The indices of the basis vectors of the whole space that span a complement: those that are
-    /// not pivots.
+    /// The indices that are not pivots. The basis vectors of the whole space with these indices
+    /// span a complement.
     pub fn complement(&self) -> impl Iterator<Item = usize> {
         (0..self.ambient).filter(|at| self.echelon.pivots().binary_search(at).is_err())
     }
 }
 
-/// Subspaces are equal if their echelon bases are.
+/// Two subspaces are equal if their echelon bases are equal.
 impl<S: Field + Scalar> PartialEq for Subspace<S> {
     fn eq(&self, other: &Self) -> bool {
         self.ambient == other.ambient && self.basis() == other.basis()
     }
 }
 
-/// A linear combination of rows.
+/// The linear combination of rows with these coefficients.
 pub(crate) fn combination<S: Field + Scalar>(
     rows: &[Row<S>],
     coefficients: &[(usize, S)],
@@ -160,7 +162,7 @@ pub(crate) fn combination<S: Field + Scalar>(
     collected(terms.collect())
 }
 
-/// Collects the terms of a sum, sorted and without zeros.
+/// Collects the terms of a sum: sorts them, adds terms of the same key, and removes zeros.
 pub(crate) fn collected<K: Copy + Ord, S: Field + Scalar>(mut terms: Vec<(K, S)>) -> Vec<(K, S)> {
     checkpoint();
     terms.sort_by_key(|(at, _)| *at);
@@ -172,7 +174,7 @@ pub(crate) fn collected<K: Copy + Ord, S: Field + Scalar>(mut terms: Vec<(K, S)>
     sums.filter(|(_, value)| !value.vanishes()).collect()
 }
 
-/// The least positive integer that makes all values integers by multiplication.
+/// The least positive integer whose product with every value is an integer.
 pub(in crate::algebra) fn denominator<'a>(values: impl Iterator<Item = &'a Rational>) -> Rational {
     values.fold(Rational::from(1), |factor, value| {
         let rest = BigRational::from(&(value.clone() * &factor));

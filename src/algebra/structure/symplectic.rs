@@ -1,12 +1,12 @@
-//! Left-invariant symplectic and contact forms, with a witness or a proof that there are none.
+//! Left-invariant symplectic and contact forms, with a witness or a proof that none exists.
 //!
-//! The general closed 2-form and 1-form depend linearly on parameters `t`. A symplectic form exists
-//! if and only if the Pfaffian of the general closed form, a polynomial in `t`, is not zero. A
-//! 1-form `a` in dimension `2 k + 1` is a contact form if `a (d a)^k` is not zero; this is `k!`
-//! times the Pfaffian of `d a`, bordered by `a`. An exact symplectic form exists if and only if the
-//! index is 0 (Frobenius algebras). A unimodular algebra has no exact symplectic form, and no
-//! symplectic form at all if it is not solvable: B.-Y. Chu, *Trans. Amer. Math. Soc.* 197 (1974)
-//! 145-159.
+//! The general closed 2-form and the general 1-form depend linearly on parameters `t`. A symplectic
+//! form exists if and only if the Pfaffian of the general closed 2-form is not zero, as a
+//! polynomial in `t`. A 1-form `a` in dimension `2 k + 1` is a contact form if `a (d a)^k` is not
+//! zero; this product is `k!` times the Pfaffian of `d a`, bordered by `a`. An exact symplectic
+//! form exists if and only if the index is 0 (Frobenius algebras). A unimodular algebra has no
+//! exact symplectic form, and no symplectic form at all if it is not solvable: B.-Y. Chu, *Trans.
+//! Amer. Math. Soc.* 197 (1974) 145-159.
 
 use super::certificates::Certified;
 use super::cocycles::TwoForms;
@@ -21,30 +21,30 @@ use affinor_tensors::linear::modular::{Prime, ResidueMatrix, primes};
 use affinor_tensors::stop::stage;
 use num_traits::{One, Zero};
 
-/// The largest dimension at which a Pfaffian is expanded, so that nonexistence can be proved.
+/// The largest dimension at which a Pfaffian is expanded to prove that no form exists.
 const MAX_PFAFFIAN: usize = 8;
-/// The number of forms that are tried modulo a prime.
+/// The number of forms that are tried modulo each prime.
 const TRIALS: usize = 12;
 /// The number of primes that are tried.
 const PRIMES: usize = 3;
 const MORE_PRIMES: usize = 40;
 
-/// The answer whether a form exists.
+/// The answer to the question whether a form exists.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Existence<S> {
     /// A form, by its components. It is nondegenerate for generic values of the parameters.
     Witness(Row<S>),
     /// The Pfaffian of the general form is the zero polynomial.
     Impossible,
-    /// The index is proved to have this value. The form `d a` has at most the rank `n - index`, so
+    /// The index has this value, with a proof. The rank of a form `d a` is at most `n - index`, so
     /// the index would have to be 0 for an exact symplectic form, and 1 for a contact form.
     Index(usize),
     /// The algebra is unimodular, so it has no exact symplectic form, and no symplectic form at all
     /// if it is not solvable (Chu).
     Unimodular,
-    /// The general form has this rank, which is too small. The rank is found modulo primes at
-    /// pseudorandom forms, or proved, because all forms vanish on a common kernel. For a contact
-    /// form it is the rank of `d a`, bordered by `a`.
+    /// The general form has this rank, which is too small. The rank is computed modulo primes at
+    /// pseudorandom forms; it is proved if a common kernel of all forms explains it. For a contact
+    /// form, it is the rank of `d a`, bordered by `a`.
     Rank(Certified),
     /// No form was found, but one may exist.
     Open,
@@ -87,7 +87,8 @@ impl<S: GroundField> StructureTheory<S> {
         }
     }
 
-    /// The answer from the rank of the general form of a family, if it is too small.
+    /// The answer if the rank of the general form of a family is too small. The rank is computed
+    /// modulo primes.
     fn by_rank(&self, n: usize, family: &[Entries<S>]) -> Existence<S> {
         let residues = |reduction: ModularAlgebra| generic_rank(reduction.prime(), n, family);
         let rank = self.reductions().filter_map(residues).take(2).max().unwrap_or(0);
@@ -101,7 +102,7 @@ impl<S: GroundField> StructureTheory<S> {
             rows.extend(by_row.into_iter().filter(|row| !row.is_empty()));
         }
         let kernel = n - Subspace::span(n, rows).dimension();
-        // an antisymmetric form has even rank
+        // an antisymmetric form has even rank, so a difference of 1 from the upper bound is a proof
         Existence::Rank(Certified { dimension: rank, proved: rank + 1 >= n - kernel })
     }
 
@@ -126,7 +127,7 @@ impl<S: GroundField> StructureTheory<S> {
         }
     }
 
-    /// The answer from the index, if it is proved to be too large.
+    /// The answer if the index is proved to exceed `most`.
     fn by_index(&self, most: usize) -> Existence<S> {
         let index = self.index();
         match index.proved && index.dimension > most {
@@ -135,7 +136,8 @@ impl<S: GroundField> StructureTheory<S> {
         }
     }
 
-    /// A linear form `f` at which `f([x, y])` has its largest rank, the dimension minus the index.
+    /// A linear form `f` at which the rank of `f([x, y])` is largest, which is the dimension minus
+    /// the index.
     pub fn regular_form(&self) -> Option<Row<S>> {
         let n = self.dimension();
         let rank = n - self.index().dimension;
@@ -144,10 +146,11 @@ impl<S: GroundField> StructureTheory<S> {
         shortened(&differentials, n, rank, PRIMES)
     }
 
-    /// Generators of the polynomial Casimir functions up to a degree, in `mu_i = mu(e_i)`.
+    /// Generators of the polynomial Casimir functions up to the degree `most`, in the coordinates
+    /// `mu_i = mu(e_i)`.
     ///
     /// # Errors
-    /// Those of [`LiePoisson::casimir_generators`].
+    /// The errors of [`LiePoisson::casimir_generators`].
     pub fn casimirs(&self, most: u32) -> Result<Vec<Symbolic>, Error> {
         let _stage = stage("casimirs");
         let algebra: LieAlgebra<Symbolic> = self.algebra().map(GroundField::symbolic)?;
@@ -183,7 +186,7 @@ fn residues<S: GroundField>(prime: Prime, form: &Entries<S>) -> Option<Entries<u
     form.iter().map(residue).collect()
 }
 
-/// The combination of matrices with these coefficients.
+/// The combination of the matrices with the coefficients `t`.
 fn combined(prime: Prime, n: usize, t: &[u64], reduced: &[Entries<u64>]) -> ResidueMatrix {
     let mut sum = vec![vec![0; n]; n];
     for (&factor, matrix) in t.iter().zip(reduced).filter(|(factor, _)| **factor != 0) {
@@ -200,7 +203,8 @@ enum Found<S> {
     Open,
 }
 
-/// Searches parameters at which a combination of antisymmetric matrices of size `n` is nonsingular.
+/// Searches for parameters at which a combination of antisymmetric matrices of size `n` is
+/// nonsingular.
 fn search<S: GroundField>(n: usize, family: &[Entries<S>]) -> Found<S> {
     if n % 2 == 1 || family.is_empty() {
         return if n == 0 { Found::Parameters(vec![]) } else { Found::Nothing };
@@ -211,7 +215,8 @@ fn search<S: GroundField>(n: usize, family: &[Entries<S>]) -> Found<S> {
     if n > MAX_PFAFFIAN {
         return Found::Open;
     }
-    // the parameters of brackets do not begin with a space, so the names cannot collide
+    // the names of the parameters begin with a space, so they differ from all parameters of the
+    // bracket
     let parameters: Vec<Symbolic> =
         (0..family.len()).map(|at| Symbolic::parameter(&format!(" t{at}"))).collect();
     let mut general = vec![vec![Symbolic::zero(); n]; n];
@@ -227,7 +232,7 @@ fn search<S: GroundField>(n: usize, family: &[Entries<S>]) -> Found<S> {
     }
 }
 
-/// The Pfaffian of the rows and columns in a list, expanded along the first.
+/// The Pfaffian of the submatrix with these rows and columns, expanded along the first row.
 pub(super) fn pfaffian(matrix: &[Vec<Symbolic>], rows: &[usize]) -> Symbolic {
     let Some((&first, rest)) = rows.split_first() else { return Symbolic::one() };
     let mut sum = Symbolic::zero();
@@ -242,9 +247,10 @@ pub(super) fn pfaffian(matrix: &[Vec<Symbolic>], rows: &[usize]) -> Symbolic {
     sum
 }
 
-/// Small parameters at which a combination of matrices has a given rank. They come from a few
-/// pseudorandom ones, with as many zeros and ones as the rank allows. The rank modulo a prime is at
-/// most the rank, so it is a proof. Primes that divide an entry are skipped.
+/// Small parameters at which a combination of matrices has a given rank. The search starts from a
+/// few pseudorandom parameters, and replaces as many as possible by zeros and ones. The rank modulo
+/// a prime is at most the rank over the field, so it is a proof. Primes that divide an entry are
+/// skipped.
 fn shortened<S: GroundField>(
     family: &[Entries<S>],
     n: usize,

@@ -1,5 +1,5 @@
-//! Frames at a point, in floats: of fields given as closures, and of the invariant fields of any
-//! Lie algebra in canonical coordinates.
+//! Frames at a point, in floats. The fields are given as closures, or they are the invariant fields
+//! of any Lie algebra in canonical coordinates.
 
 use super::canonical::invariant_forms;
 use super::series::{Scaling, series};
@@ -19,10 +19,10 @@ fn jets(point: &[f64]) -> Vec<Jet> {
 }
 
 impl LieAlgebra<f64> {
-    /// The invariant forms `f^i = f^i_a dx^a` dual to the fields of [`Frame::canonical_at_point`]:
-    /// `g^-1 dg` (left) or `dg g^-1` (right), slots `[Up, Down]`. For coordinates of the first kind
-    /// this is `T_left(x)` or `T_right(x)`. The forms also exist where the coordinates are
-    /// singular.
+    /// The invariant forms `f^i = f^i_a dx^a` that are dual to the fields of
+    /// [`Frame::canonical_at_point`]: `g^-1 dg` (left) or `dg g^-1` (right), slots `[Up, Down]`.
+    /// For coordinates of the first kind, the matrix `f^i_a` is `T_left(x)` or `T_right(x)`. The
+    /// forms exist even at points where the coordinates are singular.
     ///
     /// # Errors
     /// [`Error::Shape`]; [`Error::Overflow`] for points too far from the identity.
@@ -43,10 +43,10 @@ impl LieAlgebra<f64> {
 }
 
 impl Frame<Jet> {
-    /// The frame of the fields `e_i = e^a_i(x) d/dx^a` at a point: `fields(x, [a, i])` is the
-    /// component `e^a_i` at the coordinates `x`, and is differentiated automatically.
+    /// The frame of the fields `e_i = e^a_i(x) d/dx^a` at a point. The function `fields(x, [a, i])`
+    /// returns the component `e^a_i` at the coordinates `x`. It is differentiated automatically.
     ///
-    /// Jets have two derivatives, which suffice for the curvature (B14) of a metric.
+    /// Jets contain two derivatives, which are sufficient for the curvature (B14) of a metric.
     ///
     /// ```
     /// use affinor::{Connection, Frame, Jet, Metric};
@@ -81,8 +81,9 @@ impl Frame<Jet> {
     }
 
     /// The invariant fields of any algebra at a point in canonical coordinates, with their
-    /// derivatives. [`Chart::invariant_fields`](crate::Chart::invariant_fields) gives the closed
-    /// form, if there is one. The series in `ad` are summed near zero and then squared repeatedly.
+    /// derivatives. [`Chart::invariant_fields`](crate::Chart::invariant_fields) computes the closed
+    /// form, if there is one. The series in `ad` are summed near zero, and the results are squared
+    /// repeatedly.
     ///
     /// ```
     /// use affinor::geometry::chart::{CanonicalCoordinates, Side};
@@ -100,8 +101,8 @@ impl Frame<Jet> {
     ///
     /// # Errors
     /// [`Error::Shape`]; [`Law::RegularPoint`] if the coordinates are singular up to rounding
-    /// errors; [`Error::Overflow`] for points too far from the identity: numbers out of range, or
-    /// eigenvalues of `ad_x` beyond `2^20`.
+    /// errors; [`Error::Overflow`] if numbers are out of range, or eigenvalues of `ad_x` exceed
+    /// `2^20`.
     pub fn canonical_at_point(
         algebra: &LieAlgebra<f64>,
         kind: CanonicalCoordinates,
@@ -119,7 +120,7 @@ impl Frame<Jet> {
     }
 }
 
-/// A vector on which all forms vanish up to rounding errors. It is computed in `f64` with a
+/// A vector on which all forms vanish up to rounding errors. The vector is computed in `f64` with a
 /// tolerance, and not in jets.
 fn kernel(
     algebra: &LieAlgebra<f64>,

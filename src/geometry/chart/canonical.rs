@@ -1,4 +1,5 @@
-//! Canonical coordinates of both kinds: the invariant forms, computed from functions of `ad`.
+//! Canonical coordinates of the first and second kind, and the invariant forms, which are computed
+//! from functions of `ad`.
 
 use crate::Error;
 use crate::algebra::{ad, to_matrix};
@@ -6,17 +7,17 @@ use affinor_tensors::linear::Matrix;
 use affinor_tensors::{Field, Scalar, Tensor, Up, Variance};
 use std::ops::Range;
 
-/// The side of the translations under which fields are invariant.
+/// The side of the translations that leave fields invariant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Side {
-    /// Left-invariant fields: structure constants `c`.
+    /// Left-invariant fields, with the structure constants `c`.
     Left,
-    /// Right-invariant fields: structure constants `-c`.
+    /// Right-invariant fields, with the structure constants `-c`.
     Right,
 }
 
 impl Side {
-    /// The matrix `-ad` for the left side, `ad` for the right side.
+    /// The matrix `-ad` for the left side, and `ad` for the right side.
     pub(super) fn signed<S: Scalar>(self, ad: &Matrix<S>) -> Matrix<S> {
         match self {
             Side::Left => ad.map(|value| -value.clone()),
@@ -28,13 +29,13 @@ impl Side {
 /// The two kinds of canonical coordinates of group elements near the identity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CanonicalCoordinates {
-    /// `g = exp(x^1 e_1 + ... + x^n e_n)`.
+    /// Coordinates of the first kind: `g = exp(x^1 e_1 + ... + x^n e_n)`.
     First,
-    /// `g = exp(x^1 e_1) ... exp(x^n e_n)`.
+    /// Coordinates of the second kind: `g = exp(x^1 e_1) ... exp(x^n e_n)`.
     Second,
 }
 
-/// An entire function of a matrix.
+/// An entire function that is applied to a matrix.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Entire {
     /// The exponential `e^z`.
@@ -46,8 +47,8 @@ pub(super) enum Entire {
 /// The forms `g^-1 dg` (left) or `dg g^-1` (right), slots `[Up, Down]`, by the formulas of
 /// [`Chart::invariant_fields`](super::Chart::invariant_fields).
 ///
-/// `value(function, ad, at)` returns the function of `-ad` (left) or `ad` (right). `ad` depends on
-/// the coordinates in the range `at`.
+/// `value(function, ad, at)` computes the function of `-ad` (left) or `ad` (right). The matrix `ad`
+/// depends only on the coordinates in the range `at`.
 pub(super) fn invariant_forms<S: Field + Scalar>(
     structure: &Tensor<S>,
     x: &[S],
@@ -56,7 +57,7 @@ pub(super) fn invariant_forms<S: Field + Scalar>(
     value: impl Fn(Entire, &Matrix<S>, Range<usize>) -> Result<Matrix<S>, Error>,
 ) -> Result<Tensor<S>, Error> {
     let n = x.len();
-    // this also checks the dimension
+    // calls ad, which also checks the dimension of x
     let ad_x = to_matrix(&ad(structure, x)?);
     let forms = match kind {
         CanonicalCoordinates::First => value(Entire::Integral, &ad_x, 0..n)?,

@@ -1,8 +1,8 @@
 //! Eigenvalues that are linear forms of the coordinates.
 //!
-//! Let the eigenvalues of a matrix `M(x)`, linear in `x`, be forms `a(x) + ib(x)` with integer
-//! coefficients. Then the coefficients of `x^c` are an eigenvalue of `M(e_c)`. The forms are
-//! therefore found one coordinate after the other, as roots of the minimal polynomial of `M` at
+//! Let the matrix `M(x)` be linear in `x`, and let its eigenvalues be forms `a(x) + ib(x)` with
+//! integer coefficients. Then the coefficients of `x^c` are an eigenvalue of `M(e_c)`. Therefore,
+//! the forms are found one coordinate after the other, as roots of the minimal polynomial of `M` at
 //! generic points. The caller must prove that the polynomial annihilates `M` everywhere.
 
 use crate::{Error, Law};
@@ -11,17 +11,18 @@ use affinor_tensors::text::combination;
 use affinor_tensors::{Ring, Symbolic};
 use num_traits::{One, Zero};
 
-/// The largest coefficient of a form.
+/// The largest absolute value of a coefficient of a form.
 const LARGEST: i64 = 12;
 
 /// The largest degree of a minimal polynomial.
 const DEGREE: usize = 100;
 
-/// The largest number of matrix entries. For example, the matrix of E8 would take hours.
+/// The largest number of matrix entries. A larger matrix, such as the matrix of E8, would take
+/// hours.
 const ENTRIES: usize = 1000;
 
-/// An eigenvalue `a(x) + ib(x)`, with its multiplicity in the minimal polynomial. It represents a
-/// conjugate pair.
+/// An eigenvalue `a(x) + ib(x)`, with its multiplicity in the minimal polynomial. One value
+/// represents a conjugate pair.
 #[derive(Clone, Debug)]
 pub(super) struct Eigenvalue {
     /// The coefficients of `a` and `b`.
@@ -56,7 +57,8 @@ impl Eigenvalue {
         })
     }
 
-    /// The real factor of the eigenvalue, `z - a` or `(z - a)^2 + b^2`; the constant first.
+    /// The real factor of the minimal polynomial for this eigenvalue, `z - a` or `(z - a)^2 + b^2`.
+    /// The coefficients begin with the constant.
     pub(super) fn factor(&self, x: &[Symbolic]) -> Vec<Symbolic> {
         let [a, b] = self.at(x);
         match b.vanishes() {
@@ -69,8 +71,8 @@ impl Eigenvalue {
     }
 }
 
-/// The eigenvalues of a matrix that is linear in the coordinates. `labels` name the vectors whose
-/// `ad` is the matrix.
+/// The eigenvalues of a matrix that is linear in the coordinates. The matrix is the `ad` of a
+/// combination of vectors with the names `labels`.
 pub(super) fn eigenvalues(
     m: &Matrix<Symbolic>,
     coordinates: &[String],
@@ -128,8 +130,8 @@ pub(super) fn eigenvalues(
     Ok(found)
 }
 
-/// The error for a minimal polynomial of `ad_vector` whose roots are not linear forms with integer
-/// coefficients.
+/// The error if the roots of the minimal polynomial of `ad_vector` are not linear forms with
+/// integer coefficients.
 pub(super) fn refusal(vector: &str, polynomial: &[Symbolic]) -> Error {
     let terms = polynomial.iter().enumerate().rev().map(|(j, a)| match j {
         0 => (a.clone(), "1".to_string()),
@@ -140,19 +142,20 @@ pub(super) fn refusal(vector: &str, polynomial: &[Symbolic]) -> Error {
     Law::Eigenvalues.broken([x], polynomial)
 }
 
-/// Integers without small linear or quadratic relations: 1, 102, 10303, 40601, ...
+/// A sequence of integers without small linear or quadratic relations: 1, 102, 10303, 40601, ...
 fn without_pattern() -> impl Iterator<Item = i64> {
     std::iter::successors(Some(1), |k| Some((101 * k + 1) % 1_000_003))
 }
 
-/// The minimal polynomial, the constant first. It is the least common multiple of the annihilating
-/// polynomials of the basis vectors.
+/// The minimal polynomial, whose coefficients begin with the constant. It is the least common
+/// multiple of the annihilating polynomials of the basis vectors.
 fn minimal(m: &Matrix<Symbolic>) -> Result<Vec<Symbolic>, Error> {
     let image = |v: &[Symbolic]| m.apply(v).expect("a square matrix");
     let mut minimal = vec![Symbolic::one()];
     for i in 0..m.rows() {
         let unit: Vec<_> = (0..m.rows()).map(|j| Symbolic::from_i64(i64::from(i == j))).collect();
-        // applies the polynomial found so far to the vector, by Horner's rule
+        // applies the least common multiple of the previous polynomials to the vector, by Horner's
+        // rule
         let rest = minimal.iter().rev().fold(vec![Symbolic::zero(); m.rows()], |sum, c| {
             let terms = image(&sum).into_iter().zip(&unit);
             terms.map(|(value, e)| value + &(e.clone() * c)).collect()
@@ -180,7 +183,7 @@ fn minimal(m: &Matrix<Symbolic>) -> Result<Vec<Symbolic>, Error> {
     Ok(minimal)
 }
 
-/// The product of two polynomials, the constant first.
+/// The product of two polynomials. Coefficients begin with the constant.
 pub(super) fn multiplied(p: &[Symbolic], q: &[Symbolic]) -> Vec<Symbolic> {
     let mut product = vec![Symbolic::zero(); (p.len() + q.len()).saturating_sub(1)];
     for (i, a) in p.iter().enumerate() {
@@ -191,8 +194,8 @@ pub(super) fn multiplied(p: &[Symbolic], q: &[Symbolic]) -> Vec<Symbolic> {
     product
 }
 
-/// The quotient by a polynomial with leading coefficient 1, the constant first; `None` if there is
-/// a remainder.
+/// The quotient by a polynomial with leading coefficient 1. Coefficients begin with the constant.
+/// Returns `None` if there is a remainder.
 fn divided(polynomial: &[Symbolic], factor: &[Symbolic]) -> Option<Vec<Symbolic>> {
     let degree = factor.len() - 1;
     let mut rest = polynomial.to_vec();

@@ -1,10 +1,10 @@
-//! `exp` of a matrix and its integral, in closed form.
+//! The exponential of a matrix and its integral, in closed form.
 //!
-//! Let a polynomial `mu` of degree `d` annihilate `M`. Then `exp(sM)` is `sum f_j(s) M^j`, `j < d`,
-//! where the `f_j` solve `mu(d/ds) f = 0`, and for `i < d` the `i`-th derivative of `f_j` at 0 is 1
-//! if `i = j` and 0 otherwise. The solutions are spanned by `s^p e^(as) cos(bs)` and `s^p e^(as)
-//! sin(bs)` for the roots `a + ib` of `mu`: I. E. Leonard, *SIAM Review* 38 (1996) 507-512. Here
-//! `a` and `b` are linear forms of the coordinates.
+//! Let a polynomial `mu` of degree `d` annihilate `M`. Then `exp(sM)` is `sum f_j(s) M^j` over
+//! `j < d`. The functions `f_j` solve `mu(d/ds) f = 0`, and for `i < d`, the `i`-th derivative of
+//! `f_j` at 0 is 1 if `i = j` and 0 otherwise. All solutions are combinations of
+//! `s^p e^(as) cos(bs)` and `s^p e^(as) sin(bs)` for the roots `a + ib` of `mu` (I. E. Leonard,
+//! *SIAM Review* 38 (1996) 507-512). Here `a` and `b` are linear forms of the coordinates.
 
 use super::canonical::{Entire, Side};
 use super::eigenvalues::{Eigenvalue, eigenvalues, multiplied, refusal};
@@ -13,7 +13,7 @@ use affinor_tensors::linear::Matrix;
 use affinor_tensors::{Notation, Ring, Symbolic};
 use num_traits::{One, Zero};
 
-/// A function of `-ad_x` (left) or `ad_x` (right), for coordinates `x` along `labels`.
+/// A function of `-ad_x` (left) or `ad_x` (right), where `x` are the coordinates along `labels`.
 pub(super) fn closed_form(
     function: Entire,
     side: Side,
@@ -43,12 +43,12 @@ pub(super) fn closed_form(
             .zip(coefficients)
             .try_fold(zero, |sum, (power, f)| sum.add(&power.map(|value| value.clone() * f)))
     };
-    // the roots were found at sample points; this proves that mu annihilates M for all x
+    // proves that mu annihilates M for all x, because the roots were found only at sample points
     if at_m(&mu)?.entries().next().is_some() {
         return Err(refusal("x", &mu));
     }
-    // if f is the remainder of e^z modulo z mu, then (f - 1)/z is the remainder of the integral
-    // modulo mu
+    // if f is the remainder of e^z modulo z mu, the remainder of the integral modulo mu is (f -
+    // 1)/z
     let skipped = match function {
         Entire::Exponential => 0,
         Entire::Integral => {
@@ -63,8 +63,8 @@ pub(super) fn closed_form(
     Ok(at_m(&remainder[skipped..])?)
 }
 
-/// The remainder of `e^z` modulo the polynomial with these roots, which consists of the `f_j` at `s
-/// = 1`. `None` for a form without a known exponential.
+/// The remainder of `e^z` modulo the polynomial with these roots. Its coefficients are the values
+/// `f_j(1)`. Returns `None` if the exponential of a form is unknown.
 fn remainder(roots: &[Eigenvalue], x: &[Symbolic]) -> Option<Vec<Symbolic>> {
     let parts = |root: &Eigenvalue| if root.at(x)[1].vanishes() { 1 } else { 2 };
     let degree = roots.iter().map(|root| root.multiplicity * parts(root)).sum();
@@ -73,7 +73,7 @@ fn remainder(roots: &[Eigenvalue], x: &[Symbolic]) -> Option<Vec<Symbolic>> {
         let [a, b] = root.at(x);
         let mut growth = Symbolic::function("exp", &a).ok()?;
         let waves = ["cos", "sin"].map(|wave| Symbolic::function(wave, &b));
-        // the derivatives of s^p/p! e^((a+ib)s) at 0: real and imaginary parts
+        // the derivatives of s^p/p! e^((a+ib)s) at 0, each as real and imaginary part
         let mut before = vec![[Symbolic::zero(), Symbolic::zero()]; degree];
         for p in 0..root.multiplicity {
             let first = if p == 0 { Symbolic::one() } else { Symbolic::zero() };

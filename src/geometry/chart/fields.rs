@@ -25,18 +25,18 @@ impl<S: Field + Scalar> Fields<S> {
         &self.chart
     }
 
-    /// The frame: structure functions `c^i_jk` with `[e_j, e_k] = c^i_jk e_i` (A6), and the
+    /// The frame with the structure functions `c^i_jk` of `[e_j, e_k] = c^i_jk e_i` (A6), and the
     /// derivatives along the fields.
     pub fn frame(&self) -> &Frame<S> {
         &self.frame
     }
 
-    /// The components `e^a_i`, slots `[Up, Down]`: column `i` is the field `e_i`.
+    /// The components `e^a_i`, slots `[Up, Down]`. Column `i` is the field `e_i`.
     pub fn components(&self) -> &Tensor<S> {
         self.change.matrix()
     }
 
-    /// The change from the coordinate frame to this one.
+    /// The change from the coordinate frame to the frame of the fields.
     pub fn change(&self) -> &BasisChange<S> {
         &self.change
     }
@@ -46,7 +46,7 @@ impl<S: Field + Scalar> Fields<S> {
         *self.components() == Tensor::identity(self.chart.dimension())
     }
 
-    /// The fields as text: `1/sin(theta)*d_phi`.
+    /// Writes the fields as text, such as `1/sin(theta)*d_phi`.
     pub fn written(&self) -> Vec<String> {
         let labels = self.chart.labels();
         let field = |i: usize| {

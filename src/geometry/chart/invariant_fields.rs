@@ -1,4 +1,4 @@
-//! Invariant fields of a Lie algebra in canonical coordinates, exactly.
+//! The exact invariant fields of a Lie algebra in canonical coordinates.
 
 use super::canonical::invariant_forms;
 use super::exponential::closed_form;
@@ -8,7 +8,7 @@ use crate::algebra::{LieAlgebra, inverse};
 use affinor_tensors::{Down, Symbolic, Tensor, Up};
 
 impl Chart {
-    /// The invariant fields through the basis of an algebra, near the identity of a group with
+    /// The invariant fields that equal the basis of the algebra at the identity of a group with
     /// this algebra. They are dual to the forms `g^-1 dg` (left) or `dg g^-1` (right), which are
     ///
     /// ```text
@@ -18,11 +18,12 @@ impl Chart {
     /// ```
     ///
     /// S. Helgason, *Differential Geometry, Lie Groups, and Symmetric Spaces* (1978), II.1. The
-    /// closed form exists if the eigenvalues `a + ib` of `ad_x` (for the second kind, of each `x^m
-    /// ad_m`) are linear forms of the coordinates with small integer coefficients. If they are not,
-    /// such as `i|x|` of so(3), [`Frame::canonical_at_point`](crate::Frame::canonical_at_point)
-    /// computes the fields in floats. At removable singularities, such as `(exp(x) - 1)/x` at 0,
-    /// take the limit.
+    /// closed form exists if the eigenvalues `a + ib` of `ad_x` (for the second kind, of each
+    /// `x^m ad_m`) are linear forms of the coordinates with small integer coefficients. Other
+    /// eigenvalues, such as `i|x|` of so(3), have no closed form; then
+    /// [`Frame::canonical_at_point`](crate::Frame::canonical_at_point) computes the fields in
+    /// floats. At removable singularities, such as `(exp(x) - 1)/x` at 0, the fields are the limits
+    /// of the formulas.
     ///
     /// ```
     /// use affinor::geometry::chart::{CanonicalCoordinates, Chart, Side};
@@ -44,7 +45,7 @@ impl Chart {
     /// ```
     ///
     /// # Errors
-    /// [`Law::Eigenvalues`](crate::Law::Eigenvalues) for eigenvalues without this form;
+    /// [`Law::Eigenvalues`](crate::Law::Eigenvalues) for eigenvalues of another form;
     /// [`Error::Size`] for too many eigenvalues; [`Error::Shape`]; [`Error::Name`] for a coordinate
     /// that is also a parameter of the algebra.
     pub fn invariant_fields(

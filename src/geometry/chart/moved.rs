@@ -10,7 +10,7 @@ use std::sync::Arc;
 impl<S: Field + Scalar> Frame<S> {
     /// The frame `e'_a = A^i_a e_i`. Its derivatives are `e'_a(f) = A^j_a e_j(f)`, and its brackets
     /// `[e'_a, e'_b] = (A^j_a e_j(A^i_b) - A^j_b e_j(A^i_a) + c^i_jk A^j_a A^k_b) e_i` (A6). On a
-    /// homogeneous space `A` must be constant, and the isotropy transforms as a tensor.
+    /// homogeneous space, `A` must be constant, and the isotropy transforms as a tensor.
     ///
     /// # Errors
     /// [`Error::Shape`] when the dimensions differ.
@@ -22,7 +22,7 @@ impl<S: Field + Scalar> Frame<S> {
         let constant = change.apply(self.structure_functions())?;
         let h = inhomogeneous(self, change)?;
         let operands = [("c", &constant), ("h", &h)];
-        // exactly antisymmetric, also in floats
+        // the notation [jk] makes the result exactly antisymmetric, also in floats
         let structure = formula("c^i_jk + h^i_jk - h^i_kj -> ^i_[jk]", &operands);
         let isotropy = change.apply(&self.isotropy()?)?;
         let (frame, matrix) = (self.clone(), change.matrix().clone());
@@ -41,7 +41,7 @@ impl<S: Field + Scalar> Frame<S> {
 }
 
 impl<S: Field + Scalar> Connection<S> {
-    /// The same connection in the frame `e'_a = A^i_a e_i`: with the inverse `B` of `A`,
+    /// The same connection in the frame `e'_a = A^i_a e_i`. If `B` is the inverse of `A`,
     /// `Lambda'^c_ab = B^c_i (Lambda^i_jk A^j_a A^k_b + A^j_a e_j(A^i_b))`.
     ///
     /// # Errors

@@ -1,18 +1,19 @@
-//! `exp` of a matrix and its integral, by their series.
+//! The exponential of a matrix and its integral, computed by series.
 
 use super::canonical::Entire;
 use crate::Error;
 use affinor_tensors::linear::{Matrix, balancing};
 use affinor_tensors::{Field, Scalar, Tolerance};
 
-/// The number of terms of the series for a norm of at most 1/2. It also suffices for the second
-/// derivatives.
+/// The number of terms of the series for a norm of at most 1/2. This number is also sufficient for
+/// the second derivatives.
 const TERMS: i64 = 20;
 
-/// The largest spectral radius. For larger ones the repeated squarings lose too much accuracy.
+/// The largest spectral radius. If the radius exceeds this limit, the repeated squarings lose too
+/// much accuracy.
 const LARGEST: f64 = (1 << 20) as f64;
 
-/// The scaling of a matrix for its series.
+/// The scaling that makes a matrix small enough for the series.
 pub(super) struct Scaling {
     /// The exponents of a [`balancing`], and the number of halvings of the balanced matrix.
     exponents: Vec<i32>,
@@ -22,11 +23,11 @@ pub(super) struct Scaling {
 }
 
 impl Scaling {
-    /// The scaling for a matrix.
+    /// Computes the scaling for a matrix.
     pub(super) fn of(m: &Matrix<f64>) -> Result<Self, Error> {
         let norm = |m: &Matrix<f64>| {
             let row = |i: usize| m.row(i).iter().map(|(_, value)| value.abs()).sum::<f64>();
-            // `max` would ignore NaN
+            // computes the maximum without `max`, which would ignore NaN
             (0..m.rows()).map(row).fold(0.0, |a, b| if b > a || b.is_nan() { b } else { a })
         };
         let size = norm(m);
@@ -46,7 +47,7 @@ impl Scaling {
         let exponents = balancing(n, rows);
         let m = &conjugated(m, &exponents);
         let size = norm(m);
-        // |M^8|^(1/8) bounds it, and is 0 where M is nilpotent
+        // |M^8|^(1/8) is an upper bound of the spectral radius, and is 0 if M^8 = 0
         let unit = m.map(|value| value / size);
         let eighth = (0..3).try_fold(unit, |power, _| power.mul(&power))?;
         let radius = size * norm(&eighth).powf(0.125);
@@ -60,7 +61,7 @@ impl Scaling {
     }
 }
 
-/// The balanced entries `m_ik 2^(e_k - e_i)`.
+/// The balanced matrix with the entries `m_ik 2^(e_k - e_i)`.
 fn conjugated<S: Field + Scalar>(m: &Matrix<S>, exponents: &[i32]) -> Matrix<S> {
     let two = S::from_i64(2);
     let half = two.recip().expect("a field of characteristic 0");
@@ -79,8 +80,9 @@ fn conjugated<S: Field + Scalar>(m: &Matrix<S>, exponents: &[i32]) -> Matrix<S> 
         .with_tolerance(m.tolerance())
 }
 
-/// The function of a matrix by its series for `M/2^h`, which is then doubled: `exp(2M) = exp(M)^2`
-/// and `T(2M) = T(M) (1 + exp(M))/2`, where `T = sum M^k/(k+1)!` is the integral.
+/// The function of a matrix. The series computes the function of `M/2^h`, and the argument is then
+/// doubled repeatedly: `exp(2M) = exp(M)^2` and `T(2M) = T(M) (1 + exp(M))/2`, where
+/// `T = sum M^k/(k+1)!` is the integral.
 pub(super) fn series<S: Field + Scalar>(
     function: Entire,
     m: &Matrix<S>,

@@ -7,17 +7,18 @@ use affinor_tensors::{Field, Scalar};
 
 /// The three canonical (Cartan-Schouten) connections.
 ///
-/// The paper names them by the opposite invariance, so outputs contain both names. All three
-/// connections are bi-invariant.
+/// Paraskevopoulos and Natsiavas name the connections `Plus` and `Minus` after the other
+/// invariance, so outputs contain both names. All three connections are bi-invariant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CanonicalConnection {
-    /// `lambda = 1`, equation (29), the paper's "left invariant canonical": M(3). Right-invariant
-    /// fields are parallel.
+    /// The connection with `lambda = 1`, equation (29), which the paper calls "left invariant
+    /// canonical" and uses for M(3). Right-invariant fields are parallel.
     Plus,
-    /// `lambda = 1/2`, equation (31), the paper's "symmetric": SO(3).
+    /// The connection with `lambda = 1/2`, equation (31), which the paper calls "symmetric" and
+    /// uses for SO(3).
     Zero,
-    /// `lambda = 0`, equation (30), the paper's "right invariant canonical". Left-invariant fields
-    /// are parallel.
+    /// The connection with `lambda = 0`, equation (30), which the paper calls "right invariant
+    /// canonical". Left-invariant fields are parallel.
     Minus,
 }
 
@@ -45,8 +46,8 @@ impl<S: Scalar> Connection<S> {
 }
 
 impl<S: Field + Scalar> Connection<S> {
-    /// The canonical connection `Lambda^i_jk = lambda c^i_jk` in the left-invariant frame, with `lambda = 1` (`Plus`), `1/2` (`Zero`)
-    /// or `0` (`Minus`).
+    /// The canonical connection `Lambda^i_jk = lambda c^i_jk` in the left-invariant frame, with
+    /// `lambda = 1` (`Plus`), `1/2` (`Zero`) or `0` (`Minus`).
     ///
     /// ```
     /// use affinor::algebra::catalogue;
@@ -58,7 +59,8 @@ impl<S: Field + Scalar> Connection<S> {
     /// ```
     ///
     /// # Panics
-    /// For [`CanonicalConnection::Zero`] over a field of characteristic 2; this package has none.
+    /// For [`CanonicalConnection::Zero`] over a field of characteristic 2. This package has no such
+    /// field.
     #[doc(alias("Cartan-Schouten", "canonical connection"))]
     pub fn canonical(algebra: &LieAlgebra<S>, which: CanonicalConnection) -> Self {
         Self::cartan_schouten(algebra, &which.lambda())
@@ -66,7 +68,7 @@ impl<S: Field + Scalar> Connection<S> {
 }
 
 impl CanonicalConnection {
-    /// The factor in `Lambda = lambda c`.
+    /// The factor `lambda` in `Lambda = lambda c`.
     ///
     /// # Panics
     /// See [`Connection::canonical`].
@@ -87,7 +89,7 @@ impl CanonicalConnection {
         }
     }
 
-    /// The paper's words for equations (29), (31) and (30).
+    /// The name of the connection in the paper: equations (29), (31) and (30).
     pub fn paper(self) -> &'static str {
         match self {
             CanonicalConnection::Plus => "left invariant canonical",

@@ -1,4 +1,5 @@
-//! Invariance of connections under ad, and bi-invariant connections in the right-invariant frame.
+//! Invariance of connections under `ad`, and components of bi-invariant connections in the
+//! right-invariant frame.
 
 use super::Connection;
 use crate::algebra::LieAlgebra;
@@ -8,11 +9,11 @@ use affinor_tensors::{Down, Field, Scalar, Tensor, Up, contract};
 
 impl<S: Scalar> Connection<S> {
     /// The action of `ad_{e_m}` on the affinities, slots `^i_mjk`:
-    /// `(L_m Lambda)^i_jk = c^i_mp Lambda^p_jk - c^p_mj Lambda^i_pk - c^p_mk Lambda^i_jp`. It is the
-    /// covariant derivative by `plus`.
+    /// `(L_m Lambda)^i_jk = c^i_mp Lambda^p_jk - c^p_mj Lambda^i_pk - c^p_mk Lambda^i_jp`. This
+    /// action is the covariant derivative with the connection `plus`.
     ///
-    /// It vanishes exactly if the connection is bi-invariant; [`bi_invariant`](Self::bi_invariant)
-    /// finds all bi-invariant connections.
+    /// The action vanishes exactly if the connection is bi-invariant. The function
+    /// [`bi_invariant`](Self::bi_invariant) finds all bi-invariant connections.
     ///
     /// # Errors
     /// [`Error::Unsupported`] in a frame that is not invariant.
@@ -25,14 +26,14 @@ impl<S: Scalar> Connection<S> {
         Connection::in_frame(&self.frame, &S::one()).nabla(&self.gamma)
     }
 
-    /// The same connection in the right-invariant frame through the same basis:
-    /// `Lambda_right = Lambda - c`, over the structure `-c`.
+    /// The same connection in the right-invariant frame through the same basis. The affinities are
+    /// `Lambda_right = Lambda - c`, and the structure is `-c`.
     ///
     /// # Errors
     /// [`Law::AdInvariance`] with a component of
-    /// [`ad_invariance_defect`](Self::ad_invariance_defect) that does not vanish: then the
-    /// components in the right-invariant frame are not constant. [`Error::Unsupported`] if the
-    /// connection is not in the left-invariant frame of `algebra`.
+    /// [`ad_invariance_defect`](Self::ad_invariance_defect) that does not vanish, because the
+    /// components in the right-invariant frame are not constant in this case.
+    /// [`Error::Unsupported`] if the connection is not in the left-invariant frame of `algebra`.
     pub fn in_right_frame(&self, algebra: &LieAlgebra<S>) -> Result<Self, Error> {
         if self.frame.structure_functions() != algebra.structure_constants() {
             return Err(Error::Unsupported(
@@ -52,12 +53,12 @@ impl<S: Scalar> Connection<S> {
 
 impl<S: Field + Scalar> Connection<S> {
     /// A basis of the bi-invariant connections of an algebra, as affinities `Lambda^i_jk` in the
-    /// left-invariant frame: the solutions of `L_x Lambda = 0` for all `x`. For the solutions for
-    /// some `x` only, see [`LieAlgebra::invariant_tensors`].
+    /// left-invariant frame. They are the solutions of `L_x Lambda = 0` for all `x`.
+    /// [`LieAlgebra::invariant_tensors`] solves the equations for some `x` only.
     ///
     /// The bi-invariant connections form a vector space that contains `c`. On a simple compact
-    /// group it is spanned by `c`, except for SU(n), n >= 3, which has a symmetric solution as well
-    /// (H. T. Laquer, *Trans. Amer. Math. Soc.* 331 (1992) 541-551).
+    /// group, `c` spans this space, except that SU(n) with n >= 3 also has a symmetric solution (H.
+    /// T. Laquer, *Trans. Amer. Math. Soc.* 331 (1992) 541-551).
     ///
     /// # Errors
     /// [`Error::Size`] for more than [`MAX_UNKNOWNS`](crate::algebra::invariants::MAX_UNKNOWNS)

@@ -1,8 +1,8 @@
 //! The tensors of conformal geometry: Schouten, Weyl and Cotton.
 //!
-//! These tensors are meant for a Levi-Civita connection. Its metric is conformally flat exactly
-//! where the Weyl tensor (in dimension 4 and more) or the Cotton tensor (in dimension 3) vanishes:
-//! L. P. Eisenhart, *Riemannian Geometry* (1926), section 28. The same formulas apply to any
+//! These tensors are meant for a Levi-Civita connection. The metric is conformally flat exactly
+//! where the Weyl tensor (in dimension 4 and more) or the Cotton tensor (in dimension 3) vanishes
+//! (L. P. Eisenhart, *Riemannian Geometry* (1926), section 28). The same formulas apply to any
 //! connection, but the Weyl tensor is trace-free only for a Levi-Civita connection.
 
 use crate::Error;
@@ -36,8 +36,9 @@ impl<S: Field + Scalar> Connection<S> {
         Ok(difference.scale(&share(n - 2)?))
     }
 
-    /// The Weyl tensor, slots `^i_jkl`, in dimension 3 and more: `W^i_jkl = R^i_jkl - delta^i_k
-    /// P_jl + delta^i_l P_jk - g_jl P^i_k + g_jk P^i_l`. In dimension 3 it is zero.
+    /// The Weyl tensor, slots `^i_jkl`, in dimension 3 and more:
+    /// `W^i_jkl = R^i_jkl - delta^i_k P_jl + delta^i_l P_jk - g_jl P^i_k + g_jk P^i_l`. In
+    /// dimension 3, the Weyl tensor is zero.
     ///
     /// ```
     /// use affinor::algebra::catalogue;
@@ -52,7 +53,7 @@ impl<S: Field + Scalar> Connection<S> {
     /// ```
     ///
     /// # Errors
-    /// Those of [`schouten`](Self::schouten).
+    /// The errors of [`schouten`](Self::schouten).
     #[doc(alias("conformal curvature", "Weyl tensor"))]
     pub fn weyl(&self, metric: &Metric<S>) -> Result<Tensor<S>, Error> {
         let _stage = stage("weyl");
@@ -71,11 +72,11 @@ impl<S: Field + Scalar> Connection<S> {
     }
 
     /// The Cotton tensor, slots `_jkl`, in dimension 3 and more:
-    /// `C_jkl = (nabla_k P)_jl - (nabla_l P)_jk`. For a Levi-Civita connection
+    /// `C_jkl = (nabla_k P)_jl - (nabla_l P)_jk`. For a Levi-Civita connection,
     /// `nabla_i W^i_jkl = (n-3) C_jkl`.
     ///
     /// # Errors
-    /// Those of [`schouten`](Self::schouten).
+    /// The errors of [`schouten`](Self::schouten).
     pub fn cotton(&self, metric: &Metric<S>) -> Result<Tensor<S>, Error> {
         let _stage = stage("cotton");
         let nabla = self.nabla(&self.schouten(metric)?)?;

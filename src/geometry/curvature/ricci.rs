@@ -9,21 +9,21 @@ use affinor_tensors::stop::stage;
 use affinor_tensors::{Field, Scalar, Tensor, TensorError, Up};
 
 impl<S: Field + Scalar> Connection<S> {
-    /// The symmetric part, slots `_jl`: `(Ric_jl + Ric_lj)/2`. The scalar curvature depends only on
-    /// it.
+    /// The symmetric part of the Ricci tensor, slots `_jl`: `(Ric_jl + Ric_lj)/2`. The scalar
+    /// curvature depends only on this part.
     ///
     /// # Errors
-    /// Returns an error over a field in which 2 has no inverse.
+    /// [`Error::Tensor`] over a field in which 2 has no inverse.
     pub fn ricci_symmetric(&self) -> Result<Tensor<S>, Error> {
         Ok(self.ricci().symmetrise(&[0, 1])?)
     }
 
-    /// The antisymmetric part, slots `_jl`: `(Ric_jl - Ric_lj)/2`. It vanishes for a Levi-Civita
-    /// connection. For a torsion-free connection it is `R^i_ijl / 2`, by the first Bianchi
-    /// identity.
+    /// The antisymmetric part of the Ricci tensor, slots `_jl`: `(Ric_jl - Ric_lj)/2`. It vanishes
+    /// for a Levi-Civita connection. For a torsion-free connection, the first Bianchi identity
+    /// implies that this part is `R^i_ijl / 2`.
     ///
     /// # Errors
-    /// Those of [`ricci_symmetric`](Self::ricci_symmetric).
+    /// The errors of [`ricci_symmetric`](Self::ricci_symmetric).
     pub fn ricci_antisymmetric(&self) -> Result<Tensor<S>, Error> {
         Ok(self.ricci().antisymmetrise(&[0, 1])?)
     }
@@ -48,8 +48,8 @@ impl<S: Field + Scalar> Connection<S> {
         metric.trace(&self.ricci())
     }
 
-    /// The Einstein tensor, slots `_jl`: `G_jl = Ric_jl - 1/2 S g_jl`. For a Levi-Civita connection
-    /// it is divergence-free.
+    /// The Einstein tensor, slots `_jl`: `G_jl = Ric_jl - 1/2 S g_jl`. For a Levi-Civita
+    /// connection, the Einstein tensor is divergence-free.
     ///
     /// ```
     /// use affinor::algebra::catalogue;
@@ -63,21 +63,21 @@ impl<S: Field + Scalar> Connection<S> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Shape`] when the dimensions differ; [`Error::Tensor`] over a field in which 2 has no
-    /// inverse.
+    /// [`Error::Shape`] when the dimensions differ; [`Error::Tensor`] over a field in which 2 has
+    /// no inverse.
     #[doc(alias("Einstein tensor"))]
     pub fn einstein(&self, metric: &Metric<S>) -> Result<Tensor<S>, Error> {
         let half = S::from_i64(2).recip().ok_or(TensorError::NotInvertible(2))?;
         self.ricci_less_trace(metric, &half)
     }
 
-    /// The trace-free part of the Ricci tensor, slots `_jl`: `Ric_jl - S/n g_jl`. For a symmetric
-    /// Ricci tensor, such as that of a Levi-Civita connection, it vanishes exactly if the metric is
-    /// Einstein.
+    /// The trace-free part of the Ricci tensor, slots `_jl`: `Ric_jl - S/n g_jl`. If the Ricci
+    /// tensor is symmetric, as for a Levi-Civita connection, this part vanishes exactly if the
+    /// metric is Einstein.
     ///
     /// # Errors
-    /// [`Error::Shape`] when the dimensions differ; [`Error::Tensor`] over a field in which `n` has no
-    /// inverse.
+    /// [`Error::Shape`] when the dimensions differ; [`Error::Tensor`] over a field in which `n` has
+    /// no inverse.
     pub fn ricci_trace_free(&self, metric: &Metric<S>) -> Result<Tensor<S>, Error> {
         let n = self.frame().dimension() as i64;
         let share = S::from_i64(n).recip().ok_or(TensorError::NotInvertible(n))?;
@@ -122,8 +122,8 @@ impl<S: Field + Scalar> Connection<S> {
         Ok(square.to_scalar().expect("a tensor of rank 0"))
     }
 
-    /// The sectional curvature `K(x,y) = g(R(x,y)y, x) / (g(x,x) g(y,y) - g(x,y)^2)`; `None` if the
-    /// plane is degenerate.
+    /// The sectional curvature `K(x,y) = g(R(x,y)y, x) / (g(x,x) g(y,y) - g(x,y)^2)`. Returns
+    /// `None` if the plane is degenerate.
     ///
     /// ```
     /// use affinor::algebra::catalogue;
@@ -156,7 +156,7 @@ impl<S: Field + Scalar> Connection<S> {
             let value = formula("l_j b^j ->", &[("l", &lowered), ("b", b)]);
             value.to_scalar().expect("a tensor of rank 0")
         };
-        // Subtract from y its component along x, which changes neither R(x, y) nor the area. This
+        // subtracts from y its component along x, which changes neither R(x, y) nor the area. This
         // avoids cancellation for nearly parallel vectors. The Euclidean product of components is
         // used, because g(x, x) may be 0.
         let dot = |a: &Tensor<S>| {
@@ -169,7 +169,7 @@ impl<S: Field + Scalar> Connection<S> {
         };
         let mixed = product(&x, &across);
         let area = product(&x, &x) * &product(&across, &across) - &(mixed.clone() * &mixed);
-        // R(x,y)y, contracted with one argument at a time
+        // computes R(x,y)y by contracting one argument at a time
         let r = formula("R^i_jkl y^j -> ^i_kl", &[("R", self.curvature()), ("y", &y)]);
         let r = formula("R^i_kl x^k -> ^i_l", &[("R", &r), ("x", &x)]);
         let r = formula("R^i_l y^l -> ^i", &[("R", &r), ("y", &across)]);

@@ -8,8 +8,9 @@ use crate::geometry::metric::Metric;
 use affinor_tensors::{Field, Scalar, Tensor, contraction};
 
 impl<S: Field + Scalar> Connection<S> {
-    /// Whether the Ricci tensor is a constant multiple of the metric, `Ric = c g`, and the
-    /// constant. For a Levi-Civita connection, this tells whether the metric is Einstein.
+    /// Whether the Ricci tensor is a constant multiple of the metric, `Ric = c g`. The value of the
+    /// property is `c`. For a Levi-Civita connection, the property means that the metric is
+    /// Einstein.
     ///
     /// ```
     /// use affinor::algebra::catalogue;
@@ -31,8 +32,9 @@ impl<S: Field + Scalar> Connection<S> {
         self.constant(metric, found)
     }
 
-    /// Whether the curvature is that of a space form, `R^i_jkl = K (delta^i_k g_jl - delta^i_l
-    /// g_jk)`, and the constant `K`. In dimension 1, where every `K` is possible, it is 0.
+    /// Whether the curvature is the curvature of a space form,
+    /// `R^i_jkl = K (delta^i_k g_jl - delta^i_l g_jk)`. The value of the property is the constant
+    /// `K`. In dimension 1, where every `K` is possible, the value is 0.
     ///
     /// # Errors
     /// [`Error::Shape`] when the dimensions differ.
@@ -46,9 +48,9 @@ impl<S: Field + Scalar> Connection<S> {
         self.constant(metric, ratio(self.curvature(), &unit, equation, "ijkl"))
     }
 
-    /// Checks that the factor is constant; in a moving frame it may be a function. The scalar
-    /// curvature is a multiple of the factor, so it is constant too. Derivatives of the factor may
-    /// be unknown where the factor is zero.
+    /// Checks that the factor is constant, because it may be a function in a moving frame. Also
+    /// checks the scalar curvature, which is a multiple of the factor, because derivatives of the
+    /// factor may be unknown where the factor is zero.
     fn constant(&self, metric: &Metric<S>, found: Property<S, S>) -> Result<Property<S, S>, Error> {
         let Property::Holds(c) = found else { return Ok(found) };
         let frame = self.frame();
@@ -62,7 +64,8 @@ impl<S: Field + Scalar> Connection<S> {
     }
 }
 
-/// Whether `a = c b`, and the factor `c`; 0 if both tensors vanish.
+/// Whether `a = c b`. The value of the property is the factor `c`, which is 0 if both tensors
+/// vanish.
 pub(super) fn ratio<S: Field + Scalar>(
     a: &Tensor<S>,
     b: &Tensor<S>,
@@ -70,7 +73,7 @@ pub(super) fn ratio<S: Field + Scalar>(
     letters: &'static str,
 ) -> Property<S, S> {
     let pivots = b.components().filter_map(|(at, value)| Some((at, value, value.recip()?)));
-    // the first of the components with the best pivot
+    // the first component among those with the best pivot
     let best = pivots.min_by(|x, y| y.1.pivot_weight().total_cmp(&x.1.pivot_weight()));
     let c = best.map_or_else(S::zero, |(at, _, inverse)| a.get(&at) * &inverse);
     let slots = contraction::indices(letters.chars().zip(a.slots().iter().copied()));

@@ -10,8 +10,8 @@ use affinor_tensors::stop::stage;
 use affinor_tensors::{Down, Field, Scalar, Tensor, Up};
 
 impl<S: Field + Scalar> Metric<S> {
-    /// A basis of the bi-invariant symmetric forms `g_ij`, the solutions of `g_mj c^m_ki + g_im
-    /// c^m_kj = 0`. The bi-invariant metrics are the nondegenerate forms.
+    /// A basis of the bi-invariant symmetric forms `g_ij`. They are the solutions of
+    /// `g_mj c^m_ki + g_im c^m_kj = 0`. The bi-invariant metrics are the nondegenerate solutions.
     ///
     /// ```
     /// use affinor::algebra::catalogue;
@@ -33,8 +33,9 @@ impl<S: Field + Scalar> Metric<S> {
 }
 
 impl<S: Field + Scalar> Connection<S> {
-    /// A basis of the parallel symmetric forms with constant components, `(nabla_k g)_ij = 0`. The
-    /// nondegenerate forms are the left-invariant metrics with which the connection is compatible.
+    /// A basis of the parallel symmetric forms with constant components. They are the solutions of
+    /// `(nabla_k g)_ij = 0`. The nondegenerate solutions are the left-invariant metrics with which
+    /// the connection is compatible.
     ///
     /// # Errors
     /// [`Error::Unsupported`] in a frame that is not invariant; [`Error::Size`] as for
@@ -47,7 +48,7 @@ impl<S: Field + Scalar> Connection<S> {
             ));
         }
         let n = self.frame().dimension();
-        // nabla_k acts on constants as the endomorphism Lambda^i_kj
+        // on constant components, nabla_k acts as the endomorphism Lambda^i_kj
         let mut entries = vec![vec![]; n];
         for (at, value) in self.affinities().components() {
             entries[at[1]].push(([at[0], at[2]], value.clone()));
@@ -59,7 +60,7 @@ impl<S: Field + Scalar> Connection<S> {
 }
 
 /// A basis of the symmetric forms that all endomorphisms annihilate. The transpose of an invariant
-/// form is invariant, so symmetric parts suffice.
+/// form is invariant, so the symmetric parts of all invariant forms span this space.
 fn symmetric_invariants<S: Field + Scalar>(
     n: usize,
     endomorphisms: &[Tensor<S>],

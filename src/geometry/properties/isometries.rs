@@ -1,5 +1,5 @@
-//! Right translations that are isometries of a left-invariant metric: Killing fields, bi-invariance,
-//! natural reductivity.
+//! Right translations that are isometries of a left-invariant metric: Killing fields,
+//! bi-invariance, natural reductivity.
 
 use super::{Property, Witness, vanishing};
 use crate::Error;
@@ -11,11 +11,11 @@ use affinor_tensors::stop::stage;
 use affinor_tensors::{Down, Field, Scalar, Tensor, Up};
 
 impl<S: Field + Scalar> Metric<S> {
-    /// The left-invariant fields `x^k e_k` whose flows, which are right translations, are
-    /// isometries. They are a reduced basis of the solutions of `x^k (g_mj c^m_ki + g_im c^m_kj) =
-    /// 0`, which states that `ad_x` is antisymmetric. They form a subalgebra; for a bi-invariant
-    /// metric it is the whole algebra. (The right-invariant fields are Killing fields of every
-    /// left-invariant metric.)
+    /// The left-invariant fields `x^k e_k` whose flows are isometries; the flows are right
+    /// translations. The fields are a reduced basis of the solutions of
+    /// `x^k (g_mj c^m_ki + g_im c^m_kj) = 0`, which states that `ad_x` is antisymmetric. The
+    /// solutions form a subalgebra, which is the whole algebra if the metric is bi-invariant. The
+    /// right-invariant fields are Killing fields of every left-invariant metric.
     ///
     /// ```
     /// use affinor::algebra::catalogue;
@@ -65,11 +65,11 @@ impl<S: Field + Scalar> Metric<S> {
 
     /// Whether the metric is naturally reductive with respect to `G x K`. Here `G` acts by left
     /// translations, and `K` by the right translations that are isometries, with the algebra `k` of
-    /// the [`killing_fields`](Self::killing_fields). With respect to `G` alone, a metric is
+    /// the [`killing_fields`](Self::killing_fields). With respect to `G` only, a metric is
     /// naturally reductive exactly if it is bi-invariant.
     ///
     /// The isotropy algebra is the diagonal of `k`. Its complements are `{(x + phi(x), phi(x))}`
-    /// for linear maps `phi` of the algebra into `k`. The test searches a complement that is
+    /// for linear maps `phi` of the algebra into `k`. The method searches for a complement that is
     /// invariant under the isotropy group and satisfies `g([x,y]_m, z) + g(y, [x,z]_m) = 0`:
     ///
     /// ```text
@@ -77,15 +77,15 @@ impl<S: Field + Scalar> Metric<S> {
     /// g([x,y],z) + g(y,[x,z]) + g([x,phi(y)],z) + g(y,[x,phi(z)]) = 0
     /// ```
     ///
-    /// These equations are linear in `phi^i_j`, slots `[Up, Down]`, which is the value of the
-    /// property. The witness is the first equation of the second kind that contradicts earlier
-    /// equations. A group can also be naturally reductive by isometries other than translations,
-    /// for example the Heisenberg group. On a compact simple group the test finds all naturally
-    /// reductive left-invariant metrics: J. E. D'Atri and W. Ziller, *Mem. Amer. Math. Soc.* 215
-    /// (1979).
+    /// These equations are linear in `phi^i_j`, slots `[Up, Down]`. The value of the property is
+    /// `phi`. The witness is the first equation of the second kind that contradicts earlier
+    /// equations. Some groups, such as the Heisenberg group, are naturally reductive by isometries
+    /// other than translations, which this method does not consider. On a compact simple group, the
+    /// method finds all naturally reductive left-invariant metrics (J. E. D'Atri and W. Ziller,
+    /// *Mem. Amer. Math. Soc.* 215 (1979)).
     ///
     /// # Errors
-    /// Those of [`killing_fields`](Self::killing_fields).
+    /// The errors of [`killing_fields`](Self::killing_fields).
     pub fn naturally_reductive(
         &self,
         algebra: &LieAlgebra<S>,
@@ -95,11 +95,11 @@ impl<S: Field + Scalar> Metric<S> {
         let (g, c) = (self.components(), algebra.structure_constants());
         let variation = self.ad_invariance_defect(algebra)?;
         if variation.is_empty() {
-            // if the metric is bi-invariant, phi = 0 is a solution
+            // returns the solution phi = 0, because the metric is bi-invariant
             return Ok(Property::Holds(Tensor::zero(n, &[Up, Down])?));
         }
         let fields = self.killing_fields(algebra)?;
-        // k^i_a, with the fields as columns, and their brackets
+        // the matrix k^i_a, whose columns are the fields
         let entries = fields.iter().enumerate().flat_map(|(a, field)| {
             field.iter().enumerate().map(move |(i, value)| ([i, a], value.clone()))
         });
@@ -108,7 +108,7 @@ impl<S: Field + Scalar> Metric<S> {
         let within = formula("b^i_ma k^m_b -> ^i_ba", &[("b", &by), ("k", &k)]);
         let lowered = formula("g_im b^m_ja -> _ija", &[("g", g), ("b", &by)]);
 
-        // phi(e_i) = phi^a_i k_a: the unknown phi^a_i has column a n + i
+        // in phi(e_i) = phi^a_i k_a, the unknown phi^a_i has the column a n + i
         let ranks = 0..fields.len();
         let unknown = |a: usize, i: usize| a * n + i;
         let mut system = LinearSystem::new(fields.len() * n, variation.tolerance());
@@ -117,7 +117,7 @@ impl<S: Field + Scalar> Metric<S> {
             let image =
                 image.map(|(a, m)| (unknown(a, m), -(by.get(&[m, i, b]) * &k.get(&[q, a]))));
             let bracket = ranks.clone().map(|a| (unknown(a, i), -within.get(&[q, b, a])));
-            // homogeneous equations never contradict each other
+            // no constant can remain, because homogeneous equations never contradict each other
             system.add(image.chain(bracket).collect(), S::zero())?;
         }
         for [z, i, j] in triples(n, n, n) {
@@ -152,7 +152,8 @@ impl<S: Field + Scalar> LinearSystem<S> {
         LinearSystem { unknowns, span: Echelon::new().with_tolerance(tolerance) }
     }
 
-    /// Adds an equation. If it contradicts the earlier equations, returns the remaining constant.
+    /// Adds an equation. If the equation contradicts the earlier equations, the method returns the
+    /// constant that remains.
     fn add(&mut self, mut row: Vec<(usize, S)>, constant: S) -> Result<Option<S>, Error> {
         row.push((self.unknowns, constant));
         let remainder = self.span.reduce(row);
@@ -165,7 +166,8 @@ impl<S: Field + Scalar> LinearSystem<S> {
         }
     }
 
-    /// The nonzero values, by column, of the solution in which every unknown without a pivot is 0.
+    /// The nonzero values of the solution in which every unknown without a pivot is 0, each with
+    /// its column.
     fn solution(&self) -> impl Iterator<Item = (usize, S)> {
         let value = |(pivot, row): (&usize, &Vec<(usize, S)>)| {
             let (at, constant) = row.last()?;

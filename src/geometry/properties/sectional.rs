@@ -1,11 +1,11 @@
 //! The smallest and the largest sectional curvature of a left-invariant metric.
 //!
-//! In three dimensions the plane orthogonal to `n` has the curvature `S/2 - Ric(n,n)/g(n,n)`, so
+//! In three dimensions, the plane orthogonal to `n` has the curvature `S/2 - Ric(n,n)/g(n,n)`, so
 //! the extremes belong to eigenvectors of the Ricci endomorphism (J. Milnor, *Adv. Math.* 21 (1976)
-//! 293-329, section 4). In other dimensions planes are searched in floats, from vectors of an
-//! orthonormal basis, their sums and differences. For fixed `x` the best `y` is an eigenvector of
-//! `g(R(x,y)y,x)`; then `x` is optimized for this `y`, and so on. The resulting plane is rounded to
-//! rational vectors, and its curvature is computed exactly.
+//! 293-329, section 4). In other dimensions, a search in floats starts from vectors of an
+//! orthonormal basis, and their sums and differences. For a fixed `x`, the best `y` is an
+//! eigenvector of the form `g(R(x,y)y,x)`; then `x` is optimized for this `y`, and so on. The
+//! resulting plane is rounded to rational vectors, and its curvature is computed exactly.
 
 use super::Property;
 use crate::Error;
@@ -22,36 +22,37 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive};
 use polycore::Uni;
 
-/// The largest dimension in which extremes of the sectional curvature are searched.
+/// The largest dimension in which the extremes of the sectional curvature are searched for.
 pub const MAX_SEARCHED: usize = 12;
 
-/// The largest number of improvements of a plane.
+/// The largest number of improvements of one plane.
 const ROUNDS: usize = 60;
 const LAST_ROUNDS: usize = 5000;
-/// The number of planes with pseudorandom vectors from which the search also starts.
+/// The number of starting planes with pseudorandom vectors, in addition to those of the basis.
 const RANDOM_STARTS: usize = 40;
-/// The denominators that are tried for the plane, in order. An error `e` of the plane changes an
-/// extreme curvature by `e^2`, so the last denominator leaves an error of the order of the rounding
-/// errors.
+/// The denominators of the components of the plane that are tried, in order. An error `e` of the
+/// plane changes an extreme curvature by `e^2`. The last denominator therefore causes an error in
+/// the order of the rounding errors.
 const DENOMINATORS: [i64; 10] = [1, 2, 3, 4, 5, 6, 8, 10, 12, 100_000_000];
 
-/// The smallest or the largest sectional curvature, with its plane.
+/// An extreme of the sectional curvature, either smallest or largest, with its plane.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Extreme {
     /// The exact curvature of the plane.
     pub curvature: Rational,
     /// Two vectors that span the plane.
     pub plane: [Vec<Rational>; 2],
-    /// Whether the curvature is proved to be extreme. Otherwise a search found no better plane.
+    /// Whether the curvature is proved to be extreme. Otherwise, a search has found no better
+    /// plane.
     pub proved: bool,
 }
 
 impl Metric<Rational> {
-    /// The smallest and the largest sectional curvature of the left-invariant metric. `None` for an
-    /// indefinite metric, in dimension 1, and beyond [`MAX_SEARCHED`]. The extremes are proved for
-    /// constant curvature, and in dimension 3 if the eigenvalues of the Ricci endomorphism are
-    /// rational. Proved is also the bound 0 for a bi-invariant metric, where `K = |[x,y]|^2/4` for
-    /// orthonormal `x`, `y`.
+    /// The smallest and the largest sectional curvature of the left-invariant metric. Returns
+    /// `None` for an indefinite metric, in dimension 1, and beyond [`MAX_SEARCHED`]. The extremes
+    /// are proved if the curvature is constant, and in dimension 3 if the eigenvalues of the Ricci
+    /// endomorphism are rational. For a bi-invariant metric, the bound 0 is also proved, because
+    /// `K = |[x,y]|^2/4` for orthonormal `x`, `y`.
     ///
     /// ```
     /// use affinor::algebra::catalogue;
@@ -105,7 +106,7 @@ impl Metric<Rational> {
         Ok(Some([least, most]))
     }
 
-    /// The sign of a definite metric.
+    /// The sign of a definite metric; `None` if the metric is indefinite.
     fn definite(&self, n: usize) -> Result<Option<f64>, Error> {
         self.expect_dimension(n)?;
         let mut rows = vec![vec![]; n];
@@ -150,8 +151,8 @@ impl Metric<Rational> {
     }
 }
 
-/// The search for planes: the curvature in floats, in an orthonormal basis of the metric or of its
-/// negative.
+/// A search for planes. The curvature is stored in floats, in an orthonormal basis of the metric or
+/// of the negative metric.
 struct Search {
     n: usize,
     /// The vectors of the orthonormal basis, as columns.
@@ -168,8 +169,8 @@ impl Search {
     ) -> Result<Option<Self>, Error> {
         let n = connection.frame().dimension();
         let float = |value: BigRational| value.to_f64().unwrap_or(f64::NAN);
-        // scaling the metric or the structure constants does not change the planes, so the largest
-        // component is scaled to 1
+        // scales the largest component to 1, because a scaling of the metric or the structure
+        // constants does not change the planes
         let dense = |tensor: &Tensor<Rational>| {
             let exact = tensor.components().map(|(at, value)| (at, BigRational::from(value)));
             let exact: Vec<_> = exact.collect();
@@ -186,7 +187,7 @@ impl Search {
         let Some(cholesky) = gram.cholesky() else { return Ok(None) };
         let Some(basis) = cholesky.l().transpose().try_inverse() else { return Ok(None) };
         let mut curvature = dense(&connection.curvature().lower(0, metric.components())?);
-        // four times, the first index is transformed and moved to the end
+        // transforms all four indices: each pass transforms the first index and moves it to the end
         for _ in 0..4 {
             let matrix = DMatrix::from_row_slice(n, n * n * n, &curvature);
             curvature = (matrix.transpose() * &basis).transpose().as_slice().to_vec();
@@ -199,13 +200,14 @@ impl Search {
         Ok(Some(Search { n, basis, curvature }))
     }
 
-    /// The plane with the largest (`side` 1) or the smallest (-1) curvature that is found.
+    /// The plane with the best curvature that is found: the largest if `side` is 1, or the smallest
+    /// if it is -1.
     fn best(&self, side: f64) -> [Vec<Rational>; 2] {
         let mut best: Option<(f64, [DVector<f64>; 2])> = None;
         for plane in self.starts(side) {
             let (value, plane) = self.improved(plane, side, ROUNDS);
-            // requires a small advantage, so that of equal planes the first one in the order of the
-            // basis is chosen
+            // requires a small improvement, so that the first plane in the order of the basis is
+            // chosen among equal planes
             if best.as_ref().is_none_or(|(known, _)| side * (value - known) > 1e-9) {
                 best = Some((value, plane));
             }
@@ -215,8 +217,9 @@ impl Search {
         rounded(&(&self.basis * x), &(&self.basis * y))
     }
 
-    /// Replaces the vectors of a plane by turns by the best partner of the other one, until the
-    /// curvature does not change. The curvatures are of the order of 1.
+    /// Improves a plane: replaces one vector by the best partner of the other, alternately for both
+    /// vectors, until the curvature no longer changes. The tolerance is absolute, because the
+    /// curvatures are of the order of 1.
     fn improved(
         &self,
         [mut x, mut y]: [DVector<f64>; 2],
@@ -242,9 +245,10 @@ impl Search {
         (value, [x, y])
     }
 
-    /// The starting planes: pairs of basis vectors, and sums and differences of basis vectors and
-    /// pseudorandom vectors with their best partners. Two basis vectors may be each other's best
-    /// partners although the plane is not extreme.
+    /// The starting planes. Some are pairs of basis vectors; others contain sums and differences of
+    /// basis vectors, or pseudorandom vectors, with their best partners. Pairs are not sufficient,
+    /// because two basis vectors may be each other's best partners although their plane is not
+    /// extreme.
     fn starts(&self, side: f64) -> Vec<[DVector<f64>; 2]> {
         let n = self.n;
         let unit = |at: usize| DVector::from_fn(n, |row, _| f64::from(u8::from(row == at)));
@@ -284,7 +288,7 @@ impl Search {
         y.dot(&(self.form(x) * y))
     }
 
-    /// The unit vector orthogonal to `x` for which the curvature is extreme.
+    /// The unit vector that is orthogonal to `x` and for which the curvature is extreme.
     fn partner(&self, x: &DVector<f64>, side: f64) -> DVector<f64> {
         let form = self.form(x) * side;
         let shift = 2.0 * form.norm() + 1e-3;
@@ -293,10 +297,12 @@ impl Search {
     }
 }
 
-/// Rational vectors that approximate a plane: two components are 1 and 0, the others are rounded.
+/// Rational vectors that approximate a plane. In two components, the vectors are (1, 0) and (0, 1);
+/// the other components are rounded.
 fn rounded(x: &DVector<f64>, y: &DVector<f64>) -> [Vec<Rational>; 2] {
     let n = x.len();
-    // chooses two components i, j with the largest minor; in these the two vectors become (1, 0) and (0, 1)
+    // chooses two components i, j with the largest minor; there the two vectors become (1, 0) and
+    // (0, 1)
     let minor = |i: usize, j: usize| x[i] * y[j] - x[j] * y[i];
     let pairs = (0..n).flat_map(|i| (i + 1..n).map(move |j| (i, j)));
     let larger = |a: &(usize, usize), b: &(usize, usize)| {

@@ -20,12 +20,13 @@ pub struct Soliton<S> {
 }
 
 impl<S: Field + Scalar> Metric<S> {
-    /// Whether the left-invariant metric is an algebraic Ricci soliton: the Ricci endomorphism
-    /// `Ric^i_j = g^im Ric_mj` is `c Id + D` with a derivation `D` of the algebra.
+    /// Whether the left-invariant metric is an algebraic Ricci soliton. This holds if the Ricci
+    /// endomorphism `Ric^i_j = g^im Ric_mj` is `c Id + D` with a constant `c` and a derivation `D`
+    /// of the algebra.
     ///
-    /// Over a nilpotent algebra these are the nilsolitons (J. Lauret, *Math. Ann.* 319 (2001)
-    /// 715-733), over a solvable one the solvsolitons. If `D = 0`, the metric is Einstein. Over an
-    /// abelian algebra, where every `c` is possible, it is 0.
+    /// Such metrics are nilsolitons if the algebra is nilpotent (J. Lauret, *Math. Ann.* 319 (2001)
+    /// 715-733), and solvsolitons if it is solvable. If `D = 0`, the metric is Einstein. If the
+    /// algebra is abelian, every `c` is possible, and the constant is 0.
     ///
     /// ```
     /// use affinor::algebra::catalogue;
@@ -43,7 +44,7 @@ impl<S: Field + Scalar> Metric<S> {
         let levi_civita = Connection::levi_civita(algebra.left_frame(), self)?;
         let ricci = levi_civita.ricci().raise(0, self.inverse())?;
         let c = algebra.structure_constants();
-        // the defect of D = Ric - s Id as a derivation is the defect of Ric, plus s c
+        // the defect of Ric as a derivation; the defect of D = Ric - s Id is this tensor plus s c
         let defect = formula(
             "D^i_m c^m_jk - c^i_mk D^m_j - c^i_jm D^m_k -> ^i_[jk]",
             &[("D", &ricci), ("c", c)],

@@ -1,5 +1,5 @@
-//! Kernels of SE(3). Elements are rows `w, x, y, z, t_1, t_2, t_3`, vectors `w, u`, and matrices
-//! are listed row by row.
+//! Kernels of SE(3). Elements are rows `w, x, y, z, t_1, t_2, t_3`, vectors are rows `w, u`, and
+//! matrices are listed row by row.
 
 use super::rotations::{
     Jacobian, ORTHOGONAL, assembled, combination, cross, defect, dot, element, jacobian,
@@ -14,32 +14,32 @@ use crate::numerics::stumpff::{self, NEAR, SERIES, Series};
 use nalgebra::{DMatrix, Isometry3, Matrix6, Vector6};
 use std::array::from_fn;
 
-/// Exponentials of twists.
+/// The kernel that computes exponentials of twists.
 #[derive(Clone, Copy, Debug)]
 pub struct MotionExp;
-/// Logarithms of rigid motions.
+/// The kernel that computes logarithms of rigid motions.
 #[derive(Clone, Copy, Debug)]
 pub struct MotionLog;
-/// Products of rigid motions.
+/// The kernel that computes products of rigid motions.
 #[derive(Clone, Copy, Debug)]
 pub struct MotionProduct;
-/// Inverse rigid motions.
+/// The kernel that computes inverse rigid motions.
 #[derive(Clone, Copy, Debug)]
 pub struct InverseMotion;
-/// Rigid motions as matrices.
+/// The kernel that converts rigid motions to matrices.
 #[derive(Clone, Copy, Debug)]
 pub struct MotionMatrix;
-/// The image of a point under a rigid motion.
+/// The kernel that computes the image of a point under a rigid motion.
 #[derive(Clone, Copy, Debug)]
 pub struct MovedPoint;
-/// The matrices of `Ad_g`.
+/// The kernel that computes the matrices of `Ad_g`.
 #[derive(Clone, Copy, Debug)]
 pub struct MotionAdjoint;
-/// Rigid motions from matrices; the matrices are checked if the flag is set.
+/// The kernel that converts matrices to rigid motions. If the flag is set, it checks the matrices.
 #[derive(Clone, Copy, Debug)]
 pub struct MotionOfMatrix(pub bool);
 
-/// Splits a row into its first and its last numbers.
+/// Splits a row into its first `A` and its last `B` numbers.
 #[inline(always)]
 fn split<T: Lane, const N: usize, const A: usize, const B: usize>(row: [T; N]) -> ([T; A], [T; B]) {
     (from_fn(|i| row[i]), from_fn(|i| row[A + i]))
@@ -50,7 +50,7 @@ fn join<T: Lane, const A: usize, const B: usize, const N: usize>(a: [T; A], b: [
     from_fn(|i| if i < A { a[i] } else { b[i - A] })
 }
 
-/// `v` rotated by a unit quaternion.
+/// The vector `v`, rotated by a unit quaternion.
 #[inline(always)]
 fn rotated<T: Lane>([w, x, y, z]: [T; 4], v: [T; 3]) -> [T; 3] {
     let q = [x, y, z];
@@ -70,7 +70,7 @@ fn row(g: &Isometry3<f64>) -> [f64; 7] {
     [q.w, q.i, q.j, q.k, t.x, t.y, t.z]
 }
 
-/// A 6 x 6 matrix of three 3 x 3 blocks; the upper right block is zero.
+/// A 6 x 6 matrix of three 3 x 3 blocks. The upper right block is zero.
 #[inline(always)]
 fn lower_triangular<T: Lane>(first: &[T; 9], below: &[T; 9], last: &[T; 9]) -> [T; 36] {
     let mut all = [T::splat(0.0); 36];
@@ -85,7 +85,7 @@ fn lower_triangular<T: Lane>(first: &[T; 9], below: &[T; 9], last: &[T; 9]) -> [
 }
 
 impl Formula<6, 0, 7> for MotionExp {
-    /// The series of the half angle is accurate below this limit.
+    /// Below this limit, the series of the half angle is accurate.
     const LIMIT: f64 = 4.0 * NEAR;
     const SIDE_BY_SIDE: bool = true;
 
@@ -107,7 +107,7 @@ impl Formula<6, 0, 7> for MotionExp {
 }
 
 impl Formula<7, 0, 6> for MotionLog {
-    /// The length of the quaternion counts as 1 below this limit.
+    /// Below this limit, the length of the quaternion counts as 1.
     const LIMIT: f64 = 1e-8;
     const SIDE_BY_SIDE: bool = true;
 
@@ -198,7 +198,7 @@ impl Formula<16, 0, 7> for MotionOfMatrix {
             return (found, T::splat(0.0));
         }
         let last = m[12].abs() + m[13].abs() + m[14].abs() + (m[15] - T::splat(1.0)).abs();
-        // infinite translations are out of range as well
+        // adds NaN for an infinite translation, which is then out of range
         let finite = (m[3] + m[7] + m[11]) * T::splat(0.0);
         (found, defect(&r).larger(last) + finite)
     }

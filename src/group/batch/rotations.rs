@@ -9,38 +9,38 @@ use crate::numerics::lanes::Lane;
 use crate::numerics::stumpff::{self, SERIES};
 use nalgebra::{DMatrix, Matrix3, Quaternion, UnitQuaternion, Vector3};
 
-/// The rotation matrices of elements.
+/// The kernel that converts elements to rotation matrices.
 #[derive(Clone, Copy, Debug)]
 pub struct RotationMatrix;
-/// Rotated points.
+/// The kernel that rotates points.
 #[derive(Clone, Copy, Debug)]
 pub struct RotatedPoint;
-/// Inverse rotations.
+/// The kernel that inverts rotations.
 #[derive(Clone, Copy, Debug)]
 pub struct InverseRotation;
-/// Rotations from matrices; the matrices are checked if the flag is set.
+/// The kernel that converts matrices to rotations. If the flag is set, it checks the matrices.
 #[derive(Clone, Copy, Debug)]
 pub struct RotationOfMatrix(pub bool);
-/// A Jacobian matrix of exp, or its inverse.
+/// The kernel that computes a Jacobian matrix of exp, or the inverse of a Jacobian matrix.
 #[derive(Clone, Copy, Debug)]
 pub struct Jacobian(pub JacobianKind);
 
-/// The side of a Jacobian of exp, and whether it is inverted: `exp(x + dx) = exp(J_left dx + ...)
-/// exp(x) = exp(x) exp(J_right dx + ...)`.
+/// The side of a Jacobian of exp, and whether the Jacobian is inverted. The sides are defined by
+/// `exp(x + dx) = exp(J_left dx + ...) exp(x) = exp(x) exp(J_right dx + ...)`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum JacobianKind {
-    /// [`LieGroup::jacobian_left`].
+    /// The matrix of [`LieGroup::jacobian_left`].
     Left,
-    /// [`LieGroup::jacobian_right`].
+    /// The matrix of [`LieGroup::jacobian_right`].
     Right,
-    /// [`LieGroup::jacobian_left_inverse`].
+    /// The matrix of [`LieGroup::jacobian_left_inverse`].
     LeftInverse,
-    /// [`LieGroup::jacobian_right_inverse`].
+    /// The matrix of [`LieGroup::jacobian_right_inverse`].
     RightInverse,
 }
 
 impl JacobianKind {
-    /// The sign 1 for the left side, -1 for the right side.
+    /// The sign of the side: 1 for left, -1 for right.
     #[inline(always)]
     pub(super) fn sign(self) -> f64 {
         if matches!(self, JacobianKind::Left | JacobianKind::LeftInverse) { 1.0 } else { -1.0 }
@@ -51,10 +51,10 @@ impl JacobianKind {
         matches!(self, JacobianKind::LeftInverse | JacobianKind::RightInverse)
     }
 
-    /// The Jacobian matrix in a group.
+    /// The Jacobian matrix of a group at a vector.
     ///
     /// # Errors
-    /// Those of [`LieGroup::tangent_left_inverse`], for an inverse.
+    /// The errors of [`LieGroup::tangent_left_inverse`], if the Jacobian is inverted.
     pub fn of<G: LieGroup>(
         self,
         group: &G,
@@ -132,8 +132,8 @@ pub(super) fn scaled<T: Lane>(factor: T, [x, y, z]: [T; 3]) -> [T; 3] {
     [factor * x, factor * y, factor * z]
 }
 
-/// The matrix `c_1 1 + s c_2 spin(w) + c_3 w w^T`, which is the left Jacobian for `s = 1`, and
-/// `|w|^2`.
+/// The matrix `c_1 1 + s c_2 spin(w) + c_3 w w^T`, where `c_k` are Stumpff functions. It is the
+/// left Jacobian for `s = 1`, and the right Jacobian for `s = -1`.
 #[inline(always)]
 pub(super) fn jacobian<T: Lane>(w: [T; 3], sign: f64, c: &stumpff::Series<T>) -> [T; 9] {
     assembled(c.c1, scaled(T::splat(sign) * c.c2, w), c.c3, w, None)
@@ -154,7 +154,7 @@ pub(super) fn quaternion<T: Lane>(r: &[T; 9]) -> [T; 4] {
     q.map(|component| component * unit)
 }
 
-/// The largest entry of `|R^T R - 1|`; at least 1 for reflections.
+/// The largest entry of `|R^T R - 1|`. For reflections, the result is at least 1.
 #[inline(always)]
 pub(super) fn defect<T: Lane>(r: &[T; 9]) -> T {
     let column = |k: usize| [r[k], r[3 + k], r[6 + k]];
@@ -169,7 +169,7 @@ pub(super) fn defect<T: Lane>(r: &[T; 9]) -> T {
     most.larger((dot(cross(column(0), column(1)), column(2)) - one).abs())
 }
 
-/// The defect below which matrices need no further check.
+/// A matrix whose defect is below this limit needs no further check.
 pub(super) const ORTHOGONAL: f64 = 1e-9;
 
 impl Formula<4, 0, 9> for RotationMatrix {
@@ -195,7 +195,8 @@ impl Formula<4, 0, 4> for InverseRotation {
 
 impl Formula<9, 0, 4> for RotationOfMatrix {
     const LIMIT: f64 = ORTHOGONAL;
-    // branches on the largest component are hard to predict
+    // computes the whole block at once, because branches on the largest component are hard to
+    // predict
     const SIDE_BY_SIDE: bool = true;
 
     #[inline(always)]
@@ -231,7 +232,8 @@ impl Formula<3, 0, 9> for Jacobian {
     }
 }
 
-/// The logarithm of a quaternion of length near 1, and the deviation of its squared length from 1.
+/// The logarithm of a quaternion whose length is near 1, and the deviation of its squared length
+/// from 1.
 #[inline(always)]
 pub(super) fn log<T: Lane>([w, x, y, z]: [T; 4]) -> ([T; 3], T) {
     let square = x * x + y * y + z * z;
@@ -240,7 +242,7 @@ pub(super) fn log<T: Lane>([w, x, y, z]: [T; 4]) -> ([T; 3], T) {
     ([x * factor, y * factor, z * factor], (norm - T::splat(1.0)).abs())
 }
 
-/// The element of a row `w, x, y, z`.
+/// The element that a row `w, x, y, z` represents.
 pub(super) fn element([w, x, y, z]: [f64; 4]) -> UnitQuaternion<f64> {
     UnitQuaternion::new_unchecked(Quaternion::new(w, x, y, z))
 }

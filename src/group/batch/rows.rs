@@ -1,5 +1,5 @@
-//! Application of a formula to many rows: whole blocks at once, and rows outside the range of the
-//! formula separately.
+//! Applies a formula to many rows. Whole blocks are computed at once, and rows outside the range of
+//! the formula are computed separately.
 
 use crate::Error;
 use crate::numerics::lanes::{LANES, Lane, Lanes};
@@ -16,7 +16,7 @@ pub enum Operand<'a, const N: usize> {
 }
 
 impl<'a, const N: usize> Operand<'a, N> {
-    /// The row with an index.
+    /// The row at an index.
     #[inline(always)]
     fn row(&self, at: usize) -> [f64; N] {
         match self {
@@ -43,7 +43,7 @@ impl<'a, const N: usize> Operand<'a, N> {
         }
     }
 
-    /// The rows from one index up to another.
+    /// The rows from the index `start` to the index `end`, which is excluded.
     pub fn part(&self, start: usize, end: usize) -> Operand<'a, N> {
         match self {
             Operand::Many(rows) => Operand::Many(&rows[start..end]),
@@ -52,29 +52,31 @@ impl<'a, const N: usize> Operand<'a, N> {
     }
 }
 
-/// An operation on rows of `A` and `B` numbers. Its results are rows of `O` numbers.
+/// An operation that maps a row of `A` numbers and a row of `B` numbers to a row of `O` numbers.
 ///
-/// The kernels of this module implement it: [`rotations`](super::rotations) and [`motions`](super::motions).
+/// The kernels of [`rotations`](super::rotations) and [`motions`](super::motions) implement this
+/// trait.
 pub trait Kernel<const A: usize, const B: usize, const O: usize>: Formula<A, B, O> {}
 
 impl<const A: usize, const B: usize, const O: usize, K: Formula<A, B, O>> Kernel<A, B, O> for K {}
 
 /// The formula of a kernel, without branches.
 pub trait Formula<const A: usize, const B: usize, const O: usize> {
-    /// The formula is valid if its measure is below this limit.
+    /// The formula is valid if the measure of a row is below this limit.
     #[doc(hidden)]
     const LIMIT: f64 = f64::INFINITY;
 
-    /// Whether a block of rows is computed at once, by the vector instructions of the processor.
-    /// For a formula of a few operations the transposition of rows and columns would take longer.
+    /// Whether a block of rows is computed at once, by vector instructions of the processor. For a
+    /// formula with few operations, the transposition of rows and columns would take longer than
+    /// the formula.
     #[doc(hidden)]
     const SIDE_BY_SIDE: bool = false;
 
-    /// The result, and the measure that the limit bounds.
+    /// Returns the result, and the measure that must be below the limit.
     #[doc(hidden)]
     fn formula<T: Lane>(&self, a: [T; A], b: [T; B]) -> ([T; O], T);
 
-    /// The result for a row outside the range of the formula.
+    /// Computes the result for a row outside the range of the formula.
     ///
     /// # Errors
     /// The reason why a row has no result.
@@ -84,10 +86,10 @@ pub trait Formula<const A: usize, const B: usize, const O: usize> {
     }
 }
 
-/// The row of a single result.
+/// Computes a single row of results.
 ///
 /// # Errors
-/// Those of the operation on elements.
+/// The errors of the operation on elements.
 #[inline]
 pub fn single<const A: usize, const B: usize, const O: usize>(
     kernel: &impl Kernel<A, B, O>,
@@ -103,7 +105,7 @@ fn in_range<const A: usize, const B: usize, const O: usize, K: Formula<A, B, O>>
     measure: f64,
     _: &K,
 ) -> bool {
-    // a NaN is outside every range
+    // a NaN is out of range, unless there is no limit
     measure < K::LIMIT || K::LIMIT == f64::INFINITY
 }
 

@@ -7,11 +7,11 @@ use crate::group::{Coordinates, Embedded, LieGroup};
 use nalgebra::allocator::Allocator;
 use nalgebra::{Const, DMatrix, DefaultAllocator, Dim, Dyn, OVector};
 
-/// The Heisenberg group of dimension `n = 2m + 1`, in canonical coordinates `x_1 ... x_m, y_1 ...
-/// y_m, z`: `exp` and `log` are the identity map, and the product is `(x, y, z)(x', y', z') = (x +
-/// x', y + y', z + z' + (x y' - y x')/2)`.
+/// The Heisenberg group of dimension `n = 2m + 1`, in canonical coordinates
+/// `x_1 ... x_m, y_1 ... y_m, z`. In these coordinates, `exp` and `log` are the identity map, and
+/// the product is `(x, y, z)(x', y', z') = (x + x', y + y', z + z' + (x y' - y x')/2)`.
 ///
-/// The basis is that of the catalogue's `heisenberg(2m+1)`: `[x_a, y_a] = z`.
+/// The basis is the basis of `heisenberg(2m+1)` in the catalogue: `[x_a, y_a] = z`.
 ///
 /// ```
 /// use affinor::group::{Heisenberg, LieGroup};
@@ -23,8 +23,8 @@ use nalgebra::{Const, DMatrix, DefaultAllocator, Dim, Dyn, OVector};
 pub struct Heisenberg<D>(D);
 
 impl<const N: usize> Heisenberg<Const<N>> {
-    /// The group of a dimension that is fixed at compile time. An even `N`, or one below 3, does
-    /// not compile.
+    /// The group with a dimension that is fixed at compile time. If `N` is even or below 3, the
+    /// code does not compile.
     pub const fn new() -> Self {
         const { assert!(N >= 3 && N % 2 == 1, "a Heisenberg group has an odd dimension of at least 3") };
         Heisenberg(Const)
@@ -38,14 +38,14 @@ impl<const N: usize> Default for Heisenberg<Const<N>> {
 }
 
 impl Heisenberg<Dyn> {
-    /// The group of `m` pairs, chosen at run time.
+    /// The group with `m` pairs of coordinates `x`, `y`; `m` is chosen at run time.
     pub fn of_pairs(m: usize) -> Self {
         Heisenberg(Dyn(2 * m + 1))
     }
 }
 
 impl<D: Dim> Heisenberg<D> {
-    /// The number `m` of pairs.
+    /// The number `m` of pairs of coordinates.
     fn pairs(&self) -> usize {
         self.0.value() / 2
     }
@@ -131,8 +131,8 @@ where
 {
 }
 
-/// The embedding coordinates are the canonical coordinates, with the time derivative `v + [g,
-/// v]/2`.
+/// The embedding coordinates are the canonical coordinates. Their time derivative is
+/// `v + [g, v]/2`.
 impl<D: Dim> Embedded for Heisenberg<D>
 where
     DefaultAllocator: Allocator<D>,

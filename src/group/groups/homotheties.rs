@@ -7,12 +7,12 @@ use crate::group::{Coordinates, Embedded, LieGroup};
 use nalgebra::allocator::Allocator;
 use nalgebra::{Const, DMatrix, DefaultAllocator, Dim, Dyn, OVector};
 
-/// The group of translations and dilations of `R^n`, `p -> a p + b` with `a > 0`, of dimension `N =
-/// n + 1`.
+/// The group of translations and dilations of `R^n`, `p -> a p + b` with `a > 0`. Its dimension is
+/// `N = n + 1`.
 ///
-/// Elements are lists `(a, b_1, ..., b_n)`. Vectors are `(w, u_1, ..., u_n)`, the dilation and the
-/// translation, in the basis of the catalogue's `hom(n)`: `[d, p_i] = p_i`. With any left-invariant
-/// metric the group is a hyperbolic space.
+/// Elements are lists `(a, b_1, ..., b_n)`. Vectors are lists `(w, u_1, ..., u_n)` of the dilation
+/// and the translation. The basis is the basis of `hom(n)` in the catalogue: `[d, p_i] = p_i`. With
+/// any left-invariant metric, the group is a hyperbolic space.
 ///
 /// ```
 /// use affinor::group::{Homotheties, LieGroup};
@@ -28,8 +28,8 @@ use nalgebra::{Const, DMatrix, DefaultAllocator, Dim, Dyn, OVector};
 pub struct Homotheties<D>(D);
 
 impl<const N: usize> Homotheties<Const<N>> {
-    /// The group of a dimension that is fixed at compile time, one more than the dimension of the
-    /// space. An `N` below 2 does not compile.
+    /// The group with a dimension that is fixed at compile time. The dimension is one more than the
+    /// dimension of the space. If `N` is below 2, the code does not compile.
     pub const fn new() -> Self {
         const { assert!(N >= 2, "a group of homotheties has a dimension of at least 2") };
         Homotheties(Const)
@@ -43,7 +43,7 @@ impl<const N: usize> Default for Homotheties<Const<N>> {
 }
 
 impl Homotheties<Dyn> {
-    /// The group of `R^n`, chosen at run time.
+    /// The group of `R^n`, where `n` is chosen at run time.
     pub fn of_space(n: usize) -> Self {
         Homotheties(Dyn(n + 1))
     }
@@ -62,7 +62,7 @@ where
 
 /// Checks that the factor of a dilation is positive.
 fn expect_positive(what: &'static str, factor: f64) -> Result<(), Error> {
-    // `>` rejects NaN as well
+    // the comparison `>` also rejects NaN
     let positive = factor > 0.0;
     if positive {
         return Ok(());
@@ -79,7 +79,7 @@ fn phi1(w: f64) -> f64 {
 /// The function `(e^w - 1 - w)/w^2`.
 fn phi2(w: f64) -> f64 {
     if w.abs() < 1.0 {
-        // a series avoids the cancellation in the difference
+        // the series avoids cancellation in the difference
         return 0.5 * (3..20).rev().fold(1.0, |rest, k| 1.0 + rest * w / f64::from(k));
     }
     (w.exp_m1() - w) / w / w
@@ -116,7 +116,7 @@ where
         self.join(x[0].exp(), |i| factor * x[i])
     }
 
-    /// Every element has a logarithm.
+    /// Returns the logarithm, which exists for every element.
     fn log(&self, g: &Self::Element) -> Result<Self::Vector, Error> {
         expect_positive("logarithm", g[0])?;
         let w = g[0].ln();
@@ -144,20 +144,20 @@ where
         matrix
     }
 
-    /// Computed in closed form, which is accurate for short vectors.
+    /// Computes the product in closed form, which is accurate for short vectors.
     fn log_product(&self, x: &Self::Vector, y: &Self::Vector) -> Result<Self::Vector, Error> {
         let w = x[0] + y[0];
         let (first, second) = (phi1(x[0]), x[0].exp() * phi1(y[0]));
         Ok(self.join(w, |i| (first * x[i] + second * y[i]) / phi1(w)))
     }
 
-    /// Computed in closed form, because `ad_x^2 = w ad_x`.
+    /// Computes the operator in closed form, because `ad_x^2 = w ad_x`.
     fn tangent_left(&self, x: &Self::Vector, v: &Self::Vector) -> Self::Vector {
         let (along, across) = (phi1(-x[0]), phi2(-x[0]) * v[0]);
         self.join(v[0], |i| along * v[i] + across * x[i])
     }
 
-    /// Computed in closed form; `exp` is regular everywhere.
+    /// Computes the operator in closed form; `exp` is regular everywhere.
     fn tangent_left_inverse(
         &self,
         x: &Self::Vector,

@@ -10,10 +10,11 @@ use affinor_tensors::{Field, Scalar};
 use nalgebra::{DMatrix, DVector};
 
 /// The simply connected group of a nilpotent algebra, in canonical coordinates of the first kind.
-/// `exp` and `log` are the identity map, and the product is the Baker-Campbell-Hausdorff series,
-/// which is finite.
+/// In these coordinates, `exp` and `log` are the identity map, and the product is the
+/// Baker-Campbell-Hausdorff series, which is finite.
 ///
-/// Over any field the [`product`](Self::product) is exact; over floats the group is a [`LieGroup`].
+/// The [`product`](Self::product) is exact over any field. Over floats, the group is a
+/// [`LieGroup`].
 ///
 /// ```
 /// use affinor::group::Nilpotent;
@@ -39,7 +40,7 @@ pub struct Nilpotent<S> {
 }
 
 impl<S: Field + Scalar> Nilpotent<S> {
-    /// The group of the algebra.
+    /// The simply connected group of a nilpotent algebra.
     ///
     /// # Errors
     /// [`Law::Nilpotent`] with a vector that is in every term of the lower central series.
@@ -53,7 +54,7 @@ impl<S: Field + Scalar> Nilpotent<S> {
         &self.algebra
     }
 
-    /// The nilpotency class: brackets of more factors than the class vanish.
+    /// The nilpotency class: all brackets with more factors than the class vanish.
     pub fn class(&self) -> usize {
         self.class
     }
@@ -61,7 +62,7 @@ impl<S: Field + Scalar> Nilpotent<S> {
     /// The product in canonical coordinates, `log(exp(x) exp(y))`.
     ///
     /// # Errors
-    /// Those of [`LieAlgebra::bch`].
+    /// The errors of [`LieAlgebra::bch`].
     pub fn product(&self, x: &[S], y: &[S]) -> Result<Vec<S>, Error> {
         let parts = self.algebra.bch(x, y, self.class)?;
         let zero = vec![S::zero(); self.algebra.dimension()];
@@ -70,14 +71,14 @@ impl<S: Field + Scalar> Nilpotent<S> {
     }
 }
 
-/// The index of the first term of the lower central series that is zero.
+/// The nilpotency class: the index of the first zero term of the lower central series.
 fn class<S: Field + Scalar>(algebra: &LieAlgebra<S>) -> Result<usize, Error> {
     let mut term: Vec<_> = algebra.basis().collect();
     let mut class = 0;
     while !term.is_empty() {
         let mut next = Echelon::new().with_tolerance(algebra.structure_constants().tolerance());
         for vector in &term {
-            // each term of the series contains the next one, so equal ranks mean equal terms
+            // equal ranks mean equal terms, because each term of the series contains the next term
             if next.rank() == term.len() {
                 break;
             }
@@ -110,7 +111,7 @@ impl Nilpotent<f64> {
     }
 }
 
-/// Sizes are not checked in every call: a vector of a wrong size panics or gives a wrong result.
+/// Not every call checks sizes: a vector of a wrong size panics or yields a wrong result.
 impl LieGroup for Nilpotent<f64> {
     type Element = DVector<f64>;
     type Vector = DVector<f64>;
@@ -150,18 +151,18 @@ impl LieGroup for Nilpotent<f64> {
         self.ad(x) * y
     }
 
-    /// The matrix of `Ad_g`. It is not faithful, because it is 1 on the centre;
+    /// The matrix of `Ad_g`. The representation is not faithful, because central elements act as 1;
     /// [`Heisenberg`](super::Heisenberg) has a faithful matrix.
     fn matrix(&self, g: &Self::Element) -> DMatrix<f64> {
         exp(&self.ad(g))
     }
 
-    /// The algebra of the constructor, with its labels.
+    /// The algebra from which the group was made, with its labels.
     fn algebra(&self) -> Result<LieAlgebra<f64>, Error> {
         Ok(self.algebra.clone())
     }
 
-    /// Computed by the series, which is finite.
+    /// Computes the operator by its series, which is finite.
     fn tangent_left_inverse(
         &self,
         x: &Self::Vector,
@@ -175,7 +176,7 @@ impl LieGroup for Nilpotent<f64> {
 
 impl TranslationSplit for Nilpotent<f64> {}
 
-/// The embedding coordinates are the canonical coordinates `x`, with the time derivative
+/// The embedding coordinates are the canonical coordinates `x`. Their time derivative is
 /// `T_left(x)^-1 v`.
 impl Embedded for Nilpotent<f64> {
     type Ambient = DVector<f64>;
@@ -189,7 +190,7 @@ impl Embedded for Nilpotent<f64> {
     }
 
     fn rate(&self, g: &Self::Element, v: &Self::Vector) -> DVector<f64> {
-        // the series is finite, so no error can occur
+        // no error can occur, because the series is finite
         self.tangent_left_inverse(g, v).unwrap_or_else(|_| v * f64::NAN)
     }
 }
@@ -208,7 +209,7 @@ impl MatrixNotation for Nilpotent<f64> {
         replace(entries, g.as_slice());
     }
 
-    /// Empty: the derivatives of the written form depend on the element.
+    /// Returns an empty list, because the derivatives of the written form depend on the element.
     fn generators(&self) -> Vec<DMatrix<f64>> {
         vec![DMatrix::zeros(0, 0); self.dimension()]
     }

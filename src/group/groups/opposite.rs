@@ -1,4 +1,4 @@
-//! The opposite of a group: the same elements, multiplied in reverse order.
+//! The opposite of a group. It has the same elements, and multiplies them in reverse order.
 
 use crate::group::{
     Block, Embedded, Generator, LieGroup, MatrixNotation, Partial, TranslationSplit,
@@ -6,23 +6,24 @@ use crate::group::{
 use crate::{Error, LieAlgebra};
 use nalgebra::DMatrix;
 
-/// The group with the product `g * h = h g`.
+/// The group with the elements of `G` and the product `g * h = h g`.
 ///
-/// Its left translations are the right translations of the group. Its left-invariant systems are
-/// therefore right-invariant systems of the group:
+/// The left translations of the opposite group are the right translations of `G`. Therefore, its
+/// left-invariant systems are the right-invariant systems of `G`:
 ///
 /// ```text
 /// [x, y]_opp = -[x, y]   Ad_opp(g) = Ad_(g^-1)   T_left_opp = T_right   g' = g * omega = omega g
 /// ```
 ///
-/// `exp`, `log` and the inverse are those of the group, and `g -> g^-1` is an isomorphism of both.
-/// [`EulerPoincare`](crate::mechanics::EulerPoincare) on the opposite group has the spatial
-/// velocity `omega = g' g^-1` as its velocity. Its metric is right-invariant, as that of an ideal
-/// fluid is under relabelling. With `plus` and without a torque it conserves the body momentum,
-/// which it calls `spatial`.
+/// The functions `exp`, `log` and `inverse` are the same for both groups, and `g -> g^-1` is an
+/// isomorphism between them. [`EulerPoincare`](crate::mechanics::EulerPoincare) on the opposite
+/// group uses the spatial velocity `omega = g' g^-1` as its velocity. Its metric is
+/// right-invariant, like the metric of an ideal fluid, which is invariant under relabelling. With
+/// the connection `plus` and without a torque, the system conserves the body momentum, which it
+/// calls `spatial`.
 ///
-/// The matrix of an element is that of the group, so it reverses products: `matrix(g * h) =
-/// matrix(h) matrix(g)`.
+/// The matrix of an element is the same as in `G`, so products are reversed:
+/// `matrix(g * h) = matrix(h) matrix(g)`.
 ///
 /// ```
 /// use affinor::group::{LieGroup, Opposite, So3};
@@ -124,12 +125,13 @@ impl<G: TranslationSplit> TranslationSplit for Opposite<G> {
         self.0.translational_momentum(h)
     }
 
-    /// Returns `Ad*_opp(k^-1) h = Ad*_k h`.
+    /// Returns `Ad*_opp(k^-1) h`, which equals `Ad*_k h`.
     fn coadjoint_inverse(&self, k: &Self::Element, h: &Self::Vector) -> Self::Vector {
         self.0.coadjoint(k, h)
     }
 
-    /// The linear part in the original group, because `exp(y) k = k exp(Ad_(k^-1) y)`.
+    /// The linear part of the element in the original group, because
+    /// `exp(y) k = k exp(Ad_(k^-1) y)`.
     fn linear_part(&self, g: &Self::Element) -> Self::Element {
         self.0.linear_part(g)
     }
@@ -211,8 +213,8 @@ impl<G: MatrixNotation> MatrixNotation for Opposite<G> {
         self.0.generators()
     }
 
-    /// The derivatives along `exp(s e_i) g` in the original group: `e_i` has the left components
-    /// `Ad_g^-1 e_i` at `g`.
+    /// The derivatives along `exp(s e_i) g` in the original group. At `g`, the left components of
+    /// `e_i` are `Ad_g^-1 e_i`.
     fn derivatives(
         &self,
         g: &Self::Element,

@@ -6,8 +6,8 @@ use crate::group::{Block, Coordinates, Embedded, Generator, LieGroup, MatrixNota
 use crate::{Error, LieAlgebra};
 use nalgebra::{DMatrix, DVector};
 
-/// The direct product of two groups. Elements are pairs. Vectors are the components of the first
-/// group followed by those of the second.
+/// The direct product of two groups. Elements are pairs. Vectors are the components in the first
+/// group, followed by the components in the second group.
 ///
 /// ```
 /// use affinor::group::{LieGroup, Product, So3, Translations};
@@ -36,13 +36,14 @@ impl<G: LieGroup, H: LieGroup> Product<G, H> {
         (G::Vector::from_components(first), H::Vector::from_components(second))
     }
 
-    /// Joins two parts to a vector.
+    /// Joins two parts to one vector.
     pub fn join(&self, first: &G::Vector, second: &H::Vector) -> DVector<f64> {
         let parts = [first.components(), second.components()];
         DVector::from_vec(parts.concat())
     }
 
-    /// Joins two parts to a vector; a missing part is zero. `None` if both are missing.
+    /// Joins two parts to one vector. A missing part is replaced by zeros. Returns `None` if both
+    /// parts are missing.
     fn join_parts(
         &self,
         first: Option<G::Vector>,
@@ -68,7 +69,7 @@ impl<G: LieGroup, H: LieGroup> Product<G, H> {
     }
 }
 
-/// Sizes are not checked in every call: a vector of a wrong size panics or gives a wrong result.
+/// Not every call checks sizes: a vector of a wrong size panics or yields a wrong result.
 impl<G: LieGroup, H: LieGroup> LieGroup for Product<G, H> {
     type Element = (G::Element, H::Element);
     type Vector = DVector<f64>;
@@ -120,12 +121,12 @@ impl<G: LieGroup, H: LieGroup> LieGroup for Product<G, H> {
         self.map(y, |y| self.0.bracket(&x, y), |y| self.1.bracket(&x_second, y))
     }
 
-    /// The block-diagonal matrix.
+    /// The block-diagonal matrix of the two factors.
     fn matrix(&self, g: &Self::Element) -> DMatrix<f64> {
         block_diagonal([self.0.matrix(&g.0), self.1.matrix(&g.1)])
     }
 
-    /// The block-diagonal matrix.
+    /// The block-diagonal matrix of the two factors.
     fn adjoint_exp(&self, x: &Self::Vector) -> DMatrix<f64> {
         let (x, y) = self.split(x);
         block_diagonal([self.0.adjoint_exp(&x), self.1.adjoint_exp(&y)])
@@ -147,7 +148,7 @@ impl<G: LieGroup, H: LieGroup> LieGroup for Product<G, H> {
         self.map(v, |v| self.0.tangent_left(&x, v), |v| self.1.tangent_left(&x_second, v))
     }
 
-    /// Returns an error if the operator of one factor is singular.
+    /// Returns an error if the operator of either factor is singular.
     fn tangent_left_inverse(
         &self,
         x: &Self::Vector,
@@ -201,7 +202,8 @@ fn block_diagonal(blocks: [DMatrix<f64>; 2]) -> DMatrix<f64> {
     matrix
 }
 
-/// The embedding coordinates are those of the first element, then those of the second.
+/// The embedding coordinates are the coordinates of the first element, followed by the coordinates
+/// of the second element.
 impl<G: Embedded, H: Embedded> Embedded for Product<G, H> {
     type Ambient = DVector<f64>;
 
@@ -252,8 +254,8 @@ impl<G: Embedded, H: Embedded> Embedded for Product<G, H> {
     }
 }
 
-/// The written form is one column: the entries of the written first element, row by row, then those
-/// of the second.
+/// The written form is one column: the entries of the first written element, row by row, followed
+/// by the entries of the second.
 impl<G: MatrixNotation, H: MatrixNotation> MatrixNotation for Product<G, H> {
     fn write(&self, g: &Self::Element) -> DMatrix<f64> {
         stacked(&self.0.write(&g.0), &self.1.write(&g.1))
@@ -308,7 +310,7 @@ impl<G: MatrixNotation, H: MatrixNotation> MatrixNotation for Product<G, H> {
         self.join(&upper, &self.1.derivatives(&g.1, other.as_slice(), second, &lower))
     }
 
-    /// The larger of the bounds of both factors; a factor without a bound is ignored.
+    /// The larger of the bounds of the two factors. A factor without a bound is ignored.
     fn log_rounding(&self, g: &Self::Element, x: &Self::Vector) -> Option<f64> {
         let (x, y) = self.split(x);
         let bounds = [self.0.log_rounding(&g.0, &x), self.1.log_rounding(&g.1, &y)];
@@ -316,7 +318,7 @@ impl<G: MatrixNotation, H: MatrixNotation> MatrixNotation for Product<G, H> {
     }
 }
 
-/// The entries of two matrices in one column, row by row.
+/// The entries of two matrices in one column; each matrix is listed row by row.
 fn stacked(first: &DMatrix<f64>, second: &DMatrix<f64>) -> DMatrix<f64> {
     let parts = [first.transpose(), second.transpose()];
     DMatrix::from_vec(first.len() + second.len(), 1, parts.map(|m| m.as_slice().to_vec()).concat())

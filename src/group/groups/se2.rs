@@ -7,10 +7,11 @@ use crate::group::matrices::{MatrixNotation, checked, replace, sparse};
 use crate::group::{Embedded, LieGroup, So2, tangent};
 use nalgebra::{DMatrix, Isometry2, UnitComplex, Vector1, Vector2, Vector3, Vector4};
 
-/// The rigid motions of a plane, `p -> R p + t`.
+/// The group of rigid motions of a plane, `p -> R p + t`.
 ///
-/// Elements are nalgebra's `Isometry2<f64>`. Vectors are the angle and the translation, `(w, u_1,
-/// u_2)`, in the basis of the catalogue's `se(2)`: `[e, p1] = p2`, `[e, p2] = -p1`.
+/// Elements are nalgebra's `Isometry2<f64>`. Vectors `(w, u_1, u_2)` consist of the angle and the
+/// translation. The basis is the basis of `se(2)` in the catalogue: `[e, p1] = p2`,
+/// `[e, p2] = -p1`.
 ///
 /// ```
 /// use affinor::group::{LieGroup, Se2};
@@ -57,14 +58,14 @@ impl LieGroup for Se2 {
         g.inverse()
     }
 
-    /// The rotation by the angle `w`, with the translation `T_right(w) u`.
+    /// The rotation by the angle `w` and the translation `T_right(w) u`.
     fn exp(&self, x: &Self::Vector) -> Self::Element {
         let turn = join(x[0], Vector2::zeros());
         let end = self.tangent_right(&turn, &join(0.0, translation(x)));
         Isometry2::from_parts(translation(&end).into(), UnitComplex::new(x[0]))
     }
 
-    /// The logarithm with the angle between `-pi` and `pi`.
+    /// The logarithm whose angle is between `-pi` and `pi`.
     fn log(&self, g: &Self::Element) -> Result<Self::Vector, Error> {
         let turn = join(g.rotation.angle(), Vector2::zeros());
         let u = self.tangent_right_inverse(&turn, &join(0.0, g.translation.vector))?;
@@ -89,12 +90,12 @@ impl LieGroup for Se2 {
         DMatrix::from_column_slice(3, 3, g.to_homogeneous().as_slice())
     }
 
-    /// Computed in closed form, because `ad_x^3 = -w^2 ad_x`.
+    /// Computes the operator in closed form, because `ad_x^3 = -w^2 ad_x`.
     fn tangent_left(&self, x: &Self::Vector, v: &Self::Vector) -> Self::Vector {
         tangent::cubic(self, |x| x[0] * x[0], x, v)
     }
 
-    /// Computed in closed form.
+    /// Computes the operator in closed form.
     fn tangent_left_inverse(
         &self,
         x: &Self::Vector,
@@ -122,7 +123,7 @@ impl TranslationSplit for Se2 {
     }
 }
 
-/// The embedding coordinates are cosine and sine, then the translation.
+/// The embedding coordinates are cosine and sine of the angle, followed by the translation.
 impl Embedded for Se2 {
     type Ambient = Vector4<f64>;
 
@@ -148,7 +149,8 @@ impl Embedded for Se2 {
     }
 }
 
-/// The written form is the homogeneous matrix of size 3. Angle and position are named coordinates.
+/// The written form is the homogeneous matrix of size 3. The angle and the position are named
+/// coordinates.
 impl MatrixNotation for Se2 {
     fn read(&self, matrix: &DMatrix<f64>) -> Result<Self::Element, Error> {
         checked(self, matrix, |m| {

@@ -3,11 +3,12 @@
 use super::semidirect_so3::SemidirectSo3;
 use nalgebra::{SVector, UnitQuaternion, Vector3};
 
-/// The extended poses of inertial navigation: matrices `[[R, v, p], [0, 1]]` of size 5.
+/// The group of extended poses of inertial navigation. Its elements are matrices
+/// `[[R, v, p], [0, 1]]` of size 5.
 ///
-/// Vectors are `(w, a, u)`: rotation, velocity part and position part. Rotations act on `a` and
-/// `u`, which commute with each other. A. Barrau and S. Bonnabel, *IEEE Transactions on Automatic
-/// Control* 62 (2017) 1797-1812.
+/// Vectors `(w, a, u)` consist of a rotation part, a velocity part and a position part. Rotations
+/// act on `a` and `u`, which commute with each other. A. Barrau and S. Bonnabel, *IEEE Transactions
+/// on Automatic Control* 62 (2017) 1797-1812.
 ///
 /// ```
 /// use affinor::group::{LieGroup, Se23};
@@ -22,7 +23,7 @@ pub struct Se23;
 /// An element of [`Se23`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ExtendedPose {
-    /// The attitude `R`, from body to spatial components.
+    /// The attitude `R`, which maps body components to spatial components.
     pub attitude: UnitQuaternion<f64>,
     /// The velocity `v`, in spatial components.
     pub velocity: Vector3<f64>,

@@ -3,11 +3,12 @@
 use super::semidirect_so3::SemidirectSo3;
 use nalgebra::{Isometry3, SVector, UnitQuaternion, Vector3, Vector6};
 
-/// The rigid motions of space, `p -> R p + t`: body to spatial coordinates.
+/// The group of rigid motions of space, `p -> R p + t`, which map body coordinates to spatial
+/// coordinates.
 ///
-/// Elements are nalgebra's `Isometry3<f64>`, a unit quaternion and a translation.
-/// Vectors are twists `(w, u)`, the angular velocity first, in the basis of the catalogue's `se(3)`:
-/// `[(w, u), (w', u')] = (w cross w', w cross u' + u cross w')`.
+/// Elements are nalgebra's `Isometry3<f64>`, a unit quaternion and a translation. Vectors are
+/// twists `(w, u)`, with the angular velocity first. The basis is the basis of `se(3)` in the
+/// catalogue: `[(w, u), (w', u')] = (w cross w', w cross u' + u cross w')`.
 ///
 /// ```
 /// use affinor::group::{LieGroup, Se3};

@@ -1,8 +1,8 @@
 //! Semidirect products of rotations and vectors: the common formulas of SE(3) and SE_2(3).
 //!
-//! `(w; u_1 ... u_K)` represents `w + d_1 u_1 + ... + d_K u_K`, an element of so(3) over dual
-//! numbers with `d_a d_b = 0`. Each operator of SO(3) acts on `w` and, by its derivative, on the
-//! `u_a`. V. Brodsky and M. Shoham, *Mechanism and Machine Theory* 34 (1999) 693-718.
+//! A vector `(w; u_1 ... u_K)` represents `w + d_1 u_1 + ... + d_K u_K`, an element of so(3) over
+//! dual numbers with `d_a d_b = 0`. Each operator of SO(3) acts on `w`, and its derivative acts on
+//! the `u_a`. V. Brodsky and M. Shoham, *Mechanism and Machine Theory* 34 (1999) 693-718.
 
 use crate::Error;
 use crate::group::TranslationSplit;
@@ -13,18 +13,18 @@ use nalgebra::{DMatrix, SVector, UnitQuaternion, Vector3};
 use std::array::from_fn;
 use std::fmt::Debug;
 
-/// A group of rotations `R` of space with `K` vectors `t_a` on which they act: `(R, t)(R', t') = (R
-/// R', t + R t')`. A type with this trait is a [`LieGroup`].
+/// A group of rotations `R` of space and `K` vectors `t_a`, on which the rotations act:
+/// `(R, t)(R', t') = (R R', t + R t')`. Every type with this trait is a [`LieGroup`].
 pub trait SemidirectSo3 {
-    /// An element.
+    /// The type of an element.
     type Pose: Copy + Debug;
-    /// The vectors `[t_1 ... t_K]` of an element.
+    /// The type of the vectors `[t_1 ... t_K]` of an element.
     type Vectors;
-    /// The components of an algebra vector: `w`, then the `u_a`.
+    /// The type of the components of an algebra vector: `w`, then the `u_a`.
     type Components;
-    /// The embedding coordinates: the quaternion `x, y, z, w` of `R`, then the `t_a`.
+    /// The type of the embedding coordinates: the quaternion `x, y, z, w` of `R`, then the `t_a`.
     type Coordinates;
-    /// The names of the quaternion `w, x, y, z` and of the `t_a`.
+    /// The names of the components of the quaternion `w, x, y, z` and of the `t_a`.
     const NAMES: &'static [&'static str];
 
     /// The rotation `R` and the vectors `t_a` of an element.
@@ -34,20 +34,20 @@ pub trait SemidirectSo3 {
     fn whole(rotation: UnitQuaternion<f64>, vectors: Self::Vectors) -> Self::Pose;
 }
 
-/// The components of a vector in groups of three.
+/// Splits the components of a vector into groups of three.
 #[inline(always)]
 fn split<const N: usize, const K: usize>(x: &SVector<f64, N>) -> (Vector3<f64>, [Vector3<f64>; K]) {
     let part = |at: usize| Vector3::new(x[at], x[at + 1], x[at + 2]);
     (part(0), from_fn(|a| part(3 * a + 3)))
 }
 
-/// The inverse of [`split`].
+/// Joins groups of three components to a vector; the inverse of [`split`].
 #[inline(always)]
 fn join<const N: usize, const K: usize>(w: Vector3<f64>, u: [Vector3<f64>; K]) -> SVector<f64, N> {
     SVector::from_fn(|i, _| if i < 3 { w[i] } else { u[i / 3 - 1][i % 3] })
 }
 
-/// Whether all translations are zero, as for a pure rotation.
+/// Whether all vectors are zero, as for a pure rotation.
 #[inline(always)]
 fn are_zero<const K: usize>(u: &[Vector3<f64>; K]) -> bool {
     u.iter().all(|u| *u == Vector3::zeros())
@@ -87,7 +87,7 @@ where
         G::whole(back, t.map(|t| -(back * t)))
     }
 
-    /// Computed by `R = exp(w)`, `t_a = T_right(w) u_a`.
+    /// Computes the exponential by `R = exp(w)`, `t_a = T_right(w) u_a`.
     #[inline]
     fn exp(&self, x: &Self::Vector) -> Self::Element {
         let (w, u) = split::<N, K>(x);
@@ -100,7 +100,8 @@ where
         G::whole(So3.exp(&w), u.map(|u| So3.tangent_right(&w, &u)))
     }
 
-    /// Computed by `w = log(R)`, of length at most `pi`, and `u_a = T_right(w)^-1 t_a`.
+    /// Computes the logarithm by `w = log(R)`, of length at most `pi`, and
+    /// `u_a = T_right(w)^-1 t_a`.
     fn log(&self, g: &Self::Element) -> Result<Self::Vector, Error> {
         let (r, t) = G::parts(g);
         let w = So3.log(&r)?;
@@ -115,7 +116,7 @@ where
         join(w, from_fn::<_, K, _>(|a| r * u[a] + t[a].cross(&w)))
     }
 
-    /// Computed by `Ad* (m; f_a) = (R^T (m + f_a cross t_a); R^T f_a)`.
+    /// Computes the action by `Ad* (m; f_a) = (R^T (m + f_a cross t_a); R^T f_a)`.
     #[inline]
     fn coadjoint(&self, g: &Self::Element, h: &Self::Vector) -> Self::Vector {
         let ((r, t), (m, f)) = (G::parts(g), split::<N, K>(h));
@@ -124,8 +125,8 @@ where
         join(r.tr_mul(&m), f.map(|f| r.tr_mul(&f)))
     }
 
-    /// Like [`coadjoint`](LieGroup::coadjoint), with `R^T (f_a cross t_a) = R^T f_a cross T_left(w)
-    /// u_a`.
+    /// Computes the [`coadjoint`](LieGroup::coadjoint) action, with
+    /// `R^T (f_a cross t_a) = R^T f_a cross T_left(w) u_a`.
     #[inline]
     fn coadjoint_exp(&self, x: &Self::Vector, h: &Self::Vector) -> Self::Vector {
         let ((w, u), (m, f)) = (split::<N, K>(x), split::<N, K>(h));
@@ -143,7 +144,8 @@ where
         G::whole(So3.project(r), t)
     }
 
-    /// Computed by `[(w; u_a), (w'; u'_a)] = (w cross w'; w cross u'_a + u_a cross w')`.
+    /// Computes the bracket by
+    /// `[(w; u_a), (w'; u'_a)] = (w cross w'; w cross u'_a + u_a cross w')`.
     #[inline]
     fn bracket(&self, x: &Self::Vector, y: &Self::Vector) -> Self::Vector {
         let ((w, u), (v, s)) = (split::<N, K>(x), split::<N, K>(y));
@@ -157,8 +159,9 @@ where
         DMatrix::from_vec(3 + K, 3 + K, entries)
     }
 
-    /// Computed by `T_left(w; u_a) (v; s_a) = (T_left(w) v; T_left(w) s_a + Q(w, u_a) v)`, where
-    /// `T_left(w)` is the operator of [`So3`] and `Q` its derivative along `u_a`.
+    /// Computes the operator by
+    /// `T_left(w; u_a) (v; s_a) = (T_left(w) v; T_left(w) s_a + Q(w, u_a) v)`. Here `T_left(w)` is
+    /// the operator of [`So3`], and `Q` is its derivative along `u_a`.
     #[inline]
     fn tangent_left(&self, x: &Self::Vector, v: &Self::Vector) -> Self::Vector {
         let ((w, u), (v, s)) = (split::<N, K>(x), split::<N, K>(v));
@@ -166,8 +169,9 @@ where
         join(So3.tangent_left(&w, &v), from_fn::<_, K, _>(lower))
     }
 
-    /// Computed by forward substitution: `v' = T_left(w)^-1 v`, then `s'_a = T_left(w)^-1 (s_a -
-    /// Q(w, u_a) v')`. It is singular where the operator of [`So3`] is.
+    /// Computes the operator by forward substitution: `v' = T_left(w)^-1 v`, then
+    /// `s'_a = T_left(w)^-1 (s_a - Q(w, u_a) v')`. It is singular where the operator of [`So3`] is
+    /// singular.
     #[inline]
     fn tangent_left_inverse(
         &self,
@@ -209,7 +213,7 @@ where
         G::whole(G::parts(g).0, [Vector3::zeros(); K])
     }
 
-    /// Computed by `Ad*_(R^-1, 0) (m; f_a) = (R m; R f_a)`.
+    /// Computes the action by `Ad*_(R^-1, 0) (m; f_a) = (R m; R f_a)`.
     #[inline]
     fn coadjoint_inverse(&self, turn: &Self::Element, h: &Self::Vector) -> Self::Vector {
         let ((r, _), (m, f)) = (G::parts(turn), split::<N, K>(h));
@@ -228,8 +232,8 @@ where
     }
 }
 
-/// The embedding coordinates are the quaternion of the rotation, then the `t_a`, with the time
-/// derivatives `R u_a`.
+/// The embedding coordinates are the quaternion of the rotation, followed by the `t_a`. The time
+/// derivatives of the `t_a` are `R u_a`.
 impl<G, const K: usize, const N: usize, const M: usize> Embedded for G
 where
     G: SemidirectSo3<
@@ -257,8 +261,8 @@ where
         self.rate_at_projected(g, &self.project(*g), v)
     }
 
-    /// The time derivatives of `R`, then `R u_a` with the projected rotation: only then is the path
-    /// consistent with the momentum.
+    /// The time derivative of `R`, followed by `R u_a` with the projected rotation, because only
+    /// the projected rotation makes the path consistent with the momentum.
     #[inline(always)]
     fn rate_at_projected(
         &self,
@@ -335,8 +339,8 @@ where
 /// cross v + c_3 x cross (x cross v)`.
 fn slope(x: &Vector3<f64>, p: &Vector3<f64>, v: &Vector3<f64>) -> Vector3<f64> {
     if x.norm_squared() > FAR {
-        // for a large angle: the derivative of the mean over a full turn, which is the projection
-        // onto x
+        // for a large angle, uses the derivative of the mean over a full turn, which is the
+        // projection onto x
         let largest = x.amax();
         let (unit, p) = ((x / largest).normalize(), p / largest);
         let (length, across) = ((x / largest).norm(), p - unit * unit.dot(&p));

@@ -9,11 +9,11 @@ use crate::numerics::stumpff::Stumpff;
 use nalgebra::{DMatrix, Matrix2, Vector3, Vector4};
 use std::f64::consts::PI;
 
-/// The real matrices of size 2 and determinant 1.
+/// The group of real matrices of size 2 with determinant 1.
 ///
-/// A vector `(e, f, h)` is the matrix `[[h, e], [f, -h]]`, in the basis of the catalogue's `sl(2)`:
-/// `[E, F] = H`, `[H, E] = 2 E`, `[H, F] = -2 F`. The exponential is not surjective: its image is
-/// `-1` and the elements with a trace above -2.
+/// A vector `(e, f, h)` is the matrix `[[h, e], [f, -h]]`. The basis is the basis of `sl(2)` in the
+/// catalogue: `[E, F] = H`, `[H, E] = 2 E`, `[H, F] = -2 F`. The exponential is not surjective: its
+/// image consists of `-1` and the elements whose trace exceeds -2.
 ///
 /// ```
 /// use affinor::group::{LieGroup, Sl2};
@@ -25,26 +25,26 @@ use std::f64::consts::PI;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Sl2;
 
-/// The size above which squares may overflow.
+/// Squares of larger numbers may overflow.
 const LARGE: f64 = 1e150;
 
-/// The ratio of terms to their sum above which cancellation is assumed.
+/// Cancellation is assumed if the ratio of the terms to their sum exceeds this value.
 const CANCELLED: f64 = 64.0;
 
-/// The square of the sine, near 1, below which the angle over the sine has a derivative with
-/// respect to this square of less than 1.
+/// A limit for the squared sine of the angle. If the squared sine is at most this value, the
+/// derivative of angle over sine with respect to the squared sine is less than 1.
 const NEAR: f64 = 1e-4;
 
 fn traceless(x: &Vector3<f64>) -> Matrix2<f64> {
     Matrix2::new(x[2], x[0], x[1], -x[2])
 }
 
-/// The components of the traceless part.
+/// The components of the traceless part of a matrix.
 fn components(m: &Matrix2<f64>) -> Vector3<f64> {
     Vector3::new(m[(0, 1)], m[(1, 0)], 0.5 * (m[(0, 0)] - m[(1, 1)]))
 }
 
-/// The determinant of the matrix `x`, with `x^2 = -det(x)`.
+/// The determinant of the matrix `x`, which satisfies `x^2 = -det(x)`.
 fn determinant(x: &Vector3<f64>) -> f64 {
     let largest = x.amax();
     let product = |x: &Vector3<f64>| -x[2] * x[2] - x[0] * x[1];
@@ -57,8 +57,8 @@ fn determinant(x: &Vector3<f64>) -> f64 {
     }
 }
 
-/// The logarithm of `cos + part`, where `part = (sin / angle) x`; in the hyperbolic case cosh and
-/// sinh.
+/// The logarithm of `cos + part`, where `part = (sin / angle) x`. In the hyperbolic case, the
+/// functions are cosh and sinh.
 fn logarithm(cos: f64, part: &Vector3<f64>) -> Result<Vector3<f64>, Error> {
     if (cos + 1.0).abs() <= 4.0 * f64::EPSILON && part.amax() <= 4.0 * f64::EPSILON {
         return Ok(Vector3::new(-PI, PI, 0.0));
@@ -95,13 +95,13 @@ impl LieGroup for Sl2 {
         g * h
     }
 
-    /// The adjugate, because the determinant is 1.
+    /// The adjugate of the matrix, which is the inverse because the determinant is 1.
     fn inverse(&self, g: &Self::Element) -> Self::Element {
         Matrix2::new(g[(1, 1)], -g[(0, 1)], -g[(1, 0)], g[(0, 0)])
     }
 
-    /// Returns `c_0 + c_1 x` with the Stumpff functions of `det x`. For a hyperbolic `x`, `det x <
-    /// 0`, it overflows where cosh does.
+    /// Returns `c_0 + c_1 x` with the Stumpff functions of `det x`. If `x` is hyperbolic
+    /// (`det x < 0`), the result overflows where cosh overflows.
     fn exp(&self, x: &Self::Vector) -> Self::Element {
         let z = determinant(x);
         if z > LARGE {
@@ -114,15 +114,15 @@ impl LieGroup for Sl2 {
         Matrix2::identity() * c.c0 + traceless(x) * c.c1
     }
 
-    /// The logarithm with an angle of at most `pi`. For `-1` it is the half turn `pi (F - E)`,
-    /// which is one of its logarithms.
+    /// The logarithm with an angle of at most `pi`. For `-1`, the result is the half turn
+    /// `pi (F - E)`, which is one of several logarithms.
     fn log(&self, g: &Self::Element) -> Result<Self::Vector, Error> {
         logarithm(0.5 * g.trace(), &components(g))
     }
 
-    /// Accurate for short vectors: the trace-free part of `(c_0 + c_1 x) (d_0 + d_1 y)` is `c_0 d_1
-    /// y + d_0 c_1 x + c_1 d_1 [x, y]/2`. Returns an error if cancellation makes the result
-    /// inaccurate.
+    /// Computes the product accurately for short vectors. The trace-free part of
+    /// `(c_0 + c_1 x) (d_0 + d_1 y)` is `c_0 d_1 y + d_0 c_1 x + c_1 d_1 [x, y]/2`. Returns an
+    /// error if cancellation makes the result inaccurate.
     fn log_product(&self, x: &Self::Vector, y: &Self::Vector) -> Result<Self::Vector, Error> {
         let [zx, zy] = [x, y].map(determinant);
         if zx.max(zy) > LARGE {
@@ -138,12 +138,13 @@ impl LieGroup for Sl2 {
         let terms = vectors + (c.c0 * d.c0).abs() + (c.c1 * d.c1 * half_trace).abs();
         let rounding = f64::EPSILON * terms;
         let cancelled = terms > CANCELLED * (part.amax() + cos.abs());
-        // the sum of the vectors has the same rounding error
+        // the rounding error that the sum of the vectors has anyway; it is subtracted from the
+        // error
         let sum = 8.0 * f64::EPSILON * (x.amax() + y.amax());
         let unknown = |error| expect_digits_of_product(rounding - sum).and(Err(error));
         let product = logarithm(cos, &part).or_else(unknown)?;
         if cancelled {
-            // bounds the derivative of (angle / sine) part
+            // computes a bound of the derivative of (angle / sine) part
             let (square, size) = (determinant(&part), part.amax());
             let slope = if square > 0.0 { cos } else { 1.0 / cos };
             let lost = match product.amax() / size {
@@ -180,20 +181,20 @@ impl LieGroup for Sl2 {
         DMatrix::from_column_slice(2, 2, g.as_slice())
     }
 
-    /// Computed in closed form, because `ad_x^3 = -4 det(x) ad_x`: the eigenvalues of `ad_x` are
-    /// twice those of `x`, and 0.
+    /// Computes the operator in closed form, because `ad_x^3 = -4 det(x) ad_x`. The eigenvalues of
+    /// `ad_x` are twice the eigenvalues of `x`, and 0.
     fn tangent_left(&self, x: &Self::Vector, v: &Self::Vector) -> Self::Vector {
         tangent::cubic(self, |x| 4.0 * determinant(x), x, v)
     }
 
-    /// Computed in closed form.
+    /// Computes the operator in closed form.
     fn tangent_left_inverse(
         &self,
         x: &Self::Vector,
         v: &Self::Vector,
     ) -> Result<Self::Vector, Error> {
-        // the sum of the magnitudes of the terms of the determinant, which bounds its rounding
-        // error
+        // the sum of the magnitudes of the terms of the determinant bounds the rounding error of
+        // the determinant
         let size = 4.0 * (x[2] * x[2] + (x[0] * x[1]).abs());
         tangent::cubic_inverse(self, [4.0 * determinant(x), size], x, v)
     }

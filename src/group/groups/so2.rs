@@ -6,7 +6,7 @@ use crate::group::matrices::{MatrixNotation, checked, replace, sparse};
 use crate::group::{Embedded, LieGroup};
 use nalgebra::{Complex, DMatrix, UnitComplex, Vector1, Vector2};
 
-/// The rotations of a plane, counterclockwise; vectors are angles in radians.
+/// The group of rotations of a plane, counterclockwise. Vectors are angles in radians.
 ///
 /// ```
 /// use affinor::group::{LieGroup, So2};
@@ -43,7 +43,7 @@ impl LieGroup for So2 {
         UnitComplex::new(x[0])
     }
 
-    /// The angle between `-pi` and `pi`; for the half turn one of these two.
+    /// The angle between `-pi` and `pi`. For the half turn, the result is either `-pi` or `pi`.
     fn log(&self, g: &Self::Element) -> Result<Self::Vector, Error> {
         Ok(Vector1::new(g.angle()))
     }
@@ -83,7 +83,7 @@ impl TranslationSplit for So2 {
     }
 }
 
-/// The embedding coordinates are cosine and sine.
+/// The embedding coordinates are the cosine and the sine of the angle.
 impl Embedded for So2 {
     type Ambient = Vector2<f64>;
 
@@ -127,7 +127,7 @@ impl MatrixNotation for So2 {
     }
 }
 
-/// The rotation of the plane that is nearest to the upper left block.
+/// The rotation of the plane that is nearest to the upper left block of a matrix.
 pub(super) fn nearest_turn(m: &DMatrix<f64>) -> UnitComplex<f64> {
     UnitComplex::new((m[(1, 0)] - m[(0, 1)]).atan2(m[(0, 0)] + m[(1, 1)]))
 }

@@ -9,12 +9,13 @@ use crate::numerics::stumpff::{FAR, Stumpff, first_two, inverse_tangent, polynom
 use crate::{Error, Law};
 use nalgebra::{DMatrix, Quaternion, UnitQuaternion, Vector3, Vector4};
 
-/// The rotations of space: `R` maps body to spatial components, `Rdot = R spin(Omega)`.
+/// The group of rotations of space: `R` maps body to spatial components, and
+/// `Rdot = R spin(Omega)`.
 ///
 /// Elements are nalgebra's `UnitQuaternion<f64>`; [`rotation`] converts them from and to matrices,
-/// Euler angles and other coordinates. Vectors are rotation vectors in radians (canonical
-/// coordinates of the first kind (61), (74)), and `[x, y] = x cross y`. The quaternions `q` and
-/// `-q` represent the same rotation.
+/// Euler angles and other coordinates. Vectors are rotation vectors in radians, which are canonical
+/// coordinates of the first kind (equations (61), (74)); the bracket is `[x, y] = x cross y`. The
+/// quaternions `q` and `-q` represent the same rotation.
 ///
 /// ```
 /// use affinor::group::{LieGroup, So3};
@@ -27,7 +28,8 @@ use nalgebra::{DMatrix, Quaternion, UnitQuaternion, Vector3, Vector4};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct So3;
 
-/// A length far below the square root of the largest float, so that its square does not overflow.
+/// Below this squared length, the common formula of the exponential is used. The value is far below
+/// the largest float, so the squared length has not overflowed.
 const LARGE: f64 = 1e280;
 
 impl LieGroup for So3 {
@@ -43,8 +45,8 @@ impl LieGroup for So3 {
         UnitQuaternion::identity()
     }
 
-    /// The product of quaternions. It is not normalized: the norm drifts by one rounding error per
-    /// product.
+    /// The product of quaternions. The product is not normalized: its norm drifts by one rounding
+    /// error per product.
     #[inline]
     fn compose(&self, g: &Self::Element, h: &Self::Element) -> Self::Element {
         g * h
@@ -55,9 +57,9 @@ impl LieGroup for So3 {
         g.inverse()
     }
 
-    /// Returns `cos(|x|/2) + sin(|x|/2) x/|x|`, (77), accurate up to a few rounding errors. For
-    /// `|x| > 2 pi` the error is about `|x|` rounding errors, which the rounding of the angle
-    /// causes.
+    /// Returns `cos(|x|/2) + sin(|x|/2) x/|x|`, equation (77). The result is accurate up to a few
+    /// rounding errors. For `|x| > 2 pi`, the rounding of the angle causes an error of about `|x|`
+    /// rounding errors.
     #[inline]
     fn exp(&self, x: &Self::Vector) -> Self::Element {
         let square = x.norm_squared();
@@ -68,9 +70,9 @@ impl LieGroup for So3 {
         exp_far(x)
     }
 
-    /// The rotation vector of length at most `pi`, from the quaternion with `w >= 0`. At exactly
-    /// `pi` (`w = 0`) its first nonzero component is positive. The quaternion need not be
-    /// normalized.
+    /// The rotation vector, whose length is at most `pi`. It is computed from the quaternion with
+    /// `w >= 0`. If the length is exactly `pi` (`w = 0`), the first nonzero component is positive.
+    /// The quaternion need not be normalized.
     #[inline]
     fn log(&self, g: &Self::Element) -> Result<Self::Vector, Error> {
         let v = g.imag();
@@ -112,8 +114,9 @@ impl LieGroup for So3 {
         x.cross(y)
     }
 
-    /// Normalizes the quaternion without bias. The squared length is rounded more finely below 1
-    /// than above, which would bias a million steps.
+    /// Normalizes the quaternion without bias. The code computes the squared length minus 1
+    /// directly. Floats below 1 are finer than floats above 1, so the rounding of the squared
+    /// length itself would cause a bias over a million steps.
     #[inline]
     fn project(&self, g: Self::Element) -> Self::Element {
         let q = g.into_inner();
@@ -129,14 +132,14 @@ impl LieGroup for So3 {
         DMatrix::from_column_slice(3, 3, rotation::matrix(g).as_slice())
     }
 
-    /// Returns `c_1 v - c_2 x cross v + c_3 x (x . v)` with the Stumpff functions of `|x|^2`: the
-    /// map of (86).
+    /// Returns `c_1 v - c_2 x cross v + c_3 x (x . v)` with the Stumpff functions of `|x|^2`, which
+    /// is the map of equation (86).
     #[inline]
     fn tangent_left(&self, x: &Self::Vector, v: &Self::Vector) -> Self::Vector {
         let square = x.norm_squared();
         in_range(v, |v| {
             if square > FAR {
-                // for a large angle, only the part along x remains
+                // for a large angle, only the component along x is significant
                 let unit = (x / x.amax()).normalize();
                 return unit * unit.dot(v);
             }
@@ -145,9 +148,9 @@ impl LieGroup for So3 {
         })
     }
 
-    /// Returns `(1 - d |x|^2) v + x cross v/2 + d x (x . v)` with `d` of `inverse_tangent`. It is
-    /// singular at `|x| = 2 pi k`, `k > 0`, up to rounding errors. Lengths whose rounding error
-    /// exceeds the distance from these values are errors.
+    /// Returns `(1 - d |x|^2) v + x cross v/2 + d x (x . v)` , where `inverse_tangent` computes
+    /// `d`. The operator is singular at `|x| = 2 pi k`, `k > 0`. Returns an error if the distance
+    /// of the length from these values is less than its rounding error.
     #[inline]
     fn tangent_left_inverse(
         &self,
@@ -174,8 +177,9 @@ impl TranslationSplit for So3 {
 }
 
 impl So3 {
-    /// The logarithm nearest to a given rotation vector: `log(g) + 2 pi k n` along its axis `n`.
-    /// Along a motion it is continuous past `pi`, where [`LieGroup::log`] is discontinuous.
+    /// The logarithm that is nearest to a given rotation vector. It is `log(g) + 2 pi k n`, where
+    /// `n` is the axis. Along a trajectory, it remains continuous beyond `pi`, where
+    /// [`LieGroup::log`] is discontinuous.
     ///
     /// ```
     /// use affinor::group::{LieGroup, So3};
@@ -187,7 +191,7 @@ impl So3 {
     /// ```
     ///
     /// # Errors
-    /// Those of [`LieGroup::log`] for rotations.
+    /// The errors of [`LieGroup::log`] for rotations.
     pub fn log_near(
         &self,
         g: &UnitQuaternion<f64>,
@@ -195,7 +199,7 @@ impl So3 {
     ) -> Result<Vector3<f64>, Error> {
         let x = self.log(g)?;
         let angle = x.norm();
-        // at the identity, any axis is possible
+        // at the identity, the axis is arbitrary, so the axis of `near` is used
         let axis =
             if angle > 0.0 { x / angle } else { near.try_normalize(0.0).unwrap_or_default() };
         let turns = ((near.dot(&axis) - angle) / std::f64::consts::TAU).round();
@@ -203,27 +207,28 @@ impl So3 {
     }
 }
 
-/// The exponential for lengths whose square may overflow.
+/// The exponential for vectors whose squared length may overflow.
 #[inline(never)]
 fn exp_far(x: &Vector3<f64>) -> UnitQuaternion<f64> {
     let largest = x.amax();
     let unit = x / largest;
     let length = unit.norm();
-    // if the length overflows, half of it is computed
+    // computes only half of the length, because the length may overflow
     let (sin, cos) = (0.5 * largest * length).sin_cos();
     UnitQuaternion::new_unchecked(Quaternion::from_parts(cos, unit * (sin / length)))
 }
 
-/// Whether a squared length `|q|^2` is so near 1 that `|q| = (1 + |q|^2)/2` up to rounding errors.
+/// Whether a squared length `|q|^2` is so close to 1 that `|q| = (1 + |q|^2)/2` up to rounding
+/// errors.
 #[inline(always)]
 pub(in crate::group) fn is_unit(norm: f64) -> bool {
     (norm - 1.0).abs() < 1e-8
 }
 
-/// The ratio of the rotation vector to the vector part of the quaternion `x, y, z, w`, whose
-/// squared lengths are `|v|^2` and `|q|^2`; the latter must satisfy [`is_unit`]. The ratio is `4
-/// atan(tan(angle/4))` over the sine, where `tan(angle/4) = |v|/(|q| + |w|)` is at most 1. This
-/// formula needs no case distinction, neither at the identity nor at `pi`.
+/// The ratio of the rotation vector to the vector part of the quaternion `x, y, z, w`, where
+/// `|v|^2` is `square` and `|q|^2` is `norm`. The parameter `norm` must satisfy [`is_unit`]. The
+/// ratio is `4 atan(tan(angle/4))` over the sine, where `tan(angle/4) = |v|/(|q| + |w|)` is at
+/// most 1. This formula needs no case distinction, neither at the identity nor at `pi`.
 #[inline(always)]
 pub(in crate::group) fn logarithm<T: Lane>([x, y, z, w]: [T; 4], square: T, norm: T) -> T {
     let half = T::splat(0.5);
@@ -232,8 +237,8 @@ pub(in crate::group) fn logarithm<T: Lane>([x, y, z, w]: [T; 4], square: T, norm
     size.copysign(w.or(x.or(y.or(z))))
 }
 
-/// Coefficients of `atan(t)/t` in powers of `t^2` for `0 <= t <= 1`, with error `1.3e-17` (Remez
-/// exchange with 60 digits, then rounded): `tests/references/arctangent.py`.
+/// Coefficients of `atan(t)/t` in powers of `t^2` for `0 <= t <= 1`. Their error is `1.3e-17`
+/// (Remez exchange with 60 digits, then rounded); `tests/references/arctangent.py` computes them.
 const ARCTANGENT: [f64; 21] = [
     1.0,
     -0.3333333333333293,
@@ -258,7 +263,7 @@ const ARCTANGENT: [f64; 21] = [
     1.3075348495791475e-05,
 ];
 
-/// A linear map of `v`, scaled so that its products neither overflow nor underflow.
+/// Applies a linear map to `v`, scaled so that products neither overflow nor underflow.
 #[inline]
 fn in_range(v: &Vector3<f64>, map: impl Fn(&Vector3<f64>) -> Vector3<f64>) -> Vector3<f64> {
     let largest = v.amax();
@@ -268,7 +273,7 @@ fn in_range(v: &Vector3<f64>, map: impl Fn(&Vector3<f64>) -> Vector3<f64>) -> Ve
     map(&(v / largest)) * largest
 }
 
-/// The embedding coordinates are `x, y, z, w`, with the time derivative `q (0, v)/2`.
+/// The embedding coordinates are `x, y, z, w`. Their time derivative is `q (0, v)/2`.
 impl Embedded for So3 {
     type Ambient = Vector4<f64>;
 
@@ -290,7 +295,8 @@ impl Embedded for So3 {
     }
 }
 
-/// The written form is the rotation matrix. The quaternion `w, x, y, z` is named.
+/// The written form is the rotation matrix. The components `w, x, y, z` of the quaternion are named
+/// coordinates.
 impl MatrixNotation for So3 {
     fn read(&self, matrix: &DMatrix<f64>) -> Result<Self::Element, Error> {
         checked(self, matrix, |m| {
@@ -323,8 +329,8 @@ impl MatrixNotation for So3 {
 mod tests {
     use super::*;
 
-    /// For lengths whose squares are near overflow, the special exponential agrees with the common
-    /// one where both are valid.
+    /// The two formulas of the exponential agree near their threshold, for lengths whose squares
+    /// are near overflow.
     #[test]
     fn both_exponentials_by_the_half_angle() {
         let axis = Vector3::new(2.0, -3.0, 6.0) / 7.0;
@@ -336,7 +342,8 @@ mod tests {
                 assert!(off <= 2.0 * f64::EPSILON * (1.0 + angle), "{angle}: off by {off:e}");
             }
         }
-        // beyond the threshold the angle is only noise, but the quaternion has length one
+        // beyond the threshold, the angle consists only of rounding errors, but the quaternion has
+        // length one
         for length in [0.9, 1.1].map(|ratio: f64| ratio * LARGE.sqrt()) {
             assert!((So3.exp(&(axis * length)).norm() - 1.0).abs() < 1e-15);
         }

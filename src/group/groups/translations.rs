@@ -7,10 +7,10 @@ use crate::group::{Coordinates, Embedded, LieGroup};
 use nalgebra::allocator::Allocator;
 use nalgebra::{DMatrix, DefaultAllocator, Dim, OVector};
 
-/// The vectors of `R^n` under addition: `exp` is the identity map, brackets are 0.
+/// The group of vectors of `R^n` under addition: `exp` is the identity map, and brackets are 0.
 ///
-/// The dimension is fixed or chosen at run time: `Translations(Const::<3>)`, `Translations(Dyn(3))`
-/// of nalgebra.
+/// The dimension is fixed or chosen at run time, for example by `Translations(Const::<3>)` or
+/// `Translations(Dyn(3))` with the types of nalgebra.
 ///
 /// ```
 /// use affinor::group::{LieGroup, Translations};
@@ -96,7 +96,7 @@ where
     }
 }
 
-/// The embedding coordinates are the coordinates.
+/// The embedding coordinates are the components of the vector.
 impl<D: Dim> Embedded for Translations<D>
 where
     DefaultAllocator: Allocator<D>,

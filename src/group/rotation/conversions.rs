@@ -4,8 +4,8 @@ use super::formulas;
 use crate::Error;
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 
-/// The components `w, x, y, z`, with the sign that makes the first nonzero one positive, so that
-/// they are unique for a rotation.
+/// The components `w, x, y, z` of the quaternion. Its sign is chosen so that the first nonzero
+/// component is positive; the components are then unique for a rotation.
 pub fn wxyz(g: &UnitQuaternion<f64>) -> [f64; 4] {
     let q = [g.w, g.i, g.j, g.k];
     let negative = q.iter().find(|q| **q != 0.0).is_some_and(|q| *q < 0.0);
@@ -22,7 +22,7 @@ pub fn wxyz(g: &UnitQuaternion<f64>) -> [f64; 4] {
 /// ```
 ///
 /// # Errors
-/// [`Error::Invalid`] if it is zero or not finite.
+/// [`Error::Invalid`] if the quaternion is zero or not finite.
 pub fn from_wxyz([w, x, y, z]: [f64; 4]) -> Result<UnitQuaternion<f64>, Error> {
     let q = Quaternion::new(w, x, y, z);
     let largest = q.coords.amax();
@@ -30,26 +30,26 @@ pub fn from_wxyz([w, x, y, z]: [f64; 4]) -> Result<UnitQuaternion<f64>, Error> {
         let reason = format!("the quaternion {w}, {x}, {y}, {z} has no direction");
         return Err(Error::Invalid { what: "rotation", reason });
     }
-    // the norm of subnormal components is accurate only after scaling
+    // scales the components first, because the norm of subnormal components is inaccurate
     let scaled = if largest < 1e-300 { q * 1e300 } else { q };
     let unit = scaled / scaled.coords.amax();
     Ok(UnitQuaternion::new_unchecked(unit / unit.norm()))
 }
 
-/// The matrix `R = 1 + (2/|q|^2) (w spin(v) + spin(v)^2)`; its columns are the rotated basis
+/// The matrix `R = 1 + (2/|q|^2) (w spin(v) + spin(v)^2)`. Its columns are the rotated basis
 /// vectors.
 ///
-/// In this form, homogeneous of degree 0, `R` is orthogonal to 4 machine epsilons even if the
-/// length of the quaternion has drifted from 1.
+/// This form is homogeneous of degree 0. Therefore, `R` is orthogonal to 4 machine epsilons even if
+/// the length of the quaternion has drifted from 1.
 pub fn matrix(g: &UnitQuaternion<f64>) -> Matrix3<f64> {
     Matrix3::from_row_slice(&formulas::matrix([g.w, g.i, g.j, g.k]))
 }
 
-/// The rotation of a matrix with `R^T R = 1` up to `tolerance` in every entry, and positive
-/// determinant.
+/// The rotation of a matrix. Every entry of `R^T R` must agree with 1 up to `tolerance`, and the
+/// determinant must be positive.
 ///
-/// S. W. Shepperd, *J. Guidance and Control* 1 (1978) 223-224: the quaternion is computed from its
-/// largest component, so that no division amplifies cancellation.
+/// The quaternion is computed from its largest component, so that no division amplifies
+/// cancellation (S. W. Shepperd, *J. Guidance and Control* 1 (1978) 223-224).
 ///
 /// ```
 /// use affinor::group::rotation::{from_matrix, wxyz};
@@ -60,10 +60,10 @@ pub fn matrix(g: &UnitQuaternion<f64>) -> Matrix3<f64> {
 /// ```
 ///
 /// # Errors
-/// [`Error::Invalid`] with the defect.
+/// [`Error::Invalid`] with the deviation of `R^T R` from 1.
 pub fn from_matrix(r: &Matrix3<f64>, tolerance: f64) -> Result<UnitQuaternion<f64>, Error> {
     let defect = (r.transpose() * r - Matrix3::identity()).abs();
-    // tests the sum, because the maximum ignores NaN
+    // also tests the sum, because the maximum ignores NaN
     if !(defect.sum().is_finite() && defect.max() <= tolerance) {
         let reason = format!("R^T R differs from 1 by {:e}", defect.max());
         return Err(Error::Invalid { what: "rotation", reason });
@@ -88,7 +88,7 @@ pub fn from_matrix(r: &Matrix3<f64>, tolerance: f64) -> Result<UnitQuaternion<f6
 /// ```
 ///
 /// # Errors
-/// [`Error::Invalid`] at the angle `pi`, or so near it that a component overflows.
+/// [`Error::Invalid`] if the angle is `pi`, or so near `pi` that a component overflows.
 #[doc(alias("Gibbs vector", "Cayley"))]
 pub fn rodrigues(g: &UnitQuaternion<f64>) -> Result<Vector3<f64>, Error> {
     let vector = g.imag() / g.w;
@@ -106,8 +106,8 @@ pub fn from_rodrigues(r: &Vector3<f64>) -> UnitQuaternion<f64> {
     UnitQuaternion::new_unchecked(Quaternion::from_parts(w / length, v / length))
 }
 
-/// Modified Rodrigues parameters `v/(1 + w) = tan(angle/4) n` for the angle up to `pi`, where their
-/// length reaches 1. At `pi` they have the sign of [`wxyz`].
+/// The modified Rodrigues parameters `v/(1 + w) = tan(angle/4) n` of the angle between 0 and `pi`.
+/// Their length is 1 at `pi`, where they have the sign of [`wxyz`].
 pub fn modified_rodrigues(g: &UnitQuaternion<f64>) -> Vector3<f64> {
     let [w, x, y, z] = wxyz(g);
     Vector3::new(x, y, z) / (w + g.norm())

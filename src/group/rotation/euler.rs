@@ -1,5 +1,5 @@
-//! Euler angles: canonical coordinates of the second kind, products of rotations about coordinate
-//! axes.
+//! Euler angles, which are canonical coordinates of the second kind. A rotation is a product of
+//! rotations about coordinate axes.
 
 use crate::Error;
 use nalgebra::{Quaternion, UnitQuaternion};
@@ -9,28 +9,28 @@ use std::str::FromStr;
 /// A coordinate axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Axis {
-    /// The first.
+    /// The first axis.
     X,
-    /// The second.
+    /// The second axis.
     Y,
-    /// The third.
+    /// The third axis.
     Z,
 }
 
-/// The axes of the rotations: fixed in the body or in space.
+/// The frame in which the axes of the rotations are fixed: the body or space.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum AxesFrame {
-    /// The axes of the body, after the earlier rotations: `R = R_1(a) R_2(b) R_3(c)`.
+    /// The axes of the body, which the earlier rotations have rotated: `R = R_1(a) R_2(b) R_3(c)`.
     Intrinsic,
     /// The axes of space: `R = R_3(c) R_2(b) R_1(a)`.
     Extrinsic,
 }
 
-/// A sequence of three axes, in which consecutive ones differ: there are 12, each intrinsic or
-/// extrinsic.
+/// A sequence of three axes, in which consecutive axes differ. There are 12 sequences of axes, and
+/// each is intrinsic or extrinsic.
 ///
-/// The intrinsic products `exp(a e_1) exp(b e_2) exp(c e_3)` are the canonical coordinates of the second
-/// kind of SO(3). As text, `ZYX` is intrinsic and `zyx` extrinsic.
+/// The intrinsic products `exp(a e_1) exp(b e_2) exp(c e_3)` are the canonical coordinates of the
+/// second kind of SO(3). As text, `ZYX` is intrinsic, and `zyx` is extrinsic.
 ///
 /// ```
 /// use affinor::group::rotation::{GimbalLock, Sequence, from_wxyz};
@@ -50,24 +50,25 @@ pub struct Sequence {
     turns: AxesFrame,
 }
 
-/// Euler angles, and their ambiguity at gimbal lock.
+/// Euler angles, with the ambiguity at gimbal lock.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EulerAngles {
-    /// The angles in radians, in the order of the sequence. The first and the last are in `[-pi,
-    /// pi]`. The middle one is in `[0, pi]` if the first and last axis are equal, otherwise in
-    /// `[-pi/2, pi/2]`.
+    /// The angles in radians, in the order of the sequence. The first and the last angle are in
+    /// `[-pi, pi]`. The middle angle is in `[0, pi]` if the first and the last axis are equal;
+    /// otherwise it is in `[-pi/2, pi/2]`.
     pub angles: [f64; 3],
-    /// Gimbal lock: the rotation determines only one combination of the first and the last angle.
-    /// Then the last angle is 0 by convention.
+    /// The gimbal lock, if the rotation determines only one combination of the first and the last
+    /// angle. In this case, the last angle is 0 by convention.
     pub lock: Option<GimbalLock>,
 }
 
-/// Gimbal lock, by the combination of the first and the last angle that is determined.
+/// Gimbal lock, described by the combination of the first and the last angle that the rotation
+/// determines.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum GimbalLock {
-    /// The sum of both angles.
+    /// The sum of the first and the last angle.
     Sum,
-    /// The difference of both angles.
+    /// The difference of the first and the last angle.
     Difference,
 }
 
@@ -75,11 +76,11 @@ pub enum GimbalLock {
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 impl Sequence {
-    /// A sequence.
+    /// A sequence of rotations about these axes.
     ///
     /// # Errors
-    /// [`Error::Invalid`] if consecutive axes are equal, because their rotations would combine to
-    /// one.
+    /// [`Error::Invalid`] if consecutive axes are equal, because two rotations about one axis
+    /// combine to a single rotation.
     pub fn new(axes: [Axis; 3], turns: AxesFrame) -> Result<Self, Error> {
         if axes[0] == axes[1] || axes[1] == axes[2] {
             let reason = format!("{axes:?} repeats an axis, so two angles act as one");
@@ -88,7 +89,7 @@ impl Sequence {
         Ok(Sequence { axes, turns })
     }
 
-    /// All 24 sequences.
+    /// All 24 sequences: 12 are intrinsic, and 12 are extrinsic.
     pub fn all() -> impl Iterator<Item = Sequence> {
         let axes = [Axis::X, Axis::Y, Axis::Z];
         let triples = (0..27).map(move |n| [axes[n / 9], axes[n / 3 % 3], axes[n % 3]]);
@@ -101,8 +102,8 @@ impl Sequence {
     }
 
     /// The rotation by the angles `[a, b, c]` in radians: `R_1(a) R_2(b) R_3(c)` for intrinsic
-    /// rotations, `R_3(c) R_2(b) R_1(a)` for extrinsic ones, where `R_k` rotates about axis `k` of
-    /// the sequence.
+    /// rotations, and `R_3(c) R_2(b) R_1(a)` for extrinsic rotations, where `R_k` rotates about
+    /// axis `k` of the sequence.
     pub fn rotation(&self, angles: [f64; 3]) -> UnitQuaternion<f64> {
         let turn = |k: usize| {
             let (sin, cos) = (0.5 * angles[k]).sin_cos();
@@ -118,12 +119,12 @@ impl Sequence {
 
     /// The angles of a rotation.
     ///
-    /// E. Bernardes and S. Viollet, *PLoS ONE* 17 (2022) e0276302: half the sum and half the
-    /// difference of the first and last angle are arguments of two complex numbers, and the middle
-    /// angle follows from their moduli.
+    /// The arguments of two complex numbers are half the sum and half the difference of the first
+    /// and the last angle. The middle angle follows from the moduli of these numbers (E. Bernardes
+    /// and S. Viollet, *PLoS ONE* 17 (2022) e0276302).
     pub fn angles(&self, g: &UnitQuaternion<f64>) -> EulerAngles {
         let intrinsic = self.turns == AxesFrame::Intrinsic;
-        // intrinsic rotations are extrinsic ones in the opposite order
+        // converts intrinsic rotations to extrinsic rotations in the opposite order
         let [first, middle, last] = self.axes.map(|axis| axis as usize);
         let (i, j, end) = if intrinsic { (last, middle, first) } else { (first, middle, last) };
         let proper = i == end;
@@ -133,8 +134,8 @@ impl Sequence {
         let (a, b, c, d) = if proper {
             (q[3], q[i], q[j], sign * q[k])
         } else {
-            // a quarter turn about the middle axis transforms it to a sequence whose first and last
-            // axes are equal
+            // applies a quarter turn about the middle axis, which yields a sequence whose first and
+            // last axes are equal
             (q[3] - q[j], q[i] + sign * q[k], q[j] + q[3], sign * q[k] - q[i])
         };
         let (of_sum, of_difference) = (a.hypot(b), c.hypot(d));
@@ -175,7 +176,7 @@ impl GimbalLock {
     }
 }
 
-/// The angle wrapped to `[-pi, pi]`; it must be less than two turns away.
+/// Wraps an angle to `[-pi, pi]`. The angle must be less than two turns away from this interval.
 fn wrapped(angle: f64) -> f64 {
     if angle > PI {
         angle - TAU

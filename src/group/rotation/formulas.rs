@@ -1,5 +1,5 @@
-//! Formulas of quaternions `w, x, y, z` and matrices in row-major order, for one rotation or
-//! several at once.
+//! Formulas for quaternions `w, x, y, z` and matrices in row-major order. They apply to one
+//! rotation, or to several rotations at once.
 
 use crate::numerics::lanes::Lane;
 
@@ -14,8 +14,8 @@ pub(crate) fn product<T: Lane>([a, b, c, d]: [T; 4], [e, f, g, h]: [T; 4]) -> [T
     ]
 }
 
-/// The rotation matrix `((w^2 - |v|^2) 1 + 2 w spin(v) + 2 v v^T)/|q|^2`: homogeneous of degree 0 in the quaternion, and
-/// orthogonal to 4 machine epsilons for a quaternion of any length.
+/// The rotation matrix `((w^2 - |v|^2) 1 + 2 w spin(v) + 2 v v^T)/|q|^2`. It is homogeneous of
+/// degree 0 in the quaternion, and orthogonal to 4 machine epsilons for a quaternion of any length.
 #[inline(always)]
 pub(crate) fn matrix<T: Lane>([w, x, y, z]: [T; 4]) -> [T; 9] {
     let [ww, xx, yy, zz] = [w * w, x * x, y * y, z * z];
@@ -36,8 +36,9 @@ pub(crate) fn matrix<T: Lane>([w, x, y, z]: [T; 4]) -> [T; 9] {
     ]
 }
 
-/// The quaternion of a rotation matrix, times four times its largest component, so that no division
-/// amplifies cancellation: S. W. Shepperd, *J. Guidance and Control* 1 (1978) 223-224.
+/// The quaternion of a rotation matrix, multiplied by four times its largest component. In this
+/// form, no division amplifies cancellation (S. W. Shepperd, *J. Guidance and Control* 1 (1978)
+/// 223-224).
 #[inline(always)]
 pub(crate) fn shepperd<T: Lane>(r: &[T; 9]) -> [T; 4] {
     let [a, b, c] = [r[0], r[4], r[8]];

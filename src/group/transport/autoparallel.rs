@@ -16,7 +16,7 @@ const MAX_STEPS: usize = 50;
 pub struct TangentVector<G: LieGroup> {
     /// The element of the group.
     pub base: G::Element,
-    /// The vector there, in left components.
+    /// The vector at the base point, in left components.
     pub left: G::Vector,
 }
 
@@ -24,12 +24,12 @@ impl<G: LieGroup> ParallelTranslation<G> {
     /// The autoparallel (B7) that starts at time 0 at `start` with the tangent `n` (left
     /// components). Returns its tangent vector at each of the times.
     ///
-    /// Solves `dn/dt = -Lambda_n n`, and `g' = g n` in coordinates `g = g_0 exp(x)`, `dx/dt =
-    /// T_left(x)^-1 n`, with a new chart before `x` is large. The elements therefore stay on the
-    /// group.
+    /// The method solves `dn/dt = -Lambda_n n`, and `g' = g n` in the coordinates `g = g_0 exp(x)`,
+    /// where `dx/dt = T_left(x)^-1 n`. It changes to a new chart before `x` becomes large, so all
+    /// elements belong to the group.
     ///
     /// # Errors
-    /// [`Error::Integration`]: an autoparallel may diverge in finite time.
+    /// [`Error::Integration`], for example if the autoparallel diverges in finite time.
     #[doc(alias("geodesic"))]
     pub fn autoparallel(
         &self,
@@ -52,9 +52,11 @@ impl<G: LieGroup> ParallelTranslation<G> {
     }
 
     /// The tangent at `from`, in left components, of an autoparallel that reaches `to` at time 1.
-    /// For `plus`, `zero` and `minus` it is the logarithm.
+    /// For the connections `plus`, `zero` and `minus`, the tangent is the logarithm of
+    /// `from^-1 to`.
     ///
-    /// Newton's method for the end point, from the logarithm; there may be other solutions.
+    /// Newton's method solves the equation for the end point, starting from the logarithm. Other
+    /// solutions may exist.
     ///
     /// # Errors
     /// [`Error::Invalid`] if `from^-1 to` has no logarithm; [`Error::Integration`] if no
@@ -67,7 +69,7 @@ impl<G: LieGroup> ParallelTranslation<G> {
     ) -> Result<G::Vector, Error> {
         let group = self.group();
         let there = group.inverse(to);
-        // a smaller tolerance, because differences of end points are computed
+        // uses a smaller tolerance, because differences of end points are computed
         let fine = (1e-3 * tolerance).clamp(1e-14, 1e-9);
         let miss = |n: &G::Vector| -> Result<DVector<f64>, Error> {
             let end = self.autoparallel(from, n, &[1.0], fine)?;
@@ -102,7 +104,7 @@ impl<G: LieGroup> ParallelTranslation<G> {
         Err(Error::Integration { t: 1.0, reason })
     }
 
-    /// The time up to which the chart around the current point is used.
+    /// The end of the time interval in which the chart around the current point is used.
     fn next_chart(&self, t: f64, end: f64, n: &G::Vector) -> Result<f64, Error> {
         let ad = self.group().operator_matrix(|v| self.group().bracket(n, v));
         let reach = 0.5 / ad.norm().max(f64::MIN_POSITIVE);
@@ -115,8 +117,8 @@ impl<G: LieGroup> ParallelTranslation<G> {
         Err(Error::Integration { t, reason: format!("it turns too fast to reach {end}") })
     }
 
-    /// The coordinates and the tangent at `end` of the autoparallel that starts at `t` from the
-    /// origin of the chart.
+    /// Integrates the autoparallel that starts at the time `t` from the origin of the chart.
+    /// Returns the coordinates and the tangent at the time `end`.
     fn in_chart(
         &self,
         n: &G::Vector,

@@ -1,20 +1,23 @@
-//! Jacobi's elliptic functions, and elliptic integrals of the first and third kind in Carlson's form.
+//! Jacobi's elliptic functions, and elliptic integrals of the first and third kind in Carlson's
+//! form.
 //!
-//! Functions take both the modulus and its complement, so that each is accurate near 0. Sources:
-//! the Gauss (descending Landen) transformation, DLMF 22.7(i) and 19.8; B. C. Carlson, Numer.
-//! Algorithms 10 (1995) 13-26.
+//! The arguments of functions are the modulus and its complement, so that each is accurate near 0.
+//! Sources: the Gauss (descending Landen) transformation, DLMF 22.7(i) and 19.8; B. C. Carlson,
+//! Numer. Algorithms 10 (1995) 13-26.
 
 use std::f64::consts::FRAC_PI_2;
 
-/// The modulus below which `sn` equals the sine: its square is half a rounding error.
+/// Below this modulus, `sn` equals the sine, because the square of the modulus is half a rounding
+/// error.
 const CIRCULAR: f64 = 1e-8;
-/// The distance at which Carlson's series of degree 5 has an error of half a rounding error.
+/// The distance of the arguments from their mean at which Carlson's series of degree 5 has an error
+/// of half a rounding error.
 const CLOSE: f64 = 2e-3;
-/// The number of Gauss transformations from the smallest complement of floats: each takes its
-/// square root.
+/// The number of Gauss transformations for the smallest complement of floats. Each transformation
+/// replaces the complement by its square root, approximately.
 const LEVELS: usize = 16;
 
-/// `sn`, `cn`, `dn` of one modulus.
+/// The functions `sn`, `cn`, `dn` of one modulus.
 ///
 /// ```
 /// use affinor::mechanics::bodies::elliptic::Jacobi;
@@ -28,16 +31,18 @@ const LEVELS: usize = 16;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Jacobi {
     quarter: f64,
-    /// The moduli `k`, from the smallest one up, each with `1 - k`.
+    /// The moduli `k` in ascending order, each with `1 - k`.
     moduli: [(f64, f64); LEVELS],
     levels: usize,
 }
 
 impl Jacobi {
-    /// The functions of modulus `k` and complement `sqrt(1 - k^2) > 0`, both in `[0, 1]`.
+    /// The functions for a modulus `k` and the complement `sqrt(1 - k^2) > 0`. Both numbers are in
+    /// `[0, 1]`.
     pub fn new(modulus: f64, complement: f64) -> Self {
         let (mut k, mut complement) = (modulus, complement);
-        // the product of all 1 + k1, times a right angle, would have more rounding errors
+        // computes the quarter period directly, because the product of all 1 + k1 would have more
+        // rounding errors
         let quarter = first_kind([1.0, 0.0, complement]);
         let mut jacobi = Jacobi { quarter, moduli: [(0.0, 1.0); LEVELS], levels: 0 };
         while k > CIRCULAR && jacobi.levels < LEVELS {
@@ -62,32 +67,34 @@ impl Jacobi {
     }
 }
 
-/// The modulus and complement after one Gauss transformation: `k1 = (1 - k')/(1 + k')`.
+/// The modulus and its complement after one Gauss transformation: `k1 = (1 - k')/(1 + k')`.
 pub(super) fn gauss(modulus: f64, complement: f64) -> (f64, f64) {
     let below = (modulus / (1.0 + complement)).powi(2);
     (below, 2.0 * complement.sqrt() / (1.0 + complement))
 }
 
-/// A modulus `k` and `1 - k`.
+/// The pair of a modulus `k` and `1 - k`.
 pub(super) fn level(k: f64, complement: f64) -> (f64, f64) {
     (k, complement * complement / (1.0 + k))
 }
 
-/// The functions at `(1 + k1) v`, from the functions at `v` of a modulus `k1`, given with `1 - k1`.
+/// The functions at `(1 + k1) v`, computed from the functions at `v` for the modulus `k1`. The
+/// second argument contains `k1` and `1 - k1`.
 #[inline]
 pub(super) fn raise([s, c, d]: [f64; 3], (k, gap): (f64, f64)) -> [f64; 3] {
     let square = s * s;
     let product = k * square;
     let scale = 1.0 / (1.0 + product);
-    // uses s alone where this does not cancel, because errors of c and d would double at each level
+    // uses only s where this does not cause cancellation, because the errors of c and d would
+    // double at each level
     let rest = if product < 0.5 { 1.0 - product } else { c * c + gap * square };
     [(1.0 + k) * s * scale, c * d * scale, rest * scale]
 }
 
-/// The argument `u` from `sn u`, `cn u >= 0`, `dn u`: the integral of the first kind, `sn R_F(cn^2,
-/// dn^2, 1)`.
+/// The argument `u`, computed from `sn u`, `cn u >= 0`, `dn u`. It is the integral of the first
+/// kind, `sn R_F(cn^2, dn^2, 1)`.
 pub fn first_kind([s, c, d]: [f64; 3]) -> f64 {
-    // the first duplication uses square roots, because squares may underflow
+    // uses square roots in the first duplication, because squares may underflow
     let lambda = c * d + c + d;
     let [mut x, mut y, mut z] = [c * c, d * d, 1.0].map(|x| 0.25 * (x + lambda));
     loop {
@@ -104,17 +111,17 @@ pub fn first_kind([s, c, d]: [f64; 3]) -> f64 {
     }
 }
 
-/// The integral `int_0^u sn^2/(1 + n sn^2)` from `sn u`, `cn u >= 0`, `dn u`, for `n >= 0`: `sn^3
-/// R_J(cn^2, dn^2, 1, 1 + n sn^2)/3`. It is the difference of the integrals of the third and the
-/// first kind.
+/// The integral `int_0^u sn^2/(1 + n sn^2)`, computed from `sn u`, `cn u >= 0`, `dn u`, for
+/// `n >= 0`. It is `sn^3 R_J(cn^2, dn^2, 1, 1 + n sn^2)/3`, a difference of integrals of the third
+/// and the first kind.
 pub fn third_kind([s, c, d]: [f64; 3], n: f64) -> f64 {
-    // a rounding error may make it negative
+    // sets a negative cn to 0, because only rounding errors make it negative
     let c = c.max(0.0);
     let square = s * s;
     let mut p = 1.0 + n * square;
     let [mut x, mut y, mut z] = [c * c, d * d, 1.0];
     let [mut rx, mut ry, mut rz, mut rp] = [c, d, 1.0, p.sqrt()];
-    // (p - x)(p - y)(p - z), where the first two factors avoid cancellation of squares near 1
+    // computes (p - x)(p - y)(p - z); the first two factors avoid cancellation of squares near 1
     let mut delta = (n * square + square) * (p - y) * (n * square);
     let (mut quarters, mut sum) = (1.0, 0.0);
     loop {

@@ -1,25 +1,25 @@
 //! The torque-free rigid body at any time, in closed form.
 //!
-//! The momentum is scaled to length 1, with frequencies `w_i = |H|/J_i`. Let `c` be the principal
-//! axis about which the momentum circulates, which has the largest or smallest moment, and `b` the
-//! axis of the middle moment:
+//! The momentum is scaled to length 1; the frequencies are `w_i = |H|/J_i`. Let `c` be the
+//! principal axis about which the momentum circulates, whose moment is the largest or the smallest,
+//! and let `b` be the axis of the middle moment:
 //!
 //! ```text
 //! m_a = A_a cn(u, k)   m_b = A_b sn(u, k)   m_c = +-A_c dn(u, k)   u = u0 + l t
 //! ```
 //!
-//! The attitude is `R = R_0 P_0^-1 exp(psi n) P` with `n = +-e_c` and the shortest rotation `P`
-//! from `m` to `n`. Then `psi' = w_c + (2E - w_c)/(1 + A_c dn u)` has no singularity (van Zon and
-//! Schofield, J. Comput. Phys. 225 (2007) 145-164; Celledoni, Fasso, Saefstroem and Zanna, SIAM J.
-//! Sci. Comput. 30 (2008) 2084-2112). One Gauss transformation, `u = (1 + k1) v`, makes the
-//! integrand a sum of positive terms,
+//! The attitude is `R = R_0 P_0^-1 exp(psi n) P`, where `n = +-e_c`, and `P` is the shortest
+//! rotation from `m` to `n`. Then `psi' = w_c + (2E - w_c)/(1 + A_c dn u)` has no singularity (van
+//! Zon and Schofield, J. Comput. Phys. 225 (2007) 145-164; Celledoni, Fasso, Saefstroem and Zanna,
+//! SIAM J. Sci. Comput. 30 (2008) 2084-2112). One Gauss transformation, `u = (1 + k1) v`,
+//! transforms the integrand to a sum of positive terms,
 //!
 //! ```text
 //! 1/(1 + r dn u) = (1 + (k1 - n) s^2/(1 + n s^2))/(1 + r),    s = sn(v, k1),  n = k1 (1 - r)/(1 + r)
 //! ```
 //!
-//! and its integral, of the third kind, needs no additional arctangent. It is accurate even if
-//! moments are nearly equal or the momentum is near an axis.
+//! and its integral is of the third kind, without an additional arctangent. The result is accurate
+//! even if moments are nearly equal, or if the momentum is near an axis.
 
 use super::elliptic::{Jacobi, first_kind, gauss, level, raise, third_kind};
 use super::{BodyState, Inertia};
@@ -27,13 +27,14 @@ use crate::Error;
 use crate::group::{LieGroup, So3};
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 
-/// The relative distance from the separatrix within which momenta count as on it, because rounding
-/// errors of the data are as large.
+/// Momenta within this relative distance from the separatrix count as on the separatrix, because
+/// the rounding errors of the data are as large.
 const ON_SEPARATRIX: f64 = 4.0 * f64::EPSILON;
 
-/// The motion of a rigid body without torque, accurate up to rounding errors at any time.
+/// The motion of a rigid body without torque. The result is accurate up to rounding errors at any
+/// time.
 ///
-/// The rounding of the moments alone changes the attitude by `|H| t/J` times half a machine
+/// The rounding of the moments alone already changes the attitude by `|H| t/J` times half a machine
 /// epsilon; the error of [`at`](Self::at) is a few times as large. The spatial momentum, the energy
 /// and `|H|` do not drift.
 ///
@@ -65,9 +66,9 @@ pub struct FreeBody {
 #[derive(Clone, Debug, PartialEq)]
 #[allow(clippy::large_enum_variant, reason = "one a body, and no way to go for its data")]
 enum Motion {
-    /// A steady rotation: momentum and velocity are parallel.
+    /// A steady rotation, in which momentum and velocity are parallel.
     Steady { velocity: Vector3<f64> },
-    /// Any other motion.
+    /// A motion that is not a steady rotation.
     Turning { frame: Frame, course: Course },
 }
 
@@ -76,14 +77,14 @@ enum Motion {
 struct Frame {
     /// The axes a, b, c as columns, in body components.
     axes: Matrix3<f64>,
-    /// `A_a` with the sign of `m_a`, `A_b`, `A_c` with the sign of `m_c`.
+    /// The amplitudes `A_a` with the sign of `m_a`, `A_b`, and `A_c` with the sign of `m_c`.
     amplitudes: Vector3<f64>,
-    /// The inverse of the shortest rotation at the start.
+    /// The inverse of the shortest rotation `P` at the start.
     start: Quaternion<f64>,
-    /// The linear part of `psi'`, and the factor of its periodic part.
+    /// The coefficient of the linear part of `psi`, and the factor of the periodic part.
     rate: f64,
     factor: f64,
-    /// The periodic part at the start.
+    /// The value of the periodic part at the start.
     rest: f64,
 }
 
@@ -92,19 +93,19 @@ struct Frame {
 enum Course {
     /// The momentum circulates about the axis c.
     Periodic {
-        /// The elliptic functions of modulus `k1`, and `k1` with `1 - k1`.
+        /// The elliptic functions for the modulus `k1`, and the pair of `k1` and `1 - k1`.
         jacobi: Jacobi,
         modulus: (f64, f64),
-        /// The characteristic `n` of the integral of the third kind, and the integral over a
-        /// quarter period.
+        /// The characteristic `n` of the integral of the third kind, and the value of the integral
+        /// over a quarter period.
         characteristic: f64,
         quarter: f64,
         /// The coefficients of `v = v0 + v1 t`.
         v: [f64; 2],
         phase: Phase,
     },
-    /// The momentum moves on the separatrix, from a rotation about the middle axis to the opposite
-    /// one, in infinite time.
+    /// The momentum moves on the separatrix: from a rotation about the middle axis to the opposite
+    /// rotation, in infinite time.
     Separatrix {
         /// The coefficients of `u = u0 + u1 t`.
         u: [f64; 2],
@@ -113,29 +114,30 @@ enum Course {
     },
 }
 
-/// The rotation of the attitude in a period, about the constant spatial momentum.
+/// The rotation of the attitude in one period. The axis is the constant spatial momentum.
 ///
-/// `R(t + period) R(t)^-1` is the rotation by the angle [`total`](Self::total) about `R H` (Montgomery, Am. J. Phys. 59
-/// (1991) 394-398).
+/// The rotation `R(t + period) R(t)^-1` has the angle [`total`](Self::total) and the axis `R H`
+/// (Montgomery, Am. J. Phys. 59 (1991) 394-398).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Phase {
     /// The period of `H` and `Omega`.
     pub period: f64,
-    /// The angle, including full turns.
+    /// The angle of the rotation, including full turns.
     pub total: f64,
     /// The dynamic phase `2 E T/|H|`.
     pub dynamic: f64,
-    /// The geometric phase: the solid angle that the path of `H` in the body encloses, up to its
-    /// sign and full turns.
+    /// The geometric phase. Up to its sign and full turns, it is the solid angle that the path of
+    /// `H` in the body encloses.
     pub geometric: f64,
 }
 
 impl FreeBody {
-    /// The motion from a state at time 0. The body's axes are those of the inertia.
+    /// The motion from a state at time 0. The body components of the state refer to the same axes
+    /// as the inertia.
     ///
     /// # Errors
     /// [`Error::Overflow`] for a state that is not finite, or so large that angular velocities are
-    /// not; [`Error::Invalid`] for an attitude of length zero.
+    /// not finite; [`Error::Invalid`] for an attitude of length zero.
     pub fn new(inertia: &Inertia, start: &BodyState) -> Result<Self, Error> {
         let BodyState { attitude, momentum } = *start;
         let attitude =
@@ -157,7 +159,7 @@ impl FreeBody {
         Ok(FreeBody { inertia: inertia.clone(), start, length, motion })
     }
 
-    /// Attitude and momentum at a time, which may be negative.
+    /// The attitude and the momentum at a time, which may be negative.
     pub fn at(&self, time: f64) -> BodyState {
         let (frame, m, rest) = match &self.motion {
             Motion::Steady { velocity } => {
@@ -184,25 +186,25 @@ impl FreeBody {
         self.inertia.velocity(&self.at(time).momentum)
     }
 
-    /// The period of `H` and `Omega`; `None` if they are constant, and on the separatrix.
+    /// The period of `H` and `Omega`. Returns `None` if they are constant, or on the separatrix.
     pub fn period(&self) -> Option<f64> {
         self.phase().map(|phase| phase.period)
     }
 
-    /// A bound of the angular velocity, in radians per unit of time, and of the time derivative of
-    /// the argument of the elliptic functions.
+    /// A bound of the angular velocity, in radians per unit of time. It also bounds the time
+    /// derivative of the argument of the elliptic functions.
     pub fn rate(&self) -> f64 {
         let energy = self.start.momentum.dot(&self.inertia.velocity(&self.start.momentum));
         let argument = match &self.motion {
             Motion::Steady { .. } => 0.0,
-            // u = (1 + k1) v
+            // doubles the rate of v, because the argument is u = (1 + k1) v with k1 <= 1
             Motion::Turning { course: Course::Periodic { v, .. }, .. } => 2.0 * v[1].abs(),
             Motion::Turning { course: Course::Separatrix { u, .. }, .. } => u[1].abs(),
         };
         (energy / self.inertia.principal_moments().min()).sqrt().max(argument)
     }
 
-    /// The rotation of the attitude in a period; `None` without a [`period`](Self::period).
+    /// The rotation of the attitude in one period; `None` if there is no [`period`](Self::period).
     pub fn phase(&self) -> Option<Phase> {
         match &self.motion {
             Motion::Turning { course: Course::Periodic { phase, .. }, .. } => Some(*phase),
@@ -219,7 +221,7 @@ fn turning(inertia: &Inertia, unit: &Vector3<f64>, length: f64) -> Option<Motion
     let components = inertia.axes().tr_mul(unit);
     // the difference w_i - w_j
     let gap = |i: usize, j: usize| length * ((moments[j] - moments[i]) / moments[i] / moments[j]);
-    // |m_c| sqrt(w_b - w_c) of both outer axes; c has the larger one
+    // compares |m_c| sqrt(w_b - w_c) for both outer axes; c is the axis with the larger value
     let size = |c: usize| components[c].abs() * gap(order[1], c).abs().sqrt();
     let [mut a, b, mut c] = order;
     if size(a) > size(c) {
@@ -230,7 +232,7 @@ fn turning(inertia: &Inertia, unit: &Vector3<f64>, length: f64) -> Option<Motion
         return None;
     }
     let (sum, whole, part) = (gap(a, c), gap(a, c).abs(), gap(b, c).abs());
-    // both in units of w_a - w_c
+    // both differences, in units of w_a - w_c
     let (upper, lower) = (gap(a, b).abs() / whole, part / whole);
     let column = |i: usize| inertia.axes().column(i).into_owned();
     let mut axes = Matrix3::from_columns(&[column(a), column(b), column(c)]);
@@ -293,7 +295,8 @@ impl Course {
                 let half = 2.0 * jacobi.quarter_period();
                 let turns = (v / half).round();
                 let sign = if turns.rem_euclid(2.0) == 0.0 { 1.0 } else { -1.0 };
-                // for huge times, rounding errors may exceed a quarter period
+                // limits the argument, because rounding errors may exceed a quarter period at huge
+                // times
                 let quarter_period = jacobi.quarter_period();
                 let reduced = (v - turns * half).max(-quarter_period).min(quarter_period);
                 let below = jacobi.at(reduced);
@@ -310,7 +313,8 @@ impl Course {
     }
 }
 
-/// The shortest rotation from `m`, of length 1, to the third axis, or to its opposite if `m_c < 0`.
+/// The shortest rotation from a vector `m` of length 1 to the third axis, or to the opposite of the
+/// third axis if `m_c < 0`.
 fn shortest(m: &Vector3<f64>) -> Quaternion<f64> {
     let sign = m.z.signum();
     Quaternion::new(1.0 + m.z.abs(), sign * m.y, -sign * m.x, 0.0).normalize()

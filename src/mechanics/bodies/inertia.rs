@@ -4,15 +4,16 @@ use crate::Error;
 use crate::mechanics::invalid_inertia;
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 
-/// The tolerance of symmetry, relative to the largest entry.
+/// The tolerance of the symmetry of a matrix, relative to the largest entry.
 const SYMMETRIC: f64 = 1e-12;
-/// The relative tolerance of the triangle inequality, which is an equality for flat bodies.
+/// The relative tolerance of the triangle inequality of the moments, which is an equality for flat
+/// bodies.
 const FLAT: f64 = 1e-12;
 
-/// Attitude and momentum of a rigid body.
+/// The attitude and the momentum of a rigid body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BodyState {
-    /// From body to space components.
+    /// The attitude, which maps body components to spatial components.
     pub attitude: UnitQuaternion<f64>,
     /// The angular momentum `H = J Omega` (103), in body components.
     pub momentum: Vector3<f64>,
@@ -42,12 +43,12 @@ impl BodyState {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Inertia {
     moments: Vector3<f64>,
-    /// The principal axes as columns, in body components; a rotation matrix.
+    /// The principal axes, as columns of a rotation matrix in body components.
     axes: Matrix3<f64>,
 }
 
 impl Inertia {
-    /// The inertia with these principal moments, along the axes of the body.
+    /// The inertia with these principal moments. The principal axes are the axes of the body.
     ///
     /// # Errors
     /// [`Error::Invalid`] for a moment that is not positive and finite.
@@ -55,8 +56,8 @@ impl Inertia {
         Self::principal(*moments, Matrix3::identity())
     }
 
-    /// The inertia of a matrix, with its principal axes. For a diagonal matrix, the axes and their
-    /// order are those of the body.
+    /// The inertia of a matrix, with its principal axes. If the matrix is diagonal, the principal
+    /// axes are the axes of the body, in the same order.
     ///
     /// ```
     /// use affinor::mechanics::Inertia;
@@ -93,7 +94,8 @@ impl Inertia {
     }
 
     fn principal(moments: Vector3<f64>, axes: Matrix3<f64>) -> Result<Self, Error> {
-        // the reciprocal of the moment must be finite as well
+        // rejects moments that are not normal, because the reciprocal of the moment must be finite
+        // too
         match moments.iter().find(|moment| !(moment.is_normal() && **moment > 0.0)) {
             Some(moment) => Err(invalid_inertia(format!("{moment} is a principal moment"))),
             None => Ok(Inertia { moments, axes }),
@@ -110,7 +112,7 @@ impl Inertia {
         &self.axes
     }
 
-    /// The edges, up to a common factor, of the homogeneous box with these ratios of moments:
+    /// The edges, up to a common factor, of the homogeneous box whose moments have these ratios:
     /// `a_i^2 = J_j + J_k - J_i`. An edge is 0 if no body has these moments.
     ///
     /// ```
@@ -134,20 +136,20 @@ impl Inertia {
         self.axes * Matrix3::from_diagonal(&self.moments) * self.axes.transpose()
     }
 
-    /// The inertia of the same body in its principal axes.
+    /// The inertia of the same body, expressed in its principal axes.
     #[must_use]
     pub fn in_principal_axes(&self) -> Self {
         Inertia { moments: self.moments, axes: Matrix3::identity() }
     }
 
-    /// Whether a body of positive masses has this inertia: no moment is larger than the sum of the
-    /// others. Motions do not require this.
+    /// Whether a body of positive masses can have this inertia, which means that no moment exceeds
+    /// the sum of the others. Equations of motion do not require this condition.
     pub fn is_physical(&self) -> bool {
         self.require_physical().is_ok()
     }
 
-    /// Checks, to 12 digits, that a body of positive masses has this inertia: `J_1 <= J_2 + J_3`
-    /// and cyclic.
+    /// Checks to 12 digits that a body of positive masses can have this inertia:
+    /// `J_1 <= J_2 + J_3`, and so on cyclically.
     ///
     /// # Errors
     /// [`Error::Invalid`] with the moments.
@@ -189,7 +191,7 @@ impl Inertia {
     }
 }
 
-/// The asymmetry of a matrix, if it exceeds rounding errors; NaN for an entry that is not finite.
+/// The asymmetry of a matrix, if it exceeds rounding errors. Returns NaN if an entry is not finite.
 pub(super) fn asymmetry(matrix: &Matrix3<f64>) -> Option<f64> {
     if !matrix.iter().all(|entry| entry.is_finite()) {
         return Some(f64::NAN);
@@ -198,8 +200,8 @@ pub(super) fn asymmetry(matrix: &Matrix3<f64>) -> Option<f64> {
     (off > SYMMETRIC * matrix.amax()).then_some(off)
 }
 
-/// Checks the triangle inequality of principal moments, up to rounding errors of numbers of the
-/// given size.
+/// Checks the triangle inequality of principal moments, up to the rounding errors of numbers of
+/// this `size`.
 ///
 /// # Errors
 /// [`Error::Invalid`] with the moments.

@@ -13,18 +13,21 @@ use affinor_tensors::{Down, Tensor};
 use nalgebra::{Isometry3, Matrix3, Matrix6, Vector3};
 use std::ops::Add;
 
-/// A principal moment below this fraction of the largest counts as rounding error.
+/// If the ratio of a principal moment to the largest moment is below this value, the moment counts
+/// as rounding error.
 const ROUNDING: f64 = 1e-14;
 
 /// The mass properties of a body: mass, centre of mass, and second moments about the centre.
 ///
-/// The inertia (12) is linear in the second moments `S = int X X^T dm`:
+/// The inertia, equation (12), is linear in the second moments `S = int X X^T dm`:
 ///
 /// ```text
 /// J = int ((X.X) I - X X^T) dm = tr(S) I - S,     S = tr(J)/2 I - J
 /// ```
 ///
-/// Positive masses have a positive semidefinite `S`; for the principal moments this means `J_1 <= J_2 + J_3` and cyclic. Shapes have density 1; [`of_density`](Self::of_density) and [`of_mass`](Self::of_mass) scale them.
+/// If all masses are positive, `S` is positive semidefinite. The principal moments then satisfy
+/// `J_1 <= J_2 + J_3`, and so on cyclically. Shapes have density 1;
+/// [`of_density`](Self::of_density) and [`of_mass`](Self::of_mass) scale them.
 ///
 /// ```
 /// use affinor::mechanics::MassProperties;
@@ -47,11 +50,12 @@ pub struct MassProperties {
 }
 
 impl MassProperties {
-    /// A body from its mass, centre of mass, and inertia about this centre.
+    /// A body with this mass, this centre of mass, and this inertia about the centre.
     ///
     /// # Errors
-    /// [`Error::Invalid`] for a mass that is not positive, a matrix that is not symmetric, and moments that violate the triangle
-    /// inequality; [`Error::Overflow`] for numbers that are not finite.
+    /// [`Error::Invalid`] if the mass is not positive, if the matrix is not symmetric, or if the
+    /// moments violate the triangle inequality; [`Error::Overflow`] for numbers that are not
+    /// finite.
     pub fn new(mass: f64, centre: Vector3<f64>, inertia: &Matrix3<f64>) -> Result<Self, Error> {
         if mass <= 0.0 {
             return Err(invalid_inertia(format!("the mass is {mass}")));
@@ -66,7 +70,7 @@ impl MassProperties {
         Self::of_moments(mass, centre, second)?.checked(inertia.norm())
     }
 
-    /// The body of positive masses with these second moments about its centre.
+    /// A body of positive masses with these second moments about the centre.
     fn of_moments(mass: f64, centre: Vector3<f64>, second: Matrix3<f64>) -> Result<Self, Error> {
         let numbers = [("the mass", mass), ("the centre", centre.sum()), ("S", second.sum())];
         match numbers.iter().find(|(_, value)| !value.is_finite()) {
@@ -77,8 +81,8 @@ impl MassProperties {
         }
     }
 
-    /// Checks the triangle inequality of the principal moments, up to rounding errors of numbers of
-    /// the given size.
+    /// Checks the triangle inequality of the principal moments, up to the rounding errors of
+    /// numbers of this `size`.
     fn checked(self, size: f64) -> Result<Self, Error> {
         require_physical(&self.inertia_matrix().symmetric_eigenvalues(), size)?;
         Ok(self)
@@ -94,13 +98,15 @@ impl MassProperties {
         &self.centre
     }
 
-    /// The matrix of `J` (12) about the centre; it is singular if all masses are on a line.
+    /// The matrix of the inertia `J`, equation (12), about the centre. The matrix is singular if
+    /// all masses are on a line.
     pub fn inertia_matrix(&self) -> Matrix3<f64> {
         rotational(&self.second)
     }
 
-    /// The inertia matrix about a point, `J_c + m ((d.d) I - d d^T)`, with the inertia matrix `J_c` about the centre of mass and `d`
-    /// from the point to that centre (parallel axis theorem).
+    /// The inertia matrix about a point, computed by the parallel axis theorem:
+    /// `J_c + m ((d.d) I - d d^T)`. Here `J_c` is the inertia matrix about the centre of mass, and
+    /// `d` is the vector from the point to the centre.
     pub fn inertia_matrix_about(&self, point: &Vector3<f64>) -> Matrix3<f64> {
         let d = self.centre - point;
         rotational(&(self.second + d * d.transpose() * self.mass))
@@ -109,7 +115,7 @@ impl MassProperties {
     /// The inertia about the centre, with its principal axes.
     ///
     /// # Errors
-    /// [`Error::Invalid`] for masses on a line.
+    /// [`Error::Invalid`] if all masses are on a line.
     pub fn inertia(&self) -> Result<Inertia, Error> {
         rigid(&self.inertia_matrix())
     }
@@ -117,21 +123,21 @@ impl MassProperties {
     /// The inertia about a point, such as the fixed point of a top.
     ///
     /// # Errors
-    /// [`Error::Invalid`] for masses on a line through the point.
+    /// [`Error::Invalid`] if all masses are on a line through the point.
     pub fn inertia_about(&self, point: &Vector3<f64>) -> Result<Inertia, Error> {
         rigid(&self.inertia_matrix_about(point))
     }
 
-    /// The metric on se(3) of a body that moves freely, in the basis of [`Se3`](crate::group::Se3):
-    /// it gives twice the kinetic energy of the velocity `(Omega, v)` of the body frame. With `J`
-    /// about its origin and the centre at `c`
+    /// The metric on se(3) of a body that moves freely, in the basis of [`Se3`](crate::group::Se3).
+    /// The square of the velocity `(Omega, v)` of the body frame is twice the kinetic energy. If
+    /// `J` is the inertia about the origin of the body frame, and the centre is at `c`,
     ///
     /// ```text
     /// G = [[J, m spin(c)], [-m spin(c), m I]]
     /// ```
     ///
     /// # Errors
-    /// [`Error::Invalid`] for masses on a line.
+    /// [`Error::Invalid`] if all masses are on a line.
     pub fn metric(&self) -> Result<Metric<f64>, Error> {
         self.inertia()?;
         let mixed = self.centre.cross_matrix() * self.mass;
@@ -152,7 +158,7 @@ impl MassProperties {
         MassProperties { centre, second: (second + second.transpose()) * 0.5, ..*self }
     }
 
-    /// The shape with another density.
+    /// The same shape with another density.
     ///
     /// # Errors
     /// [`Error::Invalid`] unless the factor is positive; [`Error::Overflow`].
@@ -161,10 +167,10 @@ impl MassProperties {
         Self::of_moments(self.mass * factor, self.centre, self.second * factor)
     }
 
-    /// The shape with another mass.
+    /// The same shape with another mass.
     ///
     /// # Errors
-    /// Those of [`of_density`](Self::of_density).
+    /// The errors of [`of_density`](Self::of_density).
     pub fn of_mass(&self, mass: f64) -> Result<Self, Error> {
         self.of_density(positive("the mass", mass)? / self.mass)
     }
@@ -181,7 +187,7 @@ impl MassProperties {
         Self::of_moments(left.mass, left.centre, left.second)?.checked(size)
     }
 
-    /// The sum of this body and `sign` times the other one.
+    /// The sum of this body and `sign` times the other body.
     fn joined(&self, other: &Self, sign: f64) -> Self {
         let part = sign * other.mass;
         let mass = self.mass + part;
@@ -200,7 +206,7 @@ impl Add for MassProperties {
     }
 }
 
-/// The inertia of a body whose masses are not on a line.
+/// The inertia of a body. The masses must not be on a line.
 fn rigid(matrix: &Matrix3<f64>) -> Result<Inertia, Error> {
     let inertia = Inertia::new(matrix)?;
     let (least, largest) = (inertia.principal_moments().min(), inertia.principal_moments().max());
@@ -214,7 +220,7 @@ fn rigid(matrix: &Matrix3<f64>) -> Result<Inertia, Error> {
 
 /// The inertia matrix `tr(S) I - S`.
 fn rotational(second: &Matrix3<f64>) -> Matrix3<f64> {
-    // the diagonal, without terms that cancel
+    // computes the diagonal without terms that cancel
     let [x, y, z] = [second.m11, second.m22, second.m33];
     Matrix3::from_diagonal(&Vector3::new(y + z, z + x, x + y))
         - (second - Matrix3::from_diagonal(&second.diagonal()))

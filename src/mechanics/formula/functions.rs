@@ -2,7 +2,7 @@
 
 use std::hash::{Hash, Hasher};
 
-/// A function of one number. `slope(x, y)` is its derivative at `x`, where `y` is the value of the
+/// A function of one number. Its derivative at `x` is `slope(x, y)`, where `y` is the value of the
 /// function at `x`.
 #[derive(Debug)]
 pub(super) struct Function {
@@ -11,17 +11,17 @@ pub(super) struct Function {
     pub(super) slope: fn(f64, f64) -> f64,
 }
 
-/// A function of two numbers. `slopes(x, y)` are its partial derivatives.
+/// A function of two numbers. Its partial derivatives are `slopes(x, y)`.
 #[derive(Debug)]
 pub(super) struct FunctionOfTwo {
     pub(super) name: &'static str,
     pub(super) value: fn(f64, f64) -> f64,
     pub(super) slopes: fn(f64, f64) -> [f64; 2],
-    /// Whether it accepts more than two arguments, which are combined pairwise.
+    /// Whether the function accepts more than two arguments, which are combined pairwise.
     pub(super) folds: bool,
 }
 
-// addresses of functions need not be unique, so names are compared
+// compares names, because the addresses of functions need not be unique
 impl PartialEq for Function {
     fn eq(&self, other: &Self) -> bool {
         self.name == other.name
@@ -49,8 +49,8 @@ impl Hash for FunctionOfTwo {
     }
 }
 
-/// The functions of one number that formulas may call. Where the derivative does not exist, the
-/// slope is the mean of the one-sided derivatives.
+/// The functions of one number that formulas may call. At points without a derivative, the slope is
+/// the mean of the one-sided derivatives.
 pub(super) static FUNCTIONS: [Function; 16] = [
     Function { name: "sin", value: f64::sin, slope: |x, _| x.cos() },
     Function { name: "cos", value: f64::cos, slope: |x, _| -x.sin() },
@@ -66,7 +66,7 @@ pub(super) static FUNCTIONS: [Function; 16] = [
     Function { name: "sqrt", value: f64::sqrt, slope: |_, y| 0.5 / y },
     Function { name: "abs", value: f64::abs, slope: |x, _| sign(x) },
     Function { name: "sign", value: sign, slope: |_, _| 0.0 },
-    // the step function, which is 1 from 0 on
+    // the step function, which is 1 for x >= 0
     Function {
         name: "step",
         value: |x| if x.is_nan() { x } else { f64::from(x >= 0.0) },
@@ -100,12 +100,13 @@ pub(super) static FUNCTIONS_OF_TWO: [FunctionOfTwo; 3] = [
     },
 ];
 
-/// The sign: `-1`, `0` or `1`.
+/// The sign of a number: `-1`, `0` or `1`.
 fn sign(x: f64) -> f64 {
     if x == 0.0 { 0.0 } else { x.signum() }
 }
 
-/// The derivatives of the selected one of two numbers; if neither is selected, their mean.
+/// The derivatives of a function that selects one of two numbers. If it selects neither number,
+/// both derivatives are 1/2.
 fn selected(first: bool, second: bool) -> [f64; 2] {
     let share = 0.5 * (1.0 + f64::from(first) - f64::from(second));
     [share, 1.0 - share]

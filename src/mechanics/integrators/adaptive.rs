@@ -1,4 +1,4 @@
-//! Step-size control by embedded pairs.
+//! Step-size control by embedded Runge-Kutta pairs.
 
 use super::munthe_kaas::ExponentialCoordinates;
 use super::projected::Projection;
@@ -34,8 +34,9 @@ impl Pair {
 /// A pair of Dormand and Prince with step-size control.
 ///
 /// A step is accepted if its estimated error is within the tolerance. Rotations and
-/// [translations](crate::group::TranslationSplit::translational_part) have separate scales. With
-/// the relative tolerance `r`, the error may be as large as the larger of the two parts:
+/// [translations](crate::group::TranslationSplit::translational_part) have separate scales. Let `r`
+/// be the relative tolerance. The error may be as large as the larger of the absolute and the
+/// relative part:
 ///
 /// | error of | absolute part | relative part |
 /// |---|---|---|
@@ -45,31 +46,33 @@ impl Pair {
 /// | momentum of translations | the momentum that moves the body by `a_2` in the time `span` | `r` of the larger momentum at both ends |
 ///
 /// The radius of gyration is the square root of the largest moment of inertia over the largest
-/// mass, or 1 if one of them is missing. For a system without an inertia, the error of the momentum
-/// is relative to its largest component. In free motions by [`projected`](Adaptive::projected)
-/// steps the momentum is a function of the element, so only the errors of the element count.
+/// mass, or 1 if there are no rotations or no translations. If a system has no inertia, the error
+/// of the momentum is relative to its largest component. In free motions with
+/// [`projected`](Adaptive::projected) steps, the momentum is a function of the element, so only the
+/// errors of the element count.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Adaptive<C = ExponentialCoordinates> {
     /// The pair.
     pub pair: Pair,
     /// The relative tolerance `r` per step.
     pub tolerance: f64,
-    /// The absolute tolerances `a_1` of rotations and `a_2` of translations, or `None` for the defaults of the table.
+    /// The absolute tolerances: `a_1` of rotations, and `a_2` of translations. If the value is
+    /// `None`, the defaults of the table apply.
     pub absolute: Option<[f64; 2]>,
-    /// The time over which an error of a velocity accumulates, such as the length of the run. If it
-    /// is infinite, the tolerance of momenta has no absolute part.
+    /// The time during which an error of a velocity accumulates, such as the length of the run. If
+    /// it is infinite, the tolerance of momenta has no absolute part.
     pub span: f64,
     /// The largest number of steps between two output times.
     pub max_steps: usize,
-    /// The longest step. A force that acts for a shorter time than this may be missed.
+    /// The longest step. A force that acts for a shorter time may be missed.
     pub max_step: f64,
     /// The local coordinates of steps.
     pub coordinates: C,
 }
 
 impl Adaptive {
-    /// The pair of order 5 with a relative tolerance, at most a million steps of any length, and no
-    /// absolute tolerance of momenta.
+    /// The pair of order 5 with this relative tolerance. It makes at most a million steps of any
+    /// length, and has no absolute tolerance of momenta.
     pub fn new(tolerance: f64) -> Self {
         Adaptive {
             pair: Pair::Five,
@@ -82,12 +85,12 @@ impl Adaptive {
         }
     }
 
-    /// The same with the pair of order 8.
+    /// The method as in [`new`](Self::new), with the pair of order 8.
     pub fn of_order_8(tolerance: f64) -> Self {
         Adaptive { pair: Pair::Eight, ..Self::new(tolerance) }
     }
 
-    /// The same with steps of [`Projected`](super::Projected).
+    /// The same method with steps of [`Projected`](super::Projected).
     pub fn projected(self) -> Adaptive<Projection> {
         let Adaptive { pair, tolerance, absolute, span, max_steps, max_step, .. } = self;
         let coordinates = Projection;
@@ -97,14 +100,14 @@ impl Adaptive {
 
 impl<C: Copy> Adaptive<C> {
     /// The first step size to try. It is at most 0.1 units of time; the step-size control corrects
-    /// it at once.
+    /// it immediately.
     pub fn first_step(&self) -> f64 {
         self.tolerance.powf(self.exponent()).min(0.1).min(self.max_step)
     }
 
-    /// A first step size to try from a state. It is a fraction of the shortest time scale: that of
-    /// the rotation, or of the relative changes of the momenta of rotations and of translations. It
-    /// is [`first_step`](Self::first_step) at rest, or if nothing changes.
+    /// The first step size to try from a state. It is a fraction of the shortest time scale: of the
+    /// rotation, or of the relative changes of the momenta of rotations and of translations. It
+    /// equals [`first_step`](Self::first_step) at rest, or if nothing changes.
     pub fn first_step_from<S: CotangentSystem>(&self, system: &S, state: &State<S::Group>) -> f64 {
         let fastest = StepStart::new(system, state).fastest();
         let guess = self.tolerance.powf(self.exponent()) / fastest;
@@ -112,19 +115,19 @@ impl<C: Copy> Adaptive<C> {
         if is_guess { guess.min(self.max_step) } else { self.first_step() }
     }
 
-    /// The exponent `1/order` with which the step size depends on the error.
+    /// The exponent `1/order` in the dependence of the step size on the error.
     fn exponent(&self) -> f64 {
         1.0 / f64::from(self.pair.order())
     }
 
-    /// Makes one accepted step from a state towards `end`, not beyond it. `next` is the step size
-    /// to try, and becomes the proposed size of the next step. A step depends only on these values
-    /// and on the state.
+    /// Makes one accepted step from a state towards `end`. The step does not exceed `end`. The
+    /// parameter `next` is the step size to try; it becomes the proposed size of the next step. A
+    /// step depends only on `end`, `next` and the state.
     ///
     /// # Errors
     /// [`Error::Integration`] if steps become too small: at a pole, at a value that is not finite,
-    /// or in a stiff problem. Also for a tolerance or a step that is not positive, and for an end
-    /// that is not finite.
+    /// or in a stiff problem. The same error is returned if a tolerance or a step is not positive,
+    /// or if the end is not finite.
     pub fn step<S: CotangentSystem>(
         &self,
         system: &S,
@@ -162,7 +165,7 @@ impl<C: Copy> Adaptive<C> {
             };
             let (reached, error) = match advanced {
                 Ok((reached, error)) if error.is_finite() => (reached, error),
-                // a shorter step may still succeed
+                // tries a shorter step, which may still succeed
                 _ => {
                     *next = 0.2 * h.abs();
                     continue;
@@ -178,10 +181,10 @@ impl<C: Copy> Adaptive<C> {
         }
     }
 
-    /// The states at the given times, in their order. A step ends at each of these times.
+    /// The states at the given times, in the same order. A step ends at each of these times.
     ///
     /// # Errors
-    /// [`Error::Integration`] with the time that was reached.
+    /// [`Error::Integration`] with the time that has been reached.
     pub fn states<S: CotangentSystem>(
         &self,
         system: &S,

@@ -5,11 +5,12 @@ use super::{Integrator, expect_finite};
 use crate::Error;
 use crate::mechanics::systems::cotangent::{CotangentSystem, State, Vector};
 
-/// The classical Runge-Kutta method with products of exponentials instead of sums: two exponentials
-/// in the fourth stage, and two in the step. It needs neither the inverse tangent operator nor
-/// brackets.
+/// The classical Runge-Kutta method, with products of exponentials instead of sums. The fourth
+/// stage has two exponentials, and the step has two. The method needs neither the inverse tangent
+/// operator nor brackets.
 ///
-/// E. Celledoni, A. Marthinsen and B. Owren, *Future Generation Computer Systems* 19 (2003) 341-352.
+/// E. Celledoni, A. Marthinsen and B. Owren, *Future Generation Computer Systems* 19 (2003)
+/// 341-352.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct CommutatorFree;
 

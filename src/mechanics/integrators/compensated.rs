@@ -2,11 +2,12 @@
 
 use nalgebra::SVector;
 
-/// A sum with its rounding error, which is added to the next term: W. Kahan, *Commun. ACM* 8 (1965)
-/// 40. The sum of many small terms then has only the rounding errors of the terms.
+/// A sum, and the rounding error of the sum, which is added to the next term (W. Kahan, *Commun.
+/// ACM* 8 (1965) 40). The sum of many small terms then has only the rounding errors of the terms.
 ///
-/// For integrators, E. Hairer, R. I. McLachlan and A. Razakarivony, *BIT* 48 (2008) 231-243; for rigid bodies, G. Vilmart,
-/// *J. Comput. Phys.* 227 (2008) 7083-7088.
+/// Compensated summation in integrators is described by E. Hairer, R. I. McLachlan and A.
+/// Razakarivony, *BIT* 48 (2008) 231-243; for rigid bodies, by G. Vilmart, *J. Comput. Phys.* 227
+/// (2008) 7083-7088.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Sum<const N: usize> {
     pub(super) value: SVector<f64, N>,

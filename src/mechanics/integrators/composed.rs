@@ -1,12 +1,12 @@
-//! Methods of order 4 from symmetric ones of order 2.
+//! Methods of order 4, composed of symmetric methods of order 2.
 
 use super::Integrator;
 use crate::Error;
 use crate::mechanics::systems::System;
 
-/// Five steps of a symmetric method of order 2, with step sizes `p h`, `p h`, `(1 - 4 p) h`, `p h`,
-/// `p h` and `p = 1/(4 - 4^(1/3))`. They are a symmetric method of order 4, with the conserved
-/// quantities of its steps.
+/// Five steps of a symmetric method of order 2. The step sizes are `p h`, `p h`, `(1 - 4 p) h`,
+/// `p h`, `p h` with `p = 1/(4 - 4^(1/3))`. Together they form a symmetric method of order 4, which
+/// has the same conserved quantities.
 ///
 /// M. Suzuki, *Phys. Lett. A* 146 (1990) 319-323.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -22,7 +22,7 @@ impl<I> Composed<I> {
     }
 }
 
-/// The fractions of the five steps.
+/// The fractions of the step for the five steps.
 fn fractions() -> [f64; 5] {
     let outer = 1.0 / (4.0 - 4.0_f64.cbrt());
     [outer, outer, 1.0 - 4.0 * outer, outer, outer]

@@ -4,10 +4,11 @@ use super::Integrator;
 use crate::Error;
 use crate::mechanics::systems::System;
 
-/// A step, with the state at any time within it: the result of a shorter step from the same start.
+/// A step, from which the state at any time within the step can be computed: a shorter step from
+/// the same start has this state as its result.
 ///
-/// States within the step have the order and the conserved quantities of the method; no interpolant
-/// of lower order is used. Each state costs one step.
+/// States within the step have the same order and the same conserved quantities as the method;
+/// there is no interpolant of lower order. Each state requires one step.
 ///
 /// ```
 /// use affinor::mechanics::integrators::dense_output::DenseStep;
@@ -27,25 +28,26 @@ pub struct DenseStep<'a, S: System, I> {
     pub system: &'a S,
     /// The method of the step.
     pub method: &'a I,
-    /// The state at its start.
+    /// The state at the start of the step.
     pub start: S::State,
-    /// The step size, negative backwards in time.
+    /// The step size. It is negative backwards in time.
     pub length: f64,
 }
 
 impl<S: System, I: Integrator<S>> DenseStep<'_, S, I> {
-    /// The state at a time. A time after the end of the step gives the result of a longer step.
+    /// The state at a time. If the time is after the end of the step, the result is the state after
+    /// a longer step.
     ///
     /// # Errors
-    /// Those of a step of the method.
+    /// The errors of a step of the method.
     pub fn at(&self, time: f64) -> Result<S::State, Error> {
         self.after(time - self.system.time(&self.start))
     }
 
-    /// The state after an elapsed time.
+    /// The state after a time `elapsed` since the start of the step.
     ///
     /// # Errors
-    /// Those of a step of the method.
+    /// The errors of a step of the method.
     pub fn after(&self, elapsed: f64) -> Result<S::State, Error> {
         let mut state = self.start.clone();
         if elapsed != 0.0 {

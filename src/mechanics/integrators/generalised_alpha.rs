@@ -8,8 +8,9 @@ use crate::mechanics::systems::euler_poincare::Torque;
 use crate::mechanics::systems::saddle::{saddle, solve, stacked};
 use nalgebra::{DMatrix, DVector};
 
-/// The generalized-alpha method for constrained systems, in the index-3 formulation. The
-/// constraints hold after each step, their time derivatives up to the order of the method.
+/// The generalized-alpha method for constrained systems, in the index-3 formulation. After each
+/// step, the constraints are satisfied, and their time derivatives vanish up to the order of the
+/// method.
 ///
 /// ```text
 /// q_(n+1) = q_n exp(h x),   x = v_n + h (1/2 - beta) a_n + h beta a_(n+1)
@@ -17,20 +18,20 @@ use nalgebra::{DMatrix, DVector};
 /// (1 - alpha_m) a_(n+1) + alpha_m a_n = (1 - alpha_f) v'_(n+1) + alpha_f v'_n
 /// ```
 ///
-/// The equations of motion and `Phi = 0` at `n + 1` are solved for `v'_(n+1)` and `lambda_(n+1)` by
-/// Newton's method. With the spectral radius `rho` of a step at infinite frequency, `alpha_m = (2
-/// rho - 1)/(rho + 1)`, `alpha_f = rho/(rho + 1)`, `gamma = 1/2 + alpha_f - alpha_m`, `beta =
-/// (gamma + 1/2)^2/4`. The method has order 2 in `q`, `v` and `lambda`; fast oscillations are
-/// damped.
+/// The equations of motion and the constraints `Phi = 0` at `n + 1` are solved for `v'_(n+1)` and
+/// `lambda_(n+1)` by Newton's method. The coefficients depend on the spectral radius `rho` of a
+/// step at infinite frequency: `alpha_m = (2 rho - 1)/(rho + 1)`, `alpha_f = rho/(rho + 1)`,
+/// `gamma = 1/2 + alpha_f - alpha_m`, `beta = (gamma + 1/2)^2/4`. The method has order 2 in `q`,
+/// `v` and `lambda`; fast oscillations are damped.
 ///
-/// The algorithmic acceleration `a` approximates `v'(t + D h)`, `D = alpha_m - alpha_f`, and the
-/// first step starts with this value. The first step also starts with a velocity that is moved
-/// along `J^-1 B^T`, by the normal part of `h^2 ((1/6 - D/2 - beta) v'' + [v, v']/12)`. With this
-/// start `lambda` is of order 2 from the first step on. All steps should have equal lengths: a
-/// change of the step size causes an error of order 1 in `lambda`, which is damped.
+/// The algorithmic acceleration `a` approximates `v'(t + D h)` with `D = alpha_m - alpha_f`, and
+/// the first step starts with this value. The initial velocity of the first step is corrected along
+/// `J^-1 B^T`, by the normal part of `h^2 ((1/6 - D/2 - beta) v'' + [v, v']/12)`. With this start,
+/// the error of `lambda` is of order 2 from the first step on. All steps should have equal lengths:
+/// a change of the step size causes an error of order 1 in `lambda`, which is damped.
 ///
-/// O. Bruels, A. Cardona and M. Arnold, *Mechanism and Machine Theory* 48 (2012) 121-137; on the start, M.
-/// Arnold, O. Bruels and A. Cardona, *Numer. Math.* 129 (2015) 149-179.
+/// O. Bruels, A. Cardona and M. Arnold, *Mechanism and Machine Theory* 48 (2012) 121-137. For the
+/// start, see M. Arnold, O. Bruels and A. Cardona, *Numer. Math.* 129 (2015) 149-179.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GeneralisedAlpha {
     /// The spectral radius `rho`, in `[0, 1]`.
@@ -52,9 +53,9 @@ struct Coefficients {
     gamma: f64,
 }
 
-/// The end of a step, for a given acceleration there.
+/// The end of a step, for a given acceleration at the end.
 struct End<G: LieGroup> {
-    /// The increment `h x`.
+    /// The increment `h x` of the element.
     increment: G::Vector,
     element: G::Element,
     velocity: G::Vector,
@@ -80,7 +81,8 @@ impl GeneralisedAlpha {
 }
 
 impl Coefficients {
-    /// The offset `D` between the algorithmic and the true acceleration, per unit step.
+    /// The offset `D`, which is the difference in time between the algorithmic and the true
+    /// acceleration, per unit step.
     fn lead(&self) -> f64 {
         self.alpha_m - self.alpha_f
     }
@@ -90,7 +92,7 @@ impl Coefficients {
         (1.0 - self.alpha_f) / (1.0 - self.alpha_m)
     }
 
-    /// The initial condition with its algorithmic acceleration.
+    /// The initial condition, with its algorithmic acceleration.
     fn started<G: TranslationSplit, C: Constraint<G>, M: Torque<G>>(
         &self,
         system: &Constrained<G, C, M>,
@@ -98,7 +100,7 @@ impl Coefficients {
         h: f64,
     ) -> Option<ConstrainedState<G>> {
         let (v, a) = (&state.velocity, &state.acceleration);
-        // computes v'' from differences at later times only, because a force may jump at the start
+        // computes v'' only from differences at later times, because a force may jump at the start
         let s = h / 8.0;
         let after = |s: f64| {
             let x = v.clone() * s + a.clone() * (0.5 * s * s);
@@ -198,8 +200,8 @@ impl<G: TranslationSplit, C: Constraint<G>, M: Torque<G>> Integrator<Constrained
             acceleration = acceleration + by.clone();
             multipliers += change.rows_range(n..);
             let (size, motion) = (by.largest(), by.largest() * in_increment.abs());
-            // Newton's method stops at the rounding error of the element, which is large in terms
-            // of the acceleration
+            // stops Newton's method at the rounding error of the element, which corresponds to a
+            // large change of the acceleration
             let entries = || system.group().matrix(&end.element).amax();
             let still = size > 0.1 * last && motion < 1e-11 * (entries() + end.increment.largest());
             if still || size <= f64::EPSILON * acceleration.largest() {

@@ -5,20 +5,21 @@ use crate::Error;
 use crate::mechanics::systems::isospectral::{Isospectral, MatrixEntry, MatrixState, largest};
 use nalgebra::ComplexField;
 
-/// The isospectral midpoint method: with `b = h B(X)/2`,
+/// The isospectral midpoint method. With `b = h B(X)/2`,
 ///
 /// ```text
 /// L_n = (1 - b) X (1 + b),   L_(n+1) = (1 + b) X (1 - b) = L_n + h [B(X), X]
 /// ```
 ///
-/// It is symmetric and of order 2. `L_(n+1)` is similar to `L_n` by the Cayley transform of `b`, so
-/// the spectrum is conserved. For `B` in so(n) or su(n) the matrices remain symmetric,
-/// antisymmetric or antihermitian. For a Hamiltonian flow the step is a Poisson map, and the error
-/// of the energy is bounded. `X` is found by fixed-point iteration; an iteration costs one `B` and
-/// two matrix products. It converges within [`IsospectralMidpoint::ITERATIONS`] if `h` times the
-/// norm of `B` is below about 1.
+/// The method is symmetric and of order 2. `L_(n+1)` is similar to `L_n` by the Cayley transform of
+/// `b`, so the spectrum is conserved. If `B` is in so(n) or su(n), the matrices remain symmetric,
+/// antisymmetric or antihermitian. For a Hamiltonian flow, the step is a Poisson map, and the error
+/// of the energy is bounded. `X` is found by fixed-point iteration; each iteration needs one
+/// evaluation of `B` and two matrix products. The iteration converges within
+/// [`IsospectralMidpoint::ITERATIONS`] if `h` times the norm of `B` is below about 1.
 ///
-/// K. Modin and M. Viviani, *Found. Comput. Math.* 20 (2020) 889-921 and *J. Fluid Mech.* 884 (2020) A22.
+/// K. Modin and M. Viviani, *Found. Comput. Math.* 20 (2020) 889-921 and *J. Fluid Mech.* 884
+/// (2020) A22.
 ///
 /// ```
 /// use affinor::mechanics::{Integrator, IsospectralMidpoint, Toda};
@@ -34,7 +35,7 @@ use nalgebra::ComplexField;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct IsospectralMidpoint;
 
-/// The relative change of an iteration that may be caused by rounding errors.
+/// Rounding errors may cause this relative change in an iteration.
 const NOISE: f64 = 1e-13;
 
 impl IsospectralMidpoint {
@@ -50,7 +51,8 @@ impl IsospectralMidpoint {
 impl<S: Isospectral> Integrator<S> for IsospectralMidpoint {
     fn step(&self, system: &S, state: &mut MatrixState<S::Entry>, h: f64) -> Result<(), Error> {
         let stopped = |reason: String| Err(Error::Integration { t: state.time, reason });
-        // without this projection, rounding errors would break the symmetry of L and grow
+        // projects onto the symmetric part, because otherwise rounding errors would break the
+        // symmetry of L and grow
         let kept = |matrix| match system.symmetry() {
             Some(symmetry) => symmetry.part(&matrix),
             None => matrix,
@@ -68,7 +70,8 @@ impl<S: Isospectral> Integrator<S> for IsospectralMidpoint {
             if !off.is_finite() {
                 return stopped("a value is not finite".into());
             }
-            // once the change no longer decreases, it consists of rounding errors
+            // accepts the iterate if the change no longer decreases, because it then consists of
+            // rounding errors
             if off == 0.0 || (off >= last && off <= NOISE * size) {
                 let bracket = kept(product - S::Entry::product(&middle, &b));
                 state.matrix += bracket * S::Entry::from_real(2.0);

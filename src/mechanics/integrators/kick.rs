@@ -1,4 +1,4 @@
-//! Splitting methods for a body in a potential, with free motions and kicks.
+//! Splitting methods for a body in a potential. They consist of free motions and kicks.
 
 use super::{Integrator, expect_finite};
 use crate::Error;
@@ -15,25 +15,25 @@ use nalgebra::{UnitQuaternion, Vector3};
 pub enum KickOrder {
     /// One free motion between two half kicks.
     Two,
-    /// Six free motions, seven kicks: SRKN_6^b of Blanes and Moan.
+    /// Six free motions and seven kicks: the method SRKN_6^b of Blanes and Moan.
     Four,
-    /// Eleven free motions, twelve kicks: SRKN_11^b of Blanes and Moan.
+    /// Eleven free motions and twelve kicks: the method SRKN_11^b of Blanes and Moan.
     Six,
 }
 
-/// The computation of the free motion between kicks.
+/// The method that computes the free motions between kicks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FreeMotion {
-    /// By elliptic functions, for steps of any length.
+    /// Elliptic functions, for steps of any length.
     Exact,
-    /// By one step of the discrete Moser-Veselov algorithm, in a quarter of the time. The
-    /// step has its own order: order 10 is accurate up to rounding errors for rotations by less
-    /// than 0.1 radians.
+    /// One step of the discrete Moser-Veselov algorithm, which needs a quarter of the time. This
+    /// step has its own order. Order 10 is accurate up to rounding errors if the rotations are
+    /// below 0.1 radians.
     MoserVeselov(moser_veselov::MoserVeselovOrder),
 }
 
-/// The fractions of a step, for its first half: those of the kicks, and those of the free motions
-/// after them.
+/// The fractions of a step for its first half. The first list contains the fractions of the kicks,
+/// and the second contains the fractions of the free motions that follow the kicks.
 const FOUR: [[f64; 3]; 2] = [
     [0.0829844064174052, 0.396309801498368, -0.0390563049223486],
     [0.245298957184271, 0.604872665711080, 0.0],
@@ -56,7 +56,8 @@ const SIX: [[f64; 5]; 2] = [
 ];
 
 impl KickOrder {
-    /// The fractions of kicks and free motions, alternating, with a kick at both ends.
+    /// The fractions of kicks and free motions, which alternate. The first and the last entry are
+    /// kicks.
     fn shares(self) -> Vec<f64> {
         let mut half = match self {
             KickOrder::Two => vec![0.5],
@@ -71,7 +72,8 @@ impl KickOrder {
                 shares
             }
         };
-        // the fractions of each kind add up to 1
+        // the middle fraction follows from the other fractions, because the fractions of each kind
+        // add up to 1
         let kind = half.len() % 2;
         let others: f64 = half.iter().skip(kind).step_by(2).sum();
         half.push(1.0 - 2.0 * others);
@@ -81,31 +83,33 @@ impl KickOrder {
     }
 }
 
-/// Steps of a body with a torque that depends on time and attitude only. Free motions alternate
+/// Steps of a body with a torque that depends only on time and attitude. Free motions alternate
 /// with kicks, which change the spatial momentum at a fixed attitude: `h += h_k R M(t, R)` for a
 /// fraction `h_k` of the step.
 ///
-/// Both are exact flows, so the step is symplectic for a potential, and symmetric. It conserves the
-/// momentum about the axis of a symmetric potential up to rounding errors, and the error of the
-/// energy is bounded. The orders 4 and 6 are methods of Runge-Kutta-Nystroem type, for a kinetic
-/// energy that is quadratic in the momentum: S. Blanes and P. C. Moan, *J. Comput. Appl. Math.* 142
-/// (2002) 313-330. For bodies, see J. Touma and J. Wisdom, *Astron. J.* 107 (1994) 1189-1202.
+/// Free motions and kicks are exact flows, so the step is symmetric, and symplectic if the torque
+/// has a potential. The method conserves the momentum about the axis of a symmetric potential up to
+/// rounding errors, and the error of the energy is bounded. The orders 4 and 6 are methods of
+/// Runge-Kutta-Nystroem type, for a kinetic energy that is quadratic in the momentum (S. Blanes and
+/// P. C. Moan, *J. Comput. Appl. Math.* 142 (2002) 313-330). For bodies, see J. Touma and J.
+/// Wisdom, *Astron. J.* 107 (1994) 1189-1202.
 ///
-/// The torque must not depend on the velocity: it is called with a velocity of NaN, and a result of
-/// NaN is an error.
+/// The torque must not depend on the velocity. To check this, the method calls the torque with a
+/// velocity of NaN, and a result of NaN is an error.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Kick {
     body: Principal,
     order: KickOrder,
-    /// The inertia in principal axes.
+    /// The inertia, in principal axes.
     inertia: Inertia,
-    /// The steps of the free motion; `None` if it is exact.
+    /// The Moser-Veselov steps of the free motion; `None` if the free motion is computed exactly.
     steps: Option<MoserVeselov>,
     shares: Vec<f64>,
 }
 
 impl Kick {
-    /// The method for a body with this inertia: its order, and the method for the free motions between kicks.
+    /// The splitting method for a body with this inertia. `order` is the order of a step, and
+    /// `motion` is the method for the free motions between kicks.
     pub fn new(inertia: &Inertia, order: KickOrder, motion: FreeMotion) -> Self {
         let (body, inertia) = (Principal::new(inertia), inertia.in_principal_axes());
         let steps = match motion {
@@ -138,7 +142,7 @@ impl Kick {
 
 impl<M: Torque<So3>> Integrator<EulerPoincare<So3, M>> for Kick {
     /// # Errors
-    /// Also [`Error::Invalid`] if the system has another body.
+    /// In addition, [`Error::Invalid`] if the system is another body.
     fn step(
         &self,
         system: &EulerPoincare<So3, M>,

@@ -5,7 +5,7 @@ use crate::Error;
 use crate::group::LieGroup;
 use crate::mechanics::systems::System;
 
-/// The equation `g' = g A(t)`, with a prescribed velocity `A(t)` in body components.
+/// The equation `g' = g A(t)`. The prescribed velocity `A(t)` is in body components.
 ///
 /// ```
 /// use affinor::mechanics::Integrator;
@@ -31,7 +31,7 @@ pub struct PrescribedVelocity<G, F> {
     pub velocity: F,
 }
 
-/// The state of a kinematic equation: an element at a time.
+/// The state of a kinematic equation: an element and the time.
 #[derive(Debug)]
 pub struct KinematicState<G: LieGroup> {
     /// The time.
@@ -40,7 +40,7 @@ pub struct KinematicState<G: LieGroup> {
     pub element: G::Element,
 }
 
-// derived implementations would require `G: Clone` and `G: PartialEq`
+// implemented by hand, because derived implementations would require `G: Clone` and `G: PartialEq`
 impl<G: LieGroup<Element: PartialEq>> PartialEq for KinematicState<G> {
     fn eq(&self, other: &Self) -> bool {
         self.time == other.time && self.element == other.element
@@ -61,10 +61,10 @@ impl<G: LieGroup, F: Fn(f64) -> G::Vector> System for PrescribedVelocity<G, F> {
     }
 }
 
-/// The step `g exp(u)`, where `u` is the truncated Magnus series with Gauss quadrature of `A`.
+/// A step `g exp(u)`, where `u` is the truncated Magnus series. Gauss quadrature integrates `A`.
 ///
-/// With `A_i` at the Gauss points and brackets `{x, y} = -[x, y]`, because `A` multiplies `g` from
-/// the right:
+/// Let `A_i` be the values at the Gauss points, and `{x, y} = -[x, y]` the brackets with the
+/// opposite sign, because `A` multiplies `g` from the right:
 ///
 /// ```text
 /// order 4   u = h (A_1 + A_2)/2 - sqrt(3) h^2/12 {A_1, A_2}
@@ -73,9 +73,9 @@ impl<G: LieGroup, F: Fn(f64) -> G::Vector> System for PrescribedVelocity<G, F> {
 ///           p = {a, b},  q = -{a, 2 c + p}/60
 /// ```
 ///
-/// Steps stay on the group. They are exact if `A` commutes with itself and is a polynomial of a
-/// degree below the order. S. Blanes, F. Casas, J. A. Oteo and J. Ros, *Phys. Rep.* 470 (2009)
-/// 151-238, section 5.4.
+/// Steps stay on the group. They are exact if the values of `A` at different times commute, and `A`
+/// is a polynomial of a degree below the order. S. Blanes, F. Casas, J. A. Oteo and J. Ros, *Phys.
+/// Rep.* 470 (2009) 151-238, section 5.4.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Magnus {
     /// Order 4, with two values of `A` and one bracket.

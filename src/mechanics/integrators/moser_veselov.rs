@@ -1,16 +1,17 @@
 //! The discrete Moser-Veselov algorithm with preprocessed moments.
 //!
-//! One step rotates the body by the quaternion `(1, c)/sqrt(1 + |c|^2)` with, in principal axes,
+//! One step rotates the body by the quaternion `(1, c)/sqrt(1 + |c|^2)`. In principal axes, `c`
+//! satisfies
 //!
 //! ```text
 //! c_i = (1 + |c|^2) h H_i/(2 J_i) + (J_j - J_k)/J_i c_j c_k        (i, j, k) cyclic
 //! H_i += 4 (J_j - J_k) c_j c_k/(h (1 + |c|^2))
 //! ```
 //!
-//! It conserves the energy, `R H` and the symplectic form. With modified moments, `1/J -> s/J + d`,
-//! it has any even order. Here `s` and `d` are series in `h^2` with coefficients from the
-//! invariants: E. Hairer and G. Vilmart, J. Phys. A 39 (2006) 13225-13235, after R. McLachlan and
-//! A. Zanna, Found. Comput. Math. 5 (2005) 87-123.
+//! The step conserves the energy, `R H` and the symplectic form. If the moments are modified by
+//! `1/J -> s/J + d`, the step has any even order. Here `s` and `d` are series in `h^2` whose
+//! coefficients depend on the invariants (E. Hairer and G. Vilmart, J. Phys. A 39 (2006)
+//! 13225-13235, after R. McLachlan and A. Zanna, Found. Comput. Math. 5 (2005) 87-123).
 
 use super::Integrator;
 use super::compensated::Sum;
@@ -26,21 +27,22 @@ use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 /// The order of a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum MoserVeselovOrder {
-    /// Without preprocessing.
+    /// The moments are not preprocessed.
     Two,
-    /// Preprocessed up to `h^2`.
+    /// The moments are preprocessed up to `h^2`.
     Four,
-    /// Preprocessed up to `h^4`.
+    /// The moments are preprocessed up to `h^4`.
     Six,
-    /// Preprocessed up to `h^6`.
+    /// The moments are preprocessed up to `h^6`.
     Eight,
-    /// Preprocessed up to `h^8`.
+    /// The moments are preprocessed up to `h^8`.
     Ten,
 }
 
-/// The method for steps of the free rigid body.
+/// The discrete Moser-Veselov method for the free rigid body.
 ///
-/// A step costs the same for every order, because the moments are preprocessed once for many steps.
+/// All orders need the same time per step, because the moments are preprocessed once for many
+/// steps.
 ///
 /// ```
 /// use affinor::mechanics::{BodyState, FreeBody, Inertia, MoserVeselov};
@@ -59,26 +61,27 @@ pub enum MoserVeselovOrder {
 pub struct MoserVeselov {
     inertia: Inertia,
     body: Principal,
-    /// The largest moment, and the other moments divided by it.
+    /// The largest moment, which is the unit of `moments`.
     unit: f64,
     moments: [f64; 3],
-    /// Coefficients of `|H|^{2(n - j)} (2E)^j` in `s` and `d`, by the degree `n` from 1.
+    /// The coefficients of `|H|^{2(n - j)} (2E)^j` in `s` and `d`, listed by the degree `n`, which
+    /// begins at 1.
     series: [[Coefficients; 2]; 4],
     degrees: usize,
 }
 
-/// Coefficients for `j` from 0 to at most 4.
+/// The coefficients for `j` from 0 to at most 4.
 type Coefficients = [f64; 5];
 
-/// The size of a correction below which Newton's method ends, because the next one would be a
-/// rounding error.
+/// Newton's method ends if a correction is smaller than this value, because the next correction
+/// would be a rounding error.
 const NEWTON: f64 = 1e-8;
-/// The largest number of Newton iterations; two or three are normally enough.
+/// The largest number of Newton iterations. Two or three iterations normally suffice.
 const ITERATIONS: usize = 30;
 const TOO_LONG: &str = "the step is too long";
 
 impl MoserVeselov {
-    /// Steps of a body, of a given order.
+    /// Steps of order `order` for a body.
     pub fn new(inertia: &Inertia, order: MoserVeselovOrder) -> Self {
         let unit = inertia.principal_moments().max();
         let moments = (inertia.principal_moments() / unit).into();
@@ -96,11 +99,11 @@ impl MoserVeselov {
     /// are computed by compensated summation.
     ///
     /// # Errors
-    /// [`Error::Integration`] for a step that is too long: its equations have no solution near the
-    /// start.
+    /// [`Error::Integration`] if a step is too long, so that its equations have no solution near
+    /// the start.
     pub fn steps(&self, start: &BodyState, step: f64, count: usize) -> Result<BodyState, Error> {
         let axes = self.inertia.axes();
-        // h H in units of the largest moment is dimensionless
+        // scales h H to units of the largest moment, in which it is dimensionless
         let scale = step / self.unit;
         let mut y = Sum::new(axes.tr_mul(&start.momentum) * scale);
         let mut turn = Sum::new(Quaternion::identity().coords);
@@ -110,7 +113,7 @@ impl MoserVeselov {
             let c = stage.solve(&y.value).ok_or_else(|| too_long(taken))?;
             let square = 1.0 + c.norm_squared();
             let length = square.sqrt();
-            // equals (1, c)/length - 1
+            // the quaternion minus 1; it equals (1, c)/length - 1
             let less = Quaternion::from_parts(-c.norm_squared() / (1.0 + length), c);
             let product = Quaternion::from(turn.value) * less;
             turn.add(&(product.coords / length));
@@ -127,15 +130,16 @@ impl MoserVeselov {
         })
     }
 
-    /// One step.
+    /// Makes one step.
     ///
     /// # Errors
-    /// Those of [`steps`](Self::steps).
+    /// The errors of [`steps`](Self::steps).
     pub fn step(&self, state: &BodyState, step: f64) -> Result<BodyState, Error> {
         self.steps(state, step, 1)
     }
 
-    /// The preprocessed moments for a momentum. They depend only on invariants of the steps.
+    /// The preprocessed moments for a momentum. They depend only on quantities that the steps
+    /// conserve.
     fn stage(&self, y: &Vector3<f64>) -> Option<Stage> {
         let square = 0.5 * y.norm_squared();
         let energy = 0.5 * (0..3).map(|i| y[i] * y[i] / self.moments[i]).sum::<f64>();
@@ -157,11 +161,11 @@ impl MoserVeselov {
 }
 
 impl<M: Torque<So3>> Integrator<EulerPoincare<So3, M>> for MoserVeselov {
-    /// The spatial momentum is a part of the state, and is not changed.
+    /// Advances the state; the spatial momentum, which is a part of the state, remains unchanged.
     ///
     /// # Errors
-    /// Those of [`steps`](Self::steps); [`Error::Invalid`] for a system of another body;
-    /// [`Error::Integration`] for a system with a torque.
+    /// The errors of [`steps`](Self::steps); [`Error::Invalid`] if the system is another body;
+    /// [`Error::Integration`] if it has a torque.
     fn step(
         &self,
         system: &EulerPoincare<So3, M>,
@@ -206,7 +210,7 @@ impl Stage {
         Vector3::new(f.x * c.y * c.z, f.y * c.z * c.x, f.z * c.x * c.y)
     }
 
-    /// Solves for `c` by Newton's method.
+    /// Solves the equations for `c` by Newton's method.
     #[inline]
     fn solve(&self, y: &Vector3<f64>) -> Option<Vector3<f64>> {
         let (half, f) = (0.5 * y.component_mul(&self.inverse), &self.ratios);
@@ -214,7 +218,7 @@ impl Stage {
         let mut c = right(&(half + self.products(&half, f)));
         for _ in 0..ITERATIONS {
             let residual = right(&c) - c;
-            // the Jacobian matrix of c minus the right-hand side
+            // the Jacobian matrix of c minus the right-hand side, row by row
             let (a, c2) = (half, c + c);
             let (d1, d2, d3) = (1.0 - a.x * c2.x, 1.0 - a.y * c2.y, 1.0 - a.z * c2.z);
             let (r1, r2, r3) = (
@@ -222,7 +226,7 @@ impl Stage {
                 Vector3::new(-a.y * c2.x - f.y * c.z, d2, -a.y * c2.z - f.y * c.x),
                 Vector3::new(-a.z * c2.x - f.z * c.y, -a.z * c2.y - f.z * c.x, d3),
             );
-            // solves by Cramer's rule, with rows
+            // solves by Cramer's rule, from the rows of the matrix
             let (p1, p2, p3) = (r2.cross(&r3), r3.cross(&r1), r1.cross(&r2));
             let scale = 1.0 / r1.dot(&p1);
             let correction = (p1 * residual.x + p2 * residual.y + p3 * residual.z) * scale;
@@ -235,13 +239,14 @@ impl Stage {
     }
 }
 
-/// The coefficients of Hairer and Vilmart for the moments `J`: those of `C^(n - j) E^j` in `s` and
-/// in `d`, where `C = |H|^2/2` and `E` is the energy.
+/// The coefficients of Hairer and Vilmart for the moments `J`. They are the coefficients of
+/// `C^(n - j) E^j` in `s` and in `d`, where `C = |H|^2/2`, and `E` is the energy.
 fn series(moments: [f64; 3]) -> [[Coefficients; 2]; 4] {
     let [a, b, c] = moments;
     let det = a * b * c;
     let (det2, det3, det4) = (det.powi(2), det.powi(3), det.powi(4));
-    // sums of powers of the moments, and of powers divided by powers of another moment
+    // p sums powers of the moments; q sums powers of moments that are divided by powers of another
+    // moment
     let p = |n: i32| moments.iter().map(|x| x.powi(n)).sum::<f64>();
     let q = |n: i32, m: i32| moments.iter().map(|x| (p(n) - x.powi(n)) * x.powi(-m)).sum::<f64>();
     [

@@ -4,22 +4,22 @@ use super::runge_kutta::{LocalCoordinates, RungeKutta};
 use crate::Error;
 use crate::group::{Coordinates, TranslationSplit};
 
-/// Runge-Kutta-Munthe-Kaas: with `g = g_0 exp(u)`, the method solves `u' = T_left(u)^-1 Omega` and
-/// the equation of the momentum together, from `u = 0`.
-/// [Translations](TranslationSplit::translational_part) `y` are added: `g = g_0 exp(y) exp(u)`, `y'
-/// = Ad_exp(u) P Omega`.
+/// The Runge-Kutta-Munthe-Kaas method. With `g = g_0 exp(u)`, the method solves
+/// `u' = T_left(u)^-1 Omega` together with the equation of the momentum, starting from `u = 0`.
+/// [Translations](TranslationSplit::translational_part) `y` are additive coordinates:
+/// `g = g_0 exp(y) exp(u)`, `y' = Ad_exp(u) P Omega`.
 ///
-/// H. Munthe-Kaas, *BIT* 38 (1998) 92-111. Up to order 4 two brackets approximate the inverse
-/// tangent operator, as in this article; for higher orders the operator of the group is used. The
-/// order is that of the tableau.
+/// H. Munthe-Kaas, *BIT* 38 (1998) 92-111. Up to order 4, two brackets approximate the inverse
+/// tangent operator, as in this article. For higher orders, the operator of the group is used. The
+/// order of the method is the order of the tableau.
 pub type MuntheKaas<const STAGES: usize, T> = RungeKutta<STAGES, T, ExponentialCoordinates>;
 
-/// Canonical coordinates around `g_0`: `g = g_0 exp(u)`, or `g_0 exp(y) exp(u)` if the group has
-/// translations `y`, which then add like vectors.
+/// Canonical coordinates around `g_0`: `g = g_0 exp(u)`. If the group has translations `y`,
+/// `g = g_0 exp(y) exp(u)`, and the translations are added like vectors.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ExponentialCoordinates;
 
-/// Splits a vector into its rotational part and its translation.
+/// Splits a vector into its rotational part and its translational part.
 #[inline(always)]
 fn split<G: TranslationSplit>(group: &G, x: &G::Vector) -> (G::Vector, Option<G::Vector>) {
     match group.translational_part(x) {
@@ -28,12 +28,12 @@ fn split<G: TranslationSplit>(group: &G, x: &G::Vector) -> (G::Vector, Option<G:
     }
 }
 
-/// Data of a stage, computed once from its canonical coordinates.
+/// Data of a stage, computed once from the canonical coordinates of the stage.
 #[derive(Clone, Copy, Debug)]
 pub struct CanonicalPoint<V, E> {
     /// The canonical coordinate `u`.
     u: V,
-    /// The translation `y` and `exp(u)`, if the group has translations.
+    /// The translation `y` and the element `exp(u)`, if the group has translations.
     translated: Option<(V, E)>,
 }
 
@@ -61,7 +61,8 @@ impl<G: TranslationSplit> LocalCoordinates<G> for ExponentialCoordinates {
         }
     }
 
-    /// The start is projected onto the group; a processor can do this in parallel with the stages.
+    /// Computes the end of a step. The start is projected onto the group; a processor can compute
+    /// this projection in parallel with the stages.
     #[inline(always)]
     fn end(group: &G, at: &G::Element, x: &G::Vector) -> G::Element {
         let start = group.project(at.clone());
@@ -106,8 +107,8 @@ impl<G: TranslationSplit> LocalCoordinates<G> for ExponentialCoordinates {
         let turning = if order > 4 {
             group.tangent_left_inverse(u, &velocity)?
         } else {
-            // the cubic term of the series in ad_u is zero, and u is of the size of a step, so two
-            // brackets suffice
+            // two brackets suffice, because the cubic term of the series in ad_u is zero, and u is
+            // of the size of a step
             let once = group.bracket(u, &velocity);
             let twice = group.bracket(u, &once);
             velocity + once * 0.5 + twice * (1.0 / 12.0)

@@ -8,10 +8,10 @@ use crate::mechanics::systems::State;
 use crate::mechanics::systems::euler_poincare::{EulerPoincare, Torque};
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
 
-/// The transformation between body axes and principal axes, by quaternions.
+/// The transformation between body axes and principal axes, in terms of quaternions.
 ///
 /// A matrix of axes is orthogonal only up to rounding errors, which would accumulate over a million
-/// steps. The error of a quaternion is in its length, which cancels.
+/// steps. The error of a quaternion only changes its length, which cancels.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Principal {
     moments: Vector3<f64>,
@@ -38,7 +38,7 @@ impl Principal {
     /// The attitude of the principal axes, and the momentum along them.
     ///
     /// # Errors
-    /// [`Error::Invalid`] for a system of another body.
+    /// [`Error::Invalid`] if the system is another body.
     #[inline]
     pub(super) fn state<M: Torque<So3>>(
         &self,
@@ -50,10 +50,11 @@ impl Principal {
         Ok(BodyState { attitude, momentum: attitude.inverse_transform_vector(&state.spatial) })
     }
 
-    /// The same for a free body.
+    /// The attitude of the principal axes and the momentum along them, for a free body.
     ///
     /// # Errors
-    /// [`Error::Invalid`] for a system of another body, [`Error::Integration`] for one with a torque.
+    /// [`Error::Invalid`] if the system is another body, and [`Error::Integration`] if it has a
+    /// torque.
     #[inline]
     pub(super) fn free_state<M: Torque<So3>>(
         &self,
@@ -66,13 +67,13 @@ impl Principal {
         self.state(system, state)
     }
 
-    /// The attitude of the body, from the attitude of its principal axes.
+    /// The attitude of the body, computed from the attitude of its principal axes.
     #[inline]
     pub(super) fn attitude(&self, axes: UnitQuaternion<f64>) -> UnitQuaternion<f64> {
         So3.project(axes * self.axes.inverse())
     }
 
-    /// The torque in spatial components, at an attitude of the principal axes.
+    /// The torque in spatial components, for an attitude of the principal axes.
     pub(super) fn torque<M: Torque<So3>>(
         &self,
         system: &EulerPoincare<So3, M>,

@@ -4,15 +4,16 @@ use super::runge_kutta::{LocalCoordinates, RungeKutta};
 use crate::Error;
 use crate::group::{Coordinates, Embedded, TranslationSplit};
 
-/// Runge-Kutta in embedding coordinates, such as the four components of a quaternion. Each step
-/// ends with a projection onto the group.
+/// Runge-Kutta methods in embedding coordinates, such as the four components of a quaternion. Each
+/// step ends with a projection onto the group.
 ///
-/// The standard projection method: E. Hairer, C. Lubich and G. Wanner, *Geometric Numerical
-/// Integration* (2006), IV.4. A stage needs neither exponentials nor tangent operators, so a step
-/// is faster than a step of [`MuntheKaas`](super::MuntheKaas) of the same order. Stage elements may
-/// lie slightly off the group; forces are evaluated at their projections. A group without [a
-/// projection](Embedded::has_projection), such as a group of matrices, is an error. A free system
-/// conserves the spatial momentum: exactly on rotations, and up to rounding errors on other groups.
+/// This is the standard projection method of E. Hairer, C. Lubich and G. Wanner, *Geometric
+/// Numerical Integration* (2006), IV.4. A stage needs neither exponentials nor tangent operators,
+/// so a step is faster than a step of [`MuntheKaas`](super::MuntheKaas) of the same order. Elements
+/// of stages may be slightly off the group; forces are evaluated at their projections. A group
+/// without [a projection](Embedded::has_projection), such as a group of matrices, causes an error.
+/// A free system conserves the spatial momentum: exactly on groups of rotations, and up to rounding
+/// errors on other groups.
 ///
 /// ```
 /// use affinor::mechanics::{EulerPoincare, Integrator, Projected};
@@ -39,12 +40,12 @@ pub type Projected<const STAGES: usize, T> = RungeKutta<STAGES, T, Projection>;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Projection;
 
-/// Data of a stage, computed once from its embedding coordinates.
+/// Data of a stage, computed once from the embedding coordinates of the stage.
 #[derive(Clone, Copy, Debug)]
 pub struct EmbeddedPoint<E> {
-    /// The point with these coordinates; it may be slightly off the group.
+    /// The point with these coordinates. It may be slightly off the group.
     near: E,
-    /// Its projection onto the group.
+    /// The projection of the point onto the group.
     projected: E,
     /// The rotation from the base point to the projection.
     turn: E,

@@ -12,20 +12,20 @@ use crate::numerics::tableaux::{
 };
 use std::marker::PhantomData;
 
-/// Coordinates `y` of a group around a base point, in which a step is made.
+/// Local coordinates `y` of a group around a base point. A step is computed in these coordinates.
 pub trait LocalCoordinates<G: LieGroup> {
     /// The type of `y`.
     type Numbers: Coordinates;
 
-    /// The element with coordinates `y`, with data of a stage that are computed once from `y`, such
-    /// as an exponential.
+    /// The type of a point: the element with coordinates `y`, and data of a stage that are computed
+    /// once from `y`, such as an exponential.
     type Point;
 
-    /// Whether a point stores its element. If so, applying `Ad*` of the displacement in a step is
-    /// faster than integrating the momentum of a free system.
+    /// Whether a point contains its element. In this case, applying `Ad*` of the displacement in a
+    /// step is faster than integrating the momentum of a free system.
     const HAS_ELEMENT: bool = false;
 
-    /// Whether the group has these coordinates.
+    /// Whether these coordinates exist on the group.
     fn exist(group: &G) -> bool {
         let _ = group;
         true
@@ -40,25 +40,24 @@ pub trait LocalCoordinates<G: LieGroup> {
     /// The element of a point.
     fn element(group: &G, at: &G::Element, point: &Self::Point) -> G::Element;
 
-    /// The element at the end of a step: on the group up to rounding errors, without drift.
+    /// The element at the end of a step. It is on the group up to rounding errors, without drift.
     fn end(group: &G, at: &G::Element, y: &Self::Numbers) -> G::Element;
 
-    /// The momentum `Ad*_k p` for the rotation `k`
-    /// ([`linear_part`](crate::group::TranslationSplit::linear_part)) from the base point to a
-    /// point.
+    /// The momentum `Ad*_k p`, where `k` is the rotation from the base point to a point
+    /// ([`linear_part`](crate::group::TranslationSplit::linear_part)).
     fn carried(group: &G, point: &Self::Point, momentum: &G::Vector) -> G::Vector;
 
-    /// The inverse, `Ad*_(k^-1) F`.
+    /// The covector `Ad*_(k^-1) F`, which is the inverse of [`carried`](Self::carried).
     fn carried_back(group: &G, point: &Self::Point, force: &G::Vector) -> G::Vector;
 
-    /// The largest coordinate of rotations, and the largest of translations.
+    /// The largest coordinate of rotations, and the largest coordinate of translations.
     fn sizes(group: &G, y: &Self::Numbers) -> [f64; 2];
 
     /// The time derivative `y'` for `g' = g velocity` at the base point.
     fn first_rate(group: &G, at: &G::Element, velocity: &G::Vector) -> Self::Numbers;
 
-    /// The time derivative `y'` for `g' = g velocity` at a point, accurate enough for a method of
-    /// the given order.
+    /// The time derivative `y'` for `g' = g velocity` at a point. Its accuracy suffices for a
+    /// method of order `order`.
     ///
     /// # Errors
     /// [`Law::RegularTangent`](crate::Law::RegularTangent) where the coordinates are singular.
@@ -85,8 +84,9 @@ pub(super) fn expect_coordinates<G: LieGroup, C: LocalCoordinates<G>>(
     Err(stopped(time, "the method projects points onto the group, which has no projection"))
 }
 
-/// The Runge-Kutta method `T` for `y'` and `p'`, where `y` are the coordinates `C` and `p` is the
-/// momentum: [`MuntheKaas`](super::MuntheKaas) or [`Projected`](super::Projected).
+/// The Runge-Kutta method with the tableau `T` for `y'` and `p'`, where `y` are the coordinates
+/// `C`, and `p` is the momentum. See [`MuntheKaas`](super::MuntheKaas) and
+/// [`Projected`](super::Projected).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct RungeKutta<const STAGES: usize, T, C>(PhantomData<(T, C)>);
 
@@ -106,7 +106,7 @@ impl<C> RungeKutta<12, DormandPrince8, C> {
 }
 
 impl<const STAGES: usize, T, C> RungeKutta<STAGES, T, C> {
-    /// The method of the tableau.
+    /// The method of the tableau `T`.
     pub const fn new() -> Self {
         RungeKutta(PhantomData)
     }
@@ -118,7 +118,7 @@ impl<const STAGES: usize, T: Tabulated<STAGES>, C> RungeKutta<STAGES, T, C> {
         T::TABLEAU.order
     }
 
-    /// The state after a step, and its estimated error in units of the tolerance.
+    /// Computes the state after a step, and its estimated error in units of the tolerance.
     ///
     /// # Errors
     /// [`Error::Integration`], [`Law::RegularTangent`](crate::Law::RegularTangent).
@@ -140,7 +140,8 @@ impl<const STAGES: usize, T: Tabulated<STAGES>, C> RungeKutta<STAGES, T, C> {
         let sizes = |y: &C::Numbers| C::sizes(group, y);
         let [first, last] = [0, STAGES - 1].map(|stage| sizes(&stages.slopes[stage]));
         let lengths = [0, 1].map(|part| first[part].max(last[part]) * h.abs());
-        // for a motion from rest, the momentum at the end of the step sets the scale
+        // the scale is the larger momentum of start and end, because the momentum at the start may
+        // be zero
         let momenta = momentum.as_ref().map(|momentum| {
             let [before, after] = [&stages.start.momentum, momentum].map(|p| parts(group, p));
             [0, 1].map(|part| before[part].max(after[part]))
@@ -177,21 +178,21 @@ where
 /// The stages of a step.
 struct Stages<'s, S: CotangentSystem, C: LocalCoordinates<S::Group>, const STAGES: usize> {
     start: StepStart<'s, S>,
-    /// The identity as base point, if the step is computed for the displacement `g_0^-1 g`. The
-    /// momentum `H = Ad*_(g_0^-1 g) H_0` of a free system then needs no equations.
+    /// The identity, which is the base point if the step is computed for the displacement
+    /// `g_0^-1 g`. The momentum `H = Ad*_(g_0^-1 g) H_0` of a free system then needs no equations.
     identity: Option<Element<S>>,
     h: f64,
     origin: C::Numbers,
-    /// The slopes `y'`.
+    /// The slopes `y'` of the stages.
     slopes: [C::Numbers; STAGES],
-    /// The slopes `p'`, unless they are zero.
+    /// The slopes `p'` of the stages, unless they are zero.
     drifts: Option<[Vector<S>; STAGES]>,
 }
 
 impl<'s, S: CotangentSystem, C: LocalCoordinates<S::Group>, const STAGES: usize>
     Stages<'s, S, C, STAGES>
 {
-    /// Begins the stages of a step: computes the first one.
+    /// Begins a step: computes its first stage.
     #[inline]
     fn begin(system: &'s S, state: &'s State<S::Group>, h: f64) -> Self {
         let start = StepStart::new(system, state);
@@ -214,7 +215,7 @@ impl<'s, S: CotangentSystem, C: LocalCoordinates<S::Group>, const STAGES: usize>
     #[inline]
     fn make<T: Tabulated<STAGES>>(&mut self, count: usize) -> Result<(), Error> {
         if STAGES == 4 {
-            // an unrolled loop, so that few slopes stay in registers
+            // unrolls the loop, so that a few slopes remain in registers
             self.advance::<T>(1)?;
             self.advance::<T>(2)?;
             self.advance::<T>(3)
@@ -239,7 +240,7 @@ impl<'s, S: CotangentSystem, C: LocalCoordinates<S::Group>, const STAGES: usize>
             self.slopes[stage] = C::rate(group, &point, &velocity, *order)?;
             return Ok(());
         }
-        // forces must be evaluated at finite elements only
+        // checks the slopes, because forces must be evaluated only at finite elements
         expect_finite(state.time, &self.slopes[stage - 1])?;
         let point = C::point(group, at, &y());
         let velocity = match &mut self.drifts {
@@ -259,7 +260,7 @@ impl<'s, S: CotangentSystem, C: LocalCoordinates<S::Group>, const STAGES: usize>
         Ok(())
     }
 
-    /// The coordinates after the step, and the momentum if it changes.
+    /// The coordinates after the step, and the momentum if it is not constant.
     #[inline]
     fn moved(&self, weights: &[f64; STAGES]) -> Result<(C::Numbers, Option<Vector<S>>), Error> {
         let StepStart { state, momentum, .. } = &self.start;
@@ -290,7 +291,7 @@ impl<'s, S: CotangentSystem, C: LocalCoordinates<S::Group>, const STAGES: usize>
     }
 }
 
-/// The start plus `h` times the weighted sum of the slopes.
+/// The sum of the start and `h` times the weighted sum of the slopes.
 #[inline]
 fn moved<V: Coordinates>(start: &V, slopes: &[V], weights: &[f64], h: f64) -> V {
     let weighted = slopes.iter().zip(weights).filter(|(_, weight)| **weight != 0.0);

@@ -1,4 +1,4 @@
-//! The energy and momentum conserving algorithm of Simo and Wong.
+//! The algorithm of Simo and Wong, which conserves energy and momentum.
 
 use super::{Integrator, expect_finite};
 use crate::Error;
@@ -10,10 +10,10 @@ use crate::mechanics::systems::euler_poincare::{EulerPoincare, Torque};
 use crate::mechanics::{BodyState, Inertia};
 use nalgebra::{Matrix3, Vector3};
 
-/// The largest number of Newton iterations. Normally three or four are enough; a torque that
-/// changes much within a step takes more.
+/// The largest number of Newton iterations. Three or four iterations normally suffice, but a torque
+/// that changes much within a step requires more.
 const ITERATIONS: usize = 60;
-/// The size below which a correction that no longer decreases is a rounding error.
+/// A correction below this size that no longer decreases is a rounding error.
 const ROUNDING: f64 = 1e-11;
 
 /// Steps `R exp(u)` of a rigid body with `u = h (Omega_0 + Omega_1)/2`:
@@ -22,11 +22,11 @@ const ROUNDING: f64 = 1e-11;
 /// J Omega_1 = exp(-u) J Omega_0 + h exp(-u/2) M(t + h/2, R exp(u/2), u/h)
 /// ```
 ///
-/// Without a torque `u . J (Omega_1 - Omega_0) = 0`, so the energy is conserved up to rounding
-/// errors, and the spatial momentum exactly. The method is symmetric and of order 2. A torque is
-/// evaluated at the midpoint, so that the momentum about the axis of a symmetric potential is
-/// conserved. The energy in a potential drifts, because the step is not symplectic;
-/// [`Kick`](super::Kick) is better for a potential.
+/// Without a torque, `u . J (Omega_1 - Omega_0) = 0`. Therefore, the energy is conserved up to
+/// rounding errors, and the spatial momentum is conserved exactly. The method is symmetric and of
+/// order 2. A torque is evaluated at the midpoint, so that the momentum about the axis of a
+/// symmetric potential is conserved. The energy in a potential drifts, because the step is not
+/// symplectic; [`Kick`](super::Kick) is more suitable for a potential.
 ///
 /// J. C. Simo and K. K. Wong, *Int. J. Numer. Methods Eng.* 31 (1991) 19-52.
 #[derive(Clone, Debug, PartialEq)]
@@ -35,7 +35,7 @@ pub struct SimoWong {
 }
 
 impl SimoWong {
-    /// Steps of a body.
+    /// The algorithm for a body with this inertia.
     pub fn new(inertia: &Inertia) -> Self {
         SimoWong { body: Principal::new(inertia) }
     }
@@ -48,7 +48,7 @@ impl SimoWong {
 
 impl<M: Torque<So3>> Integrator<EulerPoincare<So3, M>> for SimoWong {
     /// # Errors
-    /// Also [`Error::Invalid`] if the system has another body.
+    /// In addition, [`Error::Invalid`] if the system is another body.
     fn step(
         &self,
         system: &EulerPoincare<So3, M>,
@@ -72,7 +72,7 @@ impl<M: Torque<So3>> Integrator<EulerPoincare<So3, M>> for SimoWong {
             let end = attitude * So3.exp(&u);
             let impulse = impulse(&u);
             let pushed = end.inverse_transform_vector(&(state.spatial + impulse));
-            // divided by h, because h J multiplies the unknown
+            // the residual is divided by h, because the unknown is multiplied by h J
             let residual = moments.component_mul(&(u * 2.0 - start)) - pushed * h;
             expect_finite(state.time, &residual)?;
             let slope = |v: Vector3<f64>| pushed.cross(&So3.tangent_left(&u, &v));

@@ -1,12 +1,12 @@
-//! The start of a step, which is the reference of its stages.
+//! The start of a step, to which the stages refer.
 
 use crate::Error;
 use crate::group::{Coordinates, LieGroup, TranslationSplit};
 use crate::mechanics::systems::cotangent::{CotangentSystem, Element, State, Vector, in_axes};
 use std::borrow::Cow;
 
-/// The displacement of an element from the start of a step, `g = g_0 exp(y) k`: a translation
-/// followed by a rotation.
+/// The displacement of an element from the start of a step, `g = g_0 exp(y) k`. It consists of a
+/// translation, followed by a rotation.
 pub(super) struct Increment<G: LieGroup> {
     /// The rotation `k`.
     turn: G::Element,
@@ -15,13 +15,14 @@ pub(super) struct Increment<G: LieGroup> {
 }
 
 impl<G: TranslationSplit> Increment<G> {
-    /// No displacement.
+    /// The zero displacement.
     pub(super) fn none(group: &G) -> Self {
         let place = group.translational_part(&G::Vector::zeros(group.dimension()));
         Increment { turn: group.identity(), place }
     }
 
-    /// The displacement followed by the rotation of `x`, with the translation of `x` added.
+    /// The displacement, followed by the rotation of `x`. The translation of `x` is added to the
+    /// translation of the displacement.
     pub(super) fn moved(&self, group: &G, x: G::Vector) -> Self {
         let (x, place) = match (&self.place, group.translational_part(&x)) {
             (Some(place), Some(translation)) => {
@@ -42,16 +43,16 @@ impl<G: TranslationSplit> Increment<G> {
     }
 }
 
-/// Time derivatives at an [`Increment`]: those of rotations in body components, those of
-/// translations and of the momentum in components of the start.
+/// Time derivatives at an [`Increment`]. The derivatives of rotations are in body components. The
+/// derivatives of translations and of the momentum are in components of the start.
 pub(super) struct Rates<V> {
     pub(super) velocity: V,
     pub(super) momentum: Option<V>,
 }
 
-/// The start of a step. The momentum is referred to the element at the start: `p` with `H = Ad*_k
-/// p` at `g_0 exp(y) k`. Then `p' = Ad*_(k^-1) (F + ad*_(P Omega) H)`, and a step does not depend
-/// on the position of the start.
+/// The start of a step. The momentum `p` refers to the element at the start: at the element
+/// `g_0 exp(y) k`, `H = Ad*_k p`. Then `p' = Ad*_(k^-1) (F + ad*_(P Omega) H)`, so a step does not
+/// depend on the position of the start.
 ///
 /// Elements, velocities and momenta refer to the [centre](CotangentSystem::centre) of the system.
 pub(super) struct StepStart<'s, S: CotangentSystem> {
@@ -77,8 +78,8 @@ impl<'s, S: CotangentSystem> StepStart<'s, S> {
         StepStart { system, state, element, momentum }
     }
 
-    /// The largest relative rate of change: the angular velocity, or the relative rate of the
-    /// momentum of rotations or of translations.
+    /// The largest relative time derivative: the angular velocity, or the relative time derivative
+    /// of the momentum of rotations or of translations.
     pub(super) fn fastest(&self) -> f64 {
         let StepStart { system, state, element, momentum } = self;
         let group = system.group();
@@ -145,7 +146,7 @@ impl<'s, S: CotangentSystem> StepStart<'s, S> {
         group.coadjoint(centre, &system.force(time, &element, &velocity, &momentum))
     }
 
-    /// The time derivatives some time after the start, for the momentum `p`.
+    /// The time derivatives at a time after the start, for the momentum `p`.
     pub(super) fn rates(
         &self,
         elapsed: f64,
@@ -169,8 +170,8 @@ impl<'s, S: CotangentSystem> StepStart<'s, S> {
         Rates { velocity, momentum: change }
     }
 
-    /// The state after a step of length `h` at an element, with the momentum `p` there, and `H` in
-    /// body components.
+    /// The state after a step of length `h`. The parameters are the element, the momentum `p` and
+    /// the momentum `H` in body components at the end of the step.
     ///
     /// # Errors
     /// [`Error::Integration`] if the momentum is not finite.
@@ -195,14 +196,16 @@ impl<'s, S: CotangentSystem> StepStart<'s, S> {
             None if self.system.transfers() => {
                 let reached = in_axes(group, &element, &in_body());
                 let change = reached - state.spatial.clone();
-                // if the momentum of translations does not change, it is conserved exactly
+                // removes the change of the momentum of translations: if `momentum` is `None`, this
+                // momentum is conserved exactly
                 match group.translational_momentum(&change) {
                     Some(along) => state.spatial.clone() + (change - along),
                     None => state.spatial.clone() + change,
                 }
             }
             None => state.spatial.clone(),
-            // if the momentum does not change, it is conserved exactly
+            // adds the change of the momentum, so that a momentum without change is conserved
+            // exactly
             Some(momentum) => {
                 let change = momentum.clone() - self.momentum.clone();
                 state.spatial.clone() + in_axes(group, &state.element, &change)

@@ -8,7 +8,8 @@ use crate::mechanics::events::{AfterEvent, Crossing, Event, EventDetector};
 use crate::mechanics::stopped;
 use crate::mechanics::systems::cotangent::{CotangentSystem, State};
 
-/// A trajectory with step-size control: the states at the ends of its steps, states between them, and events.
+/// A trajectory that is computed with step-size control. It contains the states at the ends of its
+/// steps and the events, and computes states between them.
 ///
 /// ```
 /// use affinor::mechanics::events::{Direction, Event, AfterEvent};
@@ -39,7 +40,7 @@ pub struct Trajectory<'s, S: CotangentSystem, C> {
     events: Vec<Crossing<State<S::Group>>>,
 }
 
-/// The pair of an adaptive method as a method with a given step size.
+/// The pair of an adaptive method, used as a method with fixed step size.
 #[derive(Clone, Copy, Debug)]
 struct FixedStep<C>(Adaptive<C>);
 
@@ -56,12 +57,12 @@ impl<C: Copy> Adaptive<C> {
     /// Computes the trajectory from a state to a time, which may be earlier, or to the first
     /// terminal event.
     ///
-    /// Two sign changes of an event function within a step are missed: [`max_step`](Adaptive::max_step) should be shorter than the
-    /// time between events.
+    /// Two sign changes of an event function within one step are missed, so
+    /// [`max_step`](Adaptive::max_step) should be shorter than the time between events.
     ///
     /// # Errors
-    /// [`Error::Integration`] with the time that was reached, for too small or too many steps, and
-    /// if an event function is NaN.
+    /// [`Error::Integration`], with the time that has been reached, if there are too many steps, if
+    /// a step is too small, or if an event function is NaN.
     pub fn run<'s, S: CotangentSystem>(
         &self,
         system: &'s S,
@@ -95,11 +96,11 @@ impl<C: Copy> Adaptive<C> {
 }
 
 impl<S: CotangentSystem, C: LocalCoordinates<S::Group>> Trajectory<'_, S, C> {
-    /// The state at a time, by a shorter step from the start of the step that contains it, with the
-    /// order of the method.
+    /// The state at a time. It is computed by a shorter step, from the start of the step that
+    /// contains the time, and has the order of the method.
     ///
     /// # Errors
-    /// [`Error::Integration`] for a time outside the trajectory; the errors of the step.
+    /// [`Error::Integration`] if the time is outside the trajectory; the errors of the step.
     pub fn at(&self, time: f64) -> Result<State<S::Group>, Error> {
         let [first, last] = [&self.states[0], self.end()].map(|state| state.time);
         let (earliest, latest) = (first.min(last), first.max(last));

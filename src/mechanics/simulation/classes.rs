@@ -1,4 +1,5 @@
-//! The classes of problems: one file for each, with its data, its motion and the values of its columns.
+//! The classes of problems. Each class has a file with its data, its motion and the values of its
+//! columns.
 
 pub mod constrained;
 mod cotangent;

@@ -5,20 +5,20 @@ use crate::Error;
 use crate::mechanics::events::{changes_of_sign, expect_number};
 use std::ops::Range;
 
-/// Detects sign changes of some columns of a motion.
+/// Detects sign changes of the watched columns of a motion.
 #[derive(Clone, Debug)]
 pub struct Crossings {
     columns: Range<usize>,
     /// The values of the columns at the current state.
     last: Vec<f64>,
-    /// The values at the end of a step.
+    /// The values of the columns at the end of a step.
     now: Vec<f64>,
 }
 
 /// An event that occurred.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RecordedCrossing {
-    /// The number of the event among the watched columns, from 0.
+    /// The index of the event among the watched columns, from 0.
     pub event: usize,
     /// The row at the event: the first row after the sign change, up to the resolution of time.
     pub row: Vec<f64>,
@@ -34,15 +34,15 @@ impl Crossings {
         Crossings { columns, now: last.clone(), last }
     }
 
-    /// Makes one step of the motion towards a time. Returns whether the time is reached, and the
-    /// events of the step in the order of time.
+    /// Makes one step of the motion towards the time `until`. Returns whether this time has been
+    /// reached, and the events of the step in the order of time.
     ///
-    /// A zero at the end of a step belongs to that step, and not to the next one. Two sign changes
-    /// of one column within a step are missed; steps of free length are short compared with the
-    /// motion.
+    /// If a column is zero at the end of a step, the event belongs to this step, and not to the
+    /// next one. Two sign changes of one column within a step are missed, but steps of free length
+    /// are short compared with the time scale of the motion.
     ///
     /// # Errors
-    /// Those of [`Motion::step`]; [`Error::Integration`] if a column is NaN.
+    /// The errors of [`Motion::step`]; [`Error::Integration`] if a column is NaN.
     pub fn step(
         &mut self,
         motion: &mut dyn Motion,

@@ -3,10 +3,11 @@
 use crate::Error;
 use crate::mechanics::stopped;
 
-/// The largest number of steps to one output time.
+/// The largest number of steps between two output times.
 const MAX_STEPS: f64 = 1e12;
 
-/// Equal steps to each output time: as few as possible, but none longer than a given step size.
+/// Equal steps to each output time. Their number is as small as possible, but no step is longer
+/// than a given step size.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FixedSteps {
     step: f64,
@@ -23,15 +24,17 @@ struct Leg {
 }
 
 impl FixedSteps {
-    /// Steps of at most this length.
+    /// Steps whose length is at most `step`.
     pub fn new(step: f64) -> Self {
         FixedSteps { step, leg: None }
     }
 
-    /// Makes one step by `advance`, which receives its length. Returns the time after the step.
+    /// Makes one step by calling `advance` with the length of the step. Returns the time after the
+    /// step.
     ///
     /// # Errors
-    /// [`Error::Integration`] for more than `1e12` steps to one time; the errors of `advance`.
+    /// [`Error::Integration`] if more than `1e12` steps are needed to reach one time; the errors of
+    /// `advance`.
     pub fn step(
         &mut self,
         time: f64,
@@ -52,7 +55,8 @@ impl FixedSteps {
 
 impl Leg {
     fn new(from: f64, until: f64, step: f64) -> Result<Self, Error> {
-        // rounding errors must not add a step to a whole number of steps
+        // subtracts a tolerance, so that rounding errors do not add a step to a whole number of
+        // steps
         let count = ((until - from).abs() / step - 1e-9).ceil().max(1.0);
         if count <= MAX_STEPS {
             return Ok(Leg { from, until, count: count as u64, taken: 0 });

@@ -1,5 +1,5 @@
-//! Forces and potentials as formulas, forces as tables over time, and forces as functions of the
-//! calling program.
+//! Forces on motions: formulas of components, potentials as formulas, tables over time, and
+//! functions of the calling program.
 
 use super::group::SimulationGroup;
 use super::observables::{Buffers, Observables, ObservationPoint};
@@ -17,22 +17,22 @@ use std::sync::Arc;
 /// One of the two invariant frames.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ForceFrame {
-    /// The left-invariant frame: body components.
+    /// The left-invariant frame, with body components.
     Body,
-    /// The right-invariant frame: spatial components.
+    /// The right-invariant frame, with spatial components.
     Spatial,
 }
 
 /// A covector as a function of time, of the [written](crate::group::MatrixNotation::write) element
-/// and of the body velocity (for right-invariant equations, the spatial one). Missing components
-/// count as NaN.
+/// and of the body velocity. For right-invariant equations, the velocity is the spatial velocity.
+/// Missing components of the result count as NaN.
 #[derive(Clone)]
 pub struct ForceFunction(Arc<Covector>);
 
 type Covector = dyn Fn(f64, &DMatrix<f64>, &[f64]) -> Vec<f64> + Send + Sync;
 
 impl ForceFunction {
-    /// The force with the components `M_i = function(t, element, velocity)_i`.
+    /// A force with the components `M_i = function(t, element, velocity)_i`.
     pub fn new(
         function: impl Fn(f64, &DMatrix<f64>, &[f64]) -> Vec<f64> + Send + Sync + 'static,
     ) -> Self {
@@ -46,20 +46,21 @@ impl fmt::Debug for ForceFunction {
     }
 }
 
-/// The forces on a system: components of covectors as formulas, a potential, and a table over time.
+/// The forces on a system: formulas for components of covectors, a potential, and a table over
+/// time.
 ///
 /// The potential `V` contributes `M_i = -e_i(V)`, the derivative along the invariant field `e_i`.
 #[derive(Debug)]
 pub struct Forces {
     observables: Observables,
     scope: FormulaScope,
-    /// The formulas of components with their frame and index, and their text.
+    /// The formulas of components. Each has its frame, its index and its text.
     terms: Vec<(ForceFrame, usize, Formula, String)>,
-    /// The potential, its formula with derivatives, and its text.
+    /// The potential: its formula, the formula with derivatives, and its text.
     potential: Option<(Formula, Gradient, String)>,
     table: Option<(ForceFrame, ForceTable)>,
     functions: Vec<(ForceFrame, ForceFunction)>,
-    /// The interval of the table in which the current step began.
+    /// The interval of the table in which the current step has begun.
     interval: Cell<Option<Interval>>,
     buffers: RefCell<(Buffers, Sums)>,
 }
@@ -67,14 +68,15 @@ pub struct Forces {
 /// Buffers for sums of forces and derivatives of a potential.
 #[derive(Debug, Default)]
 struct Sums {
-    /// Components of the force in the frame of the equations, then in the other frame.
+    /// The components of the force in the frame of the equations, followed by the components in the
+    /// other frame.
     sums: Vec<f64>,
-    /// Derivatives of the potential with respect to the entries.
+    /// The derivatives of the potential with respect to the entries.
     partial: Vec<Partial>,
 }
 
 impl Forces {
-    /// An empty collection of forces, for a system with this inertia.
+    /// An empty collection of forces for a system with the inertia `inertia`.
     pub fn none<G: SimulationGroup>(
         group: &G,
         inertia: DMatrix<f64>,
@@ -102,17 +104,18 @@ impl Forces {
         self.observables.names()
     }
 
-    /// Whether forces may depend on a quantity: all are allowed except energies and the power.
+    /// Whether forces may depend on a quantity. All quantities are allowed, except energies and the
+    /// power.
     pub fn may_depend_on(quantity: MotionQuantity) -> bool {
         use MotionQuantity::{Energy, Kinetic, Potential, Power};
         !matches!(quantity, Kinetic | Potential | Energy | Power)
     }
 
-    /// Adds a component (from 0) of a covector.
+    /// Adds the formula of the component `i` (from 0) of a covector.
     ///
     /// # Errors
-    /// Those of [`Formula::parse`]; also for quantities on which no force [may
-    /// depend](Self::may_depend_on).
+    /// The errors of [`Formula::parse`]; also an error if the formula contains quantities on which
+    /// no force [may depend](Self::may_depend_on).
     pub fn add(&mut self, side: ForceFrame, i: usize, text: &str) -> Result<(), ExpressionError> {
         let formula = self.scope.read(text, self.observables.names(), &Self::may_depend_on)?;
         self.terms.push((side, i, formula, text.trim().into()));
@@ -122,7 +125,8 @@ impl Forces {
     /// Sets the potential, a function of time and of the entries of the element.
     ///
     /// # Errors
-    /// Those of [`Formula::parse`]; also for other quantities.
+    /// The errors of [`Formula::parse`]; also an error if the formula contains other quantities of
+    /// the motion.
     pub fn set_potential(&mut self, text: &str) -> Result<(), ExpressionError> {
         let allowed = |q| {
             matches!(
@@ -136,19 +140,19 @@ impl Forces {
         Ok(())
     }
 
-    /// Sets a table of a covector over time.
+    /// Sets a table of the values of a covector over time.
     pub fn set_table(&mut self, side: ForceFrame, table: ForceTable) {
         self.table = Some((side, table));
     }
 
-    /// Adds a covector as a function.
+    /// Adds a covector that is given as a function.
     pub fn add_function(&mut self, side: ForceFrame, function: ForceFunction) {
         self.functions.push((side, function));
     }
 
-    /// Begins a step from one time towards another. Returns the time at which a step of controlled
-    /// size must end: the next kink of the table, or `until`. Equal times mean that no step is in
-    /// progress.
+    /// Begins a step from the time `from` towards `until`. Returns the time at which a step of
+    /// controlled size must end: the next kink of the table, or `until`. If the two times are
+    /// equal, no step is in progress.
     pub(super) fn begin_step(&self, from: f64, until: f64) -> f64 {
         let table = self.table.as_ref().filter(|_| from != until);
         self.interval.set(table.map(|(_, table)| table.interval(from, until)));
@@ -171,14 +175,15 @@ impl Forces {
         self.functions.is_empty() && self.scope.quantities().iter().all(of_place)
     }
 
-    /// Whether the only force is a potential that does not depend on time, so that the energy is conserved.
+    /// Whether the only force is a potential that does not depend on time, so that the energy is
+    /// conserved.
     pub fn are_conservative(&self) -> bool {
         let timeless = !self.scope.quantities().contains(&MotionQuantity::Time);
         self.terms.is_empty() && self.table.is_none() && self.functions.is_empty() && timeless
     }
 }
 
-/// [`Forces`] bound to a group.
+/// [`Forces`] on a group.
 #[derive(Debug)]
 pub struct ForcesOn<G> {
     group: G,
@@ -271,7 +276,7 @@ impl<G: SimulationGroup> ForcesOn<G> {
         let list =
             |numbers: &[f64]| numbers.iter().map(f64::to_string).collect::<Vec<_>>().join(", ");
         let names = self.forces.names();
-        // the entries are listed row by row
+        // transposes the matrix, so that the entries are listed row by row
         let element = self.group.write(at.element).transpose();
         self.forces.observables.record(format!(
             "{what} is {value} at t = {}, {} = [{}], {} = [{}]",

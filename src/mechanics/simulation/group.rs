@@ -1,4 +1,4 @@
-//! Groups as configuration spaces of motions, and dispatch to the type of a group.
+//! Groups as configuration spaces of motions, and the dispatch to the type of a group.
 
 use crate::Error;
 use crate::group::{
@@ -19,13 +19,14 @@ pub trait SimulationGroup:
     + Sync
     + 'static
 {
-    /// Whether the group is the [`Opposite`] of another one, so that its left-invariant frame is
-    /// the right-invariant frame of that group.
+    /// Whether the group is the [`Opposite`] of another group. In this case, its left-invariant
+    /// frame is the right-invariant frame of the other group.
     fn is_right(&self) -> bool {
         false
     }
 
-    /// The inertia of a body with a metric, if the group is the group of rotations.
+    /// The inertia of a body with a metric. Returns `None` unless the group is the group of
+    /// rotations.
     fn body(&self, inertia: &DMatrix<f64>) -> Option<Result<Inertia, Error>> {
         let _ = inertia;
         None
@@ -59,20 +60,21 @@ impl SimulationGroup for So3 {
 
 /// A problem that is generic over the type of the group.
 pub(super) trait GroupVisitor {
-    /// The solution.
+    /// The type of the solution.
     type Output;
 
     /// Solves the problem.
     fn visit<G: SimulationGroup>(self, group: &G) -> Self::Output;
 }
 
-/// Solves a problem on a group chosen at run time. Common groups in closed form are passed with
-/// their static type, so that their steps allocate nothing.
+/// Solves a problem on a group that is chosen at run time. For common groups in closed form, the
+/// visitor is called with the static type of the group, so that steps allocate no memory.
 pub(super) fn visit<V: GroupVisitor>(group: &AnyGroup, visitor: V) -> V::Output {
     if let Some(group) = group.downcast_ref::<So3>() {
         return visitor.visit(group);
     }
-    // in a browser, a small program matters more than speed
+    // leaves out these types in a browser, where the size of the program is more important than its
+    // speed
     #[cfg(not(target_family = "wasm"))]
     {
         if let Some(group) = group.downcast_ref::<So2>() {
@@ -87,7 +89,7 @@ pub(super) fn visit<V: GroupVisitor>(group: &AnyGroup, visitor: V) -> V::Output 
         if let Some(group) = group.downcast_ref::<Sl2>() {
             return visitor.visit(group);
         }
-        // right-invariant systems are solved on the opposite group
+        // solves right-invariant systems on the opposite group
         if let Some(group) = group.downcast_ref::<Opposite<AnyGroup>>() {
             return visitor.visit(group);
         }

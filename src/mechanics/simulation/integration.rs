@@ -7,20 +7,21 @@ use crate::mechanics::Adaptive;
 /// The method, the step size and the step-size control of a motion.
 #[derive(Clone, Copy, Debug)]
 pub struct Integration {
-    /// The method, or `None` for the default of the class of problems.
+    /// The method. `None` means the default of the class of problems.
     pub method: Option<Method>,
     /// The step size of methods with fixed steps.
     pub step: Option<f64>,
-    /// The step-size control: its tolerances, its longest step, and the largest number of steps
-    /// from one output time to the next.
+    /// The step-size control. It contains the tolerances, the longest step, and the largest number
+    /// of steps between two output times.
     pub control: Adaptive,
 }
 
 impl Integration {
-    /// The step size of a method; 0 for methods without one.
+    /// The step size of a method. Returns 0 for methods without a fixed step size.
     ///
     /// # Errors
-    /// [`Error::Unsupported`] for fixed steps without a step size, and for a tolerance that is too small.
+    /// [`Error::Unsupported`] if a method with fixed steps has no step size, or if a tolerance is
+    /// too small.
     pub(super) fn step_of(&self, method: Method) -> Result<f64, Error> {
         method.expect_resolved(self.control.tolerance)?;
         match self.step {

@@ -1,4 +1,4 @@
-//! The methods of integration: one row of a table for each.
+//! The methods of integration, with one row of a table for each method.
 
 use super::classes::free_body::{self, Body, FreeStart};
 use super::group::SimulationGroup;
@@ -15,7 +15,7 @@ use crate::mechanics::{
 };
 use std::fmt;
 
-/// The problems that a method integrates.
+/// The class of problems that a method integrates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Class {
     /// A rigid body on SO(3) without forces.
@@ -26,11 +26,12 @@ pub enum Class {
     Body,
     /// Any equations of motion of a momentum on a group.
     AnySystem,
-    /// Like [`Class::AnySystem`], on groups with a projection, left-invariant only.
+    /// The problems of [`Class::AnySystem`] on groups with a projection, if the equations are
+    /// left-invariant.
     Projection,
-    /// Holonomic constraints.
+    /// Systems with holonomic constraints.
     Constrained,
-    /// A prescribed velocity as a function of time.
+    /// Kinematic equations, whose velocity is a prescribed function of time.
     PrescribedVelocity,
     /// Isospectral flows of matrices.
     MatrixFlow,
@@ -39,11 +40,11 @@ pub enum Class {
 /// The way in which a method chooses its steps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Steps {
-    /// The state at any time is known.
+    /// The method computes the state at any time.
     Exact,
-    /// Steps of equal length.
+    /// All steps have equal lengths.
     Fixed,
-    /// Steps whose length is controlled by a tolerance.
+    /// A tolerance controls the lengths of steps.
     Controlled,
 }
 
@@ -58,8 +59,8 @@ struct Row {
     why: &'static str,
 }
 
-/// The table of methods. A row has the variant of [`Method`], its name in problem files, its order,
-/// a description of the problems that it integrates, its [`Class`], its [`Steps`], and its
+/// The table of methods. A row contains the variant of [`Method`], its name in problem files, its
+/// order, a description of the problems that it integrates, its [`Class`], its [`Steps`], and its
 /// constructor.
 macro_rules! methods {
     ($($Method:ident $name:literal $order:literal $why:literal $Class:ident $Steps:ident $make:expr;)+) => {
@@ -82,7 +83,8 @@ macro_rules! methods {
             /// All methods.
             pub const ALL: &'static [Method] = &[$(Method::$Method),+];
 
-            /// The integrator on any group with any forces, for methods of this class.
+            /// The integrator for systems with any group and any forces. Returns `None` unless the
+            /// method belongs to this class.
             pub(super) fn any_system<S: CotangentSystem<Group: SimulationGroup> + 'static>(
                 self,
                 step: f64,
@@ -93,14 +95,16 @@ macro_rules! methods {
                 }
             }
 
-            /// The integrator of a body, for methods of these classes.
+            /// The integrator for a body. Returns `None` unless the method belongs to one of the
+            /// classes for bodies.
             pub(super) fn body(self, start: &FreeStart, step: f64) -> Option<Result<Stepper<Body<So3>>, Error>> {
                 match self {
                     $(Method::$Method => construct!(body $Class $Steps ($make) start step),)+
                 }
             }
 
-            /// The integrator of a system with constraints, for methods of this class.
+            /// The integrator for a system with constraints. Returns `None` unless the method
+            /// belongs to this class.
             pub(super) fn constrained<G: TranslationSplit + 'static, C: Constraint<G> + 'static, M: Torque<G> + 'static>(
                 self,
                 step: f64,
@@ -110,14 +114,16 @@ macro_rules! methods {
                 }
             }
 
-            /// The Magnus method for a prescribed velocity, for methods of this class.
+            /// The Magnus method for a prescribed velocity. Returns `None` unless the method
+            /// belongs to this class.
             pub(super) fn magnus(self) -> Option<Magnus> {
                 match self {
                     $(Method::$Method => construct!(magnus $Class ($make)),)+
                 }
             }
 
-            /// The integrator of a flow of matrices, for methods of this class.
+            /// The integrator for a flow of matrices. Returns `None` unless the method belongs to
+            /// this class.
             pub(super) fn matrix_flow<F: Isospectral + 'static>(self, step: f64) -> Option<Stepper<F>> {
                 match self {
                     $(Method::$Method => construct!(matrix_flow $Class ($make) step),)+
@@ -127,7 +133,8 @@ macro_rules! methods {
     };
 }
 
-/// The constructor of a row for a class of problems; `None` for rows of other classes.
+/// Calls the constructor of a row for one class of problems. The result is `None` for rows of other
+/// classes.
 macro_rules! construct {
     (any_system AnySystem Fixed ($make:expr) $step:ident $control:ident) => {
         Some(Stepper::fixed($make, $step))
@@ -217,10 +224,10 @@ const REPLACED: [(&str, Method); 10] = [
     ("cg3", Method::CommutatorFree4),
 ];
 
-/// The tolerance below which order 8 is faster than order 5.
+/// If the tolerance is below this value, order 8 is faster than order 5.
 const EIGHT: f64 = 1e-8;
 
-/// The least tolerance that double precision resolves.
+/// The smallest tolerance that double precision resolves.
 const LEAST: f64 = 1e-15;
 
 impl Method {
@@ -243,28 +250,28 @@ impl Method {
         self.row().class
     }
 
-    /// A description of the class of problems.
+    /// A description of the class of problems, for messages.
     pub fn why(self) -> &'static str {
         self.row().why
     }
 
-    /// The method with this name.
+    /// The method with this name; `None` if there is no such method.
     pub fn from_name(name: &str) -> Option<Self> {
         Method::ALL.iter().copied().find(|method| method.name() == name)
     }
 
-    /// The replacement of a method whose name occurs in older problem files.
+    /// The method that replaces a name of older problem files; `None` for other names.
     pub fn instead_of(name: &str) -> Option<Self> {
         REPLACED.iter().find(|(old, _)| *old == name).map(|(_, method)| *method)
     }
 
-    /// The method with step-size control for a tolerance: of order 8 if that is faster, otherwise
-    /// of order 5.
+    /// The method with step-size control that is faster for a tolerance: order 8 for small
+    /// tolerances, otherwise order 5.
     pub fn to(tolerance: f64) -> Self {
         if tolerance <= EIGHT { Method::MuntheKaas853 } else { Method::MuntheKaas54 }
     }
 
-    /// The names of the methods of some classes, for messages.
+    /// The names of the methods of these classes, as text for messages.
     pub fn names_of(classes: &[Class]) -> String {
         let methods = Method::ALL.iter().filter(|method| classes.contains(&method.class()));
         methods.map(|method| method.name()).collect::<Vec<_>>().join(", ")
@@ -283,7 +290,7 @@ impl Method {
     /// Checks that a method with step-size control can meet the tolerance.
     ///
     /// # Errors
-    /// [`Error::Unsupported`] for a tolerance below the resolution of floats.
+    /// [`Error::Unsupported`] if the tolerance is below the resolution of floats.
     pub fn expect_resolved(self, tolerance: f64) -> Result<(), Error> {
         if !self.is_controlled() || tolerance >= LEAST {
             return Ok(());
@@ -293,7 +300,7 @@ impl Method {
         )))
     }
 
-    /// The error for a method that does not apply to the problem.
+    /// The error if a method does not apply to the problem.
     pub(super) fn refused(self, reason: &str) -> Error {
         Error::Unsupported(format!("the method {} does not apply here: {reason}", self.name()))
     }

@@ -6,28 +6,30 @@ use crate::Error;
 use crate::mechanics::{System, stopped};
 use std::ops::Range;
 
-/// A motion, computed step by step.
+/// A motion that is computed step by step.
 pub trait Motion: Send {
-    /// The time of the present state.
+    /// The time of the current state.
     fn time(&self) -> f64;
 
-    /// Makes one step towards a time, and returns whether the time is reached.
+    /// Makes one step towards the time `until`. Returns whether this time has been reached.
     ///
     /// # Errors
-    /// [`Error::Integration`]; the state is then the state after the last successful step.
+    /// [`Error::Integration`]. In this case, the state is the state after the last successful step.
     fn step(&mut self, until: f64) -> Result<bool, Error>;
 
-    /// Like [`step`](Self::step), with a step short enough to check for events: it rotates a body
-    /// by at most a quarter radian. The length of fixed steps is not changed.
+    /// Makes one step as in [`step`](Self::step), but a step that is short enough to check for
+    /// events: it rotates a body by at most a quarter radian. The length of fixed steps is not
+    /// changed.
     ///
     /// # Errors
-    /// Those of [`step`](Self::step).
+    /// The errors of [`step`](Self::step).
     fn step_for_events(&mut self, until: f64) -> Result<bool, Error>;
 
     /// The number of columns.
     fn column_count(&self) -> usize;
 
-    /// Appends the values of some columns to `list`, without allocation once the list is long enough.
+    /// Appends the values of the columns in the range `columns` to `list`. The method does not
+    /// allocate memory if the list is long enough.
     fn values(&self, columns: Range<usize>, list: &mut Vec<f64>);
 
     /// The values of all columns.
@@ -40,24 +42,24 @@ pub trait Motion: Send {
     /// The number of steps so far.
     fn steps(&self) -> u64;
 
-    /// Stores a copy of the state in memory, in place of an earlier copy.
+    /// Stores a copy of the state in memory. It replaces an earlier copy.
     fn store(&mut self);
 
-    /// Restores the state that was stored last, if there is one.
+    /// Restores the state that was stored last. Does nothing if no state is stored.
     fn roll_back(&mut self);
 }
 
-/// A motion at its start, and its method.
+/// A motion at its start, together with its method.
 pub struct Started {
     /// The motion.
     pub motion: Box<dyn Motion>,
-    /// The requested method, or the default of the class of problems.
+    /// The requested method, or the default method of the class of problems.
     pub method: Method,
 }
 
-/// A system with the columns of its motion; each class of problems implements it.
+/// A system with the columns of its motion. Each class of problems implements this trait.
 pub(super) trait ObservedMotion: Send + 'static {
-    /// The system.
+    /// The type of the system.
     type System: System<State: Send>;
 
     /// The system.
@@ -69,7 +71,7 @@ pub(super) trait ObservedMotion: Send + 'static {
     /// The number of columns.
     fn column_count(&self) -> usize;
 
-    /// Appends the values of some columns at a state to `list`.
+    /// Appends the values at a state of the columns in the range `columns` to `list`.
     fn values(
         &self,
         state: &<Self::System as System>::State,
@@ -77,14 +79,14 @@ pub(super) trait ObservedMotion: Send + 'static {
         list: &mut Vec<f64>,
     );
 
-    /// The angular velocity of a state, or a similar rate.
+    /// The angular velocity of a state, or a similar measure of its time scale.
     fn rate(&self, state: &<Self::System as System>::State) -> f64 {
         let _ = state;
         0.0
     }
 
-    /// Begins a step from one time towards another. Returns the latest time at which a step of
-    /// controlled size must end. Equal times mean that no step is in progress.
+    /// Begins a step from the time `from` towards `until`. Returns the latest time at which a step
+    /// of controlled size must end. If the two times are equal, no step is in progress.
     fn begin_step(&self, from: f64, until: f64) -> f64 {
         let _ = from;
         until
@@ -96,28 +98,28 @@ pub(super) trait ObservedMotion: Send + 'static {
     }
 }
 
-/// The only implementation of [`Motion`].
+/// A simulation of a system. This type is the only implementation of [`Motion`].
 struct Simulation<R: ObservedMotion> {
     recorded: R,
     now: Progress<R::System>,
     stored: Option<Progress<R::System>>,
 }
 
-/// All data on which the continuation of a motion depends.
+/// All data on which the rest of a motion depends.
 struct Progress<S: System> {
     state: S::State,
     stepper: Stepper<S>,
     steps: u64,
 }
 
-// a derived implementation would require `S: Clone`
+// implemented by hand, because a derived implementation would require `S: Clone`
 impl<S: System> Clone for Progress<S> {
     fn clone(&self) -> Self {
         Progress { state: self.state.clone(), stepper: self.stepper.clone(), steps: self.steps }
     }
 }
 
-/// The motion of a system from a state.
+/// The motion of a system that starts at a state.
 pub(super) fn simulation<R: ObservedMotion>(
     recorded: R,
     state: <R::System as System>::State,
@@ -128,12 +130,13 @@ pub(super) fn simulation<R: ObservedMotion>(
 }
 
 impl<R: ObservedMotion> Simulation<R> {
-    /// The longest step between checks for events, for the current angular velocity.
+    /// The longest step between checks for events, at the current angular velocity.
     fn longest(&self) -> f64 {
         self.now.stepper.longest(|| self.recorded.rate(&self.now.state))
     }
 
-    /// Makes a step towards a time. If its length is free, it is at most `longest`.
+    /// Makes a step towards the time `until`. If the length of steps is free, it is at most
+    /// `longest`.
     fn advance(&mut self, until: f64, longest: f64) -> Result<bool, Error> {
         let time = self.time();
         if time == until {
@@ -144,14 +147,14 @@ impl<R: ObservedMotion> Simulation<R> {
         }
         let (recorded, Progress { state, stepper, steps }) = (&self.recorded, &mut self.now);
         *steps = steps.saturating_add(1);
-        // forget the reason of an earlier step
+        // removes the reason that an earlier step recorded
         let _ = recorded.take_trouble();
         let mut end = recorded.begin_step(time, until);
         if (end - time).abs() > longest {
             end = time + longest.copysign(until - time);
         }
         let reached = stepper.step(recorded.system(), state, until, end);
-        // no step is in progress
+        // marks that no step is in progress
         recorded.begin_step(until, until);
         let reached = reached.map_err(|error| match (error, recorded.take_trouble()) {
             (_, Some(reason)) => stopped(time, reason),
@@ -175,14 +178,16 @@ impl<R: ObservedMotion> Motion for Simulation<R> {
     fn step_for_events(&mut self, until: f64) -> Result<bool, Error> {
         let from = self.time();
         let mut reached = self.advance(until, self.longest())?;
-        // if the body was slower at the start, perhaps at rest, it may have rotated too far
+        // repeats the step if the body has rotated too far, because it was slower at the start,
+        // perhaps at rest
         while let (longest, length) = (self.longest(), (self.time() - from).abs())
             && length > 2.0 * longest
             && let Some(stored) = &self.stored
             && self.recorded.system().time(&stored.state) == from
         {
             self.roll_back();
-            // if the angular velocity grows linearly, this step rotates the body by exactly the allowed angle
+            // if the angular velocity grows linearly, this step rotates the body by exactly the
+            // allowed angle
             reached = self.advance(until, (longest * length).sqrt())?;
         }
         Ok(reached)

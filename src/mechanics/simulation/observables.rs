@@ -8,7 +8,7 @@ use nalgebra::DMatrix;
 use std::cell::RefCell;
 use std::ops::Range;
 
-/// A point of a motion, with the velocity in the frame of the equations.
+/// A point of a motion. The velocity is in the frame of the equations.
 pub struct ObservationPoint<'p, G: SimulationGroup> {
     /// The time.
     pub time: f64,
@@ -16,9 +16,9 @@ pub struct ObservationPoint<'p, G: SimulationGroup> {
     pub element: &'p G::Element,
     /// The velocity.
     pub velocity: &'p G::Vector,
-    /// The momentum in the frame of the equations; if it is missing, `J Omega` is used.
+    /// The momentum in the frame of the equations. If it is missing, `J Omega` is used.
     pub momentum: Option<&'p G::Vector>,
-    /// The energy, if it is not the sum of a kinetic and a potential energy.
+    /// The energy. It is missing if the energy is the sum of a kinetic and a potential energy.
     pub energy: Option<f64>,
 }
 
@@ -29,20 +29,21 @@ impl<'p, G: SimulationGroup> ObservationPoint<'p, G> {
     }
 }
 
-/// The quantities of motions on a group: their names, and the data besides the point on which their
-/// values depend.
+/// The quantities of motions on a group: their names, and all data on which their values depend in
+/// addition to the point.
 #[derive(Clone, Debug)]
 pub struct Observables {
     names: SymbolTable,
-    /// The number of rows of a written element; stored because each stage of a step needs it.
+    /// The number of rows of a written element. It is stored, because each stage of a step needs
+    /// it.
     rows: usize,
-    /// The inertia `J`, if there is one.
+    /// The inertia `J`, if the system has an inertia.
     inertia: Option<DMatrix<f64>>,
-    /// The reason why the last force or velocity was not a number.
+    /// The reason why the last force or velocity is not a number.
     trouble: RefCell<Option<String>>,
 }
 
-/// Buffers for values of quantities and formulas.
+/// Buffers for the values of quantities and formulas.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Buffers {
     /// The values of the quantities of a [`FormulaScope`].
@@ -53,7 +54,8 @@ pub(super) struct Buffers {
 }
 
 impl Observables {
-    /// The quantities on a group with named parameters; `inertia` is the matrix `J` of `H = J Omega`.
+    /// The quantities on a group with named parameters. The matrix `inertia` is the `J` of
+    /// `H = J Omega`.
     pub fn new<G: SimulationGroup>(
         group: &G,
         inertia: Option<DMatrix<f64>>,
@@ -69,7 +71,7 @@ impl Observables {
         &self.names
     }
 
-    /// The momentum `J Omega`; NaN if there is no inertia.
+    /// The momentum `J Omega`. The components are NaN if there is no inertia.
     pub fn momentum<V: Coordinates>(&self, velocity: &V) -> V {
         let omega = velocity.components();
         let entry = |i, j| self.inertia.as_ref().map_or(f64::NAN, |inertia| inertia[(i, j)]);
@@ -87,8 +89,9 @@ impl Observables {
         self.trouble.take()
     }
 
-    /// Replaces the values in `buffers` by those of the quantities of a scope, and the entries if
-    /// one of these quantities is an entry. `load` returns the potential and the power.
+    /// Replaces the values in `buffers` by the values of the quantities of a scope. If an entry of
+    /// the element is among these quantities, the entries are replaced too. The function `load`
+    /// returns the potential and the power.
     pub(super) fn evaluate<G: SimulationGroup>(
         &self,
         group: &G,
@@ -101,18 +104,18 @@ impl Observables {
     }
 }
 
-/// The formulas of the columns of a motion, over their scope.
+/// The formulas of the columns of a motion, and the scope of these formulas.
 #[derive(Clone, Debug, Default)]
 pub struct ColumnFormulas {
     /// The quantities of the formulas.
     pub scope: FormulaScope,
-    /// A formula for each column.
+    /// The formulas, one for each column.
     pub formulas: Vec<Formula>,
 }
 
 impl ColumnFormulas {
-    /// Appends the values of some of the columns at a point to `list`; `load` returns the potential
-    /// and the power.
+    /// Appends the values at a point of the columns in a range to `list`. The function `load`
+    /// returns the potential and the power.
     #[allow(clippy::too_many_arguments, reason = "a point and its surroundings")]
     pub(super) fn values<G: SimulationGroup>(
         &self,
@@ -130,7 +133,7 @@ impl ColumnFormulas {
         found.resize(self.scope.quantities().len(), f64::NAN);
         for formula in &self.formulas[range] {
             for &k in formula.variables() {
-                // computes only the values that formulas use, and each once
+                // computes only the values that formulas use, each of them once
                 if found[k].is_nan() {
                     found[k] = values.of(self.scope.quantities()[k]);
                 }
@@ -140,7 +143,8 @@ impl ColumnFormulas {
     }
 }
 
-/// The values at a point. Common subexpressions are computed once, when they are first needed.
+/// The values at a point. Common subexpressions are computed once, when they are needed for the
+/// first time.
 struct Values<'v, G: SimulationGroup> {
     group: &'v G,
     observables: &'v Observables,
@@ -149,7 +153,7 @@ struct Values<'v, G: SimulationGroup> {
     momentum: Option<G::Vector>,
     other_momentum: Option<G::Vector>,
     other_velocity: Option<G::Vector>,
-    /// The entries of the element, once `written` is set.
+    /// The entries of the element. They are valid if `written` is set.
     entries: &'v mut Vec<f64>,
     written: bool,
 }
@@ -177,7 +181,8 @@ impl<'v, G: SimulationGroup> Values<'v, G> {
         }
     }
 
-    /// Quantities that a force may use in each stage of a step are cheap.
+    /// The value of a quantity. Quantities that a force may use are cheap, because each stage of a
+    /// step computes them.
     #[inline(always)]
     fn of(&mut self, quantity: MotionQuantity) -> f64 {
         match quantity {

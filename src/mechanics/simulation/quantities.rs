@@ -12,9 +12,9 @@ pub enum MotionQuantity {
     Time,
     /// A parameter of the problem.
     Parameter(usize),
-    /// An entry of the written form of the element, by row and column from 0.
+    /// An entry of the written form of the element, given by its row and column from 0.
     Entry(usize, usize),
-    /// A named coordinate of the element, such as `qw`: its index in
+    /// A named coordinate of the element, such as `qw`, given by its index in
     /// [`MatrixNotation::named`](crate::group::MatrixNotation::named).
     Named(usize),
     /// A component of the velocity, in the frame of the equations.
@@ -41,15 +41,16 @@ pub struct SymbolTable {
     /// Parameters of the problem and their values.
     pub parameters: Vec<(String, f64)>,
     dimension: usize,
-    /// The written forms of the factors of the group. A group that is not a product is its only
-    /// factor.
+    /// The written forms of the factors of the group. If a group is not a product, its only factor
+    /// is the group itself.
     blocks: Vec<Block>,
-    /// The names of velocity and momentum: in the frame of the equations, then in the other invariant frame.
+    /// The names of the velocity and the momentum: first in the frame of the equations, then in the
+    /// other invariant frame.
     sides: [[&'static str; 2]; 2],
 }
 
 impl SymbolTable {
-    /// The names on a group, with parameters.
+    /// The names of the quantities of motions on `group`, and of the parameters.
     pub fn new<G: SimulationGroup>(group: &G, parameters: Vec<(String, f64)>) -> Self {
         let blocks = group.blocks();
         let (body, spatial) = (["Omega", "H"], ["omega", "h"]);
@@ -75,7 +76,7 @@ impl SymbolTable {
         }
     }
 
-    /// The quantity with this name.
+    /// The quantity with this name; `None` if there is no such quantity.
     pub fn find(&self, name: &str) -> Option<MotionQuantity> {
         if let Some(k) = self.parameters.iter().position(|(known, _)| known == name) {
             return Some(MotionQuantity::Parameter(k));
@@ -104,8 +105,8 @@ impl SymbolTable {
         }
     }
 
-    /// The coordinate of the element with this name. The names of factor `k` of a product end in `_k`,
-    /// and the entries of a product are rows of one column.
+    /// The coordinate of the element with this name. The names of factor `k` of a product end in
+    /// `_k`, and the entries of a product are rows of one column.
     fn coordinate(&self, name: &str) -> Option<MotionQuantity> {
         let (factor, name) = self.factor(name)?;
         let (before, block) = (&self.blocks[..factor], self.blocks.get(factor)?);
@@ -122,7 +123,7 @@ impl SymbolTable {
         })
     }
 
-    /// The factor, from 0, to which a name refers, and the name within this factor.
+    /// The factor to which a name refers, counted from 0, and the name within this factor.
     fn factor<'n>(&self, name: &'n str) -> Option<(usize, &'n str)> {
         if self.blocks.len() == 1 {
             return Some((0, name));
@@ -132,7 +133,7 @@ impl SymbolTable {
         (1..=self.blocks.len()).contains(&factor).then(|| (factor - 1, name))
     }
 
-    /// Names in all factors, with the suffix of the factor.
+    /// The names in all factors, with the suffix of each factor.
     fn of_factors(&self, names: impl Fn(&Block) -> Vec<String>) -> Vec<String> {
         let blocks = self.blocks.iter().enumerate();
         let outside = |(k, block): (usize, &Block)| {
@@ -147,8 +148,8 @@ impl SymbolTable {
         if let [block] = &*self.blocks { block.letter() } else { "element" }
     }
 
-    /// All names with a stem such as `Omega` or `g`. For a single quantity such as `energy`, its
-    /// name.
+    /// All names with a stem such as `Omega` or `g`. For a single quantity such as `energy`, the
+    /// list contains only its name.
     pub fn expand(&self, stem: &str) -> Vec<String> {
         let numbered = |n: usize| (1..=n).map(|i| format!("{stem}{i}")).collect();
         let sides = self.sides.as_flattened();
@@ -160,7 +161,7 @@ impl SymbolTable {
                 block.names.iter().map(|name| name.to_string()).collect()
             }
             _ if stem == "element" || stem == block.letter() => block.entries(),
-            // `R` is also a letter of matrices, unless it is a parameter
+            // accepts `R` as the letter of matrices too, unless it is a parameter
             "R" if self.find(stem).is_none() && block.letter() == "g" => {
                 block.entries().iter().map(|entry| entry.replace('g', stem)).collect()
             }
@@ -175,7 +176,7 @@ impl SymbolTable {
         }
     }
 
-    /// The names of the entries of the element, for messages.
+    /// The names of the entries of the element, as text for messages.
     pub fn entries(&self) -> String {
         self.entry_ranges().join(", ")
     }
@@ -194,7 +195,7 @@ impl SymbolTable {
         self.of_factors(of_block)
     }
 
-    /// All names of allowed quantities, for messages.
+    /// All names of allowed quantities, as text for messages.
     pub fn all(&self, allowed: &dyn Fn(MotionQuantity) -> bool) -> String {
         let mut names: Vec<String> = vec!["t".into()];
         let n = self.dimension;
@@ -213,7 +214,7 @@ impl SymbolTable {
     }
 }
 
-/// The quantities that some formulas use. Their order is the numbering of the variables in the
+/// The quantities that a set of formulas uses. Their order is the numbering of the variables in the
 /// formulas. Parameters are constants.
 #[derive(Clone, Debug, Default)]
 pub struct FormulaScope {
@@ -221,10 +222,11 @@ pub struct FormulaScope {
 }
 
 impl FormulaScope {
-    /// Parses a formula and adds its quantities.
+    /// Parses a formula, and adds its quantities to the scope.
     ///
     /// # Errors
-    /// Those of [`Formula::parse`]; also for a quantity that is not `allowed`.
+    /// The errors of [`Formula::parse`]; also an error if the formula contains a quantity that is
+    /// not `allowed`.
     pub fn read(
         &mut self,
         text: &str,
@@ -239,7 +241,7 @@ impl FormulaScope {
         })
     }
 
-    /// The number of a quantity, which is added if it is new.
+    /// The index of a quantity. The quantity is added if it is new.
     pub fn index(&mut self, quantity: MotionQuantity) -> usize {
         let known = self.quantities.iter().position(|other| *other == quantity);
         known.unwrap_or_else(|| {
@@ -248,20 +250,20 @@ impl FormulaScope {
         })
     }
 
-    /// The quantities in order.
+    /// The quantities, in order of their indices.
     pub fn quantities(&self) -> &[MotionQuantity] {
         &self.quantities
     }
 
-    /// Replaces the content of `values` by the values of the quantities, in their order.
+    /// Replaces the content of `values` by the values of the quantities, in order of their indices.
     #[inline]
     pub(super) fn evaluate(&self, value: impl FnMut(MotionQuantity) -> f64, values: &mut Vec<f64>) {
         values.clear();
         values.extend(self.quantities.iter().copied().map(value));
     }
 
-    /// Replaces the content of `partial` by the nonzero derivatives with respect to entries, from
-    /// derivatives with respect to quantities.
+    /// Replaces the content of `partial` by the nonzero derivatives with respect to entries. They
+    /// are taken from `slopes`, the derivatives with respect to quantities.
     #[inline]
     pub(super) fn by_entries(
         &self,
@@ -270,7 +272,7 @@ impl FormulaScope {
     ) {
         partial.clear();
         for (k, slope) in slopes {
-            // zero derivatives are left out, because 0 times an infinite entry is NaN
+            // omits zero derivatives, because 0 times an infinite entry is NaN
             if let MotionQuantity::Entry(row, column) = self.quantities[k]
                 && slope != 0.0
             {

@@ -7,8 +7,8 @@ use crate::mechanics::integrators::runge_kutta::LocalCoordinates;
 use crate::mechanics::{Adaptive, CotangentSystem, Integrator, State, System, stopped};
 use std::sync::Arc;
 
-/// The way in which a motion advances, with all data besides the state on which the next step
-/// depends.
+/// The way in which a motion advances. It contains all data, in addition to the state, on which the
+/// next step depends.
 pub enum Stepper<S: System> {
     /// Steps of equal length.
     Fixed {
@@ -17,18 +17,18 @@ pub enum Stepper<S: System> {
         /// The steps to the next output time.
         steps: FixedSteps,
     },
-    /// Steps whose length is controlled by a tolerance.
+    /// Steps whose lengths are controlled by a tolerance.
     Adaptive {
         /// The function that makes a step: [`Adaptive::step`](crate::mechanics::Adaptive::step).
         control: Arc<Control<S>>,
         /// The largest number of steps from one output time to the next.
         max_steps: usize,
-        /// The length to try for the next step.
+        /// The step size to try next.
         next: f64,
         /// The number of steps since the last output time.
         taken: usize,
     },
-    /// The state at any time, in closed form.
+    /// A solution in closed form, which yields the state at any time.
     Exact {
         /// The function that returns the state at a time.
         at: Arc<At<S>>,
@@ -37,19 +37,19 @@ pub enum Stepper<S: System> {
     },
 }
 
-/// The largest rotation between checks for events, in radians.
+/// The largest rotation between two checks for events, in radians.
 const TURN: f64 = 0.25;
 const EXACT_TURN: f64 = 0.0625;
 
-/// A function that makes a controlled step of a system and its state towards a time; it updates the
-/// length to try.
+/// A function that makes a controlled step of a system and its state towards a time. It updates the
+/// step size to try next.
 type Control<S> =
     dyn Fn(&S, &mut <S as System>::State, &mut f64, f64) -> Result<(), Error> + Send + Sync;
 
 /// A function that returns the state at a time.
 type At<S> = dyn Fn(f64) -> Result<<S as System>::State, Error> + Send + Sync;
 
-// a derived implementation would require `S: Clone`
+// implemented by hand, because a derived implementation would require `S: Clone`
 impl<S: System> Clone for Stepper<S> {
     fn clone(&self) -> Self {
         match self {
@@ -65,12 +65,12 @@ impl<S: System> Clone for Stepper<S> {
 }
 
 impl<S: System> Stepper<S> {
-    /// Steps of at most this length.
+    /// Steps whose length is at most `step`.
     pub(super) fn fixed(integrator: impl Integrator<S> + Send + Sync + 'static, step: f64) -> Self {
         Stepper::Fixed { integrator: Arc::new(integrator), steps: FixedSteps::new(step) }
     }
 
-    /// The state at any time, in closed form.
+    /// A solution in closed form: `at` returns the state at any time.
     pub(super) fn exact(
         at: impl Fn(f64) -> Result<S::State, Error> + Send + Sync + 'static,
         rate: f64,
@@ -78,8 +78,8 @@ impl<S: System> Stepper<S> {
         Stepper::Exact { at: Arc::new(at), rate }
     }
 
-    /// Makes one step towards a time. Returns the time that is reached. Steps of free length end at
-    /// the latest at `end`, a time on the way.
+    /// Makes one step towards the time `until`. Returns the time that has been reached. Steps of
+    /// free length end no later than `end`, a time on the way to `until`.
     pub(super) fn step(
         &mut self,
         system: &S,
@@ -113,8 +113,8 @@ impl<S: System> Stepper<S> {
         }
     }
 
-    /// The longest step between checks for events, where `rate` returns the angular velocity;
-    /// infinite for fixed steps.
+    /// The longest step between two checks for events, where `rate` returns the angular velocity.
+    /// The result is infinite for fixed steps.
     pub(super) fn longest(&self, rate: impl FnOnce() -> f64) -> f64 {
         match self {
             Stepper::Fixed { .. } => f64::INFINITY,

@@ -1,12 +1,13 @@
-//! Vectors over time, interpolated from a table.
+//! Vectors as functions of time, interpolated from a table.
 
 use crate::Error;
 
 /// The relative rounding error of times within a step.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
-/// Vectors over time, interpolated linearly between rows, or [held](Self::held). Two rows at the
-/// same time are a discontinuity, from the values of the first row to those of the second.
+/// A vector as a function of time. It is interpolated linearly between rows, or [held](Self::held)
+/// constant. Two rows at the same time define a discontinuity, from the values of the first row to
+/// the values of the second.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ForceTable {
     times: Vec<f64>,
@@ -15,16 +16,17 @@ pub struct ForceTable {
     is_held: bool,
 }
 
-/// An interval between two rows of a [`ForceTable`], or before the first or after the last row. It
-/// is given by the number of rows before it.
+/// An interval between two rows of a [`ForceTable`], before the first row or after the last row. It
+/// is represented by the number of rows before it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Interval(usize);
 
 impl ForceTable {
-    /// The table with these rows, each a time and the values at that time.
+    /// A table with these rows. Each row consists of a time and the values at this time.
     ///
     /// # Errors
-    /// [`Error::Shape`] without rows, for rows of different lengths, for times that decrease, and for three rows at one time.
+    /// [`Error::Shape`] if there are no rows, if rows have different lengths, if times decrease, or
+    /// if three rows have the same time.
     pub fn new(rows: Vec<Vec<f64>>) -> Result<Self, Error> {
         let shape =
             |expected: String, found: String| Error::Shape { what: "the table", expected, found };
@@ -51,13 +53,14 @@ impl ForceTable {
         Ok(ForceTable { times, values, is_held: false })
     }
 
-    /// The same table with piecewise constant values: each row is valid up to the next one.
+    /// The same table with piecewise constant values. The values of each row are valid up to the
+    /// next row.
     #[must_use]
     pub fn held(self) -> Self {
         ForceTable { is_held: true, ..self }
     }
 
-    /// The same table with zeros appended to the values, up to `width` values.
+    /// The same table, with zeros appended to the values of each row up to `width` values.
     #[must_use]
     pub fn padded(mut self, width: usize) -> Self {
         let short = self.values.iter_mut().filter(|row| row.len() < width);
@@ -65,7 +68,7 @@ impl ForceTable {
         self
     }
 
-    /// The number of values at a time.
+    /// The number of values in each row.
     pub fn width(&self) -> usize {
         self.values[0].len()
     }
@@ -75,8 +78,8 @@ impl ForceTable {
         [self.times[0], self.times[self.times.len() - 1]]
     }
 
-    /// The first time of a row strictly between two times, as seen from the first of them. The
-    /// values have a kink there.
+    /// The first row time strictly between `from` and `until`, as seen from `from`. The values have
+    /// a kink at this time.
     pub fn corner(&self, from: f64, until: f64) -> Option<f64> {
         let forwards = from < until;
         let next = if forwards {
@@ -87,18 +90,19 @@ impl ForceTable {
         next.copied().filter(|t| (*t < until) == forwards)
     }
 
-    /// The interval in which a step from one time towards another begins.
+    /// The interval in which a step from the time `from` towards `until` begins.
     pub fn interval(&self, from: f64, until: f64) -> Interval {
         let forwards = from <= until;
-        // because of rounding errors, the previous step may end slightly off the time of a row
+        // allows a tolerance, because rounding errors may move the end of the previous step
+        // slightly off the time of a row
         let slack = ROUNDING * from.abs();
         let begun = |t: &f64| if forwards { *t <= from + slack } else { *t < from - slack };
         Interval(self.times.partition_point(begun))
     }
 
-    /// Adds the values at a time to `sum`; before the first and after the last row they are
-    /// constant. At an end of `inside` the limit from within is used, at any other discontinuity
-    /// the value after it.
+    /// Adds the values at a time to `sum`. Before the first row and after the last row, the values
+    /// are constant. At an end of the interval `inside`, the limit from within the interval is
+    /// used; at any other discontinuity, the value after it is used.
     pub fn add(&self, time: f64, inside: Option<Interval>, sum: &mut [f64]) {
         let Interval(behind) = inside
             .filter(|interval| self.holds(*interval, time))
@@ -115,7 +119,8 @@ impl ForceTable {
         }
     }
 
-    /// Whether a time is in an interval, or at its ends up to rounding errors.
+    /// Whether an interval contains a time. The ends of the interval are included, up to rounding
+    /// errors.
     fn holds(&self, Interval(behind): Interval, time: f64) -> bool {
         let slack = ROUNDING * time.abs();
         let begun = behind == 0 || self.times[behind - 1] <= time + slack;

@@ -3,15 +3,16 @@
 use crate::group::Coordinates;
 use affinor_tensors::Tensor;
 
-/// The bilinear map `f_i = b_i^jk x_j y_k`, by its nonzero coefficients.
+/// The bilinear map `f_i = b_i^jk x_j y_k`, stored as its nonzero coefficients.
 #[derive(Clone, Debug)]
 pub(super) struct Bilinear {
-    /// For each `i` the indices `[j, k]` with `b_i^jk`; no rows for the zero map.
+    /// For each `i`, the list of indices `[j, k]`, each with its coefficient `b_i^jk`. The zero map
+    /// has no rows.
     rows: Vec<Vec<([usize; 2], f64)>>,
 }
 
 impl Bilinear {
-    /// The map of a dimension with coefficients `(i, [j, k], b_i^jk)`.
+    /// The map with the coefficients `(i, [j, k], b_i^jk)`, on vectors of dimension `dimension`.
     pub(super) fn new(
         dimension: usize,
         coefficients: impl IntoIterator<Item = (usize, [usize; 2], f64)>,
@@ -34,7 +35,7 @@ impl Bilinear {
         self.rows.is_empty()
     }
 
-    /// The value `f` for two vectors or covectors, by their components.
+    /// The value `f` for two vectors or covectors, which are given by their components.
     #[inline]
     pub(super) fn apply<V: Coordinates>(&self, x: &V, y: &V) -> V {
         let (x, y) = (x.components(), y.components());
@@ -58,11 +59,12 @@ impl Bilinear {
     }
 }
 
-/// A [`Bilinear`] map for vectors with few components, stored in layers: the first terms of all
-/// `f_i`, then the second terms, and so on. A layer is computed in registers.
+/// A [`Bilinear`] map for vectors with few components, stored in layers. The first layer contains
+/// the first term of each `f_i`, the second layer the second term, and so on. A processor computes
+/// a layer in registers.
 #[derive(Clone, Debug)]
 pub(super) struct Layers<V> {
-    /// The indices `[j, k]` and the coefficients of each layer, one for each `i`.
+    /// The layers. Each layer has, for each `i`, the indices `[j, k]` and the coefficient.
     layers: Vec<(Vec<[usize; 2]>, V)>,
 }
 
@@ -79,7 +81,7 @@ impl<V: Coordinates> Layers<V> {
         self.layers.is_empty()
     }
 
-    /// The value `f` for two vectors or covectors, by their components.
+    /// The value `f` for two vectors or covectors, which are given by their components.
     #[inline]
     pub(super) fn apply(&self, x: &V, y: &V) -> V {
         let (x, y) = (x.components(), y.components());

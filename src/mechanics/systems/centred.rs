@@ -9,14 +9,14 @@ use affinor_tensors::Tensor;
 use nalgebra::{DMatrix, DVector};
 use std::collections::BTreeMap;
 
-/// An inertia on a group with translations, referred to its centre.
+/// An inertia on a group with translations. It refers to the centre.
 #[derive(Clone, Debug)]
 pub(in crate::mechanics) struct Centred<V, E> {
     /// The inertia about the centre; `None` if the centre is the origin of the body.
     at: Option<AtCentre<V, E>>,
-    /// `ad*_(P Omega) H` as a quadratic form of `H`. Terms that cancel for every momentum, such as
-    /// those of an isotropic mass, are left out, because their rounding errors would act as a
-    /// torque.
+    /// The covector `ad*_(P Omega) H` as a quadratic form of `H`. Terms that cancel for every
+    /// momentum, such as the terms of an isotropic mass, are omitted, because their rounding errors
+    /// would act as a torque.
     transfer: Layers<V>,
     sizes: Sizes,
 }
@@ -75,15 +75,15 @@ impl<V: Coordinates, E> Centred<V, E> {
     }
 }
 
-/// The coupling of rotations and translations, relative to the inertia, that counts as rounding
-/// error.
+/// If the coupling of rotations and translations, relative to the inertia, is at most this value,
+/// it counts as rounding error.
 const SHARED: f64 = 1e-12;
 
-/// The inertia about the centre. `None` if rotations and translations are decoupled at the origin
-/// of the body, or coupled at every point.
+/// Computes the inertia about the centre. Returns `None` if rotations and translations are
+/// decoupled at the origin of the body, or if they are coupled at every point.
 ///
-/// With `c = exp(r)`, `Ad_c x = x + [r, x]`, so the translation `r` to the centre solves `J([r, x], v) = -J(x, v)` for all
-/// rotations `x` and translations `v`.
+/// If `c = exp(r)`, then `Ad_c x = x + [r, x]`. Therefore, the translation `r` to the centre solves
+/// `J([r, x], v) = -J(x, v)` for all rotations `x` and translations `v`.
 fn at_centre<G: TranslationSplit>(
     group: &G,
     metric: &Matrix<G::Vector>,
@@ -122,7 +122,7 @@ fn at_centre<G: TranslationSplit>(
         terms.fold(G::Vector::zeros(n), |sum, (share, image)| sum + image.clone() * *share)
     };
     let images: Vec<G::Vector> = turns.iter().map(image).collect();
-    // the coupling that remains is rounding error, and the inertia of translations is unchanged
+    // omits the coupling, which is only rounding error; the inertia of translations is unchanged
     let inertia = DMatrix::from_fn(n, n, |i, k| {
         form(&images[i], &images[k]) + form(&translations[i], &translations[k])
     });
@@ -134,12 +134,12 @@ fn at_centre<G: TranslationSplit>(
     Some(AtCentre { centre, inertia: rows(&inertia), inverse: rows(&inverse) })
 }
 
-/// A sum of terms that is smaller than this, relative to their magnitudes, counts as rounding
-/// error.
+/// If a sum of terms is smaller than this value, relative to the magnitudes of the terms, it counts
+/// as rounding error.
 const CANCELLED: f64 = 4.0 * f64::EPSILON;
 
-/// The quadratic form `ad*_(P J^-1 H) H`: the coefficient of `H_a H_b`, `a <= b`, in the component
-/// `i` is `(P J^-1)^vb c^a_vi`, symmetrized.
+/// The quadratic form `ad*_(P J^-1 H) H`. In the component `i`, the coefficient of `H_a H_b` with
+/// `a <= b` is `(P J^-1)^vb c^a_vi`, symmetrized.
 fn transfer<G: TranslationSplit>(
     group: &G,
     inverse: &Matrix<G::Vector>,
@@ -149,7 +149,7 @@ fn transfer<G: TranslationSplit>(
     let translations: Option<Vec<G::Vector>> =
         (0..n).map(|b| group.translational_part(&inverse.apply(&group.basis_vector(b)))).collect();
     let Some(translations) = translations else { return Layers::default() };
-    // for a <= b, the sum over both orders, and the sum of the magnitudes
+    // for a <= b, the sum over both orders of the indices, and the sum of the magnitudes
     let mut sums: Vec<BTreeMap<[usize; 2], (f64, f64)>> = vec![BTreeMap::new(); n];
     for (at, c) in structure.components() {
         let [a, v, i] = [at[0], at[1], at[2]];
@@ -167,7 +167,7 @@ fn transfer<G: TranslationSplit>(
 }
 
 /// The largest moment of inertia of a rotational basis vector, and the largest mass of a
-/// translational one.
+/// translational basis vector.
 fn sizes<G: TranslationSplit>(group: &G, metric: &Matrix<G::Vector>) -> Sizes {
     let moment = |x: &G::Vector| -> f64 {
         let products = x.components().iter().zip(metric.apply(x).components().to_vec());

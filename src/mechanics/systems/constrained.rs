@@ -27,10 +27,10 @@ pub trait Constraint<G: LieGroup> {
 /// ```
 ///
 /// in left (body) components. These are the equations of motion (104) of
-/// [`EulerPoincare`](super::EulerPoincare), where `q` and `v` are `g` and `Omega`, with Lagrange
-/// multipliers `lambda`. With the connection `plus` they are the Euler-Poincare equations. `B^a_i =
-/// e_i(Phi^a)` is the [gradient](Constraint::gradient). The constraints must be independent: the
-/// rows of `B` must be linearly independent where `Phi = 0`.
+/// [`EulerPoincare`](super::EulerPoincare), with Lagrange multipliers `lambda`; `q` and `v` replace
+/// `g` and `Omega`. With the connection `plus`, they are the Euler-Poincare equations.
+/// `B^a_i = e_i(Phi^a)` is the [gradient](Constraint::gradient). The constraints must be
+/// independent, which means that the rows of `B` are linearly independent where `Phi = 0`.
 ///
 /// ```
 /// use affinor::mechanics::{Constrained, Constraint, GeneralisedAlpha, Integrator};
@@ -86,12 +86,12 @@ pub struct ConstrainedState<G: LieGroup> {
     pub acceleration: G::Vector,
     /// The multipliers `lambda`.
     pub multipliers: DVector<f64>,
-    /// For a multistep method: the difference between the algorithmic and the true acceleration,
-    /// per unit step.
+    /// The difference between the algorithmic and the true acceleration, per unit step. Only
+    /// multistep methods use this value.
     pub(crate) lead: Option<G::Vector>,
 }
 
-// derived implementations would require `G: Clone` and `G: PartialEq`
+// implemented by hand, because derived implementations would require `G: Clone` and `G: PartialEq`
 impl<G: LieGroup<Element: PartialEq>> PartialEq for ConstrainedState<G> {
     fn eq(&self, other: &Self) -> bool {
         let all = |state: &Self| {
@@ -117,27 +117,27 @@ impl<G: LieGroup> Clone for ConstrainedState<G> {
 
 /// The relative tolerance of the constraints at the initial condition.
 const OFF: f64 = 1e-8;
-/// The relative size of the independent part of a gradient below which the gradient counts as
-/// dependent on others.
+/// If the relative size of the independent part of a gradient is at most this value, the gradient
+/// counts as dependent on others.
 const DEPENDENT: f64 = 1e-10;
 /// The relative tolerance between a gradient and its difference quotients.
 const ROUGH: f64 = 1e-4;
-/// The relative change of a gradient over a step of its difference quotients.
+/// The relative change of a gradient over the step of its difference quotients.
 const BEND: f64 = 1e-3;
-/// The displacement up to which a gradient without change counts as constant.
+/// A gradient without change up to this displacement counts as constant.
 const STRAIGHT: f64 = 1e12;
-/// A relative change of a gradient that may be a rounding error.
+/// Rounding errors may cause this relative change of a gradient.
 const NOISE: f64 = 1e-12;
-/// The largest number of trial steps.
+/// The largest number of trial steps in the search for a step of difference quotients.
 const STEPS: usize = 60;
 
 impl<G: TranslationSplit, C: Constraint<G>, M: Torque<G>> Constrained<G, C, M> {
-    /// The system of a connection and a metric on the algebra of the group, in its basis, with
-    /// forces and constraints.
+    /// The system of a connection and a metric on the algebra of the group, in the basis of the
+    /// group, with forces and constraints.
     ///
     /// # Errors
-    /// [`Error::Shape`] unless the connection is over the left-invariant frame of the group, and
-    /// the metric has its dimension.
+    /// [`Error::Shape`] unless the connection refers to the left-invariant frame of the group, and
+    /// the metric has the dimension of the group.
     pub fn new(
         group: G,
         connection: &Connection<f64>,
@@ -166,14 +166,14 @@ impl<G: TranslationSplit, C: Constraint<G>, M: Torque<G>> Constrained<G, C, M> {
         &self.constraint
     }
 
-    /// The state with an element and a velocity; the acceleration and the multipliers follow from
-    /// them.
+    /// The state with this element and velocity. The acceleration and the multipliers are computed
+    /// from them.
     ///
     /// # Errors
-    /// [`Error::Shape`] unless the gradient has one row for each constraint and one column for each
-    /// component of a vector. [`Error::Invalid`] for a value that is not finite, an element or a
-    /// velocity that violates a constraint, a gradient that differs from the difference quotients,
-    /// and dependent constraints.
+    /// [`Error::Shape`] unless the gradient has one row for each constraint, and one column for
+    /// each component of a vector. [`Error::Invalid`] if a value is not finite, if the element or
+    /// the velocity violates a constraint, if a gradient differs from the difference quotients, or
+    /// if the constraints are dependent.
     pub fn state(
         &self,
         time: f64,
@@ -255,8 +255,9 @@ impl<G: TranslationSplit, C: Constraint<G>, M: Torque<G>> Constrained<G, C, M> {
         column(&force)
     }
 
-    /// The acceleration `v'` and the multipliers `lambda`, from the second time derivative of the
-    /// constraints: `B v' + (B v)' = 0`. `None` if they are not unique or not finite.
+    /// The acceleration `v'` and the multipliers `lambda`, computed from the second time derivative
+    /// of the constraints: `B v' + (B v)' = 0`. Returns `None` if the solution is not unique or not
+    /// finite.
     pub(in crate::mechanics) fn accelerated(
         &self,
         time: f64,
@@ -279,9 +280,10 @@ impl<G: TranslationSplit, C: Constraint<G>, M: Torque<G>> Constrained<G, C, M> {
     }
 }
 
-/// The checks of an initial condition. They do not depend on the units of length, time and mass.
+/// Checks of an initial condition. They do not depend on the units of length, time and mass.
 impl<G: TranslationSplit, C: Constraint<G>, M: Torque<G>> Constrained<G, C, M> {
-    /// Checks that an element and a velocity satisfy a constraint, by its value and its gradient there.
+    /// Checks that an element and a velocity satisfy a constraint. The check uses the value and the
+    /// gradient of the constraint at the element.
     fn expect_satisfied(
         &self,
         a: usize,
@@ -291,7 +293,7 @@ impl<G: TranslationSplit, C: Constraint<G>, M: Torque<G>> Constrained<G, C, M> {
         velocity: &G::Vector,
     ) -> Result<(), Error> {
         let normal = G::Vector::from_components(gradient.as_slice()) * (1.0 / gradient.norm());
-        // the change of the constraint over the length scale of its gradient
+        // estimates the change of the constraint over the length scale of its gradient
         let change = match self.bend(element, &normal, a) {
             Some(step) => gradient.norm() * step / BEND,
             None => 1.0 + gradient.norm(),
@@ -303,7 +305,8 @@ impl<G: TranslationSplit, C: Constraint<G>, M: Torque<G>> Constrained<G, C, M> {
         if value.is_nan() || value.abs() > OFF * change {
             return Err(invalid(format!("constraint {a} is {value}, not 0")));
         }
-        // a body at rest may have a velocity such as sin(pi), which is not exactly zero
+        // adds a tolerance, because a body at rest may have a velocity such as sin(pi), which is
+        // not exactly zero
         let rest = f64::EPSILON * gradient.norm();
         if rate.abs() > rest + OFF * terms.sum::<f64>() {
             return Err(invalid(format!("constraint {a} changes at the rate {rate}, not 0")));
@@ -311,7 +314,7 @@ impl<G: TranslationSplit, C: Constraint<G>, M: Torque<G>> Constrained<G, C, M> {
         Ok(())
     }
 
-    /// Checks the gradient of a constraint by difference quotients.
+    /// Checks the gradient of a constraint against difference quotients.
     fn expect_derivative(
         &self,
         a: usize,
@@ -336,8 +339,8 @@ impl<G: TranslationSplit, C: Constraint<G>, M: Torque<G>> Constrained<G, C, M> {
         Ok(())
     }
 
-    /// The largest component of a vector among those with the same unit as component `i`: rotations
-    /// or translations.
+    /// The largest component of a vector among the components with the same unit as component `i`:
+    /// those of rotations, or those of translations.
     fn largest_like(&self, i: usize, x: &G::Vector) -> f64 {
         let is_place = |i: usize| {
             let translation = self.group.translational_part(&self.group.basis_vector(i));
@@ -347,9 +350,9 @@ impl<G: TranslationSplit, C: Constraint<G>, M: Torque<G>> Constrained<G, C, M> {
         like.map(|(_, x)| x.abs()).fold(0.0, f64::max)
     }
 
-    /// The `s` for which the gradient of a constraint changes by about the fraction [`BEND`] of its
-    /// size from `q` to `q exp(s x)`. It does not depend on the units of length and time. `None` if
-    /// the gradient does not change.
+    /// The step `s` for which the gradient of a constraint changes by about the fraction [`BEND`]
+    /// of its size between `q` and `q exp(s x)`. The result does not depend on the units of length
+    /// and time. Returns `None` if the gradient does not change.
     fn bend(&self, element: &G::Element, x: &G::Vector, a: usize) -> Option<f64> {
         let row = |s: f64| {
             let gradient = self.constraint.gradient(&self.moved(element, &(x.clone() * s)));
@@ -362,7 +365,7 @@ impl<G: TranslationSplit, C: Constraint<G>, M: Torque<G>> Constrained<G, C, M> {
         for _ in 0..STEPS {
             let change = ((row(s) - &here).norm() + (row(-s) - &here).norm()) / (2.0 * here.norm());
             if change.is_nan() {
-                // the trial step leaves the domain of the constraint
+                // the constraint is not defined at the end of the trial step
                 if was_inside {
                     return Some(0.05 * s);
                 }
@@ -374,7 +377,8 @@ impl<G: TranslationSplit, C: Constraint<G>, M: Torque<G>> Constrained<G, C, M> {
             if (0.25..4.0).contains(&factor) {
                 return Some(s);
             }
-            // a small bounded change is resolved where it still grows
+            // a small change that hardly increases with the step is bounded: returns a shorter
+            // step, at which the change still increases
             if before > NOISE && change < 7.0 * before {
                 return Some(1e-2 * s);
             }
@@ -392,14 +396,14 @@ fn invalid(reason: String) -> Error {
     Error::Invalid { what: "state", reason }
 }
 
-/// The derivative at 0, by a difference quotient of order 4.
+/// The derivative of a function at 0, computed by a difference quotient of order 4.
 fn slope(f: impl Fn(f64) -> f64, step: f64) -> f64 {
     let [near, far] = [step, 2.0 * step].map(|s| f(s) - f(-s));
     (8.0 * near - far) / (12.0 * step)
 }
 
-/// The index of the first row of a matrix that is, up to rounding errors, a linear combination of
-/// earlier rows.
+/// The index of the first row of a matrix that is a linear combination of earlier rows, up to
+/// rounding errors.
 fn first_dependent(matrix: &DMatrix<f64>) -> Option<usize> {
     let mut basis: Vec<DVector<f64>> = Vec::new();
     matrix.row_iter().position(|row| {

@@ -1,4 +1,5 @@
-//! Euler-Poincare systems: the equations of motion of a connection and a metric on a group.
+//! Euler-Poincare systems. These are the equations of motion of a connection and a metric on a
+//! group.
 
 use super::System;
 use super::bilinear::Bilinear;
@@ -11,23 +12,24 @@ use crate::mechanics::invalid_inertia;
 use crate::{Connection, Error, Metric};
 use nalgebra::Matrix3;
 
-/// The relative tolerance within which two metrics are equal.
+/// The relative tolerance within which two metrics count as equal.
 const SAME: f64 = 1e-12;
 
-/// The equations `DH/Dt = M` (104) on a group, for the covector `H = J Omega` (103) and `g' = g
-/// Omega`: `dH_i/dt = Lambda^j_ki Omega^k H_j + M_i`. With `plus` these are the Euler-Poincare
-/// equations (106), (108).
+/// The equations `DH/Dt = M` (104) on a group, for the covector `H = J Omega` (103) and
+/// `g' = g Omega`: `dH_i/dt = Lambda^j_ki Omega^k H_j + M_i`. With the connection `plus`, these are
+/// the Euler-Poincare equations (106), (108).
 ///
-/// The unknowns are `g` and the momentum about the origin of the body frame, in spatial axes:
-/// [`State::spatial`]. For rotations this is the spatial momentum `h`, with `H_i = (Ad*_g h)_i =
-/// h_j (Ad_g e_i)^j`:
+/// The unknowns are `g` and [`State::spatial`], which is the momentum about the origin of the body
+/// frame in spatial axes. For rotations, it is the spatial momentum `h`, with
+/// `H_i = (Ad*_g h)_i = h_j (Ad_g e_i)^j`:
 ///
 /// ```text
 /// g' = g Omega,   Omega = J^-1 H,   h' = Ad*_{g^-1} F,   F_i = M_i + (Lambda - c)^j_ki Omega^k H_j
 /// ```
 ///
-/// With `plus` and without a torque, `h` is conserved exactly. On groups with translations the
-/// linear momentum is conserved exactly, and `h` up to rounding errors.
+/// With `plus` and without a torque, `h` is conserved exactly for rotations. On groups with
+/// translations, the linear momentum is conserved exactly, and `h` is conserved up to rounding
+/// errors.
 ///
 /// ```
 /// use affinor::mechanics::{EulerPoincare, Integrator, MuntheKaas};
@@ -53,19 +55,19 @@ pub struct EulerPoincare<G: LieGroup, M> {
     group: G,
     metric: Matrix<G::Vector>,
     inverse: Matrix<G::Vector>,
-    /// The bilinear map `(Lambda - c)^j_ki x^k y_j`, which is zero with `plus`.
+    /// The bilinear map `(Lambda - c)^j_ki x^k y_j`. It is zero for the connection `plus`.
     excess: Bilinear,
     /// The inertia about the centre.
     centred: Centred<G::Vector, G::Element>,
     torque: M,
 }
 
-/// The absence of a torque.
+/// The torque of a free system, which is zero.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Free;
 
-/// A torque: an external covector in body (left) components, as a function of time, element and
-/// velocity.
+/// A torque, which is an external covector in body (left) components. It is a function of time,
+/// element and velocity.
 pub trait Torque<G: LieGroup> {
     /// Adds the components `M_i` to `force`.
     fn add(&self, time: f64, element: &G::Element, velocity: &G::Vector, force: &mut G::Vector);
@@ -156,10 +158,10 @@ impl<G: TranslationSplit, M: Torque<G>> CotangentSystem for EulerPoincare<G, M> 
 }
 
 impl<G: TranslationSplit> EulerPoincare<G, Free> {
-    /// The system without a torque.
+    /// The system of a connection and a metric, without a torque.
     ///
     /// # Errors
-    /// Those of [`EulerPoincare::new`].
+    /// The errors of [`EulerPoincare::new`].
     pub fn free(
         group: G,
         connection: &Connection<f64>,
@@ -170,11 +172,12 @@ impl<G: TranslationSplit> EulerPoincare<G, Free> {
 }
 
 impl<G: TranslationSplit, M: Torque<G>> EulerPoincare<G, M> {
-    /// The system of a connection and a metric on the algebra of the group, in its basis.
+    /// The system of a connection and a metric on the algebra of the group, in the basis of the
+    /// group.
     ///
     /// # Errors
-    /// [`Error::Shape`] unless the connection is over the left-invariant frame of the group, and
-    /// the metric has its dimension.
+    /// [`Error::Shape`] unless the connection refers to the left-invariant frame of the group, and
+    /// the metric has the dimension of the group.
     pub fn new(
         group: G,
         connection: &Connection<f64>,
@@ -200,13 +203,13 @@ impl<G: TranslationSplit, M: Torque<G>> EulerPoincare<G, M> {
         &self.torque
     }
 
-    /// The state with an element and a velocity `Omega` in body components.
+    /// The state with this element, and with the velocity `Omega` in body components.
     pub fn state(&self, time: f64, element: G::Element, velocity: &G::Vector) -> State<G> {
         let momentum = self.metric.apply(velocity);
         self.state_with_momentum(time, element, &momentum)
     }
 
-    /// The state with an element and a momentum `H` in body components.
+    /// The state with this element, and with the momentum `H` in body components.
     pub fn state_with_momentum(
         &self,
         time: f64,
@@ -247,10 +250,11 @@ impl<G: TranslationSplit, M: Torque<G>> EulerPoincare<G, M> {
     }
 }
 
-/// Checks that a connection and a metric are on the algebra of a group, in its basis.
+/// Checks that a connection and a metric refer to the algebra of a group, in the basis of the
+/// group.
 ///
 /// # Errors
-/// [`Error::Shape`] if they are not.
+/// [`Error::Shape`] if the connection or the metric does not refer to this algebra.
 pub(super) fn expect_on_group<G: LieGroup>(
     group: &G,
     connection: &Connection<f64>,
@@ -266,14 +270,14 @@ pub(super) fn expect_on_group<G: LieGroup>(
 }
 
 impl<M> EulerPoincare<So3, M> {
-    /// Checks that these are the equations of a body with this inertia matrix.
+    /// Checks that these equations are the equations of a body with this inertia matrix.
     ///
     /// # Errors
-    /// [`Error::Invalid`] for another metric, or for a connection other than `plus`.
+    /// [`Error::Invalid`] if the metric differs, or if the connection is not `plus`.
     #[inline]
     pub(in crate::mechanics) fn expect_body(&self, inertia: &Matrix3<f64>) -> Result<(), Error> {
-        // a cheap bound, because it is checked in each step: no entry of a positive definite matrix
-        // exceeds its trace
+        // uses a cheap bound, because each step checks it: no entry of a positive definite matrix
+        // exceeds the trace
         let bound = SAME * inertia.trace();
         let same = |i: usize, j: usize| (self.metric.entry(i, j) - inertia[(i, j)]).abs() <= bound;
         if (0..9).all(|at| same(at / 3, at % 3)) && self.excess.is_zero() {

@@ -1,4 +1,4 @@
-//! Isospectral flows `L' = [B(L), L]` of matrices, which conserve the spectrum.
+//! Isospectral flows `L' = [B(L), L]` of matrices. They conserve the spectrum.
 //!
 //! The flows are [`Toda`], [`Manakov`], [`Zeitlin`], and [`Flow`] for any function `B`.
 //! [`IsospectralMidpoint`](crate::mechanics::IsospectralMidpoint) integrates them.
@@ -29,13 +29,13 @@ pub struct MatrixState<T> {
 
 /// A flow `L' = [B(L), L]`, over real or complex matrices.
 pub trait Isospectral {
-    /// The entries of `L`.
+    /// The type of the entries of `L`.
     type Entry: MatrixEntry;
 
-    /// The matrix `B(L)`, with the shape of `L`.
+    /// The matrix `B(L)`, which has the same shape as `L`.
     fn generator(&self, matrix: &DMatrix<Self::Entry>) -> DMatrix<Self::Entry>;
 
-    /// The symmetry of `L`, if `B^* = -B`, so that the flow conserves it. Steps then conserve it
+    /// The symmetry of `L`, if `B^* = -B`. The flow conserves this symmetry, and steps conserve it
     /// exactly.
     fn symmetry(&self) -> Option<Symmetry> {
         None
@@ -53,14 +53,14 @@ impl<F: Isospectral> System for F {
 /// A symmetry of matrices.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Symmetry {
-    /// The symmetry `L^* = L`; real matrices are symmetric.
+    /// The symmetry `L^* = L`. Real matrices with this symmetry are symmetric.
     Hermitian,
-    /// The symmetry `L^* = -L`; real matrices are antisymmetric.
+    /// The symmetry `L^* = -L`. Real matrices with this symmetry are antisymmetric.
     Antihermitian,
 }
 
 impl Symmetry {
-    /// The part of a matrix with this symmetry: `(L + L^*)/2` or `(L - L^*)/2`.
+    /// The part of a matrix that has this symmetry: `(L + L^*)/2` or `(L - L^*)/2`.
     pub fn part<T: MatrixEntry>(self, matrix: &DMatrix<T>) -> DMatrix<T> {
         let half = T::from_real(0.5);
         matrix.zip_map(&matrix.adjoint(), |x, mirrored| match self {
@@ -110,8 +110,8 @@ impl<T: MatrixEntry, B: Fn(&DMatrix<T>) -> DMatrix<T>> Flow<T, B> {
     /// A state of the flow.
     ///
     /// # Errors
-    /// [`Error::Shape`] unless `L` and `B(L)` are square matrices of one size; [`Error::Invalid`]
-    /// for an entry that is not finite, and for a matrix without the symmetry.
+    /// [`Error::Shape`] unless `L` and `B(L)` are square matrices of the same size;
+    /// [`Error::Invalid`] if an entry is not finite, or if the matrix does not have the symmetry.
     pub fn state(&self, time: f64, matrix: DMatrix<T>) -> Result<MatrixState<T>, Error> {
         let state = checked(time, matrix, None, self.symmetry)?;
         expect_square("B(L)", &(self.generator)(&state.matrix), Some(state.matrix.nrows()))?;
@@ -131,8 +131,8 @@ impl<T: MatrixEntry, B: Fn(&DMatrix<T>) -> DMatrix<T>> Isospectral for Flow<T, B
     }
 }
 
-/// The eigenvalues of a self-adjoint matrix in ascending order; NaN if the iteration does not converge. Only the lower triangle
-/// is read.
+/// The eigenvalues of a self-adjoint matrix, in ascending order. They are NaN if the iteration does
+/// not converge. Only the lower triangle of the matrix is read.
 ///
 /// ```
 /// use affinor::mechanics::systems::isospectral::spectrum;
@@ -153,8 +153,8 @@ pub fn spectrum<T: MatrixEntry>(matrix: &DMatrix<T>) -> Vec<f64> {
     values
 }
 
-/// The largest entry, measured by the sum of the magnitudes of real and imaginary part; NaN if an
-/// entry is NaN.
+/// The size of the largest entry. The size of an entry is the sum of the magnitudes of its real and
+/// imaginary part. Returns NaN if an entry is NaN.
 pub(in crate::mechanics) fn largest<T: MatrixEntry>(matrix: &DMatrix<T>) -> f64 {
     let most = |most: f64, entry: &T| {
         let size = entry.norm1();
@@ -180,7 +180,7 @@ fn expect_square<T: MatrixEntry>(
 /// The relative tolerance of a symmetry.
 const ROUNDING: f64 = 1e-12;
 
-/// A state of a square matrix, after checking that its entries are finite and that it has the
+/// A state with a square matrix. Checks that the entries are finite, and that the matrix has the
 /// symmetry.
 fn checked<T: MatrixEntry>(
     time: f64,

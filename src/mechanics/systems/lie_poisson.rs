@@ -1,20 +1,21 @@
-//! Lie-Poisson systems: any Hamiltonian on the dual of an algebra, with reconstruction on the group.
+//! Lie-Poisson systems: any Hamiltonian on the dual of an algebra, with the reconstruction of the
+//! element on the group.
 
 use super::System;
 use super::cotangent::{CotangentSystem, State};
 use crate::group::TranslationSplit;
 
-/// The system of a Hamiltonian `E(H)` of the body momentum:
+/// The system of a Hamiltonian `E(H)`, which is a function of the body momentum:
 ///
 /// ```text
 /// H' = ad*_Omega H,   Omega = dE/dH,   g' = g Omega
 /// ```
 ///
 /// The spatial momentum `h`, with `H = Ad*_g h`, and all Casimir functions are conserved up to
-/// rounding errors. The element solves `g' = g Omega`. With the kinetic energy `E = H . J^-1 H/2`
-/// this is [`EulerPoincare`](super::EulerPoincare). The heavy top is an example on se(3): the
-/// second half of the momentum is the vertical in body components. J. E. Marsden and T. S. Ratiu,
-/// *Introduction to Mechanics and Symmetry* (1999), 13.
+/// rounding errors. The element solves `g' = g Omega`. With the kinetic energy `E = H . J^-1 H/2`,
+/// the system is [`EulerPoincare`](super::EulerPoincare). The heavy top is an example on se(3), in
+/// which the second half of the momentum is the vertical direction in body components. J. E.
+/// Marsden and T. S. Ratiu, *Introduction to Mechanics and Symmetry* (1999), 13.
 ///
 /// ```
 /// use affinor::mechanics::{Adaptive, LiePoissonSystem};
@@ -34,12 +35,12 @@ use crate::group::TranslationSplit;
 pub struct LiePoissonSystem<G, F> {
     /// The group.
     pub group: G,
-    /// The gradient `dE/dH`, a vector, as a function of the covector `H`.
+    /// The gradient `dE/dH`, which is a vector, as a function of the covector `H`.
     pub gradient: F,
 }
 
 impl<G: TranslationSplit, F: Fn(&G::Vector) -> G::Vector> LiePoissonSystem<G, F> {
-    /// The state with an element and a momentum `H` in body components.
+    /// The state with this element, and with the momentum `H` in body components.
     pub fn state(&self, time: f64, element: G::Element, momentum: &G::Vector) -> State<G> {
         State::with_momentum(&self.group, time, element, momentum)
     }

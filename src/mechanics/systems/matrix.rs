@@ -3,7 +3,7 @@
 use crate::group::Coordinates;
 use affinor_tensors::Tensor;
 
-/// A square matrix over vectors `V`, by its rows.
+/// A square matrix, whose rows are vectors of the type `V`.
 #[derive(Clone, Debug)]
 pub(in crate::mechanics) enum Matrix<V> {
     Diagonal(V),

@@ -1,4 +1,4 @@
-//! The linear equations of accelerations and Lagrange multipliers.
+//! The linear equations for accelerations and Lagrange multipliers.
 
 use nalgebra::{DMatrix, DVector, Dyn, LU};
 
@@ -23,11 +23,12 @@ pub(in crate::mechanics) fn stacked(first: &DVector<f64>, second: &DVector<f64>)
 
 /// The number of scalings of rows and columns.
 const SCALINGS: usize = 4;
-/// The ratio of the smallest to the largest pivot above which a matrix needs no scaling.
+/// If the ratio of the smallest to the largest pivot exceeds this value, the matrix needs no
+/// scaling.
 const EVEN: f64 = 1e-6;
 
-/// The solution of linear equations; `None` if the matrix is singular or the solution is not
-/// finite.
+/// The solution of linear equations. Returns `None` if the matrix is singular, or if the solution
+/// is not finite.
 pub(in crate::mechanics) fn solve(
     matrix: DMatrix<f64>,
     right: &DVector<f64>,
@@ -35,8 +36,8 @@ pub(in crate::mechanics) fn solve(
     solved_from(EVEN, matrix, right)
 }
 
-/// Like [`solve`], with scaling if the ratio of the smallest to the largest pivot is at most
-/// `even`.
+/// The solution as in [`solve`]. The matrix is scaled if the ratio of the smallest to the largest
+/// pivot is at most `even`.
 fn solved_from(even: f64, matrix: DMatrix<f64>, right: &DVector<f64>) -> Option<DVector<f64>> {
     let ratio = |lu: &LU<f64, Dyn, Dyn>| {
         let pivots = lu.u().diagonal().abs();
@@ -57,8 +58,8 @@ fn solved_from(even: f64, matrix: DMatrix<f64>, right: &DVector<f64>) -> Option<
     Some(solution).filter(|x| x.iter().all(|x| x.is_finite()))
 }
 
-/// A scaled matrix whose pivots do not depend on units, and the factors of its rows and columns.
-/// The factors are powers of two, which cause no rounding errors.
+/// Scales a matrix so that its pivots do not depend on units. Returns the scaled matrix, and the
+/// factors of its rows and columns. The factors are powers of two, which cause no rounding errors.
 fn scaled(mut matrix: DMatrix<f64>) -> (DMatrix<f64>, DVector<f64>, DVector<f64>) {
     let n = matrix.nrows();
     let scale =
@@ -78,15 +79,16 @@ fn scaled(mut matrix: DMatrix<f64>) -> (DMatrix<f64>, DVector<f64>, DVector<f64>
 mod tests {
     use super::*;
 
-    /// The equations are solved with and without scaling, for ratios of the pivots around the
-    /// threshold. The example is a body of mass `m` on a line.
+    /// Both ways to solve the equations, with and without scaling, agree for ratios of the pivots
+    /// around the threshold. The example is a body of mass `m` on a line.
     #[test]
     fn equations_with_and_without_scaling() {
         let gradient = DMatrix::from_row_slice(1, 2, &[0.6, 0.8]);
         for mass in [1e-12, 1e-3, 1.0, 1e3, 1.1e3, 1e8, 1e20] {
             let inertia = DMatrix::identity(2, 2) * mass;
             let right = DVector::from_column_slice(&[mass, 2.0 * mass, 0.0]);
-            // the force along the line accelerates, the force across it is the multiplier
+            // the force along the line accelerates the body, and the force across it is the
+            // multiplier
             let expected = [-0.32, 0.24, 2.2 * mass];
             for even in [0.0, EVEN, 2.0] {
                 let matrix = saddle(&inertia, &gradient, &gradient);

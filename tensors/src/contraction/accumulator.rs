@@ -1,22 +1,22 @@
-//! The accumulator: the sums of all components with the same leading indices, stored by their last
-//! two indices.
+//! The accumulator: sums of all components with the same leading indices. The last two indices
+//! determine the place of a component.
 
 use super::arithmetic::{Arithmetic, Value};
 use super::found::Found;
 use super::shape::{Place, Shape};
 
-/// A dense array of sums, one for each place, and bit sets of the filled places.
+/// A dense array of sums, one for each place, with bit sets of the filled places.
 pub(super) struct Accumulator<'a, A: Sync, Sum> {
     arithmetic: &'a A,
     shape: Shape<'a>,
-    /// The sums of all places; a place that is not filled has an empty sum.
+    /// The sums of all places. The sum of a place that is not filled is empty.
     sums: Vec<Sum>,
-    /// A bit for each row, set if a place in the row is filled.
+    /// A bit for each row. It is set if a place in the row is filled.
     rows: Vec<u64>,
-    /// A bit for each place.
+    /// A bit for each place. It is set if the place is filled.
     filled: Vec<u64>,
-    /// For a place that is the image of another one: the number of that component among those with
-    /// the same leading indices.
+    /// For a place that is the image of another place: the index of the other component among those
+    /// with the same leading indices.
     images: Vec<u32>,
 }
 
@@ -54,8 +54,8 @@ impl<'a, A: Sync, Sum: Clone + Default> Accumulator<'a, A, Sum> {
         self.filled[place as usize / 64] |= 1 << (place % 64);
     }
 
-    /// Moves the components to the end of the results, in the order of their indices. `key` is the
-    /// key of the leading indices.
+    /// Moves the components to the end of the results, in the order of their indices. The parameter
+    /// `key` is the key of the leading indices.
     pub fn collect<S: Value>(&mut self, key: u64, found: &mut Found<S>)
     where
         A: Arithmetic<S, Sum = Sum>,
@@ -65,7 +65,7 @@ impl<'a, A: Sync, Sum: Clone + Default> Accumulator<'a, A, Sum> {
         let key = if shape.rank > 1 { key * shape.n * shape.n } else { key };
         let start = found.len();
         for word in 0..self.rows.len() {
-            // read again in every pass, because an image may fill a later row
+            // reads the word again in every pass, because an image may fill a later row
             while let Some(bit) = take_bit(&mut self.rows[word]) {
                 let row = 64 * word + bit;
                 let key = key + row as u64 * shape.n;
@@ -80,7 +80,7 @@ impl<'a, A: Sync, Sum: Clone + Default> Accumulator<'a, A, Sum> {
                             found.push(key, -found.value(image).clone());
                             continue;
                         }
-                        // emptied now, because a sum of products owns its values
+                        // takes the sum out of its place, because a sum of products owns its values
                         let sum = std::mem::take(&mut self.sums[place]);
                         let Some(value) = self.arithmetic.finish(&sum) else { continue };
                         if mirrors {
@@ -96,7 +96,7 @@ impl<'a, A: Sync, Sum: Clone + Default> Accumulator<'a, A, Sum> {
     }
 }
 
-/// Clears the lowest set bit of a word. Returns its position.
+/// Clears the lowest set bit of a word. Returns its position; `None` if no bit is set.
 #[inline(always)]
 fn take_bit(word: &mut u64) -> Option<usize> {
     let bit = word.trailing_zeros();

@@ -1,17 +1,17 @@
-//! The arithmetics for sums of products; the simplest one is the ring itself.
+//! The arithmetics that compute sums of products. The simplest arithmetic is the ring itself.
 
 use super::{Product, Role};
 use crate::{Scalar, Sum, Tolerance};
 use std::borrow::Cow;
 use std::ops::Neg;
 
-/// A term with its values, before it is laid out in rows.
+/// A term with its values. It is not yet laid out in rows.
 pub(super) struct Term<'t, V: Clone> {
     pub factors: [Factor<'t, V>; 2],
     pub mirrored: bool,
 }
 
-/// The entries of a tensor with the role of each slot.
+/// The entries of a tensor, and the role of each slot.
 pub(super) struct Factor<'t, V: Clone> {
     pub roles: &'t [Role],
     pub keys: &'t [u64],
@@ -27,21 +27,21 @@ impl<S: Clone + Send + Neg<Output = S>> Value for S {}
 pub(super) trait Arithmetic<S>: Sync {
     type Value: Clone + Send + Sync;
     type Sum: Clone + Default + Send;
-    /// Adds `a b`, or its negative.
+    /// Adds the product `a b`, or the negative of this product.
     fn add_product(&self, sum: &mut Self::Sum, a: &Self::Value, b: &Self::Value, negative: bool);
-    /// The value of a sum; `None` for zero.
+    /// The value of a sum; `None` if it is zero.
     fn finish(&self, sum: &Self::Sum) -> Option<S>;
 }
 
-/// Sums in the ring, by its [`Sum`].
+/// The arithmetic of the ring, which uses its [`Sum`].
 pub(super) struct InRing(pub Tolerance);
 
 impl InRing {
-    /// The terms with the coefficient multiplied into the first factor.
+    /// The terms. The coefficient of each term is multiplied into its first factor.
     pub fn terms<'t, S: Scalar>(products: &'t [Product<S>]) -> Vec<Term<'t, S>> {
         let term = |product: &'t Product<S>| {
             let (n, d) = (*product.coefficient.numer(), *product.coefficient.denom());
-            // the notation admits no other denominators
+            // a denominator without an inverse cannot occur here, because the notation rejects it
             let coefficient = S::from_quotient(n, d).filter(|_| (n, d) != (1, 1));
             product.with_values(|at, tensor| match &coefficient {
                 Some(coefficient) if at == 0 => {

@@ -1,4 +1,4 @@
-//! Sums of products in integers of any size, over one common denominator.
+//! Sums of products in integers of any size, with one common denominator.
 
 use super::arithmetic::{Arithmetic, Term};
 use super::integers::lists;
@@ -9,23 +9,24 @@ use dashu_int::{IBig, UBig};
 use std::borrow::Cow;
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 
-/// The factors of products as integers, each over its own denominator. A tensor that occurs in
-/// several products is converted once.
+/// The factors of products as integers. Each factor has its own denominator. A tensor that occurs
+/// in several products is converted once.
 pub(super) struct BigCleared {
     lists: Vec<(Vec<IBig>, UBig)>,
-    /// For each factor of each product, the number of its list.
+    /// For each factor of each product, the index of its list.
     numbers: Vec<Vec<usize>>,
 }
 
 impl BigCleared {
-    /// `None` if the scalar has no denominators, or a common denominator is too long.
+    /// Converts the factors. Returns `None` if the scalar has no denominators, or if a common
+    /// denominator is too long.
     pub fn new<S: Scalar>(products: &[Product<S>]) -> Option<Self> {
         let (lists, numbers) = lists(products, |t| S::clear_to_big(t.values().iter()))?;
         Some(BigCleared { lists, numbers })
     }
 
-    /// Returns all terms over a common denominator, and this denominator. `None` if it is so short
-    /// that sums in the ring are faster.
+    /// Returns all terms over a common denominator, and this denominator. Returns `None` if the
+    /// denominator is so short that sums in the ring are faster.
     pub fn terms<'t, S: Scalar>(
         &'t self,
         products: &'t [Product<S>],
@@ -58,7 +59,8 @@ impl BigCleared {
     }
 }
 
-/// Sums of integers of any size over a denominator, reduced to lowest terms at their end.
+/// Sums of integers of any size over a common denominator. A sum is reduced to lowest terms when it
+/// is complete.
 pub(super) struct OnBigIntegers {
     denominator: UBig,
     failed: AtomicBool,
@@ -69,7 +71,7 @@ impl OnBigIntegers {
         OnBigIntegers { denominator, failed: AtomicBool::new(false) }
     }
 
-    /// Whether a quotient did not exist in the ring, so that the result is incomplete.
+    /// Whether a quotient does not exist in the ring. In this case, the result is incomplete.
     pub fn failed(&self) -> bool {
         self.failed.load(Relaxed)
     }

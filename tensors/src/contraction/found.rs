@@ -1,6 +1,6 @@
 //! The list of the components of a result.
 
-/// The components of a result: keys in ascending order, and values.
+/// The components of a result: a list of keys in ascending order, and a list of values.
 pub(super) struct Found<S> {
     keys: Vec<u64>,
     values: Vec<S>,
@@ -27,27 +27,28 @@ impl<S> Found<S> {
         self.values.push(value);
     }
 
-    /// Appends other components, whose keys are larger.
+    /// Appends other components. Their keys must be larger.
     pub fn append(&mut self, next: &mut Self) {
         self.keys.append(&mut next.keys);
         self.values.append(&mut next.values);
     }
 
-    /// Reserves memory for the whole result if the lists may be too short for the components until
-    /// the share `next` of it. The need is estimated from the components of the share `done`.
-    /// Reserved memory that is not used costs nothing, but growing lists are copied several times.
+    /// Reserves memory for the whole result. It does so if the lists may be too short for the
+    /// components in the fraction `next` of the index combinations. The need is estimated from the
+    /// components in the fraction `done`. Unused reserved memory costs nothing, but growing lists
+    /// are copied several times.
     pub fn expect_more(&mut self, done: f64, next: f64) {
         let (length, room) = (self.len() as f64, self.keys.capacity() - self.len());
         if done > 0.0 && (room as f64) < 1.5 * length * (next - done) / done {
             let more = (length * (1.25 / done - 1.0).max(0.25)) as usize;
             let more = more.min(self.len().max(MOST));
-            // if this fails, the lists grow as needed
+            // ignores failures, because the lists then grow as needed
             let _ = self.keys.try_reserve_exact(more);
             let _ = self.values.try_reserve_exact(more);
         }
     }
 
-    /// The keys and the values.
+    /// Returns the keys and the values.
     pub fn into_lists(self) -> (Vec<u64>, Vec<S>) {
         let Found { mut keys, mut values } = self;
         keys.shrink_to_fit();
@@ -56,15 +57,15 @@ impl<S> Found<S> {
     }
 }
 
-/// The largest number of components that are reserved at first, however many are expected.
+/// The largest number of components for which memory is first reserved, even if more are expected.
 const MOST: usize = 1 << 24;
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    /// Expectations do not change the components. After the first piece, lists of evenly growing
-    /// results move at most once.
+    /// Reservations do not change the components. After the first piece, lists of results that grow
+    /// at a constant rate move at most once.
     #[test]
     fn expectations_change_no_components() {
         for (pieces, length) in [(1, 5), (7, 0), (7, 3), (248, 40), (100, 700)] {

@@ -1,4 +1,4 @@
-//! Sums of products in machine integers, over one common denominator.
+//! Sums of products in machine integers, with one common denominator.
 
 use super::arithmetic::{Arithmetic, Term};
 use super::{KernelThresholds, Product, Role};
@@ -6,16 +6,16 @@ use crate::{Scalar, Tensor};
 use std::borrow::Cow;
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 
-/// The factors of products as integers, each over its own denominator. A tensor that occurs in
-/// several products is converted once.
+/// The factors of products as integers. Each factor has its own denominator. A tensor that occurs
+/// in several products is converted once.
 pub(super) struct Cleared {
     lists: Vec<(Vec<i64>, i64)>,
-    /// For each factor of each product, the number of its list.
+    /// For each factor of each product, the index of its list.
     numbers: Vec<Vec<usize>>,
 }
 
-/// Converts each tensor of the products to a list once. Returns the lists and, for each factor, the
-/// number of its list.
+/// Converts each tensor of the products to one list. Returns the lists and, for each factor, the
+/// index of its list.
 pub(super) fn lists<'t, S: Scalar, L>(
     products: &'t [Product<S>],
     list: impl Fn(&Tensor<S>) -> Option<L>,
@@ -40,14 +40,15 @@ pub(super) fn lists<'t, S: Scalar, L>(
 }
 
 impl Cleared {
-    /// `None` if the scalar has no denominators, or one exceeds 64 bits.
+    /// Converts the factors. Returns `None` if the scalar has no denominators, or if a denominator
+    /// exceeds 64 bits.
     pub fn new<S: Scalar>(products: &[Product<S>]) -> Option<Self> {
         let (lists, numbers) = lists(products, |t| S::clear_denominators(t.values().iter()))?;
         Some(Cleared { lists, numbers })
     }
 
-    /// Returns all terms over a common denominator, and this denominator. `None` if a sum may
-    /// exceed 64 bits.
+    /// Returns all terms over a common denominator, and this denominator. Returns `None` if a sum
+    /// may exceed 64 bits.
     pub fn terms<'t, S: Scalar>(
         &'t self,
         products: &'t [Product<S>],
@@ -68,7 +69,7 @@ impl Cleared {
         for (product, numbers) in products() {
             let scale = denominator / own((product, numbers))?;
             let scale = product.coefficient.numer().checked_mul(scale)?;
-            // the number of products in one component: one for each combination of values of the
+            // counts the products in one component: one for each combination of values of the
             // summed letters
             let summed = product.factors.iter().flat_map(|(roles, _)| roles);
             let pairs = summed.filter(|r| matches!(r, Role::Summed(_))).count() / 2;
@@ -77,13 +78,13 @@ impl Cleared {
             let count = (dimension as u64)
                 .saturating_pow(pairs as u32)
                 .min(entries.saturating_mul(entries));
-            // a mirrored term adds the same number for its image
+            // a mirrored term also adds this number of products to its image
             let count = count.checked_mul(1 + u64::from(product.mirrored))?;
             let largest =
                 |values: &Vec<i64>| values.iter().map(|v| v.unsigned_abs()).max().unwrap_or(0);
             let size = values().map(largest).try_fold(count, u64::checked_mul)?;
             if size == 0 {
-                // a factor without components
+                // a factor has no components, so the term vanishes
                 continue;
             }
             bound = bound.checked_add(size.checked_mul(scale.unsigned_abs())?)?;
@@ -93,8 +94,8 @@ impl Cleared {
             terms.push(product.with_values(|at, _| {
                 let values = &self.lists[numbers[at]].0;
                 match at {
-                    // a value that is multiplied here is below the bound, so the product cannot
-                    // overflow
+                    // the product cannot overflow, because a value that is multiplied here is below
+                    // the bound
                     0 if scale != 1 => values.iter().map(|value| value * scale).collect(),
                     _ => Cow::Borrowed(values),
                 }
@@ -104,10 +105,11 @@ impl Cleared {
     }
 }
 
-/// Sums of machine integers that provably do not overflow, over a common denominator.
+/// Sums of machine integers over a common denominator. It has been proved that the sums do not
+/// overflow.
 pub(super) struct OnIntegers<S> {
     denominator: i64,
-    /// The quotients with numerators from `-kept` to `kept`, which occur most often.
+    /// The quotients with numerators from `-kept` to `kept`. They occur most often.
     frequent: Vec<Option<S>>,
     kept: i64,
     failed: AtomicBool,
@@ -120,7 +122,7 @@ impl<S: Scalar> OnIntegers<S> {
         OnIntegers { denominator, frequent, kept, failed: AtomicBool::new(false) }
     }
 
-    /// Whether a quotient did not exist in the ring, so that the result is incomplete.
+    /// Whether a quotient does not exist in the ring. In this case, the result is incomplete.
     pub fn failed(&self) -> bool {
         self.failed.load(Relaxed)
     }
@@ -139,7 +141,7 @@ impl<S: Scalar> Arithmetic<S> for OnIntegers<S> {
         if sum == 0 {
             return None;
         }
-        // compared before it becomes a list index, which has 32 bits on some machines
+        // compares before the conversion to a list index, which has 32 bits on some machines
         let quotient = if sum.unsigned_abs() <= self.kept.unsigned_abs() {
             self.frequent[(sum + self.kept) as usize].clone()
         } else {
@@ -156,13 +158,13 @@ impl<S: Scalar> Arithmetic<S> for OnIntegers<S> {
 mod tests {
     use super::*;
 
-    /// A quotient that the ring lacks is reported, whether or not it is one of the stored ones. A
-    /// sum of zero needs no quotient.
+    /// A quotient that does not exist in the ring is reported, whether or not it is stored. A sum
+    /// of zero needs no quotient.
     #[test]
     fn missing_quotients_are_noticed() {
         let paths = KernelThresholds { kept_quotients: 2, ..KernelThresholds::default() };
         for sum in [-100, -3, -2, 1, 2, 3, i64::MAX] {
-            // floats lack only quotients by zero
+            // floats have all quotients except those by zero
             let [with, without] =
                 [4, 0].map(|denominator| OnIntegers::<f64>::new(denominator, &paths));
             assert_eq!((with.finish(&sum), with.failed()), (Some(sum as f64 / 4.0), false));

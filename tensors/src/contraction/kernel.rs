@@ -1,8 +1,9 @@
-//! The kernel: sparse row products, gathered in a dense accumulator over the last two indices.
+//! The kernel: products of sparse rows, collected in a dense accumulator over the last two indices.
 //!
-//! Nested loops run over the leading indices of the result and skip values that no term can reach, so
-//! the results are sorted. Of the two factors of a term, the one with more leading indices is read entry
-//! by entry, and each entry is multiplied with the partner's row of equal summed indices.
+//! Nested loops run over the leading indices of the result and skip values that no term can reach,
+//! so the results are sorted. The factor of a term with more leading indices is read entry by
+//! entry. Each entry is multiplied with that row of the other factor that has the same summed
+//! indices.
 
 use super::KernelThresholds;
 use super::accumulator::Accumulator;
@@ -15,7 +16,7 @@ use crate::threads;
 use std::ops::Range;
 use std::sync::{Mutex, PoisonError};
 
-/// The sum of `terms` in a dimension and of a rank: sorted keys and nonzero values.
+/// The sum of `terms`, for a result of this shape. Returns sorted keys and nonzero values.
 pub(super) fn run<S: Value, A: Arithmetic<S>>(
     arithmetic: &A,
     terms: &[Term<A::Value>],
@@ -48,11 +49,12 @@ pub(super) fn run<S: Value, A: Arithmetic<S>>(
     shape.groups_across().fold(found.into_lists(), spread)
 }
 
-/// Computes the components of all first indices, on all threads, in rounds of about `size`
-/// components each. While one round is computed, the previous one is stored.
+/// Computes the components of all first indices on all threads. The computation consists of rounds
+/// of about `size` components for each thread. While one round is computed, the previous round is
+/// stored.
 ///
-/// Each thread reuses its accumulator from round to round, because filling one with zeros may take
-/// longer than a round. The lists of a round are reused for the same reason.
+/// Each thread reuses its accumulator in all rounds, because filling an accumulator with zeros may
+/// take longer than a round. The lists of a round are reused for the same reason.
 fn in_rounds<'w, S: Value, A: Arithmetic<S, Value: 'w> + 'w>(
     shape: Shape,
     size: u64,
@@ -80,14 +82,16 @@ fn in_rounds<'w, S: Value, A: Arithmetic<S, Value: 'w> + 'w>(
         start += count;
         let known = found.len() + round.iter().map(Found::len).sum::<usize>();
         let enough = threads.saturating_mul(size).saturating_mul(start) / known.max(1) as u64;
-        // the next indices may have far more components than the indices so far
+        // limits the growth, because the next indices may have far more components than the indices
+        // so far
         count = enough.clamp(threads, 4 * count.max(threads)).min(n - start);
     }
     round.iter_mut().for_each(|block| found.append(block));
     found
 }
 
-/// A term that does not vanish for the chosen leading indices, with its current groups of rows.
+/// A term that does not vanish for the chosen leading indices, with the groups of rows at these
+/// indices.
 #[derive(Clone, Copy)]
 struct Alive {
     term: usize,
@@ -99,7 +103,8 @@ struct Alive {
 struct Walk<'w, S, A: Arithmetic<S>> {
     shape: Shape<'w>,
     terms: &'w [Laid<A::Value>],
-    /// The terms that do not vanish at each depth, stored one after the other.
+    /// The terms that do not vanish at each depth. The lists of all depths are stored one after the
+    /// other.
     alive: Vec<Alive>,
     accumulator: Accumulator<'w, A, A::Sum>,
     found: Found<S>,
@@ -107,13 +112,13 @@ struct Walk<'w, S, A: Arithmetic<S>> {
 
 impl<'w, S: Value, A: Arithmetic<S>> Walk<'w, S, A> {
     fn new(shape: Shape<'w>, terms: &'w [Laid<A::Value>], arithmetic: &'w A) -> Self {
-        // at first no index is chosen, so all terms are alive
+        // all terms are alive at first, because no index is chosen
         let alive = (0..terms.len()).map(|term| Alive { term, driver: 0, partner: 0 }).collect();
         let accumulator = Accumulator::new(arithmetic, shape);
         Walk { shape, terms, alive, accumulator, found: Found::default() }
     }
 
-    /// Computes the components of all indices.
+    /// Computes the components for all indices.
     fn whole(mut self) -> Found<S> {
         if self.shape.outer == 0 {
             self.leaf(0, 0);
@@ -126,8 +131,8 @@ impl<'w, S: Value, A: Arithmetic<S>> Walk<'w, S, A> {
         self.found
     }
 
-    /// Runs over all values of the leading index `depth`, after the indices in `key`, for the terms in
-    /// `alive` from `from` on.
+    /// Runs over all values of the leading index `depth`. The earlier indices are in `key`, and the
+    /// terms are in `alive`, beginning at `from`.
     fn descend(&mut self, depth: usize, key: u64, from: usize) {
         if depth == self.shape.outer {
             return self.leaf(key, from);
@@ -139,8 +144,8 @@ impl<'w, S: Value, A: Arithmetic<S>> Walk<'w, S, A> {
         }
     }
 
-    /// Continues with one value of the leading index `depth`, and the terms that do not vanish for
-    /// it.
+    /// Continues with one value of the leading index `depth`, for the terms that do not vanish at
+    /// this value.
     fn enter(&mut self, depth: usize, key: u64, from: usize, index: u64) {
         let step = |rows: &Rows<A::Value>, group: u64| match rows.spans[depth] {
             Some(span) => {
@@ -165,7 +170,7 @@ impl<'w, S: Value, A: Arithmetic<S>> Walk<'w, S, A> {
         }
     }
 
-    /// Computes all components with fixed leading indices.
+    /// Computes all components for fixed leading indices.
     fn leaf(&mut self, key: u64, from: usize) {
         checkpoint();
         let bounds = Bounds::new(self.shape, key);
@@ -200,7 +205,7 @@ impl<'w, S: Value, A: Arithmetic<S>> Walk<'w, S, A> {
     }
 }
 
-/// The places of the accumulator that an antisymmetric result needs.
+/// The places of the accumulator that are needed if the result is antisymmetric.
 struct Bounds<'s> {
     shape: Shape<'s>,
     /// If set, the row must exceed this index.
@@ -216,13 +221,13 @@ impl<'s> Bounds<'s> {
         Bounds { shape, above, pair: shape.ascends_inside() }
     }
 
-    /// Whether all places are needed.
+    /// Whether the result needs all places.
     fn all(&self) -> bool {
         !self.pair && self.above.is_none()
     }
 
-    /// Whether an entry contributes only to places that are not needed. This is decided only if
-    /// both indices belong to the antisymmetric group.
+    /// Whether an entry contributes only to places that are not needed. The answer is `true` only
+    /// if both indices belong to the antisymmetric group.
     #[inline(always)]
     fn beyond(&self, place: Place, undetermined: [u32; 2]) -> bool {
         let Some(bound) = self.above.filter(|_| self.pair) else { return false };
@@ -230,8 +235,8 @@ impl<'s> Bounds<'s> {
         (row | undetermined[0]).min(column | undetermined[1]) <= bound
     }
 
-    /// The place of a value, and whether it is added with the opposite sign; `None` if it is not
-    /// needed. A mirrored value also represents its image.
+    /// The place of a value, and whether the value is added with the opposite sign. Returns `None`
+    /// if the place is not needed. A mirrored value also represents its image.
     #[inline(always)]
     fn admit(&self, place: Place, mirrored: bool) -> Option<(Place, bool)> {
         let [row, column] = self.shape.indices(place);
@@ -245,7 +250,8 @@ impl<'s> Bounds<'s> {
     }
 }
 
-/// Adds all permutations of the ascending indices in `group` with their signs, sorted.
+/// Adds the components for all permutations of the ascending indices in `group`, with their signs.
+/// Returns sorted components.
 fn spread<S: Value>(
     keys: Vec<u64>,
     values: Vec<S>,
@@ -255,14 +261,14 @@ fn spread<S: Value>(
 ) -> (Vec<u64>, Vec<S>) {
     let place = |at: usize| n.pow((rank - 1 - at) as u32);
     let mut all: Vec<(u64, S)> = keys.into_iter().zip(values).collect();
-    // insert the index `end` of the group at every place among those before it
+    // inserts the index `end` of the group at every position among the earlier indices
     for end in group.start + 1..group.end {
         checkpoint();
         all.reserve_exact(all.len() * (end - group.start));
         for at in 0..all.len() {
             let (mut key, mut value) = all[at].clone();
             for left in (group.start..end).rev() {
-                // exchange the indices `left` and `left + 1`
+                // exchanges the indices `left` and `left + 1`
                 let [p, q] = [place(left), place(left + 1)];
                 let [a, b] = [p, q].map(|place| key / place % n);
                 key = key - (a * p + b * q) + (b * p + a * q);
@@ -272,7 +278,7 @@ fn spread<S: Value>(
         }
     }
     checkpoint();
-    // the keys are different
+    // an unstable sort suffices, because the keys are different
     all.sort_unstable_by_key(|(key, _)| *key);
     let mut sorted = (Vec::with_capacity(all.len()), Vec::with_capacity(all.len()));
     sorted.extend(all);

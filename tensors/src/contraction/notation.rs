@@ -1,4 +1,4 @@
-//! The index notation of a contraction: parsing it, and binding its names to tensors.
+//! The index notation of a contraction. It is parsed, and its names are bound to tensors.
 
 use super::{Product, Role};
 use crate::{Down, NotationError, Rational, Scalar, Tensor, TensorError, Up, Variance};
@@ -13,7 +13,7 @@ pub(super) struct Expression<'e> {
     letters: Vec<char>,
     /// The slots of the result.
     pub slots: Vec<Variance>,
-    /// The runs of result letters in which the sum is declared antisymmetric.
+    /// The ranges of result letters in which the sum is declared antisymmetric.
     pub groups: Vec<Range<usize>>,
 }
 
@@ -51,15 +51,15 @@ impl<'e> Expression<'e> {
         Ok(Expression { text, terms, letters, slots, groups })
     }
 
-    /// The last two positions of the result, if they are antisymmetric.
+    /// The last two positions of the result, if they form an antisymmetric group.
     pub fn last_pair(&self) -> Option<(usize, usize)> {
         let rank = self.slots.len();
         let paired = |group: &Range<usize>| group.end == rank && group.len() >= 2;
         self.groups.iter().any(paired).then(|| (rank - 2, rank - 1))
     }
 
-    /// Looks up the operand of every name, checks ranks and variances, and gives each letter its
-    /// role.
+    /// Finds the operand of every name, checks ranks and variances, and assigns a role to each
+    /// letter.
     pub fn bind<'a, S: Scalar>(
         &self,
         operands: &[(&str, &'a Tensor<S>)],
@@ -98,7 +98,7 @@ impl<'e> Expression<'e> {
         Ok(products)
     }
 
-    /// The role of every letter of a term.
+    /// The role of every letter in a term.
     fn roles(&self, factors: &[Factor]) -> Result<Vec<(char, Role)>, NotationError> {
         if factors.is_empty() {
             return Err(NotationError::NoFactor);
@@ -148,7 +148,8 @@ fn number(word: &str) -> Option<Rational> {
     Rational::new(numerator.parse().ok()?, denominator.parse().ok()?)
 }
 
-/// The letters of `^ij_k[lm]` with their variances, and the positions of bracketed runs.
+/// The letters of a text such as `^ij_k[lm]` with their variances, and the ranges of letters in
+/// brackets.
 type Letters = (Vec<(char, Variance)>, Vec<Range<usize>>);
 
 fn indices(text: &str) -> Result<Letters, NotationError> {

@@ -9,23 +9,25 @@ pub(super) struct Position {
     pub group: u64,
     pub link: u64,
     pub place: Place,
-    /// Its number in the tensor.
+    /// The index of the component in the tensor.
     pub at: u32,
 }
 
-/// The contribution of an index of value 1 to the group, the link and the place.
+/// The contributions of an index of value 1 to the group, the link and the place.
 pub(super) type Weight = (u64, u64, Place);
 
-/// The groups, links and places of the components of a factor.
+/// Computes the groups, links and places of the components of a factor.
 pub(super) struct Digits<'d> {
     n: u64,
     weights: &'d [Weight],
-    /// Pairs of slots that are summed with each other.
+    /// The pairs of slots that are summed with each other.
     inside: Vec<(usize, usize)>,
     digits: Vec<u64>,
-    /// The last key with its last index set to 0. Neighbouring keys mostly share it,
+    /// The last key, with its last index set to 0. Neighbouring keys usually have this value in
+    /// common.
     base: u64,
-    /// and therefore also this contribution of the other indices.
+    /// The contribution of all indices except the last index. Neighbouring keys usually have this
+    /// contribution in common too.
     front: Option<Weight>,
 }
 
@@ -36,7 +38,8 @@ impl<'d> Digits<'d> {
         Digits { n, weights, inside, digits: vec![0; roles.len()], base: u64::MAX, front: None }
     }
 
-    /// Returns `None` for a component off the diagonal of a pair of slots that is summed.
+    /// The weight of the component with this key. Returns `None` if the component is off the
+    /// diagonal of a pair of slots that is summed.
     #[inline(always)]
     pub fn read(&mut self, key: u64) -> Option<Weight> {
         let (Some((&weight, weights)), Some((last, digits))) =
@@ -67,8 +70,8 @@ impl<'d> Digits<'d> {
     }
 }
 
-/// For each of `count` keys, returns the number of items with smaller keys, and at the end the
-/// number of all items. The keys of the items ascend.
+/// For each of `count` keys, the number of items with smaller keys. The last entry is the number of
+/// all items. The keys of the items must be ascending.
 pub(super) fn beginnings(keys: impl Iterator<Item = u64>, count: u64) -> Vec<u32> {
     let mut starts = vec![0; count as usize + 1];
     keys.for_each(|key| starts[key as usize + 1] += 1);
@@ -78,7 +81,7 @@ pub(super) fn beginnings(keys: impl Iterator<Item = u64>, count: u64) -> Vec<u32
     starts
 }
 
-/// Sorts stably by a key below `count`.
+/// Sorts the items stably by a key that is below `count`.
 pub(super) fn sort_by_counting(
     items: &mut Vec<Position>,
     count: u64,

@@ -1,4 +1,4 @@
-//! The layout of a term: its factors sorted into rows by leading and summed indices.
+//! The layout of a term. Its factors are sorted into rows by leading and summed indices.
 
 use super::arithmetic::{Factor, Term};
 use super::positions::{Digits, Position, beginnings, sort_by_counting};
@@ -7,7 +7,8 @@ use super::{KernelThresholds, Role};
 use crate::stop::checkpoint;
 use std::ops::Range;
 
-/// A term laid out in rows. The driver is read entry by entry; the partner is looked up by row.
+/// A term that is laid out in rows. The driver is the factor that is read entry by entry; the rows
+/// of the partner are looked up.
 pub(super) struct Laid<V> {
     pub driver: Rows<V>,
     pub partner: Rows<V>,
@@ -16,7 +17,7 @@ pub(super) struct Laid<V> {
 }
 
 impl<V: Clone> Laid<V> {
-    /// Returns `None` for a term with an empty factor.
+    /// Lays out a term. Returns `None` if a factor is empty.
     pub fn new(term: &Term<'_, V>, shape: Shape, paths: &KernelThresholds) -> Option<Self> {
         if term.factors.iter().any(|factor| factor.keys.is_empty()) {
             return None;
@@ -27,7 +28,7 @@ impl<V: Clone> Laid<V> {
         if lead(partner) > lead(driver) {
             std::mem::swap(&mut driver, &mut partner);
         }
-        // the pairs that join the factors, in the order of the driver's slots
+        // the summed pairs that join the factors, in the order of the slots of the driver
         let shared: Vec<usize> = driver
             .roles
             .iter()
@@ -51,29 +52,30 @@ impl<V: Clone> Laid<V> {
 /// The number of entries that are laid out between two checkpoints.
 const MANY: usize = 1 << 12;
 
-/// The mapping from the slots of a factor to rows and to places of the accumulator.
+/// The map from the slots of a factor to rows, and to places of the accumulator.
 struct Layout<'l> {
     shape: Shape<'l>,
     /// The summed pairs that join the factors.
     shared: &'l [usize],
-    /// The number of combinations of their values.
+    /// The number of combinations of the values of these pairs.
     links: u64,
-    /// Whether only places with ascending indices of the accumulator are needed.
+    /// Whether the result needs only places at which the indices of the accumulator ascend.
     ascends: bool,
-    /// Whether the rows are [`Index::Marked`].
+    /// Whether [`Index::Marked`] represents the rows.
     marked: bool,
-    /// With at most this number of rows, their beginnings are stored as [`Starts::Every`].
+    /// If there are at most this many rows, [`Starts::Every`] stores their beginnings.
     tabled: u64,
 }
 
-/// Entries sorted by row, and within a row in the order of the tensor. A row is identified by its
-/// leading indices (the group) and its summed indices (the link).
+/// Entries that are sorted by row. Within a row, they are in the order of the tensor. The leading
+/// indices (the group) and the summed indices (the link) identify a row.
 pub(super) struct Rows<V> {
-    /// For each leading index of the result: the number of groups per step of the index, if this
-    /// factor has it.
+    /// For each leading index of the result: the number of groups by which the index advances in
+    /// one step. `None` if this factor does not have the index.
     pub spans: Vec<Option<u64>>,
     index: Index,
-    /// Bit masks of the row and of the column of the result that come from the other factor.
+    /// Bit masks for the row and the column of a place. All bits are set if the index comes from
+    /// the other factor.
     pub undetermined: [u32; 2],
     pub entries: Vec<Entry<V>>,
 }
@@ -85,26 +87,26 @@ enum Index {
     Sorted(Vec<(u64, u64)>),
 }
 
-/// A bit for each row, set if the row is not empty.
+/// A bit for each row. It is set if the row is not empty.
 struct Marked {
     bits: Vec<u64>,
-    /// The number of words of bits in a group; the last word may have unused bits.
+    /// The number of words of bits for each group. The last word may have unused bits.
     words: usize,
     starts: Starts,
 }
 
-/// The positions at which rows begin in the entries.
+/// The positions in the list of entries at which rows begin.
 enum Starts {
-    /// The beginning of the row of each bit, and the end of the last one.
+    /// The beginning of the row of each bit, followed by the end of the last row.
     Every(Vec<u32>),
-    /// The number of nonempty rows before each word, and the number of all nonempty rows. Then the
-    /// beginning of each nonempty row, and the end of the last one.
+    /// First the number of nonempty rows before each word, and the number of all nonempty rows.
+    /// Then the beginning of each nonempty row, and the end of the last row.
     Nonempty(Vec<u32>, Vec<u32>),
 }
 
 /// A component of a factor.
 pub(super) struct Entry<V> {
-    /// The contribution to the place of a product.
+    /// The contribution of the entry to the place of a product.
     pub place: Place,
     pub value: V,
 }
@@ -161,9 +163,9 @@ impl<V: Clone> Rows<V> {
         Rows { spans, index, undetermined, entries: order.iter().map(entry).collect() }
     }
 
-    /// Calls `f` with the entries of two rows, one of each factor, for all values of the shared
-    /// indices that occur in both factors. The rows have the group `group` here and `other` in the
-    /// partner.
+    /// Calls `f` for all values of the shared indices that occur in both factors. The arguments of
+    /// `f` are the entries of two rows, one in each factor. The rows belong to the group `group` of
+    /// this factor, and to the group `other` of the partner.
     #[inline(always)]
     pub fn meet(
         &self,
@@ -202,7 +204,7 @@ impl<V: Clone> Rows<V> {
         }
     }
 
-    /// The range of the entries of `count` groups, from `group` on.
+    /// The range of the entries of `count` groups, beginning with `group`.
     #[inline(always)]
     pub fn groups(&self, group: u64, count: u64) -> Range<usize> {
         let [start, end] = [group, group + count].map(|group| match &self.index {
@@ -239,7 +241,7 @@ impl Marked {
         Marked { bits, words, starts }
     }
 
-    /// The range of the entries of the row whose bit is set.
+    /// The range of the entries of the row that belongs to a set bit.
     #[inline(always)]
     fn row(&self, word: usize, bit: u32) -> Range<usize> {
         let (number, starts) = match &self.starts {
@@ -252,7 +254,8 @@ impl Marked {
         starts[number] as usize..starts[number + 1] as usize
     }
 
-    /// The beginning of the first row in a word, or of the next row after the word.
+    /// The beginning of the first row in a word. If the word has no row, it is the beginning of the
+    /// next row.
     #[inline(always)]
     fn start(&self, word: usize) -> usize {
         match &self.starts {

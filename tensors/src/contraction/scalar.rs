@@ -1,18 +1,19 @@
-//! The scalar types over which tensors can be contracted.
+//! The types of scalars over which tensors can be contracted.
 
 use super::{KernelThresholds, over};
 use crate::scalar::{Jet, Rational, Recorded, Summable, Symbolic, TrackedFloat};
 use crate::{Tensor, TensorError};
 use num_rational::{BigRational, Ratio};
 
-/// A ring whose tensors can be contracted: the coefficients of algebras, frames and connections.
+/// A ring whose tensors can be contracted. Algebras, frames and connections have coefficients in
+/// such a ring.
 ///
-/// For a user-defined scalar an empty `impl` suffices.
+/// For a user-defined scalar, an empty `impl` suffices.
 pub trait Scalar: Summable {
-    /// [`contract`](crate::contract()) over this ring.
+    /// Computes [`contract`](crate::contract()) over this ring.
     ///
     /// # Errors
-    /// Those of [`contract`](crate::contract()).
+    /// The errors of [`contract`](crate::contract()).
     #[doc(hidden)]
     fn contracted(
         paths: &KernelThresholds,
@@ -23,8 +24,8 @@ pub trait Scalar: Summable {
     }
 }
 
-/// Compiles the kernels of these scalars once, in this package, instead of again in each package
-/// that contracts.
+/// Compiles the kernels for these scalars once, in this package. Otherwise each package that
+/// contracts tensors would compile them again.
 macro_rules! compiled_here {
     ($($scalar:ty),*) => {$(
         impl Scalar for $scalar {

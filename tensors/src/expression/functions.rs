@@ -1,9 +1,9 @@
-//! Other notations of functions: `ln(x)`, `sec(x)`, `sin^2(x)`.
+//! Alternative notations of functions: `ln(x)`, `sec(x)`, `sin^2(x)`.
 
 use super::{Expression, Node};
 use crate::function::Function;
 
-/// A function as a quotient of others at the same argument.
+/// A function that is a quotient of other functions at the same argument.
 struct Abbreviation {
     name: &'static str,
     above: Option<&'static str>,
@@ -25,11 +25,12 @@ const ABBREVIATIONS: [Abbreviation; 7] = [
     quotient("cot", Some("cos"), Some("sin")),
     quotient("sech", None, Some("cosh")),
     quotient("csch", None, Some("sinh")),
-    // cosh(x)/sinh(x) would overflow for large x
+    // does not use cosh(x)/sinh(x), which would overflow for large x
     quotient("coth", None, Some("tanh")),
 ];
 
-/// Whether the name is another notation for a quotient of elementary functions, like `sec` and `ln`.
+/// Whether the name is an alternative notation, such as `sec` and `ln`, for a quotient of
+/// elementary functions.
 ///
 /// ```
 /// use affinor_tensors::expression::is_abbreviation;
@@ -39,14 +40,14 @@ pub fn is_abbreviation(name: &str) -> bool {
     ABBREVIATIONS.iter().any(|known| known.name == name)
 }
 
-/// Whether the name, also an abbreviation, is an elementary function, so that `sin^2(x)` has a
-/// meaning.
+/// Whether the name is an elementary function or an abbreviation, so that `sin^2(x)` has a meaning.
 pub(super) fn is_elementary(name: &str) -> bool {
     Function::from_name(name).is_some() || is_abbreviation(name)
 }
 
 impl Expression {
-    /// Whether this is the name of an elementary function without its argument, or a power of it.
+    /// Whether the expression is the name of an elementary function without an argument, or a power
+    /// of such a name.
     pub(super) fn is_function_name(&self) -> bool {
         match &self.node {
             Node::Name(name) => is_elementary(name),
@@ -55,7 +56,7 @@ impl Expression {
         }
     }
 
-    /// The function `name` of these arguments. Abbreviations are replaced by quotients.
+    /// A call of the function `name` with these arguments. Abbreviations are replaced by quotients.
     pub(super) fn call(
         name: &str,
         arguments: Vec<Expression>,

@@ -1,11 +1,12 @@
-//! Names in expressions: letters of any script, digits and `_`.
+//! Names in expressions. They consist of letters of any script, digits and `_`.
 
 use std::borrow::Cow;
 
-/// Whether the text is a valid name: a letter of any script or `_`, then letters, ASCII digits, subscript digits and `_`.
+/// Whether the text is a valid name. A name begins with a letter of any script or `_`, followed by
+/// letters, ASCII digits, subscript digits and `_`.
 ///
-/// A name is in its [`canonical_name`] form, so that equal names are equal texts, and does not look
-/// like a Latin one.
+/// A name must be in its [`canonical_name`] form, so that equal names have equal texts. It must not
+/// look like a Latin name unless it is one.
 ///
 /// ```
 /// use affinor_tensors::expression::is_name;
@@ -17,7 +18,7 @@ pub fn is_name(name: &str) -> bool {
     begins && name.chars().all(is_name_character) && !looks_latin(name)
 }
 
-/// Whether a name may contain the character after its first one.
+/// Whether a name may contain this character after its first character.
 ///
 /// ```
 /// use affinor_tensors::expression::is_name_character;
@@ -25,7 +26,8 @@ pub fn is_name(name: &str) -> bool {
 /// assert!(!is_name_character('²') && !is_name_character('·'));
 /// ```
 pub fn is_name_character(c: char) -> bool {
-    // excludes the superscripts ⁱ and ⁿ, which Unicode counts as letters: they are powers, not parts of a name
+    // excludes the superscripts ⁱ and ⁿ, which Unicode counts as letters: they are powers, not
+    // parts of a name
     let power = ('\u{2070}'..='\u{207f}').contains(&c);
     let letter = c.is_alphabetic() && !power && canonical(c) == c;
     letter || c == '_' || is_digit(c)
@@ -35,19 +37,20 @@ fn is_digit(c: char) -> bool {
     c.is_ascii_digit() || ('\u{2080}'..='\u{2089}').contains(&c)
 }
 
-/// Whether the parser reads a name that begins with this character, perhaps in a form that is not canonical.
+/// Whether the parser accepts this character at the beginning of a name. The name may be in a form
+/// that is not canonical.
 pub(super) fn begins_name(c: char) -> bool {
     continues_name(c) && !is_digit(c)
 }
 
-/// Whether the parser accepts this character inside a name, perhaps in a form that is not
+/// Whether the parser accepts this character inside a name. The name may be in a form that is not
 /// canonical.
 pub(super) fn continues_name(c: char) -> bool {
     is_name_character(canonical(c))
 }
 
-/// The canonical form of a name: unit signs become the Greek letters, and the signs of kelvin and
-/// angstrom the Latin letters, that look like them.
+/// The canonical form of a name. Unit signs are replaced by the Greek letters that look like them;
+/// the signs of kelvin and angstrom are replaced by Latin letters.
 ///
 /// ```
 /// use affinor_tensors::expression::canonical_name;
@@ -71,11 +74,11 @@ fn canonical(c: char) -> char {
     }
 }
 
-/// Cyrillic and Greek letters that look like Latin ones.
+/// Cyrillic and Greek letters that look like Latin letters.
 const LOOKALIKES: &str = "асԁеһіјорѕухАВСЕНІЈКМОРЅТХΑΒΕΖΗΙΚΜΝΟΡΤΥΧο";
 
-/// Whether all non-ASCII letters of a text look like Latin ones, so that it can be mistaken for
-/// another text.
+/// Whether all non-ASCII letters of a text look like Latin letters, so that the text can be
+/// mistaken for another text.
 ///
 /// ```
 /// use affinor_tensors::expression::looks_latin;
@@ -88,8 +91,8 @@ pub fn looks_latin(text: &str) -> bool {
     others.peek().is_some() && others.all(|c| LOOKALIKES.contains(c))
 }
 
-/// Whether a message can show the character itself: control characters and white space other than `
-/// ` are excluded.
+/// Whether a message can show the character itself. Control characters are excluded, and so is
+/// white space except ` `.
 ///
 /// ```
 /// use affinor_tensors::expression::is_printable;
@@ -101,7 +104,7 @@ pub fn is_printable(c: char) -> bool {
     c.is_ascii_graphic() || c == ' ' || (!c.is_ascii() && c.escape_debug().count() == 1)
 }
 
-/// A character as messages show it: itself, or its code point.
+/// The form of a character in messages: the character itself, or its code point.
 pub(super) fn shown(c: char) -> String {
     match is_printable(c) && !looks_latin(&c.to_string()) {
         true => format!("`{c}`"),

@@ -1,4 +1,5 @@
-//! The parser of expressions: recursive descent, one method for each level of the grammar.
+//! The parser of expressions. It works by recursive descent, with one method for each level of the
+//! grammar.
 
 use super::functions::is_elementary;
 use super::names::{begins_name, canonical_name, continues_name, looks_latin, shown};
@@ -9,13 +10,13 @@ use super::{
 use crate::Rational;
 use std::ops::Range;
 
-/// The length up to which messages repeat the text.
+/// Messages repeat the text if its length is at most this value.
 const MAX_SHOWN: usize = 60;
 
 /// The largest number of corrections that a message proposes.
 const MAX_EDITS: usize = 8;
 
-/// Parses a whole text in which the `known` names exist.
+/// Parses a text, which must be a single expression. The names for which `known` is true exist.
 pub(super) fn parse(
     text: &str,
     known: &dyn Fn(&str) -> bool,
@@ -29,7 +30,7 @@ pub(super) fn parse(
     })
 }
 
-/// A correction of the text: a range, and its replacement.
+/// A correction of the text: a range and its replacement.
 type Edit = (Range<usize>, &'static str);
 
 fn parse_once(
@@ -40,8 +41,8 @@ fn parse_once(
     parser.whole().map_err(|error| (error, parser.edit))
 }
 
-/// The whole text with this correction and those that follow from it; `None` if it is long or has
-/// other errors.
+/// Applies this correction, and all corrections that follow from it, to the whole text. Returns
+/// `None` if the result is long, or has other errors.
 fn corrected(text: &str, known: &dyn Fn(&str) -> bool, edit: Edit) -> Option<String> {
     let mut text = text.to_string();
     let mut next = Some(edit);
@@ -56,7 +57,7 @@ fn corrected(text: &str, known: &dyn Fn(&str) -> bool, edit: Edit) -> Option<Str
     None
 }
 
-/// Whether the text is short enough for a message.
+/// Whether the text is short enough to occur in a message.
 fn is_short(text: &str) -> bool {
     text.len() <= MAX_SHOWN && !text.contains(char::is_control)
 }
@@ -67,7 +68,7 @@ struct Parser<'t> {
     depth: usize,
     /// The nesting depth of exponents at the current position.
     tower: usize,
-    /// The correction of the error, if there is one.
+    /// The correction of the error, if there is a correction.
     edit: Option<Edit>,
     known: &'t dyn Fn(&str) -> bool,
 }
@@ -91,7 +92,7 @@ impl Parser<'_> {
         self.at += rest.len() - rest.trim_start_matches(|c: char| c.is_ascii_whitespace()).len();
     }
 
-    /// Consumes and returns the next symbol after white space, if it is one of `symbols`.
+    /// Consumes the next symbol after white space, if it is one of `symbols`. Returns this symbol.
     fn take(&mut self, symbols: &[char]) -> Option<char> {
         self.skip_space();
         let symbol = self.peek()?;
@@ -147,7 +148,7 @@ impl Parser<'_> {
         self.error(last..self.at, format!("more than {MAX_SIGNS} signs in a row"))
     }
 
-    /// Reads a factor after `*` or `/`, perhaps with signs.
+    /// Reads a factor after `*` or `/`. The factor may begin with signs.
     fn factor(&mut self) -> Result<Expression, ExpressionError> {
         self.skip_space();
         let from = self.at;
@@ -187,8 +188,8 @@ impl Parser<'_> {
         }
     }
 
-    /// The error for a missing operator, or for missing parentheses of a function, between a factor
-    /// and the current position.
+    /// The error if an operator, or the parentheses of a function, are missing between a factor and
+    /// the current position.
     fn missing(&mut self, last: Option<&Expression>, end: usize) -> ExpressionError {
         let width = self.name_length().max(1);
         let span = self.at..self.at + width;
@@ -242,7 +243,7 @@ impl Parser<'_> {
         width > 0
     }
 
-    /// Reads a power with an optional sign: `-2`, `(1/2)`, `2^p`.
+    /// Reads an exponent, which may begin with a sign: `-2`, `(1/2)`, `2^p`.
     fn exponent(&mut self) -> Result<Expression, ExpressionError> {
         self.skip_space();
         let from = self.at;
@@ -273,9 +274,9 @@ impl Parser<'_> {
         Ok(Expression { span, node: Node::Number(value) })
     }
 
-    /// The exponent with these digits, perhaps after a sign; its text began at `from`.
+    /// The exponent with these digits. Its text begins at `from`, and may begin with a sign.
     fn integer(&self, digits: &str, from: usize) -> Result<Expression, ExpressionError> {
-        // if the digits do not fit, the value is beyond the limit anyway
+        // uses the maximum for a number that does not fit, because both exceed the limit
         let value = digits.parse().unwrap_or(i64::MAX);
         self.bounded_exponent(Rational::from(value), from..self.at)
     }
@@ -327,7 +328,7 @@ impl Parser<'_> {
                     let ExpressionError { span, reason } = self.unexpected(letter);
                     return self.error(span, reason + ": it looks like a Latin letter");
                 }
-                // basis vectors of a direct sum, such as `e1'`
+                // accepts primes in the names of basis vectors of a direct sum, such as `e1'`
                 let rest = &self.text[from + length..];
                 let primes = rest.bytes().take_while(|byte| *byte == b'\'').count();
                 self.at += length + primes;
@@ -357,7 +358,7 @@ impl Parser<'_> {
         }
     }
 
-    /// Reads parentheses and their content.
+    /// Reads parentheses. The function `inside` reads their content.
     fn parenthesis<T>(
         &mut self,
         inside: fn(&mut Self) -> Result<T, ExpressionError>,
@@ -365,7 +366,7 @@ impl Parser<'_> {
         let from = self.at;
         self.at += 1;
         self.depth += 1;
-        // exponents may be in parentheses beyond this depth
+        // allows more depth in exponents, because each exponent may be in parentheses
         if self.depth > MAX_DEPTH + self.tower {
             let reason = format!("more than {MAX_DEPTH} nested parentheses");
             return self.error(from..from + 1, reason);
@@ -379,7 +380,7 @@ impl Parser<'_> {
         }
     }
 
-    /// Reads the arguments of a function, separated by commas.
+    /// Reads the arguments of a function, which are separated by commas.
     fn arguments(&mut self) -> Result<Vec<Expression>, ExpressionError> {
         let mut all = vec![self.sum()?];
         while self.take(&[',']).is_some() {
@@ -395,7 +396,7 @@ impl Parser<'_> {
         digits.into()
     }
 
-    /// Reads the exponent of `e-3` directly after a number; zero if there is none.
+    /// Reads the power of ten of `e-3` directly after a number. Returns zero if there is none.
     fn power_of_ten(&mut self) -> Result<i64, ExpressionError> {
         let rest = &self.text[self.at..];
         let Some(behind) = rest.strip_prefix(['e', 'E']) else { return Ok(0) };
@@ -414,7 +415,7 @@ impl Parser<'_> {
         }
     }
 
-    /// Reads a number: digits, a fraction, a power of ten.
+    /// Reads a number, which consists of digits, a fraction and a power of ten.
     fn number(&mut self) -> Result<Expression, ExpressionError> {
         let from = self.at;
         let mut digits = self.digits();
@@ -455,7 +456,7 @@ impl Parser<'_> {
     }
 }
 
-/// A sum or product; a single part without a sign is returned unchanged.
+/// A sum or product of several parts. A single part without a sign is returned unchanged.
 fn fold(
     mut parts: Vec<(bool, Expression)>,
     span: Range<usize>,

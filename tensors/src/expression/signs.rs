@@ -1,9 +1,9 @@
-//! Alternative signs: typographic ones, which occur in pasted text, and `**`.
+//! Alternative signs: typographic signs, which occur in pasted text, and `**`.
 
 /// The typographic minus sign.
 pub(super) const MINUS: char = '\u{2212}';
 
-/// The ASCII sign of the grammar for a typographic character.
+/// The ASCII character of the grammar that corresponds to a typographic character.
 pub(super) fn plain(c: char) -> char {
     match c {
         MINUS => '-',
@@ -12,7 +12,7 @@ pub(super) fn plain(c: char) -> char {
     }
 }
 
-/// The length of `^` or `**` at the beginning of a text; zero if there is neither.
+/// The length of `^` or `**` at the beginning of a text. Returns zero if there is neither.
 pub(super) fn caret(text: &str) -> usize {
     match text.as_bytes() {
         [b'^', ..] => 1,
@@ -21,8 +21,8 @@ pub(super) fn caret(text: &str) -> usize {
     }
 }
 
-/// The integer in superscript digits at the beginning of a text, and the length of these digits:
-/// `⁻²`.
+/// Reads an integer in superscript digits, such as `⁻²`, at the beginning of a text. Returns the
+/// integer, and the length of the digits.
 pub(super) fn superscript(text: &str) -> Option<(String, usize)> {
     let mut value = String::new();
     let mut width = 0;
@@ -45,7 +45,7 @@ pub(super) fn superscript(text: &str) -> Option<(String, usize)> {
     value.ends_with(|c: char| c.is_ascii_digit()).then_some((value, width))
 }
 
-/// The value of a superscript digit.
+/// The digit that corresponds to a superscript digit.
 fn superscript_digit(c: char) -> Option<char> {
     let value = match c {
         '\u{b9}' => 1,

@@ -1,13 +1,13 @@
 //! A limit on the size of symbolic computations.
 //!
-//! The limit counts terms, not seconds, so the same computation ends in the same way on every
-//! machine and with any number of threads.
+//! The limit counts terms, not seconds, so a computation ends in the same way on every machine, and
+//! with any number of threads.
 
 use std::fmt;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 
-/// A limit on the number of terms that the sums of symbolic values form.
+/// A limit on the number of terms in the sums of symbolic values.
 ///
 /// ```
 /// use affinor_tensors::{Effort, Symbolic};
@@ -26,32 +26,33 @@ pub struct Effort {
     pub(crate) products: AtomicU64,
 }
 
-/// The error of a computation that exceeded its limit on terms.
+/// The error of a computation that has exceeded its limit on terms.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct EffortExceeded {
-    /// The number of terms allowed.
+    /// The number of terms that are allowed.
     pub limit: u64,
 }
 
-/// The number of products of terms that are allowed for each allowed term.
+/// The number of products of terms that are allowed for each term.
 const PRODUCTS: u64 = 512;
 
 impl Effort {
     /// The default limit of the command line, in terms: about 3 GB of formulas.
     pub const DEFAULT: u64 = 20_000_000;
 
-    /// A limit on the number of terms of all values together, including intermediate ones, and on
-    /// the number of products of terms: 512 for each term.
+    /// A limit on the number of terms of all values together, including intermediate values. The
+    /// number of products of terms is limited too: 512 products are allowed for each term.
     pub fn new(limit: u64) -> Arc<Self> {
         Arc::new(Effort { limit, terms: AtomicU64::new(0), products: AtomicU64::new(0) })
     }
 
-    /// The terms formed so far.
+    /// The number of terms that have been formed so far.
     pub fn terms(&self) -> u64 {
         self.terms.load(Relaxed)
     }
 
-    /// The error once the limit is exceeded. Values that are formed afterwards are meaningless.
+    /// The error if the limit is exceeded. In this case, values that are formed later are
+    /// meaningless.
     pub fn exceeded(&self) -> Option<EffortExceeded> {
         let products = self.products.load(Relaxed) > self.limit.saturating_mul(PRODUCTS);
         (products || self.terms() > self.limit).then_some(EffortExceeded { limit: self.limit })

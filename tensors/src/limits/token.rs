@@ -6,15 +6,15 @@ use std::sync::atomic::{AtomicU8, AtomicUsize, Ordering::Relaxed};
 /// The reason why a computation was stopped.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StopReason {
-    /// A signal, or a request of the user.
+    /// A signal, or a request of the user, stops the computation.
     Interrupted,
-    /// The limit on the time.
+    /// The limit on the time is exceeded.
     Timeout,
-    /// The limit on the memory.
+    /// The limit on the memory is exceeded.
     Memory,
 }
 
-/// A flag that stops the computations that run under it. Clones share the flag.
+/// A flag that stops all computations that run under it. Clones share the same flag.
 ///
 /// ```
 /// use affinor_tensors::stop::{StopReason, StopToken};
@@ -35,14 +35,15 @@ pub enum StopReason {
 #[derive(Clone, Debug, Default)]
 pub struct StopToken(Arc<Flag>);
 
-/// Zero if not set; otherwise one more than the position of the reason in [`REASONS`].
+/// The value is zero if the flag is not set. Otherwise, it is the position of the reason in
+/// [`REASONS`] plus one.
 #[derive(Debug, Default)]
 struct Flag(AtomicU8);
 
 const REASONS: [StopReason; 3] = [StopReason::Interrupted, StopReason::Timeout, StopReason::Memory];
 
-/// The number of tokens of this process whose flag is set. While it is zero, a checkpoint costs one
-/// load and one branch.
+/// The number of tokens of this process whose flag is set. While the number is zero, a checkpoint
+/// costs one load and one branch.
 static REQUESTED: AtomicUsize = AtomicUsize::new(0);
 
 impl Drop for Flag {
@@ -67,7 +68,7 @@ impl StopToken {
         }
     }
 
-    /// The reason for which the flag was set.
+    /// The reason for which the flag is set; `None` if it is not set.
     pub fn requested(&self) -> Option<StopReason> {
         REASONS.get(usize::from(self.0.0.load(Relaxed)).checked_sub(1)?).copied()
     }

@@ -3,11 +3,13 @@
 /// The largest number of sweeps over all rows.
 const SWEEPS: usize = 100;
 
-/// Exponents `e` that balance a matrix: among the entries `m_ik 2^(e_k - e_i)` off the diagonal,
-/// the row and the column of each index get the same size, but at least 1. The similar matrix has
-/// the same eigenvalues. Scaling by powers of two causes no rounding errors.
+/// Computes exponents `e` that balance a matrix. Consider the entries off the diagonal in the
+/// similar matrix `m_ik 2^(e_k - e_i)`. For each index, their largest sizes in the row and in the
+/// column are about equal; sizes below 1 count as 1. The similar matrix has the same eigenvalues.
+/// Scaling by powers of two causes no rounding errors.
 ///
-/// The entries of the `n x n` matrix are `(i, k, m_ik)`. E. E. Osborne, *J. ACM* 7 (1960) 338-345.
+/// The parameter `entries` contains the entries `(i, k, m_ik)` of an `n x n` matrix. E. E. Osborne,
+/// *J. ACM* 7 (1960) 338-345.
 ///
 /// ```
 /// use affinor_tensors::linear::balancing;

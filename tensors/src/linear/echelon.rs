@@ -4,11 +4,11 @@ use super::row::{add_multiple, at, collect, finish, open};
 use super::{LinearError, Row};
 use crate::{Field, Summable, Tolerance};
 
-/// A subspace, represented by its reduced row echelon basis: the first nonzero component of every
-/// basis vector is a 1 (its pivot), and the other basis vectors are zero in this column.
+/// A subspace that is represented by its reduced row echelon basis. The first nonzero component of
+/// every basis vector is 1, which is its pivot; the other basis vectors are zero in this column.
 ///
 /// Equal subspaces have equal bases if all vectors are added by [`insert`](Self::insert). A pivot
-/// chosen by [`insert_heaviest`](Self::insert_heaviest) need not be the first nonzero component.
+/// that [`insert_heaviest`](Self::insert_heaviest) chooses need not be the first nonzero component.
 ///
 /// ```
 /// use affinor_tensors::{Rational, linear::Echelon};
@@ -33,7 +33,7 @@ impl<S: Field + Summable> Echelon<S> {
         Self::default()
     }
 
-    /// The same subspace with another tolerance for computations with it (floats only).
+    /// The same subspace with another tolerance. Only computations in floats use the tolerance.
     #[must_use]
     pub fn with_tolerance(mut self, tolerance: Tolerance) -> Self {
         self.tolerance = tolerance;
@@ -45,7 +45,7 @@ impl<S: Field + Summable> Echelon<S> {
         self.rows.len()
     }
 
-    /// The pivot columns, increasing.
+    /// The pivot columns, in ascending order.
     pub fn pivots(&self) -> &[usize] {
         &self.pivots
     }
@@ -55,7 +55,8 @@ impl<S: Field + Summable> Echelon<S> {
         &self.rows
     }
 
-    /// Adds a vector to the span. Returns whether it was linearly independent of the subspace.
+    /// Adds a vector to the span. Returns whether the vector was linearly independent of the
+    /// subspace.
     ///
     /// # Errors
     /// [`LinearError::NotInvertible`] if the leading entry of the remainder is a non-unit.
@@ -67,9 +68,10 @@ impl<S: Field + Summable> Echelon<S> {
         self.insert_at(remainder, |row| row.first())
     }
 
-    /// Like [`insert`](Self::insert), but the pivot is the component of the remainder with the
-    /// largest [`Field::pivot_weight`] among the first `columns`. This preserves the accuracy of
-    /// floats, and exact numbers stay short. Returns `false` if all these components are zero.
+    /// Adds a vector to the span as in [`insert`](Self::insert), but with another pivot. The pivot
+    /// is the component of the remainder with the largest [`Field::pivot_weight`] among the first
+    /// `columns`. With this pivot, floats remain accurate, and exact numbers remain short. Returns
+    /// `false` if all these components are zero.
     ///
     /// # Errors
     /// [`LinearError::NotInvertible`] if the component with the largest weight is a non-unit.
@@ -82,7 +84,8 @@ impl<S: Field + Summable> Echelon<S> {
         self.insert_at(remainder, |row| heaviest(row.iter().filter(|(j, _)| *j < columns)))
     }
 
-    /// Adds the remainder of a vector to the span. `choose` selects the pivot in the remainder.
+    /// Adds the remainder of a vector to the span. The function `choose` selects the pivot in the
+    /// remainder.
     fn insert_at(
         &mut self,
         remainder: Row<S>,
@@ -97,25 +100,27 @@ impl<S: Field + Summable> Echelon<S> {
         Ok(true)
     }
 
-    /// The remainder of a vector modulo the subspace; it is zero at every pivot column.
+    /// The remainder of a vector modulo the subspace. It is zero in every pivot column.
     pub fn reduce(&self, row: impl IntoIterator<Item = (usize, S)>) -> Row<S> {
         self.remainder(collect(row, self.tolerance))
     }
 
     fn remainder(&self, row: Row<S>) -> Row<S> {
-        // the basis is reduced, so the coordinates are the components of the vector at the pivots
+        // the coordinates are the components of the vector at the pivots, because the basis is
+        // reduced
         let parts = (row.iter()).filter_map(|(j, value)| Some((self.led_by(*j)?, value)));
         let sums = parts
             .fold(open(&row), |sums, (basis, value)| add_multiple(sums, &-value.clone(), basis));
         finish(sums, self.tolerance)
     }
 
-    /// Whether the vector lies in the subspace.
+    /// Whether the subspace contains the vector.
     pub fn contains(&self, row: impl IntoIterator<Item = (usize, S)>) -> bool {
         self.reduce(row).is_empty()
     }
 
-    /// The coordinates of a vector in the basis [`rows`](Self::rows); `None` outside the subspace.
+    /// The coordinates of a vector in the basis [`rows`](Self::rows). Returns `None` if the
+    /// subspace does not contain the vector.
     pub fn coordinates(&self, row: impl IntoIterator<Item = (usize, S)>) -> Option<Vec<S>> {
         let row = collect(row, self.tolerance);
         let coordinate = |pivot: &usize| at(&row, *pivot).cloned().unwrap_or_else(S::zero);
@@ -123,8 +128,9 @@ impl<S: Field + Summable> Echelon<S> {
         self.contains(row).then_some(coordinates)
     }
 
-    /// A basis of the vectors `x` with `columns` components and `v_j x_j = 0` for all `v` of the
-    /// subspace. There is one vector for each column without a pivot, with a 1 there.
+    /// A basis of the vectors `x` with `columns` components that satisfy `v_j x_j = 0` for all `v`
+    /// of the subspace. There is one vector for each column without a pivot; its component in this
+    /// column is 1.
     pub fn nullspace(&self, columns: usize) -> Vec<Row<S>> {
         let mut basis = vec![vec![]; columns];
         for (pivot, row) in self.pivots.iter().zip(&self.rows) {
@@ -141,7 +147,7 @@ impl<S: Field + Summable> Echelon<S> {
             .collect()
     }
 
-    /// Adds a remainder whose pivot is 1, and clears the pivot column in the other rows.
+    /// Adds a remainder whose pivot is 1, and sets the pivot column of the other rows to zero.
     pub(super) fn place(&mut self, column: usize, row: Row<S>) {
         for other in &mut self.rows {
             if let Some(value) = at(other, column) {
@@ -161,7 +167,7 @@ impl<S: Field + Summable> Echelon<S> {
     }
 }
 
-/// Echelons are equal if their subspaces are; the tolerance is ignored.
+/// Two echelons are equal if their subspaces are equal. The tolerance is ignored.
 impl<S: PartialEq> PartialEq for Echelon<S> {
     fn eq(&self, other: &Self) -> bool {
         self.rows == other.rows
@@ -174,13 +180,14 @@ impl<S> Default for Echelon<S> {
     }
 }
 
-/// The row multiplied by the inverse of its pivot entry.
+/// Multiplies a row by the inverse of its pivot entry.
 pub(super) fn normalised<S: Summable>(unit: &S, pivot: usize, row: Row<S>) -> Row<S> {
     let scale = |(j, value): (usize, S)| (j, if j == pivot { S::one() } else { value * unit });
     row.into_iter().map(scale).filter(|(_, value)| !value.vanishes()).collect()
 }
 
-/// The component with the largest [`Field::pivot_weight`]; the first one if several are equal.
+/// The component with the largest [`Field::pivot_weight`]. If several weights are equal, it is the
+/// first of these components.
 fn heaviest<'r, S: Field + Summable>(
     components: impl Iterator<Item = &'r (usize, S)>,
 ) -> Option<&'r (usize, S)> {

@@ -1,4 +1,5 @@
-//! Gaussian elimination: rank, nullspace, solutions, inverse and determinant.
+//! Gaussian elimination. It computes the rank, the nullspace, solutions, the inverse and the
+//! determinant.
 
 use super::echelon::normalised;
 use super::row::{add_multiple, finish, open};
@@ -10,7 +11,8 @@ impl<S: Field + Summable> Matrix<S> {
     /// The reduced row echelon form.
     ///
     /// # Errors
-    /// [`LinearError::NotInvertible`] if a pivot has no inverse. This cannot happen over a field.
+    /// [`LinearError::NotInvertible`] if a pivot has no inverse. This error cannot occur over a
+    /// field.
     pub fn echelon(&self) -> Result<Echelon<S>, LinearError> {
         let pivots = eliminate(self.rows.iter().cloned(), &self.row_scales(), self.tolerance)?;
         Ok(reduced(pivots, self.tolerance))
@@ -19,7 +21,7 @@ impl<S: Field + Summable> Matrix<S> {
     /// The rank.
     ///
     /// # Errors
-    /// Those of [`echelon`](Self::echelon).
+    /// The errors of [`echelon`](Self::echelon).
     pub fn rank(&self) -> Result<usize, LinearError> {
         Ok(eliminate(self.rows.iter().cloned(), &self.row_scales(), self.tolerance)?.len())
     }
@@ -27,7 +29,7 @@ impl<S: Field + Summable> Matrix<S> {
     /// A basis of `{x : A x = 0}`, as the rows of a matrix.
     ///
     /// # Errors
-    /// Those of [`echelon`](Self::echelon).
+    /// The errors of [`echelon`](Self::echelon).
     pub fn nullspace(&self) -> Result<Self, LinearError> {
         Ok(self.spanned(self.echelon()?.nullspace(self.columns)))
     }
@@ -35,18 +37,18 @@ impl<S: Field + Summable> Matrix<S> {
     /// The reduced row echelon basis of the span of the rows, as the rows of a matrix.
     ///
     /// # Errors
-    /// Those of [`echelon`](Self::echelon).
+    /// The errors of [`echelon`](Self::echelon).
     pub fn row_space(&self) -> Result<Self, LinearError> {
         Ok(self.spanned(self.echelon()?.rows().to_vec()))
     }
 
-    /// The solution of `A x = b` whose components in columns without a pivot are zero; `None` if there
-    /// is no solution. All other solutions differ from it by elements of the
+    /// The solution of `A x = b` whose components in columns without a pivot are zero. Returns
+    /// `None` if there is no solution. The difference of two solutions is an element of the
     /// [`nullspace`](Self::nullspace).
     ///
     /// # Errors
-    /// [`LinearError::Shape`] unless `b` has one component for each row of `A`; otherwise those of
-    /// [`echelon`](Self::echelon).
+    /// [`LinearError::Shape`] unless `b` has one component for each row of `A`. The other errors
+    /// are those of [`echelon`](Self::echelon).
     pub fn solve(&self, b: &[S]) -> Result<Option<Vec<S>>, LinearError> {
         if b.len() != self.rows() {
             return Err(self.mismatch(b.len(), 1));
@@ -61,7 +63,7 @@ impl<S: Field + Summable> Matrix<S> {
             return Ok(Some(x.to_dense().concat()));
         }
         let pivots = match eliminate(self.beside(right.rows), &self.row_scales(), self.tolerance) {
-            // a row `0 = b` with nonzero `b`
+            // a pivot in the last column means an equation `0 = b` with nonzero `b`
             Err(LinearError::NotInvertible { column }) if column == self.columns => {
                 return Ok(None);
             }
@@ -80,10 +82,11 @@ impl<S: Field + Summable> Matrix<S> {
         Ok(Some(x))
     }
 
-    /// The inverse; `None` unless the matrix is square and its determinant is a unit.
+    /// The inverse of the matrix. Returns `None` unless the matrix is square and its determinant is
+    /// a unit.
     ///
     /// Over a ring that is not local, such as Z/6, the result is also `None` if a column has no
-    /// unit as a pivot.
+    /// unit that could be a pivot.
     pub fn inverse(&self) -> Option<Self> {
         if self.rows() != self.columns {
             return None;
@@ -105,7 +108,8 @@ impl<S: Field + Summable> Matrix<S> {
         Some(self.spanned(echelon.rows().iter().map(right).collect()))
     }
 
-    /// The determinant: by elimination, or without division if a column has only non-units.
+    /// The determinant. It is computed by elimination or, if a column contains only non-units,
+    /// without divisions.
     ///
     /// # Errors
     /// [`LinearError::NotSquare`] if the matrix is not square.
@@ -127,8 +131,9 @@ impl<S: Field + Summable> Matrix<S> {
     }
 
     /// The determinant over any commutative ring (R. S. Bird, *Inform. Process. Lett.* 111 (2011)
-    /// 1072-1074): `n - 1` times `F <- mu(F) A` from `F = A`, where `mu(F)` is strictly upper `F`
-    /// with the diagonal `-(F_{i+1,i+1} + ... + F_nn)`; then `(-1)^{n-1} F_11`.
+    /// 1072-1074). The method begins with `F = A`, and replaces `F <- mu(F) A` `n - 1` times. Here
+    /// `mu(F)` is the strictly upper triangle of `F` with the diagonal
+    /// `-(F_{i+1,i+1} + ... + F_nn)`. The determinant is `(-1)^{n-1} F_11`.
     fn division_free_determinant(&self) -> Result<S, LinearError> {
         let mut power = self.clone();
         for _ in 1..self.rows() {
@@ -150,10 +155,10 @@ impl<S: Field + Summable> Matrix<S> {
         })
     }
 
-    /// Scale factors of the rows. Together with factors of the columns, they bring the largest
-    /// entry of each row and column near 1 (D. Ruiz, report RAL-TR-2001-034). For a definite matrix
-    /// they bring the diagonal to 1, whatever the units of the basis. Empty for scalars whose
-    /// [weights](Field::pivot_weight) are not magnitudes.
+    /// Scale factors of the rows. Together with factors of the columns, they scale the largest
+    /// entry of each row and column to about 1 (D. Ruiz, report RAL-TR-2001-034). For a definite
+    /// matrix, they scale the diagonal to about 1, for any units of the basis. The list is empty
+    /// for scalars whose [weights](Field::pivot_weight) are not magnitudes.
     fn row_scales(&self) -> Vec<f64> {
         let Some((_, _, first)) = self.entries().next() else { return vec![] };
         if first.pivot_weight() <= 0.0 {
@@ -186,26 +191,26 @@ impl<S: Field + Summable> Matrix<S> {
         rows
     }
 
-    /// A matrix with other rows, but the columns and the tolerance of this one.
+    /// A matrix with these rows, which has the columns and the tolerance of this matrix.
     fn spanned(&self, rows: Vec<Row<S>>) -> Self {
         Matrix { columns: self.columns, rows, tolerance: self.tolerance }
     }
 }
 
-/// The largest number of sweeps of an equilibration. Each sweep divides by the square root of the
+/// The largest number of sweeps of the scaling. Each sweep divides by the square roots of the
 /// largest entries.
 const SWEEPS: usize = 12;
 
-/// A row that has become a pivot: divided by its leading entry `value`.
+/// A row that is a pivot row. It has been divided by its leading entry `value`.
 struct Pivot<S> {
     column: usize,
     value: S,
     row: Row<S>,
-    /// The number of this row in the matrix before the elimination.
+    /// The index of this row in the matrix before the elimination.
     origin: usize,
 }
 
-/// A row under elimination: its leading entry, and the sums after it.
+/// A row during the elimination: its leading entry, and the sums of the later entries.
 struct Candidate<S: Summable> {
     lead: S,
     weight: f64,
@@ -213,10 +218,11 @@ struct Candidate<S: Summable> {
     origin: usize,
 }
 
-/// The rows that wait for a pivot, grouped by their leading column.
+/// The rows that are not yet pivot rows, grouped by their leading columns.
 struct Waiting<'s, S: Summable> {
     candidates: BTreeMap<usize, Vec<Candidate<S>>>,
-    /// A factor for the weights of each row; empty if weights are compared without scaling.
+    /// A factor for the weights of each row. The list is empty if weights are compared without
+    /// scaling.
     scales: &'s [f64],
     tolerance: Tolerance,
 }
@@ -234,8 +240,8 @@ impl<S: Field + Summable> Waiting<'_, S> {
     }
 }
 
-/// Elimination without back substitution. Returns the pivots by column; every row is zero before
-/// its pivot.
+/// Eliminates without back substitution. Returns the pivot rows, sorted by column. Every row is
+/// zero before its pivot.
 fn eliminate<S: Field + Summable>(
     rows: impl Iterator<Item = Row<S>>,
     scales: &[f64],
@@ -257,10 +263,11 @@ fn eliminate<S: Field + Summable>(
     Ok(pivots)
 }
 
-/// Selects the best candidate for the pivot. Returns it normalized, and the other candidates.
+/// Selects the best candidate for the pivot row. Returns this row, normalized, and the other
+/// candidates.
 ///
-/// The best candidate has the largest [`Field::pivot_weight`] (for floats: scaled partial
-/// pivoting); of equal ones, the sparsest row.
+/// The best candidate has the largest [`Field::pivot_weight`], which for floats is scaled partial
+/// pivoting. If several weights are equal, the row with the fewest entries is the best.
 fn choose<S: Field + Summable>(
     column: usize,
     mut candidates: Vec<Candidate<S>>,
@@ -282,7 +289,7 @@ fn choose<S: Field + Summable>(
     Ok((pivot, candidates))
 }
 
-/// Back substitution, from the last pivot to the first, so that every row is reduced once.
+/// Substitutes back, from the last pivot to the first, so that every row is reduced only once.
 fn reduced<S: Field + Summable>(pivots: Vec<Pivot<S>>, tolerance: Tolerance) -> Echelon<S> {
     let mut echelon = Echelon::new().with_tolerance(tolerance);
     for pivot in pivots.into_iter().rev() {
@@ -292,7 +299,7 @@ fn reduced<S: Field + Summable>(pivots: Vec<Pivot<S>>, tolerance: Tolerance) -> 
     echelon
 }
 
-/// Whether a permutation is odd: the parity of its length minus its number of cycles.
+/// Whether a permutation is odd. It is odd if its length minus the number of its cycles is odd.
 fn is_odd(permutation: &[usize]) -> bool {
     let mut seen = vec![false; permutation.len()];
     let mut odd = false;

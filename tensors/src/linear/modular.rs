@@ -1,8 +1,9 @@
 //! Dense linear algebra modulo a prime below 2^31: ranks, kernels and polynomials of matrices.
 //!
-//! The rank modulo a prime is at most the rank over the rationals, and equal to it for all but
-//! finitely many primes. Here primes are below 2^31, so that four products of residues fit one
-//! machine word; polynomials are computed by `polycore`, modulo primes of 61 bits.
+//! The rank modulo a prime is at most the rank over the rationals, and equals it for all but
+//! finitely many primes. In this module, primes are below 2^31, so that the sum of four products of
+//! residues fits in one machine word. Polynomials are computed by `polycore`, modulo primes of 61
+//! bits.
 
 use crate::Rational;
 use crate::stop::checkpoint;
@@ -11,14 +12,14 @@ use num_integer::Integer;
 use num_rational::{BigRational, Ratio};
 use num_traits::ToPrimitive;
 
-/// A prime below 2^31, with the constant for Barrett reduction.
+/// A prime below 2^31, with its constant for Barrett reduction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Prime {
     p: u64,
     inverse: u64,
 }
 
-/// The largest primes below 2^31.
+/// The six largest primes below 2^31.
 pub const PRIMES: [Prime; 6] = [
     Prime::unchecked(2_147_483_647),
     Prime::unchecked(2_147_483_629),
@@ -33,7 +34,7 @@ impl Prime {
         Prime { p, inverse: u64::MAX / p }
     }
 
-    /// The prime, if it is an odd prime below 2^31.
+    /// Checks that `p` is an odd prime below 2^31. Returns `None` if it is not.
     pub fn new(p: u64) -> Option<Self> {
         let odd = p > 2 && p < 1 << 31 && polycore::modp::is_prime(p);
         odd.then_some(Self::unchecked(p))
@@ -58,9 +59,9 @@ impl Prime {
         self.reduce(a * b)
     }
 
-    /// The sum `a_i b_i` of products of residues.
+    /// The sum `a_i b_i` of the products of residues.
     pub fn dot(self, a: &[u64], b: &[u64]) -> u64 {
-        // four products below 2^62 fit into a word
+        // the sum of four products below 2^62 fits in a machine word
         let sum = |(a, b): (&[u64], &[u64])| {
             let products = a.iter().zip(b).map(|(a, b)| short(*a, *b));
             self.reduce(products.sum())
@@ -115,7 +116,7 @@ pub struct ResidueMatrix {
 }
 
 impl ResidueMatrix {
-    /// The matrix with these rows of residues, each of `columns` entries.
+    /// The matrix with these rows of residues. Each row must have `columns` entries.
     pub fn new(prime: Prime, columns: usize, rows: Vec<Vec<u64>>) -> Self {
         debug_assert!(rows.iter().all(|row| row.len() == columns));
         ResidueMatrix { prime, columns, rows }
@@ -136,11 +137,12 @@ impl ResidueMatrix {
         self.columns
     }
 
-    /// Brings the rows to reduced row echelon form and drops zero rows. Returns the pivot columns.
+    /// Transforms the matrix to reduced row echelon form, and removes zero rows. Returns the pivot
+    /// columns.
     ///
-    /// Rows are processed one by one. The latest rows form a block whose rows are reduced against
-    /// each other. When the block is full, its pivots are cleared from all earlier rows, with many
-    /// products per modular reduction.
+    /// Rows are processed one by one. The latest rows form a block, whose rows are reduced by each
+    /// other. When the block is full, the earlier rows are reduced by its pivots, with many
+    /// products for each modular reduction.
     pub fn reduce(&mut self) -> Vec<usize> {
         let p = self.prime;
         let (mut done, mut block) = (Reduced::default(), Reduced::default());
@@ -179,7 +181,8 @@ impl ResidueMatrix {
         self.reduce().len()
     }
 
-    /// A basis of the vectors `x` with `A x = 0`, one for each column without a pivot.
+    /// A basis of the vectors `x` with `A x = 0`. It has one vector for each column without a
+    /// pivot.
     pub fn kernel(mut self) -> Vec<Vec<u64>> {
         let pivots = self.reduce();
         let free = (0..self.columns).filter(|j| pivots.binary_search(j).is_err());
@@ -194,7 +197,7 @@ impl ResidueMatrix {
         free.map(vector).collect()
     }
 
-    /// The matrix in sparse form, for many products with vectors.
+    /// The matrix in sparse form, which is faster for many products with vectors.
     pub fn sparse(&self) -> SparseResidues {
         let row = |row: &Vec<u64>| {
             let entries = row.iter().enumerate().filter(|(_, value)| **value != 0);
@@ -223,7 +226,7 @@ impl SparseResidues {
         checkpoint();
         let p = self.prime;
         let entry = |row: &Vec<(u32, u32)>| {
-            // three products of residues below 2^31 and a residue stay below 2^64
+            // the sum of three products of residues and one residue is below 2^64
             row.chunks(3).fold(0, |sum, pair| {
                 let terms = pair.iter().map(|(at, value)| u64::from(*value) * x[*at as usize]);
                 p.reduce(sum + terms.sum::<u64>())
@@ -233,10 +236,11 @@ impl SparseResidues {
     }
 }
 
-/// The number of rows that wait before their pivots are cleared from all other rows.
+/// The number of rows in a block. When the block is full, its pivots are eliminated from all other
+/// rows.
 const BLOCK: usize = 32;
 
-/// Rows in reduced echelon form, in any order, with their pivots.
+/// Rows in reduced echelon form, in any order, together with their pivots.
 #[derive(Default)]
 struct Reduced {
     pivots: Vec<usize>,
@@ -244,14 +248,14 @@ struct Reduced {
 }
 
 impl Reduced {
-    /// Makes a row zero at all pivots. The rows are zero at each other's pivots, so the factors are
-    /// the entries of the row at the pivots.
+    /// Reduces a row, so that it is zero at all pivots. The factors are the entries of the row at
+    /// the pivots, because every row is zero at the pivots of the other rows.
     fn clear(&self, p: Prime, row: &mut [u64]) {
         checkpoint();
         let factors = self.pivots.iter().map(|&pivot| p.neg(row[pivot]));
         let factors: Vec<(usize, u64)> =
             factors.enumerate().filter(|(_, factor)| *factor != 0).collect();
-        // three products below 2^62 and a residue fit into a word
+        // the sum of three products below 2^62 and one residue fits in a machine word
         for group in factors.chunks(3) {
             let from = group.iter().map(|&(at, _)| self.pivots[at]).min().unwrap_or(0);
             let of = |at: usize| (&self.rows[group[at].0][from..], group[at].1);
@@ -273,7 +277,7 @@ impl Reduced {
         }
     }
 
-    /// Appends rows that are zero at the pivots of the present rows.
+    /// Appends rows that are zero at the pivots of the existing rows.
     fn append(&mut self, p: Prime, block: &mut Reduced) {
         self.rows.iter_mut().for_each(|row| block.clear(p, row));
         self.rows.append(&mut block.rows);
@@ -287,31 +291,30 @@ fn short(a: u64, b: u64) -> u64 {
     u64::from(a as u32) * u64::from(b as u32)
 }
 
-/// Rational reconstruction: finds rational numbers from their residues modulo several primes. It
-/// succeeds if the numerators and denominators are below the square root of half the product of the
-/// primes.
+/// Rational reconstruction, which finds rational numbers from their residues modulo several primes.
+/// It succeeds if the numerators and the denominators are below the square root of half the product
+/// of the primes.
 #[derive(Clone, Debug)]
 pub struct RationalReconstruction(polycore::crt::MixedRadixAccumulator);
 
 impl RationalReconstruction {
-    /// A reconstruction of `length` numbers, without any residues yet.
+    /// Begins a reconstruction of `length` numbers, of which no residues are known yet.
     pub fn new(length: usize) -> Self {
         RationalReconstruction(polycore::crt::MixedRadixAccumulator::new(length))
     }
 
-    /// Adds the residues modulo a further prime. Returns `false` if the number of residues is
-    /// wrong.
+    /// Adds the residues modulo another prime. Returns `false` if the number of residues is wrong.
     pub fn add(&mut self, prime: Prime, residues: &[u64]) -> bool {
         self.0.add(prime.get(), residues).is_ok()
     }
 
-    /// The numbers; `None` if the primes are too few.
+    /// The reconstructed numbers; `None` if there are too few primes.
     pub fn rationals(&self) -> Option<Vec<Rational>> {
         Some(self.0.reconstruct()?.into_iter().map(Rational::from).collect())
     }
 
-    /// The integers with the residues and the least magnitude. They are the numbers if these are
-    /// integers below half the product of the primes.
+    /// The integers of least magnitude that have these residues. They are the reconstructed numbers
+    /// if these are integers below half the product of the primes.
     pub fn integers(&self) -> Vec<Rational> {
         let modulus = self.0.modulus();
         let least = |x: &BigInt| polycore::crt::symmetric(x, &modulus);
@@ -319,7 +322,7 @@ impl RationalReconstruction {
     }
 }
 
-/// The primes below 2^31 in decreasing order.
+/// The primes below 2^31, in descending order.
 pub fn primes() -> impl Iterator<Item = Prime> {
     (1..1u64 << 31).rev().step_by(2).filter_map(Prime::new)
 }

@@ -1,18 +1,20 @@
-//! Sparse vectors, and sums of multiples of them.
+//! Sparse vectors, and sums of multiples of sparse vectors.
 
 use crate::stop::checkpoint;
 use crate::{Sum, Summable, Tolerance};
 
-/// A sparse vector: the nonzero components `(index, value)`, indices from 0 and increasing.
+/// A sparse vector: its nonzero components `(index, value)`. Indices count from 0 and are
+/// ascending.
 pub type Row<S> = Vec<(usize, S)>;
 
-/// The value at an index of a sparse vector, if it is not zero.
+/// The value of a sparse vector at an index; `None` if it is zero.
 pub(super) fn at<S>(row: &[(usize, S)], index: usize) -> Option<&S> {
     let place = row.binary_search_by_key(&index, |(j, _)| *j).ok()?;
     Some(&row[place].1)
 }
 
-/// The sparse vector with components given in any order; components at equal indices are added.
+/// The sparse vector with these components, which may be in any order. Components with equal
+/// indices are added.
 pub(super) fn collect<S: Summable>(
     entries: impl IntoIterator<Item = (usize, S)>,
     tolerance: Tolerance,
@@ -20,7 +22,8 @@ pub(super) fn collect<S: Summable>(
     added(entries.into_iter().collect(), tolerance)
 }
 
-/// The same for a list, so that it is compiled once for each scalar, and not for each iterator.
+/// Builds the vector from a list. This function is compiled once for each scalar, and not for each
+/// iterator.
 fn added<S: Summable>(mut entries: Row<S>, tolerance: Tolerance) -> Row<S> {
     checkpoint();
     entries.sort_by_key(|(j, _)| *j);
@@ -32,18 +35,18 @@ fn added<S: Summable>(mut entries: Row<S>, tolerance: Tolerance) -> Row<S> {
     finish(sums.collect(), tolerance)
 }
 
-/// The components of a sparse vector as sums, to which more terms can be added.
+/// Converts the components of a sparse vector to sums, to which more terms can be added.
 pub(super) fn open<S: Summable>(row: &[(usize, S)]) -> Row<S::Sum> {
     row.iter().map(|(j, value)| (*j, S::Sum::term(value))).collect()
 }
 
-/// The values of a vector of sums, without the values that count as zero.
+/// Converts a vector of sums to values. Values that count as zero are omitted.
 pub(super) fn finish<S: Summable>(sums: Row<S::Sum>, tolerance: Tolerance) -> Row<S> {
     let value = |(j, sum): (usize, S::Sum)| Some((j, sum.finish(tolerance)?));
     sums.into_iter().filter_map(value).collect()
 }
 
-/// `sums + factor * row`.
+/// Computes `sums + factor * row`.
 pub(super) fn add_multiple<S: Summable>(
     sums: Row<S::Sum>,
     factor: &S,

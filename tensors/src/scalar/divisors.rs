@@ -1,4 +1,4 @@
-//! Recording of the divisors with parameters in a computation.
+//! Records the divisors of a computation that contain parameters.
 
 use super::Symbolic;
 use std::cell::RefCell;
@@ -7,7 +7,7 @@ thread_local! {
     static DIVISORS: RefCell<Option<Vec<Symbolic>>> = const { RefCell::new(None) };
 }
 
-/// Ends the recording when it is dropped, also if the computation panics.
+/// Ends the recording when the value is dropped, also if the computation panics.
 struct Recording;
 
 impl Drop for Recording {
@@ -17,10 +17,10 @@ impl Drop for Recording {
 }
 
 /// Runs a computation in this thread. Returns its result, and the values with parameters that were
-/// inverted, each once.
+/// inverted, each of them once.
 ///
-/// An elimination inverts its pivots. For parameter values at which none of the numerators and
-/// denominators of these pivots vanishes, the elimination and the rank are valid too.
+/// An elimination inverts its pivots. If no numerator or denominator of these pivots vanishes for
+/// some parameter values, the elimination and the rank are also valid for these values.
 ///
 /// ```
 /// use affinor_tensors::scalar::divisors_of;

@@ -24,8 +24,8 @@ impl Sum<Dual64> for DualSum {
     }
 }
 
-/// A dual number is zero if its real part and its `eps` part are. The operator `==` of num-dual
-/// compares real parts only.
+/// A dual number is zero if its real part and its `eps` part are zero. The operator `==` of
+/// num-dual compares only real parts.
 impl Ring for Dual64 {
     fn from_i64(n: i64) -> Self {
         Dual64::new(n as f64, 0.0)
@@ -45,7 +45,7 @@ impl Summable for Dual64 {
     }
 }
 
-/// A ring whose non-units are the numbers with real part zero.
+/// The non-units of this ring are the numbers whose real part is zero.
 impl Field for Dual64 {
     fn recip(&self) -> Option<Self> {
         Field::recip(&self.re).map(|_| DualNum::recip(self))

@@ -1,4 +1,4 @@
-//! Counts the terms of symbolic values against their limit.
+//! Counts the terms of symbolic values, and compares the count with the limit.
 
 use crate::limits::{Effort, EffortExceeded, Limits};
 use crate::stop::checkpoint;
@@ -7,11 +7,11 @@ use std::sync::Arc;
 use std::sync::atomic::Ordering::Relaxed;
 
 thread_local! {
-    /// Everything that this thread counted, with and without a limit.
+    /// The number of all terms and products that this thread has counted, with and without a limit.
     static COUNTED: Cell<Counted> = const { Cell::new(Counted { terms: 0, products: 0 }) };
 }
 
-/// The number of terms, and of products of terms, of a computation.
+/// The numbers of terms and of products of terms in a computation.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Counted {
     terms: u64,
@@ -19,8 +19,8 @@ pub(super) struct Counted {
 }
 
 impl Counted {
-    /// Runs `work`. Returns its result and its count; the count is `None` if the limit was
-    /// exceeded, and then the result must not be cached.
+    /// Runs `work`. Returns its result and its count. The count is `None` if the limit was
+    /// exceeded; in this case, the result must not be cached.
     pub fn of<T>(work: impl FnOnce() -> T) -> (T, Option<Counted>) {
         let before = COUNTED.get();
         let result = work();
@@ -32,8 +32,8 @@ impl Counted {
         (result, products(0).then_some(counted))
     }
 
-    /// Counts a cached result again. The limit therefore does not depend on the state of the
-    /// caches.
+    /// Counts the terms of a cached result again, so that the limit does not depend on the content
+    /// of the caches.
     pub fn again(self) {
         charge(self);
     }
@@ -41,7 +41,7 @@ impl Counted {
 
 impl Effort {
     /// Runs `work` within the limit. Once the limit is exceeded, sums are no longer computed, so
-    /// that the work ends soon, and its result is discarded.
+    /// the work ends soon. Its result is then discarded.
     ///
     /// # Errors
     /// [`EffortExceeded`] if the limit is exceeded.
@@ -52,7 +52,7 @@ impl Effort {
     }
 }
 
-/// Adds to the count. Returns whether the limit still allows it.
+/// Adds to the count. Returns whether the count is still within the limit.
 fn charge(by: Counted) -> bool {
     checkpoint();
     let Counted { terms, products } = COUNTED.get();

@@ -1,7 +1,7 @@
 //! Floating point: `f64`, with a tolerance for zero within one sum of products.
 //!
-//! A result above the tolerance counts as exact in all later sums. The scalar
-//! [`TrackedFloat`](super::TrackedFloat) follows rounding errors through all stages.
+//! A result above the tolerance counts as exact in all later sums. In contrast, the scalar
+//! [`TrackedFloat`](super::TrackedFloat) tracks rounding errors through all stages.
 
 use super::{Field, Kind, Notation, Rational, Ring, Sum, Summable, Tabular, Tolerance};
 use num_traits::One;
@@ -53,7 +53,7 @@ impl Summable for f64 {
 
 impl Field for f64 {
     fn recip(&self) -> Option<Self> {
-        // not a unit: a value whose inverse overflows, an infinite value, NaN
+        // values without an inverse are NaN, infinite values, and values whose inverse overflows
         let inverse = 1.0 / self;
         (self.is_finite() && inverse.is_finite()).then_some(inverse)
     }
@@ -86,8 +86,8 @@ impl Notation for f64 {
 
 impl Tabular for f64 {}
 
-/// The shortest decimal that parses to this finite float. A subnormal float is converted exactly to
-/// this decimal, because it has too few digits to represent any other.
+/// The shortest decimal that parses to this finite float. For a subnormal float, the exact value of
+/// the float is this decimal, because the float has too few digits to represent any other.
 fn shortest(x: f64) -> Rational {
     let text = format!("{x:e}");
     let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));

@@ -1,4 +1,4 @@
-//! 2-jets: the value, gradient and Hessian of a function at a point.
+//! 2-jets: the value, the gradient and the Hessian of a function at a point.
 
 use super::operators::forward_operators;
 use super::{ExactSum, Field, Ring, Summable};
@@ -6,12 +6,12 @@ use num_traits::One;
 use std::fmt;
 use std::ops::{Add, Div, Mul, Neg};
 
-/// The value, gradient and Hessian of a function of coordinates at one point, in floats.
+/// The value, the gradient and the Hessian of a function of coordinates at one point, in floats.
 ///
-/// Arithmetic differentiates automatically: a closure over jets computes the derivatives of its
-/// result. Third derivatives are unknown and returned as NaN. A tensor does not show a jet whose
-/// value and known derivatives are zero. It stores such a jet if a derivative is unknown, so that
-/// this derivative is NaN and not zero. Rounding errors are not removed.
+/// The arithmetic differentiates automatically: a closure over jets computes the derivatives of its
+/// result. Third derivatives are unknown, and are returned as NaN. A tensor does not show a jet
+/// whose value and known derivatives are zero. However, it stores the jet if a derivative is
+/// unknown, so that this derivative is NaN and not zero. Rounding errors are not removed.
 ///
 /// ```
 /// use affinor_tensors::Jet;
@@ -24,19 +24,20 @@ use std::ops::{Add, Div, Mul, Neg};
 #[derive(Clone, Debug, PartialEq)]
 pub struct Jet {
     value: f64,
-    /// `None` if unknown; empty for a constant, whose derivatives vanish in any coordinates.
+    /// The gradient. It is `None` if it is unknown, and empty for a constant, whose derivatives
+    /// vanish in any coordinates.
     gradient: Option<Vec<f64>>,
-    /// The rows of the Hessian in one list; `None` and empty as for the gradient.
+    /// The rows of the Hessian in one list. It is `None` or empty as for the gradient.
     hessian: Option<Vec<f64>>,
 }
 
 impl Jet {
-    /// The coordinate functions as jets at a point.
+    /// The coordinate functions at a point, as jets.
     pub fn coordinates<const N: usize>(point: [f64; N]) -> [Jet; N] {
         std::array::from_fn(|at| Self::coordinate(point[at], at, N))
     }
 
-    /// Coordinate function number `at`, from 0, of `n` coordinates.
+    /// The coordinate function with the index `at`, from 0, among `n` coordinates.
     pub fn coordinate(value: f64, at: usize, n: usize) -> Jet {
         let gradient = (0..n).map(|a| if a == at { 1.0 } else { 0.0 }).collect();
         Jet { value, gradient: Some(gradient), hessian: Some(vec![0.0; n * n]) }
@@ -52,17 +53,17 @@ impl Jet {
         self.value
     }
 
-    /// Whether the value and all derivatives that are known are finite.
+    /// Whether the value and all known derivatives are finite.
     pub fn is_finite(&self) -> bool {
         self.value.is_finite() && self.known().all(|derivative| derivative.is_finite())
     }
 
-    /// The derivatives that are known.
+    /// All known derivatives.
     fn known(&self) -> impl Iterator<Item = &f64> {
         self.gradient.iter().chain(&self.hessian).flatten()
     }
 
-    /// The partial derivative with respect to coordinate `at`, from 0.
+    /// The partial derivative with respect to the coordinate `at`, from 0.
     pub fn derivative(&self, at: usize) -> Jet {
         let Some(gradient) = &self.gradient else {
             return Jet { value: f64::NAN, gradient: None, hessian: None };
@@ -73,7 +74,8 @@ impl Jet {
         Jet { value, gradient: row, hessian: None }
     }
 
-    /// The jet of `f(self)`, from the value and the first two derivatives of `f` at the value.
+    /// The jet of `f(self)`, computed from the value and the first two derivatives of `f` at the
+    /// value.
     pub fn chain(&self, [f, df, ddf]: [f64; 3]) -> Jet {
         let gradient = self.gradient.as_ref();
         let hessian = gradient.zip(self.hessian.as_ref()).map(|(g, hessian)| {
@@ -115,7 +117,7 @@ impl Jet {
         self.chain([r, 0.5 / r, -0.25 / (r * self.value)])
     }
 
-    /// Combines two jets part by part.
+    /// Combines the parts of two jets: values, gradients and Hessians.
     fn with(
         self,
         other: &Jet,
@@ -123,7 +125,7 @@ impl Jet {
         first: impl Fn(f64, f64) -> f64,
         second: impl Fn(f64, f64, [f64; 2], [f64; 2]) -> f64,
     ) -> Jet {
-        // a constant gets as many zero derivatives as the other operand has
+        // extends the derivatives of a constant by zeros, to the length of the other operand
         let both = |a: Option<Vec<f64>>, b: &Option<Vec<f64>>| {
             let (mut a, mut b) = (a?, b.clone()?);
             let n = a.len().max(b.len());
@@ -171,7 +173,7 @@ impl Mul<&Jet> for Jet {
 
 impl Div<&Jet> for Jet {
     type Output = Jet;
-    /// Division by zero gives infinities and NaN, as for floats.
+    /// Divides two jets. Division by zero yields infinities and NaN, as for floats.
     fn div(self, other: &Jet) -> Jet {
         let r = other.value.recip();
         self * &other.chain([r, -r * r, 2.0 * r * r * r])
@@ -202,7 +204,7 @@ impl Ring for Jet {
 
 impl Summable for Jet {
     type Sum = ExactSum<Self>;
-    /// Whether the value and all known derivatives are zero; unknown derivatives may differ from
+    /// Whether the value and all known derivatives are zero. Unknown derivatives may differ from
     /// zero.
     fn is_small(&self) -> bool {
         let is_unknown = self.gradient.is_none() || self.hessian.is_none();
@@ -223,7 +225,7 @@ impl Field for Jet {
 }
 
 impl fmt::Display for Jet {
-    /// Writes the value alone.
+    /// Writes only the value.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.value.fmt(f)
     }

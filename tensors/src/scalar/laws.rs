@@ -1,22 +1,22 @@
 //! The laws of the scalar traits, as functions that test an implementation.
 //!
-//! Two sides are equal if their difference, a [`Sum`], counts as zero by the [`Tolerance`], relative
-//! to the terms in it. For exact scalars this is plain equality.
+//! Two sides are equal if their difference, which is a [`Sum`], counts as zero. The [`Tolerance`]
+//! is relative to the terms of the sum. For exact scalars, this means that the sides are equal.
 
 use super::{Field, Sum, Summable, Tolerance};
 use std::fmt::Debug;
 
-/// A law that fails, with a counterexample.
+/// A law that a scalar violates, with a counterexample.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{law} fails for {values}")]
 pub struct Broken {
     /// The law, as a formula.
     pub law: &'static str,
-    /// The counterexample: the two sides of an equation, otherwise the operands.
+    /// The counterexample: the two sides of an equation, or the operands of another law.
     pub values: String,
 }
 
-/// The laws of [`Ring`](super::Ring) on three values.
+/// Checks the laws of [`Ring`](super::Ring) on three values.
 ///
 /// ```
 /// use affinor_tensors::{Rational, Ring, Tolerance, scalar::laws};
@@ -26,7 +26,7 @@ pub struct Broken {
 /// ```
 ///
 /// # Errors
-/// The first law that is broken.
+/// The first law that is violated.
 pub fn ring<S: Summable>(a: &S, b: &S, c: &S, tolerance: Tolerance) -> Result<(), Broken> {
     addition(a, b, c, tolerance)?;
     multiplication(a, b, c, tolerance)?;
@@ -36,10 +36,10 @@ pub fn ring<S: Summable>(a: &S, b: &S, c: &S, tolerance: Tolerance) -> Result<()
     quotients(&[a, b, c], tolerance)
 }
 
-/// The laws of [`Ring`](super::Ring) and [`Field`] on three values.
+/// Checks the laws of [`Ring`](super::Ring) and [`Field`] on three values.
 ///
 /// # Errors
-/// The first law that is broken.
+/// The first law that is violated.
 pub fn field<S: Field + Summable>(a: &S, b: &S, c: &S, tolerance: Tolerance) -> Result<(), Broken> {
     ring(a, b, c, tolerance)?;
     let one = S::one();
@@ -58,7 +58,8 @@ pub fn field<S: Field + Summable>(a: &S, b: &S, c: &S, tolerance: Tolerance) -> 
             }
         }
     }
-    // a product is a unit exactly if both factors are; this implies that no non-unit has an inverse
+    // a product must be a unit exactly if both factors are units; this implies that no non-unit has
+    // an inverse
     let product = a.clone() * b;
     match (a.recip(), b.recip(), product.recip()) {
         (Some(x), Some(y), Some(z)) => {
@@ -98,7 +99,7 @@ fn multiplication<S: Summable>(a: &S, b: &S, c: &S, tolerance: Tolerance) -> Res
     same(tolerance, "(-a) b = -(a b)", &(-a.clone() * b), &-ab, &[(a, b)])
 }
 
-/// All tests for zero agree and test the whole value.
+/// Checks that all tests for zero agree, and that they test the whole value.
 fn zero<S: Summable>(a: &S, b: &S, tolerance: Tolerance) -> Result<(), Broken> {
     holds("0 vanishes", S::zero().vanishes(), &[&S::zero()])?;
     holds("1 does not vanish", !S::one().vanishes(), &[&S::one()])?;
@@ -134,7 +135,7 @@ fn sums<S: Summable>(a: &S, b: &S, c: &S, tolerance: Tolerance) -> Result<(), Br
     holds("the sum a b + (-b) a is zero", sum.finish(tolerance).is_none(), &[a, b])
 }
 
-/// `from_i64` is the ring homomorphism from the integers.
+/// Checks that `from_i64` is the ring homomorphism from the integers.
 fn integers<S: Summable>(tolerance: Tolerance) -> Result<(), Broken> {
     let (of, one) = (S::from_i64, S::one());
     same(tolerance, "from_i64(0) = 0", &of(0), &S::zero(), &[])?;
@@ -156,7 +157,7 @@ fn integers<S: Summable>(tolerance: Tolerance) -> Result<(), Broken> {
     Ok(())
 }
 
-/// `from_quotient(n, d)` is n / d and inverts `clear_denominators`.
+/// Checks that `from_quotient(n, d)` is n / d, and that it inverts `clear_denominators`.
 fn quotients<S: Summable>(values: &[&S], tolerance: Tolerance) -> Result<(), Broken> {
     let parts = [0, 1, -1, 6, -10, i64::MAX, i64::MIN];
     for n in parts {
@@ -183,8 +184,8 @@ fn quotients<S: Summable>(values: &[&S], tolerance: Tolerance) -> Result<(), Bro
     Ok(())
 }
 
-/// Whether two sides are equal up to the tolerance, relative to their own magnitudes and those of
-/// the given intermediate products.
+/// Checks that two sides are equal up to the tolerance. The tolerance is relative to the magnitudes
+/// of the sides and of the given intermediate products.
 fn same<S: Summable>(
     tolerance: Tolerance,
     law: &'static str,
@@ -192,8 +193,8 @@ fn same<S: Summable>(
     right: &S,
     products: &[(&S, &S)],
 ) -> Result<(), Broken> {
-    // adding `right` and then negating avoids the negative of `right`, which may not exist in a
-    // type of limited range
+    // subtracts `right` by adding its product with -1, because the negative of `right` may not
+    // exist in a type of limited range
     let mut difference = S::Sum::term(left);
     difference.add_product(right, &-S::one());
     for (a, b) in products {

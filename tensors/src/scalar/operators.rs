@@ -1,8 +1,8 @@
-//! The operators of a scalar in all forms, derived from the form `a + &b`.
+//! The operators of a scalar in all forms. They are derived from the form `a + &b`.
 
-/// Forwards operators by value, by reference and by assignment to `Scalar op &Scalar`, and adds
-/// subtraction, `Zero`, `One`, `iter::Sum`, `iter::Product`, `Default` (zero), `From<i32>` and
-/// `From<i64>`.
+/// Forwards operators by value, by reference and by assignment to `Scalar op &Scalar`. Also
+/// implements subtraction, `Zero`, `One`, `iter::Sum`, `iter::Product`, `Default` (zero),
+/// `From<i32>` and `From<i64>`.
 macro_rules! forward_operators {
     ($scalar:ty: $($operator:ident $method:ident $assign:ident $assigned:ident),*) => {
         $(

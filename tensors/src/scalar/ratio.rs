@@ -1,17 +1,17 @@
 //! The rationals of the crate num-rational as scalars: [`Ratio<i64>`] and [`BigRational`].
 //!
-//! Sums of products, inverses and pivots are computed by [`Rational`], so they are exact. Programs
-//! that already use these types need no wrapper type.
+//! [`Rational`] computes sums of products, inverses and pivots, so they are exact. Programs that
+//! already use these types need no wrapper type.
 //!
-//! `Ratio<i64>` is not the exact scalar of this package. A *result* that does not fit two 64-bit
-//! words panics in a sum of products. Its own operators, as in `a * b`, overflow like those
-//! of `i64`. Use [`Rational`] where numbers may grow.
+//! `Ratio<i64>` is not the exact scalar of this package. If a *result* of a sum of products does
+//! not fit two 64-bit words, the sum panics. The operators of the type, as in `a * b`, overflow
+//! like those of `i64`. Use [`Rational`] where numbers may become large.
 
 use super::{Field, Rational, RationalSum, Ring, Sum, Summable, Tolerance};
 use num_rational::{BigRational, Ratio};
 use num_traits::Zero;
 
-/// A sum of rationals of another type, collected exactly in [`Rational`].
+/// A sum of rationals of another type. It is collected exactly in [`Rational`].
 #[derive(Clone, Debug, Default)]
 pub struct RatioSum(RationalSum);
 
@@ -25,7 +25,7 @@ macro_rules! ratio_scalar {
                 self.0.add_product(&a.clone().into(), &b.clone().into());
             }
             /// # Panics
-            /// If the sum does not fit the type; it never wraps.
+            /// If the sum does not fit the type. The sum never wraps.
             fn finish(&self, tolerance: Tolerance) -> Option<$ratio> {
                 let value = self.0.finish(tolerance)?;
                 let fitting = <$ratio>::try_from(&value).ok();
@@ -56,7 +56,7 @@ macro_rules! ratio_scalar {
         }
 
         impl Field for $ratio {
-            /// `None` for zero, and for an inverse that does not fit the type.
+            /// Returns `None` for zero, and for an inverse that does not fit the type.
             fn recip(&self) -> Option<Self> {
                 Self::try_from(&Field::recip(&Rational::from(self.clone()))?).ok()
             }

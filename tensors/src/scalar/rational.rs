@@ -1,8 +1,8 @@
-//! Exact rationals that never overflow and never round.
+//! Exact rationals. They never overflow, and they are never rounded.
 //!
-//! A value is stored in two machine words if it fits, otherwise in big integers. Every result is
-//! stored in words again if it fits, so equal values have equal forms. Common factors are cancelled
-//! before numerators and denominators are multiplied (P. Henrici, *J. ACM* 3 (1956) 6-9).
+//! A value is stored in two machine words if it fits; otherwise it is stored in big integers. Every
+//! result that fits is stored in words again, so equal values have equal forms. Common factors are
+//! cancelled before numerators and denominators are multiplied (P. Henrici, *J. ACM* 3 (1956) 6-9).
 
 mod sum;
 
@@ -23,7 +23,7 @@ use std::num::NonZeroI64;
 use std::ops::{Add, Div, Mul, Neg};
 pub use sum::RationalSum;
 
-/// An exact rational number in lowest terms with a positive denominator.
+/// An exact rational number in lowest terms, with a positive denominator.
 ///
 /// ```
 /// use affinor_tensors::Rational;
@@ -35,7 +35,8 @@ pub use sum::RationalSum;
 #[derive(Clone, PartialEq, Eq, Hash)]
 pub struct Rational(Form);
 
-/// The canonical form: `Big` only when numerator or denominator does not fit a word.
+/// The canonical form. `Big` is used only if the numerator or the denominator does not fit in a
+/// word.
 #[derive(Clone, PartialEq, Eq, Hash)]
 enum Form {
     Small { numerator: i64, denominator: NonZeroI64 },
@@ -43,19 +44,20 @@ enum Form {
 }
 use Form::{Big, Small};
 
-/// The denominator of an integer.
+/// The denominator of integers.
 const UNIT: NonZeroI64 = match NonZeroI64::new(1) {
     Some(unit) => unit,
     None => unreachable!(),
 };
 
 impl Rational {
-    /// `numerator / denominator`; `None` when the denominator is zero.
+    /// The number `numerator / denominator`. Returns `None` if the denominator is zero.
     pub fn new(numerator: i64, denominator: i64) -> Option<Self> {
         (denominator != 0).then(|| Self::reduced(numerator.into(), denominator.into()))
     }
 
-    /// The integer with these decimal digits; `None` if there is another character.
+    /// The integer with these decimal digits. Returns `None` if the text contains another
+    /// character.
     pub fn from_digits(digits: &str) -> Option<Self> {
         if digits.is_empty() || !digits.bytes().all(|b| b.is_ascii_digit()) {
             return None;
@@ -64,7 +66,7 @@ impl Rational {
         small.or_else(|| Some(Self::demote(IBig::from_str_radix(digits, 10).ok()?.into())))
     }
 
-    /// The exact value of a float; `None` for infinities and NaN.
+    /// The exact value of a float. Returns `None` for infinities and NaN.
     pub fn from_f64(x: f64) -> Option<Self> {
         RBig::try_from(x).ok().map(Self::demote)
     }
@@ -77,7 +79,7 @@ impl Rational {
         }
     }
 
-    /// The value as a machine integer, if it is one.
+    /// The value as a machine integer. Returns `None` if it is not a machine integer.
     pub fn to_i64(&self) -> Option<i64> {
         match self.0 {
             Small { numerator, denominator } if denominator.get() == 1 => Some(numerator),
@@ -85,7 +87,8 @@ impl Rational {
         }
     }
 
-    /// The nearest `f64`; infinite if the value is beyond the range of `f64`.
+    /// The `f64` that is nearest to the value. It is infinite if the value is beyond the range of
+    /// `f64`.
     pub fn to_f64(&self) -> f64 {
         match &self.0 {
             Small { numerator, denominator }
@@ -97,7 +100,7 @@ impl Rational {
         }
     }
 
-    /// Whether the value is below zero.
+    /// Whether the value is negative.
     pub fn is_negative(&self) -> bool {
         match &self.0 {
             Small { numerator, .. } => *numerator < 0,
@@ -105,8 +108,9 @@ impl Rational {
         }
     }
 
-    /// The rational `q` for which the quotients of all values by `q` are coprime integers. `q` has
-    /// the sign of the first value; it is one if all values are zero or there are none.
+    /// The content: the rational `q` for which the quotients of all values by `q` are coprime
+    /// integers. The sign of `q` is the sign of the first value. If all values are zero, or there
+    /// are no values, `q` is one.
     pub(crate) fn content<'r>(values: impl Iterator<Item = &'r Rational> + Clone) -> Self {
         let first = values.clone().find(|value| !value.vanishes());
         let Some(first) = first else { return Self::one() };
@@ -124,7 +128,7 @@ impl Rational {
         if first.is_negative() { -positive } else { positive }
     }
 
-    /// The magnitude of the content, if all values fit machine words.
+    /// The magnitude of the content. Returns `None` unless all values fit machine words.
     fn content_in_words<'r>(values: impl Iterator<Item = &'r Rational>) -> Option<Self> {
         let (mut above, mut below) = (0u64, 1u64);
         for value in values {
@@ -155,7 +159,7 @@ impl Rational {
         if self.is_negative() { -self } else { self }
     }
 
-    /// The nonnegative square root; `None` if it is not rational.
+    /// The nonnegative square root. Returns `None` if it is irrational.
     ///
     /// ```
     /// use affinor_tensors::Rational;
@@ -174,23 +178,23 @@ impl Rational {
         Some(BigRational::new(exact(value.numer())?, exact(value.denom())?).into())
     }
 
-    /// The quotient in lowest terms; the denominator must not be zero.
+    /// The quotient in lowest terms. The denominator must not be zero.
     pub(super) fn reduced(numerator: i128, denominator: i128) -> Self {
         if let (Ok(n), Ok(d)) = (i64::try_from(numerator), i64::try_from(denominator))
             && n != i64::MIN
             && d > 0
         {
-            // the most frequent case: the denominator is one, or both fit single words
+            // in the most frequent case, the denominator is one, or both numbers fit single words
             let gcd = if d == 1 { 1 } else { gcd(n.unsigned_abs(), d.unsigned_abs()) as i64 };
             return Self::coprime((n / gcd).into(), (d / gcd).into());
         }
-        // both magnitudes are below 2^127, so the gcd fits a signed integer
+        // the gcd fits in a signed integer, because both magnitudes are below 2^127
         let gcd = numerator.unsigned_abs().gcd(&denominator.unsigned_abs()) as i128;
         let gcd = gcd * denominator.signum();
         Self::coprime(numerator / gcd, denominator / gcd)
     }
 
-    /// The quotient of a coprime numerator and positive denominator.
+    /// The quotient of a numerator and a positive denominator, which must be coprime.
     fn coprime(numerator: i128, denominator: i128) -> Self {
         Self::small(numerator, denominator).unwrap_or_else(|| {
             let denominator = UBig::from(denominator.unsigned_abs());
@@ -198,15 +202,15 @@ impl Rational {
         })
     }
 
-    /// The quotient of a coprime numerator and denominator as words, if both fit and the
-    /// denominator is positive.
+    /// The quotient of a coprime numerator and denominator as words. Returns `None` unless both fit
+    /// in words and the denominator is positive.
     #[inline]
     fn small(numerator: impl TryInto<i64>, denominator: impl TryInto<i64>) -> Option<Self> {
         let (numerator, denominator) = (numerator.try_into().ok()?, denominator.try_into().ok()?);
         Some(Rational(Small { numerator, denominator: NonZeroI64::new(denominator)? }))
     }
 
-    /// Numerator and denominator, if the value is stored in words.
+    /// The numerator and the denominator. Returns `None` unless the value is stored in words.
     #[inline]
     fn words(&self) -> Option<(i64, i64)> {
         match self.0 {
@@ -225,8 +229,8 @@ impl Rational {
         }
     }
 
-    /// Stores the result of an operation in words if it fits. Sums and products with long numbers
-    /// often do.
+    /// Stores the result of an operation in words if it fits. The sums and products of long numbers
+    /// often fit.
     fn demote(value: RBig) -> Self {
         checkpoint();
         Self::small(value.numerator(), value.denominator())
@@ -261,13 +265,14 @@ impl From<&Rational> for BigRational {
 
 impl TryFrom<&Rational> for Ratio<i64> {
     type Error = NotWords;
-    /// Returns an error, instead of rounding, if a part does not fit 64 bits.
+    /// Returns an error, and does not round, if the numerator or the denominator does not fit in 64
+    /// bits.
     fn try_from(r: &Rational) -> Result<Self, NotWords> {
         r.words().map(|(n, d)| Ratio::new_raw(n, d)).ok_or(NotWords)
     }
 }
 
-/// Numerator or denominator does not fit 64 bits.
+/// The numerator or the denominator does not fit in 64 bits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("the rational does not fit into two 64-bit words")]
 pub struct NotWords;
@@ -276,7 +281,7 @@ impl Add<&Rational> for Rational {
     type Output = Rational;
     fn add(self, other: &Rational) -> Rational {
         match (self.words(), other.words()) {
-            // |a d + c b| <= 2 * 2^63 * (2^63 - 1) fits 128 bits
+            // the sum |a d + c b| <= 2 * 2^63 * (2^63 - 1) fits in 128 bits
             (Some((a, b)), Some((c, d))) if b == d => {
                 Rational::reduced(i128::from(a) + i128::from(c), b.into())
             }
@@ -304,12 +309,13 @@ impl Mul<&Rational> for Rational {
     }
 }
 
-/// The gcd of a numerator and a positive denominator; at least 1.
+/// The gcd of a numerator and a positive denominator. It is at least 1.
 fn common(numerator: i64, denominator: i64) -> i128 {
     gcd(numerator.unsigned_abs(), denominator.unsigned_abs()).into()
 }
 
-/// The greatest common divisor, by J. Stein's binary algorithm with one well-predicted branch.
+/// The greatest common divisor, computed by J. Stein's binary algorithm. The algorithm has one
+/// branch, which processors predict well.
 fn gcd(a: u64, b: u64) -> u64 {
     if a == 0 || b == 0 {
         return a | b;
@@ -339,7 +345,7 @@ impl Neg for Rational {
 impl Div<&Rational> for Rational {
     type Output = Rational;
     /// # Panics
-    /// On division by zero, as for integers; [`Field::recip`] returns `None` instead.
+    /// If `other` is zero, as for integers. [`Field::recip`] returns `None` instead.
     #[expect(clippy::suspicious_arithmetic_impl, reason = "dividing is multiplying by the inverse")]
     fn div(self, other: &Rational) -> Rational {
         self * &other.recip().expect("division by zero")
@@ -352,14 +358,14 @@ forward_operators!(Rational: Add add AddAssign add_assign, Sub sub SubAssign sub
 impl std::str::FromStr for Rational {
     type Err = ExpressionError;
 
-    /// Parses an [`Expression`] of numbers: `-3/4`, `0.25`, `1e-3`.
+    /// Parses an [`Expression`] of numbers, such as `-3/4`, `0.25`, `1e-3`.
     fn from_str(text: &str) -> Result<Self, ExpressionError> {
         Expression::parse(text)?.evaluate_constant()
     }
 }
 
-/// Integers are converted exactly. Returns `None` for a fraction, and for an integer that does not
-/// fit the type.
+/// Converts integers exactly. Returns `None` for a fraction, and for an integer that does not fit
+/// in the type.
 impl ToPrimitive for Rational {
     fn to_i64(&self) -> Option<i64> {
         Rational::to_i64(self)
@@ -466,8 +472,8 @@ impl Summable for Rational {
     }
 }
 
-/// A common denominator that is more than this number of bits longer than twice the longest
-/// denominator indicates unrelated denominators.
+/// If a common denominator is longer than twice the longest denominator by more than this number of
+/// bits, the denominators count as unrelated.
 const UNRELATED: usize = 64;
 
 impl Field for Rational {

@@ -1,7 +1,7 @@
-//! A scalar that records its own computation as a graph of operations.
+//! A scalar that records its computation as a graph of operations.
 //!
-//! Any formula that is written for a [`Field`] accepts this scalar. The result is a straight-line
-//! program ([`StraightLine`]) that evaluates the formula for numbers.
+//! Any formula for a [`Field`] accepts this scalar. The result is a straight-line program
+//! ([`StraightLine`]) that evaluates the formula for numbers.
 
 mod derivative;
 mod image;
@@ -29,15 +29,15 @@ pub use straight_line::{Count, Output, Step, StraightLine};
 
 /// A value that is represented by the operations that compute it from named inputs.
 ///
-/// A value is a rational factor times a node of the graph. Constants are folded, common rational
-/// factors are taken out of sums, and nothing is expanded.
+/// A value is a rational factor times a node of the graph. Constants are combined, and common
+/// rational factors are taken out of sums; nothing is expanded.
 ///
-/// Every value has an image: its value at a fixed point modulo two primes. Values with different
-/// images are different. Values with equal images count as equal, also if their operations differ:
-/// two different values of degree `d` share an image with a probability below `d^2 / 2^122`. Sums
-/// that cancel are therefore zero, as in [`Symbolic`], but without its denominators and gcds.
-/// Logarithms and roots are identified by their whole argument: `log(x) + log(1/x)` does not
-/// cancel.
+/// Every value has an image, which is its value at a fixed point modulo two primes. Values with
+/// different images are different. Values with equal images count as equal, even if their
+/// operations differ: the probability that two different values of degree `d` have the same image
+/// is below `d^2 / 2^122`. Therefore, sums that cancel are zero, as in [`Symbolic`], but no
+/// denominators and gcds are computed. Logarithms and roots are identified by their whole argument:
+/// `log(x) + log(1/x)` does not cancel.
 ///
 /// A program chooses the pivots of inverses and linear systems by comparisons ([`Step::Select`]).
 ///
@@ -54,11 +54,11 @@ pub use straight_line::{Count, Output, Step, StraightLine};
 #[derive(Clone)]
 pub struct Recorded {
     factor: Rational,
-    /// `None` for a constant; the factor is its value.
+    /// The node; `None` for a constant, whose value is the factor.
     node: Option<Arc<Node>>,
 }
 
-/// An operation and the image of its result; `None` if the image proves nothing.
+/// An operation, and the image of its result. The image is `None` if it proves nothing.
 struct Node {
     operation: Operation,
     image: Option<Image>,
@@ -67,20 +67,20 @@ struct Node {
 enum Operation {
     Input(Variable),
     Function(Function, Arc<Node>),
-    /// A constant, and multiples of other nodes.
+    /// The sum of a constant and of multiples of other nodes.
     Sum(Rational, Vec<(Rational, Arc<Node>)>),
     Product(Arc<Node>, Arc<Node>),
     Reciprocal(Arc<Node>),
-    /// The third value if the size of the first one is at least that of the second one, otherwise
+    /// The third value if the size of the first value is at least the size of the second; otherwise
     /// the fourth value.
     Select(Box<[Recorded; 4]>),
-    /// A component of the solution of a linear system. Its value is computed by elimination, its
-    /// image is that of the exact solution.
+    /// A component of the solution of a linear system. Its value is computed by elimination, but
+    /// its image is the image of the exact solution.
     Solution(Arc<Solution>, usize),
 }
 
 impl Operation {
-    /// The nodes that a program needs to compute the value.
+    /// The nodes that a program needs to compute the result of the operation.
     fn operands(&self) -> Vec<&Arc<Node>> {
         match self {
             Operation::Input(_) => vec![],
@@ -92,7 +92,7 @@ impl Operation {
         }
     }
 
-    /// The nodes on which the value depends as a mathematical function.
+    /// The nodes on which the result depends as a mathematical function.
     fn arguments(&self) -> Vec<&Arc<Node>> {
         match self {
             Operation::Solution(solution, _) => solution.arguments().collect(),
@@ -112,7 +112,7 @@ impl Drop for Node {
                 Operation::Product(a, b) => vec![a, b],
                 Operation::Reciprocal(a) | Operation::Function(_, a) => vec![a],
                 Operation::Select(values) => values.into_iter().filter_map(|v| v.node).collect(),
-                // systems within systems are freed recursively
+                // systems that contain other systems are freed recursively
                 Operation::Solution(..) => vec![],
             }
         };
@@ -125,7 +125,8 @@ impl Drop for Node {
     }
 }
 
-/// The identity of a node up to sign: its image, or its memory address if it has no image.
+/// The identity of a node, up to sign. It is the image of the node or, if there is no image, its
+/// memory address.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 enum Key {
     Image(Image),
@@ -133,7 +134,7 @@ enum Key {
 }
 
 impl Node {
-    /// The key of the node, and whether the node is the negative of the value with that key.
+    /// The key of the node, and whether the node is the negative of the value with this key.
     fn key(self: &Arc<Self>) -> (Key, bool) {
         match self.image {
             Some(image) => {
@@ -149,7 +150,8 @@ impl Node {
     }
 }
 
-/// Lists all nodes below the given ones, each once and after its own operands (`below`).
+/// Lists all nodes below the given nodes. Each node occurs once, after its operands, which `below`
+/// returns.
 fn post_order<'n>(
     roots: impl IntoIterator<Item = &'n Arc<Node>>,
     below: impl Fn(&'n Operation) -> Vec<&'n Arc<Node>>,
@@ -187,12 +189,12 @@ impl Recorded {
         }
     }
 
-    /// The input with this name; any text is allowed as a name.
+    /// The input with this name. A name may be any text.
     pub fn input(name: &str) -> Self {
         Self::variable(Variable::parameter(name))
     }
 
-    /// The parameter or free function that the value is; `None` for any other value.
+    /// The parameter or free function, if the value is a single input; `None` for any other value.
     pub fn as_input(&self) -> Option<Variable> {
         match (&self.node.as_ref()?.operation, self.factor.is_one()) {
             (Operation::Input(variable), true) => Some(*variable),
@@ -205,8 +207,8 @@ impl Recorded {
         Self::of(Operation::Input(variable), Some(Image::variable(variable.text())))
     }
 
-    /// The value `constant + sum of factor * node`, with equal nodes collected and the common
-    /// factor taken out.
+    /// The value `constant + sum of factor * node`. Equal nodes are collected, and the common
+    /// factor is taken out.
     fn combination(constant: Rational, terms: Vec<(Rational, Arc<Node>)>) -> Self {
         let mut collected: Vec<(Rational, Arc<Node>)> = Vec::with_capacity(terms.len());
         let mut places = HashMap::with_capacity(terms.len());
@@ -244,14 +246,14 @@ impl Recorded {
         sum.scaled(&content)
     }
 
-    /// The image of the factor times the image of the node.
+    /// The image of the value, which is the product of the images of the factor and the node.
     fn image(&self) -> Option<Image> {
         let own = self.node.as_ref().map_or(Some(Image::ONE), |node| node.image);
         Image::rational(&self.factor).zip(own).map(|(factor, own)| factor.mul(own))
     }
 
-    /// `x` if the size of `a` is at least the size of `b`, otherwise `y`. Its image is unrelated to
-    /// all other images, except those of equal choices.
+    /// The value `x` if the size of `a` is at least the size of `b`; otherwise the value `y`. Its
+    /// image is unrelated to all other images, except for those of equal choices.
     fn select([a, b, x, y]: [&Self; 4]) -> Self {
         let key = |value: &Self| (value.factor.clone(), value.node.as_ref().map(Node::key));
         if b.vanishes() || key(x) == key(y) {
@@ -285,7 +287,8 @@ impl Recorded {
                 Arc::new(Node { operation: Operation::Sum(constant, terms), image })
             }
         };
-        // the image of an angle determines the functions of its multiples
+        // splits an angle into its terms, because the image of each term determines the functions
+        // of its multiples
         let flat = match &node.operation {
             Operation::Sum(constant, terms) => Some((constant, &terms[..])),
             _ => None,
@@ -313,7 +316,7 @@ impl Recorded {
         Recorded { factor: self.factor * factor, node: self.node }
     }
 
-    /// The terms of the value as a sum. If nothing else uses the sum, its terms are moved out of
+    /// The terms of the value, as a sum. If nothing else uses the sum, its terms are moved out of
     /// it.
     fn into_terms(self) -> (Rational, Vec<(Rational, Arc<Node>)>) {
         let Recorded { factor, node } = self;
@@ -361,7 +364,8 @@ impl Field for Recorded {
             None => Self::constant(factor),
             Some(node) => match &node.operation {
                 Operation::Reciprocal(inner) => Recorded { factor, node: Some(inner.clone()) },
-                // a product then contains each root once, and sums of such products cancel
+                // rewrites 1/sqrt(p), so that a product contains each root once, and sums of such
+                // products cancel
                 Operation::Function(Function::Sqrt, argument) => {
                     let argument =
                         Recorded { factor: Rational::one(), node: Some(argument.clone()) };
@@ -374,13 +378,14 @@ impl Field for Recorded {
             },
         })
     }
-    /// Constants are better pivots than values that may vanish for some inputs.
+    /// The weight of the value as a pivot. Constants are better pivots than values that may vanish
+    /// for some inputs.
     fn pivot_weight(&self) -> f64 {
         if self.node.is_none() { 1.0 } else { 0.0 }
     }
 }
 
-/// A sum that becomes one operation when it is finished.
+/// A sum, which becomes one operation when it is complete.
 #[derive(Clone, Default)]
 pub struct RecordedSum {
     constant: Rational,
@@ -430,7 +435,7 @@ impl Notation for Recorded {
     }
     /// An elementary function of any value.
     ///
-    /// Functions of sums of angles and of exponents obey the addition theorems. Roots and
+    /// Functions of sums of angles and of exponents satisfy the addition theorems. Roots and
     /// logarithms of different values count as independent.
     fn function(name: &str, argument: &Self) -> Result<Self, String> {
         let of = |function| Self::of_function(function, argument);
@@ -445,7 +450,7 @@ impl Notation for Recorded {
             None => Err(format!("`{name}` has no counterpart in a program")),
         }
     }
-    /// Free functions of inputs are inputs as well: `a(t)` and `a_t(t)`.
+    /// Free functions of inputs, such as `a(t)` and `a_t(t)`, are inputs too.
     fn call(name: &str, arguments: &[Self]) -> Result<Self, String> {
         if let ([argument], true) = (arguments, is_elementary(name)) {
             return Self::function(name, argument);
@@ -474,16 +479,16 @@ impl Tabular for Recorded {}
 
 impl TryFrom<&Symbolic> for Recorded {
     type Error = String;
-    /// Records the written form of a value, with sines and cosines.
+    /// Records the written form of a value, which contains sines and cosines.
     ///
     /// # Errors
-    /// A message: the value exceeds the limits of [expressions](crate::expression).
+    /// A message if the value exceeds the limits of [expressions](crate::expression).
     fn try_from(value: &Symbolic) -> Result<Self, String> {
         value.in_scalars(&Self::variable)
     }
 }
 
-/// Writes the operations; those nested deeper than a few levels are left out.
+/// Writes the operations. Operations that are nested deeper than a few levels are omitted.
 impl fmt::Display for Recorded {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&operators::written(self, 4))

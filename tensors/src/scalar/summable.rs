@@ -1,45 +1,48 @@
-//! Sums of products: what scalars provide to the engine beyond arithmetic.
+//! Sums of products. They are what contractions and linear algebra need from scalars in addition to
+//! arithmetic.
 
 use super::Ring;
 use crate::linear::Matrix;
 use dashu_int::{IBig, UBig};
 
-/// A ring whose sums of products decide whether they are zero.
+/// A ring with sums of products that decide whether they are zero.
 ///
-/// A user-defined scalar chooses its accumulator: [`ExactSum`] if it is exact. All methods have
-/// defaults.
+/// A user-defined scalar chooses its accumulator, which is [`ExactSum`] if the scalar is exact. All
+/// methods have defaults.
 pub trait Summable: Ring {
-    /// The accumulator for sums of products.
+    /// The type of the accumulator for sums of products.
     type Sum: Sum<Self>;
 
-    /// Whether values become longer with every operation, as formulas do. A long sum is then
-    /// computed in one stage, so that terms which cancel are never stored.
+    /// Whether values become longer with every operation, as formulas do. In this case, a long sum
+    /// is computed in one stage, so that terms that cancel are never stored.
     const GROWS: bool = false;
 
-    /// Whether the value is a finite number. Exact values always are; a float may be infinite or NaN.
+    /// Whether the value is a finite number. Every exact value is finite, but a float may be
+    /// infinite or NaN.
     fn is_number(&self) -> bool {
         true
     }
 
-    /// Whether the value counts as zero compared with the terms of its own sum, but is stored
-    /// because later sums need it ([`Sum::kept`]). Tensors do not show such a component; only
-    /// contractions use it.
+    /// Whether the value counts as zero compared with the terms of the sum from which it comes, but
+    /// is stored because later sums need it ([`Sum::kept`]). Tensors do not show such a component;
+    /// only contractions use it.
     fn is_small(&self) -> bool {
         false
     }
 
-    /// Whether the value counts as zero relative to another one. An exact value must vanish; a
-    /// float may be as large as the tolerance allows.
+    /// Whether the value counts as zero relative to the value `beside`. An exact value must vanish;
+    /// a float may be as large as the tolerance allows.
     fn negligible(&self, beside: &Self, tolerance: Tolerance) -> bool {
         let _ = (beside, tolerance);
         self.vanishes()
     }
 
-    /// The values as machine integers over one positive common denominator, if they have this form.
+    /// The values as machine integers over one positive common denominator. Returns `None` if the
+    /// values do not have this form.
     ///
-    /// This makes contractions faster: sums of products are computed in machine integers and
-    /// converted back by [`from_quotient`](Ring::from_quotient). With `None`, the default, sums are
-    /// computed in the ring.
+    /// This method makes contractions faster. Sums of products are computed in machine integers,
+    /// and are converted back by [`from_quotient`](Ring::from_quotient). The default is `None`; in
+    /// this case, sums are computed in the ring.
     fn clear_denominators<'a>(
         values: impl Iterator<Item = &'a Self> + Clone,
     ) -> Option<(Vec<i64>, i64)> {
@@ -47,12 +50,12 @@ pub trait Summable: Ring {
         None
     }
 
-    /// The values as integers of any size over one positive common denominator. `None` unless they
-    /// have this form and the common denominator is not much longer than the denominators of the
-    /// values.
+    /// The values as integers of any size over one positive common denominator. Returns `None` if
+    /// the values do not have this form. Also returns `None` if the common denominator is much
+    /// longer than the denominators of the values.
     ///
-    /// This makes contractions faster where machine integers overflow: a component is reduced to
-    /// lowest terms once, and not in each product.
+    /// This method makes contractions faster if machine integers overflow: a component is reduced
+    /// to lowest terms only once, and not in each product.
     #[doc(hidden)]
     fn clear_to_big<'a>(
         values: impl Iterator<Item = &'a Self> + Clone,
@@ -61,50 +64,51 @@ pub trait Summable: Ring {
         None
     }
 
-    /// The value of a quotient of integers of any size; `None` for scalars without [`clear_to_big`](Self::clear_to_big).
+    /// The value of a quotient of integers of any size. Returns `None` for scalars without
+    /// [`clear_to_big`](Self::clear_to_big).
     #[doc(hidden)]
     fn from_big_quotient(numerator: &IBig, denominator: &UBig) -> Option<Self> {
         let _ = (numerator, denominator);
         None
     }
 
-    /// The solution `X` of `A X = B` for a square matrix `A`, by a method of this scalar. With
-    /// `None`, the default, the general elimination is used.
+    /// The solution `X` of `A X = B` for a square matrix `A`, computed by a special method of this
+    /// scalar. The default is `None`; in this case, the general elimination is used.
     fn solved(matrix: &Matrix<Self>, right: &Matrix<Self>) -> Option<Matrix<Self>> {
         let _ = (matrix, right);
         None
     }
 }
 
-/// A sum of terms and products that decides when it is finished whether it is zero. The default is
-/// the empty sum.
+/// A sum of terms and products. When it is complete, it decides whether it is zero. The default
+/// value is the empty sum.
 ///
-/// For exact scalars it is the value itself ([`ExactSum`]). For floats it also contains the sum of
-/// the magnitudes of the terms, to which the [`Tolerance`] is relative. A sum of [`TrackedFloat`](super::TrackedFloat) floats
-/// passes its rounding error on to its result.
+/// For exact scalars, the sum is the value itself ([`ExactSum`]). For floats, it also contains the
+/// sum of the magnitudes of the terms, to which the [`Tolerance`] is relative. The result of a sum
+/// of [`TrackedFloat`](super::TrackedFloat)s contains the rounding error of the sum.
 pub trait Sum<S>: Clone + Default + Send {
     /// Adds one term.
     fn add_term(&mut self, a: &S);
     /// Adds one product.
     fn add_product(&mut self, a: &S, b: &S);
-    /// The value, or `None` when it counts as zero.
+    /// The value of the sum. Returns `None` if it counts as zero.
     fn finish(&self, tolerance: Tolerance) -> Option<S>;
 
-    /// The value for later sums. A value that counts as zero is included if the scalar tracks its
-    /// error ([`Summable::is_small`]). `None` if the value is exactly zero, or counts as zero and
-    /// its error is unknown.
+    /// The value for later sums. If the scalar tracks its error, this includes a value that counts
+    /// as zero ([`Summable::is_small`]). Returns `None` if the value is exactly zero, or if it
+    /// counts as zero and its error is unknown.
     fn kept(&self, tolerance: Tolerance) -> Option<S> {
         self.finish(tolerance)
     }
 
-    /// The sum of one term.
+    /// A sum of one term.
     fn term(a: &S) -> Self {
         let mut sum = Self::default();
         sum.add_term(a);
         sum
     }
 
-    /// The sum of one product.
+    /// A sum of one product.
     fn product(a: &S, b: &S) -> Self {
         let mut sum = Self::default();
         sum.add_product(a, b);
@@ -112,7 +116,7 @@ pub trait Sum<S>: Clone + Default + Send {
     }
 }
 
-/// The sum of an exact scalar: the value itself.
+/// The sum of an exact scalar, which is the value itself.
 #[derive(Clone, Debug)]
 pub struct ExactSum<S>(pub S);
 
@@ -137,7 +141,7 @@ impl<S: Summable> Sum<S> for ExactSum<S> {
     }
 }
 
-/// The relative tolerance for zero: a sum of float products counts as zero if
+/// The relative tolerance for zero. A sum of products of floats counts as zero if
 /// `|sum| <= tolerance * (sum of the |terms|)`.
 ///
 /// A [`TrackedFloat`](super::TrackedFloat) also counts as zero if it consists only of the rounding
@@ -151,24 +155,25 @@ impl<S: Summable> Sum<S> for ExactSum<S> {
 pub struct Tolerance(f64);
 
 impl Tolerance {
-    /// A relative tolerance; `None` unless `0 <= relative < 1`.
+    /// A relative tolerance. Returns `None` unless `0 <= relative < 1`.
     pub fn new(relative: f64) -> Option<Self> {
         (0.0..1.0).contains(&relative).then_some(Tolerance(relative))
     }
 
-    /// The factor of the sum of magnitudes.
+    /// The factor by which the sum of magnitudes is multiplied.
     pub fn relative(self) -> f64 {
         self.0
     }
 
-    /// Whether a float counts as zero compared with terms whose magnitudes add up to `magnitude`. A
-    /// NaN never does. If the sum of magnitudes overflows, it gives no bound.
+    /// Whether a float counts as zero compared with terms whose magnitudes have the sum
+    /// `magnitude`. A NaN never counts as zero. If the sum of magnitudes overflows, only zero
+    /// itself counts as zero.
     pub(crate) fn covers(self, value: f64, magnitude: f64) -> bool {
         let bound = self.0 * magnitude;
         value == 0.0 || (value.abs() <= bound && bound.is_finite())
     }
 
-    /// The weaker of two tolerances.
+    /// The larger of two tolerances.
     pub fn weaker(self, other: Self) -> Self {
         Tolerance(self.0.max(other.0))
     }

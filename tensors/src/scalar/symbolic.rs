@@ -1,8 +1,8 @@
-//! Rational functions of named parameters over the rationals, always in lowest terms.
+//! Rational functions of named parameters over the rationals. They are always in lowest terms.
 //!
 //! A value without parameters is a [`Rational`]. Any other value is a quotient of coprime
 //! polynomials in exactly the parameters on which it depends, in alphabetical order. A parameter is
-//! identified by its name, so any two values combine. Equal values have equal forms. Sines,
+//! identified by its name, so any two values can be combined. Equal values have equal forms. Sines,
 //! cosines, exponentials, logarithms, square roots and free functions are rational functions of
 //! additional variables.
 
@@ -51,16 +51,16 @@ pub use free::FreeFunction;
 pub use positive::PositiveFactors;
 pub use variable::Variable;
 
-/// Clears the caches of this thread.
+/// Clears the caches of symbolic values in the current thread.
 pub(super) fn clear_caches() {
     once::clear();
     memo::clear();
 }
 
-/// A rational function of named parameters with rational coefficients, in lowest terms.
+/// A rational function of named parameters. It has rational coefficients, and is in lowest terms.
 ///
 /// The denominator has coprime integer coefficients, and its first coefficient is positive. Terms
-/// are sorted by total degree, the highest first, then alphabetically (`J2` before `J10`).
+/// are sorted by total degree, in descending order, and then alphabetically (`J2` before `J10`).
 ///
 /// ```
 /// use affinor_tensors::{Rational, Symbolic};
@@ -81,10 +81,10 @@ enum Form {
 }
 
 impl Symbolic {
-    /// The parameter of that name.
+    /// The parameter with this name.
     ///
-    /// Any name is accepted here, but only identifiers can be parsed from the text
-    /// ([`Notation::parameter`] rejects other names).
+    /// This function accepts any name, but only identifiers can be parsed from the text.
+    /// [`Notation::parameter`] rejects other names.
     pub fn parameter(name: &str) -> Self {
         Self::variable(Variable::parameter(name))
     }
@@ -94,7 +94,7 @@ impl Symbolic {
         Fraction::variable(variable).into()
     }
 
-    /// The variable, if the value is a single one.
+    /// The variable, if the value is a single variable; otherwise `None`.
     fn as_variable(&self) -> Option<Variable> {
         match self.variables() {
             [variable] if *self == Self::variable(*variable) => Some(*variable),
@@ -102,7 +102,7 @@ impl Symbolic {
         }
     }
 
-    /// The name of the parameter, if the value is a single one.
+    /// The name of the parameter, if the value is a single parameter; otherwise `None`.
     pub fn as_parameter(&self) -> Option<&'static str> {
         self.as_variable().filter(|variable| variable.is_parameter()).map(Variable::text)
     }
@@ -117,7 +117,7 @@ impl Symbolic {
         Symbolic(Form::Constant(value))
     }
 
-    /// The value as a number; `None` if it depends on a parameter.
+    /// The value as a number. Returns `None` if it depends on a parameter.
     pub fn as_constant(&self) -> Option<&Rational> {
         match &self.0 {
             Form::Constant(c) => Some(c),
@@ -125,13 +125,13 @@ impl Symbolic {
         }
     }
 
-    /// The value in LaTeX's mathematics mode: `\frac{a}{b}`.
+    /// The value in the mathematics mode of LaTeX, such as `\frac{a}{b}`.
     pub fn to_latex(&self) -> String {
         self.written(Markup::Latex, &CommonFactors::default())
     }
 
-    /// The names of the parameters on which the value depends, in alphabetical order; `x` for
-    /// `sin(x)`.
+    /// The names of the parameters on which the value depends, in alphabetical order. For `sin(x)`,
+    /// the list contains `x`.
     pub fn parameters(&self) -> Vec<String> {
         let own = self.variables().iter().flat_map(|variable| variable.parameters());
         let mut parameters: Vec<Variable> = own.collect();
@@ -142,8 +142,8 @@ impl Symbolic {
         parameters.into_iter().map(|parameter| parameter.text().to_string()).collect()
     }
 
-    /// The variables of the fraction: parameters, and `tan(x/2)`, `exp(x)`, `log(x)` and `sqrt(x)`
-    /// for functions of parameters.
+    /// The variables of the fraction: parameters, and the functions `tan(x/2)`, `exp(x)`, `log(x)`
+    /// and `sqrt(x)` of parameters.
     fn variables(&self) -> &[Variable] {
         match &self.0 {
             Form::Constant(_) => &[],
@@ -151,7 +151,7 @@ impl Symbolic {
         }
     }
 
-    /// The numerator `N` of the value `N / D`: a polynomial with rational coefficients.
+    /// The numerator `N` of the value `N / D`. It is a polynomial with rational coefficients.
     pub fn numerator(&self) -> Self {
         match &self.0 {
             Form::Constant(_) => self.clone(),
@@ -159,8 +159,8 @@ impl Symbolic {
         }
     }
 
-    /// The denominator `D` of the value `N / D`: a polynomial with coprime integer coefficients, of
-    /// which the first is positive; 1 for constants and polynomials.
+    /// The denominator `D` of the value `N / D`. It is a polynomial with coprime integer
+    /// coefficients, and its first coefficient is positive. It is 1 for constants and polynomials.
     pub fn denominator(&self) -> Self {
         match &self.0 {
             Form::Constant(_) => Self::from_i64(1),
@@ -176,13 +176,13 @@ impl Symbolic {
         }
     }
 
-    /// The terms of the [`numerator`](Self::numerator): powers of the parameters and the
-    /// coefficient.
+    /// The terms of the [`numerator`](Self::numerator), each with the powers of its parameters and
+    /// its coefficient.
     ///
-    /// The terms of a polynomial are its components in the basis of monomials: its denominator is
-    /// 1, and constant denominators are part of the coefficients. Of other values only the
-    /// numerator is listed. Zero has no terms. Functions of a parameter `x` occur as powers of the
-    /// variables `tan(x/2)` and `exp(x)`.
+    /// The terms of a polynomial are its components in the basis of monomials. The denominator of a
+    /// polynomial is 1, so constant denominators are part of the coefficients. For other values,
+    /// only the terms of the numerator are listed. Zero has no terms. Functions of a parameter `x`
+    /// occur as powers of the variables `tan(x/2)` and `exp(x)`.
     ///
     /// ```
     /// use affinor_tensors::{Rational, Symbolic};
@@ -243,7 +243,8 @@ impl Field for Symbolic {
     }
     fn pivot_weight(&self) -> f64 {
         match &self.0 {
-            // a constant is the best pivot: dividing by it needs no common divisors
+            // a constant is the best pivot, because a division by a constant needs no common
+            // divisors
             Form::Constant(c) => 1.0 / (1.0 + c.size() as f64),
             Form::Fraction(_) => -(self.size() as f64),
         }
@@ -255,9 +256,9 @@ impl Notation for Symbolic {
     fn from_rational(value: &Rational) -> Option<Self> {
         Some(Self::constant(value.clone()))
     }
-    /// `None` unless the name is an identifier or the text of a function variable. An identifier is
-    /// an ASCII letter or `_`, then letters, digits or `_`. Function variables are `tan(x/2)`,
-    /// `exp(a*x)` or `sqrt(x)`.
+    /// Returns `None` unless the name is an identifier, or the text of a function variable. An
+    /// identifier is an ASCII letter or `_`, followed by letters, digits or `_`. Function variables
+    /// are for example `tan(x/2)`, `exp(a*x)` and `sqrt(x)`.
     fn parameter(name: &str) -> Option<Self> {
         match name {
             "pi" => Some(Symbolic::pi()),
@@ -279,14 +280,15 @@ impl Notation for Symbolic {
     fn is_negative(&self) -> bool {
         self.is_negative_with(&CommonFactors::default())
     }
-    /// Supported are `sin`, `cos`, `tan`, `cot`, `exp`, `sinh`, `cosh` and `tanh` of combinations
-    /// of products of parameters, like `2*x - a*y/2`, and `sqrt` and `log` of numbers, irreducible
-    /// polynomials, and other arguments for which [`PositiveFactors`] decides the sign.
+    /// The functions `sin`, `cos`, `tan`, `cot`, `exp`, `sinh`, `cosh` and `tanh` accept
+    /// combinations of products of parameters, such as `2*x - a*y/2`. The functions `sqrt` and
+    /// `log` accept numbers, irreducible polynomials, and other arguments for which
+    /// [`PositiveFactors`] determines the sign.
     fn function(name: &str, argument: &Self) -> Result<Self, String> {
         PositiveFactors::default().function(name, argument)
     }
-    /// Accepts the functions of one argument that [`function`](Self::function) does, and free
-    /// functions of names, like `a(t)` and its derivative `a_t(t)`.
+    /// Accepts the functions of one argument that [`function`](Self::function) accepts. Also
+    /// accepts free functions of names, such as `a(t)` and its derivative `a_t(t)`.
     fn call(name: &str, arguments: &[Self]) -> Result<Self, String> {
         Self::called(name, arguments)
     }
@@ -310,7 +312,8 @@ impl Notation for Symbolic {
         let parameters = variables.into_iter().flat_map(|variable| variable.parameters());
         parameters.map(|parameter| parameter.text().to_string()).collect()
     }
-    /// An upper bound: the sizes of the products over a common denominator.
+    /// An upper bound of the size of the sum. It consists of the sizes of the products over a
+    /// common denominator.
     fn sum_size(&self, other: &Self) -> usize {
         let ([n, d], [m, e]) = (self.expanded_parts(), other.expanded_parts());
         if let (Form::Fraction(f), Form::Fraction(g)) = (&self.0, &other.0)
@@ -326,7 +329,8 @@ impl Notation for Symbolic {
         let ([n, d], [m, e]) = (self.parts(), other.parts());
         meeting(n, m).saturating_add(meeting(d, e))
     }
-    /// Bits of the coefficients plus degrees of the terms, summed over the numerator and the factors of the denominator.
+    /// The number of bits of the coefficients plus the degrees of the terms. The size is the sum
+    /// over the numerator and the factors of the denominator.
     fn size(&self) -> usize {
         let [(above, _), (below, _)] = self.parts();
         if self.as_constant().is_some() { above } else { above.saturating_add(below) }
@@ -357,8 +361,8 @@ impl Tabular for Symbolic {
 }
 
 impl Symbolic {
-    /// Whether the value may contain sines, cosines or roots, whose written form differs from the
-    /// stored one.
+    /// Whether the value may contain sines, cosines or roots. Their written form differs from the
+    /// stored form.
     fn has_written_form(&self) -> bool {
         let written = |variable: &Variable| {
             let kind = variable.kind();
@@ -370,8 +374,8 @@ impl Symbolic {
         self.variables().iter().any(written)
     }
 
-    /// Like [`parts`](Self::parts), with a bound for the expanded denominator, which multiplies the
-    /// other numerator in a sum.
+    /// The sizes as in [`parts`](Self::parts), but with a bound for the expanded denominator, by
+    /// which a sum multiplies the other numerator.
     fn expanded_parts(&self) -> [(usize, usize); 2] {
         let [above, below] = self.parts();
         let Form::Fraction(f) = &self.0 else { return [above, below] };
@@ -390,8 +394,9 @@ impl Symbolic {
         [above, (terms.saturating_mul(degree.saturating_add(1)), terms)]
     }
 
-    /// The size and the number of terms, of the numerator and of the denominator. Products preserve
-    /// the factors of denominators, so factors are counted and not expanded.
+    /// The size and the number of terms, for the numerator and for the denominator. Products
+    /// preserve the factors of denominators, so the sizes of factors are added and nothing is
+    /// expanded.
     fn parts(&self) -> [(usize, usize); 2] {
         match &self.0 {
             Form::Constant(c) => [(c.size(), 1), (1, 1)],
@@ -406,13 +411,13 @@ impl Symbolic {
     }
 }
 
-/// The size of a product of two sums, in which every term of one is multiplied by every term of the
+/// The size of a product of two sums. Every term of one sum is multiplied by every term of the
 /// other.
 fn meeting((p, terms): (usize, usize), (q, others): (usize, usize)) -> usize {
     p.saturating_mul(others).saturating_add(q.saturating_mul(terms))
 }
 
-/// Bits of the coefficients plus degrees of the terms.
+/// The number of bits of the coefficients plus the degrees of the terms.
 fn size(polynomial: &Polynomial) -> usize {
     let terms = polynomial.terms.iter();
     let sizes = terms.map(|(m, c)| c.size().saturating_add(m.degree() as usize));

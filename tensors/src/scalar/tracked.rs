@@ -6,12 +6,14 @@ use crate::function::Function;
 use std::fmt;
 use std::ops::{Add, Mul, Neg};
 
-/// An `f64` with its accumulated rounding error: computed value minus exact value, up to the rounding of the error itself.
+/// An `f64` with its accumulated rounding error. The error is the computed value minus the exact
+/// value, up to the rounding of the error itself.
 ///
-/// A plain `f64` is compared only with the terms of the last sum: a remainder of terms that cancel
-/// enters the next sum as if it were exact. Here the rounding error of every product and sum is
-/// computed, which is possible exactly in floating point, and propagated. Terms of second order are
-/// included: if a metric is ill-conditioned, little else remains of sums of large terms.
+/// A plain `f64` is compared only with the terms of the last sum. If terms cancel, the next sum
+/// uses the remainder as if it were exact. In contrast, this type computes the rounding error of
+/// every product and sum, which floating point allows exactly, and propagates it. Terms of second
+/// order are included, because sums of large terms may consist mostly of such terms if a metric is
+/// ill-conditioned.
 ///
 /// ```text
 /// a + b:  e_a + e_b + (fl(a + b) - (a + b))
@@ -19,22 +21,23 @@ use std::ops::{Add, Mul, Neg};
 /// 1/a:    -e_a/(a (a - e_a)) + (fl(1/a) - 1/a)
 /// ```
 ///
-/// A value `v` with error `e` counts as zero in three cases:
-/// - it consists of its error: `|v - e| <= |v|/1024`. The error therefore never makes a value zero
-///   that has a correct digit, however ill-conditioned the computation is;
+/// A value `v` with the error `e` counts as zero in three cases:
+/// - it consists of its error: `|v - e| <= |v|/1024`. If a value has a correct digit, the error
+///   therefore never makes it zero, even if the computation is ill-conditioned;
 /// - it is below the tolerance, as for an `f64`: `|v| <= tau (sum of the |terms|)`;
 /// - it is a sum of terms that all count as zero.
 ///
-/// A tensor does not show such a component, but stores it. In the next sum the value may cancel a
-/// component that is shown, and the difference from its error, `v - e`, may be large compared with
-/// the result. The component is dropped if this difference is negligible: `|v - e| <= 2^-40 |v|`.
+/// A tensor does not show such a component, but stores it. In the next sum, the value may cancel a
+/// component that is shown, and the difference `v - e` between the value and its error may be large
+/// compared with the result. The component is not stored if this difference is negligible:
+/// `|v - e| <= 2^-40 |v|`.
 ///
-/// Arithmetic uses the values of `f64`. The text ([`Display`](fmt::Display), [`Notation`]) shows
-/// the corrected value, `v - e`.
+/// The arithmetic uses the values of `f64`. The text ([`Display`](fmt::Display), [`Notation`])
+/// shows the corrected value `v - e`.
 ///
 /// The error-free transformations are those of T. J. Dekker, *Numer. Math.* 18 (1971) 224-242, and
-/// D. E. Knuth. The correction follows P. Langlois, *BIT* 41 (2001) 515-526, who includes the first
-/// order only.
+/// D. E. Knuth. The correction follows P. Langlois, *BIT* 41 (2001) 515-526, which includes only
+/// the first order.
 ///
 /// ```
 /// use affinor_tensors::{Notation, Rational, Sum, Summable, Tolerance, TrackedFloat};
@@ -48,17 +51,19 @@ use std::ops::{Add, Mul, Neg};
 #[derive(Clone, Copy)]
 pub struct TrackedFloat {
     value: f64,
-    /// The last binary digit, to which no error estimate is accurate, marks the value: it is 1 if
-    /// the value counts as zero in the sum from which it comes. Tensors of millions of components
-    /// need a third less memory than with a separate field.
+    /// The error. Its last binary digit is a mark, because no error estimate is accurate to this
+    /// digit. The mark is 1 if the value counts as zero in the sum from which it comes. Compared
+    /// with a separate field, this mark saves a third of the memory of tensors with millions of
+    /// components.
     marked_error: f64,
 }
 
-/// A value consists of its error if at most this fraction of it remains after subtracting the
+/// A value consists of its error if at most this fraction of it remains after subtraction of the
 /// error.
 const LEFT: f64 = 1.0 / 1024.0;
 
-/// A remainder of at most this fraction is negligible: errors are not known more accurately.
+/// A remainder is negligible if it is at most this fraction of the value. Errors are not known more
+/// accurately.
 const NOTHING: f64 = 1.0 / (1u64 << 40) as f64;
 
 impl TrackedFloat {
@@ -85,18 +90,19 @@ impl TrackedFloat {
         self.value
     }
 
-    /// The rounding error: computed value minus exact value.
+    /// The rounding error, which is the computed value minus the exact value.
     pub const fn error(self) -> f64 {
         f64::from_bits(self.marked_error.to_bits() & !1)
     }
 
-    /// The value minus the error; the value if the error overflows.
+    /// The value minus the error. If the error overflows, it is the value.
     pub fn corrected(self) -> f64 {
         let corrected = self.value - self.error();
         if corrected.is_finite() { corrected } else { self.value }
     }
 
-    /// An elementary function: `f(v)` with the error `f'(v) e`, without the rounding error of `f` itself.
+    /// An elementary function of the number. The result is `f(v)` with the error `f'(v) e`; the
+    /// rounding error of `f` itself is not included.
     ///
     /// ```
     /// use affinor_tensors::{Notation, Rational, TrackedFloat, scalar::Function};
@@ -109,11 +115,11 @@ impl TrackedFloat {
     pub fn applied(self, function: Function) -> Self {
         let value = function.value(self.value);
         let error = function.slope(self.value, value) * self.error();
-        // a slope is infinite where the root of zero is taken
+        // replaces an infinite error by 0, because the slope of the square root is infinite at zero
         TrackedFloat::with_error(value, if error.is_finite() { error } else { 0.0 })
     }
 
-    /// The number if it does not consist of its error.
+    /// The number. Returns `None` if it consists of its error.
     pub fn significant(self, tolerance: Tolerance) -> Option<Self> {
         TrackedSum::term(&self).finish(tolerance)
     }
@@ -125,15 +131,15 @@ impl From<f64> for TrackedFloat {
     }
 }
 
-/// The sum of two magnitudes; negative if both are negative, which means that all terms count as
-/// zero.
+/// The sum of two magnitudes. If both are negative, the sum is negative, which means that all terms
+/// count as zero.
 #[inline(always)]
 fn magnitudes(a: f64, b: f64) -> f64 {
     let sign = a.to_bits() & b.to_bits() & (1 << 63);
     f64::from_bits((a.abs() + b.abs()).to_bits() | sign)
 }
 
-/// `fl(a + b)` and its rounding error.
+/// The sum `fl(a + b)`, and its rounding error.
 #[inline(always)]
 fn added(a: f64, b: f64) -> (f64, f64) {
     let sum = a + b;
@@ -148,7 +154,7 @@ fn upper(a: f64) -> f64 {
     shifted - (shifted - a)
 }
 
-/// `fl(a b)` and its rounding error; the error is NaN if a half overflows.
+/// The product `fl(a b)`, and its rounding error. The error is NaN if a half overflows.
 #[inline(always)]
 fn multiplied(a: f64, b: f64) -> (f64, f64) {
     let product = a * b;
@@ -157,12 +163,12 @@ fn multiplied(a: f64, b: f64) -> (f64, f64) {
     (product, ((product - a1 * b1) - a1 * b2 - a2 * b1) - a2 * b2)
 }
 
-/// A sum with its rounding error, and the sum of the magnitudes of its terms.
+/// A sum with its rounding error, and with the sum of the magnitudes of its terms.
 #[derive(Clone, Copy, Debug)]
 pub struct TrackedSum {
     value: f64,
     error: f64,
-    /// Negative if all terms count as zero.
+    /// The sum of the magnitudes. It is negative if all terms count as zero.
     magnitude: f64,
 }
 
@@ -193,8 +199,8 @@ impl TrackedSum {
             || self.leaves(LEFT, tolerance)
     }
 
-    /// Whether at most this fraction of the value remains after subtracting the error. False if the
-    /// error is not finite.
+    /// Whether at most the fraction `share` of the value remains after subtraction of the error.
+    /// The result is false if the error is not finite.
     fn leaves(&self, share: f64, tolerance: Tolerance) -> bool {
         let tolerates = tolerance.relative() > 0.0;
         let exact = self.value == 0.0 && (self.error == 0.0 || !tolerates);
@@ -202,7 +208,7 @@ impl TrackedSum {
         exact || (tolerates && self.value != 0.0 && left <= share * self.value.abs())
     }
 
-    /// The magnitude of a term, negative if the term counts as zero.
+    /// The magnitude of a term. It is negative if the term counts as zero.
     #[inline(always)]
     fn size(value: f64, small: bool) -> f64 {
         if small || value == 0.0 { -value.abs() } else { value.abs() }
@@ -240,7 +246,7 @@ impl Sum<TrackedFloat> for TrackedSum {
     }
 }
 
-/// Tracked floats are equal if their values are; the errors are ignored.
+/// Two tracked floats are equal if their values are equal. The errors are ignored.
 impl PartialEq for TrackedFloat {
     fn eq(&self, other: &Self) -> bool {
         self.value == other.value
@@ -281,7 +287,7 @@ forward_operators!(TrackedFloat: Add add AddAssign add_assign, Sub sub SubAssign
 
 impl Ring for TrackedFloat {
     fn from_i64(n: i64) -> Self {
-        // a float stores only 53 of 64 binary digits
+        // computes the error, because a float stores only 53 of 64 binary digits
         let value = n as f64;
         let error = (value as i128 - i128::from(n)) as f64;
         TrackedFloat::with_error(value, error)
@@ -315,7 +321,7 @@ impl Summable for TrackedFloat {
 impl Field for TrackedFloat {
     fn recip(&self) -> Option<Self> {
         let value = Field::recip(&self.value)?;
-        // the residual 1 - value * self.value gives the rounding error of the division
+        // computes the rounding error of the division from the residual 1 - value * self.value
         let (product, rounding) = multiplied(value, self.value);
         let residual = (1.0 - product) + rounding;
         let error = -(residual + self.error() * value) / (self.value - self.error());
@@ -328,7 +334,7 @@ impl Field for TrackedFloat {
 
 impl Notation for TrackedFloat {
     const KIND: Kind = Kind::Float;
-    /// The nearest float, with its rounding error.
+    /// The float that is nearest to the number, with its rounding error.
     fn from_rational(exact: &Rational) -> Option<Self> {
         let value = f64::from_rational(exact)?;
         let error = Rational::from_f64(value).map_or(0.0, |own| (own - exact).to_f64());
@@ -354,7 +360,7 @@ impl fmt::Display for TrackedFloat {
     }
 }
 
-/// Writes the value and its error: `0.1 (off by 5e-18)`.
+/// Writes the value and its error, such as `0.1 (off by 5e-18)`.
 impl fmt::Debug for TrackedFloat {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{:?} (off by {:?})", self.value, self.error())
@@ -365,7 +371,8 @@ impl fmt::Debug for TrackedFloat {
 mod tests {
     use super::*;
 
-    /// The mark changes an error only in its last digit, and a negative error in the same way.
+    /// The mark changes only the last digit of an error. It changes a negative error in the same
+    /// way.
     #[test]
     fn an_error_keeps_its_digits_beside_the_mark() {
         for error in [0.0, 1.0, 1e-17, 0.1, 3e-300, 5e-324, f64::MAX, f64::INFINITY] {
@@ -373,7 +380,7 @@ mod tests {
                 let value = TrackedFloat::marked(2.0, error, small);
                 assert_eq!((value.counts_as_zero(), (-value).counts_as_zero()), (small, small));
                 assert_eq!((-value).error(), -value.error());
-                // rounds towards zero, or not at all
+                // the mark rounds the error towards zero, or does not change it
                 let below = (error.abs().next_down()).copysign(error);
                 assert!(
                     [error, below].contains(&value.error()),

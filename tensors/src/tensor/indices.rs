@@ -4,10 +4,10 @@ use super::Tensor;
 use crate::{Summable, threads};
 use std::ops::{Deref, Range};
 
-/// The number of components up to which one thread writes all indices.
+/// If there are at most this many components, one thread writes all indices.
 const TOGETHER: usize = 1 << 16;
 
-/// The indices of one component, from 0; a slice of `usize`.
+/// The indices of one component, from 0. The type can be used as a slice of `usize`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Indices([usize; Indices::MAX], usize);
 
@@ -15,7 +15,7 @@ impl Indices {
     /// The highest rank of a tensor.
     pub const MAX: usize = 8;
 
-    /// The same indices with two of them exchanged.
+    /// The same indices, with two of them exchanged.
     pub(super) fn exchanged(mut self, a: usize, b: usize) -> Self {
         self.0.swap(a, b);
         self
@@ -35,12 +35,12 @@ impl AsRef<[usize]> for Indices {
     }
 }
 
-/// A decoder of ascending keys to indices. Neighbouring keys mostly share all indices but the last
-/// two, so only these are recomputed.
+/// A decoder that converts ascending keys to indices. Neighbouring keys usually differ only in the
+/// last two indices, so only these are recomputed.
 #[derive(Clone, Debug)]
 pub(super) struct Reader {
     dimension: u64,
-    /// The smallest key with the same indices but the last two.
+    /// The smallest key whose indices agree, except for the last two.
     first: u64,
     indices: Indices,
 }
@@ -76,7 +76,8 @@ impl Reader {
     }
 }
 
-/// The nonzero components of a tensor in the order of their indices: [`Tensor::components`].
+/// An iterator over the nonzero components of a tensor in the order of their indices; see
+/// [`Tensor::components`].
 #[derive(Clone)]
 pub struct Components<'t, S> {
     tensor: &'t Tensor<S>,
@@ -103,10 +104,10 @@ impl<'t, S: Summable> Iterator for Components<'t, S> {
     }
 }
 
-/// The number of stored components in a piece of work of a thread.
+/// The number of stored components in one piece of work of a thread.
 const PIECE: usize = 1 << 14;
 
-/// The number of pieces that each thread computes before their results are handed on.
+/// The number of pieces that each thread computes before their results are passed on.
 const ROUND: usize = 8;
 
 impl<'t, S: Summable> IntoIterator for &'t Tensor<S> {
@@ -119,11 +120,11 @@ impl<'t, S: Summable> IntoIterator for &'t Tensor<S> {
 }
 
 impl<S: Summable> Tensor<S> {
-    /// Divides the nonzero components into pieces, in their order. Passes the result of `work` for
-    /// each piece to `take`, in that order. `work` runs on all threads at once.
+    /// Divides the nonzero components, in order, into pieces. Calls `take` with the result of
+    /// `work` for each piece, in the same order. The function `work` runs on all threads at once.
     ///
     /// # Errors
-    /// The first error of `take`. No further piece is passed to it.
+    /// The first error of `take`. After an error, `take` is not called again.
     pub fn in_pieces<T: Send, E>(
         &self,
         work: impl Fn(Components<'_, S>) -> T + Send + Sync,
@@ -163,9 +164,9 @@ impl<S: Summable> Tensor<S> {
         self.values.iter().filter(|value| !value.is_small())
     }
 
-    /// The indices of the nonzero components, from 0, in one list: the indices of the first slot in
-    /// the order of the components, then those of the second slot, and so on. This is the
-    /// coordinate format of sparse arrays.
+    /// The indices of the nonzero components, from 0, in one list. The list begins with the indices
+    /// of the first slot, in the order of the components. The indices of the second slot follow,
+    /// and so on. This form is the coordinate format of sparse arrays.
     ///
     /// ```
     /// use affinor_tensors::{Down, Tensor};
@@ -192,8 +193,8 @@ impl<S: Summable> Tensor<S> {
         }
     }
 
-    /// Writes the indices of a range of stored components, one row per slot. More than `together`
-    /// of them are written by two threads.
+    /// Writes the indices of a range of stored components, with one row for each slot. If there are
+    /// more than `together` components, two threads write them.
     fn write_rows(&self, stored: Range<usize>, mut rows: Vec<&mut [i64]>, together: usize) {
         if stored.len() > together {
             let middle = stored.start + stored.len() / 2;
@@ -237,7 +238,7 @@ mod tests {
 
     #[test]
     fn coordinates_do_not_depend_on_the_number_of_threads() {
-        // rows 1 and 3 sum to a rounding error, which is stored but not shown
+        // the sums of rows 1 and 3 are rounding errors, which are stored but not shown
         let row = |i: usize| {
             if i % 2 == 1 { [0.1, 0.2, -0.3, 0.0, 0.0] } else { [1.0, 0.0, 2.0, 0.5, i as f64] }
         };
@@ -260,7 +261,7 @@ mod tests {
         }
     }
 
-    /// A reader decodes keys correctly in any order of ascending keys.
+    /// A reader decodes every ascending sequence of keys correctly.
     #[test]
     fn a_reader_divides_every_key() {
         for (dimension, rank) in

@@ -5,7 +5,7 @@ use crate::{Scalar, Summable};
 use std::fmt;
 use std::ops::{Add, Index, Mul, Neg, Sub};
 
-/// Tensors are equal if their shapes and components are; the tolerance is ignored.
+/// Two tensors are equal if their shapes and components are equal. The tolerance is ignored.
 impl<S: PartialEq> PartialEq for Tensor<S> {
     fn eq(&self, other: &Self) -> bool {
         self.dimension == other.dimension
@@ -15,9 +15,9 @@ impl<S: PartialEq> PartialEq for Tensor<S> {
     }
 }
 
-/// `tensor[&[i, j, k][..]]`, indices from 0; zero if the component is not stored.
+/// The component `tensor[&[i, j, k][..]]`, with indices from 0. It is zero if it is not stored.
 ///
-/// Panics on an index out of range or a wrong number of indices.
+/// Panics if an index is out of range, or if the number of indices is wrong.
 impl<S: Summable> Index<&[usize]> for Tensor<S> {
     type Output = S;
     fn index(&self, indices: &[usize]) -> &S {
@@ -25,9 +25,9 @@ impl<S: Summable> Index<&[usize]> for Tensor<S> {
     }
 }
 
-/// `tensor[[i, j, k]]`, indices from 0; zero if the component is not stored.
+/// The component `tensor[[i, j, k]]`, with indices from 0. It is zero if it is not stored.
 ///
-/// Panics on an index out of range or a wrong number of indices.
+/// Panics if an index is out of range, or if the number of indices is wrong.
 impl<S: Summable, const RANK: usize> Index<[usize; RANK]> for Tensor<S> {
     type Output = S;
     fn index(&self, indices: [usize; RANK]) -> &S {
@@ -35,8 +35,8 @@ impl<S: Summable, const RANK: usize> Index<[usize; RANK]> for Tensor<S> {
     }
 }
 
-/// Writes one nonzero component per line, indices from 1: `^1_23 = -1/2`. From dimension 10 on,
-/// commas separate the indices: `^1_2,13 = 1`. The zero tensor is `0`.
+/// Writes one nonzero component per line, with indices from 1: `^1_23 = -1/2`. If the dimension is
+/// 10 or more, commas separate the indices: `^1_2,13 = 1`. The zero tensor is written `0`.
 impl<S: Summable> fmt::Display for Tensor<S> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if self.is_empty() {
@@ -71,7 +71,7 @@ impl<S: fmt::Debug> fmt::Debug for Tensor<S> {
 macro_rules! sum {
     ($operator:ident $method:ident $sign:literal) => {
         /// # Panics
-        /// If the tensors differ in dimension or slots.
+        /// If the tensors have different dimensions or slots.
         impl<S: Scalar> $operator for &Tensor<S> {
             type Output = Tensor<S>;
             fn $method(self, other: &Tensor<S>) -> Tensor<S> {

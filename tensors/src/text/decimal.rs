@@ -4,7 +4,7 @@ use crate::Rational;
 use num_bigint::BigInt;
 use num_rational::BigRational;
 
-/// The number as a decimal with this number of significant digits, rounded up or down.
+/// The number as a decimal with this number of significant digits. It is rounded up or down.
 ///
 /// ```
 /// use affinor_tensors::{Rational, text::rounded};
@@ -15,7 +15,7 @@ use num_rational::BigRational;
 /// assert_eq!(rounded(&large, 3, false).as_deref(), Some("1.23e9"));
 /// ```
 ///
-/// `None` for zero and numbers beyond the range of floats.
+/// Returns `None` for zero, and for numbers beyond the range of floats.
 pub fn rounded(value: &Rational, digits: u32, up: bool) -> Option<String> {
     let size = Some(value.to_f64().abs()).filter(|size| size.is_normal())?;
     let exponent = size.log10().floor() as i32 + 1 - i32::try_from(digits).ok()?;
@@ -25,7 +25,8 @@ pub fn rounded(value: &Rational, digits: u32, up: bool) -> Option<String> {
     Some(decimal(&units.to_integer(), exponent))
 }
 
-/// The number as a decimal with at most this number of decimal places, if it is exact.
+/// The number as a decimal with at most this number of decimal places. Returns `None` unless this
+/// decimal is exact.
 ///
 /// ```
 /// use affinor_tensors::{Rational, text::exact_decimal};
@@ -38,14 +39,14 @@ pub fn exact_decimal(value: &Rational, decimals: u8) -> Option<String> {
     units.is_integer().then(|| decimal(&units.to_integer(), -i32::from(decimals)))
 }
 
-/// The number `units * 10^exponent`, without trailing zeros.
+/// The number `units * 10^exponent` as text, without trailing zeros.
 fn decimal(units: &BigInt, exponent: i32) -> String {
     let text = units.to_string();
     let (sign, digits) = match text.strip_prefix('-') {
         Some(digits) => ("-", digits),
         None => ("", text.as_str()),
     };
-    // very large and very small numbers are written with an exponent instead of zeros
+    // writes very large and very small numbers with an exponent instead of zeros
     let places = match usize::try_from(-exponent) {
         Ok(places) if places <= digits.len() + 5 => places,
         _ if exponent == 0 => 0,

@@ -11,7 +11,7 @@ pub(crate) fn count() -> usize {
     rayon::current_num_threads()
 }
 
-/// The values of `f` at `0..n`, in order; each thread has a state.
+/// The values of `f` at `0..n`, in order. Each thread has its own state.
 pub(crate) fn map<W: Send, I: Fn() -> W + Sync, T: Send>(
     n: u64,
     states: &States<W, I>,
@@ -38,12 +38,13 @@ pub(crate) fn map<W: Send, I: Fn() -> W + Sync, T: Send>(
     values.into_iter().filter_map(value).collect()
 }
 
-/// Runs a worker on each thread over `0..n`. It is not generic, so that rayon is compiled once.
+/// Runs a worker over `0..n` on each thread. The function is not generic, so that rayon is compiled
+/// only once.
 fn each<'w>(n: u64, worker: &(dyn Fn() -> Box<dyn FnMut(u64) + 'w> + Sync)) {
     (0..n).into_par_iter().for_each_init(worker, |work, at| work(at));
 }
 
-/// The results of both closures, on two threads if two are free.
+/// The results of the two closures. They run on two threads if two threads are free.
 pub(crate) fn join<A: Send, B: Send>(
     a: impl FnOnce() -> A + Send,
     b: impl FnOnce() -> B + Send,

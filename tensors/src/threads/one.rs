@@ -8,7 +8,7 @@ pub(crate) fn count() -> usize {
     1
 }
 
-/// The values of `f` at `0..n`, in order, with a state.
+/// The values of `f` at `0..n`, in order. All calls use one state.
 pub(crate) fn map<W: Send, I: Fn() -> W + Sync, T: Send>(
     n: u64,
     states: &States<W, I>,
@@ -21,7 +21,7 @@ pub(crate) fn map<W: Send, I: Fn() -> W + Sync, T: Send>(
     (0..n).scan(states.take(), value).collect()
 }
 
-/// The results of both closures.
+/// The results of the two closures.
 pub(crate) fn join<A: Send, B: Send>(
     a: impl FnOnce() -> A + Send,
     b: impl FnOnce() -> B + Send,

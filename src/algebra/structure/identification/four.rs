@@ -1,7 +1,8 @@
-//! Names of the solvable real algebras of dimension 4, by the action on the nilradical.
+//! Names of the solvable real algebras of dimension 4. They are determined by the action on the
+//! nilradical.
 //!
 //! G. M. Mubarakzyanov, *Izv. Vyssh. Uchebn. Zaved. Mat.* 32 (1963) 114-123; the numbers are those
-//! of Patera, Sharp, Winternitz and Zassenhaus. For irrational parameters the answer gives
+//! of Patera, Sharp, Winternitz and Zassenhaus. For irrational parameters, the answer contains
 //! equations with rational coefficients.
 
 use super::Identification;
@@ -18,8 +19,8 @@ pub(in crate::algebra::structure) struct Spectrum {
     pub rational: Vec<Rational>,
     /// Whether there are irrational real eigenvalues.
     pub irrational: bool,
-    /// Real part and squared imaginary part of a complex pair; `Some(None)` if these are
-    /// irrational.
+    /// The real part and the squared imaginary part of a pair of complex eigenvalues; `Some(None)`
+    /// if these are irrational.
     pub complex: Option<Option<(Rational, Rational)>>,
 }
 
@@ -33,7 +34,7 @@ impl StructureTheory<Rational> {
         let nilradical = self.nilradical();
         let outside = nilradical.complement().next()?;
         if nilradical.dimension() == 2 {
-            // one of e, f, e + f acts with two different eigenvalues
+            // at least one of e, f, e + f acts with two different eigenvalues
             let spectra = self.action_of_complement(&nilradical)?;
             let split = spectra.iter().any(|(_, s)| s.irrational || different(&s.rational));
             let complex = spectra.iter().any(|(_, s)| s.complex.is_some());
@@ -53,7 +54,7 @@ impl StructureTheory<Rational> {
         on_heisenberg(&action)
     }
 
-    /// The matrix of `ad_x` on a subspace, or on its quotient by another.
+    /// The matrix of `ad_x` on the subspace `on`, or on its quotient by the subspace `modulo`.
     pub(super) fn action(
         &self,
         x: &[(usize, Rational)],
@@ -61,7 +62,7 @@ impl StructureTheory<Rational> {
         modulo: Option<&Subspace<Rational>>,
     ) -> Option<Matrix<Rational>> {
         let ad = self.products.ad(x);
-        // a basis whose first vectors span a complement of the smaller subspace
+        // the first vectors of this basis span a complement of `modulo`
         let zero = Subspace::zero(self.dimension());
         let modulo = modulo.unwrap_or(&zero);
         let mut span = modulo.clone();
@@ -98,7 +99,7 @@ fn by_name(name: String) -> Option<Identification> {
     Some(Identification::by_name(vec![name]))
 }
 
-/// A name with irrational parameters, and equations for them.
+/// A name whose parameters are irrational, with equations for these parameters.
 fn open(name: &str, equations: String) -> Option<Identification> {
     let parameter = Some(equations);
     Some(Identification { parameter, ..Identification::by_name(vec![name.into()]) })
@@ -117,8 +118,8 @@ fn trace(matrix: &Matrix<Rational>) -> Rational {
     (0..matrix.rows()).fold(Rational::from(0), |sum, i| sum + &matrix.get(i, i))
 }
 
-/// The rational number `x/y + y/x` if exactly two eigenvalues `x`, `y` are nonzero: `tr D^2 / (x
-/// y)`.
+/// The rational number `tr D^2 / (x y) = x/y + y/x` of an action `D` with exactly two nonzero
+/// eigenvalues `x`, `y`.
 fn ratios(action: &Matrix<Rational>) -> Option<Rational> {
     let squares = trace(&action.mul(action).ok()?);
     let product = (squared(&trace(action)) - &squares) * &Rational::new(1, 2)?;
@@ -129,7 +130,8 @@ fn different(values: &[Rational]) -> bool {
     values.windows(2).any(|two| two[0] != two[1])
 }
 
-/// The characteristic polynomial by the recursion of Faddeev and Leverrier, factored.
+/// The eigenvalues, from the factors of the characteristic polynomial. The recursion of Faddeev and
+/// Leverrier computes this polynomial.
 pub(in crate::algebra::structure) fn spectrum(matrix: &Matrix<Rational>) -> Option<Spectrum> {
     let n = matrix.rows();
     let mut coefficients = vec![Rational::from(1)];
@@ -168,7 +170,7 @@ pub(in crate::algebra::structure) fn spectrum(matrix: &Matrix<Rational>) -> Opti
     Some(found)
 }
 
-/// The case in which the nilradical is abelian of dimension 3.
+/// The name if the nilradical is abelian of dimension 3.
 fn on_space(action: &Matrix<Rational>) -> Option<Identification> {
     let Spectrum { rational, irrational, complex } = spectrum(action)?;
     if let Some(pair) = complex {
@@ -218,7 +220,8 @@ fn on_space(action: &Matrix<Rational>) -> Option<Identification> {
         let other = rational.iter().find(|other| *other != root);
         match (size, blocks, other) {
             (3, 1, _) => return by_name("patera(4,4)".into()),
-            // a Jordan block of size 2 and a simple eigenvalue, which may be the same
+            // the action has a Jordan block of size 2 and another eigenvalue, which may equal the
+            // eigenvalue of the block
             (3, 2, _) => return by_name("patera(4,2,a=1)".into()),
             (2, 1, Some(other)) => {
                 return by_name(match (root.recip(), other.vanishes()) {
@@ -233,7 +236,8 @@ fn on_space(action: &Matrix<Rational>) -> Option<Identification> {
     diagonal(&rational)
 }
 
-/// The case of a diagonal action: the eigenvalues, divided by one of largest size, in order.
+/// The name if the action is diagonal. The eigenvalues are sorted, and divided by an eigenvalue of
+/// maximal size.
 fn diagonal(values: &[Rational]) -> Option<Identification> {
     let size = |value: &Rational| value.clone().abs().to_f64();
     let largest = values.iter().map(size).fold(0.0, f64::max);
@@ -263,8 +267,8 @@ fn diagonal(values: &[Rational]) -> Option<Identification> {
     })
 }
 
-/// The case in which the nilradical is the Heisenberg algebra; `action` is the action on its
-/// quotient by the centre.
+/// The name if the nilradical is the Heisenberg algebra. The parameter `action` is the action on
+/// the quotient of the nilradical by its centre.
 fn on_heisenberg(action: &Matrix<Rational>) -> Option<Identification> {
     let Spectrum { rational, irrational, complex } = spectrum(action)?;
     if trace(action).vanishes() {

@@ -1,8 +1,9 @@
-//! Isomorphisms of nilpotent algebras of dimension 5 and 6 with those of the catalogue.
+//! Isomorphisms between nilpotent algebras of dimension 5 and 6 and algebras of the catalogue.
 //!
-//! An isomorphism maps the terms of both central series, and their centralizers, to those of the
-//! other algebra. This gives linear equations for its matrix. The equations `f([x, y]) = [f(x),
-//! f(y)]` for the basis are quadratic. They are solved for the images of generators first.
+//! An isomorphism maps the terms of both central series, and their centralizers, to the
+//! corresponding subspaces of the other algebra. This condition yields linear equations for the
+//! matrix of the isomorphism. The equations `f([x, y]) = [f(x), f(y)]` for the basis are quadratic.
+//! The solver determines the images of the generators first.
 
 use super::polynomials::{
     MAX_VARIABLES, Polynomial, Search, System, plus, product, value, variable,
@@ -16,13 +17,16 @@ use affinor_tensors::{Down, Rational, Ring, Tensor, Up};
 /// The number of orders of the generators and values that are tried, and of steps of each attempt.
 const ATTEMPTS: usize = 24;
 const STEPS: usize = 160;
-/// The multiples of the second basis vector that are added to the first one.
+/// The multiples of the second basis vector that are added to the first basis vector, one in each
+/// attempt.
 const SHEARS: [i64; 4] = [0, 1, -1, 2];
 
 impl StructureTheory<Rational> {
-    /// The images of the basis of a named nilpotent algebra; `None` if no isomorphism was found.
+    /// The images of the basis of a named nilpotent algebra. Returns `None` if no isomorphism is
+    /// found.
     pub(super) fn onto_nilpotent(&self, named: &Self) -> Option<Vec<Vector>> {
-        // brackets are sparse in a basis that is adapted to the characteristic subspaces
+        // changes to a basis that is adapted to the characteristic subspaces, because brackets are
+        // sparse in this basis
         let n = self.dimension();
         let mut flags = self.flags();
         flags.sort_by_key(Subspace::dimension);
@@ -30,7 +34,7 @@ impl StructureTheory<Rational> {
         let vectors = flags.iter().flat_map(|flag| flag.basis().to_vec());
         let mut basis: Vec<Vector> = vectors.filter(|row| span.add(row.clone())).collect();
         basis.reverse();
-        // the solver tries zeros and ones first, so other first vectors are other attempts
+        // tries several first vectors, because the solver tries only small values for the unknowns
         SHEARS.into_iter().find_map(|factor| {
             let mut sheared = basis.clone();
             sheared[0] = sum(&basis[0], &scale(&basis[1], &Rational::from(factor)));
@@ -53,14 +57,14 @@ impl StructureTheory<Rational> {
 
     fn adapted_onto(&self, named: &Self) -> Option<Vec<Vector>> {
         let n = self.dimension();
-        // the image of e_i has the component (i, k) at i n + k
+        // in the list of unknowns, the component k of the image of e_i has the index i n + k
         let flags = self.flags().into_iter().zip(named.flags());
         let mut rows = vec![];
         for (own, other) in flags {
             if own.dimension() != other.dimension() {
                 return None;
             }
-            // linear functionals that vanish on the subspace
+            // the linear functionals that vanish on the subspace
             let zero_on = Subspace::kernel(n, own.basis().iter().cloned());
             for (x, functional) in
                 other.basis().iter().flat_map(|x| zero_on.basis().iter().map(move |f| (x, f)))
@@ -86,7 +90,7 @@ impl StructureTheory<Rational> {
         let image_of: Vec<usize> =
             maps.basis().iter().map(|row| row.first().map_or(0, |(at, _)| at / n)).collect();
         (0..ATTEMPTS).find_map(|attempt| {
-            // the generators in a different order for each attempt, then the other vectors
+            // first the generators, in a different order for each attempt, then the other vectors
             let mut rows = generators.clone();
             rows.rotate_left(attempt % generators.len());
             if attempt / generators.len() % 2 == 1 {
@@ -114,7 +118,7 @@ impl StructureTheory<Rational> {
         })
     }
 
-    /// Subspaces that every isomorphism preserves.
+    /// Subspaces that every isomorphism maps to the corresponding subspaces.
     fn flags(&self) -> Vec<Subspace<Rational>> {
         let mut flags = self.lower_central_series().to_vec();
         flags.extend(self.upper_central_series());
@@ -126,7 +130,7 @@ impl StructureTheory<Rational> {
         flags
     }
 
-    /// The components of `f([e_i, e_j]) - [f(e_i), f(e_j)]`.
+    /// The components of `f([e_i, e_j]) - [f(e_i), f(e_j)]`, which vanish if `f` is a homomorphism.
     fn equations(&self, named: &Self, matrix: &[Polynomial]) -> Vec<Polynomial> {
         let n = self.dimension();
         let mut equations = vec![];
@@ -158,7 +162,7 @@ fn sparse(row: &[Rational]) -> Vector {
     row.iter().cloned().enumerate().filter(|(_, value)| !value.vanishes()).collect()
 }
 
-/// Whether the matrix is invertible at one of two pseudorandom values of the variables.
+/// Whether the matrix is invertible at one of two pseudorandom points.
 fn regular(n: usize, matrix: &[Polynomial]) -> bool {
     [(7919, 1013), (104_729, 997)].into_iter().any(|(factor, modulus)| {
         let at = |v: usize| {

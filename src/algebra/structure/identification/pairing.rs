@@ -1,19 +1,19 @@
 //! Isomorphisms with `degraaf(6,24,e=...)`: nilpotent algebras of dimension 6 whose second centre
 //! pairs a plane with a plane.
 //!
-//! Let `V` be the algebra modulo its second centre. The bracket with `y_3 = [x_1, x_2]`, for a
-//! basis of `V`, is an isomorphism of `V` with the centre. The bracket with another vector `y_4` of
-//! the second centre, followed by the inverse of this isomorphism, is a map `T` of `V`. Up to a
-//! factor and central vectors, one `y_4` makes the trace of `T` zero. Then `T^2` is a number `d`,
-//! and `e` is `d` up to squares.
+//! Let `V` be the algebra modulo its second centre. The bracket with `y_3 = [x_1, x_2]`, where
+//! `x_1` and `x_2` are a basis of `V`, maps `V` isomorphically to the centre. The bracket with
+//! another vector `y_4` of the second centre, followed by the inverse of this isomorphism, is a map
+//! `T` of `V` to itself. Up to a factor and central vectors, one `y_4` makes the trace of `T` zero.
+//! Then `T^2` is a number `d`, and `e` is `d` up to squares.
 
 use super::{StructureTheory, Subspace, Vector, scale, witness::sum};
 use affinor_tensors::linear::Matrix;
 use affinor_tensors::{Field, Rational, Ring};
 
 impl StructureTheory<Rational> {
-    /// The images of the basis of `degraaf(6,24,e=...)` with this value; `None` if the algebra is
-    /// not isomorphic to it.
+    /// The images of the basis of `degraaf(6,24,e=...)` for this `e`. Returns `None` if the algebra
+    /// is not isomorphic to it.
     pub(super) fn onto_pairing(&self, e: &Rational) -> Option<Vec<Vector>> {
         let (centre, second) = (self.centre(), self.upper_central_series().get(2)?.clone());
         let units: Vec<Vector> =
@@ -25,7 +25,8 @@ impl StructureTheory<Rational> {
         span.add(y3.clone());
         let y4 = second.basis().iter().find(|row| span.add((*row).clone()))?;
         let image = |x: &Vector| {
-            // the bracket with y_4 in the basis of the brackets with y_3
+            // the coordinates of the bracket with y_4 in the basis that consists of the brackets
+            // with y_3
             let columns = [bracket(y1, &y3), bracket(y2, &y3)];
             let dense = |row: &Vector| Some(on_plane(&centre, row)?.to_vec());
             let system = Matrix::from_dense(&[dense(&columns[0])?, dense(&columns[1])?]).ok()?;
@@ -42,7 +43,7 @@ impl StructureTheory<Rational> {
             None if e.vanishes() => Rational::from(1),
             None => return None,
         };
-        // x_2 must not be an eigenvector of T, and x_1 is a multiple of its image
+        // chooses x_2 such that it is not an eigenvector of T; x_1 is a multiple of T x_2
         let apply = |[u, v]: &[Rational; 2]| {
             let below = c.clone() * u - &(a.clone() * v);
             [a.clone() * u + &(b.clone() * v), below]
@@ -63,7 +64,8 @@ impl StructureTheory<Rational> {
     }
 }
 
-/// The coordinates of a vector in a subspace of dimension 2.
+/// The coordinates of a vector in a subspace of dimension 2; `None` if the subspace does not
+/// contain the vector.
 fn on_plane(plane: &Subspace<Rational>, x: &Vector) -> Option<[Rational; 2]> {
     let mut all = (plane.dimension() == 2).then(|| [Rational::from(0), Rational::from(0)])?;
     plane.coordinates(x)?.into_iter().for_each(|(at, value)| all[at] = value);

@@ -1,9 +1,9 @@
-//! Small systems of polynomial equations over the rationals: finds one solution, by elimination
-//! where possible and otherwise by search.
+//! Small systems of polynomial equations over the rationals. The solver finds one solution, by
+//! elimination where possible, and otherwise by a search.
 //!
-//! A polynomial is a sparse row. The code of a monomial is made of its variables, six bits each. A
-//! set of equations is therefore a matrix, and its echelon form eliminates monomials: those of high
-//! degree, or those of low degree.
+//! A polynomial is a sparse row, whose columns are codes of monomials. The code of a monomial
+//! contains its variables, six bits for each. A set of equations is therefore a matrix. Its echelon
+//! form eliminates monomials of high degree, or of low degree if the columns are reversed.
 
 use super::{Subspace, collected, scale};
 use crate::algebra::irreducible_factors;
@@ -11,20 +11,20 @@ use affinor_tensors::{Field, Rational};
 use num_rational::BigRational;
 use polycore::Uni;
 
-/// Bits of a variable in the code of a monomial.
+/// The number of bits of a variable in the code of a monomial.
 const BITS: usize = 6;
 /// The largest number of variables of a system.
 pub(super) const MAX_VARIABLES: usize = (1 << BITS) - 1;
-/// The largest degree that a substitution may reach; the code of a monomial has room for ten
+/// The largest degree that a substitution may reach. The code of a monomial can contain ten
 /// variables.
 const MAX_DEGREE: usize = 8;
 /// The largest number of terms that a substitution may reach.
 const MAX_TERMS: usize = 400;
 
-/// The code of a monomial; 64 bits on every machine.
+/// The code of a monomial, with 64 bits on every machine.
 type Monomial = u64;
 
-/// A polynomial: coefficients of monomials.
+/// A polynomial: a list of monomials with their coefficients.
 pub(super) type Polynomial = Vec<(Monomial, Rational)>;
 
 /// The variables of a monomial, from the largest to the smallest; variables count from 0.
@@ -34,7 +34,7 @@ fn variables(code: Monomial) -> Vec<usize> {
     digits.filter(|digit| *digit > 0).map(|digit| digit - 1).collect()
 }
 
-/// The monomial of variables in decreasing order.
+/// The code of the monomial whose variables are given in decreasing order.
 fn code(variables: &[usize]) -> Monomial {
     variables.iter().fold(0, |code, variable| code << BITS | (*variable as Monomial + 1))
 }
@@ -43,12 +43,12 @@ fn degree(code: Monomial) -> usize {
     (Monomial::BITS - code.leading_zeros()).div_ceil(BITS as u32) as usize
 }
 
-/// The degree of a polynomial.
+/// The total degree of a polynomial.
 fn total(polynomial: &[(Monomial, Rational)]) -> usize {
     polynomial.iter().map(|(at, _)| degree(*at)).max().unwrap_or(0)
 }
 
-/// A variable as a polynomial.
+/// The polynomial that is a single variable.
 pub(super) fn variable(at: usize) -> Polynomial {
     vec![(code(&[at]), Rational::from(1))]
 }
@@ -70,7 +70,7 @@ pub(super) fn plus(a: &Polynomial, b: &Polynomial) -> Polynomial {
     collected(a.iter().chain(b).cloned().collect())
 }
 
-/// The coefficients of the powers of a variable.
+/// The coefficients of the powers of the variable `of`.
 fn in_powers(polynomial: &Polynomial, of: usize) -> Vec<Polynomial> {
     let mut powers: Vec<Polynomial> = vec![];
     for (at, value) in polynomial {
@@ -82,7 +82,8 @@ fn in_powers(polynomial: &Polynomial, of: usize) -> Vec<Polynomial> {
     powers.into_iter().map(collected).collect()
 }
 
-/// The polynomial with a variable replaced by a polynomial.
+/// Substitutes the polynomial `by` for the variable `of`. Returns `None` if the result is too
+/// large.
 fn substituted(polynomial: &Polynomial, of: usize, by: &Polynomial) -> Option<Polynomial> {
     let powers = in_powers(polynomial, of);
     if powers.len() <= 1 {
@@ -103,7 +104,7 @@ fn occurring(polynomial: &Polynomial) -> Vec<usize> {
     all
 }
 
-/// The value of a polynomial.
+/// The value of a polynomial at the point `at`.
 pub(super) fn value(polynomial: &Polynomial, at: &impl Fn(usize) -> Rational) -> Rational {
     let term = |(code, factor): &(Monomial, Rational)| {
         variables(*code).into_iter().fold(factor.clone(), |product, v| product * &at(v))
@@ -111,7 +112,8 @@ pub(super) fn value(polynomial: &Polynomial, at: &impl Fn(usize) -> Rational) ->
     polynomial.iter().map(term).fold(Rational::from(0), |sum, term| sum + &term)
 }
 
-/// The rational roots of a polynomial in one variable; `coefficients` begin with the constant.
+/// The rational roots of a polynomial in one variable; `coefficients` begins with the constant
+/// term.
 fn roots(coefficients: &[Rational]) -> Vec<Rational> {
     let polynomial = Uni::new(coefficients.iter().map(BigRational::from).collect());
     let linear = irreducible_factors(&polynomial).into_iter().filter(|(f, _)| f.deg() == 1);
@@ -123,14 +125,14 @@ fn roots(coefficients: &[Rational]) -> Vec<Rational> {
         .collect()
 }
 
-/// A system: equations, and polynomials that are substituted along with them.
+/// A system of equations, and the polynomials `results`, in which the same substitutions are made.
 #[derive(Clone)]
 pub(super) struct System {
     pub equations: Vec<Polynomial>,
     pub results: Vec<Polynomial>,
 }
 
-/// A conclusion from one equation.
+/// A conclusion from one equation: a substitution, or a further equation.
 enum Step {
     Replace(usize, Polynomial),
     Beside(Polynomial),
@@ -138,24 +140,25 @@ enum Step {
 
 /// A search with a limited number of steps.
 pub(super) struct Search<'a> {
-    /// Whether the substituted polynomials may still lead to a solution.
+    /// The test whether `results` may still lead to a solution.
     pub admissible: &'a dyn Fn(&[Polynomial]) -> bool,
-    /// The variables in the order in which values are tried.
+    /// The variables, in the order in which they are assigned.
     pub order: &'a [usize],
-    /// The number of variables that get values before polynomials of higher degree are eliminated.
+    /// The number of variables that are assigned before polynomials of higher degree are
+    /// eliminated.
     pub first: usize,
-    /// The seed of the order in which values are tried.
+    /// The seed that determines the order of trial values.
     pub seed: usize,
     /// The number of remaining steps.
     pub left: usize,
 }
 
 impl Search<'_> {
-    /// The values of the substituted polynomials at a solution.
+    /// Solves the system, and returns the values of `results` at the solution.
     pub fn solve(&mut self, mut system: System) -> Option<Vec<Rational>> {
         loop {
             self.left = self.left.checked_sub(1)?;
-            // in the reversed order, the columns begin with the highest monomial
+            // reverses the order of the columns, so that they begin with the highest monomial
             system.equations = turned(&reduced(&turned(&system.equations)));
             if system.equations.iter().any(|row| total(row) == 0)
                 || !(self.admissible)(&system.results)
@@ -215,7 +218,7 @@ impl Search<'_> {
         }
     }
 
-    /// Small numbers in an order that depends on the seed.
+    /// Trial values: small numbers, in an order that depends on the seed.
     fn values(&self, place: usize) -> Vec<i64> {
         let mixed = (self.seed * 7 + place * 5 + self.seed * place * 3) % 11;
         match (self.seed, mixed) {
@@ -228,10 +231,10 @@ impl Search<'_> {
         }
     }
 
-    /// A variable that occurs in one term of an equation, with a constant factor, and the
-    /// polynomial that it equals.
+    /// Finds a variable that occurs in only one term of an equation, with a constant factor.
+    /// Returns the variable and the polynomial that equals it.
     fn isolated(&self, row: &Polynomial) -> Option<(usize, Polynomial)> {
-        // prefers variables that would get a value last
+        // prefers variables that would be assigned last
         self.order.iter().rev().find_map(|&at| {
             let powers = in_powers(row, at);
             let [rest, factor] = &powers[..] else { return None };
@@ -250,7 +253,7 @@ impl System {
     }
 }
 
-/// The echelon form of the equations.
+/// The equations in reduced row echelon form.
 fn reduced(rows: &[Polynomial]) -> Vec<Polynomial> {
     let mut columns: Vec<Monomial> = rows.iter().flatten().map(|(at, _)| *at).collect();
     columns.sort_unstable();
@@ -272,8 +275,8 @@ fn turned(rows: &[Polynomial]) -> Vec<Polynomial> {
     rows.iter().map(turn).collect()
 }
 
-/// The cases of an equation with a common variable, in one variable, or homogeneous in two
-/// variables.
+/// Splits an equation into cases. The equation must have a common variable, or have one variable
+/// only, or be homogeneous in two variables.
 fn factors(row: &Polynomial) -> Option<Vec<Vec<Step>>> {
     let all = occurring(row);
     let common = all.iter().find(|at| row.iter().all(|(code, _)| variables(*code).contains(at)));
@@ -297,7 +300,7 @@ fn factors(row: &Polynomial) -> Option<Vec<Vec<Step>>> {
             Some(roots(&coefficients(at)).into_iter().map(by).collect())
         }
         [x, y] if row.iter().all(|(code, _)| degree(*code) == total(row)) => {
-            // a root r means x = r y; otherwise both are zero
+            // a root r yields the case x = r y; the other case is x = y = 0
             let by = |root| vec![Step::Replace(x, scale(&variable(y), &root))];
             let zero = vec![Step::Replace(x, vec![]), Step::Replace(y, vec![])];
             Some(roots(&coefficients(x)).into_iter().map(by).chain([zero]).collect())

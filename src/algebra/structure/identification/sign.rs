@@ -1,18 +1,19 @@
-//! The sign of the parameter of four nilpotent families of dimension 6, by invariant quadratic forms in two variables.
+//! The sign of the parameter in four nilpotent families of dimension 6, determined by invariant
+//! quadratic forms in two variables.
 //!
-//! De Graaf's algebras `6,19`, `6,21`, `6,22`, `6,24` with parameter `e` have the following
-//! quadratic forms. For `6,19`: `q(y) = [y, [x_1, y]]`, with `x_1` in the centralizer of the
-//! derived algebra. For `6,21`: `[y, [z, [x_1, x_2]]]` on `L/[L,L]`. For `6,22`: the Pfaffian of
-//! `f([x, y])`, for `f` on the derived algebra. For `6,24`: the determinant of the pairing of
-//! `L/Z_2` with `Z_2/Z`, for `f` on the centre `Z`. The first two are equivalent to `a^2 + e b^2`,
-//! the last two to `a^2 - e b^2`, up to a factor.
+//! The parameter `e` of de Graaf's algebras `6,19`, `6,21`, `6,22`, `6,24` determines a quadratic
+//! form. For `6,19`, the form is `q(y) = [y, [x_1, y]]`, with `x_1` in the centralizer of the
+//! derived algebra. For `6,21`, it is `[y, [z, [x_1, x_2]]]` on `L/[L,L]`. For `6,22`, it is the
+//! Pfaffian of `f([x, y])`, for `f` on the derived algebra. For `6,24`, it is the determinant of
+//! the pairing of `L/Z_2` with `Z_2/Z`, for `f` on the centre `Z`. Up to a factor, the first two
+//! forms are equivalent to `a^2 + e b^2`, and the last two to `a^2 - e b^2`.
 
 use super::{StructureTheory, Subspace, Vector};
 use affinor_tensors::{Rational, Ring};
 
 impl StructureTheory<Rational> {
-    /// Whether the parameter of a family is positive; `None` for other names, or if the form is
-    /// degenerate.
+    /// Whether the parameter of a family is positive. Returns `None` for other names, or if the
+    /// form is degenerate.
     pub(super) fn has_positive_parameter(&self, name: &str) -> Option<bool> {
         let determinant = self.determinant_of_form(name)?;
         let definite = !determinant.vanishes() && !determinant.is_negative();
@@ -20,10 +21,10 @@ impl StructureTheory<Rational> {
         (!determinant.vanishes()).then_some(definite == is_sum)
     }
 
-    /// Four times the determinant of the form, up to squares; `None` for other names.
+    /// Four times the determinant of the form, up to squares. Returns `None` for other names.
     pub(super) fn determinant_of_form(&self, name: &str) -> Option<Rational> {
         let family = name.strip_prefix("degraaf(6,")?.split(',').next()?;
-        // a form with coefficients (A, B, C) has the determinant A C - B^2 / 4
+        // the determinant of a form with the coefficients (A, B, C) is A C - B^2 / 4
         let [a, b, c] = match family {
             "19" => self.form_by_centralizer()?,
             "21" => self.form_by_triple_brackets()?,
@@ -41,7 +42,8 @@ impl StructureTheory<Rational> {
         self.products.ad(x).image(y)
     }
 
-    /// The coordinate of a vector in a subspace of dimension 1.
+    /// The coordinate of a vector in a subspace of dimension 1. Returns `None` if the subspace has
+    /// another dimension, or does not contain the vector.
     fn on_line(line: &Subspace<Rational>, x: &Vector) -> Option<Rational> {
         (line.dimension() == 1).then_some(())?;
         Some(line.coordinates(x)?.pop().map_or_else(|| Rational::from(0), |(_, value)| value))
@@ -72,9 +74,10 @@ impl StructureTheory<Rational> {
         Some([value(y, y)?, value(y, z)? + &value(z, y)?, value(z, z)?])
     }
 
-    /// A quadratic form in `f`: the Pfaffian of `f([x, y])` on the complement of a subspace of
-    /// dimension 2, or the determinant of the pairing of the complement of `right` with a
-    /// complement of the subspace in `right`.
+    /// The coefficients of a quadratic form in functionals `f` on the plane `values`. If `right` is
+    /// the whole algebra, the form is the Pfaffian of `f([x, y])` on a complement of the plane.
+    /// Otherwise, it is the determinant of the pairing of a complement of `right` with a complement
+    /// of the plane in `right`.
     fn values_at_functionals(
         &self,
         values: &Subspace<Rational>,

@@ -1,4 +1,4 @@
-//! Names of direct sums, summand by summand.
+//! Names of direct sums, composed of the names of the summands.
 
 use super::super::StructureTheory;
 use super::super::decomposition::MAX_DIMENSION;
@@ -6,8 +6,8 @@ use super::Identification;
 use affinor_tensors::Rational;
 
 impl StructureTheory<Rational> {
-    /// The name of a direct sum: `sl(2,C) + heisenberg(3) + R^2`. `None` if a summand has no unique
-    /// name.
+    /// The name of a direct sum, such as `sl(2,C) + heisenberg(3) + R^2`. Returns `None` if a
+    /// summand has no unique name.
     pub(super) fn as_sum(&self) -> Option<Identification> {
         let mut names = vec![];
         let mut proved = true;
@@ -33,7 +33,7 @@ impl StructureTheory<Rational> {
                 } else if inside.is_heisenberg() {
                     solvable.push(format!("heisenberg({})", inside.dimension()));
                 } else {
-                    // a single summand is the whole algebra, which was already tried
+                    // does not try a single summand again: it is the whole algebra
                     let found = (ideals.len() > 1).then(|| inside.identify()).flatten()?;
                     let [name] = &found.names[..] else { return None };
                     if found.parameter.is_some() {
@@ -62,7 +62,8 @@ impl StructureTheory<Rational> {
         ideals.real.iter().map(|ideal| name(&ideal.names)).collect()
     }
 
-    /// Whether the algebra is a Heisenberg algebra: the derived algebra is the centre, and a line.
+    /// Whether the algebra is a Heisenberg algebra: its derived algebra equals the centre, and has
+    /// dimension 1.
     fn is_heisenberg(&self) -> bool {
         let (derived, centre) = (self.derived(), self.centre());
         derived.dimension() == 1 && derived == &centre

@@ -1,10 +1,10 @@
-//! Isomorphisms with algebras of the catalogue: both algebras are brought to one normal form, and
-//! the images are verified.
+//! Isomorphisms with algebras of the catalogue. Both algebras are transformed to the same normal
+//! form, and the images are verified.
 //!
-//! A solvable algebra of dimension 4 that is not nilpotent is a nilradical of dimension 3 (abelian
-//! or Heisenberg) and one vector that acts on it, or two vectors that act on a plane. The actions
-//! `D` and `D'` of the two algebras satisfy `a D X = X D'`. These equations are linear in `X` once
-//! `a` is known from traces.
+//! A solvable algebra of dimension 4 that is not nilpotent has one of two forms. Either one vector
+//! acts on a nilradical of dimension 3 (abelian or Heisenberg), or two vectors act on a plane. The
+//! actions `D` and `D'` of the two algebras satisfy `a D X = X D'`. These equations are linear in
+//! `X` if `a` is known, and traces determine `a`.
 
 use super::{Vector, catalogued, scale};
 use crate::algebra::structure::subspace::{collected, combination};
@@ -15,23 +15,24 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::Zero;
 
-/// The largest integers that are tried as components in the search for vectors of a prescribed
+/// The largest integer that is tried as a component in the search for vectors of a prescribed
 /// length.
 const SMALL: i64 = 6;
 const SMALL_IN_PLANE: i64 = 24;
 const ON_CONIC: i64 = 100;
-/// The search tries at most this number of first vectors of a prescribed length.
+/// The maximum number of first vectors of a prescribed length that the search tries.
 const FIRST: usize = 60;
 
-/// The images of a basis; each must be multiplied by the square root of a positive number.
+/// The images of a basis. If `under_root` is present, each image must be multiplied by the square
+/// root of its positive number.
 pub(super) struct Images {
     pub vectors: Vec<Vector>,
     pub under_root: Option<Vec<Rational>>,
 }
 
 impl StructureTheory<Rational> {
-    /// The images of the basis of a named algebra of dimension 3 (simple), 4, or 5 and 6
-    /// (nilpotent), if an isomorphism is found.
+    /// The images of the basis of a named algebra, if an isomorphism is found. The algebra is
+    /// simple of dimension 3, or has dimension 4, or is nilpotent of dimension 5 or 6.
     pub(super) fn isomorphism_with(&self, name: &str) -> Option<Images> {
         let named = StructureTheory::new(catalogued(name)?);
         if !self.is_solvable() {
@@ -39,12 +40,13 @@ impl StructureTheory<Rational> {
         }
         let forms = self.determinant_of_form(name).zip(named.determinant_of_form(name));
         if forms.is_some_and(|(own, other)| (own * &other).sqrt().is_none()) {
-            // isomorphic over the real numbers only
+            // returns no isomorphism: the algebras may be isomorphic over the reals, but not over
+            // the rationals
             return None;
         }
         let vectors = match (self.is_nilpotent(), self.nilradical().dimension()) {
             (true, 5..) if name.starts_with("degraaf(6,24,") => {
-                // the bracket [x1, x4] = e x6 determines e
+                // reads e from the bracket [x1, x4] = e x6
                 let bracket = named.column_of(0, 3).pop();
                 self.onto_pairing(&bracket.map_or_else(|| Rational::from(0), |(_, e)| e))
             }
@@ -57,11 +59,12 @@ impl StructureTheory<Rational> {
     }
 
     /// The number whose irrational square root occurs in every isomorphism with a named algebra.
-    /// `None` if no invariant shows that it does.
+    /// Returns `None` if no invariant proves this.
     ///
-    /// The invariants are known up to squares. For a nilpotent family it is the quadratic form; for
-    /// two vectors that act on a plane the square of the trace-free action; for one vector with a
-    /// trace-free action `tr(D^2)`, because `a D` is conjugate to `D'`.
+    /// The invariants are known up to squares. For a nilpotent family, the invariant is the
+    /// determinant of the quadratic form. For two vectors that act on a plane, it is the square of
+    /// the trace-free action. For one vector with a trace-free action, it is `tr(D^2)`, because
+    /// `a D` is conjugate to `D'`.
     pub(super) fn needed_root(&self, name: &str) -> Option<Rational> {
         if !self.is_solvable() {
             return None;
@@ -92,8 +95,8 @@ impl StructureTheory<Rational> {
         brackets && Subspace::span(n, images.iter().cloned()).dimension() == n
     }
 
-    /// A basis `x, y, [x, y], [x, [x, y]]`, or `x, y, [x, y]` and a central vector, or any basis of
-    /// an abelian algebra.
+    /// An adapted basis of a nilpotent algebra: `x, y, [x, y], [x, [x, y]]`, or `x, y, [x, y]` and
+    /// a central vector, or any basis if the algebra is abelian.
     pub(in crate::algebra::structure) fn nilpotent_form(&self) -> Option<Vec<Vector>> {
         let units = self.unit_vectors();
         let derived = self.derived();
@@ -101,7 +104,7 @@ impl StructureTheory<Rational> {
         if derived.is_zero() {
             return Some(units);
         }
-        // y commutes with the derived algebra; x does not, if possible
+        // chooses y that commutes with the derived algebra, and x that does not, if possible
         let centralizer = self.centralizer(derived);
         let outside = |y: &&Vector| !derived.contains(y);
         for y in centralizer.basis().iter().filter(outside) {
@@ -121,8 +124,8 @@ impl StructureTheory<Rational> {
         None
     }
 
-    /// For a nilradical that is a plane: the vector `h` that acts as 1 on it, a vector `k` with
-    /// trace-free action, and the square of its action.
+    /// Applies if the nilradical is a plane. Returns the vector `h` that acts on the plane as 1, a
+    /// vector `k` whose action is trace-free, and the square of this action.
     fn square_on_plane(&self) -> Option<(Vector, Vector, Rational)> {
         let plane = self.nilradical();
         let outside: Vec<usize> = plane.complement().collect();
@@ -143,8 +146,8 @@ impl StructureTheory<Rational> {
         })
     }
 
-    /// For a nilradical that is a plane: a basis `u, v`, and commuting vectors `h`, which acts as
-    /// 1, and `k`, whose action has the square 1 or -1.
+    /// Applies if the nilradical is a plane. Returns a basis `u, v` of the plane and commuting
+    /// vectors `h`, `k`. The vector `h` acts as 1, and the square of the action of `k` is 1 or -1.
     pub(in crate::algebra::structure) fn form_on_plane(&self) -> Option<Vec<Vector>> {
         let (h, k, square) = self.square_on_plane()?;
         let k = scale(&k, &square.clone().abs().sqrt()?.recip()?);
@@ -156,7 +159,7 @@ impl StructureTheory<Rational> {
         if square.is_negative() {
             return Some(vec![basis[0].clone(), ad.image(&basis[0]), h, k]);
         }
-        // k + 1 and k - 1 map to eigenvectors
+        // finds an eigenvector of k, as an image of k + 1 or of k - 1
         let eigenvector = |sign: i64| {
             let image = |v: &Vector| sum(&ad.image(v), &scale(v, &Rational::from(sign)));
             basis.iter().map(image).find(|v| !v.is_empty())
@@ -164,7 +167,8 @@ impl StructureTheory<Rational> {
         Some(vec![eigenvector(1)?, eigenvector(-1)?, h, k])
     }
 
-    /// The vector that acts on a nilradical of dimension 3, the vectors on which it acts, and the action.
+    /// The vector that acts on a nilradical of dimension 3, the vectors on which it acts, and the
+    /// matrix of the action.
     pub(in crate::algebra::structure) fn extension_form(
         &self,
     ) -> Option<(Vector, Vec<Vector>, Matrix<Rational>)> {
@@ -208,7 +212,7 @@ impl StructureTheory<Rational> {
             _ => return None,
         };
         for factor in factors {
-            // a D X - X D' = 0 in the unknowns X_ij at i m + j
+            // the equations a D X - X D' = 0; the unknown X_ij has the index i m + j
             let rows = (0..m * m).map(|at| {
                 let (i, j) = (at / m, at % m);
                 let left = (0..m).map(|k| (k * m + j, own.get(i, k) * &factor));
@@ -253,15 +257,15 @@ impl StructureTheory<Rational> {
         None
     }
 
-    /// The case of a simple algebra of dimension 3, possibly with a central line.
+    /// The images for a simple algebra of dimension 3, or its direct sum with a central line.
     fn onto_simple(&self, named: &Self) -> Option<Images> {
         let other = named.frame(2)?.vectors;
         if let Some(own) = self.frame(2) {
             let vectors = images(&other, &own.vectors).filter(|all| self.respects(named, all))?;
             return Some(Images { vectors, under_root: None });
         }
-        // each image is a multiple of one vector of the frame, divided by the square root of its
-        // square
+        // each image is a multiple of one vector of the frame, divided by the square root of the
+        // number in `squares`
         let Frame { vectors, squares } = self.frame(0)?;
         let (mut found, mut under_root) = (vec![], vec![]);
         for unit in named.unit_vectors() {
@@ -274,9 +278,9 @@ impl StructureTheory<Rational> {
         Some(Images { vectors: found, under_root: Some(under_root) })
     }
 
-    /// Orthogonal vectors `x`, `y` with Killing squares `-2 s` and `+-2 t`, then `[x, y]` and the
-    /// centre. The first `roots` of the numbers `s`, `t` are squares; `x` and `y` are divided by
-    /// their roots.
+    /// A frame of orthogonal vectors `x`, `y` with Killing squares `-2 s` and `+-2 t`, followed by
+    /// `[x, y]` and a basis of the centre. The first `roots` of the numbers `s`, `t` are squares,
+    /// and the vectors are divided by the square roots of these numbers.
     pub(in crate::algebra::structure) fn frame(&self, roots: usize) -> Option<Frame> {
         let (x, y, s, t) = self.orthogonal_vectors(roots).or_else(|| self.split_vectors())?;
         let z = self.products.ad(&x).image(&y);
@@ -289,8 +293,8 @@ impl StructureTheory<Rational> {
         Some(Frame { vectors, squares })
     }
 
-    /// The vectors `x`, `y` and numbers `s`, `t` of [`frame`](Self::frame), by a search among small
-    /// integers.
+    /// The vectors `x`, `y` and the numbers `s`, `t` of [`frame`](Self::frame), found by a search
+    /// among small integers.
     fn orthogonal_vectors(&self, roots: usize) -> Option<(Vector, Vector, Rational, Rational)> {
         let derived = self.derived();
         let basis = derived.basis();
@@ -335,20 +339,20 @@ impl StructureTheory<Rational> {
         })
     }
 
-    /// The same for an algebra that is sl(2) over the rationals. A vector `e` with Killing square 0
-    /// belongs to a basis with `[h, e] = 2 e`, `[h, f] = -2 f`, `[e, f] = h`, and `x` and `y` are
-    /// `(e - f)/2` and `h/2`.
+    /// The vectors and numbers of [`frame`](Self::frame) for an algebra that is sl(2) over the
+    /// rationals. A vector `e` with Killing square 0 is completed to a basis with `[h, e] = 2 e`,
+    /// `[h, f] = -2 f`, `[e, f] = h`. The vectors are `x = (e - f)/2` and `y = h/2`.
     fn split_vectors(&self) -> Option<(Vector, Vector, Rational, Rational)> {
         let bracket = |x: &Vector, y: &Vector| self.products.ad(x).image(y);
         let (half, minus) = (Rational::new(1, 2)?, Rational::from(-1));
         let e = self.isotropic_vector()?;
-        // [[e, v], e] = m e, where v is not orthogonal to e
+        // m is defined by [[e, v], e] = m e; it is nonzero if v is not orthogonal to e
         let of = |v: &Vector| {
             let m = multiple(&bracket(&bracket(&e, v), &e), &e)?;
             let f = scale(v, &(Rational::from(2) * &m.recip()?));
             let h = bracket(&e, &f);
             let rest = sum(&bracket(&h, &f), &scale(&f, &Rational::from(2)));
-            // [h, f] + 2 f is a multiple of e
+            // the sum [h, f] + 2 f is a multiple of e; the correction of f removes this multiple
             let own = multiple(&rest, &e).unwrap_or_else(|| Rational::from(0));
             Some((h, sum(&f, &scale(&e, &(-own * &Rational::new(1, 4)?)))))
         };
@@ -357,8 +361,8 @@ impl StructureTheory<Rational> {
         Some((x, y, Rational::from(1), Rational::from(1)))
     }
 
-    /// A vector of the derived algebra, of dimension 3, with Killing square 0. It is a point of the
-    /// conic `a i^2 + b j^2 + c k^2 = 0`, found by a search among small `i` and `j`.
+    /// A vector with Killing square 0 in the derived algebra, which has dimension 3. The vector is
+    /// a point of the conic `a i^2 + b j^2 + c k^2 = 0`, found by a search among small `i` and `j`.
     fn isotropic_vector(&self) -> Option<Vector> {
         let basis = self.derived().basis();
         let rows = Matrix::from_rows(self.dimension(), basis.iter().cloned()).ok()?;
@@ -396,7 +400,8 @@ fn traces(matrix: &Matrix<Rational>) -> Option<(Rational, Rational)> {
     Some((trace(matrix), trace(&square)))
 }
 
-/// Factors a value into a number without small square factors and the square of another number.
+/// Factors a value into a number without small square factors, and the square of a second number.
+/// Returns the first and the second number.
 fn without_squares(value: &Rational) -> (Rational, Rational) {
     let value = BigRational::from(value);
     let (mut square, mut by) =
@@ -410,13 +415,13 @@ fn without_squares(value: &Rational) -> (Rational, Rational) {
     (Rational::from(BigRational::from(square)), Rational::from(by))
 }
 
-/// The factor `m` with `x = m e`; `None` for 0.
+/// The factor `m` in `x = m e`; `None` if `x` or `e` is 0.
 fn multiple(x: &Vector, e: &Vector) -> Option<Rational> {
     let ((_, above), (_, below)) = (x.first()?, e.first()?);
     Some(above.clone() * &below.recip()?)
 }
 
-/// An integer combination.
+/// The linear combination of the basis vectors with these integer coefficients.
 fn vector(basis: &[Vector], coefficients: &[i64]) -> Vector {
     let terms = coefficients.iter().enumerate().filter(|(_, value)| **value != 0);
     combination(basis, &terms.map(|(at, value)| (at, Rational::from(*value))).collect::<Vector>())
@@ -433,7 +438,8 @@ fn coordinates(n: usize, basis: &[Vector], x: &Vector) -> Option<Vec<Rational>> 
     Matrix::from_rows(n, basis.iter().cloned()).ok()?.transpose().solve(&dense).ok()?
 }
 
-/// The images of the unit vectors under the linear map that takes one basis to another.
+/// The images of the unit vectors under the linear map that maps the basis `from` to the basis
+/// `to`.
 pub(in crate::algebra::structure) fn images(from: &[Vector], to: &[Vector]) -> Option<Vec<Vector>> {
     let n = from.len();
     let unit = |at: usize| coordinates(n, from, &vec![(at, Rational::from(1))]);

@@ -1,9 +1,9 @@
-//! Logarithms of matrices with rounding errors: the vector of the algebra whose exponential is
-//! nearest to a matrix.
+//! Logarithms of matrices with rounding errors. The result is the vector of the algebra whose
+//! exponential is nearest to the matrix.
 //!
-//! The principal logarithm of a matrix multiplies rounding errors by `|g| |g^-1|`, for a boost the
-//! square of the largest entry. Most of these errors point out of the group. The error of the
-//! nearest element of the group is multiplied by `|g|` only.
+//! The principal logarithm of a matrix multiplies rounding errors by `|g| |g^-1|`, which for a
+//! boost is the square of the largest entry. Most of these errors are directed away from the group.
+//! In the logarithm of the nearest element, the errors are multiplied only by `|g|`.
 
 use super::span::Span;
 use crate::group::matrices::TOLERANCE;
@@ -15,18 +15,20 @@ use nalgebra::{DMatrix, DVector};
 /// The largest number of Gauss-Newton steps.
 const STEPS: usize = 8;
 
-/// The largest number of multiplications for a derivative; larger groups are not fitted.
+/// The largest number of multiplications for one derivative. If a group needs more of them, the
+/// nearest element is not computed.
 const WORK: usize = 10_000_000;
 
-/// The relative length of a step that ends the iteration.
+/// The iteration ends if the relative length of a step is at most this value.
 const SETTLED: f64 = 4.0 * f64::EPSILON;
 
-/// The largest relative distance of the nearest element, equal to the tolerance of matrices that
-/// are read as elements.
+/// The largest accepted relative distance of the nearest element. It equals the tolerance for
+/// matrices that are read as elements.
 const OFF: f64 = TOLERANCE;
 
-/// The coordinates `x` that minimize `|exp(x^i B_i) - g|`, from an initial guess. `None` if `g` is
-/// farther from the group than rounding errors explain, or the iteration does not converge.
+/// The coordinates `x` that minimize `|exp(x^i B_i) - g|`, starting from an initial guess. Returns
+/// `None` if the distance of `g` from the group exceeds the rounding errors, or if the iteration
+/// does not converge.
 pub(super) fn nearest(span: &Span, g: &DMatrix<f64>, x: &DVector<f64>) -> Option<DVector<f64>> {
     let exponents = balance(g);
     let target = balanced_by(g, &exponents);
@@ -36,7 +38,7 @@ pub(super) fn nearest(span: &Span, g: &DMatrix<f64>, x: &DVector<f64>) -> Option
     for _ in 0..STEPS {
         checkpoint();
         let generator = balanced_by(&span.combination(&x), &exponents);
-        // in double-double arithmetic, because the difference is of the size of rounding errors
+        // uses double-double arithmetic, because the difference is of the size of rounding errors
         let exact = span.double_combination(&x);
         let exact = exp_less_identity(&mapped(&exact, |m| balanced_by(m, &exponents)));
         let off = rounded(&(less_one.map(Into::into) - exact));
@@ -53,7 +55,7 @@ pub(super) fn nearest(span: &Span, g: &DMatrix<f64>, x: &DVector<f64>) -> Option
 }
 
 /// A bound on the changes of the coordinates `x` of `log(g)` if each entry of `g` is rounded once.
-/// `None` if the exponential is not a local chart there.
+/// Returns `None` if the exponential is not a local chart at `x`.
 pub(super) fn rounding(span: &Span, g: &DMatrix<f64>, x: &DVector<f64>) -> Option<f64> {
     let exponents = balance(g);
     let generator = balanced_by(&span.combination(x), &exponents);
@@ -63,8 +65,9 @@ pub(super) fn rounding(span: &Span, g: &DMatrix<f64>, x: &DVector<f64>) -> Optio
     Some(0.5 * f64::EPSILON * changes.amax())
 }
 
-/// The derivative of `x -> exp(x^i B_i)`, with a column for each `B_i`: the upper right block of
-/// `exp([[X, B_i], [0, X]])`. `None` if it takes more than [`WORK`].
+/// The derivative of `x -> exp(x^i B_i)`, with one column for each `B_i`. The column is the upper
+/// right block of `exp([[X, B_i], [0, X]])`. Returns `None` if the computation needs more than
+/// [`WORK`] multiplications.
 fn derivative(span: &Span, x: &DMatrix<f64>, exponents: &[i32]) -> Option<DMatrix<f64>> {
     let n = x.nrows();
     if span.dimension().saturating_mul((2 * n).saturating_pow(3)) > WORK {
@@ -83,7 +86,8 @@ fn derivative(span: &Span, x: &DMatrix<f64>, exponents: &[i32]) -> Option<DMatri
     Some(derivative)
 }
 
-/// The pseudoinverse `(J^T J)^-1 J^T`, by QR; `None` if the columns are dependent or not finite.
+/// The pseudoinverse `(J^T J)^-1 J^T`, computed by QR. Returns `None` if the columns are dependent
+/// or not finite.
 fn pseudoinverse(j: &DMatrix<f64>) -> Option<DMatrix<f64>> {
     let (q, r) = j.clone().qr().unpack();
     let inverse = r.solve_upper_triangular(&q.transpose())?;

@@ -9,35 +9,35 @@ use nalgebra::linalg::{SVD, Schur, SymmetricEigen};
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::PI;
 
-/// The size of the components of a vector whose exponential leads to a neighbour of an element.
+/// The size of the components of a vector whose exponential maps an element to a neighbour.
 const NEIGHBOURHOOD: f64 = 1e-3;
 
-/// The number of directions in which neighbours of an element are sought.
+/// The number of directions in which neighbours of an element are tried.
 const NEIGHBOURS: usize = 8;
 
-/// The distance of an angle from `pi` that floats can resolve.
+/// The smallest distance of an angle from `pi` that floats can resolve.
 const BRANCH: f64 = 1e-14;
 
-/// The distance of an angle from `pi` below which a missing logarithm is called ill-conditioned.
+/// If an angle is closer to `pi` than this distance, a missing logarithm is called ill-conditioned.
 const NEAR_PI: f64 = 1e-6;
 
-/// The distance of angles from `pi` below which they are computed from their sines.
+/// Angles that are closer to `pi` than this distance are computed from their sines.
 const ROUGHLY_PI: f64 = 1e-3;
 
-/// The ratio of the sine of an angle to the rounding error of entries above which its direction is
-/// well determined.
+/// The direction of an angle is well determined if the ratio of its sine to the rounding error of
+/// entries exceeds this value.
 const DECIDED: f64 = 8.0;
 
-/// The largest number of iterations of a decomposition.
+/// The largest number of iterations of one decomposition.
 const ITERATIONS: usize = 1000;
 
 impl MatrixGroup {
-    /// The logarithm of an element with an angle so near `pi` that square roots do not converge, by
-    /// continuation from logarithms of elements in its neighbourhood. `None` if this fails, or the
-    /// angle is `pi`.
+    /// The logarithm of an element with an angle so close to `pi` that square roots do not
+    /// converge. It is continued from the logarithms of elements in the neighbourhood. Returns
+    /// `None` if this fails, or if the angle is `pi`.
     pub(super) fn log_near_half_turn(&self, g: &DMatrix<f64>) -> Option<DVector<f64>> {
         let n = self.dimension();
-        // generic directions, which are the same in every run
+        // the directions are generic, and the same in every run
         let entry = |at: usize| NEIGHBOURHOOD * (12.9898 * (at + 1) as f64).sin();
         let directions = (0..NEIGHBOURS).map(|k| DVector::from_fn(n, |i, _| entry(k * n + i)));
         directions.flat_map(|x| [x.clone(), -x]).find_map(|direction| {
@@ -47,17 +47,18 @@ impl MatrixGroup {
             let x = is_close.then(|| fit::nearest(&self.span, g, &guess)).flatten()?;
             let schur = Schur::try_new(self.generator(&x), f64::EPSILON, ITERATIONS)?;
             let angles = schur.complex_eigenvalues().map(|eigenvalue| eigenvalue.im.abs());
-            // beyond pi it would be the logarithm of another branch
+            // rejects angles beyond pi, because their logarithm belongs to another branch
             (angles.max() < PI - BRANCH).then_some(x)
         })
     }
 }
 
 impl MatrixGroup {
-    /// The logarithm of an orthogonal element `g = S + K` with angles so near `pi` that only the
-    /// antisymmetric part `K` resolves the distance. On the eigenspace of `S` near `-1`, `K = U
-    /// sin(theta) W^T` is a singular value decomposition, and the logarithm is `U theta W^T`.
-    /// `None` if rounding errors of the entries decide a direction, or the angle is `pi`.
+    /// The logarithm of an orthogonal element `g = S + K` with angles so close to `pi` that only
+    /// the antisymmetric part `K` resolves the distance. On the eigenspace of `S` near `-1`, a
+    /// singular value decomposition is `K = U sin(theta) W^T`, and the logarithm is `U theta W^T`.
+    /// Returns `None` if rounding errors of the entries determine a direction, or if the angle is
+    /// `pi`.
     pub(super) fn log_of_rotation(&self, g: &DMatrix<f64>) -> Option<DVector<f64>> {
         self.form.as_ref().filter(|form| is_identity(form))?;
         let [symmetric, skew] = [(g + g.transpose()) * 0.5, (g - g.transpose()) * 0.5];
@@ -88,8 +89,8 @@ impl MatrixGroup {
     }
 }
 
-/// The error for the logarithm of a matrix with an angle near `pi`; `None` if there is no such
-/// angle, or if it is exactly `pi`.
+/// The error if a matrix has no logarithm because an angle is near `pi`. Returns `None` if there is
+/// no such angle, or if it is exactly `pi`.
 pub(super) fn near_pi(g: &DMatrix<f64>) -> Option<Error> {
     let eigenvalues = Schur::try_new(g.clone(), f64::EPSILON, ITERATIONS)?.complex_eigenvalues();
     let gaps = eigenvalues.iter().map(|eigenvalue| PI - eigenvalue.im.atan2(eigenvalue.re).abs());

@@ -1,25 +1,25 @@
-//! The span of sparse matrices in floats, and the nearest matrix in it.
+//! The span of sparse matrices in floats, and the nearest matrix in the span.
 
 use crate::Error;
 use crate::numerics::double::Double;
 use nalgebra::{DMatrix, DVector};
 use std::collections::BTreeMap;
 
-/// The nonzero entries `(position, value)` of a matrix; positions count column by column.
+/// The nonzero entries `(position, value)` of a matrix. Positions are counted column by column.
 type Entries = Vec<(usize, f64)>;
 
-/// Independent matrices `B_i` of one size, by their nonzero entries.
+/// Linearly independent matrices `B_i` of one size, stored as their nonzero entries.
 #[derive(Clone, Debug)]
 pub(super) struct Span {
     size: usize,
     basis: Vec<Entries>,
-    /// For each `i` the linear form on matrices whose value is the coordinate `x^i` of the nearest
-    /// `x^j B_j`.
+    /// For each `i`, the linear form on matrices whose value is the coordinate `x^i` of the nearest
+    /// matrix `x^j B_j`.
     nearest: Vec<Entries>,
 }
 
 impl Span {
-    /// The span of square matrices, given by their entries `(row, column, value)`.
+    /// The span of square matrices. Each matrix is a list of its entries `(row, column, value)`.
     ///
     /// # Errors
     /// [`Error::SingularBasis`] for matrices that are linearly dependent up to rounding errors.
@@ -61,8 +61,8 @@ impl Span {
         sum
     }
 
-    /// Like [`combination`](Self::combination), in double-double arithmetic, so that sums of
-    /// entries have no rounding errors.
+    /// The combination as in [`combination`](Self::combination), but in double-double arithmetic,
+    /// so that sums of entries have no rounding errors.
     pub fn double_combination(&self, x: &DVector<f64>) -> DMatrix<Double> {
         let mut sum = DMatrix::zeros(self.size, self.size);
         let places = sum.as_mut_slice();
@@ -73,7 +73,7 @@ impl Span {
         sum
     }
 
-    /// The basis matrix with an index.
+    /// The basis matrix at an index.
     pub fn matrix(&self, at: usize) -> DMatrix<f64> {
         let mut matrix = DMatrix::zeros(self.size, self.size);
         let places = matrix.as_mut_slice();
@@ -96,7 +96,7 @@ impl Span {
     /// The product `g B_i h`.
     pub fn between(&self, g: &DMatrix<f64>, at: usize, h: &DMatrix<f64>) -> DMatrix<f64> {
         let n = self.size;
-        // only nonzero columns of g B_i, and the corresponding rows of h
+        // computes only the nonzero columns of g B_i, and the corresponding rows of h
         let entries = &self.basis[at];
         let columns: Vec<&[(usize, f64)]> = entries.chunk_by(|a, b| a.0 / n == b.0 / n).collect();
         let mut left = DMatrix::zeros(n, columns.len());
@@ -110,7 +110,7 @@ impl Span {
         left * right
     }
 
-    /// The coordinates of the nearest matrix in the span, in the Frobenius norm.
+    /// The coordinates of the matrix in the span that is nearest to `m` in the Frobenius norm.
     pub fn coordinates(&self, m: &DMatrix<f64>) -> DVector<f64> {
         let places = m.as_slice();
         let value = |form: &Entries| form.iter().map(|(place, v)| v * places[*place]).sum();
@@ -118,10 +118,10 @@ impl Span {
     }
 }
 
-/// Partitions the matrices into sorted groups; matrices of different groups have no common nonzero
+/// Partitions the matrices into sorted sets. Matrices of different sets have no common nonzero
 /// position.
 fn blocks(basis: &[Entries]) -> Vec<Vec<usize>> {
-    // each set of matrices is a tree; its root is the smallest index
+    // each set of matrices is stored as a tree, whose root is the smallest index
     let mut above: Vec<usize> = (0..basis.len()).collect();
     fn root(above: &mut [usize], mut at: usize) -> usize {
         while above[at] != at {
@@ -145,7 +145,7 @@ fn blocks(basis: &[Entries]) -> Vec<Vec<usize>> {
     blocks.into_values().collect()
 }
 
-/// The linear forms of the matrices of a block: the pseudoinverse by QR.
+/// The linear forms of the matrices of a block: the rows of the pseudoinverse, computed by QR.
 fn nearest_in_block(
     basis: &[Entries],
     block: &[usize],
@@ -169,8 +169,8 @@ fn nearest_in_block(
     let (q, r) = columns.clone().qr().unpack();
     let forms = r.solve_upper_triangular(&q.transpose()).ok_or(Error::SingularBasis)?;
     // If translations are large (kilometres), QR computes the rotations only to the rounding error
-    // of a kilometre; a Newton step for forms columns = 1 corrects each entry to its own rounding
-    // error
+    // of a kilometre. One Newton step for the equation `forms * columns = 1` corrects each entry to
+    // its own rounding error.
     let residual = DMatrix::identity(block.len(), block.len()) - &forms * &columns;
     let forms = &forms + residual * &forms;
     for (row, &at) in block.iter().enumerate() {

@@ -11,13 +11,14 @@ const ROUNDING: f64 = 1e-10;
 /// The largest number of unknowns in the equations for a complement.
 const UNKNOWNS: usize = 400;
 
-/// The projection onto the kernel `V` of the Killing form along a complementary subalgebra `K`, if
-/// `V` is abelian and such a subalgebra exists: for `se(n) = so(n) + R^n`, `iso(p,q)`, `aff(1)`,
-/// and direct sums of a semisimple algebra and `R^n`. `None` for other algebras, and if `V = 0`.
+/// The projection onto the kernel `V` of the Killing form along a complementary subalgebra `K`. It
+/// exists if `V` is abelian and has such a subalgebra, as for `se(n) = so(n) + R^n`, `iso(p,q)`,
+/// `aff(1)`, and direct sums of a semisimple algebra and `R^n`. Returns `None` for other algebras,
+/// and if `V = 0`.
 ///
-/// For any complement `C` of `V`, `K` is the graph of a map `f: C -> V`. As `V` is abelian, `[c + f
-/// c, d + f d]` lies in the graph if `v + [c, f d] - [d, f c] = f e` for `[c, d] = e + v`. These
-/// are linear equations for `f`.
+/// For any complement `C` of `V`, the subalgebra `K` is the graph of a map `f: C -> V`. Because `V`
+/// is abelian, the graph contains `[c + f c, d + f d]` if `v + [c, f d] - [d, f c] = f e` for
+/// `[c, d] = e + v`. These equations are linear in `f`.
 pub(super) fn translations(structure: &Tensor<f64>) -> Option<DMatrix<f64>> {
     let n = structure.dimension();
     let constants = SparseBracket::of_tensor(structure);
@@ -50,7 +51,7 @@ pub(super) fn translations(structure: &Tensor<f64>) -> Option<DMatrix<f64>> {
             DMatrix::from_vec(q, q, images)
         })
         .collect();
-    // the unknown f^v_c has number c q + v
+    // the unknown f^v_c has the number c q + v
     let count = p * p.saturating_sub(1) / 2 * q;
     let (mut matrix, mut right) = (DMatrix::zeros(count, p * q), DVector::zeros(count));
     let mut row = 0;
@@ -80,7 +81,7 @@ pub(super) fn translations(structure: &Tensor<f64>) -> Option<DMatrix<f64>> {
         }
         f
     };
-    // the projection P (x = c + v) = v - f c
+    // the projection P maps x = c + v to v - f c
     let mut projection = DMatrix::zeros(n, n);
     for (at, v) in inside.iter().enumerate() {
         projection += v * v.transpose();
@@ -88,12 +89,12 @@ pub(super) fn translations(structure: &Tensor<f64>) -> Option<DMatrix<f64>> {
             projection -= v * c.transpose() * f[b * q + at];
         }
     }
-    // entries near 0 or 1 are rounded to 0 or 1
+    // rounds entries near 0 or 1 to exactly 0 or 1
     Some(projection.map(|x| if (x - x.round()).abs() <= ROUNDING { x.round() } else { x }))
 }
 
-/// Orthonormal bases of the kernel of a symmetric matrix and of its complement, made of standard
-/// basis vectors if these span them. `None` if the kernel is 0.
+/// Orthonormal bases of the kernel of a symmetric matrix and of its complement. They consist of
+/// standard basis vectors where these span the spaces. Returns `None` if the kernel is 0.
 #[allow(clippy::type_complexity, reason = "two bases")]
 fn kernel(matrix: DMatrix<f64>, size: f64) -> Option<(Vec<DVector<f64>>, Vec<DVector<f64>>)> {
     let n = matrix.nrows();

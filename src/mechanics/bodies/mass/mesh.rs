@@ -5,15 +5,16 @@ use crate::Error;
 use nalgebra::{Matrix3, Vector3};
 use std::collections::HashMap;
 
-/// A volume below this fraction of the sum of its parts counts as rounding error.
+/// If the ratio of the volume to the sum of its parts is below this value, the volume counts as
+/// rounding error.
 const FLAT: f64 = 1e-12;
 
-/// A closed surface of triangles, counterclockwise as seen from outside.
+/// A closed surface of triangles. The vertices are counterclockwise as seen from outside.
 ///
 /// Every edge belongs to exactly two triangles, in opposite directions, so the surface bounds a
 /// volume of one or several pieces. The triangles of a cavity are counterclockwise as seen from
-/// within it. Intersections of pieces are not checked; where pieces overlap, the volume counts
-/// twice.
+/// within the cavity. Intersections of pieces are not checked; where pieces overlap, the volume
+/// counts twice.
 ///
 /// ```
 /// use affinor::mechanics::Mesh;
@@ -33,20 +34,20 @@ const FLAT: f64 = 1e-12;
 pub struct Mesh {
     vertices: Vec<Vector3<f64>>,
     triangles: Vec<[usize; 3]>,
-    /// Mass, centre and second moments, at density 1.
+    /// The mass, the centre and the second moments at density 1.
     solid: MassProperties,
 }
 
 impl Mesh {
-    /// The solid bounded by triangles, each given by the indices of its vertices.
+    /// A solid bounded by triangles. Each triangle contains the indices of its vertices.
     ///
-    /// Triangles in which a vertex occurs twice are left out.
+    /// Triangles in which a vertex occurs twice are ignored.
     ///
     /// # Errors
-    /// [`Error::Invalid`], with an edge, for a surface that is not closed, branches, or has
-    /// inconsistent orientations; also for a surface without volume or with inward orientation, and
-    /// for an index without a vertex. [`Error::Overflow`] for vertices that are not finite, or too
-    /// large.
+    /// [`Error::Invalid`], with an edge, if the surface is not closed, if it branches, or if its
+    /// orientations are inconsistent. [`Error::Invalid`] also for a surface without volume or with
+    /// inward orientation, and for an index without a vertex. [`Error::Overflow`] for vertices that
+    /// are not finite, or too large.
     pub fn new(vertices: Vec<Vector3<f64>>, triangles: Vec<[usize; 3]>) -> Result<Self, Error> {
         for (at, vertex) in vertices.iter().enumerate() {
             if let Some(value) = vertex.iter().find(|value| !value.is_finite()) {
@@ -67,17 +68,17 @@ impl Mesh {
         Ok(Mesh { vertices, triangles, solid })
     }
 
-    /// The solid bounded by triangles, each given by its corners; corners with equal coordinates
-    /// are one vertex.
+    /// A solid bounded by triangles. Each triangle contains its corners; corners with equal
+    /// coordinates are the same vertex.
     ///
     /// # Errors
-    /// Those of [`Mesh::new`].
+    /// The errors of [`Mesh::new`].
     pub fn from_triangles(
         corners: impl IntoIterator<Item = [Vector3<f64>; 3]>,
     ) -> Result<Self, Error> {
         let (mut vertices, mut known) = (Vec::new(), HashMap::new());
         let mut index = |corner: Vector3<f64>| {
-            // adding 0 makes -0 and 0 equal
+            // adds 0, so that -0 and 0 have the same bits
             let bits: [u64; 3] = corner.map(|x| (x + 0.0).to_bits()).into();
             *known.entry(bits).or_insert_with(|| {
                 vertices.push(corner);
@@ -93,20 +94,20 @@ impl Mesh {
         &self.vertices
     }
 
-    /// The triangles, as indices of their vertices.
+    /// The triangles. Each contains the indices of its vertices.
     pub fn triangles(&self) -> &[[usize; 3]] {
         &self.triangles
     }
 
-    /// The body of density 1: signed sums over the tetrahedra from a point to the triangles. With
-    /// the vertices `a, b, c` relative to this point and `s = a + b + c`
+    /// The body of density 1. It is a signed sum over the tetrahedra between a point and the
+    /// triangles. With the vertices `a, b, c` relative to this point, and `s = a + b + c`,
     ///
     /// ```text
     /// V = det(a, b, c)/6    int X dV = V s/4    int X X^T dV = V (a a^T + b b^T + c c^T + s s^T)/20
     /// ```
     ///
-    /// S. Lien and J. Kajiya, *IEEE Computer Graphics and Applications* 4(10) (1984) 35-42; F. Tonon, *J. Mathematics and
-    /// Statistics* 1 (2005) 8-11.
+    /// S. Lien and J. Kajiya, *IEEE Computer Graphics and Applications* 4(10) (1984) 35-42; F.
+    /// Tonon, *J. Mathematics and Statistics* 1 (2005) 8-11.
     pub fn mass_properties(&self) -> MassProperties {
         self.solid
     }
@@ -116,7 +117,8 @@ fn refused(reason: String) -> Error {
     Error::Invalid { what: "solid", reason }
 }
 
-/// Checks that every directed edge is in one triangle, and the opposite edge in another.
+/// Checks that every directed edge occurs in one triangle, and that another triangle contains the
+/// opposite edge.
 fn expect_closed(vertices: &[Vector3<f64>], triangles: &[[usize; 3]]) -> Result<(), Error> {
     let edges = || {
         let whole =
@@ -148,11 +150,12 @@ fn expect_closed(vertices: &[Vector3<f64>], triangles: &[[usize; 3]]) -> Result<
 }
 
 fn solid(vertices: &[Vector3<f64>], triangles: &[[usize; 3]]) -> Result<MassProperties, Error> {
-    // relative to the mean of the vertices, to avoid cancellation for a mesh far from the origin
+    // uses coordinates relative to the mean of the vertices, to avoid cancellation if the mesh is
+    // far from the origin
     let count = vertices.len().max(1) as f64;
     let middle = vertices.iter().fold(Vector3::zeros(), |sum, v| sum + v / count);
     let (mut volume, mut first, mut second) = (0.0, Vector3::zeros(), Matrix3::zeros());
-    // sums of magnitudes, which bound the rounding errors
+    // sums of magnitudes, which bound the rounding errors of the sums
     let (mut size, mut size_of_second) = (0.0, 0.0);
     for triangle in triangles {
         let [a, b, c] = triangle.map(|at| vertices[at] - middle);

@@ -6,12 +6,12 @@ use crate::mechanics::invalid_inertia;
 use nalgebra::{Matrix3, Vector3};
 use std::f64::consts::PI;
 
-/// Shapes are centred at the origin, with axes along the coordinate axes.
+/// Shapes are centred at the origin; their axes are the coordinate axes.
 impl MassProperties {
-    /// Point masses.
+    /// A body that consists of point masses.
     ///
     /// # Errors
-    /// [`Error::Invalid`] for a mass that is not positive, or if there are no masses;
+    /// [`Error::Invalid`] if a mass is not positive, or if there are no masses;
     /// [`Error::Overflow`].
     pub fn points(masses: &[(f64, Vector3<f64>)]) -> Result<Self, Error> {
         let point = |(mass, place): &(f64, Vector3<f64>)| {
@@ -26,7 +26,7 @@ impl MassProperties {
         Self::of_moments(body.mass, body.centre, body.second)
     }
 
-    /// A box with three edge lengths: `S = m diag(a^2, b^2, c^2)/12`.
+    /// A box with these three edge lengths: `S = m diag(a^2, b^2, c^2)/12`.
     ///
     /// ```
     /// use affinor::mechanics::MassProperties;
@@ -38,21 +38,21 @@ impl MassProperties {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Invalid`] for a length that is not positive; [`Error::Overflow`].
+    /// [`Error::Invalid`] if a length is not positive; [`Error::Overflow`].
     #[doc(alias("box", "brick"))]
     pub fn cuboid(edges: &Vector3<f64>) -> Result<Self, Error> {
         Self::shape(edges, 1.0, &(edges.component_mul(edges) / 12.0))
     }
 
-    /// An ellipsoid with three half axes: `S = m diag(a^2, b^2, c^2)/5`.
+    /// An ellipsoid with these three half axes: `S = m diag(a^2, b^2, c^2)/5`.
     ///
     /// # Errors
-    /// Those of [`cuboid`](Self::cuboid).
+    /// The errors of [`cuboid`](Self::cuboid).
     pub fn ellipsoid(half_axes: &Vector3<f64>) -> Result<Self, Error> {
         Self::shape(half_axes, 4.0 / 3.0 * PI, &(half_axes.component_mul(half_axes) / 5.0))
     }
 
-    /// A ball of unit density, centred at the origin.
+    /// A ball of density 1, centred at the origin.
     ///
     /// ```
     /// use affinor::mechanics::MassProperties;
@@ -63,7 +63,7 @@ impl MassProperties {
     /// ```
     ///
     /// # Errors
-    /// Those of [`cuboid`](Self::cuboid).
+    /// The errors of [`cuboid`](Self::cuboid).
     #[doc(alias("sphere"))]
     pub fn ball(radius: f64) -> Result<Self, Error> {
         Self::ellipsoid(&Vector3::repeat(radius))
@@ -80,7 +80,7 @@ impl MassProperties {
     /// ```
     ///
     /// # Errors
-    /// Those of [`cuboid`](Self::cuboid).
+    /// The errors of [`cuboid`](Self::cuboid).
     #[doc(alias("disk"))]
     pub fn cylinder(radius: f64, height: f64) -> Result<Self, Error> {
         let across = radius * radius / 4.0;
@@ -91,14 +91,14 @@ impl MassProperties {
     /// A thin rod along the third axis, of linear density 1: `S = m diag(0, 0, l^2/12)`.
     ///
     /// # Errors
-    /// Those of [`cuboid`](Self::cuboid).
+    /// The errors of [`cuboid`](Self::cuboid).
     pub fn rod(length: f64) -> Result<Self, Error> {
         let squares = Vector3::new(0.0, 0.0, length * length / 12.0);
         Self::shape(&Vector3::new(1.0, 1.0, length), 1.0, &squares)
     }
 
-    /// A shape whose volume is `factor` times the product of the lengths, with the mean squares of
-    /// its coordinates.
+    /// A shape whose volume is `factor` times the product of the lengths. The parameter `squares`
+    /// contains the mean squares of its coordinates.
     fn shape(lengths: &Vector3<f64>, factor: f64, squares: &Vector3<f64>) -> Result<Self, Error> {
         for length in lengths.iter() {
             positive("a length", *length)?;

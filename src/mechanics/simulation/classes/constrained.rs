@@ -15,20 +15,21 @@ use nalgebra::{DMatrix, DVector};
 use std::cell::RefCell;
 use std::ops::Range;
 
-/// Holonomic constraints `Phi(g) = 0`: formulas of the entries of the element and the parameters.
+/// Holonomic constraints `Phi(g) = 0`, given as formulas of the entries of the element and the
+/// parameters.
 #[derive(Clone, Debug, Default)]
 pub struct Constraints {
     scope: FormulaScope,
-    /// The formula of each constraint, and the formula with its derivatives.
+    /// For each constraint, the formula, and the formula with its derivatives.
     formulas: Vec<(Formula, Gradient)>,
 }
 
 impl Constraints {
-    /// Adds a constraint: a formula that must vanish.
+    /// Adds a constraint. The formula must vanish.
     ///
     /// # Errors
-    /// Those of [`Formula::parse`]; also for quantities other than entries of the element and
-    /// parameters.
+    /// The errors of [`Formula::parse`]; also an error if the formula contains quantities other
+    /// than entries of the element and parameters.
     pub fn add(&mut self, text: &str, names: &SymbolTable) -> Result<(), ExpressionError> {
         let allowed =
             |quantity| matches!(quantity, MotionQuantity::Parameter(_) | MotionQuantity::Entry(..));
@@ -38,14 +39,14 @@ impl Constraints {
     }
 }
 
-/// [`Constraints`] bound to a group.
+/// [`Constraints`] on a group.
 #[derive(Debug)]
 struct ConstraintsOn<G> {
     group: G,
     constraints: Constraints,
     rows: usize,
     generators: Vec<Generator>,
-    /// Buffers, also for derivatives of a formula with respect to the entries.
+    /// Buffers for values, and for derivatives of a formula with respect to the entries.
     buffers: RefCell<(Buffers, Vec<Partial>)>,
 }
 
@@ -56,7 +57,7 @@ impl<G: SimulationGroup> ConstraintsOn<G> {
         ConstraintsOn { group: group.clone(), constraints, rows, generators, buffers }
     }
 
-    /// Evaluates the quantities at an element.
+    /// Evaluates the quantities of the formulas at an element.
     fn evaluate(&self, element: &G::Element, buffers: &mut Buffers) {
         let Buffers { values, entries, .. } = buffers;
         self.group.entries(element, entries);
@@ -93,7 +94,7 @@ impl<G: SimulationGroup> Constraint<G> for ConstraintsOn<G> {
     }
 }
 
-/// The specification of a motion with constraints; the group is given separately.
+/// The specification of a motion with constraints. The group is a separate argument.
 pub struct ConstrainedSpec<'s> {
     /// The connection `Lambda` in `DH/Dt = M`.
     pub connection: &'s Connection<f64>,
@@ -109,11 +110,11 @@ pub struct ConstrainedSpec<'s> {
     pub element: DVector<f64>,
     /// The initial velocity, in the frame of the equations.
     pub velocity: DVector<f64>,
-    /// A method of [`Class::Constrained`](super::super::Class).
+    /// The method, which must belong to [`Class::Constrained`](super::super::Class).
     pub method: Method,
-    /// The largest step.
+    /// The largest step size.
     pub step: f64,
-    /// The formulas of the columns. A row has the first `visible` formulas, the Lagrange
+    /// The formulas of the columns. A row contains the first `visible` formulas, the Lagrange
     /// multipliers, the largest violation of a constraint, and the other formulas.
     pub columns: ColumnFormulas,
     /// The number of formulas before the multipliers.
@@ -121,11 +122,11 @@ pub struct ConstrainedSpec<'s> {
 }
 
 impl ConstrainedSpec<'_> {
-    /// The motion on a group.
+    /// Starts the motion on a group.
     ///
     /// # Errors
-    /// Those of [`Constrained::new`] and [`Constrained::state`]; [`Error::Unsupported`] for a
-    /// method of another class.
+    /// The errors of [`Constrained::new`] and [`Constrained::state`]; [`Error::Unsupported`] if the
+    /// method belongs to another class.
     pub fn start(self, group: &AnyGroup) -> Result<Box<dyn Motion>, Error> {
         visit(group, self)
     }
@@ -157,12 +158,12 @@ impl GroupVisitor for ConstrainedSpec<'_> {
     }
 }
 
-/// The motion with the values of its columns.
+/// The motion, with the values of its columns.
 struct Moving<G: SimulationGroup> {
     system: Constrained<G, ConstraintsOn<G>, ForcesOn<G>>,
     columns: ColumnFormulas,
     visible: usize,
-    /// The number of columns for the multipliers and the violation.
+    /// The number of columns of the multipliers and the violation.
     count: usize,
     buffers: RefCell<Buffers>,
 }
@@ -191,7 +192,7 @@ impl<G: SimulationGroup> ObservedMotion for Moving<G> {
         };
         let (visible, behind) = (self.visible, self.visible + self.count);
         let buffers = &mut *self.buffers.borrow_mut();
-        // appends the columns of formulas whose numbers are in a range
+        // appends the values of the formulas whose indices are in a range
         let mut formulas = |range: Range<usize>, list: &mut Vec<f64>| {
             let observables = forces.forces.observables();
             self.columns.values(range, group, observables, &point, &load, buffers, list);

@@ -1,5 +1,5 @@
-//! Motions of systems of an element and a momentum: the common code of free, forced and Lie-Poisson
-//! systems.
+//! Motions of systems of an element and a momentum. This code is common to free, forced and
+//! Lie-Poisson systems.
 
 use crate::Error;
 use crate::group::{Coordinates, Embedded as _, LieGroup as _};
@@ -25,7 +25,7 @@ pub(super) trait ObservedSystem:
     /// The observables.
     fn observables(&self) -> &Observables;
 
-    /// The forces, if the system can have forces.
+    /// The forces; `None` if the system cannot have forces.
     fn forces(&self) -> Option<&ForcesOn<Self::Group>> {
         None
     }
@@ -38,12 +38,12 @@ pub(super) trait ObservedSystem:
     ) -> R;
 }
 
-/// A system with the formulas of its columns.
+/// A system, with the formulas of its columns.
 pub(super) struct CotangentMotion<S> {
     system: S,
     columns: ColumnFormulas,
     buffers: RefCell<Buffers>,
-    /// Buffers for the spectral radius of `ad_Omega`.
+    /// Buffers for the computation of the spectral radius of `ad_Omega`.
     matrices: RefCell<[DMatrix<f64>; 2]>,
 }
 
@@ -104,14 +104,15 @@ impl<S: ObservedSystem> ObservedMotion for CotangentMotion<S> {
     }
 }
 
-/// The groups with projection methods, for messages.
+/// The groups with projection methods, as text for messages.
 const NO_PROJECTION: &str =
     "it is for so(2), so(3), se(2), se(3), sl(2) and other groups in closed form, left-invariant";
 
-/// The stepper of a method for all groups and forces; `None` for methods of other classes.
+/// The stepper of a method that integrates systems with any group and any forces. Returns `None`
+/// for methods of other classes.
 ///
 /// # Errors
-/// [`Error::Unsupported`] for a projection method on a group without a projection.
+/// [`Error::Unsupported`] if a projection method is used on a group without a projection.
 pub(super) fn any_system<S: CotangentSystem<Group: SimulationGroup> + 'static>(
     group: &S::Group,
     method: Method,
@@ -125,8 +126,8 @@ pub(super) fn any_system<S: CotangentSystem<Group: SimulationGroup> + 'static>(
     Ok(method.any_system(step, control))
 }
 
-/// The spectral radius, by Gelfand's formula `|A^k|^(1/k)`: an upper bound that is nearly sharp,
-/// and 0 for a nilpotent matrix. Both matrices are overwritten.
+/// The spectral radius, computed by Gelfand's formula `|A^k|^(1/k)`. The result is an upper bound
+/// that is nearly sharp, and 0 for a nilpotent matrix. Both matrices are overwritten.
 fn spectral_radius(matrix: &mut DMatrix<f64>, power: &mut DMatrix<f64>) -> f64 {
     let size = matrix.norm();
     if size == 0.0 || !size.is_finite() {

@@ -15,7 +15,7 @@ use crate::{Connection, Error, Metric};
 use nalgebra::DVector;
 use std::any::Any;
 
-/// The specification of a motion of Euler-Poincare equations; the group is given separately.
+/// The specification of a motion of Euler-Poincare equations. The group is a separate argument.
 pub struct EulerPoincareSpec<'s> {
     /// The connection `Lambda` in `DH/Dt = M`.
     pub connection: &'s Connection<f64>,
@@ -29,23 +29,25 @@ pub struct EulerPoincareSpec<'s> {
     pub element: DVector<f64>,
     /// The initial momentum, in the frame of the equations.
     pub momentum: DVector<f64>,
-    /// The method and its settings; without a method, the default of this class of problems.
+    /// The method and its settings. If there is no method, the default of this class of problems is
+    /// used.
     pub integration: Integration,
     /// The columns.
     pub columns: ColumnFormulas,
 }
 
 impl EulerPoincareSpec<'_> {
-    /// The motion on a group.
+    /// Starts the motion on a group.
     ///
     /// # Errors
-    /// Those of [`EulerPoincare::new`]; [`Error::Unsupported`] with the reason for a method that
+    /// The errors of [`EulerPoincare::new`]; [`Error::Unsupported`], with the reason, if the method
     /// does not apply to this problem.
     pub fn start(self, group: &AnyGroup) -> Result<Started, Error> {
         visit(group, self)
     }
 
-    /// The default method: exact for a free body, otherwise chosen by the forces and the step.
+    /// The default method. It is exact for a free body; otherwise it depends on the forces and the
+    /// step.
     fn default_method(&self, is_body: bool) -> Method {
         let free = self.forces.is_empty();
         match (is_body, self.integration.step) {
@@ -64,8 +66,8 @@ impl GroupVisitor for EulerPoincareSpec<'_> {
     fn visit<G: SimulationGroup>(self, group: &G) -> Result<Started, Error> {
         let inertia = self.metric.components().to_dmatrix()?;
         let body = group.body(&inertia).filter(|_| is_plus(self.connection));
-        // only a definite metric is the inertia of a body; for others the methods for all groups
-        // are used
+        // uses the methods for all groups if the metric is indefinite, because only a definite
+        // metric is the inertia of a body
         let is_body = matches!(body, Some(Ok(_)));
         let method = self.integration.method.unwrap_or_else(|| self.default_method(is_body));
         let free = self.forces.is_empty();
@@ -99,8 +101,8 @@ impl GroupVisitor for EulerPoincareSpec<'_> {
     }
 }
 
-/// The stepper of a method for bodies; `None` on groups other than SO(3), and for methods of other
-/// classes.
+/// The stepper of a method for bodies. Returns `None` on groups other than SO(3), and for methods
+/// of other classes.
 fn body_stepper<G: SimulationGroup>(
     method: Method,
     inertia: Inertia,
@@ -112,13 +114,13 @@ fn body_stepper<G: SimulationGroup>(
     let state: &State<So3> = (start as &dyn Any).downcast_ref()?;
     let momentum = body.momentum(state);
     let stepper = method.body(&FreeStart { inertia, state: state.clone(), momentum }, step)?;
-    // `G` is SO(3) here, so the cast to its own type succeeds
+    // the cast succeeds, because `G` is SO(3) in this branch
     let own_type = |stepper| (Box::new(stepper) as Box<dyn Any>).downcast().ok();
     stepper.map(own_type).transpose().map(|stepper| stepper.map(|stepper| *stepper))
 }
 
-/// The factor `s` if the connection is `Lambda = s c`. Without forces, its equations have `s` times
-/// the time derivative of `H` of the Euler-Poincare equations.
+/// The factor `s` if the connection is `Lambda = s c`. Without forces, the time derivative of `H`
+/// is then `s` times the time derivative in the Euler-Poincare equations.
 pub fn cartan_schouten_factor(connection: &Connection<f64>) -> Option<f64> {
     let (gamma, structure) = (connection.affinities(), connection.frame().structure_functions());
     let (indices, value) = structure.components().next()?;
@@ -126,7 +128,7 @@ pub fn cartan_schouten_factor(connection: &Connection<f64>) -> Option<f64> {
     (*gamma == structure.scale(&share)).then_some(share)
 }
 
-/// Whether the connection is `plus`, the connection of the Euler-Poincare equations.
+/// Whether the connection is `plus`, which is the connection of the Euler-Poincare equations.
 pub fn is_plus(connection: &Connection<f64>) -> bool {
     connection.affinities() == connection.frame().structure_functions()
 }

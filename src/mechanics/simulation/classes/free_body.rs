@@ -1,4 +1,4 @@
-//! The free rigid body: its attitude in closed form.
+//! The free rigid body, whose attitude has a closed form.
 
 use crate::Error;
 use crate::group::So3;
@@ -7,14 +7,14 @@ use crate::mechanics::simulation::stepper::Stepper;
 use crate::mechanics::{BodyState, EulerPoincare, FreeBody, Inertia, State, stopped};
 use nalgebra::Vector3;
 
-/// An Euler-Poincare system with forces as formulas.
+/// An Euler-Poincare system whose forces are formulas.
 pub type Body<G> = EulerPoincare<G, ForcesOn<G>>;
 
 /// The inertia and the initial condition of a body.
 pub struct FreeStart {
     /// The inertia.
     pub inertia: Inertia,
-    /// The state.
+    /// The initial state.
     pub state: State<So3>,
     /// The momentum in body components.
     pub momentum: Vector3<f64>,
@@ -35,11 +35,11 @@ pub(in crate::mechanics::simulation) fn exact(
     Ok(Stepper::exact(at, rate))
 }
 
-/// The largest rotation, in radians, that the rounding of a time may cause.
+/// The rounding of a time may cause a rotation of at most this angle, in radians.
 const PHASE: f64 = 1e-3;
 
-/// Checks that the rounding of a time determines the attitude of a body, whose angular velocity has
-/// the bound `rate`.
+/// Checks that the attitude of a body is determined in spite of the rounding of the time. The bound
+/// of the angular velocity is `rate`.
 fn expect_phase(rate: f64, t: f64, elapsed: f64) -> Result<(), Error> {
     let turn = f64::EPSILON * rate * t.abs().max(elapsed.abs());
     if turn <= PHASE {

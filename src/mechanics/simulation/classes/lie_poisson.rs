@@ -15,23 +15,23 @@ use affinor_tensors::expression::ExpressionError;
 use nalgebra::DVector;
 use std::cell::RefCell;
 
-/// The Hamiltonian `E(H)` as a formula of the components of the momentum and the parameters.
+/// The Hamiltonian `E(H)`, given as a formula of the components of the momentum and the parameters.
 #[derive(Clone, Debug)]
 pub struct Hamiltonian {
     scope: FormulaScope,
     gradient: Gradient,
     text: String,
-    /// Buffers for values of the quantities, and derivatives with respect to the components of the
-    /// momentum.
+    /// Buffers for the values of the quantities, and for the derivatives with respect to the
+    /// components of the momentum.
     buffers: RefCell<(Vec<f64>, Vec<f64>, Workspace)>,
 }
 
 impl Hamiltonian {
-    /// Parses the formula.
+    /// Parses the formula of the Hamiltonian.
     ///
     /// # Errors
-    /// Those of [`Formula::parse`](crate::mechanics::formula::Formula::parse); also for quantities
-    /// other than components of the momentum and parameters.
+    /// The errors of [`Formula::parse`](crate::mechanics::formula::Formula::parse); also an error
+    /// if the formula contains quantities other than components of the momentum and parameters.
     pub fn read(text: &str, observables: &Observables) -> Result<Self, ExpressionError> {
         let mut scope = FormulaScope::default();
         let allowed = |quantity| {
@@ -41,7 +41,8 @@ impl Hamiltonian {
         Ok(Hamiltonian { scope, gradient, text: text.trim().into(), buffers: RefCell::default() })
     }
 
-    /// The value, and its derivatives with respect to the components of the momentum.
+    /// The value of the Hamiltonian, and its derivatives with respect to the components of the
+    /// momentum.
     fn evaluate<V: Coordinates>(&self, momentum: &V) -> (f64, V) {
         let (values, slopes, workspace) = &mut *self.buffers.borrow_mut();
         let h = momentum.components();
@@ -65,7 +66,7 @@ impl Hamiltonian {
     }
 }
 
-/// The specification of a motion of Lie-Poisson equations; the group is given separately.
+/// The specification of a motion of Lie-Poisson equations. The group is a separate argument.
 pub struct LiePoissonSpec {
     /// The names of quantities.
     pub observables: Observables,
@@ -77,18 +78,18 @@ pub struct LiePoissonSpec {
     pub element: DVector<f64>,
     /// The initial momentum, in the frame of the equations.
     pub momentum: DVector<f64>,
-    /// The method and its settings; by default `rkmk4` if there is a step, otherwise a method with
-    /// step-size control.
+    /// The method and its settings. The default is `rkmk4` if there is a step size; otherwise it is
+    /// a method with step-size control.
     pub integration: Integration,
     /// The columns.
     pub columns: ColumnFormulas,
 }
 
 impl LiePoissonSpec {
-    /// The motion on a group.
+    /// Starts the motion on a group.
     ///
     /// # Errors
-    /// [`Error::Unsupported`] for a method that applies to bodies only.
+    /// [`Error::Unsupported`] if the method applies only to bodies.
     pub fn start(self, group: &AnyGroup) -> Result<Started, Error> {
         visit(group, self)
     }
@@ -119,7 +120,7 @@ impl GroupVisitor for LiePoissonSpec {
     }
 }
 
-/// The Lie-Poisson equations of a Hamiltonian given by a formula.
+/// The Lie-Poisson equations of a Hamiltonian that is given by a formula.
 struct HamiltonianSystem<G> {
     group: G,
     hamiltonian: Hamiltonian,

@@ -7,21 +7,21 @@ use crate::mechanics::{Isospectral, Manakov, MatrixState, Toda, Zeitlin};
 use nalgebra::{Complex, DMatrix};
 use std::ops::Range;
 
-/// The largest size of matrices whose entries are columns.
+/// The entries of matrices up to this size are columns.
 const SMALL: usize = 6;
 
 /// An isospectral flow with its initial condition.
 #[derive(Clone, Debug)]
 pub enum MatrixFlow {
-    /// The Toda lattice, given by positions and momenta.
+    /// The Toda lattice, with its positions and momenta.
     Toda(Vec<f64>, Vec<f64>),
-    /// The body in n dimensions, given by masses and momentum.
+    /// The free body in n dimensions, with its masses and momentum.
     Manakov(Vec<f64>, DMatrix<f64>),
-    /// The fluid on the sphere, given by the `N` of su(N) and the coefficients `(l, m, w_lm)` of
+    /// The fluid on the sphere, with the `N` of su(N) and the coefficients `(l, m, w_lm)` of
     /// spherical harmonics.
     Zeitlin(usize, Vec<(usize, i64, f64)>),
-    /// The fluid on the sphere with random coefficients, given by `N`, a seed and the largest
-    /// degree.
+    /// The fluid on the sphere with random coefficients. The values are `N`, a seed, and the
+    /// largest degree.
     RandomZeitlin(usize, u64, usize),
 }
 
@@ -42,12 +42,12 @@ struct How {
 }
 
 impl MatrixFlow {
-    /// Starts the motion with a method of [`Class::MatrixFlow`](super::super::Class) and steps of
-    /// at most the given size.
+    /// Starts the motion. The method must belong to [`Class::MatrixFlow`](super::super::Class);
+    /// steps have at most the size `step`.
     ///
     /// # Errors
-    /// Those of the constructors of the flow and its state, for an initial condition that is not
-    /// admissible; [`Error::Unsupported`] for a method of another class.
+    /// The errors of the constructors of the flow and its state, if the initial condition is
+    /// invalid; [`Error::Unsupported`] if the method belongs to another class.
     pub fn start(&self, time: f64, method: Method, step: f64) -> Result<StartedFlow, Error> {
         let how = How { time, method, step };
         match self {
@@ -70,7 +70,7 @@ impl MatrixFlow {
                 let state = body.state(time, momentum.clone())?;
                 let row = |body: &Manakov, m: &DMatrix<f64>| {
                     let mut row = vec![body.energy(m), body.norm_squared(m), body.pfaffian(m)];
-                    // equals tr M^2 A^4 + tr M A^2 M A^2/2
+                    // this value equals tr M^2 A^4 + tr M A^2 M A^2/2
                     row.push(0.25 * body.integral(m, 4, 2));
                     row.extend(small(m));
                     row
@@ -116,7 +116,7 @@ fn on_sphere(
     start(fluid, state, how, row, names)
 }
 
-/// The harmonics `(l, m)` whose coefficients are columns; none for large matrices.
+/// The harmonics `(l, m)` whose coefficients are columns. The list is empty for large matrices.
 fn modes(size: usize) -> impl Iterator<Item = (usize, i64)> {
     let degrees = if size > SMALL { 0..0 } else { 1..size };
     degrees.flat_map(|l| (-(l as i64)..=l as i64).map(move |m| (l, m)))
@@ -130,13 +130,13 @@ fn numbered(stem: &str, n: usize) -> Vec<String> {
     (1..=n).map(|i| format!("{stem}{i}")).collect()
 }
 
-/// Columns for the entries of a small matrix, row by row; none for large matrices.
+/// The columns for the entries of a small matrix, row by row. The list is empty for large matrices.
 fn entries(stem: &str, n: usize) -> Vec<(String, bool)> {
     let n = if n > SMALL { 0 } else { n };
     (1..=n).flat_map(|i| (1..=n).map(move |j| (format!("{stem}{i}{j}"), false))).collect()
 }
 
-/// The entries of a small matrix, row by row; none for large matrices.
+/// The entries of a small matrix, row by row. The list is empty for large matrices.
 fn small(matrix: &DMatrix<f64>) -> Vec<f64> {
     if matrix.nrows() > SMALL { vec![] } else { matrix.transpose().as_slice().to_vec() }
 }
@@ -159,7 +159,7 @@ where
     Ok(StartedFlow { motion: simulation(moving, state, stepper), columns })
 }
 
-/// A flow with the values of its columns after the time.
+/// A flow, with the values of the columns that follow the time.
 struct Moving<F, R> {
     flow: F,
     row: R,

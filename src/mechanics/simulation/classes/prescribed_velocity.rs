@@ -1,4 +1,4 @@
-//! Kinematics: a prescribed velocity, `g' = g Omega(t)`.
+//! Kinematics: motions `g' = g Omega(t)` with a prescribed velocity.
 
 use crate::Error;
 use crate::group::{AnyGroup, Coordinates, LieGroup};
@@ -17,7 +17,7 @@ use nalgebra::DVector;
 use std::cell::RefCell;
 use std::ops::Range;
 
-/// A prescribed velocity: formulas of `t` and the parameters for its components.
+/// A prescribed velocity. Its components are formulas of `t` and the parameters.
 #[derive(Clone, Debug, Default)]
 pub struct VelocityFormulas {
     scope: FormulaScope,
@@ -29,7 +29,8 @@ impl VelocityFormulas {
     /// Adds the formula of the next component.
     ///
     /// # Errors
-    /// Those of [`Formula::parse`]; also for names other than `t` and parameters.
+    /// The errors of [`Formula::parse`]; also an error if the formula contains names other than `t`
+    /// and parameters.
     pub fn add(&mut self, text: &str, names: &SymbolTable) -> Result<(), ExpressionError> {
         let allowed =
             |quantity| matches!(quantity, MotionQuantity::Time | MotionQuantity::Parameter(_));
@@ -44,7 +45,7 @@ impl VelocityFormulas {
     }
 }
 
-/// The specification of a motion with a prescribed velocity; the group is given separately.
+/// The specification of a motion with a prescribed velocity. The group is a separate argument.
 pub struct PrescribedVelocitySpec {
     /// The velocity, in the frame of the equations.
     pub velocity: VelocityFormulas,
@@ -54,19 +55,19 @@ pub struct PrescribedVelocitySpec {
     pub time: f64,
     /// The embedding coordinates of the initial element.
     pub element: DVector<f64>,
-    /// A method of [`Class::PrescribedVelocity`](super::super::Class).
+    /// The method, which must belong to [`Class::PrescribedVelocity`](super::super::Class).
     pub method: Method,
-    /// The largest step.
+    /// The largest step size.
     pub step: f64,
     /// The columns.
     pub columns: ColumnFormulas,
 }
 
 impl PrescribedVelocitySpec {
-    /// The motion on a group.
+    /// Starts the motion on a group.
     ///
     /// # Errors
-    /// [`Error::Unsupported`] for a method of another class.
+    /// [`Error::Unsupported`] if the method belongs to another class.
     pub fn start(self, group: &AnyGroup) -> Result<Box<dyn Motion>, Error> {
         visit(group, self)
     }
@@ -94,7 +95,7 @@ impl GroupVisitor for PrescribedVelocitySpec {
 
 type Rate<G> = Box<dyn Fn(f64) -> <G as LieGroup>::Vector + Send>;
 
-/// The motion with the values of its columns.
+/// The motion, with the values of its columns.
 struct Moving<G: LieGroup> {
     system: PrescribedVelocity<G, Rate<G>>,
     velocity: VelocityFormulas,

@@ -2,7 +2,7 @@
 
 use nalgebra::{Complex, ComplexField, DMatrix};
 
-/// An entry of a matrix: a real or a complex float.
+/// An entry of a matrix: a real or complex float.
 pub trait MatrixEntry: ComplexField<RealField = f64> + Copy {
     /// The product of matrices.
     fn product(a: &DMatrix<Self>, b: &DMatrix<Self>) -> DMatrix<Self>;
@@ -15,8 +15,8 @@ impl MatrixEntry for f64 {
 }
 
 impl MatrixEntry for Complex<f64> {
-    // nalgebra multiplies real matrices faster than complex ones: for size 129 four real products
-    // take a fifth of the time
+    // computes four real products, because nalgebra multiplies real matrices faster than complex
+    // matrices: for size 129, the real products need a fifth of the time
     fn product(a: &DMatrix<Self>, b: &DMatrix<Self>) -> DMatrix<Self> {
         let [a_re, b_re] = [a, b].map(|m| m.map(|z| z.re));
         let [a_im, b_im] = [a, b].map(|m| m.map(|z| z.im));

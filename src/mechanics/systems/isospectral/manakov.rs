@@ -5,13 +5,15 @@ use crate::Error;
 use crate::mechanics::invalid_inertia;
 use nalgebra::{Complex, DMatrix};
 
-/// The free rigid body in n dimensions, on so(n): `M' = [M, Omega]`, `M = A Omega + Omega A`, with
-/// the mass tensor `A = diag(a_1, ..., a_n)`, so that `Omega_ij = M_ij/(a_i + a_j)`.
+/// The free rigid body in n dimensions, on so(n). Its equations are `M' = [M, Omega]` and
+/// `M = A Omega + Omega A`, with the mass tensor `A = diag(a_1, ..., a_n)`. Therefore,
+/// `Omega_ij = M_ij/(a_i + a_j)`.
 ///
-/// `M` is the momentum in body components; with `B = -Omega` the flow is isospectral. Because `[M,
-/// A] = [Omega, A^2]`, it is also the flow of `M + z A^2` for any number `z`. The traces of powers
-/// of this matrix give all [`Manakov::integral`]s. S. V. Manakov, *Funct. Anal. Appl.* 10 (1976)
-/// 328-329. Methods panic for matrices of a size other than that of `A`, as nalgebra does.
+/// `M` is the momentum in body components. With `B = -Omega`, the flow is isospectral. Because
+/// `[M, A] = [Omega, A^2]`, the flow is also the isospectral flow of `M + z A^2`, for any number
+/// `z`. All [`Manakov::integral`]s are coefficients of the traces of powers of this matrix. S. V.
+/// Manakov, *Funct. Anal. Appl.* 10 (1976) 328-329. Methods panic, as nalgebra does, if a matrix
+/// does not have the size of `A`.
 ///
 /// ```
 /// use affinor::mechanics::systems::isospectral::Manakov;
@@ -28,11 +30,11 @@ pub struct Manakov {
 }
 
 impl Manakov {
-    /// The body of a mass tensor in its principal axes.
+    /// The body whose mass tensor, in its principal axes, has these entries.
     ///
     /// # Errors
-    /// [`Error::Invalid`] for fewer than two axes, and for a sum `a_i + a_j` of different axes that is not positive and
-    /// finite.
+    /// [`Error::Invalid`] if there are fewer than two axes, or if a sum `a_i + a_j` for different
+    /// axes is not positive and finite.
     pub fn new(masses: &[f64]) -> Result<Self, Error> {
         if masses.len() < 2 {
             return Err(invalid_inertia(format!("{} axes have no rotation", masses.len())));
@@ -54,8 +56,8 @@ impl Manakov {
     /// The state with the momentum `M`.
     ///
     /// # Errors
-    /// [`Error::Shape`] unless `M` has a row and a column for each mass; [`Error::Invalid`] unless it is finite and
-    /// antisymmetric.
+    /// [`Error::Shape`] unless `M` has one row and one column for each mass; [`Error::Invalid`]
+    /// unless it is finite and antisymmetric.
     pub fn state(&self, time: f64, momentum: DMatrix<f64>) -> Result<MatrixState<f64>, Error> {
         checked(time, momentum, Some(self.masses.len()), self.symmetry())
     }
@@ -72,20 +74,20 @@ impl Manakov {
         pairs(self.masses.len()).map(|at| 0.5 * momentum[at] * velocity[at]).sum()
     }
 
-    /// The squared norm `sum_(i<j) M_ij^2`, a Casimir function.
+    /// The squared norm `sum_(i<j) M_ij^2`, which is a Casimir function.
     pub fn norm_squared(&self, momentum: &DMatrix<f64>) -> f64 {
         pairs(self.masses.len()).map(|at| momentum[at] * momentum[at]).sum()
     }
 
-    /// The Pfaffian `Pf M`, a Casimir function with `Pf^2 = det M`: `M_12 M_34 - M_13 M_24 + M_14
-    /// M_23` for so(4), and 0 for odd n.
+    /// The Pfaffian `Pf M`, which is a Casimir function with `Pf^2 = det M`. It is
+    /// `M_12 M_34 - M_13 M_24 + M_14 M_23` for so(4), and 0 for odd n.
     pub fn pfaffian(&self, momentum: &DMatrix<f64>) -> f64 {
         let (mut m, n) = (momentum.clone(), self.masses.len());
         if n % 2 == 1 {
             return 0.0;
         }
         let mut product = 1.0;
-        // eliminates two rows and columns at a time, with pivoting
+        // eliminates two rows and two columns at a time, with pivoting
         for k in (0..n).step_by(2) {
             let size = |j: &usize| m[(k, *j)].abs();
             let pivot = (k + 1..n).max_by(|i, j| size(i).total_cmp(&size(j))).unwrap_or(k + 1);
@@ -107,15 +109,16 @@ impl Manakov {
         product
     }
 
-    /// The coefficient of `z^degree` in `tr (M + z A^2)^power`, which is a conserved quantity. `(2,
-    /// 0)` is `-2` times the squared norm, `(3, 1)` is `3 tr M^2 A^2`, and `(4, 2)` is `4 tr M^2
-    /// A^4 + 2 tr M A^2 M A^2`. It is 0 if `power - degree` is odd.
+    /// The coefficient of `z^degree` in `tr (M + z A^2)^power`, which is a conserved quantity. For
+    /// `(power, degree) = (2, 0)` it is `-2` times the squared norm, for `(3, 1)` it is
+    /// `3 tr M^2 A^2`, and for `(4, 2)` it is `4 tr M^2 A^4 + 2 tr M A^2 M A^2`. It is 0 if
+    /// `power - degree` is odd.
     pub fn integral(&self, momentum: &DMatrix<f64>, power: usize, degree: usize) -> f64 {
         let n = self.masses.len();
         if degree > power {
             return 0.0;
         }
-        // the coefficients of a power of M + z A^2, up to the degree
+        // the coefficients of a power of M + z A^2, up to `degree`
         let mut coefficients = vec![DMatrix::zeros(n, n); degree + 1];
         coefficients[0] = DMatrix::identity(n, n);
         for _ in 0..power {
@@ -137,7 +140,7 @@ impl Manakov {
     }
 }
 
-/// The pairs `i < j` below `n`.
+/// The pairs `i < j` of indices below `n`.
 fn pairs(n: usize) -> impl Iterator<Item = (usize, usize)> {
     (0..n).flat_map(move |i| (i + 1..n).map(move |j| (i, j)))
 }

@@ -6,13 +6,13 @@ use crate::mechanics::stopped;
 use crate::numerics::exponential::exp;
 use nalgebra::DMatrix;
 
-/// The Toda lattice `q_k'' = exp(q_(k-1) - q_k) - exp(q_k - q_(k+1))` with free ends, as the flow
-/// of a real symmetric matrix: `L' = [B(L), L]`, where `B` is the upper minus the lower triangle of
-/// `L`.
+/// The Toda lattice `q_k'' = exp(q_(k-1) - q_k) - exp(q_k - q_(k+1))` with free ends. It is the
+/// flow `L' = [B(L), L]` of a real symmetric matrix, where `B` is the upper triangle of `L` minus
+/// the lower triangle.
 ///
-/// [`Toda::lattice`] is tridiagonal. Any symmetric `L` is allowed (the full lattice), because the
-/// errors of steps are not tridiagonal. H. Flaschka, *Phys. Rev. B* 9 (1974) 1924-1925; the
-/// solution by `QR` follows W. W. Symes, *Physica D* 4 (1982) 275-280.
+/// The matrix [`Toda::lattice`] is tridiagonal. Any symmetric `L` is allowed (the full lattice),
+/// because the errors of steps are not tridiagonal. H. Flaschka, *Phys. Rev. B* 9 (1974) 1924-1925.
+/// The solution by `QR` follows W. W. Symes, *Physica D* 4 (1982) 275-280.
 ///
 /// ```
 /// use affinor::mechanics::systems::isospectral::Toda;
@@ -29,11 +29,11 @@ pub struct Toda;
 const PIECES: f64 = 1e5;
 
 impl Toda {
-    /// Flaschka's matrix for positions `q` and momenta `p`: `L_kk = -p_k/2`, `L_(k,k+1) =
-    /// exp((q_k - q_(k+1))/2)/2`.
+    /// Flaschka's matrix for the positions `q` and momenta `p`: `L_kk = -p_k/2`,
+    /// `L_(k,k+1) = exp((q_k - q_(k+1))/2)/2`.
     ///
     /// # Errors
-    /// [`Error::Shape`] unless there are as many momenta as positions, and at least one.
+    /// [`Error::Shape`] unless the numbers of momenta and positions are equal, and at least one.
     pub fn lattice(positions: &[f64], momenta: &[f64]) -> Result<DMatrix<f64>, Error> {
         let n = positions.len();
         if momenta.len() != n || n == 0 {
@@ -60,18 +60,19 @@ impl Toda {
         2.0 * matrix.dot(&matrix.transpose())
     }
 
-    /// The eigenvalues of `L` in ascending order: `-1/2` times the asymptotic momenta of the particles.
+    /// The eigenvalues of `L` in ascending order. They are `-1/2` times the asymptotic momenta of
+    /// the particles.
     pub fn spectrum(&self, matrix: &DMatrix<f64>) -> Vec<f64> {
         spectrum(matrix)
     }
 
-    /// The exact state at a time: `L(t) = Q^T L Q` with `exp((t - t_0) L) = Q R` and a positive
-    /// diagonal of `R`. Long times are divided into intervals with exponentials of moderate size.
-    /// The number of intervals is `|t - t_0|` times the largest column sum of `|L|`.
+    /// The exact state at a time, which is `L(t) = Q^T L Q` with `exp((t - t_0) L) = Q R` and a
+    /// positive diagonal of `R`. Long times are divided into intervals with exponentials of
+    /// moderate size. The number of intervals is `|t - t_0|` times the largest column sum of `|L|`.
     ///
     /// # Errors
-    /// [`Error::Shape`] unless `L` is square. [`Error::Integration`] for a time that is not finite, and for more than a hundred
-    /// thousand intervals.
+    /// [`Error::Shape`] unless `L` is square. [`Error::Integration`] if the time is not finite, or
+    /// if more than a hundred thousand intervals are needed.
     pub fn exact(&self, start: &MatrixState<f64>, time: f64) -> Result<MatrixState<f64>, Error> {
         expect_square("the matrix", &start.matrix, None)?;
         let length = time - start.time;

@@ -10,17 +10,19 @@ use std::f64::consts::PI;
 
 type Matrix = DMatrix<Complex<f64>>;
 
-/// Zeitlin's model on su(N) of Euler's equations on the unit sphere: `W' = [P, W]/hbar`, `Delta P =
-/// W`, with `hbar = 2/sqrt(N^2 - 1)` and the Laplacian of Hoppe and Yau, `Delta = -sum_a
-/// ad(S_a)^2`.
+/// Zeitlin's model of Euler's equations on the unit sphere, on su(N): `W' = [P, W]/hbar`,
+/// `Delta P = W`. Here `hbar = 2/sqrt(N^2 - 1)`, and `Delta = -sum_a ad(S_a)^2` is the Laplacian of
+/// Hoppe and Yau.
 ///
-/// The vorticity `w` is represented by the antihermitian `W = i sqrt(N/4pi) sum w_lm Y_lm`, where `Y_lm`, `l < N`, is
-/// the matrix of the real spherical harmonic ([`Zeitlin::harmonic`]). The bracket `{f, g}` becomes `[F, G]/(i hbar)`, and the
-/// velocity is `u = x cross grad psi`, `Delta psi = w`. Energy, enstrophy and angular momentum are integrals over the sphere of the
-/// field with these coefficients. The flow conserves all `tr W^k`, the energy and the angular momentum.
+/// The vorticity `w` is represented by the antihermitian matrix `W = i sqrt(N/4pi) sum w_lm Y_lm`.
+/// Here `Y_lm`, with `l < N`, is the matrix of a real spherical harmonic ([`Zeitlin::harmonic`]).
+/// The bracket `{f, g}` is represented by `[F, G]/(i hbar)`. The velocity is `u = x cross grad psi`
+/// with `Delta psi = w`. The energy, the enstrophy and the angular momentum are integrals over the
+/// sphere of the field with these coefficients. The flow conserves all `tr W^k`, the energy and the
+/// angular momentum.
 ///
 /// `Delta` is a tridiagonal matrix on each diagonal of `P`, so it is inverted in `O(N^2)`. A time
-/// derivative takes two matrix products. V. Zeitlin, *Phys. Rev. Lett.* 93 (2004) 264501; J. Hoppe
+/// derivative needs two matrix products. V. Zeitlin, *Phys. Rev. Lett.* 93 (2004) 264501; J. Hoppe
 /// and S.-T. Yau, *Commun. Math. Phys.* 195 (1998) 67-77; K. Modin and M. Viviani, *J. Fluid Mech.*
 /// 884 (2020) A22.
 ///
@@ -46,10 +48,10 @@ impl Zeitlin {
     /// The largest `N`.
     pub const LARGEST: usize = 4096;
 
-    /// The model on su(N), of dimension `N^2 - 1`.
+    /// The model on su(N), whose dimension is `N^2 - 1`.
     ///
     /// # Errors
-    /// [`Error::Size`] for an `N` above [`Zeitlin::LARGEST`], [`Error::Shape`] for one below 2.
+    /// [`Error::Size`] if `N` exceeds [`Zeitlin::LARGEST`], and [`Error::Shape`] if `N` is below 2.
     pub fn new(size: usize) -> Result<Self, Error> {
         if size < 2 {
             let (expected, found) = ("N of 2 or more".into(), size.to_string());
@@ -73,7 +75,7 @@ impl Zeitlin {
         self.hbar
     }
 
-    /// The state with a vorticity matrix, in su(N).
+    /// The state with a vorticity matrix, which must be in su(N).
     ///
     /// # Errors
     /// [`Error::Shape`] unless the matrix has `N` rows and columns; [`Error::Invalid`] unless it is
@@ -90,25 +92,26 @@ impl Zeitlin {
         Ok(state)
     }
 
-    /// The matrix `P` of the stream function, antihermitian and trace-free, with `Delta P = W`.
-    /// Only `W_ij` with `i <= j` is read, and its trace is ignored.
+    /// The matrix `P` of the stream function, which satisfies `Delta P = W`. It is antihermitian
+    /// and trace-free. Only the entries `W_ij` with `i <= j` are read, and the trace of `W` is
+    /// ignored.
     pub fn stream(&self, vorticity: &Matrix) -> Matrix {
         self.laplacian.solve(vorticity)
     }
 
-    /// The Laplacian `Delta P = -sum_a [S_a, [S_a, P]]`, the inverse of [`Zeitlin::stream`];
-    /// `-l(l+1)` on harmonics.
+    /// The Laplacian `Delta P = -sum_a [S_a, [S_a, P]]`, which is the inverse of
+    /// [`Zeitlin::stream`]. On harmonics, it is the factor `-l(l+1)`.
     pub fn laplacian(&self, stream: &Matrix) -> Matrix {
         self.laplacian.apply(stream)
     }
 
-    /// The matrix of the real spherical harmonic `Y_lm`, `|m| <= l < N`: Hermitian, of Frobenius
-    /// norm 1. The harmonics of degree 1 are along `y`, `z`, `x` for `m = -1, 0, 1`. Without the
-    /// Condon-Shortley sign, the factor of `cos(m phi)` or, for `m < 0`, of `sin(|m| phi)` is
-    /// positive near the north pole.
+    /// The matrix of the real spherical harmonic `Y_lm`, `|m| <= l < N`. It is Hermitian, and its
+    /// Frobenius norm is 1. The harmonics of degree 1 are along `y`, `z`, `x` for `m = -1, 0, 1`.
+    /// There is no Condon-Shortley sign: near the north pole, the factor of `cos(m phi)` or, for
+    /// `m < 0`, of `sin(|m| phi)` is positive.
     ///
     /// # Errors
-    /// [`Error::Shape`] for `l` or `m` out of range.
+    /// [`Error::Shape`] if `l` or `m` is out of range.
     pub fn harmonic(&self, l: usize, m: i64) -> Result<Matrix, Error> {
         if l >= self.size() || m.unsigned_abs() > l as u64 {
             let expected = format!("|m| <= l < {}", self.size());
@@ -118,10 +121,11 @@ impl Zeitlin {
         Ok(self.laplacian.harmonic(l, m))
     }
 
-    /// The vorticity matrix of coefficients `(l, m, w_lm)` of real spherical harmonics, `l >= 1`.
+    /// The vorticity matrix with the coefficients `(l, m, w_lm)` of real spherical harmonics,
+    /// `l >= 1`.
     ///
     /// # Errors
-    /// Those of [`Zeitlin::harmonic`]; [`Error::Shape`] for `l = 0`, because vorticity has zero
+    /// The errors of [`Zeitlin::harmonic`]; [`Error::Shape`] if `l = 0`, because vorticity has zero
     /// mean.
     pub fn vorticity(&self, coefficients: &[(usize, i64, f64)]) -> Result<Matrix, Error> {
         let mut sum = Matrix::zeros(self.size(), self.size());
@@ -135,17 +139,18 @@ impl Zeitlin {
         Ok(sum)
     }
 
-    /// The coefficient `w_lm` of a vorticity.
+    /// The coefficient `w_lm` of a vorticity matrix.
     ///
     /// # Errors
-    /// Those of [`Zeitlin::harmonic`].
+    /// The errors of [`Zeitlin::harmonic`].
     pub fn coefficient(&self, vorticity: &Matrix, l: usize, m: i64) -> Result<f64, Error> {
         Ok(self.harmonic(l, m)?.dotc(vorticity).im / self.scale())
     }
 
-    /// A random vorticity from a seed: every `w_lm` with `1 <= l <= degree` is `1/l` times a number
-    /// in `[-1, 1)`. The numbers are the upper 53 bits of the generator SplitMix64, in ascending
-    /// order of `l`, then `m`. The field is the same for every `N`.
+    /// A random vorticity that a seed determines. Every `w_lm` with `1 <= l <= degree` is `1/l`
+    /// times a number in `[-1, 1)`. The numbers are the upper 53 bits of the outputs of the
+    /// generator SplitMix64, in ascending order of `l`, then `m`. The field is the same for every
+    /// `N`.
     ///
     /// # Errors
     /// [`Error::Shape`] unless `degree < N`.
@@ -160,29 +165,31 @@ impl Zeitlin {
         self.vorticity(&coefficients)
     }
 
-    /// The kinetic energy, `-int w psi/2 = 2 pi/N tr(P W)`, with `P` the matrix of the stream function and `W` of the vorticity.
+    /// The kinetic energy, `-int w psi/2 = 2 pi/N tr(P W)`. Here `P` is the matrix of the stream
+    /// function, and `W` is the matrix of the vorticity.
     pub fn energy(&self, vorticity: &Matrix) -> f64 {
         -0.5 * self.integral(&self.stream(vorticity), vorticity)
     }
 
-    /// The enstrophy `int w^2 = -4 pi/N tr W^2`, a Casimir function.
+    /// The enstrophy `int w^2 = -4 pi/N tr W^2`, which is a Casimir function.
     pub fn enstrophy(&self, vorticity: &Matrix) -> f64 {
         self.integral(vorticity, vorticity)
     }
 
     /// The angular momentum `int w x` over the sphere, for the three coordinates `x`.
     pub fn angular_momentum(&self, vorticity: &Matrix) -> [f64; 3] {
-        // x is sqrt(4pi/3) times a harmonic
+        // each coordinate x is sqrt(4pi/3) times a harmonic
         let scale = (4.0 * PI / 3.0).sqrt() / self.scale();
         [1, -1, 0].map(|m| scale * self.laplacian.harmonic(1, m).dotc(vorticity).im)
     }
 
-    /// The eigenvalues of `-i W` in ascending order: the discrete analogue of the distribution of vorticity.
+    /// The eigenvalues of `-i W` in ascending order. They are the discrete analogue of the
+    /// distribution of vorticity.
     pub fn spectrum(&self, vorticity: &Matrix) -> Vec<f64> {
         spectrum(&vorticity.map(|w| Complex::new(w.im, -w.re)))
     }
 
-    /// The factor `sqrt(N/4pi)`, the norm of the matrix of a field of norm 1.
+    /// The factor `sqrt(N/4pi)`, which is the norm of the matrix of a field of norm 1.
     fn scale(&self) -> f64 {
         (self.size() as f64 / (4.0 * PI)).sqrt()
     }
@@ -193,7 +200,7 @@ impl Zeitlin {
     }
 }
 
-/// The next number of the generator SplitMix64, in `[-1, 1)`.
+/// The next number of the generator SplitMix64, scaled to `[-1, 1)`.
 ///
 /// G. L. Steele, D. Lea and C. H. Flood, *OOPSLA* 2014, 453-472.
 fn random_unit(state: &mut u64) -> f64 {

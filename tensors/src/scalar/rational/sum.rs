@@ -1,11 +1,11 @@
-//! Sums of rationals that are reduced to lowest terms once, at their end.
+//! Sums of rationals. A sum is reduced to lowest terms only once, when it is complete.
 
 use super::Rational;
 use crate::{Sum, Tolerance};
 use num_traits::Zero;
 
-/// A sum `numerator / denominator + rest`: an unreduced fraction in machine integers, and a
-/// remainder for terms that do not fit the fraction.
+/// A sum `numerator / denominator + rest`. The fraction is not reduced, and consists of machine
+/// integers; the remainder `rest` contains the terms that do not fit.
 #[derive(Clone, Debug)]
 pub struct RationalSum {
     numerator: i128,
@@ -21,7 +21,7 @@ impl Default for RationalSum {
 }
 
 impl RationalSum {
-    /// Adds `n / d` to the fraction. Returns `None` and adds nothing if the result does not fit.
+    /// Adds `n / d` to the fraction. If the result does not fit, adds nothing and returns `None`.
     #[inline]
     fn add_words(&mut self, n: i128, d: i64) -> Option<()> {
         if self.numerator == 0 {
@@ -29,7 +29,7 @@ impl RationalSum {
         } else if self.denominator == d {
             self.numerator = self.numerator.checked_add(n)?;
         } else {
-            // the products of words and their sum stay below 2^127
+            // the products of words, and the sum of two products, are below 2^127
             let [a, b] = [self.numerator, n].map(i64::try_from);
             let (a, b) = (i128::from(a.ok()?), i128::from(b.ok()?));
             let common = self.denominator.checked_mul(d)?;
@@ -39,7 +39,8 @@ impl RationalSum {
         Some(())
     }
 
-    /// Adds `words` to the fraction if they exist and fit; otherwise adds `value` to the remainder.
+    /// Adds `words` to the fraction if they are given and the result fits. Otherwise adds `value`
+    /// to the remainder.
     #[inline]
     fn add(&mut self, words: Option<(i128, i64)>, value: impl FnOnce() -> Rational) {
         if words.and_then(|(n, d)| self.add_words(n, d)).is_none() {

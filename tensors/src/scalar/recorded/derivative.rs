@@ -1,4 +1,4 @@
-//! Partial derivatives of recorded values, in forward mode.
+//! Partial derivatives of recorded values, computed in forward mode.
 
 use super::{Function, Node, Operation, Recorded, Solution, post_order};
 use crate::scalar::{Field, Sum, Symbolic, Tolerance};
@@ -6,7 +6,7 @@ use num_traits::{One, Zero};
 use std::collections::HashMap;
 use std::sync::Arc;
 
-/// The partial derivatives of several values with respect to the input of that name.
+/// The partial derivatives of several values with respect to the input `name`.
 ///
 /// The derivative of a common subexpression is recorded once.
 ///
@@ -30,14 +30,16 @@ pub fn derivatives(values: &[Recorded], name: &str) -> Vec<Recorded> {
     values.iter().map(|value| of_value(value, &of)).collect()
 }
 
-/// The derivative of a value. `of` returns the derivatives of nodes, unless they vanish.
+/// The derivative of a value. The function `of` returns the derivative of a node, or `None` if it
+/// vanishes.
 fn of_value<'k>(value: &Recorded, of: &dyn Fn(&Arc<Node>) -> Option<&'k Recorded>) -> Recorded {
     let rate = value.node.as_ref().and_then(of);
     rate.map_or_else(Recorded::zero, |rate| rate.clone().scaled(&value.factor))
 }
 
-/// The derivative of a node. `of` returns the derivatives of its arguments, unless they vanish.
-/// `solutions` caches the derivatives of the components of a solution, which are computed together.
+/// The derivative of a node. The function `of` returns the derivative of an argument, or `None` if
+/// it vanishes. The parameter `solutions` caches the derivatives of the components of a solution,
+/// which are computed together.
 fn rate<'k>(
     node: &Arc<Node>,
     name: &str,

@@ -1,10 +1,10 @@
-//! Images: values at a fixed point modulo two primes. They certify that recorded values differ.
+//! Images: values at a fixed point modulo two primes. They prove that recorded values differ.
 //!
-//! Two rational functions with different images are different. Two different rational functions of
-//! degree `d` share an image with a probability below `d^2 / 2^122` (R. Zippel, *EUROSAM* 1979,
-//! 216-226; J. T. Schwartz, *J. ACM* 27 (1980) 701-717), because the coordinates of the point are
-//! hashes of the names. Sines and cosines of `x` are rational functions of the tangent of a fixed
-//! fraction of `x`, similar to `tan(x/2)` in [`Symbolic`](crate::Symbolic).
+//! Two rational functions with different images are different. The probability that two different
+//! rational functions of degree `d` have the same image is below `d^2 / 2^122` (R. Zippel,
+//! *EUROSAM* 1979, 216-226; J. T. Schwartz, *J. ACM* 27 (1980) 701-717), because the coordinates of
+//! the point are hashes of the names. Sines and cosines of `x` are rational functions of the
+//! tangent of a fixed fraction of `x`, similar to `tan(x/2)` in [`Symbolic`](crate::Symbolic).
 
 use super::Function;
 use crate::Rational;
@@ -13,13 +13,14 @@ use num_integer::Integer;
 use num_rational::{BigRational, Ratio};
 use num_traits::ToPrimitive;
 
-/// The fraction of arguments in which images of functions are computed, so that the addition
-/// theorems hold: 100 times the least common multiple of the numbers up to 20.
+/// Images of functions are computed for arguments that are divided by this number, so that the
+/// addition theorems hold. The number is 100 times the least common multiple of the numbers up
+/// to 20.
 const PARTS: i64 = 23_279_256_000;
 
 const PRIMES: [u64; 2] = [(1 << 61) - 1, (1 << 62) - 57];
 
-/// The residues modulo both primes.
+/// The residues modulo the two primes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(super) struct Image([u64; 2]);
 
@@ -40,7 +41,7 @@ impl Image {
 
     pub fn mul(self, other: Self) -> Self {
         let product = |at| u128::from(self.0[at]) * u128::from(other.0[at]);
-        // both factors are below a prime of 62 bits
+        // the product fits, because both factors are below a prime of 62 bits
         Self::each(|at| (product(at) % u128::from(PRIMES[at])) as u64)
     }
 
@@ -48,7 +49,7 @@ impl Image {
         Self::each(|at| if self.0[at] == 0 { 0 } else { PRIMES[at] - self.0[at] })
     }
 
-    /// The inverse; `None` unless both residues are units.
+    /// The inverse. Returns `None` unless both residues are units.
     pub fn recip(self) -> Option<Self> {
         if self.0.contains(&0) {
             return None;
@@ -60,12 +61,12 @@ impl Image {
         Some(Self::each(inverse))
     }
 
-    /// A representative of the image and its negative, the same for both.
+    /// A representative of an image and its negative. It is the same for both.
     pub fn up_to_sign(self) -> Self {
         self.min(self.negated())
     }
 
-    /// The image of a number; `None` if a prime divides its denominator.
+    /// The image of a rational number. Returns `None` if a prime divides its denominator.
     pub fn rational(value: &Rational) -> Option<Self> {
         let modulo = |n: i64, p: u64| i128::from(n).rem_euclid(i128::from(p)) as u64;
         let [above, below] = match Ratio::<i64>::try_from(value) {
@@ -89,12 +90,13 @@ impl Image {
     /// The coordinate of the point that belongs to a function of values with these images.
     pub fn named(function: &str, arguments: &[Image]) -> Self {
         let residues = arguments.iter().flat_map(|own| own.0).flat_map(u64::to_le_bytes);
-        // names contain no parentheses, so calls and names have different hashes
+        // adds a parenthesis, so that calls and names have different hashes: names contain no
+        // parentheses
         Self::coordinate(function.bytes().chain([b'(']).chain(residues))
     }
 
     fn coordinate(bytes: impl Iterator<Item = u8>) -> Self {
-        // FNV-1a, followed by the finalizer of SplitMix64
+        // hashes by FNV-1a, followed by the finalizer of SplitMix64
         let hash = bytes.fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| {
             (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
         });
@@ -107,8 +109,8 @@ impl Image {
         Self::each(|at| 2 + mixed(at as u64 + 1) % (PRIMES[at] - 4))
     }
 
-    /// The image of the sine, cosine or exponential of a sum of multiples of values, by the
-    /// addition theorems; `None` if a coefficient is not a multiple of `1/PARTS`.
+    /// The image of the sine, cosine or exponential of a sum of multiples of values. It is computed
+    /// by the addition theorems. Returns `None` if a coefficient is not a multiple of `1/PARTS`.
     pub fn function(function: Function, multiples: &[(Rational, Image)]) -> Option<Self> {
         let parts = Rational::from(PARTS);
         let parts_of = |factor: &Rational| {
@@ -133,7 +135,7 @@ impl Image {
                 _ => difference.mul(sum.recip()?),
             });
         }
-        // p + iq, the product of the (1 + i tan(x/(2 PARTS)))^n
+        // computes p + iq, the product of all (1 + i tan(x/(2 PARTS)))^n
         let times = |[a, b]: [Self; 2], [c, d]: [Self; 2]| {
             [a.mul(c).add(b.mul(d).negated()), a.mul(d).add(b.mul(c))]
         };
@@ -155,14 +157,14 @@ impl Image {
         }
     }
 
-    /// The image, unless exactly one residue vanishes: then it proves nothing, and the result is
-    /// `None`.
+    /// Returns the image, unless exactly one residue vanishes. In this case, the image proves
+    /// nothing, and the result is `None`.
     pub fn certain(self) -> Option<Self> {
         (self == Self::ZERO || !self.0.contains(&0)).then_some(self)
     }
 }
 
-/// `base^exponent`, by squaring.
+/// The power `base^exponent`, computed by repeated squaring.
 fn power<T: Copy>(mut base: T, one: T, mut exponent: u64, times: impl Fn(T, T) -> T) -> T {
     let mut result = one;
     while exponent > 0 {

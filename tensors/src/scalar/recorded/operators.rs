@@ -1,4 +1,4 @@
-//! The operators of recorded values, and their abbreviated text.
+//! The operators of recorded values, and the abbreviated text of these values.
 
 use super::image::Image;
 use super::{Function, Node, Operation, Recorded};
@@ -45,11 +45,11 @@ fn product(a: &Arc<Node>, b: &Arc<Node>) -> Recorded {
     Recorded::of(Operation::Product(a.clone(), b.clone()), image)
 }
 
-/// The largest number of factors of a product in which common factors are searched.
+/// Common factors are searched for in products of at most this number of factors.
 const FACTORS: usize = 8;
 
-/// The product with factors cancelled, and with squares of roots replaced by their arguments. It is
-/// tried for products of few factors; `None` if nothing cancels.
+/// The product after cancellation of factors, and with roots instead of their squares. Only
+/// products of few factors are tried. Returns `None` if nothing cancels.
 fn cancelled(a: &Arc<Node>, b: &Arc<Node>) -> Option<Recorded> {
     let mut parts = [vec![], vec![]];
     let mut open = vec![(a, false), (b, false)];
@@ -103,7 +103,8 @@ impl Neg for Recorded {
 forward_operators!(Recorded: Add add AddAssign add_assign, Sub sub SubAssign sub_assign,
     Mul mul MulAssign mul_assign);
 
-/// Values are equal if their images are, or without images if their operations are.
+/// Two values are equal if their images are equal. Values without images are equal if their
+/// operations are equal.
 impl PartialEq for Recorded {
     fn eq(&self, other: &Self) -> bool {
         match (&self.node, &other.node) {
@@ -115,7 +116,7 @@ impl PartialEq for Recorded {
     }
 }
 
-/// The value as text; operations below this number of levels are left out.
+/// The value as text. Operations below this number of levels are omitted.
 pub(super) fn written(value: &Recorded, levels: usize) -> String {
     let Recorded { factor, node } = value;
     let Some(node) = node else { return factor.to_string() };

@@ -1,11 +1,13 @@
-//! Solutions of linear systems of recorded values, by an elimination whose pivots are chosen when
-//! the program runs.
+//! Solutions of linear systems of recorded values. They are computed by an elimination that chooses
+//! its pivots when the program runs.
 //!
-//! The method is partial pivoting. Sizes are compared in the matrix `A_ij / (d_i d_j)` with `d_i^2 = max(|A_ii|, m_i^2 / M)`, where
-//! `m_i` is the largest size in row `i` and `M` the largest size in the matrix. The relative error of the inverse of that matrix
-//! is a small multiple of the machine precision times its condition number (N. J. Higham, *Accuracy and Stability of
-//! Numerical Algorithms*, 2002, section 9.3). A definite matrix has `A_ij^2 < A_ii A_jj` and so `d_i^2 = |A_ii|`: then the
-//! bound does not depend on the units of the basis.
+//! The method is partial pivoting. Sizes are compared in the matrix `A_ij / (d_i d_j)` with
+//! `d_i^2 = max(|A_ii|, m_i^2 / M)`. Here `m_i` is the largest size in row `i`, and `M` is the
+//! largest size in the matrix. The relative error of the inverse of the scaled matrix is a small
+//! multiple of the machine precision times its condition number (N. J. Higham, *Accuracy and
+//! Stability of Numerical Algorithms*, 2002, section 9.3). A definite matrix has
+//! `A_ij^2 < A_ii A_jj`, so `d_i^2 = |A_ii|`. In this case, the bound does not depend on the units
+//! of the basis.
 
 use super::image::Image;
 use super::{Node, Operation, Recorded};
@@ -19,26 +21,28 @@ use std::sync::Arc;
 pub(super) struct Solution {
     factors: Arc<Factors>,
     right: Vec<Recorded>,
-    /// The components, as computed by elimination in a program.
+    /// The components, which a program computes by elimination.
     eliminated: Vec<Recorded>,
 }
 
-/// A matrix and the operations that make it upper triangular.
+/// A matrix, and the operations that make it upper triangular.
 struct Factors {
     /// The columns of the matrix.
     matrix: Vec<Vec<Recorded>>,
-    /// The rows of the image of the transposed inverse; `None` if an entry of the matrix has no image.
+    /// The rows of the image of the transposed inverse. It is `None` if an entry of the matrix has
+    /// no image.
     inverse: Option<Vec<Vec<Image>>>,
     moves: Vec<Move>,
-    /// The columns of the triangular matrix above its diagonal, and the reciprocals of the diagonal.
+    /// The columns of the triangular matrix above its diagonal, each with the reciprocal of its
+    /// diagonal entry.
     triangle: Vec<(Vec<Recorded>, Recorded)>,
 }
 
 /// An operation on the rows of a matrix.
 enum Move {
-    /// Exchanges two rows, unless the first size is at least the second one.
+    /// Exchanges two rows, unless the first size is at least the second size.
     Exchange([usize; 2], [Recorded; 2]),
-    /// Subtracts from the second row a multiple of the first one.
+    /// Subtracts a multiple of the first row from the second row.
     Subtract([usize; 2], Recorded),
 }
 
@@ -59,7 +63,7 @@ impl Move {
 }
 
 impl Factors {
-    /// The factors of the matrix with these columns; `None` if it is singular.
+    /// Factors the matrix with these columns. Returns `None` if it is singular.
     fn new(matrix: Vec<Vec<Recorded>>) -> Option<Self> {
         let images = matrix.iter().map(|column| column.iter().map(Recorded::image).collect());
         let inverse = match images.collect::<Option<Vec<Vec<Image>>>>() {
@@ -92,7 +96,7 @@ impl Factors {
         Some(Factors { matrix, inverse, moves, triangle })
     }
 
-    /// The solution for a right-hand side, as computed by elimination in a program.
+    /// The solution for a right-hand side, which a program computes by elimination.
     fn eliminated(&self, mut x: Vec<Recorded>) -> Vec<Recorded> {
         self.moves.iter().for_each(|own| own.apply(&mut x));
         for (k, (column, unit)) in self.triangle.iter().enumerate().rev() {
@@ -106,7 +110,8 @@ impl Factors {
     }
 }
 
-/// The weights `1 / d_i^2` of the rows of a matrix with these columns; `None` if a row vanishes.
+/// The weights `1 / d_i^2` of the rows of the matrix with these columns. Returns `None` if a row
+/// vanishes.
 fn weights(matrix: &[Vec<Recorded>]) -> Option<Vec<Recorded>> {
     let larger = |a: Recorded, b: &Recorded| Recorded::select([&a, b, &a, b]);
     let row = |i| matrix.iter().map(|column| &column[i]).fold(Recorded::zero(), larger);
@@ -141,7 +146,7 @@ impl Solution {
         self.eliminated.iter().enumerate().map(component).collect()
     }
 
-    /// A component, as computed by elimination in a program.
+    /// A component, which a program computes by elimination.
     pub(super) fn eliminated(&self, i: usize) -> &Recorded {
         &self.eliminated[i]
     }
@@ -152,7 +157,8 @@ impl Solution {
         values.filter_map(|value| value.node.as_ref())
     }
 
-    /// The derivatives `A^-1 (db - dA x)` of the components, from the derivatives of the arguments.
+    /// The derivatives `A^-1 (db - dA x)` of the components, computed from the derivatives of the
+    /// arguments.
     pub(super) fn rates(self: &Arc<Self>, of: impl Fn(&Recorded) -> Recorded) -> Vec<Recorded> {
         let mut right: Vec<Recorded> = self.right.iter().map(&of).collect();
         for (column, x) in self.factors.matrix.iter().zip(self.components()) {
@@ -164,8 +170,8 @@ impl Solution {
     }
 }
 
-/// The solution `X` of `A X = B`. `None` unless the square matrix `A` is invertible and has a block
-/// of several rows that is not constant.
+/// The solution `X` of `A X = B`. Returns `None` unless the square matrix `A` is invertible, and
+/// has a block of several rows that is not constant.
 pub(super) fn solved(
     matrix: &Matrix<Recorded>,
     right: &Matrix<Recorded>,
@@ -202,7 +208,8 @@ pub(super) fn solved(
     Matrix::from_rows(right.columns(), rows).ok()
 }
 
-/// The solutions for several right-hand sides and a matrix with two columns, by Cramer's rule.
+/// The solutions for several right-hand sides and a matrix with two columns. They are computed by
+/// Cramer's rule.
 fn by_adjugate(
     first: &[Recorded],
     second: &[Recorded],
@@ -216,8 +223,8 @@ fn by_adjugate(
     Some(right.iter().map(solution).collect())
 }
 
-/// The solutions for several right-hand sides. The inverse of a symmetric matrix is computed on and
-/// below its diagonal.
+/// The solutions for several right-hand sides. If the matrix is symmetric, its inverse is computed
+/// only on and below the diagonal.
 fn pivoted(matrix: Vec<Vec<Recorded>>, right: Vec<Vec<Recorded>>) -> Option<Vec<Vec<Recorded>>> {
     let n = matrix.len();
     let symmetric = (0..n).all(|i| (0..i).all(|j| matrix[i][j] == matrix[j][i]));
@@ -235,8 +242,8 @@ fn pivoted(matrix: Vec<Vec<Recorded>>, right: Vec<Vec<Recorded>>) -> Option<Vec<
     Some(solutions.into_iter().map(|solution| Arc::new(solution).components()).collect())
 }
 
-/// The diagonal blocks of a matrix: sets of rows and columns without entries between different
-/// sets.
+/// The diagonal blocks of a matrix. They are sets of rows and columns, and there are no entries
+/// between different sets.
 fn blocks(matrix: &Matrix<Recorded>) -> Vec<Vec<usize>> {
     let mut first: Vec<usize> = (0..matrix.rows()).collect();
     let mut changed = true;

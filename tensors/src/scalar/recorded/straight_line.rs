@@ -1,4 +1,4 @@
-//! Straight-line programs: the operations of recorded values, each once and in order.
+//! Straight-line programs. They contain the operations of recorded values, each once and in order.
 
 use super::{Function, Key, Operation, Recorded, Variable, post_order};
 use crate::{Field, Rational};
@@ -6,35 +6,36 @@ use num_traits::{One, Zero};
 use std::collections::HashMap;
 use std::sync::Arc;
 
-/// A straight-line program: steps that use earlier ones, and outputs that are multiples of steps.
+/// A straight-line program. It consists of steps that use earlier steps, and of outputs that are
+/// multiples of steps.
 ///
-/// Values that are equal up to sign are computed once, and every step is used by an output.
+/// Values that are equal up to sign are computed only once. Every step contributes to an output.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StraightLine {
     steps: Vec<Step>,
     outputs: Vec<Output>,
 }
 
-/// One operation; operands are numbers of earlier steps.
+/// One operation. Its operands are the numbers of earlier steps.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Step {
     /// An input: a parameter, or a free function.
     Input(Variable),
     /// A function of a step.
     Function(Function, usize),
-    /// A constant and multiples of steps.
+    /// The sum of a constant and of multiples of steps.
     Sum(Rational, Vec<(Rational, usize)>),
     /// The product of two steps.
     Product(usize, usize),
-    /// One divided by a step.
+    /// The reciprocal of a step.
     Reciprocal(usize),
-    /// The third value if the size of the first one is at least that of the second one, otherwise
+    /// The third value if the size of the first value is at least the size of the second; otherwise
     /// the fourth value.
     Select(Box<[Output; 4]>),
 }
 
 impl Step {
-    /// The steps that this step uses; a square uses its operand twice.
+    /// The steps that this step uses. A square uses its operand twice.
     pub fn operands(&self) -> Vec<usize> {
         match self {
             Step::Input(_) => vec![],
@@ -63,7 +64,7 @@ impl Step {
 pub struct Output {
     /// The factor, or the constant.
     pub factor: Rational,
-    /// The step; `None` for a constant.
+    /// The step; `None` if the output is a constant.
     pub step: Option<usize>,
 }
 
@@ -72,7 +73,7 @@ pub struct Output {
 pub struct Count {
     /// Additions and subtractions.
     pub additions: usize,
-    /// Multiplications, also by constants.
+    /// Multiplications, including those by constants.
     pub multiplications: usize,
     /// Divisions.
     pub divisions: usize,
@@ -82,7 +83,7 @@ pub struct Count {
     pub comparisons: usize,
 }
 
-/// For each value the step that computes it, and whether the step is negated.
+/// For each value, the step that computes it, and whether the step is negated.
 type Known = HashMap<Key, (usize, bool)>;
 
 /// A value as a multiple of a step.
@@ -199,7 +200,7 @@ impl StraightLine {
         &self.outputs
     }
 
-    /// The inputs, sorted by their texts.
+    /// The inputs, sorted by their text.
     pub fn inputs(&self) -> impl Iterator<Item = Variable> {
         let inputs = self.steps.iter().filter_map(|step| match step {
             Step::Input(variable) => Some((variable.text(), *variable)),
@@ -208,7 +209,7 @@ impl StraightLine {
         inputs.collect::<std::collections::BTreeMap<_, _>>().into_values()
     }
 
-    /// For each step, the number of its uses by other steps and by outputs.
+    /// For each step, the number of times that other steps and outputs use it.
     pub fn uses(&self) -> Vec<usize> {
         let mut uses = vec![0; self.steps.len()];
         let operands = self.steps.iter().flat_map(Step::operands);
@@ -216,7 +217,7 @@ impl StraightLine {
         uses
     }
 
-    /// The numbers of operations.
+    /// Counts the operations.
     pub fn count(&self) -> Count {
         let mut count = Count::default();
         let plain = |factor: &Rational| factor.clone().abs().is_one();
@@ -243,10 +244,11 @@ impl StraightLine {
         count
     }
 
-    /// Evaluates the outputs over any field; `function` returns the values of functions. Sizes are
-    /// compared by [`pivot_weight`](Field::pivot_weight), and zero is the smallest.
+    /// Evaluates the outputs over any field. The parameter `function` computes the values of
+    /// functions. Sizes are compared by [`pivot_weight`](Field::pivot_weight), and zero is the
+    /// smallest size.
     ///
-    /// Returns `None` if a divisor is not a unit, or a constant does not exist in the field.
+    /// Returns `None` if a divisor is not a unit, or if a constant does not exist in the field.
     pub fn evaluate<S: Field>(
         &self,
         input: impl Fn(&str) -> S,
@@ -288,7 +290,8 @@ impl StraightLine {
 }
 
 impl StraightLine {
-    /// The first operation without a finite value for these inputs, in words: `division by zero`, `log(-1)`.
+    /// The first operation that has no finite value for these inputs, as text such as
+    /// `division by zero` or `log(-1)`.
     ///
     /// ```
     /// use affinor_tensors::{Notation, Recorded, scalar::StraightLine};
@@ -337,15 +340,15 @@ impl StraightLine {
     }
 }
 
-/// An overflow, in words.
+/// The text for an overflow.
 const BEYOND: &str = "a number beyond the range of floats";
 
-/// A rational number in a field.
+/// Converts a rational number to a field.
 fn constant_in<S: Field>(value: &Rational) -> Option<S> {
     if let Ok(words) = num_rational::Ratio::<i64>::try_from(value) {
         return S::from_quotient(*words.numer(), *words.denom());
     }
-    // digit by digit, in base 2^32
+    // converts digit by digit, in base 2^32
     let big = num_rational::BigRational::from(value);
     let integer = |n: &num_bigint::BigInt| {
         let base = S::from_i64(1 << 32);

@@ -1,4 +1,4 @@
-//! Rational approximations of numbers with roots and pi.
+//! Rational approximations of numbers that contain roots and pi.
 
 use super::Symbolic;
 use super::variable::{Kind, Part, Variable};
@@ -7,16 +7,16 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{Signed, Zero, pow};
 
-/// The number of binary digits after the point, for approximations of roots.
+/// The number of binary digits after the point in approximations of roots.
 const DIGITS: u32 = 256;
 
-/// The decimal digits of pi; the first one is before the point.
+/// The decimal digits of pi. The first digit is before the point.
 const PI: &str = "31415926535897932384626433832795028841971693993751058209749445923078164062862089";
 
 impl Symbolic {
-    /// A rational approximation of a number with roots and pi. It is far more accurate than a
-    /// float, unless terms of the value cancel to more than 30 digits or functions other than roots
-    /// occur.
+    /// A rational approximation of a number that contains roots and pi. It is far more accurate
+    /// than a float, unless terms of the value cancel to more than 30 digits, or functions other
+    /// than roots occur.
     ///
     /// Returns `None` if the value has parameters.
     ///

@@ -1,14 +1,14 @@
-//! Arguments of functions, as rational multiples of the members of a basis.
+//! Arguments of functions. They are written as rational multiples of the members of a basis.
 //!
-//! Exponentials of arguments that are linearly independent over the rationals, also modulo
-//! constants, are algebraically independent, and so are half tangents (J. Ax, *Ann. Math.* 93
-//! (1971) 252-268; M. Rothstein, B. Caviness, *SIAM J. Comput.* 8 (1979) 357-367).
+//! If arguments are linearly independent over the rationals, also modulo constants, their
+//! exponentials are algebraically independent, and so are their half tangents (J. Ax, *Ann. Math.*
+//! 93 (1971) 252-268; M. Rothstein, B. Caviness, *SIAM J. Comput.* 8 (1979) 357-367).
 //!
-//! An argument is therefore written in a basis of all values over the rationals, which does not
-//! depend on the computation. Its members are products of powers of variables, also with a
-//! denominator: `x^2*y/M`. If a denominator is a sum, they are the partial fractions in the first
-//! variable, then in the next. For angles within arguments, the members are powers of cosines,
-//! alone and times the sine.
+//! Therefore, an argument is written in a basis of all values over the rationals. This basis does
+//! not depend on the computation. Its members are products of powers of variables, possibly with a
+//! denominator, such as `x^2*y/M`. If the denominator is a sum, the members are the partial
+//! fractions in the first variable, then in the next variable. For angles within arguments, the
+//! members are powers of cosines, and their products with the sine.
 
 use super::fraction::{Fraction, lowest_terms};
 use super::normal_form::{in_cosines, in_half_tangents, is_written};
@@ -30,20 +30,21 @@ pub(super) struct Multiple {
 }
 
 impl Multiple {
-    /// The member of the basis divided by the parts of this multiple.
+    /// The member of the basis, divided by the number of parts of this multiple.
     pub fn part(&self) -> Part {
         Part { of: self.of.clone(), parts: self.parts }
     }
 }
 
-/// Denominators with more terms or a higher degree are not decomposed into partial fractions.
+/// The largest degree of a denominator, and the largest number of coefficients of a numerator, that
+/// are decomposed into partial fractions.
 const MAX_DEGREE: usize = 24;
 
 /// Expands an argument in the basis of arguments.
 ///
 /// # Errors
-/// A message: the factors of a denominator are unknown, a denominator contains sines, or numbers
-/// exceed 64 bits.
+/// A message if the factors of a denominator are unknown, if a denominator contains sines, or if
+/// numbers exceed 64 bits.
 pub(super) fn multiples(function: &str, value: &Symbolic) -> Result<Vec<Multiple>, String> {
     let refuse = |reason: &str| Err(format!("the argument of {function}, {value}, {reason}"));
     let Some(flat) = in_cosines(value) else {
@@ -65,7 +66,7 @@ pub(super) fn multiples(function: &str, value: &Symbolic) -> Result<Vec<Multiple
     Ok(all)
 }
 
-/// The members of the basis that add up to a value, with their coefficients.
+/// The members of the basis whose combination is a value, with their coefficients.
 fn members(value: &Symbolic) -> Option<Vec<(Symbolic, Rational)>> {
     let f = match &value.0 {
         Form::Constant(c) if c.is_zero() => return Some(vec![]),
@@ -91,8 +92,8 @@ fn members(value: &Symbolic) -> Option<Vec<(Symbolic, Rational)>> {
     partial_fractions(f)
 }
 
-/// The members of a value whose denominator contains sums, by partial fractions in the first
-/// variable of these sums. The coefficients are expanded in the other variables.
+/// The members for a value whose denominator contains sums. They are the partial fractions in the
+/// first variable of these sums; the coefficients are expanded in the other variables.
 fn partial_fractions(f: &Fraction) -> Option<Vec<(Symbolic, Rational)>> {
     let factors = f.denominator.irreducible(&f.variables)?;
     let sums = factors.iter().filter(|(factor, _)| factor.terms.len() > 1);
@@ -116,7 +117,7 @@ fn partial_fractions(f: &Fraction) -> Option<Vec<(Symbolic, Rational)>> {
     }
     let whole = above.len().saturating_sub(degree);
     let variable = Symbolic::variable(x);
-    // the partial fractions, and their polynomials over the common denominator
+    // the partial fractions, and the polynomial that each of them has over the common denominator
     let mut parts: Vec<Symbolic> =
         (0..whole).map(|power| num_traits::pow(variable.clone(), power)).collect();
     for (factor, exponent) in &own {
@@ -145,7 +146,7 @@ fn partial_fractions(f: &Fraction) -> Option<Vec<(Symbolic, Rational)>> {
     Some(all)
 }
 
-/// The coefficients of a polynomial in one variable, the constant first.
+/// The coefficients of a polynomial in one variable. They begin with the constant.
 pub(super) fn by_power(polynomial: &Symbolic, variable: Variable) -> Vec<Symbolic> {
     let mut coefficients = Vec::new();
     for ([at], part) in by_powers(polynomial, [variable]) {
@@ -155,7 +156,7 @@ pub(super) fn by_power(polynomial: &Symbolic, variable: Variable) -> Vec<Symboli
     coefficients
 }
 
-/// Groups the terms of a polynomial by their powers of some variables.
+/// Groups the terms of a polynomial by their powers of the given variables.
 pub(super) fn by_powers<const N: usize>(
     polynomial: &Symbolic,
     variables: [Variable; N],
@@ -169,14 +170,15 @@ pub(super) fn by_powers<const N: usize>(
     for (monomial, c) in &f.numerator.terms {
         let mut rest = monomial.exps().to_vec();
         let powers = columns.map(|k| k.map_or(0, |k| std::mem::take(&mut rest[k]) as usize));
-        // terms of equal powers stay together, so that their order does not change
+        // appends the term, so that terms of equal powers remain in the same order
         parts.entry(powers).or_default().push((polycore::Monomial::new(rest), c.clone()));
     }
     let polynomial = |terms| Poly { terms, ..f.numerator.clone() };
     parts.into_iter().map(|(at, terms)| (at, f.polynomial(&polynomial(terms)))).collect()
 }
 
-/// The argument `p` if the value is the logarithm `log(p)` alone, as in `exp(2*log(p))`.
+/// The argument `p`, if the value is a single logarithm `log(p)`, as in `exp(2*log(p))`; otherwise
+/// `None`.
 pub(super) fn logarithm(of: &Symbolic) -> Option<&'static Symbolic> {
     let [variable] = of.variables() else { return None };
     match variable.kind() {

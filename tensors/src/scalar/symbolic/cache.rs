@@ -1,17 +1,17 @@
-//! A hash table of results with a bounded number of entries.
+//! A hash table of results with a limited number of entries.
 
 use std::hash::Hasher;
 
-/// Entries by their hashes, in buckets of a few. The number of buckets grows with the number of
-/// entries, up to `MOST`, a power of two. After that, a new entry in a full bucket replaces an
-/// older one.
+/// Entries that are found by their hashes. They are stored in buckets of a few entries. The number
+/// of buckets grows with the number of entries up to `MOST`, which is a power of two. When this
+/// limit is reached, a new entry in a full bucket replaces an older entry.
 pub(super) struct Cache<T, const MOST: usize> {
     buckets: Vec<[Option<(u64, T)>; WAYS]>,
     entries: usize,
 }
 
-/// The entries of a bucket. With one pointer per entry, a bucket is as long as a cache line of the
-/// processor.
+/// The number of entries of a bucket. With one pointer for each entry, a bucket is as long as a
+/// cache line of the processor.
 const WAYS: usize = 4;
 
 impl<T, const MOST: usize> Default for Cache<T, MOST> {
@@ -21,15 +21,15 @@ impl<T, const MOST: usize> Default for Cache<T, MOST> {
 }
 
 impl<T, const MOST: usize> Cache<T, MOST> {
-    /// The entry with a hash. The caller must compare the value, because other values may have the
-    /// same hash.
+    /// The entry with this hash. The caller must compare the value, because other values may have
+    /// the same hash.
     pub fn get(&self, hash: u64) -> Option<&T> {
         let bucket = self.buckets.get(self.bucket(hash))?;
         let found = bucket.iter().flatten().find(|(own, _)| *own == hash);
         found.map(|(_, entry)| entry)
     }
 
-    /// Stores an entry, and replaces another one with the same hash.
+    /// Stores an entry. It replaces an entry with the same hash.
     pub fn put(&mut self, hash: u64, entry: T) {
         if self.entries >= 2 * self.buckets.len() && self.buckets.len() < MOST {
             let buckets = (4 * self.buckets.len()).clamp(16, MOST);
@@ -46,13 +46,14 @@ impl<T, const MOST: usize> Cache<T, MOST> {
         let at = self.bucket(hash);
         let bucket = &mut self.buckets[at];
         let way = bucket.iter().position(|slot| slot.as_ref().is_none_or(|(own, _)| *own == hash));
-        // the lowest bits of the hash do not choose the bucket, so they can choose the entry
+        // the lowest bits of the hash choose the entry, because they do not choose the bucket
         let way = way.unwrap_or(hash as usize % WAYS);
         self.entries += usize::from(bucket[way].is_none());
         bucket[way] = Some((hash, entry));
     }
 
-    /// The bucket of a hash, by its first bits; out of range as long as there are no buckets.
+    /// The bucket of a hash, which the highest bits of the hash choose. The result is out of range
+    /// if there are no buckets.
     fn bucket(&self, hash: u64) -> usize {
         match self.buckets.len() {
             0 => 0,
@@ -61,7 +62,7 @@ impl<T, const MOST: usize> Cache<T, MOST> {
     }
 }
 
-/// A fast hash of machine words, for the tables of one process.
+/// A fast hash of machine words. It is only for tables within one process.
 #[derive(Default)]
 pub(super) struct Mixer(u64);
 

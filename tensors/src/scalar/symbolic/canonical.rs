@@ -1,11 +1,11 @@
 //! The unique form of values that contain functions.
 //!
 //! Functions of `u/2` and of `u/3` are functions of `u/6`. Before values are combined, every
-//! argument `u` is divided into common parts; afterwards it is divided into as few parts as the
-//! result allows. For example, `2 sin(x/2) cos(x/2)` is `sin(x)`.
+//! argument `u` is divided into parts that are common to all functions. Afterwards it is divided
+//! into as few parts as the result allows. For example, `2 sin(x/2) cos(x/2)` is `sin(x)`.
 //!
-//! The variable `v = p^(1/n)` has the relation `v^n = p`. In the unique form it does not occur in
-//! the denominator, and in the numerator only with exponents below `n`. Irreducible polynomials and
+//! The variable `v = p^(1/n)` has the relation `v^n = p`. In the unique form, it does not occur in
+//! the denominator, and its exponents in the numerator are below `n`. Irreducible polynomials and
 //! primes are independent modulo powers, so their roots are independent over the rational
 //! functions, and this form is unique.
 
@@ -22,19 +22,19 @@ use polycore::{Monomial, Order, Poly};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-/// For each family of functions of one argument, a function and the number of parts that all
-/// functions of the family share.
+/// For each family of functions of one argument: one function, and the number of parts of the
+/// argument that all functions of the family use.
 pub(super) type Parts = Vec<(&'static Kind, u32)>;
 
-/// The functions in a fraction, with the number of parts of their arguments.
+/// The functions in a fraction, each with the number of parts of its argument.
 fn functions(f: &Fraction) -> impl Iterator<Item = (usize, &'static Kind, u32)> {
     let last = if f.has_functions() { f.variables.len() } else { 0 };
     let kinds = f.variables[..last].iter().map(|variable| variable.kind()).enumerate();
     kinds.filter_map(|(at, kind)| Some((at, kind, kind.part()?.parts)))
 }
 
-/// The numbers of parts that the functions of each argument share; `None` if every argument is
-/// already in equal parts.
+/// The common number of parts for the functions of each argument. Returns `None` if the functions
+/// of each argument already have the same number of parts.
 pub(super) fn common_parts<'f>(
     fractions: impl Iterator<Item = &'f Arc<Fraction>>,
 ) -> Option<Parts> {
@@ -57,7 +57,7 @@ pub(super) fn common_parts<'f>(
     different.then_some(finest)
 }
 
-/// The fraction with its functions rewritten for these numbers of parts.
+/// The fraction, with its functions rewritten for these numbers of parts.
 pub(super) fn in_parts(f: &Arc<Fraction>, parts: &Parts) -> Arc<Fraction> {
     let mut refined = f.clone();
     let coarse = |f: &Fraction| {
@@ -72,7 +72,7 @@ pub(super) fn in_parts(f: &Arc<Fraction>, parts: &Parts) -> Arc<Fraction> {
     refined
 }
 
-/// The value in its unique form.
+/// The unique form of a value.
 pub(super) fn settled(value: Symbolic) -> Symbolic {
     let Form::Fraction(f) = &value.0 else { return value };
     for (at, kind, parts) in functions(f) {
@@ -102,8 +102,8 @@ fn primes(n: u32) -> impl Iterator<Item = u32> {
     })
 }
 
-/// The reciprocal `1 / f` without roots in the denominator: `1/(a + b v) = (a - b v)/(a^2 - b^2 p)`
-/// for a square root.
+/// The reciprocal `1 / f` without roots in the denominator. For a square root,
+/// `1/(a + b v) = (a - b v)/(a^2 - b^2 p)`.
 pub(super) fn reciprocal(f: &Fraction) -> Option<Symbolic> {
     let root = functions(f).filter_map(|(at, kind, _)| match kind {
         Kind::Root(part) => Some((at, part)),
@@ -121,7 +121,7 @@ pub(super) fn reciprocal(f: &Fraction) -> Option<Symbolic> {
         .collect();
     let mut present = (0..n).filter(|e| !coefficients[*e].is_zero());
     if let (Some(e @ 1..), None) = (present.next(), present.next()) {
-        // a single power of the root
+        // inverts a single power of the root
         let inverse = coefficients[e].recip()? / p;
         return Some(num_traits::pow(v, n - e) * &below * &inverse);
     }
@@ -129,8 +129,7 @@ pub(super) fn reciprocal(f: &Fraction) -> Option<Symbolic> {
         let norm = a.clone() * a - &(b.clone() * b * p);
         return Some((a.clone() - &(b.clone() * &v)) * &below * &norm.recip()?);
     }
-    // otherwise solves for the coefficients of the inverse with the matrix of the multiplication by
-    // f
+    // otherwise, solves for the coefficients of the inverse; the matrix is the multiplication by f
     let entry = |row: usize, column: usize| match row.checked_sub(column) {
         Some(e) => coefficients[e].clone(),
         None => coefficients[n + row - column].clone() * p,
@@ -144,7 +143,7 @@ pub(super) fn reciprocal(f: &Fraction) -> Option<Symbolic> {
     let terms = terms.map(|(e, value)| value * &num_traits::pow(v.clone(), e));
     Some(terms.fold(Symbolic::zero(), |sum, term| sum + &term) * &below)
 }
-/// The coefficients of a polynomial in a variable, by its exponent.
+/// The coefficients of a polynomial in one variable. Each is stored with its exponent.
 fn by_power(f: &Polynomial, at: usize) -> BTreeMap<u32, Polynomial> {
     let mut parts: BTreeMap<u32, Vec<(Monomial, Rational)>> = BTreeMap::new();
     for (m, c) in &f.terms {
@@ -156,7 +155,7 @@ fn by_power(f: &Polynomial, at: usize) -> BTreeMap<u32, Polynomial> {
     parts.into_iter().map(|(e, terms)| (e, part(terms))).collect()
 }
 
-/// The value with high powers of a root of `p` replaced by powers of `p`.
+/// The value, in which high powers of a root of `p` are replaced by powers of `p`.
 fn without_powers(f: &Fraction, at: usize, Part { of: p, parts: n }: &Part) -> Symbolic {
     let root = Symbolic::variable(f.variables[at]);
     let one = constant(Rational::one(), f.variables.len());
@@ -169,8 +168,8 @@ fn without_powers(f: &Fraction, at: usize, Part { of: p, parts: n }: &Part) -> S
     settled(terms.fold(Symbolic::zero(), |sum, term| sum + &term) * &below)
 }
 
-/// Numerator and denominator of `tan(k x)` for `tan(x) = t`, or of `t^k`, where `t` is the variable
-/// at position `at`.
+/// The numerator and the denominator of `tan(k x)` for `tan(x) = t`, or of `t^k`. Here `t` is the
+/// variable at the position `at`.
 fn multiple(kind: &Kind, at: usize, n: usize, k: u32) -> [Polynomial; 2] {
     let t: Polynomial = Poly::var(at, n, Order::GrLex);
     let [zero, one] = [Rational::zero(), Rational::one()].map(|c| constant(c, n));
@@ -182,7 +181,7 @@ fn multiple(kind: &Kind, at: usize, n: usize, k: u32) -> [Polynomial; 2] {
     }
 }
 
-/// The fraction with the argument of a function divided into `k` times as many parts.
+/// The fraction, with the argument of a function divided into `k` times as many parts.
 fn in_more_parts(f: &Fraction, at: usize, k: u32) -> Fraction {
     let kind = f.variables[at].kind();
     let n = f.variables.len();
@@ -199,7 +198,8 @@ fn in_more_parts(f: &Fraction, at: usize, k: u32) -> Fraction {
     quotient(f, at, parts, image(&f.numerator), image(&below))
 }
 
-/// The fraction with `k` times fewer parts of the argument of a function, if it can be written so.
+/// The fraction, with the argument of a function divided into `k` times fewer parts. Returns `None`
+/// if this is impossible.
 fn in_fewer_parts(f: &Fraction, at: usize, k: u32) -> Option<Fraction> {
     let kind = f.variables[at].kind();
     let parts = kind.part()?.parts;
@@ -220,7 +220,8 @@ fn in_fewer_parts(f: &Fraction, at: usize, k: u32) -> Option<Fraction> {
     Some(quotient(f, at, parts / k, above, coarse(&f.expanded_denominator())?))
 }
 
-/// The polynomial in `t^k` as a polynomial in `t`.
+/// Rewrites a polynomial in `t^k` as a polynomial in `t`. Returns `None` if it is not a polynomial
+/// in `t^k`.
 fn in_powers(g: &Polynomial, at: usize, k: u32) -> Option<Polynomial> {
     let term = |(m, c): &(Monomial, Rational)| {
         let mut exponents = m.exps().to_vec();
@@ -231,14 +232,14 @@ fn in_powers(g: &Polynomial, at: usize, k: u32) -> Option<Polynomial> {
     Some(Poly::new(g.terms.iter().map(term).collect::<Option<_>>()?, g.nvars, Order::GrLex))
 }
 
-/// The polynomial `sum_e g_e t^e` from `sum_e g_e q^e p^(m - e)`, with `tan(k x) = q/p`.
+/// Computes the polynomial `sum_e g_e t^e` from `sum_e g_e q^e p^(m - e)`, where `tan(k x) = q/p`.
 fn in_multiples(kind: &Kind, g: &Polynomial, at: usize, k: u32, m: u32) -> Option<Polynomial> {
     let n = g.nvars;
     let [q, p] = multiple(kind, at, n, k);
     let t: Polynomial = Poly::var(at, n, Order::GrLex);
     let (mut rest, mut sum) = (g.clone(), constant(Rational::zero(), n));
     for e in 0..=m {
-        // the numerator is q = k t + ..., the denominator p = 1 + ...
+        // determines g_e from the term in t^e, because q = k t + ... and p = 1 + ...
         let Some(part) = by_power(&rest, at).remove(&e) else { continue };
         let part = part.scale(&Rational::new(1, i64::from(k).checked_pow(e)?)?);
         rest = &rest - &product(&part, &product(&power(&q, e), &power(&p, m - e)));
@@ -247,8 +248,8 @@ fn in_multiples(kind: &Kind, g: &Polynomial, at: usize, k: u32, m: u32) -> Optio
     rest.is_zero().then_some(sum)
 }
 
-/// The quotient of coprime polynomials in the variables of `f`, one of which has another number of
-/// parts.
+/// The quotient of coprime polynomials in the variables of `f`. The variable at the position `at`
+/// has a new number of parts.
 fn quotient(f: &Fraction, at: usize, parts: u32, above: Polynomial, below: Polynomial) -> Fraction {
     let mut all: Vec<(usize, Variable)> = f.variables.iter().copied().enumerate().collect();
     if let Some(kind) = f.variables[at].kind().in_parts(parts) {
@@ -257,12 +258,13 @@ fn quotient(f: &Fraction, at: usize, parts: u32, above: Polynomial, below: Polyn
     all.sort_by_key(|(_, variable)| *variable);
     let columns: Vec<_> = all.iter().map(|(at, _)| Some(*at)).collect();
     let variables: Variables = all.into_iter().map(|(_, variable)| variable).collect();
-    // if the order of the variables changes, the order of the terms does too
+    // sorts the terms again, because their order depends on the order of the variables
     let [numerator, below] = [above, below].map(|f| {
         let f = select(&f, &columns);
         Poly::new(f.terms, f.nvars, Order::GrLex)
     });
-    // the content has the sign of the first coefficient, so this makes the coefficient positive
+    // divides by the content, which has the sign of the first coefficient, so this coefficient
+    // becomes positive
     let unit = Rational::one() / &content(&below);
     let denominator = Denominator::of(&variables, &below.scale(&unit));
     Fraction::new(variables, numerator.scale(&unit), denominator)

@@ -1,28 +1,30 @@
-//! Sums with common factors of their terms taken out: `a*(b + c) + d`.
+//! Sums in which common factors of terms are taken out: `a*(b + c) + d`.
 //!
-//! A greedy Horner scheme: takes out the variable that saves most characters, with all factors that
-//! its terms share. Then the same is done for the terms that contain it and for the others. The
-//! part with the leading term is first, so that the sum begins with the sign of its expanded form.
+//! The method is a greedy Horner scheme. It takes out the variable that saves the most characters,
+//! together with all factors that the terms with this variable have in common. The same is done for
+//! these terms and for the other terms. The part with the leading term is first, so that the text
+//! begins with the same sign as the expanded form.
 
 use super::super::Rational;
 use super::polynomial::Polynomial;
 use super::variable::Variables;
 use num_traits::One;
 
-/// The deepest nesting. Expressions may be nested [`MAX_DEPTH`](crate::expression::MAX_DEPTH) deep.
+/// The deepest nesting of parts. Expressions may be nested to the depth
+/// [`MAX_DEPTH`](crate::expression::MAX_DEPTH).
 const MAX_NESTING: usize = 40;
 
-/// A monomial: the positions of its variables, and their exponents.
+/// A monomial, as the positions of its variables and their exponents.
 pub(super) type Powers = Vec<(usize, u32)>;
 
-/// `coefficient * monomial * (inner)`; without the last factor if `inner` is empty.
+/// The product `coefficient * monomial * (inner)`. If `inner` is empty, there is no last factor.
 pub(super) struct Part {
     pub coefficient: Rational,
     pub powers: Powers,
     pub inner: Vec<Part>,
 }
 
-/// Splits a nonzero sum into parts; a single term has one part.
+/// Splits a nonzero sum into parts. A single term is one part.
 pub(super) fn parts(sum: &Polynomial, variables: &Variables) -> Vec<Part> {
     let powers = |exponents: &[u32]| -> Powers {
         exponents.iter().copied().enumerate().filter(|(_, e)| *e > 0).collect()
@@ -40,7 +42,7 @@ pub(super) fn parts(sum: &Polynomial, variables: &Variables) -> Vec<Part> {
     parts
 }
 
-/// A term.
+/// A term of a sum.
 #[derive(Default)]
 struct Term {
     /// The position of the term in the sum.
@@ -56,7 +58,8 @@ impl Term {
         self.powers.iter().find(|(place, _)| *place == at).map_or(0, |(_, e)| *e)
     }
 
-    /// Divides the term in place by a coefficient and powers that it contains.
+    /// Divides the term in place by a coefficient and by powers. The term must contain these
+    /// powers.
     fn divide(&mut self, inverse: &Rational, powers: &[(usize, u32)], lengths: &[usize]) {
         for (at, e) in powers {
             self.powers.iter_mut().filter(|(place, _)| place == at).for_each(|(_, own)| *own -= e);
@@ -66,7 +69,7 @@ impl Term {
         self.letters = letters(&self.coefficient, &self.powers, lengths);
     }
 
-    /// Multiplies the term in place; the cached length stays that of the quotient.
+    /// Multiplies the term in place. The cached length remains the length of the quotient.
     fn multiply(&mut self, unit: &Rational, powers: &[(usize, u32)]) {
         for (at, e) in powers {
             match self.powers.binary_search_by_key(at, |(place, _)| *place) {
@@ -87,13 +90,13 @@ impl Term {
 struct Collector {
     /// The lengths of the names of the variables.
     lengths: Vec<usize>,
-    /// A counter for each variable, which is zero between uses.
+    /// A counter for each variable. All counters are zero between uses.
     counts: Vec<usize>,
 }
 
 impl Collector {
-    /// Collects terms. Returns the parts, and the length of their text. The terms are reordered,
-    /// but not changed.
+    /// Collects terms. Returns the parts and the length of their text. The terms are reordered, but
+    /// not changed.
     fn collect(&mut self, terms: &mut [Term], nesting: usize) -> (Vec<Part>, usize) {
         let all = terms.iter().map(|term| SIGN + term.letters);
         let length = all.sum::<usize>().saturating_sub(SIGN);
@@ -126,8 +129,8 @@ impl Collector {
         (parts, collected)
     }
 
-    /// The variable that saves most characters, the first one if several do; `None` if no two terms
-    /// share a variable.
+    /// The variable that saves the most characters. If several variables save the same number, it
+    /// is the first of them. Returns `None` if no two terms have a common variable.
     fn shared(&mut self, terms: &[Term]) -> Option<usize> {
         let all = || terms.iter().flat_map(|term| &term.powers).map(|(at, _)| *at);
         all().for_each(|at| self.counts[at] += 1);
@@ -138,7 +141,7 @@ impl Collector {
     }
 }
 
-/// Partitions the terms stably: those with a variable, and the others.
+/// Partitions the terms stably: first the terms that contain a variable, then the other terms.
 fn apart(terms: &mut [Term], at: usize) -> (&mut [Term], &mut [Term]) {
     let (with, without): (Vec<_>, Vec<_>) =
         terms.iter_mut().map(std::mem::take).partition(|term| term.exponent(at) > 0);
@@ -148,10 +151,10 @@ fn apart(terms: &mut [Term], at: usize) -> (&mut [Term], &mut [Term]) {
     terms.split_at_mut(count)
 }
 
-/// The length of a sign between terms, with its spaces.
+/// The length of a sign between two terms, including its spaces.
 const SIGN: usize = 3;
 
-/// Each term as a part of its own.
+/// Returns each term as a separate part.
 fn single(terms: &[Term]) -> Vec<Part> {
     let part = |Term { coefficient, powers, .. }: &Term| Part {
         coefficient: coefficient.clone(),

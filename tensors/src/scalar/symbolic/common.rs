@@ -1,4 +1,4 @@
-//! Names for factors that several values share.
+//! Names for factors that occur in several values.
 
 use super::denominator::Factor;
 use super::fraction::Fraction;
@@ -9,9 +9,9 @@ use std::borrow::Cow;
 use std::collections::{BTreeSet, HashMap};
 use std::sync::{Arc, Mutex};
 
-/// Sums that occur in the denominators of several values, each with a name: `D = a^2 + b`.
+/// Sums that occur in the denominators of several values. Each has a name, such as `D = a^2 + b`.
 ///
-/// [`Tabular::common_factors`](crate::Tabular::common_factors) finds them;
+/// [`Tabular::common_factors`](crate::Tabular::common_factors) finds these sums.
 /// [`Tabular::text_with`](crate::Tabular::text_with) writes values with the names.
 ///
 /// ```
@@ -29,24 +29,24 @@ use std::sync::{Arc, Mutex};
 #[derive(Debug, Default)]
 pub struct CommonFactors {
     named: Vec<(String, Arc<Factor>)>,
-    /// Written forms of values with functions.
+    /// A cache of the written forms of values that contain functions.
     written: Mutex<HashMap<Symbolic, Symbolic>>,
 }
 
-/// The shortest text of a factor that gets a name; shorter sums are written out.
+/// A factor has a name only if its text has at least this length. Shorter sums are written out.
 const SHORTEST: usize = 16;
 
-/// The names are one of these letters, or begin with it.
+/// Each name is one of these letters, or begins with one of them.
 const LETTERS: [&str; 4] = ["D", "W", "Q", "D_"];
 
 impl CommonFactors {
-    /// Whether there are no named factors.
+    /// Whether there are no factors with names.
     pub fn is_empty(&self) -> bool {
         self.named.is_empty()
     }
 
-    /// The names and the values that they abbreviate. In these values sines and cosines are
-    /// variables without relations, so they serve for writing only.
+    /// The names, and the values that they abbreviate. In these values, sines and cosines are
+    /// variables without relations, so the values can only be written.
     pub fn iter(&self) -> impl Iterator<Item = (&str, Symbolic)> {
         self.named.iter().map(|(name, factor)| (name.as_str(), value(factor)))
     }
@@ -58,7 +58,7 @@ impl CommonFactors {
         found.map(|(name, _)| name.as_str())
     }
 
-    /// The name of a polynomial, if it is one of the factors.
+    /// The name of a polynomial. Returns `None` if it is not one of the factors.
     pub(super) fn of_polynomial(&self, variables: &Variables, f: &Polynomial) -> Option<&str> {
         if self.named.iter().all(|(_, other)| other.polynomial.terms.len() != f.terms.len()) {
             return None;
@@ -66,7 +66,7 @@ impl CommonFactors {
         self.name(&Factor::new(variables, f, false))
     }
 
-    /// The value in its written form.
+    /// The written form of a value.
     pub(super) fn written<'v>(&self, value: &'v Symbolic) -> Cow<'v, Symbolic> {
         if !value.has_written_form() {
             return Cow::Borrowed(value);
@@ -82,8 +82,8 @@ impl CommonFactors {
         Cow::Owned(form)
     }
 
-    /// Finds the factors for which a name makes the text shorter; `taken` contains names that are
-    /// in use.
+    /// Finds the factors for which a name shortens the text. The parameter `taken` contains names
+    /// that are in use.
     pub(super) fn of(values: &mut dyn Iterator<Item = &Symbolic>, taken: &[String]) -> Self {
         let mut factors = CommonFactors::default();
         let mut found: Vec<(Arc<Factor>, usize)> = Vec::new();
@@ -107,12 +107,12 @@ impl CommonFactors {
                 places.insert(Arc::as_ptr(factor), at);
                 found[at].1 += 1;
             }
-            // the forms must stay alive while their addresses are compared
+            // stores the forms, because they must exist while their addresses are compared
             forms.extend(value.has_written_form().then_some(f));
         }
         found.retain(|(factor, count)| {
             let length = value(factor).to_string().len();
-            // "(...)" becomes "D1" in each place, and a line "D1 = ..." is added once
+            // a name replaces "(...)" by "D1" in each place, but adds one line "D1 = ..."
             length >= SHORTEST && count * length > length + "where D1 = ".len() + 1
         });
         let prefix = LETTERS.into_iter().find(|letter| {
@@ -131,7 +131,8 @@ impl CommonFactors {
     }
 }
 
-/// Whether two factors are the same polynomial, whether or not they are known to be irreducible.
+/// Whether two factors are the same polynomial. It need not be known whether the factors are
+/// irreducible.
 fn same(a: &Factor, b: &Factor) -> bool {
     a.variables == b.variables && a.polynomial == b.polynomial
 }

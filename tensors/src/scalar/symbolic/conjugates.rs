@@ -1,10 +1,10 @@
-//! Written forms with roots in denominators: `1/(2 + sqrt(x))^2` instead of `(x - 4*sqrt(x) +
-//! 4)/(x - 4)^2`.
+//! Written forms with roots in the denominator, such as `1/(2 + sqrt(x))^2` instead of
+//! `(x - 4*sqrt(x) + 4)/(x - 4)^2`.
 //!
-//! The unique form of a value has no roots in its denominator. A factor `g = q r` of it may be a
-//! product of conjugates: `x - 4` is the product of `sqrt(x) - 2` and `sqrt(x) + 2`. The numerator
-//! is divided by `q` as often as the division is exact. Otherwise the written form would be `0/0`
-//! where `q` vanishes.
+//! The unique form of a value has no roots in its denominator. A factor `g = q r` of the
+//! denominator may be a product of conjugates: `x - 4` is the product of `sqrt(x) - 2` and
+//! `sqrt(x) + 2`. The numerator is divided by `q` as often as the division is exact. Without this
+//! division, the written form would be `0/0` where `q` vanishes.
 
 use super::argument::by_power;
 use super::fraction::Fraction;
@@ -13,7 +13,8 @@ use super::{Form, Symbolic};
 use crate::scalar::{Field, Ring};
 use num_traits::{One, Zero, pow};
 
-/// The value with roots in its denominator, if this cancels a factor of the numerator.
+/// The value with roots in its denominator, if this form cancels a factor of the numerator.
+/// Otherwise, the value is unchanged.
 pub(super) fn cancelled(value: Symbolic) -> Symbolic {
     let Form::Fraction(f) = &value.0 else { return value };
     let root = |variable: &Variable| match variable.kind() {
@@ -28,7 +29,7 @@ pub(super) fn cancelled(value: Symbolic) -> Symbolic {
     found.unwrap_or(value)
 }
 
-/// A root `v^n = p`, and a variable that represents the root without this relation.
+/// A root `v^n = p`, and a variable without this relation, which represents the root.
 struct Root {
     v: Variable,
     part: &'static Part,
@@ -36,8 +37,9 @@ struct Root {
 }
 
 impl Root {
-    /// If `p = a*x + b` for a number `a` and a variable `x` that occurs in no function, the value
-    /// is written as a quotient of polynomials in `v` instead of `x`, in lowest terms.
+    /// Writes the value as a quotient of polynomials in `v` instead of `x`, in lowest terms. This
+    /// requires `p = a*x + b` with a number `a`, and a variable `x` that does not occur in any
+    /// function.
     fn as_variable(&self, f: &Fraction) -> Option<Symbolic> {
         let (p, n) = (&self.part.of, self.part.parts);
         let alone = |x: &Variable| {
@@ -75,7 +77,8 @@ impl Root {
             })
             .sum();
         let lost = degree - left - power;
-        // a power of the root alone is moved to the denominator elsewhere
+        // returns `None` if only a power of the root cancels, because another function moves it to
+        // the denominator
         if lost == 0 || left == 0 {
             return None;
         }
@@ -93,7 +96,7 @@ impl Root {
         by_power(polynomial, self.free).len().saturating_sub(1)
     }
 
-    /// The polynomial with high powers of the root in place of powers of `p`.
+    /// The polynomial in which high powers of the root replace powers of `p`.
     fn in_roots(&self, polynomial: &Symbolic) -> Symbolic {
         let (p, n) = (&self.part.of, self.part.parts as usize);
         let free = Symbolic::variable(self.free);
@@ -102,15 +105,15 @@ impl Root {
         terms.fold(Symbolic::zero(), |sum, term| sum + &term)
     }
 
-    /// The polynomial with the variable without a relation in place of the root.
+    /// The polynomial in which the variable without a relation replaces the root.
     fn freed(&self, polynomial: &Symbolic) -> Symbolic {
         let free = Symbolic::variable(self.free);
         let terms = by_power(polynomial, self.v).into_iter().rev();
         terms.fold(Symbolic::zero(), |sum, c| sum * &free + &c)
     }
 
-    /// Divides the value by common divisors of the numerator and a factor of the denominator, as
-    /// polynomials in a variable on which `p` does not depend.
+    /// Divides the value by common divisors of the numerator and a factor of the denominator. Both
+    /// are regarded as polynomials in a variable on which `p` does not depend.
     fn by_divisors(&self, f: &Fraction) -> Option<Symbolic> {
         let factors = f.denominator.irreducible(&f.variables)?;
         let value = Symbolic::from(f.clone());
@@ -144,8 +147,8 @@ impl Root {
         found.then(|| self.freed(&numerator) * &inverse)
     }
 
-    /// The factors `q` and `r` of `g = q r`, by their coefficients, if `q` divides the numerator
-    /// too.
+    /// The coefficients of the factors `q` and `r` of `g = q r`. Returns `None` unless `q` also
+    /// divides the numerator.
     fn split(&self, numerator: &Symbolic, g: &Symbolic, z: Variable) -> Option<[Vec<Symbolic>; 2]> {
         let below = by_power(g, z);
         if below.len() > MAX_LENGTH || !numerator.variables().contains(&self.v) {
@@ -170,13 +173,14 @@ impl Root {
 /// The largest number of coefficients of a polynomial that is split.
 const MAX_LENGTH: usize = 9;
 
-/// The quotient, if the division is exact and the quotient is a polynomial.
+/// The quotient of two polynomials. Returns `None` unless the division is exact, and the
+/// coefficients of the quotient are polynomials.
 fn divided(f: &[Symbolic], g: &[Symbolic]) -> Option<Vec<Symbolic>> {
     let (quotient, rest) = remainder(f, g)?;
     (rest.is_empty() && quotient.iter().all(|c| c.denominator().is_one())).then_some(quotient)
 }
 
-/// The quotient and the remainder of two polynomials by their coefficients.
+/// The quotient and the remainder of two polynomials, all given by their coefficients.
 fn remainder(f: &[Symbolic], g: &[Symbolic]) -> Option<(Vec<Symbolic>, Vec<Symbolic>)> {
     let unit = g.last()?.recip()?;
     let mut rest = f.to_vec();

@@ -1,8 +1,8 @@
 //! Denominators as products of powers of coprime factors.
 //!
-//! A factor is found once, when a polynomial is inverted. Sums and products then compare factors
-//! and add exponents, without a search for common divisors. A factor that is proven irreducible
-//! cancels by trial division. Any other factor cancels by greatest common divisors.
+//! Factors are found when a polynomial is inverted. Sums and products then only compare factors and
+//! add exponents, without a search for common divisors. A factor that is proved to be irreducible
+//! is cancelled by trial division. Other factors are cancelled by greatest common divisors.
 
 use super::super::Rational;
 use super::factors::{self, Part};
@@ -12,29 +12,29 @@ use num_traits::One;
 use polycore::{Monomial, Order, Poly};
 use std::sync::Arc;
 
-/// A primitive polynomial with a positive leading coefficient. No variable divides it, and it
-/// depends on each of its variables.
+/// A primitive polynomial with a positive leading coefficient. It depends on each of its variables,
+/// and none of them divides it.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) struct Factor {
     pub variables: Variables,
     pub polynomial: Polynomial,
-    /// Whether it is known to be irreducible over the rationals.
+    /// Whether the factor is known to be irreducible over the rationals.
     pub irreducible: bool,
 }
 
-/// Factors with their exponents, pairwise coprime.
+/// Factors and their exponents. The factors are pairwise coprime.
 pub(super) type Powers = Vec<(Arc<Factor>, u32)>;
 
 /// A product of powers of variables and factors.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Denominator {
-    /// The exponent of each variable of the fraction; empty if all are zero.
+    /// The exponent of each variable of the fraction. The list is empty if all exponents are zero.
     pub monomial: Box<[u32]>,
     pub factors: Powers,
 }
 
 impl Factor {
-    /// The factor over the variables that occur in it.
+    /// The factor, as a polynomial in the variables that occur in it.
     pub fn new(variables: &Variables, polynomial: &Polynomial, irreducible: bool) -> Arc<Self> {
         let degrees = polynomial.degrees();
         let kept: Vec<usize> = (0..degrees.len()).filter(|&k| degrees[k] > 0).collect();
@@ -44,7 +44,7 @@ impl Factor {
         Arc::new(Factor { variables: names, polynomial, irreducible })
     }
 
-    /// The polynomial over other variables, which include all variables on which it depends.
+    /// The polynomial in other variables. They must include all variables on which it depends.
     pub fn over(&self, variables: &Variables) -> Polynomial {
         let places = places(&self.variables, variables);
         let column = |k| places.iter().position(|place| *place == k);
@@ -58,7 +58,7 @@ impl Denominator {
         self.monomial.is_empty() && self.factors.is_empty()
     }
 
-    /// The exponent of the variable at a position.
+    /// The exponent of the variable at the position `at`.
     pub fn exponent(&self, at: usize) -> u32 {
         self.monomial.get(at).copied().unwrap_or(0)
     }
@@ -79,7 +79,7 @@ impl Denominator {
         Denominator { monomial, factors: coprime(factors) }
     }
 
-    /// The denominator expanded into a sum of terms, over the variables of the fraction.
+    /// The denominator, expanded into a sum of terms, in the variables of the fraction.
     pub fn expanded(&self, variables: &Variables) -> Polynomial {
         let exponents: Vec<u32> = (0..variables.len()).map(|at| self.exponent(at)).collect();
         let mut expanded = constant(Rational::one(), variables.len());
@@ -89,7 +89,8 @@ impl Denominator {
         expanded.mul_term(&Rational::one(), &Monomial::new(exponents))
     }
 
-    /// The variables and factors of the denominator as separate denominators, with the exponents.
+    /// The variables and factors of the denominator. Each is returned as a separate denominator,
+    /// with its exponent.
     pub fn parts(&self, variables: &Variables) -> Vec<(Self, u32)> {
         let single = |at: usize| {
             let exponents = (0..variables.len()).map(|other| u32::from(other == at));
@@ -103,13 +104,14 @@ impl Denominator {
         singles.chain(self.factors.iter().map(factor)).collect()
     }
 
-    /// The variables and factors with their exponents; `None` if a factor may be reducible.
+    /// The variables and factors, with their exponents. Returns `None` if a factor may be
+    /// reducible.
     pub fn irreducible(&self, variables: &Variables) -> Option<Vec<(Polynomial, u32)>> {
         let known = self.factors.iter().all(|(factor, _)| factor.irreducible);
         known.then(|| self.all(variables))
     }
 
-    /// The variables and factors with their exponents.
+    /// The variables and factors, with their exponents.
     pub fn all(&self, variables: &Variables) -> Vec<(Polynomial, u32)> {
         let n = variables.len();
         let monomial = self.monomial.iter().enumerate().filter(|(_, e)| **e > 0);
@@ -118,14 +120,14 @@ impl Denominator {
         singles.chain(self.factors.iter().map(factor)).collect()
     }
 
-    /// A bound for the number of terms of the expanded product.
+    /// An upper bound of the number of terms of the expanded product.
     pub fn terms(&self) -> u64 {
         let power =
             |(f, e): &(Arc<Factor>, u32)| (f.polynomial.terms.len() as u64).saturating_pow(*e);
         self.factors.iter().map(power).fold(1, u64::saturating_mul)
     }
 
-    /// The power of the denominator.
+    /// The denominator raised to a power.
     ///
     /// # Panics
     /// If an exponent exceeds `u32::MAX`.
@@ -147,7 +149,7 @@ impl Denominator {
 }
 
 impl PartialEq for Denominator {
-    /// Compares denominators over equal variables.
+    /// Compares two denominators of fractions with the same variables.
     fn eq(&self, other: &Self) -> bool {
         let found = |(factor, exponent): &(Arc<Factor>, u32)| {
             other.factors.iter().any(|(f, e)| e == exponent && f == factor)
@@ -162,7 +164,7 @@ impl PartialEq for Denominator {
         if irreducible(self) && irreducible(other) {
             return false;
         }
-        // the factors differ, but their products may be equal
+        // multiplies the factors, because different factors may have equal products
         let names = self.factors.iter().chain(&other.factors).map(|(f, _)| &f.variables);
         let variables = names.fold(Variables::from([]), |all, names| union(&all, names));
         let [own, others] = [self, other].map(|d| {
@@ -187,7 +189,8 @@ pub(super) fn coprime(factors: Powers) -> Powers {
     base.into_iter().enumerate().map(|(at, factor)| (factor, total(at))).collect()
 }
 
-/// Pairwise coprime factors of different polynomials, and the exponents of each polynomial over them.
+/// Pairwise coprime factors of the given polynomials, and the exponents of these factors in each
+/// polynomial.
 pub(super) fn common_base(originals: Vec<Arc<Factor>>) -> (Vec<Arc<Factor>>, Vec<Vec<u32>>) {
     let count = originals.len();
     let unit = |at: usize| (0..count).map(|other| u32::from(other == at)).collect::<Vec<_>>();

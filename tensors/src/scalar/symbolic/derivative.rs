@@ -8,7 +8,7 @@ use crate::{Rational, Sum};
 use num_traits::One;
 
 impl Fraction {
-    /// `N'/D - (N/D) (D'/D)`, where `D'/D` is the sum of `e f'/f` over the factors `f^e`.
+    /// Computes `N'/D - (N/D) (D'/D)`, where `D'/D` is the sum of `e f'/f` over the factors `f^e`.
     pub(super) fn derivative(&self, variable: usize) -> Symbolic {
         let derivative = |factor: &Polynomial| self.polynomial(&factor.derivative(variable));
         let value = Symbolic::from(self.clone());

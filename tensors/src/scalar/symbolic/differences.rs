@@ -1,9 +1,9 @@
-//! Differences with roots as separate factors, rewritten without cancellation: `sqrt(x + 1) - 1` is
-//! `x/(sqrt(x + 1) + 1)`.
+//! Differences that contain roots. They are separated as factors, and rewritten without
+//! cancellation: `sqrt(x + 1) - 1` is `x/(sqrt(x + 1) + 1)`.
 //!
 //! A polynomial with a root `v^n = p` is divided by `v - c` for numbers `c`, by `v - w` for another
-//! root `w`, and by conjugates of other factors. This is repeated as long as the quotient is a
-//! polynomial of a lower degree. The degree of `v` is the degree of `p` divided by `n`.
+//! root `w`, and by conjugates of other factors. The division is repeated as long as the quotient
+//! is a polynomial of lower degree. The degree of `v` is the degree of `p` divided by `n`.
 
 use super::argument::by_power;
 use super::factors::factors;
@@ -15,7 +15,7 @@ use num_traits::{One, Zero, pow};
 /// The largest number of terms of a factor that is divided.
 const MAX_TERMS: usize = 100;
 
-/// Splits differences off the factors of a product.
+/// Separates differences from the factors of a product.
 pub(super) fn separated(all: Vec<(Symbolic, i64)>) -> Vec<(Symbolic, i64)> {
     let mut roots: Vec<&'static Part> = Vec::new();
     for part in all.iter().flat_map(|(factor, _)| factor.variables().iter().filter_map(root)) {
@@ -67,7 +67,7 @@ pub(super) fn separated(all: Vec<(Symbolic, i64)>) -> Vec<(Symbolic, i64)> {
 struct Difference {
     value: Symbolic,
     inverse: Symbolic,
-    /// Numerator and denominator of the form without cancellation.
+    /// The numerator and the denominator of the form without cancellation.
     quotient: Option<[Symbolic; 2]>,
 }
 
@@ -76,7 +76,7 @@ impl Difference {
         Some(Difference { inverse: value.recip()?, value, quotient })
     }
 
-    /// `v - c = (p - c^n)/(v^(n-1) + ... + c^(n-1))` for a positive number `c`.
+    /// The difference `v - c = (p - c^n)/(v^(n-1) + ... + c^(n-1))` for a positive number `c`.
     fn of_number(part: &Part, c: Option<Rational>) -> Option<Self> {
         let c = c.filter(|c| !c.is_zero() && !c.is_negative())?;
         let (n, c, v) = (part.parts as usize, Symbolic::constant(c), variable(part));
@@ -86,7 +86,7 @@ impl Difference {
         Self::new(v - &c, Some([above, below]))
     }
 
-    /// `v - w = (p - q)/(v + w)` for square roots.
+    /// The difference `v - w = (p - q)/(v + w)` of square roots.
     fn of_roots(part: &Part, other: &Part) -> Option<Self> {
         let [v, w] = [part, other].map(variable);
         let above = part.of.clone() - &other.of;
@@ -94,7 +94,7 @@ impl Difference {
         squares.then(|| Self::new(v.clone() - &w, Some([above, v + &w])))?
     }
 
-    /// The factor with `-v` in place of a square root `v`.
+    /// The conjugate of a factor, in which `-v` replaces a square root `v`.
     fn conjugate(part: &Part, factor: &Symbolic) -> Option<Self> {
         if part.parts != 2 || terms(factor) > 8 {
             return None;
@@ -106,7 +106,8 @@ impl Difference {
         (value != factor && value != -factor).then(|| Self::new(value, None))?
     }
 
-    /// The quotient, if it is a polynomial of a lower degree.
+    /// The quotient of a value and the difference. Returns `None` unless it is a polynomial of
+    /// lower degree.
     fn divide(&self, value: &Symbolic, scale: u32) -> Option<Symbolic> {
         let degree = weight(value, scale).filter(|degree| *degree > 0)?;
         let quotient = value.clone() * &self.inverse;
@@ -115,7 +116,7 @@ impl Difference {
     }
 }
 
-/// The part of a root, if the variable is a root.
+/// The part of a root. Returns `None` if the variable is not a root.
 fn root(variable: &Variable) -> Option<&'static Part> {
     match variable.kind() {
         Kind::Root(part) | Kind::FreeRoot(part) => Some(part),
@@ -127,7 +128,7 @@ fn variable(part: &Part) -> Symbolic {
     Symbolic::variable(Variable::function(Kind::Root(part.clone())))
 }
 
-/// The polynomial with the roots in place of the variables that represent them.
+/// The polynomial in which the roots replace the variables that represent them.
 fn related(polynomial: &Symbolic) -> Symbolic {
     let free = |v: &Variable| matches!(v.kind(), Kind::FreeRoot(_));
     let all: Vec<Variable> = polynomial.variables().iter().copied().filter(free).collect();
@@ -144,8 +145,8 @@ fn terms(value: &Symbolic) -> usize {
     }
 }
 
-/// The degree of a polynomial times a scale; `None` if it contains a root of something other than a
-/// polynomial in parameters.
+/// The degree of a polynomial times a scale. Returns `None` if it contains a root whose argument is
+/// not a polynomial in parameters.
 fn weight(value: &Symbolic, scale: u32) -> Option<u32> {
     let Form::Fraction(f) = &value.0 else { return Some(0) };
     let of_variable = |variable: &Variable| match root(variable) {
@@ -158,14 +159,15 @@ fn weight(value: &Symbolic, scale: u32) -> Option<u32> {
     f.numerator.terms.iter().map(|(monomial, _)| of_term(monomial.exps())).max()
 }
 
-/// The argument of a root, if it is a polynomial in parameters.
+/// The argument of a root. Returns `None` if it is not a polynomial in parameters.
 fn polynomial(part: &Part) -> Option<&super::polynomial::Polynomial> {
     let Form::Fraction(p) = &part.of.0 else { return None };
     let plain = p.variables.iter().all(|v| v.is_parameter()) && part.of.denominator().is_one();
     plain.then_some(&p.numerator)
 }
 
-/// The value of the root where all parameters are zero, if it is rational.
+/// The value of the root at the point where all parameters are zero. Returns `None` if it is
+/// irrational.
 fn square_root_at_zero(part: &Part) -> Option<Rational> {
     let p = polynomial(part)?;
     let constant = p.terms.iter().find(|(monomial, _)| monomial.exps().iter().all(|e| *e == 0));
@@ -176,8 +178,8 @@ fn square_root_at_zero(part: &Part) -> Option<Rational> {
     }
 }
 
-/// The rational values of the root of a linear `p = a*x + b` at which a polynomial in `x` and the
-/// root vanishes.
+/// The rational values that the root of a linear `p = a*x + b` has at the zeros of a polynomial in
+/// `x` and the root.
 fn zeros(part: &Part, factor: &Symbolic) -> Vec<Rational> {
     let found = || {
         let [x] = part.of.variables() else { return None };

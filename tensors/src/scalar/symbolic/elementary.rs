@@ -1,25 +1,28 @@
-//! Elementary functions of values, as rational functions of further variables.
+//! Elementary functions of values. They are rational functions of additional variables.
 //!
-//! Let `u` be a member of the basis of arguments ([`argument`](super::argument)), like `x`, `a*x`
-//! or `Phi(r)`. Its sine, cosine and exponential are rational in `t = tan(u/2)` and `E = exp(u)`:
-//! `sin u = 2t/(1 + t^2)`, `cos u = (1 - t^2)/(1 + t^2)`, `dt/du = (1 + t^2)/2`, `dE/du = E`.
+//! Let `u` be a member of the basis of arguments ([`argument`](super::argument)), such as `x`,
+//! `a*x` or `Phi(r)`. Its sine, cosine and exponential are rational in `t = tan(u/2)` and
+//! `E = exp(u)`: `sin u = 2t/(1 + t^2)`, `cos u = (1 - t^2)/(1 + t^2)`, `dt/du = (1 + t^2)/2`,
+//! `dE/du = E`.
 //!
 //! The functions `t` and `E` of all members are algebraically independent, and each is a variable
-//! of the fractions. Lowest terms are therefore unique, and equality is exact. The variables `sin
-//! x` and `cos x` would not be independent, because `1 - sin^2 x - cos^2 x` is zero. Neither would
-//! `tan(x/2)` and `tan(x/4)`. A value therefore contains only one of them, for the largest part of
-//! `x` in which it can be written ([`canonical`](super::canonical)).
+//! of the fractions. Therefore, lowest terms are unique, and equality is exact. The variables
+//! `sin x` and `cos x` would not be independent, because `1 - sin^2 x - cos^2 x` is zero. The
+//! variables `tan(x/2)` and `tan(x/4)` would not be independent either. Therefore, a value contains
+//! only one half tangent of `x`. It belongs to the largest part of `x` in which the value can be
+//! written ([`canonical`](super::canonical)).
 //!
-//! | variable | stands for | made by |
+//! | variable | meaning | made by |
 //! |---|---|---|
 //! | `tan(u/2)`, `tan(u/4)` | the half tangent of `u`, of `u/2` | `sin(u)`, `cos(u/2)` |
 //! | `exp(u)`, `exp(u/2)` | the exponential | `exp(u)`, `cosh(u/2)`; `x^p` is `exp(p*log(x))` |
 //! | `log(p)` | the logarithm of an irreducible polynomial or a prime | [`PositiveFactors`](super::PositiveFactors) |
-//! | `sqrt(p)`, `p^(1/n)` | its root | the same |
-//! | `a(t)`, `a_t(t)` | a function that is not given, its derivative | [`FreeFunction`](super::FreeFunction) |
+//! | `sqrt(p)`, `p^(1/n)` | the root of such a number or polynomial | the same type |
+//! | `a(t)`, `a_t(t)` | an undetermined function, its derivative | [`FreeFunction`](super::FreeFunction) |
 //!
-//! Numbers are arguments as well: `exp(1)` and `tan(1/2)` are independent by the theorem of Lindemann and Weierstrass. The
-//! number `pi` counts as independent of all other values, which is not proven for `exp(1)` and logarithms of numbers.
+//! Numbers may be arguments too: `exp(1)` and `tan(1/2)` are independent by the theorem of
+//! Lindemann and Weierstrass. The number `pi` counts as independent of all other values, which has
+//! not been proved for `exp(1)` and logarithms of numbers.
 
 use super::argument::{Multiple, logarithm, multiples};
 use super::free::Applied;
@@ -31,14 +34,15 @@ use crate::function::{Function, is_elementary, names};
 use crate::scalar::{Field, Notation, Ring};
 use num_traits::{One, Zero, pow};
 
-/// The largest sum of multiples of angles in the argument of a function: `sin(2*x - y)` has 3.
+/// The largest sum of the multiples of angles in the argument of a function. For `sin(2*x - y)`,
+/// this sum is 3.
 const MAX_ANGLES: u64 = 64;
 
 /// The largest multiple of the argument of an exponential.
 const MAX_MULTIPLE: u64 = 10_000;
 
 impl Variable {
-    /// The derivative of the variable with respect to a parameter, by the chain rule.
+    /// The derivative of the variable with respect to a parameter, computed by the chain rule.
     fn rate(self, parameter: Variable) -> Symbolic {
         let own = Symbolic::variable(self);
         match self.kind() {
@@ -54,12 +58,13 @@ impl Variable {
                 own / of * &(of.derivative_by(parameter) / &Symbolic::from_i64((*parts).into()))
             }
             Kind::Applied(applied) => applied.derivative(parameter),
-            // written forms are never differentiated
+            // returns an unused value, because written forms are never differentiated
             Kind::Written(..) | Kind::FreeRoot(_) | Kind::Secant(_) => Symbolic::zero(),
         }
     }
 
-    /// The value of the variable in floats; `lookup` returns the values of parameters and of free functions.
+    /// The value of the variable in floats. The function `lookup` returns the values of parameters
+    /// and of free functions.
     pub(super) fn evaluate(self, lookup: &dyn Fn(&str) -> Option<f64>) -> Option<f64> {
         let part = |part: &Part| Some(part.of.evaluate_at(lookup)? / f64::from(part.parts));
         match self.kind() {
@@ -86,8 +91,8 @@ impl Variable {
             || self.calls(values)
     }
 
-    /// Whether the variable is a function that the substitution replaces, or contains one in its
-    /// arguments.
+    /// Whether the variable is a function that the substitution replaces, or contains such a
+    /// function in its arguments.
     fn calls(self, values: &Substitution) -> bool {
         let own = match self.kind() {
             Kind::Applied(applied) => {
@@ -103,7 +108,7 @@ impl Variable {
     /// The variable after a substitution of parameters and functions.
     ///
     /// # Errors
-    /// A message: the function has no value there.
+    /// A message if the function has no value at the new argument.
     pub(super) fn image(
         self,
         positive: &PositiveFactors,
@@ -115,7 +120,7 @@ impl Variable {
                 None => Symbolic::variable(self),
             }),
             Kind::HalfTangent(part) => {
-                // not the tangent of the half angle, which would have twice as many parts
+                // avoids the tangent of the half angle, which would have twice as many parts
                 let angle = part.value().substitute_where(positive, values)?;
                 let [p, q] = half_angle("sin", &multiples("sin", &angle)?)?;
                 let undefined = || format!("{} is not defined there", self.text());
@@ -133,7 +138,8 @@ impl Variable {
             Kind::Applied(applied) => applied.image(positive, values),
             Kind::Written(function, part) => positive
                 .function(function.name(), &part.value().substitute_where(positive, values)?),
-            // programs are not substituted into
+            // leaves these variables unchanged; a secant occurs only in programs, in which nothing
+            // is substituted
             Kind::Pi | Kind::Secant(_) => Ok(Symbolic::variable(self)),
         }
     }
@@ -160,8 +166,8 @@ pub(super) fn written_value(function: Function, part: &Part) -> Symbolic {
 }
 
 impl Symbolic {
-    /// The partial derivative with respect to the parameter of that name; functions follow the
-    /// chain rule.
+    /// The partial derivative with respect to the parameter `name`. Functions are differentiated by
+    /// the chain rule.
     ///
     /// ```
     /// use affinor_tensors::{Notation, Symbolic};
@@ -184,29 +190,30 @@ impl Symbolic {
         })
     }
 
-    /// An elementary function of one argument, a power, or a free function.
+    /// The value of an elementary function of one argument, of a power, or of a free function.
     pub(super) fn called(name: &str, arguments: &[Self]) -> Result<Self, String> {
         PositiveFactors::default().call(name, arguments)
     }
 }
 
 impl PositiveFactors {
-    /// An elementary function of one argument, a power as the function `pow`, or a free function.
+    /// The value of an elementary function of one argument, of a power (the function `pow`), or of
+    /// a free function.
     ///
     /// # Errors
-    /// A message: the function is unknown, or has no exact value at these arguments.
+    /// A message if the function is unknown, or has no exact value at these arguments.
     pub fn call(&self, name: &str, arguments: &[Symbolic]) -> Result<Symbolic, String> {
         match arguments {
             [argument] if is_elementary(name) => self.function(name, argument),
             [base, exponent] if name == POWER => self.power(base, exponent),
-            // otherwise well-known functions would be taken for free functions
+            // rejects well-known functions, because they would otherwise be read as free functions
             _ if UNKNOWN.contains(&name) => Err(unknown(name)),
             _ => Applied::read(name, arguments),
         }
     }
 }
 
-/// Well-known functions without exact values here.
+/// The names of well-known functions that have no exact values in this package.
 const UNKNOWN: [&str; 13] = [
     "abs", "acos", "acosh", "asin", "asinh", "atan", "atan2", "atanh", "erf", "gamma", "max",
     "min", "sign",
@@ -253,7 +260,8 @@ pub(super) fn function_of_sum(name: &str, argument: &Symbolic) -> Result<Symboli
     }
 }
 
-/// The exponential of a sum of multiples. Rational multiples of logarithms are powers.
+/// The exponential of a sum of multiples. The exponentials of rational multiples of logarithms are
+/// powers.
 fn exponential(name: &str, multiples: &[Multiple]) -> Result<Symbolic, String> {
     multiples.iter().try_fold(Symbolic::one(), |product, multiple| {
         let count = multiple.count.unsigned_abs();
@@ -272,7 +280,8 @@ fn exponential(name: &str, multiples: &[Multiple]) -> Result<Symbolic, String> {
     })
 }
 
-/// `p` and `q` with `tan(y/2) = q/p`, from `p + iq`, the product of the `(1 + i tan(x/2))^n`.
+/// The numbers `p` and `q` with `tan(y/2) = q/p`. They are computed from `p + iq`, which is the
+/// product of all `(1 + i tan(x/2))^n`.
 fn half_angle(name: &str, multiples: &[Multiple]) -> Result<[Symbolic; 2], String> {
     let counts = multiples.iter().map(|multiple| multiple.count.unsigned_abs());
     if counts.fold(0, u64::saturating_add) > MAX_ANGLES {
@@ -294,7 +303,7 @@ fn half_angle(name: &str, multiples: &[Multiple]) -> Result<[Symbolic; 2], Strin
     Ok([p, q])
 }
 
-/// `p` and `q` with `tan(y/2) = q/p` for a multiple `y` of pi.
+/// The numbers `p` and `q` with `tan(y/2) = q/p`, for a multiple `y` of pi.
 fn half_angle_of_pi(name: &str, multiple: &Multiple) -> Result<[Symbolic; 2], String> {
     let root = |n: i64| super::positive::root_of_factor(&Symbolic::from_i64(n), 2);
     let number = Symbolic::from_i64;

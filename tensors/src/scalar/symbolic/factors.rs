@@ -1,8 +1,8 @@
-//! Partial factorization of polynomials, by greatest common divisors and square roots.
+//! Partial factorization of polynomials. It uses greatest common divisors and square roots.
 //!
-//! It finds contents in each variable, repeated factors, and the two factors of a quadratic whose
-//! discriminant is a square. The factorization may be incomplete: each part is marked as known to
-//! be irreducible, or not.
+//! The factorization finds contents in each variable, repeated factors, and the two factors of a
+//! quadratic polynomial whose discriminant is a square. It may be incomplete, so each part has a
+//! flag that tells whether it is known to be irreducible.
 
 use super::super::Rational;
 use super::polynomial::{Polynomial, certainly_coprime, cofactors, constant, primitive};
@@ -10,16 +10,17 @@ use num_traits::One;
 use polycore::{Monomial, Order, Poly};
 use std::cmp::{Ordering, Reverse};
 
-/// The largest number of terms of a polynomial that is factored. The factors of longer ones take
-/// long to find, and are too long to read.
+/// The largest number of terms of a polynomial that is factored. The factors of longer polynomials
+/// take long to find, and are too long to read.
 const MAX_TERMS: usize = 60;
 const MAX_DEGREE: u32 = 24;
 
-/// Above this number of terms, a polynomial of degree one in a variable is split only if the parts
-/// are quickly proven coprime.
+/// If a polynomial of degree one in a variable has more terms than this, it is split only if the
+/// parts are quickly proved to be coprime.
 const MAX_LINEAR_TERMS: usize = 2000;
 
-/// `content * f^e * g^d * ...`: different primitive factors with positive leading coefficients.
+/// The product `content * f^e * g^d * ...`. The factors are different primitive polynomials with
+/// positive leading coefficients.
 pub(super) struct Factors {
     pub content: Rational,
     pub factors: Vec<(Polynomial, u32)>,
@@ -28,11 +29,12 @@ pub(super) struct Factors {
 /// A primitive factor with a positive leading coefficient.
 pub(super) struct Part {
     pub polynomial: Polynomial,
-    /// Whether it is known to be irreducible over the rationals.
+    /// Whether the factor is known to be irreducible over the rationals.
     pub irreducible: bool,
 }
 
-/// The factors of a nonzero polynomial; the primitive polynomial itself beyond the limits.
+/// The factors of a nonzero polynomial. If the polynomial exceeds the limits, the only factor is
+/// the primitive polynomial itself.
 pub(super) fn factors(f: &Polynomial) -> Factors {
     let (content, primitive) = primitive(f);
     if !within_limits(f) {
@@ -45,7 +47,7 @@ pub(super) fn factors(f: &Polynomial) -> Factors {
             None => factors.push((part, 1)),
         }
     }
-    // single variables first, then the simpler sums
+    // sorts the factors: first single variables, then sums with few terms
     factors.sort_by_key(|(factor, exponent)| (factor.terms.len(), *exponent));
     Factors { content, factors }
 }
@@ -55,8 +57,8 @@ pub(super) fn within_limits(f: &Polynomial) -> bool {
     f.terms.len() <= MAX_TERMS && f.total_degree() <= MAX_DEGREE
 }
 
-/// The same as [`factors`] of the product, computed from its irreducible factors; `None` if
-/// [`factors`] might not find all of them.
+/// The result of [`factors`] for a product, computed from the irreducible factors of the product.
+/// Returns `None` if [`factors`] might not find all of them.
 ///
 /// Factors that depend on different sets of variables are separated by their contents.
 pub(super) fn known(content: Rational, factors: &[(Polynomial, u32)]) -> Option<Factors> {
@@ -72,14 +74,14 @@ pub(super) fn known(content: Rational, factors: &[(Polynomial, u32)]) -> Option<
     let mut order = Vec::new();
     separate((0..factors.len()).collect(), &sets, &mut order);
     let mut factors: Vec<_> = order.into_iter().map(|at| factors[at].clone()).collect();
-    // variables are sorted in their order
+    // sorts single variables in the order of the variables
     factors.sort_by_key(|(f, _)| (f.terms.len() == 1).then(|| Reverse(f.degrees())));
     factors.sort_by_key(|(factor, exponent)| (factor.terms.len(), *exponent));
     Some(Factors { content, factors })
 }
 
-/// Appends the factors in the order in which [`split`] finds them: those without the first variable
-/// before the others.
+/// Appends the factors in the order in which [`split`] finds them. Factors without the first
+/// variable come before the others.
 fn separate(all: Vec<usize>, sets: &[Vec<bool>], order: &mut Vec<usize>) {
     let variables = 0..sets.first().map_or(0, Vec::len);
     let parts = variables.map(|x| all.iter().partition(|&&at| !sets[at][x]));
@@ -94,8 +96,8 @@ fn separate(all: Vec<usize>, sets: &[Vec<bool>], order: &mut Vec<usize>) {
     }
 }
 
-/// Sorts factors in an order that depends only on the factors: single variables first, then the
-/// simpler sums.
+/// Sorts factors in an order that depends only on the factors: first single variables, then sums
+/// with few terms.
 pub(super) fn sort(factors: &mut [(Polynomial, u32)]) {
     let terms = |f: &Polynomial, g: &Polynomial| {
         let pairs = f.terms.iter().zip(&g.terms);
@@ -107,8 +109,8 @@ pub(super) fn sort(factors: &mut [(Polynomial, u32)]) {
     });
 }
 
-/// The factors of a primitive polynomial with a positive leading coefficient, each repeated by its
-/// multiplicity.
+/// The factors of a primitive polynomial with a positive leading coefficient. Each factor is
+/// repeated by its multiplicity.
 pub(super) fn parts(f: &Polynomial) -> Vec<Part> {
     let mut parts = Vec::new();
     split(f, &mut parts);
@@ -118,8 +120,8 @@ pub(super) fn parts(f: &Polynomial) -> Vec<Part> {
 /// Appends the factors of a primitive polynomial with a positive leading coefficient.
 ///
 /// A polynomial `a x + b` is irreducible if `a` and `b` are coprime. A polynomial of degree two in
-/// `x` is irreducible if its coefficients are coprime and its discriminant is not a square; this
-/// holds if no [`divisor`] is found.
+/// `x` is irreducible if its coefficients are coprime, and its discriminant is not a square. Both
+/// conditions hold if no [`divisor`] is found.
 fn split(f: &Polynomial, parts: &mut Vec<Part>) {
     if f.is_constant() {
         return;
@@ -153,7 +155,7 @@ fn split(f: &Polynomial, parts: &mut Vec<Part>) {
     }
 }
 
-/// A proper divisor of the polynomial, if one is found.
+/// A proper divisor of the polynomial. Returns `None` if no divisor is found.
 fn divisor(f: &Polynomial) -> Option<Polynomial> {
     let degrees = f.degrees();
     let proper = |g: &Polynomial| !g.is_constant() && g.total_degree() < f.total_degree();
@@ -182,7 +184,7 @@ fn divisor(f: &Polynomial) -> Option<Polynomial> {
     monomials.chain(contents).chain(repeated).chain(quadratic).find(proper)
 }
 
-/// The greatest common divisor, primitive with a positive leading coefficient.
+/// The greatest common divisor. It is primitive and has a positive leading coefficient.
 fn common_divisor(f: &Polynomial, g: &Polynomial) -> Polynomial {
     if f.is_zero() || g.is_zero() {
         return constant(Rational::one(), f.nvars);
@@ -190,7 +192,7 @@ fn common_divisor(f: &Polynomial, g: &Polynomial) -> Polynomial {
     cofactors(f, &primitive(g).1).0
 }
 
-/// The coefficient of `x^power`, a polynomial in the other variables.
+/// The coefficient of `x^power`, which is a polynomial in the other variables.
 fn coefficient(f: &Polynomial, x: usize, power: u32) -> Polynomial {
     let terms = f.terms.iter().filter(|(m, _)| m.exps()[x] == power).map(|(m, c)| {
         let mut exponents = m.exps().to_vec();
@@ -200,7 +202,8 @@ fn coefficient(f: &Polynomial, x: usize, power: u32) -> Polynomial {
     Poly::new(terms.collect(), f.nvars, Order::GrLex)
 }
 
-/// The square root, if it is a polynomial. Its terms are found one by one, the highest first.
+/// The square root. Its terms are found one by one, the highest first. Returns `None` if the root
+/// is not a polynomial.
 fn square_root(f: &Polynomial) -> Option<Polynomial> {
     let Some((m, c)) = f.terms.first() else { return Some(f.clone()) };
     let half: Option<Vec<u32>> =
@@ -209,7 +212,8 @@ fn square_root(f: &Polynomial) -> Option<Polynomial> {
     let (lead_monomial, lead_value) = lead.terms.first().cloned()?;
     let twice = lead_value * Rational::from(2);
     let mut square_root = lead;
-    // every step finds a term of the root, and the root has at most as many terms as the square
+    // limits the steps: every step finds a term of the root, and the root has at most as many terms
+    // as the square
     for _ in 0..=f.terms.len() {
         let rest = f - &(&square_root * &square_root);
         let Some((m, c)) = rest.terms.first() else { return Some(square_root) };

@@ -10,22 +10,22 @@ use polycore::{Monomial, Order, Poly};
 use std::ops::Deref;
 use std::sync::Arc;
 
-/// The largest number of terms of a short value.
+/// A value is short if it has at most this number of terms.
 const MAX_SHORT: usize = 48;
 
-/// A quotient that depends on each of its variables, of which there is at least one.
+/// A quotient of polynomials. It depends on each of its variables, of which there is at least one.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Fraction {
     pub(super) variables: Variables,
     pub(super) quotient: Arc<Quotient>,
 }
 
-/// A quotient of polynomials in unnamed variables: the fractions `a/(a + b)` and `x/(x + y)` share
-/// one quotient.
+/// A quotient of polynomials in unnamed variables. For example, the fractions `a/(a + b)` and
+/// `x/(x + y)` use the same quotient.
 ///
-/// Numerator and denominator are coprime. The denominator has coprime integer coefficients, and its
-/// leading coefficient is positive. Equal values have equal numerators, and their expanded
-/// denominators are equal. Only the factors of denominators refer to named variables.
+/// The numerator and the denominator are coprime. The denominator has coprime integer coefficients,
+/// and its leading coefficient is positive. Equal values have equal numerators and equal expanded
+/// denominators. Only the factors of denominators refer to named variables.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) struct Quotient {
     pub(super) numerator: Polynomial,
@@ -53,12 +53,12 @@ impl Fraction {
         Fraction::new(Arc::new([variable]), numerator, Denominator::default())
     }
 
-    /// Whether its variables can be renamed without any other change.
+    /// Whether the variables can be renamed without any other change.
     pub(super) fn is_nameless(&self) -> bool {
         self.denominator.factors.is_empty() && !self.has_functions()
     }
 
-    /// Whether one of the variables is a function. Functions are the last variables.
+    /// Whether one of the variables is a function. Functions follow all other variables.
     pub(super) fn has_functions(&self) -> bool {
         self.variables.last().is_some_and(|variable| !variable.is_parameter())
     }
@@ -68,7 +68,8 @@ impl Fraction {
         self.numerator.total_degree().max(self.denominator.degree())
     }
 
-    /// Whether it has few terms. Only short values are cached, because long ones seldom repeat.
+    /// Whether the fraction has few terms. Only short values are cached, because long values seldom
+    /// occur again.
     pub(super) fn is_short(&self) -> bool {
         let below = self.denominator.factors.iter().map(|(f, _)| f.polynomial.terms.len());
         below.fold(self.numerator.terms.len(), usize::saturating_add) <= MAX_SHORT
@@ -79,24 +80,24 @@ impl Fraction {
         self.denominator.expanded(&self.variables)
     }
 
-    /// A polynomial in the variables of the fraction as a value.
+    /// Converts a polynomial in the variables of the fraction to a value.
     pub(super) fn polynomial(&self, part: &Polynomial) -> Symbolic {
         lowest_terms(&self.variables, part.clone(), Denominator::default())
     }
 
-    /// `self + c`.
+    /// The sum `self + c`.
     pub(super) fn plus(&self, c: &Rational) -> Self {
         let numerator = &self.numerator + &self.expanded_denominator().scale(c);
         Fraction::new(self.variables.clone(), numerator, self.denominator.clone())
     }
 
-    /// `c self` for a constant other than zero.
+    /// The product `c self` for a constant other than zero.
     pub(super) fn times(&self, c: &Rational) -> Self {
         let numerator = self.numerator.scale(c);
         Fraction::new(self.variables.clone(), numerator, self.denominator.clone())
     }
 
-    /// `1 / self`; `None` only for the value zero, which is not a fraction.
+    /// The reciprocal `1 / self`. Only the value zero, which is not a fraction, would yield `None`.
     pub(super) fn recip(&self) -> Option<Self> {
         let unit = content(&self.numerator).recip()?;
         let denominator = Denominator::of(&self.variables, &self.numerator.scale(&unit));
@@ -105,7 +106,7 @@ impl Fraction {
     }
 
     /// The power `self^exponent` for a positive exponent. Powers of coprime polynomials are
-    /// coprime, so no common divisors are searched.
+    /// coprime, so no common divisors are searched for.
     pub(super) fn power(&self, exponent: u32) -> Self {
         let numerator = power(&self.numerator, exponent);
         Fraction::new(self.variables.clone(), numerator, self.denominator.power(exponent))
@@ -118,7 +119,7 @@ impl From<Fraction> for Symbolic {
     }
 }
 
-/// The value of a quotient in lowest terms; some of the variables may be unused.
+/// The value of a quotient that is already in lowest terms. Some of the variables may be unused.
 pub(super) fn lowest_terms(
     variables: &Variables,
     numerator: Polynomial,
@@ -137,7 +138,7 @@ pub(super) fn lowest_terms(
     }
     let kept: Vec<usize> = (0..variables.len()).filter(|&at| occurs[at]).collect();
     if kept.is_empty() {
-        // a primitive constant denominator is 1
+        // returns the numerator, because a primitive constant denominator is 1
         return Symbolic::constant(content(&numerator));
     }
     if kept.len() == variables.len() {

@@ -1,10 +1,10 @@
-//! Undetermined (free) functions `a(t)`, `f(r,theta)`, and their derivatives `a_t(t)`,
-//! `f_r_theta(r,theta)`.
+//! Undetermined (free) functions, such as `a(t)` and `f(r,theta)`, and their derivatives, such as
+//! `a_t(t)` and `f_r_theta(r,theta)`.
 //!
-//! Such a function and its partial derivatives are variables of the fractions. They are independent
-//! of each other and of all parameters, also at different arguments. Second derivatives do not
-//! depend on the order, so the positions of the arguments by which a function is differentiated are
-//! sorted. The derivative with respect to the first argument of `A(r/t)` is written `A_1(r/t)`.
+//! A free function and its partial derivatives are variables of the fractions. They are independent
+//! of each other and of all parameters, even if only their arguments differ. Second derivatives do
+//! not depend on the order, so the positions of the arguments of differentiation are sorted. The
+//! derivative with respect to the first argument of `A(r/t)` is written `A_1(r/t)`.
 
 use super::substitution::Substitution;
 use super::variable::{Kind, Variable};
@@ -19,19 +19,20 @@ use std::sync::Arc;
 pub struct FreeFunction {
     name: String,
     arguments: Vec<String>,
-    /// The positions of the arguments by which it is differentiated, sorted.
+    /// The sorted positions of the arguments with respect to which the function is differentiated.
     by: Vec<usize>,
     conditions: Conditions,
 }
 
-/// Prescribed values of partial derivatives, in terms of the named arguments and of functions.
+/// Prescribed values of partial derivatives. The values are formulas of the named arguments and of
+/// functions.
 type Conditions = Option<Arc<Vec<Condition>>>;
 
 #[derive(Debug, PartialEq, Eq, Hash)]
 struct Condition {
     /// The name of the function.
     name: String,
-    /// The positions of the arguments by which the function is differentiated, sorted.
+    /// The sorted positions of the arguments with respect to which the function is differentiated.
     by: Vec<usize>,
     arguments: Vec<String>,
     value: Symbolic,
@@ -41,18 +42,19 @@ struct Condition {
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub(super) struct Applied {
     pub name: Box<str>,
-    /// The positions of the arguments by which the function is differentiated, sorted.
+    /// The sorted positions of the arguments with respect to which the function is differentiated.
     pub by: Vec<usize>,
     pub arguments: Vec<Symbolic>,
     conditions: Conditions,
 }
 
 impl FreeFunction {
-    /// The function or derivative `head` of these arguments: `a_t` of `t`. The derivative by the first argument is also `a_1`.
+    /// The function or derivative `head` of these arguments, such as `a_t` of `t`. The derivative
+    /// with respect to the first argument may also be written `a_1`.
     ///
     /// # Errors
-    /// A message, if an argument is not a name or occurs twice, or `head` does not name a function
-    /// of these arguments.
+    /// A message if an argument is not a name or occurs twice, or if `head` is not the name of a
+    /// function of these arguments.
     ///
     /// ```
     /// use affinor_tensors::scalar::FreeFunction;
@@ -82,8 +84,9 @@ impl FreeFunction {
         Ok(FreeFunction { name, arguments, by, conditions: None })
     }
 
-    /// Functions with prescribed values for some of their derivatives, in terms of their arguments
-    /// and of functions without conditions. The values of higher derivatives follow.
+    /// The same functions with prescribed values for some of their derivatives. The values are
+    /// formulas of the arguments and of functions without conditions. They also determine the
+    /// values of higher derivatives.
     ///
     /// ```
     /// use affinor_tensors::scalar::FreeFunction;
@@ -97,8 +100,9 @@ impl FreeFunction {
     /// ```
     ///
     /// # Errors
-    /// A message: a left side is not a derivative of a function, a derivative has two values, a
-    /// value depends on the derivative itself, or the mixed derivatives of two conditions differ.
+    /// A message if a left side is not a derivative of a function, if a derivative has two values,
+    /// or if a value depends on the derivative itself. Also a message if the mixed derivatives of
+    /// two conditions differ.
     pub fn under_conditions(
         functions: &[Self],
         conditions: &[(&str, Symbolic)],
@@ -149,10 +153,10 @@ impl FreeFunction {
         Ok(functions.iter().map(conditioned).collect())
     }
 
-    /// Parses a declared function: `f(r, theta)`.
+    /// Parses the declaration of a function, such as `f(r, theta)`.
     ///
     /// # Errors
-    /// Those of [`new`](Self::new).
+    /// The errors of [`new`](Self::new).
     pub fn read(text: &str) -> Result<Self, String> {
         let inside = text.trim().strip_suffix(')').and_then(|rest| rest.split_once('('));
         let (head, inside) =
@@ -161,7 +165,7 @@ impl FreeFunction {
         Self::new(head.trim(), &arguments)
     }
 
-    /// The name, without arguments and derivatives.
+    /// The name of the function, without arguments and derivatives.
     pub fn name(&self) -> &str {
         &self.name
     }
@@ -171,12 +175,13 @@ impl FreeFunction {
         &self.arguments
     }
 
-    /// The names of the arguments by which the function is differentiated, in their order.
+    /// The names of the arguments with respect to which the function is differentiated, in the
+    /// order of the arguments.
     pub fn differentiated_by(&self) -> impl Iterator<Item = &str> {
         self.by.iter().map(|at| self.arguments[*at].as_str())
     }
 
-    /// The declaration of the function: `f(r,theta)`.
+    /// The declaration of the function, such as `f(r,theta)`.
     pub fn declaration(&self) -> String {
         format!("{}({})", self.name, self.arguments.join(","))
     }
@@ -198,7 +203,7 @@ impl FreeFunction {
     /// ```
     ///
     /// # Errors
-    /// A message, if the number of arguments differs or all arguments are numbers.
+    /// A message if the number of arguments differs, or if all arguments are numbers.
     pub fn at(&self, arguments: &[Symbolic]) -> Result<Symbolic, String> {
         if arguments.len() != self.arguments.len() {
             return Err(format!("it is declared as {}", self.declaration()));
@@ -215,7 +220,7 @@ impl FreeFunction {
         }
     }
 
-    /// The partial derivative with respect to an argument; `None` if there is no argument of this
+    /// The partial derivative with respect to an argument. Returns `None` if no argument has this
     /// name.
     pub fn derivative(&self, argument: &str) -> Option<Self> {
         let at = self.arguments.iter().position(|own| own == argument)?;
@@ -224,22 +229,23 @@ impl FreeFunction {
         Some(derivative)
     }
 
-    /// The function or derivative of that name, with the conditions of this function: `f_r` for `f`.
+    /// The function or derivative with the name `head`, such as `f_r` for `f`. It has the
+    /// conditions of this function.
     ///
     /// # Errors
-    /// Those of [`new`](Self::new).
+    /// The errors of [`new`](Self::new).
     pub fn named(&self, head: &str) -> Result<Self, String> {
         let conditions = self.conditions.clone();
         Ok(FreeFunction { conditions, ..Self::new(head, &self.arguments)? })
     }
 
-    /// The function without derivatives.
+    /// The same function without derivatives.
     pub fn original(&self) -> Self {
         FreeFunction { by: vec![], ..self.clone() }
     }
 
-    /// The partial derivative, if the value is a partial derivative of this function at its
-    /// declared arguments.
+    /// The partial derivative that the value represents. Returns `None` unless the value is a
+    /// partial derivative of this function at its declared arguments.
     pub fn of_value(&self, value: &Symbolic) -> Option<Self> {
         let [variable] = value.variables() else { return None };
         let Kind::Applied(applied) = variable.kind() else { return None };
@@ -248,12 +254,12 @@ impl FreeFunction {
     }
 }
 
-/// Whether a sorted list contains all members of another one.
+/// Whether a sorted list contains all members of another list, with their multiplicities.
 fn contains(by: &[usize], other: &[usize]) -> bool {
     by.len() >= other.len() && without(by, other).len() == by.len() - other.len()
 }
 
-/// A sorted list without the members of another one.
+/// A sorted list without the members of another list.
 fn without(by: &[usize], other: &[usize]) -> Vec<usize> {
     let mut rest = by.to_vec();
     for at in other {
@@ -265,7 +271,7 @@ fn without(by: &[usize], other: &[usize]) -> Vec<usize> {
 }
 
 impl Symbolic {
-    /// The free functions in the value, including those in arguments.
+    /// All free functions in the value, including those in arguments.
     fn functions(&self) -> Vec<&'static Applied> {
         let mut all = Vec::new();
         for variable in self.variables() {
@@ -277,7 +283,7 @@ impl Symbolic {
         all
     }
 
-    /// The value without conditions on its free functions.
+    /// The value, without the conditions on its free functions.
     pub(super) fn without_conditions(&self) -> Symbolic {
         match self.functions().iter().any(|function| function.conditions.is_some()) {
             true => self.with_conditions(&None),
@@ -285,7 +291,7 @@ impl Symbolic {
         }
     }
 
-    /// The value with conditions on its free functions.
+    /// The value, with conditions on its free functions.
     fn with_conditions(&self, conditions: &Conditions) -> Symbolic {
         let mut substitution = Substitution::default();
         for function in self.functions() {
@@ -307,17 +313,17 @@ impl Symbolic {
     }
 }
 
-/// Whether this is a name without `_`.
+/// Whether the text is a name without `_`.
 fn is_plain(name: &str) -> bool {
     is_name(name) && !name.contains('_')
 }
 
-/// Parses the name of a function and the arguments by which it is differentiated: `f_r_1` is the
-/// derivative of `f` with respect to `r` and to the first argument. `None` if the function does not
+/// Parses the name of a function, and the arguments of differentiation: `f_r_1` is the derivative
+/// of `f` with respect to `r` and to the first argument. Returns `None` if the function does not
 /// have such an argument.
 ///
 /// # Errors
-/// A message, if `head` does not name a function.
+/// A message if `head` is not the name of a function.
 fn positions(
     head: &str,
     count: usize,
@@ -344,12 +350,12 @@ fn positions(
 }
 
 impl Applied {
-    /// The function or derivative `head` at these arguments. Arguments that are names may occur in
-    /// `head`.
+    /// The function or derivative `head` at these arguments. If arguments are names, these names
+    /// may occur in `head`.
     ///
     /// # Errors
-    /// A message, if `head` does not name a function of these arguments, or all arguments are
-    /// numbers.
+    /// A message if `head` is not the name of a function of these arguments, or if all arguments
+    /// are numbers.
     pub fn read(head: &str, arguments: &[Symbolic]) -> Result<Symbolic, String> {
         let names: Vec<Option<&str>> = arguments.iter().map(Symbolic::as_parameter).collect();
         let place = |part: &str| names.iter().position(|name| *name == Some(part));
@@ -361,7 +367,7 @@ impl Applied {
         Applied { name: name.into(), by, arguments: arguments.to_vec(), conditions: None }.checked()
     }
 
-    /// The value of the function; an error if all arguments are numbers.
+    /// The value of the function. Returns an error if all arguments are numbers.
     fn checked(self) -> Result<Symbolic, String> {
         if self.arguments.iter().all(|value| value.parameters().is_empty()) {
             return Err(format!("the value of `{}` at a number is not known", self.name));
@@ -369,7 +375,7 @@ impl Applied {
         Ok(self.value())
     }
 
-    /// The value. A derivative with a condition gets its prescribed value.
+    /// The value of the function. If a derivative has a condition, this is the prescribed value.
     pub fn value(self) -> Symbolic {
         let conditions = self.conditions.clone();
         let mut all = conditions.iter().flat_map(|all| all.iter());
@@ -382,7 +388,7 @@ impl Applied {
         }
     }
 
-    /// The value of a derivative that follows from a condition by further differentiation.
+    /// The value of a derivative that is a further derivative of the left side of a condition.
     fn under(&self, condition: &Condition) -> Symbolic {
         let by = without(&self.by, &condition.by).into_iter();
         let by = by.map(|at| Variable::parameter(&condition.arguments[at]));
@@ -398,7 +404,7 @@ impl Applied {
         value.substitute_where(&positive, &Substitution::of_parameters(at)).unwrap_or(value)
     }
 
-    /// The names of the arguments, if they are different names without `_`.
+    /// The names of the arguments. Returns `None` unless they are different names without `_`.
     pub fn names(&self) -> Option<Vec<&str>> {
         let name = |value| Symbolic::as_parameter(value).filter(|name| is_plain(name));
         let names = self.arguments.iter().map(name).collect::<Option<Vec<&str>>>()?;
@@ -406,8 +412,8 @@ impl Applied {
         (!(0..names.len()).any(twice)).then_some(names)
     }
 
-    /// The arguments by which the function is differentiated: their names, or if they are not names
-    /// their numbers, from 1.
+    /// The arguments with respect to which the function is differentiated. They are the names of
+    /// the arguments or, if these are not names, their numbers from 1.
     pub fn differentiated_by(&self) -> Vec<String> {
         match self.names() {
             Some(names) => self.by.iter().map(|at| names[*at].to_string()).collect(),
@@ -415,7 +421,7 @@ impl Applied {
         }
     }
 
-    /// The partial derivative with respect to a parameter, by the chain rule.
+    /// The partial derivative with respect to a parameter, computed by the chain rule.
     pub fn derivative(&self, parameter: Variable) -> Symbolic {
         let terms = self.arguments.iter().enumerate().map(|(at, argument)| {
             let slope = argument.derivative_by(parameter);
@@ -432,8 +438,8 @@ impl Applied {
     /// The function after a substitution of functions and parameters.
     ///
     /// # Errors
-    /// A message: the arguments become numbers, or the substituted function has no value at its
-    /// arguments.
+    /// A message if all arguments become numbers, or if the substituted function has no value at
+    /// its arguments.
     pub fn image(
         &self,
         positive: &PositiveFactors,

@@ -1,7 +1,7 @@
 //! Caches of the shapes and texts of values.
 //!
-//! A shape is looked up by the address of its quotient and the lengths of the names, a text also by
-//! the variables.
+//! The key of a shape consists of the address of the quotient and the lengths of the names. The key
+//! of a text also contains the variables.
 
 use super::super::effort::Counted;
 use super::cache::{Cache, hash};
@@ -14,7 +14,7 @@ use std::cell::RefCell;
 use std::sync::Arc;
 use std::thread::LocalKey;
 
-/// At most 65,536 entries per thread, of values with at most 48 terms.
+/// A cache of at most 65,536 entries for each thread. The values have at most 48 terms.
 type Memo<T> = Cache<Box<Entry<T>>, { 1 << 14 }>;
 
 struct Entry<T> {
@@ -30,13 +30,13 @@ thread_local! {
     static TEXTS: RefCell<Memo<Arc<str>>> = RefCell::default();
 }
 
-/// Clears the caches of shapes and texts of this thread.
+/// Clears the caches of shapes and texts in the current thread.
 pub(super) fn clear() {
     SHAPES.take();
     TEXTS.take();
 }
 
-/// The shape of a fraction, from the cache or by `make`.
+/// The shape of a fraction. It comes from the cache, or is computed by `make`.
 pub(super) fn shape(f: &Fraction, make: impl FnOnce() -> Shape) -> Arc<Shape> {
     if !f.is_short() {
         return make().into();
@@ -50,7 +50,7 @@ pub(super) fn shape(f: &Fraction, make: impl FnOnce() -> Shape) -> Arc<Shape> {
     known(&SHAPES, f, key.collect(), || make().into())
 }
 
-/// The text of a value, from the cache or by `write`.
+/// The text of a value. It comes from the cache, or is computed by `write`.
 pub(super) fn text(value: &Symbolic, markup: Markup, write: impl FnOnce() -> String) -> String {
     let f = match &value.0 {
         Form::Fraction(f) if f.is_short() => f,

@@ -1,13 +1,13 @@
-//! The written form of functions: angles in sines and cosines, and roots in the denominator if that
-//! is shorter.
+//! The written form of functions. Angles occur in sines and cosines, and roots in the denominator
+//! if this form is shorter.
 //!
-//! With `t = tan(x/2)`, numerator and denominator are divided by the least power of `1 + t^2` that
-//! makes both polynomials in `sin x` and `cos x`. These are linear in the sine: `1/(1 + t^2)` is
-//! `(1 + cos x)/2`, `t/(1 + t^2)` is `sin(x)/2`, `t^2/(1 + t^2)` is `(1 - cos x)/2`. Then factors
-//! `1 - cos^2 x` become `sin^2 x`. Polynomials are written in sines, or in powers of one total
-//! degree, if that takes fewer terms: `a^2*sin(x)^2 + b^2*cos(x)^2`. Sines stay in denominators:
-//! `1/(1 + sin x)` is shorter than `(1 - sin x)/cos^2 x`. Hyperbolic functions are written in the
-//! same way, from `T = tanh(x/2)`.
+//! Let `t = tan(x/2)`. The numerator and the denominator are divided by the least power of
+//! `1 + t^2` for which both become polynomials in `sin x` and `cos x`. These polynomials are linear
+//! in the sine: `1/(1 + t^2)` is `(1 + cos x)/2`, `t/(1 + t^2)` is `sin(x)/2`, `t^2/(1 + t^2)` is
+//! `(1 - cos x)/2`. Then factors `1 - cos^2 x` become `sin^2 x`. Polynomials are written in sines,
+//! or in powers of one total degree, if that takes fewer terms: `a^2*sin(x)^2 + b^2*cos(x)^2`.
+//! Sines remain in denominators, because `1/(1 + sin x)` is shorter than `(1 - sin x)/cos^2 x`.
+//! Hyperbolic functions are written in the same way, with `T = tanh(x/2)`.
 
 use super::argument::{by_power, by_powers};
 use super::conjugates::cancelled;
@@ -34,8 +34,8 @@ pub(super) fn is_written(variable: &Variable) -> bool {
     matches!(variable.kind(), Kind::Written(..))
 }
 
-/// Rewrites `sqrt(p)/p` as `1/sqrt(p)`. `None` unless a power of the root is a factor of the
-/// numerator and `p` a factor of the denominator.
+/// Rewrites `sqrt(p)/p` as `1/sqrt(p)`. Returns `None` unless a power of the root is a factor of
+/// the numerator, and `p` is a factor of the denominator.
 fn below_the_line(value: &Symbolic, root: Variable) -> Option<Symbolic> {
     let (Form::Fraction(f), Kind::Root(Part { of, parts })) = (&value.0, root.kind()) else {
         return None;
@@ -69,12 +69,12 @@ fn below_the_line(value: &Symbolic, root: Variable) -> Option<Symbolic> {
     Some(coefficient.clone() * &lowest_terms(&f.variables, one, denominator))
 }
 
-/// The value with variables `sin(x)` and `cos(x)` in place of every `tan(x/2)`. Exponentials that
-/// occur symmetrically in powers of `x` and `-x` become hyperbolic functions. The result serves for
-/// writing only, because it does not contain the relation `sin^2 + cos^2 = 1`.
+/// The value in which the variables `sin(x)` and `cos(x)` replace every `tan(x/2)`. If powers of an
+/// exponential of `x` and of `-x` occur symmetrically, hyperbolic functions replace them. The
+/// result can only be written, because it does not contain the relation `sin^2 + cos^2 = 1`.
 fn in_sines(value: &Symbolic) -> Symbolic {
     let mut value = value.clone();
-    // a coefficient may be a function of another angle
+    // repeats the replacement, because a coefficient may be a function of another angle
     while let Some((t, x)) = angle(&value) {
         value = shortest(&gathered(over_sines(&value, t, x), x), x);
     }
@@ -89,7 +89,7 @@ fn in_sines(value: &Symbolic) -> Symbolic {
     })
 }
 
-/// A half tangent that occurs in the value, and its angle.
+/// A half tangent that occurs in the value, with its angle.
 fn angle(value: &Symbolic) -> Option<(Variable, Angle)> {
     value.variables().iter().find_map(|variable| match variable.kind() {
         Kind::HalfTangent(part) => Some((*variable, Angle { part, hyperbolic: false })),
@@ -98,7 +98,7 @@ fn angle(value: &Symbolic) -> Option<(Variable, Angle)> {
 }
 
 /// Whether the value is `p(E)/q(E)` for an exponential `E = exp(x)`, and the mean of the lowest and
-/// the highest power is the same in `p` and in `q`. This holds for `sinh(x)^2`, but not for
+/// the highest power is equal in `p` and `q`. This condition holds for `sinh(x)^2`, but not for
 /// `exp(2*x)`.
 pub(super) fn is_balanced(value: &Symbolic, exponential: Variable) -> bool {
     let (Form::Fraction(f), Kind::Exponential(part)) = (&value.0, exponential.kind()) else {
@@ -113,15 +113,16 @@ pub(super) fn is_balanced(value: &Symbolic, exponential: Variable) -> bool {
         polynomial.degrees()[at] * e
     });
     let below = below.sum::<u32>() + 2 * f.denominator.exponent(at);
-    // powers such as x^p are stored as exponentials of logarithms
+    // excludes powers such as x^p, which are stored as exponentials of logarithms
     above == below && !part.of.variables().iter().any(logarithm)
 }
 
-/// The value in hyperbolic functions of `x`, if it is balanced in `E = exp(x)` and its numerator or
-/// denominator is symmetric in `x` and `-x` or has such a factor.
+/// The value in hyperbolic functions of `x`. The value must be balanced in `E = exp(x)`. In
+/// addition, its numerator or denominator must be symmetric in `x` and `-x`, or must have such a
+/// factor.
 ///
-/// With `T = tanh(x/2)`, `E = (1 + T)/(1 - T)`. In a balanced quotient equal powers of `1 + T` and
-/// `1 - T` remain.
+/// With `T = tanh(x/2)`, `E = (1 + T)/(1 - T)`. In a balanced quotient, the remaining powers of
+/// `1 + T` and `1 - T` are equal.
 fn over_hyperbolic(value: &Symbolic, exponential: Variable) -> Option<(Symbolic, Angle)> {
     let (Form::Fraction(f), Kind::Exponential(part)) = (&value.0, exponential.kind()) else {
         return None;
@@ -150,7 +151,7 @@ fn over_hyperbolic(value: &Symbolic, exponential: Variable) -> Option<(Symbolic,
     }
     let one = constant(Rational::one(), f.variables.len());
     let monomial = lowest_terms(&f.variables, one, rest);
-    // divides out powers of 1 - T^2
+    // divides by powers of 1 - T^2
     let square = vec![Symbolic::one(), Symbolic::zero(), -Symbolic::one()];
     let power = f.denominator.exponent(at);
     (power..lowest).for_each(|_| above = times(&above, &square));
@@ -161,8 +162,8 @@ fn over_hyperbolic(value: &Symbolic, exponential: Variable) -> Option<(Symbolic,
     Some((over(&above, below, x) * &monomial, x))
 }
 
-/// A polynomial of even degree `d` in `t = tan(x/2)`, divided by `(1 + t^2)^(d/2)`, in its written
-/// form.
+/// The written form of a polynomial of even degree `d` in `t = tan(x/2)`, divided by
+/// `(1 + t^2)^(d/2)`.
 pub(super) fn in_angles(polynomial: &Symbolic, t: Variable, part: &'static Part) -> Symbolic {
     let x = Angle { part, hyperbolic: false };
     let coefficients = by_power(polynomial, t);
@@ -171,7 +172,7 @@ pub(super) fn in_angles(polynomial: &Symbolic, t: Variable, part: &'static Part)
     shortest(&gathered(over(&coefficients, vec![(square, half)], x), x), x)
 }
 
-/// A polynomial of degree `d` in `t = s/c`, times `c^d`.
+/// The product of `c^d` and a polynomial of degree `d` in `t = s/c`.
 pub(super) fn half_angles(
     polynomial: &Symbolic,
     t: Variable,
@@ -185,8 +186,9 @@ pub(super) fn half_angles(
     terms.fold(Symbolic::zero(), |sum, term| sum + &term)
 }
 
-/// A polynomial of degree `d` in `E = exp(x)`, divided by `E^(d/2)` and a power of `cosh`: of `cosh(x)^(d/2)` for an even
-/// degree, where `tanh` is `tanh(x)`, and otherwise of `cosh(x/2)^d`.
+/// A polynomial of degree `d` in `E = exp(x)`, divided by `E^(d/2)` and a power of `cosh`. For an
+/// even degree, the power is `cosh(x)^(d/2)`, and `tanh` is `tanh(x)`. For an odd degree, the power
+/// is `cosh(x/2)^d`.
 pub(super) fn in_bounded(
     polynomial: &Symbolic,
     exponential: Variable,
@@ -208,7 +210,7 @@ pub(super) fn in_bounded(
 }
 
 /// Rewrites the polynomial `sum c_k E^k`, divided by its lowest power of `E` and multiplied by a
-/// power of `1 - T`, as a polynomial in `T`. Returns the lowest power of `E` as well.
+/// power of `1 - T`, as a polynomial in `T`. Also returns the lowest power of `E`.
 fn in_tangents(coefficients: &[Symbolic]) -> (Vec<Symbolic>, u32) {
     let lowest = coefficients.iter().take_while(|c| c.vanishes()).count();
     let own = &coefficients[lowest.min(coefficients.len())..];
@@ -229,7 +231,7 @@ fn in_tangents(coefficients: &[Symbolic]) -> (Vec<Symbolic>, u32) {
     (sums, lowest as u32)
 }
 
-/// The product of two polynomials by their coefficients.
+/// The product of two polynomials, which are given by their coefficients.
 fn times(a: &[Symbolic], b: &[Symbolic]) -> Vec<Symbolic> {
     let mut sums = vec![SymbolicSum::default(); a.len() + b.len() - 1];
     for (i, x) in a.iter().enumerate() {
@@ -238,8 +240,8 @@ fn times(a: &[Symbolic], b: &[Symbolic]) -> Vec<Symbolic> {
     sums.iter().map(SymbolicSum::value).collect()
 }
 
-/// The value with cosines and first powers of sines in place of half tangents; `None` if half
-/// tangents occur in a denominator.
+/// The value in which cosines and first powers of sines replace half tangents. Returns `None` if
+/// half tangents occur in a denominator.
 pub(super) fn in_cosines(value: &Symbolic) -> Option<Symbolic> {
     let mut value = value.clone();
     while let Some((t, x)) = angle(&value) {
@@ -259,7 +261,7 @@ pub(super) fn in_cosines(value: &Symbolic) -> Option<Symbolic> {
     Some(value)
 }
 
-/// The value with half tangents in place of sines and cosines.
+/// The value in which half tangents replace sines and cosines.
 pub(super) fn in_half_tangents(value: &Symbolic) -> Symbolic {
     let mut value = value.clone();
     let written = |value: &Symbolic| value.variables().iter().copied().find(is_written);
@@ -286,8 +288,8 @@ impl Angle {
         Variable::function(Kind::Written(function, self.part.clone()))
     }
 
-    /// The value, negated for hyperbolic functions: `1 - cos^2` is `sin^2`, but `1 - cosh^2` is
-    /// `-sinh^2`.
+    /// Negates the value for hyperbolic functions, because `1 - cos^2` is `sin^2`, but `1 - cosh^2`
+    /// is `-sinh^2`.
     fn signed(self, value: Symbolic) -> Symbolic {
         if self.hyperbolic { -value } else { value }
     }
@@ -309,9 +311,9 @@ fn cosine(x: Angle) -> Symbolic {
     Symbolic::variable(cosine_variable(x))
 }
 
-/// The value in the sine and cosine of `x`, where `t` is the variable `tan(x/2)`.
+/// The value in the sine and cosine of `x`. The variable `t` is `tan(x/2)`.
 ///
-/// A polynomial of degree `d` in `t` becomes a polynomial in sine and cosine times `(1 + cos x)^h`,
+/// A polynomial of degree `d` in `t` becomes `(1 + cos x)^h` times a polynomial in sine and cosine,
 /// with `h = d/2` rounded up. Factors of the denominator that are even in `t` contain no sines, and
 /// are treated separately.
 fn over_sines(value: &Symbolic, t: Variable, x: Angle) -> Symbolic {
@@ -323,7 +325,8 @@ fn over_sines(value: &Symbolic, t: Variable, x: Angle) -> Symbolic {
     over(&by_power(&value.numerator(), t), below.collect(), x)
 }
 
-/// The quotient of a polynomial and powers of others, all by their coefficients in `tan(x/2)` or `tanh(x/2)`.
+/// The quotient of a polynomial and powers of other polynomials. All polynomials are given by their
+/// coefficients in `tan(x/2)` or `tanh(x/2)`.
 fn over(above: &[Symbolic], below: Vec<(Vec<Symbolic>, u32)>, x: Angle) -> Symbolic {
     let half = |coefficients: &[Symbolic]| coefficients.len().saturating_sub(1).div_ceil(2);
     let mut product = Symbolic::one();
@@ -346,7 +349,7 @@ fn over(above: &[Symbolic], below: Vec<(Vec<Symbolic>, u32)>, x: Angle) -> Symbo
     in_sine(above, highest, x) * &product
 }
 
-/// The polynomial with these coefficients in `tan(x/2)` times `(1 + cos x)^h`.
+/// The product of `(1 + cos x)^h` and the polynomial in `tan(x/2)` with these coefficients.
 fn in_sine(coefficients: &[Symbolic], h: usize, x: Angle) -> Symbolic {
     let part = |from: usize| coefficients.iter().skip(from).step_by(2);
     homogeneous(part(0), h, x) + &(homogeneous(part(1), h.saturating_sub(1), x) * &sine(x))
@@ -365,7 +368,7 @@ fn length(value: &Symbolic) -> usize {
     }
 }
 
-/// `sum p_a (1 - cos x)^a (1 + cos x)^(degree - a)`, by Horner's rule.
+/// The sum `sum p_a (1 - cos x)^a (1 + cos x)^(degree - a)`, computed by Horner's rule.
 fn homogeneous<'s>(
     coefficients: impl DoubleEndedIterator<Item = &'s Symbolic> + ExactSizeIterator,
     degree: usize,
@@ -380,7 +383,7 @@ fn homogeneous<'s>(
     })
 }
 
-/// Replaces factors `1 - cos^2 x` by `sin^2 x`.
+/// Replaces the factors `1 - cos^2 x` by `sin^2 x`.
 fn gathered(value: Symbolic, x: Angle) -> Symbolic {
     if value.vanishes() {
         return value;
@@ -398,8 +401,8 @@ fn gathered(value: Symbolic, x: Angle) -> Symbolic {
     value * &pow(ratio.clone(), above) / &pow(ratio, below)
 }
 
-/// Whether a polynomial is divisible by `1 - cos^2 x`: it vanishes at `cos x = 1` and at `cos x =
-/// -1`.
+/// Whether a polynomial is divisible by `1 - cos^2 x`, which means that it vanishes at `cos x = 1`
+/// and at `cos x = -1`.
 fn divisible(polynomial: &Symbolic, x: Angle) -> bool {
     let mut sums = [SymbolicSum::default(), SymbolicSum::default()];
     for ([power], part) in by_powers(polynomial, [cosine_variable(x)]) {
@@ -408,10 +411,10 @@ fn divisible(polynomial: &Symbolic, x: Angle) -> bool {
     sums.iter().all(|sum| sum.value().vanishes())
 }
 
-/// The degree above which polynomials are written in one form only.
+/// Polynomials above this degree are written in only one form.
 const DEGREE: usize = 64;
 
-/// The value with its numerator and its denominator each in the form with the fewest terms.
+/// The value, whose numerator and denominator are each in the form with the fewest terms.
 fn shortest(value: &Symbolic, x: Angle) -> Symbolic {
     let Form::Fraction(f) = &value.0 else { return value.clone() };
     let [above, below] = [value.numerator(), value.denominator()].map(|part| {
@@ -430,7 +433,8 @@ fn shortest(value: &Symbolic, x: Angle) -> Symbolic {
     above.unwrap_or_else(|| value.numerator()) * &below
 }
 
-/// The other forms of a polynomial: with as few sines or cosines as possible, and homogeneous.
+/// The other forms of a polynomial: with as few sines as possible, with as few cosines as possible,
+/// and homogeneous.
 fn others(polynomial: &Symbolic, x: Angle) -> Vec<Symbolic> {
     let (sin, cos) = (sine(x), cosine(x));
     let [sin2, cos2] = [&sin, &cos].map(|f| f.clone() * f);

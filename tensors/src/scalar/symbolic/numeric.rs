@@ -1,13 +1,13 @@
-//! Evaluation of values over another scalar, in a form that is accurate in floats.
+//! Evaluation of values over another scalar. The form of evaluation is accurate in floats.
 //!
 //! A quotient with functions is evaluated factor by factor. Powers of `t = tan(x/2)`, `1 - t^2` and
-//! `1 + t^2` are powers of sines and cosines of `x` and `x/2`.
+//! `1 + t^2` are replaced by powers of sines and cosines of `x` and `x/2`.
 //!
 //! A factor `p(E)` of degree `d` in `E = exp(x)` is written as `E^(d/2)` times a power of `cosh`
-//! and a polynomial in `tanh` and `1/cosh`, if the factor or the whole quotient is symmetric in the
-//! exponentials of `x` and `-x`. This form neither overflows for large `x` nor cancels for small
-//! `x`: `E - 1` is `2 sinh(x/2) E^(1/2)`. Factors that grow exponentially are divided by one
-//! another before they are raised to powers.
+//! and a polynomial in `tanh` and `1/cosh`. This is done if the factor or the whole quotient is
+//! symmetric in the exponentials of `x` and `-x`. This form neither overflows for large `x`, nor
+//! causes cancellation for small `x`: `E - 1` is `2 sinh(x/2) E^(1/2)`. Factors that grow
+//! exponentially are divided by one another before they are raised to powers.
 
 use super::argument::by_power;
 use super::common::CommonFactors;
@@ -25,10 +25,11 @@ use crate::scalar::{Notation, Rational, Ring};
 use num_traits::{One, Zero, pow};
 
 impl Symbolic {
-    /// The value over a scalar with elementary functions; `variable` gives the values of parameters and free functions.
+    /// The value over a scalar with elementary functions. The parameter `variable` returns the
+    /// values of parameters and free functions.
     ///
     /// # Errors
-    /// A message: the scalar lacks a number or a function, or a divisor is zero.
+    /// A message if a number or a function does not exist in the scalar, or if a divisor is zero.
     pub(in crate::scalar) fn in_scalars<S: Notation>(
         &self,
         variable: &dyn Fn(Variable) -> S,
@@ -54,7 +55,7 @@ fn meaning<S: Notation>() -> impl Evaluator<Value = S> {
     Scalars(|name: &str| Err::<S, _>(format!("`{name}` is unknown")), no_function)
 }
 
-/// Evaluates the fraction in its written shape.
+/// Evaluates the fraction in the shape in which it is written.
 fn shaped<S: Notation>(f: &Fraction, variable: &dyn Fn(Variable) -> S) -> Result<S, String> {
     let names = CommonFactors::default();
     let shape = memo::shape(f, || Shaping { names: &names }.fraction(f));
@@ -67,7 +68,7 @@ struct Numeric<'f, S> {
     variable: &'f dyn Fn(Variable) -> S,
 }
 
-/// A polynomial with an exponent, which is negative in the denominator.
+/// A polynomial with an exponent. The exponent is negative in the denominator.
 type Power = (Symbolic, i64);
 
 impl<S: Notation> Numeric<'_, S> {
@@ -117,8 +118,8 @@ impl<S: Notation> Numeric<'_, S> {
         let value = match &factor.0 {
             Form::Constant(c) => number(c)?,
             Form::Fraction(f) => match factor.as_variable() {
-                // all powers of one exponential are evaluated as one function of the multiple of
-                // its exponent
+                // evaluates a power of an exponential as one exponential, whose exponent is
+                // multiplied
                 Some(own) if matches!(own.kind(), Kind::Exponential(_)) => {
                     let size = u32::try_from(e.unsigned_abs()).map_err(|_| "too large")?;
                     return signed(own.power_in(size, self.variable)?, e.signum());
@@ -130,7 +131,7 @@ impl<S: Notation> Numeric<'_, S> {
     }
 }
 
-/// Whether a factor is so large or small at moderate arguments that its powers may overflow.
+/// Whether a factor may be so large or small at moderate arguments that its powers overflow.
 fn grows((factor, _): &Power) -> bool {
     let exponential = |variable: &Variable| {
         use Function::{Cosh, Sinh};
@@ -139,8 +140,8 @@ fn grows((factor, _): &Power) -> bool {
     factor.variables().iter().any(exponential)
 }
 
-/// Splits factors `v - 1` and `v + 1` off the others, because they vanish at special arguments of
-/// functions.
+/// Separates the factors `v - 1` and `v + 1` from the other factors, because they vanish at special
+/// arguments of functions.
 fn separated(all: Vec<Power>, v: Variable) -> Vec<Power> {
     let mut apart = Vec::new();
     for (mut factor, e) in all {
@@ -162,14 +163,14 @@ fn separated(all: Vec<Power>, v: Variable) -> Vec<Power> {
     apart
 }
 
-/// A power with an exponent of any sign. For a negative exponent the reciprocal is taken first,
-/// because the power may overflow.
+/// A power whose exponent may have any sign. If the exponent is negative, the reciprocal is
+/// computed first, because the power may overflow.
 fn signed<S: Notation>(value: S, e: i64) -> Result<S, String> {
     let base = if e < 0 { meaning().reciprocal(value)? } else { value };
     Ok(pow(base, e.unsigned_abs() as usize))
 }
 
-/// The product with equal factors collected.
+/// The same product, with equal factors collected.
 fn collected(all: Vec<Power>) -> Vec<Power> {
     let mut different: Vec<Power> = Vec::new();
     for (factor, e) in all {
@@ -187,7 +188,7 @@ fn written(function: Function, of: &Symbolic, parts: u32) -> Symbolic {
     Symbolic::variable(Variable::function(Kind::Written(function, part)))
 }
 
-/// The factors with sines and cosines in place of the half tangent `t` of an angle.
+/// The factors, in which sines and cosines replace the half tangent `t` of an angle.
 fn angular(all: Vec<Power>, t: Variable, angle: &'static Part) -> Vec<Power> {
     let Part { of, parts } = angle;
     let [sin, cos] = [Function::Sin, Function::Cos].map(|function| written(function, of, *parts));
@@ -207,7 +208,7 @@ fn angular(all: Vec<Power>, t: Variable, angle: &'static Part) -> Vec<Power> {
         } else if factor == variable {
             sines += e;
         } else if factor == one() + &square {
-            // a factor 1/cos(x/2)^2
+            // the factor is 1/cos(x/2)^2, which the exponent of the cosine already contains
         } else if factor == plus {
             more += e;
         } else if factor == minus || factor == -minus.clone() {
@@ -240,8 +241,8 @@ fn is_symmetric(coefficients: &[Symbolic]) -> bool {
     pairs().all(|(a, b)| a == b) || pairs().all(|(a, b)| *a == -b.clone())
 }
 
-/// The factors with hyperbolic functions in place of an exponential: either all factors, or those
-/// that are symmetric in the exponential and its inverse.
+/// The factors, in which hyperbolic functions replace an exponential. Either all factors are
+/// rewritten, or only the factors that are symmetric in the exponential and its inverse.
 fn hyperbolic(
     all: Vec<Power>,
     exponential: Variable,
@@ -267,7 +268,7 @@ fn hyperbolic(
             continue;
         }
         exponents += degree as i64 * e;
-        // functions of x for an even degree, of x/2 for an odd one
+        // uses functions of x for an even degree, and functions of x/2 for an odd degree
         let (parts, half) =
             if degree.is_multiple_of(2) { (*parts, degree / 2) } else { (2 * parts, degree) };
         let [tanh, cosh] =
@@ -296,7 +297,7 @@ fn hyperbolic(
     };
     let whole = |function| written(function, of, *parts);
     let half = |function| written(function, of, 2 * parts);
-    // sinh(x) = 2 sinh(x/2) cosh(x/2), sinh = tanh cosh
+    // uses sinh(x) = 2 sinh(x/2) cosh(x/2), and sinh = tanh cosh
     let both = common(sines, cosines);
     let (sines, cosines) = (sines - both, cosines - both);
     let quotient = common(sines, -cosines);

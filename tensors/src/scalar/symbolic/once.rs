@@ -1,11 +1,11 @@
-//! Caches of sums, so that a sum that occurs again is computed and stored once.
+//! Caches of sums. A sum that occurs again is not computed and stored again.
 //!
 //! The tensors of a large algebra have millions of components, but only a few thousand different
-//! values, sometimes up to the names of the parameters: `(a - b)/c` and `(x - y)/z` are one
-//! quotient of polynomials in three variables. A sum is looked up by the addresses of its
-//! quotients, and by the positions of their variables among all variables of the sum. Equal results
-//! share one address, so the sums of the next tensor are found too. Only short sums of short values
-//! are cached.
+//! values. Some of these differ only in the names of the parameters: `(a - b)/c` and `(x - y)/z`
+//! are the same quotient of polynomials in three variables. The key of a sum consists of the
+//! addresses of its quotients, and of the positions of their variables among all variables of the
+//! sum. Equal results have the same address, so the sums of the next tensor are found too. Only
+//! short sums of short values are cached.
 
 use super::super::effort::Counted;
 use super::cache::{Cache, Mixer, hash};
@@ -19,16 +19,16 @@ use std::hash::{Hash, Hasher};
 use std::sync::Arc;
 
 /// The largest number of products in a cached sum. Longer sums take long to compute anyway, and
-/// seldom repeat.
+/// seldom occur again.
 const MAX_PRODUCTS: usize = 24;
 
 thread_local! {
     static KNOWN: RefCell<Known> = RefCell::default();
 }
 
-/// The caches of a thread. At most four times the stated numbers of entries are stored: 131,072
-/// sums of at most 24 products, 32,768 multiples, 65,536 quotients and 16,384 values, each with at
-/// most 48 terms.
+/// The caches of a thread. They store at most 131,072 sums of at most 24 products, 32,768
+/// multiples, 65,536 quotients and 16,384 values. Each has at most 48 terms. The constants below
+/// are a quarter of these numbers.
 #[derive(Default)]
 struct Known {
     sums: Cache<Box<Sum>, { 1 << 15 }>,
@@ -40,19 +40,20 @@ struct Known {
 
 type Quotients = Cache<Arc<Quotient>, { 1 << 14 }>;
 
-/// A small cache, which stays in fast memory: with many parameters most values are new.
+/// A small cache, which remains in fast memory. It is small because most values are new if there
+/// are many parameters.
 type Values = Cache<Arc<Fraction>, { 1 << 12 }>;
 
 /// A sum with its value.
 struct Sum {
     key: Box<[u64]>,
-    /// Stored so that the addresses of the quotients are not reused while the entry exists.
+    /// These quotients are stored so that their addresses are not reused while the entry exists.
     _quotients: Vec<Arc<Quotient>>,
     value: Value,
     counted: Counted,
 }
 
-/// A quotient times a number.
+/// The product of a quotient and a number.
 struct Multiple {
     coefficient: Rational,
     quotient: Arc<Quotient>,
@@ -61,10 +62,11 @@ struct Multiple {
 }
 
 enum Value {
-    /// A value with the names of its variables. The value of functions may have other variables
-    /// than the sum.
+    /// A value with the names of its variables. If the value contains functions, its variables may
+    /// differ from the variables of the sum.
     Named(Symbolic),
-    /// A quotient of polynomials, and the positions of its variables among those of the sum.
+    /// A quotient of polynomials, and the positions of its variables among the variables of the
+    /// sum.
     Nameless(Arc<Quotient>, Box<[u8]>),
 }
 
@@ -73,14 +75,14 @@ enum Value {
 struct Pattern {
     /// All variables, in their order.
     names: Vec<Variable>,
-    /// Coefficients, addresses of quotients and positions of variables; and addresses of variables,
-    /// if the value depends on the names.
+    /// The coefficients, the addresses of the quotients and the positions of the variables. If the
+    /// value depends on the names, also the addresses of the variables.
     key: Vec<u64>,
 }
 
 impl Pattern {
-    /// Describes a sum. Returns whether this is possible: the numbers fit machine words, and there
-    /// are few variables.
+    /// Describes a sum. Returns `false` unless the numbers fit in machine words, and there are few
+    /// variables.
     fn describe(&mut self, constant: &Rational, products: &[Product]) -> bool {
         let fractions = || products.iter().flat_map(|p| p.factors.iter().flatten());
         self.names.clear();
@@ -121,7 +123,7 @@ impl Pattern {
         let Ok(number) = Ratio::<i64>::try_from(number) else { return false };
         let (above, below) = (*number.numer(), *number.denom());
         match above.checked_mul(2) {
-            // an odd number marks an integer
+            // pushes an odd number, which marks an integer
             Some(twice) if below == 1 => self.key.push(twice as u64 + 1),
             _ => self.key.extend([0, above as u64, below as u64]),
         }
@@ -129,12 +131,12 @@ impl Pattern {
     }
 }
 
-/// Clears the caches of this thread.
+/// Clears the caches of the current thread.
 pub(super) fn clear() {
     KNOWN.take();
 }
 
-/// The value of `constant + products`, from the cache or computed.
+/// The value of `constant + products`. It comes from the cache, or is computed.
 pub(super) fn value(
     constant: &Rational,
     products: &[Product],
@@ -226,7 +228,8 @@ pub(super) fn multiple(coefficient: &Rational, f: &Arc<Fraction>) -> Symbolic {
     })
 }
 
-/// Returns the cached quotient that equals this one, or caches this one.
+/// Returns the cached quotient that equals this quotient. If there is none, this quotient is
+/// cached.
 fn equal(known: &mut Quotients, quotient: &Arc<Quotient>) -> Arc<Quotient> {
     let mut mixer = Mixer::default();
     quotient.numerator.terms.hash(&mut mixer);
@@ -246,7 +249,7 @@ fn with_names_of(known: &mut Values, quotient: &Arc<Quotient>, f: &Fraction) -> 
     shared(known, quotient, f.variables.iter().copied(), || f.variables.clone())
 }
 
-/// The quotient with these names; an equal value in the cache is reused.
+/// The quotient with these names. If the cache contains an equal value, that value is returned.
 fn shared(
     known: &mut Values,
     quotient: &Arc<Quotient>,
@@ -269,7 +272,7 @@ fn shared(
 }
 
 impl Quotient {
-    /// Whether the quotients are equal, with the same factors in the same order.
+    /// Whether the quotients are equal and have the same factors in the same order.
     fn is_written_as(&self, other: &Self) -> bool {
         self.numerator == other.numerator
             && self.denominator.monomial == other.denominator.monomial

@@ -1,4 +1,4 @@
-//! The operators of rational functions, and their conversions.
+//! The operators of rational functions, and the conversions to and from other types.
 
 use super::sum::SymbolicSum;
 use super::{Form, Rational, Symbolic, once};
@@ -26,9 +26,9 @@ impl Add<&Symbolic> for Symbolic {
 impl Mul<&Symbolic> for Symbolic {
     type Output = Symbolic;
     /// # Panics
-    /// If a total degree exceeds `u32::MAX`; sums of fractions panic likewise.
-    /// [`Notation::size`](crate::Notation::size) is at least the degree, so input can be limited by
-    /// it.
+    /// If a total degree exceeds `u32::MAX`; sums of fractions panic for the same reason.
+    /// [`Notation::size`](crate::Notation::size) is at least the degree, so a limit on the size of
+    /// input prevents this.
     fn mul(self, other: &Symbolic) -> Symbolic {
         match (self.0, &other.0) {
             (Form::Constant(a), Form::Constant(b)) => Symbolic::constant(a * b),
@@ -39,7 +39,7 @@ impl Mul<&Symbolic> for Symbolic {
     }
 }
 
-/// The value times a constant.
+/// The product of the value and a constant.
 fn scaled(form: Form, c: &Rational) -> Symbolic {
     match form {
         _ if c.is_zero() => Symbolic::zero(),
@@ -52,7 +52,7 @@ fn scaled(form: Form, c: &Rational) -> Symbolic {
 impl Div<&Symbolic> for Symbolic {
     type Output = Symbolic;
     /// # Panics
-    /// On division by zero, as for integers; [`Field::recip`] returns `None` instead.
+    /// If `other` is zero, as for integers. [`Field::recip`] returns `None` instead.
     fn div(self, other: &Symbolic) -> Symbolic {
         self.mul(&other.recip().expect("division by zero"))
     }
@@ -80,7 +80,7 @@ impl From<Rational> for Symbolic {
 impl std::str::FromStr for Symbolic {
     type Err = ExpressionError;
 
-    /// Parses an [`Expression`] over any parameters: `(a^2 - b)/(4*c)`, `sin(2*x)`, and free
+    /// Parses an [`Expression`] in any parameters, such as `(a^2 - b)/(4*c)`, `sin(2*x)`, and free
     /// functions `f(x)`.
     fn from_str(text: &str) -> Result<Self, ExpressionError> {
         let value =
@@ -90,7 +90,7 @@ impl std::str::FromStr for Symbolic {
     }
 }
 
-/// Equal values have equal variables and numerators, therefore equal hashes.
+/// Hashes variables and numerators, which are equal for equal values.
 impl Hash for Symbolic {
     fn hash<H: Hasher>(&self, state: &mut H) {
         match &self.0 {

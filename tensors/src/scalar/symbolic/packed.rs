@@ -1,11 +1,11 @@
-//! Polynomials whose exponents are packed into one machine word: sums of products and exact
-//! quotients.
+//! Polynomials whose exponents are packed into one machine word. Sums of products and exact
+//! quotients are computed in this form.
 //!
 //! All polynomials of one computation share a [`Layout`]. A monomial is a word. Every exponent has
-//! enough bits for its largest value, and a guard bit above them, so that a product of monomials is
-//! a sum of words. Coefficients are integers of 128 bits. Sums of products are gathered in a hash
-//! table; quotients are computed with a heap (M. Monagan and R. Pearce, *J. Symb. Comp.* 46 (2011)
-//! 807-822).
+//! enough bits for its largest value, and a guard bit above them. A product of monomials is
+//! therefore a sum of words. Coefficients are integers of 128 bits. Sums of products are collected
+//! in a hash table, and quotients are computed with a heap (M. Monagan and R. Pearce, *J. Symb.
+//! Comp.* 46 (2011) 807-822).
 
 use super::polynomial::{Residue, coordinate};
 use crate::stop::checkpoint;
@@ -15,7 +15,7 @@ use std::collections::BinaryHeap;
 
 /// A word of packed exponents.
 pub(super) trait Word: PrimInt + Send + Sync + 'static {
-    /// A hash, of which the high bits are used.
+    /// A hash of the word. Only its high bits are used.
     fn hash(self) -> u64;
 }
 
@@ -36,16 +36,16 @@ impl Word for u128 {
     }
 }
 
-/// The bits of each exponent in a word, the first variable in the highest bits.
+/// The bits of each exponent in a word. The first variable has the highest bits.
 pub(super) struct Layout {
     shifts: Vec<u32>,
     widths: Vec<u32>,
-    /// The number of bits in use.
+    /// The number of bits that are in use.
     pub bits: u32,
 }
 
 impl Layout {
-    /// A layout for exponents up to these; `None` if it needs more than 128 bits.
+    /// A layout for exponents up to `degrees`. Returns `None` if it needs more than 128 bits.
     pub fn new(degrees: &[u64]) -> Option<Self> {
         let mut bits = 0;
         let widths: Vec<u32> = degrees.iter().map(|d| 65 - d.leading_zeros()).collect();
@@ -65,7 +65,7 @@ impl Layout {
         self.shifts.len()
     }
 
-    /// The word with these exponents `(variable, exponent)`.
+    /// The word with these exponents, given as pairs `(variable, exponent)`.
     pub fn pack<K: Word>(&self, exponents: impl Iterator<Item = (usize, u32)>) -> K {
         let place =
             |(at, e): (usize, u32)| K::from(e).unwrap_or_else(K::zero) << self.shifts[at] as usize;
@@ -78,20 +78,20 @@ impl Layout {
         ((word >> self.shifts[at] as usize) & ones).to_u32().unwrap_or(u32::MAX)
     }
 
-    /// The word with the guard bit of every exponent set.
+    /// The word in which the guard bit of every exponent is set.
     fn guard<K: Word>(&self) -> K {
         let bits = self.shifts.iter().zip(&self.widths);
         bits.fold(K::zero(), |guard, (s, w)| guard | (K::one() << (s + w - 1) as usize))
     }
 
-    /// The largest exponents.
+    /// The largest exponent of each variable.
     pub fn degrees<K: Word>(&self, terms: &[(K, i128)]) -> Vec<u32> {
         let largest = |at| terms.iter().map(|(word, _)| self.exponent(*word, at)).max();
         (0..self.shifts.len()).map(|at| largest(at).unwrap_or(0)).collect()
     }
 }
 
-/// A sum of terms in a hash table, each monomial once.
+/// A sum of terms in a hash table. Each monomial occurs once.
 pub(super) struct Gathered<K> {
     words: Vec<K>,
     values: Vec<i128>,
@@ -99,13 +99,13 @@ pub(super) struct Gathered<K> {
 }
 
 impl<K: Word> Gathered<K> {
-    /// An empty sum with room for this number of terms.
+    /// An empty sum with memory for this number of terms.
     pub fn with_room(terms: usize) -> Self {
         let room = (2 * terms).clamp(8, 1 << 12).next_power_of_two();
         Gathered { words: vec![K::max_value(); room], values: vec![0; room], filled: 0 }
     }
 
-    /// Adds `scale a b`.
+    /// Adds the product `scale a b`.
     pub fn add_product(&mut self, scale: i128, a: &[(K, i128)], b: &[(K, i128)]) {
         let (few, many) = if a.len() < b.len() { (a, b) } else { (b, a) };
         for (word, value) in few {
@@ -127,7 +127,8 @@ impl<K: Word> Gathered<K> {
                 self.values[at] += value;
                 return;
             }
-            // the guard bits of a monomial are zero, so the word of all ones can mark an empty slot
+            // the word of all ones marks an empty slot, because the guard bits of monomials are
+            // zero
             if self.words[at] == K::max_value() {
                 self.words[at] = word;
                 self.values[at] = value;
@@ -138,7 +139,7 @@ impl<K: Word> Gathered<K> {
         }
     }
 
-    /// Makes room for this number of new terms.
+    /// Reserves memory for this number of new terms.
     fn reserve(&mut self, terms: usize) {
         let needed = 2 * (self.filled + terms);
         if needed <= self.words.len() {
@@ -156,7 +157,7 @@ impl<K: Word> Gathered<K> {
         }
     }
 
-    /// The nonzero terms, highest first.
+    /// The nonzero terms, in descending order.
     pub fn sorted(self) -> Vec<(K, i128)> {
         let terms = self.words.into_iter().zip(self.values);
         let mut terms: Vec<_> =
@@ -166,12 +167,12 @@ impl<K: Word> Gathered<K> {
     }
 }
 
-/// The error for a coefficient that exceeds 128 bits.
+/// The error if a coefficient exceeds 128 bits.
 #[derive(Debug)]
 pub(super) struct Overflow;
 
-/// The exact quotient `f / g` of two sums of terms, highest first; `None` if there is a remainder.
-/// `g` must be primitive, so that an exact quotient has integer coefficients.
+/// The exact quotient `f / g` of two sums of terms, in descending order. Returns `None` if there is
+/// a remainder. The sum `g` must be primitive, so that an exact quotient has integer coefficients.
 pub(super) fn exact<K: Word>(
     layout: &Layout,
     f: &[(K, i128)],
@@ -191,7 +192,7 @@ pub(super) fn exact<K: Word>(
         (rest & guard == guard).then(|| rest & !guard)
     };
     let mut quotient: Vec<(K, i128)> = Vec::new();
-    // the next product of each term of `g` with a term of the quotient, once that term is known
+    // the heap contains, for each term of `g`, its next product with a known term of the quotient
     let mut heap: BinaryHeap<(K, usize)> = BinaryHeap::new();
     let mut next = vec![0usize; g.len()];
     let mut waiting: Vec<usize> = (1..g.len()).collect();
@@ -228,7 +229,7 @@ pub(super) fn exact<K: Word>(
         if value % unit != 0 {
             return Ok(None);
         }
-        // these terms of `g` waited for a new term of the quotient
+        // adds the terms of `g` that have waited for this term of the quotient
         for at in waiting.drain(..) {
             heap.push((g[at].0 + word, at));
         }
@@ -236,11 +237,11 @@ pub(super) fn exact<K: Word>(
     }
 }
 
-/// Below this number of terms the division is tried at once.
+/// If the polynomial has fewer terms than this, the division is tried at once.
 const CERTIFIED: usize = 64;
 
-/// A quick proof that `g` does not divide `f`: all variables but one are replaced by numbers, and
-/// the division fails modulo a prime. `false` proves nothing.
+/// A quick proof that `g` does not divide `f`. All variables except one are replaced by numbers,
+/// and the division fails modulo a prime. The result `false` proves nothing.
 fn certainly_indivisible<K: Word>(
     layout: &Layout,
     (f, above): (&[(K, i128)], &[u32]),

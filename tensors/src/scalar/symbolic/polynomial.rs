@@ -1,7 +1,7 @@
-//! Polynomials over the rationals: the numerators and denominators of fractions.
+//! Polynomials over the rationals. They are the numerators and denominators of fractions.
 //!
-//! Terms are in graded lexicographic order, highest first: by total degree, then by the order of
-//! the variables. Selecting or inserting variables preserves this order.
+//! Terms are in descending graded lexicographic order: by total degree, then by the order of the
+//! variables. Selecting or inserting variables preserves this order.
 
 use super::super::{Rational, effort};
 use crate::stop::detached;
@@ -17,8 +17,8 @@ pub(super) fn constant(c: Rational, n: usize) -> Polynomial {
     Poly::constant(c, n, Order::GrLex)
 }
 
-/// The polynomial over other variables: variable `k` of the result is variable `columns[k]` of `f`,
-/// or a new one.
+/// The polynomial in other variables. The variable `k` of the result is the variable `columns[k]`
+/// of `f`, or a new variable.
 pub(super) fn select(f: &Polynomial, columns: &[Option<usize>]) -> Polynomial {
     let exponents = |m: &Monomial| -> Vec<u32> {
         columns.iter().map(|k| k.map_or(0, |k| m.exps()[k])).collect()
@@ -30,7 +30,8 @@ pub(super) fn select(f: &Polynomial, columns: &[Option<usize>]) -> Polynomial {
 /// The product `f g`.
 ///
 /// # Panics
-/// If its total degree exceeds `u32::MAX`, because a wrapped exponent would give a wrong result.
+/// If the total degree of the product exceeds `u32::MAX`, because a wrapped exponent would yield a
+/// wrong result.
 pub(super) fn product(f: &Polynomial, g: &Polynomial) -> Polynomial {
     match (f.is_constant(), g.is_constant()) {
         (true, _) => scaled(g, f),
@@ -38,13 +39,13 @@ pub(super) fn product(f: &Polynomial, g: &Polynomial) -> Polynomial {
         _ => {
             let degree = f.total_degree().checked_add(g.total_degree());
             degree.expect("total degree of a product passes u32::MAX");
-            // the second factor is the outer loop of the product
+            // the second factor is the longer factor, because it is the outer loop of the product
             if f.terms.len() < g.terms.len() { g * f } else { f * g }
         }
     }
 }
 
-/// `f` times the constant polynomial `c`.
+/// The product of `f` and the constant polynomial `c`.
 fn scaled(f: &Polynomial, c: &Polynomial) -> Polynomial {
     match c.lc() {
         Some(c) if c.is_one() => f.clone(),
@@ -53,11 +54,12 @@ fn scaled(f: &Polynomial, c: &Polynomial) -> Polynomial {
     }
 }
 
-/// The product of the numbers of terms above which a gcd may take longer than a few milliseconds.
+/// If the product of the numbers of terms exceeds this value, a gcd may take longer than a few
+/// milliseconds.
 const LONG: usize = 1 << 14;
 
-/// `(h, f / h, g / h)` for the greatest common divisor `h`, primitive with positive leading
-/// coefficient. `g` must also have this form; `h` is 1 when `f` or `g` is constant.
+/// Returns `(h, f / h, g / h)`, where `h` is the greatest common divisor. It is primitive and has a
+/// positive leading coefficient; `g` must also have this form. If `f` or `g` is constant, `h` is 1.
 pub(super) fn cofactors(f: &Polynomial, g: &Polynomial) -> (Polynomial, Polynomial, Polynomial) {
     let one = || constant(Rational::one(), f.nvars);
     if f.is_constant() || g.is_constant() || disjoint(f, g) {
@@ -76,7 +78,8 @@ pub(super) fn cofactors(f: &Polynomial, g: &Polynomial) -> (Polynomial, Polynomi
     if certainly_coprime(f, g) {
         return (one(), f.clone(), g.clone());
     }
-    // repeated denominators often divide each other, and a failure is found quickly
+    // tries a division first: repeated denominators often divide each other, and a failure is found
+    // quickly
     if let Some(quotient) = f.exact(g) {
         return (g.clone(), quotient, one());
     }
@@ -97,23 +100,25 @@ pub(super) fn cofactors(f: &Polynomial, g: &Polynomial) -> (Polynomial, Polynomi
     (h, f, g)
 }
 
-/// Whether the polynomials have no variable in common. Then only constants divide both.
+/// Whether the polynomials have no common variable. In this case, only constants divide both.
 fn disjoint(f: &Polynomial, g: &Polynomial) -> bool {
     f.degrees().iter().zip(g.degrees()).all(|(a, b)| *a == 0 || b == 0)
 }
 
-/// A quick proof that only constants divide both polynomials, for the most frequent case.
+/// A quick proof that only constants divide both polynomials. Coprime polynomials are the most
+/// frequent case.
 ///
-/// All variables but one are replaced by numbers modulo a prime. A common divisor that depends on
-/// the remaining variable does not lose degree if `f` does not. A constant gcd of the images
-/// therefore excludes such a divisor. `false` proves nothing.
+/// All variables except one are replaced by numbers modulo a prime. The image of a common divisor
+/// that depends on the remaining variable has the same degree as the divisor, if this holds for
+/// `f`. Therefore, a constant gcd of the images excludes such a divisor. The result `false` proves
+/// nothing.
 pub(super) fn certainly_coprime(f: &Polynomial, g: &Polynomial) -> bool {
     let residue = |c: &Rational| {
         let c = Ratio::<i64>::try_from(c).ok()?;
         let denominator = Residue::from_i64(*c.denom()).inverse()?;
         Some(Residue::from_i64(*c.numer()) * denominator)
     };
-    // for higher degrees Euclid's algorithm takes longer than the sparse gcd
+    // skips higher degrees, for which Euclid's algorithm takes longer than the sparse gcd
     if f.total_degree().max(g.total_degree()) > 1000 {
         return false;
     }
@@ -130,13 +135,13 @@ pub(super) fn certainly_coprime(f: &Polynomial, g: &Polynomial) -> bool {
 
 pub(super) type Residue = Gf<{ (1 << 61) - 1 }>;
 
-/// A coordinate of the point at which polynomials are compared: a multiple of the golden ratio of
-/// 2^64, so that there are no small relations between the coordinates.
+/// A coordinate of the point at which polynomials are compared. It is a multiple of the golden
+/// ratio times 2^64, so that there are no small relations between coordinates.
 pub(super) fn coordinate(k: u64) -> Residue {
     Residue::new(k.wrapping_mul(0x9e37_79b9_7f4a_7c15))
 }
 
-/// `f / m` for a monomial that divides every term.
+/// The quotient `f / m` for a monomial that divides every term.
 pub(super) fn lowered(f: &Polynomial, m: &Monomial) -> Polynomial {
     let terms = f.terms.iter().filter_map(|(n, c)| Some((n.quo(m)?, c.clone())));
     Poly { terms: terms.collect(), nvars: f.nvars, order: f.order.clone() }
@@ -148,7 +153,7 @@ pub(super) fn content(f: &Polynomial) -> Rational {
     Rational::content(f.terms.iter().map(|(_, c)| c))
 }
 
-/// The content, and the polynomial divided by it; the zero polynomial has content 1.
+/// The content, and the polynomial divided by its content. The content of the zero polynomial is 1.
 pub(super) fn primitive(f: &Polynomial) -> (Rational, Polynomial) {
     if f.is_zero() {
         return (Rational::one(), f.clone());
@@ -161,7 +166,7 @@ pub(super) fn primitive(f: &Polynomial) -> (Rational, Polynomial) {
 /// The power of a polynomial.
 ///
 /// # Panics
-/// Those of [`product`].
+/// The errors of [`product`].
 pub(super) fn power(f: &Polynomial, exponent: u32) -> Polynomial {
     let degree = f.total_degree().checked_mul(exponent);
     degree.expect("total degree of a power passes u32::MAX");
@@ -174,7 +179,8 @@ pub(super) fn common_denominator(f: &Polynomial) -> Rational {
     from_big(&BigRational::from(content.denom().clone()))
 }
 
-/// Machine words are converted directly, because the general conversion goes through bytes.
+/// Converts a rational number. Machine words are converted directly, because the general conversion
+/// uses bytes.
 fn to_big(c: &Rational) -> BigRational {
     match Ratio::<i64>::try_from(c) {
         Ok(c) => Ratio::new_raw(BigInt::from(*c.numer()), BigInt::from(*c.denom())),

@@ -1,9 +1,9 @@
-//! Roots, logarithms and powers of functions that are positive.
+//! Roots, logarithms and powers of positive functions.
 //!
 //! The root `sqrt(f g)` is `sqrt(f) sqrt(g)` if `f` and `g` are positive, but not if both are
-//! negative. Arguments are therefore split into irreducible factors, each with the sign that makes
-//! it positive. This sign is declared, or inferred because all terms are positive, or because only
-//! one sign makes the argument positive.
+//! negative. Therefore, arguments are split into irreducible factors, each with the sign that makes
+//! it positive. The sign may be declared. Otherwise, it is inferred if all terms are positive, or
+//! if only one sign makes the argument positive.
 
 use super::denominator::Denominator;
 use super::elementary::function_of_sum;
@@ -19,10 +19,10 @@ use num_rational::Ratio;
 use num_traits::{One, Zero};
 use std::collections::BTreeMap;
 
-/// The largest prime that is searched as a factor of a number.
+/// The largest prime for which a number is searched for prime factors.
 const MAX_PRIME: u64 = 1 << 21;
 
-/// Functions that are declared to be positive, and the signs of their factors that follow.
+/// Functions that are declared to be positive, and the resulting signs of their factors.
 ///
 /// ```
 /// use affinor_tensors::scalar::PositiveFactors;
@@ -38,23 +38,23 @@ const MAX_PRIME: u64 = 1 << 21;
 /// ```
 #[derive(Clone, Debug, Default)]
 pub struct PositiveFactors {
-    /// Primitive irreducible polynomials; the first coefficient may be negative.
+    /// Primitive irreducible polynomials. The first coefficient may be negative.
     factors: Vec<Symbolic>,
 }
 
-/// A positive number times powers of positive polynomials.
+/// The product of a positive number and powers of positive polynomials.
 struct Oriented {
     content: Rational,
     factors: Vec<(Symbolic, i64)>,
 }
 
 impl PositiveFactors {
-    /// Declares a function as positive.
+    /// Declares that a function is positive.
     ///
     /// # Errors
-    /// A message, unless the function is a polynomial or a quotient in parameters whose irreducible
-    /// factors are found, at most one of them has unknown sign, and the function is not already
-    /// negative.
+    /// A message unless the function is a polynomial or a quotient in parameters, and its
+    /// irreducible factors are found. At most one factor may have an unknown sign. A function that
+    /// is already negative is an error too.
     pub fn declare(&mut self, function: &Symbolic) -> Result<(), String> {
         let Oriented { factors, .. } = self.oriented("a positive function", function, true)?;
         let new = factors.into_iter().filter(|(_, e)| e % 2 != 0).map(|(factor, _)| factor);
@@ -63,8 +63,8 @@ impl PositiveFactors {
         Ok(())
     }
 
-    /// The functions after a substitution of parameters. The substituted functions must still be
-    /// positive, as far as the signs of their terms show.
+    /// The declared functions after a substitution of parameters. The resulting functions must
+    /// still be positive, as far as the signs of their terms show.
     ///
     /// ```
     /// use affinor_tensors::scalar::PositiveFactors;
@@ -80,7 +80,7 @@ impl PositiveFactors {
     /// ```
     ///
     /// # Errors
-    /// A message: a function becomes zero, or a sum of negative terms.
+    /// A message if a function becomes zero, or becomes a sum of negative terms.
     pub fn with_values(&self, values: &BTreeMap<String, Symbolic>) -> Result<Self, String> {
         let images = self.factors.iter().map(|factor| (factor, factor.substitute(values)));
         let images: Vec<_> = images.filter_map(|(factor, image)| Some((factor, image?))).collect();
@@ -94,13 +94,13 @@ impl PositiveFactors {
             }
         }
         let mut there = Self::default();
-        // images whose factors are unknown are not declared
+        // ignores errors: images whose factors are unknown are not declared
         images.iter().for_each(|(_, image)| drop(there.declare(image)));
         Ok(there)
     }
 
-    /// Like [`Symbolic::substitute`], but square roots and logarithms are evaluated under the
-    /// assumption that these functions are positive.
+    /// Substitutes as in [`Symbolic::substitute`], but square roots and logarithms are evaluated
+    /// under the assumption that the declared functions are positive.
     ///
     /// ```
     /// use affinor_tensors::scalar::PositiveFactors;
@@ -116,7 +116,7 @@ impl PositiveFactors {
     /// ```
     ///
     /// # Errors
-    /// A message, if [`Symbolic::substitute`] has no value.
+    /// A message if [`Symbolic::substitute`] has no value.
     pub fn substitute(
         &self,
         value: &Symbolic,
@@ -125,11 +125,11 @@ impl PositiveFactors {
         value.substitute_where(self, &Substitution::from(values))
     }
 
-    /// A function of an argument; `sqrt` and `log` are evaluated under the assumption that these
-    /// functions are positive.
+    /// The value of a function at an argument. The functions `sqrt` and `log` are evaluated under
+    /// the assumption that the declared functions are positive.
     ///
     /// # Errors
-    /// A message: the function is unknown, or has no exact value at this argument.
+    /// A message if the function is unknown, or has no exact value at this argument.
     pub fn function(&self, name: &str, argument: &Symbolic) -> Result<Symbolic, String> {
         match name {
             "sqrt" => self.root(argument, 2),
@@ -138,7 +138,8 @@ impl PositiveFactors {
         }
     }
 
-    /// The power `base^exponent`: a root for a rational exponent, `exp(exponent*log(base))` for one with parameters.
+    /// The power `base^exponent`. It is a root if the exponent is rational, and
+    /// `exp(exponent*log(base))` if the exponent contains parameters.
     ///
     /// ```
     /// use affinor_tensors::scalar::PositiveFactors;
@@ -150,7 +151,7 @@ impl PositiveFactors {
     /// ```
     ///
     /// # Errors
-    /// A message, if the sign of the base is not known, or the power is too large.
+    /// A message if the sign of the base is unknown, or if the power is too large.
     pub fn power(&self, base: &Symbolic, exponent: &Symbolic) -> Result<Symbolic, String> {
         let Some(number) = exponent.as_constant() else {
             let logarithm = self.logarithm(base)?;
@@ -177,8 +178,9 @@ impl PositiveFactors {
         Ok(power(&root, exponent))
     }
 
-    /// Like [`power`](Self::power) for an exponent with parameters. If the signs of the base and
-    /// its variables are not known, they are taken as positive, and declared so from then on.
+    /// The power as in [`power`](Self::power), for an exponent with parameters. If the signs of the
+    /// base and its variables are unknown, they are assumed to be positive, and are declared
+    /// positive for later calls.
     ///
     /// ```
     /// use affinor_tensors::scalar::PositiveFactors;
@@ -190,7 +192,7 @@ impl PositiveFactors {
     /// ```
     ///
     /// # Errors
-    /// Those of [`power`](Self::power), if the signs of several sums are not known.
+    /// The errors of [`power`](Self::power), if the signs of several sums are unknown.
     pub fn assumed_power(
         &mut self,
         base: &Symbolic,
@@ -217,7 +219,7 @@ impl PositiveFactors {
     /// The root `argument^(1/n)`.
     ///
     /// # Errors
-    /// A message, if the sign of a factor is not known.
+    /// A message if the sign of a factor is unknown.
     pub(super) fn root(&self, argument: &Symbolic, n: u32) -> Result<Symbolic, String> {
         if argument.is_zero() {
             return Ok(Symbolic::zero());
@@ -249,7 +251,7 @@ impl PositiveFactors {
     }
 
     /// The factors of a positive function, each with the sign that makes it positive. If the
-    /// function is `declared`, squares of factors of unknown sign are left out.
+    /// function is `declared`, squares of factors of unknown sign are omitted.
     fn oriented(&self, what: &str, value: &Symbolic, declared: bool) -> Result<Oriented, String> {
         let (mut content, factors) = factors(what, value)?;
         let mut oriented = Vec::new();
@@ -317,12 +319,13 @@ fn factors(what: &str, value: &Symbolic) -> Result<(Rational, Vec<(Symbolic, i64
 }
 
 impl PositiveFactors {
-    /// Whether a primitive polynomial is positive: it is declared so, or its terms are positive.
+    /// Whether a primitive polynomial is positive: it is declared positive, or its terms are
+    /// positive.
     fn is_positive(&self, factor: &Symbolic) -> bool {
         self.factors.contains(factor) || self.has_positive_terms(factor)
     }
 
-    /// Whether a polynomial has a positive term and no negative ones.
+    /// Whether a polynomial has at least one positive term and no negative terms.
     fn has_positive_terms(&self, polynomial: &Symbolic) -> bool {
         let f = match &polynomial.0 {
             Form::Constant(c) => return !c.is_negative() && !c.is_zero(),
@@ -347,8 +350,8 @@ impl PositiveFactors {
     }
 }
 
-/// The root `p^(1/n)` of a positive irreducible polynomial or a prime. A root of a root or of an
-/// exponential is a root or exponential of a smaller part.
+/// The root `p^(1/n)` of a positive irreducible polynomial or a prime. The root of a root or of an
+/// exponential is a root or an exponential of a smaller part.
 pub(super) fn root_of_factor(p: &Symbolic, n: u32) -> Symbolic {
     let within = p.as_variable().and_then(|variable| variable.kind().in_parts_of(n));
     let kind = within.unwrap_or_else(|| Kind::Root(Part { of: p.clone(), parts: n }));
@@ -392,7 +395,8 @@ fn prime_powers(function: &str, value: &Rational) -> Result<Vec<(i64, i64)>, Str
         match rest {
             1 => {}
             _ if prime * prime > rest => all.push((rest as i64, sign)),
-            // a number without factors up to its cube root is a square of a prime if it is a square
+            // the number has no factors up to its cube root, so if it is a square, it is the square
+            // of a prime
             _ if root * root == rest => all.push((root as i64, 2 * sign)),
             _ => return Err(large()),
         }

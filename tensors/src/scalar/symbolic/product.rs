@@ -4,7 +4,7 @@ use super::fraction::Fraction;
 use crate::Rational;
 use std::sync::Arc;
 
-/// `coefficient * factors[0] * factors[1]`.
+/// The product `coefficient * factors[0] * factors[1]`.
 #[derive(Clone, Debug)]
 pub(super) struct Product {
     pub coefficient: Rational,

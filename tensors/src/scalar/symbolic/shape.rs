@@ -1,7 +1,8 @@
-//! The shape of a written fraction: a tree whose leaves are numbers and positions of variables.
+//! The shape of a written fraction. It is a tree whose leaves are numbers and positions of
+//! variables.
 //!
-//! Text, LaTeX and programs are written from the same shape. It depends on the lengths of names,
-//! but not on the names.
+//! Text, LaTeX and programs are written from the same shape. The shape depends on the lengths of
+//! names, but not on the names themselves.
 
 use super::collected::{self, Part};
 use super::common::CommonFactors;
@@ -18,23 +19,23 @@ use num_traits::One;
 pub(super) enum Shape {
     /// A number that is not negative.
     Number(Rational),
-    /// A power of the variable at a position.
+    /// A power of the variable at this position.
     Variable(usize, u32),
     /// A power of a factor that has a name.
     Named(Box<str>, u32),
     /// A power of a sum.
     Power(Box<Shape>, u32),
     Product(Vec<Shape>),
-    /// Terms; the flag marks a subtracted term.
+    /// A list of terms. The flag marks a subtracted term.
     Sum(Vec<(bool, Shape)>),
     Quotient(Box<Shape>, Box<Shape>),
 }
 
 impl Shape {
-    /// Evaluates the shape; `variable` gives the values of the powers of variables.
+    /// Evaluates the shape. The parameter `variable` returns the values of the powers of variables.
     ///
     /// # Errors
-    /// Those of the evaluator.
+    /// The errors of the evaluator.
     pub fn evaluate<M: Evaluator>(
         &self,
         meaning: &M,
@@ -69,7 +70,7 @@ impl Shape {
     }
 }
 
-/// The construction of shapes of fractions.
+/// Builds the shapes of fractions.
 #[derive(Clone, Copy)]
 pub(super) struct Shaping<'w> {
     /// The factors that have names.
@@ -77,8 +78,9 @@ pub(super) struct Shaping<'w> {
 }
 
 impl Shaping<'_> {
-    /// The shape of a fraction: `1/2*a` for one term without a denominator. Otherwise numerator and
-    /// denominator have integer coefficients, and are written in factors if that is shorter.
+    /// The shape of a fraction. It is for example `1/2*a` for one term without a denominator.
+    /// Otherwise, numerator and denominator have integer coefficients, and are written in factors
+    /// if that is shorter.
     pub fn fraction(self, f: &Fraction) -> Shape {
         let whole = f.denominator.is_one();
         if whole && f.numerator.terms.len() == 1 {
@@ -102,8 +104,8 @@ impl Shaping<'_> {
 
     /// The denominator, multiplied by a number.
     ///
-    /// The known factors are written separately if one has a name, or if [`factors`] would find the
-    /// same ones or would give up.
+    /// The known factors are written separately if one of them has a name. They are also written
+    /// separately if [`factors`] would find the same factors, or would find none.
     fn denominator(self, f: &Fraction, unit: Rational) -> Shape {
         if f.denominator.factors.iter().any(|(factor, _)| self.names.name(factor).is_some()) {
             let mut factors = f.denominator.all(&f.variables);
@@ -131,7 +133,7 @@ impl Shaping<'_> {
         self.shorter(f, &part, &found, Place::Below).unwrap_or_else(|sum| sum)
     }
 
-    /// The product of the factors if its text is shorter, otherwise the sum.
+    /// The product of the factors of a polynomial if its text is shorter; otherwise the sum.
     fn factored(self, f: &Fraction, part: &Polynomial) -> Result<Shape, Shape> {
         match part.terms.len() {
             0 | 1 => Err(self.sum(f, part)),
@@ -146,7 +148,7 @@ impl Shaping<'_> {
         }
     }
 
-    /// The product of these factors if its text is shorter, otherwise the sum.
+    /// The product of these factors if its text is shorter; otherwise the sum.
     fn shorter(
         self,
         f: &Fraction,
@@ -166,7 +168,7 @@ impl Shaping<'_> {
         }
         let product = self.product(f, found);
         let length = |shape: &Shape, place| writing::text_at(shape, &f.variables, place).len();
-        // a sum is counted with its parentheses, also if a common factor is taken out of it
+        // adds the parentheses of the sum to its length, even if a common factor is taken out of it
         let parentheses = if place == Place::Alone { 0 } else { 2 };
         let longer = length(&sum, Place::Alone) + parentheses;
         if length(&product, place) < longer { Ok(product) } else { Err(sum) }
@@ -190,7 +192,7 @@ impl Shaping<'_> {
         product(number.into_iter().chain(found.factors.iter().map(factor)))
     }
 
-    /// A sum of terms, with common factors taken out if that is shorter.
+    /// The sum of the terms. Common factors are taken out if the result is shorter.
     fn sum(self, f: &Fraction, part: &Polynomial) -> Shape {
         if part.terms.len() < 3 {
             return self.expanded(part);
@@ -198,7 +200,7 @@ impl Shaping<'_> {
         parts(&collected::parts(part, &f.variables))
     }
 
-    /// The sum of the terms without common factors taken out.
+    /// The sum of the terms, without taking out common factors.
     fn expanded(self, part: &Polynomial) -> Shape {
         sum(part.terms.iter().map(|(m, c)| {
             let powers = m.exps().iter().copied().enumerate().filter(|(_, e)| *e > 0);
@@ -215,7 +217,7 @@ fn parts(all: &[Part]) -> Shape {
     }))
 }
 
-/// A nonzero coefficient times powers of variables and a sum.
+/// The product of a nonzero coefficient, powers of variables, and a sum.
 fn term(
     coefficient: &Rational,
     powers: impl Iterator<Item = (usize, u32)>,
@@ -227,7 +229,7 @@ fn term(
     product(number.into_iter().chain(powers).chain(inner))
 }
 
-/// The product of shapes; a single shape is returned unchanged.
+/// The product of shapes. A single shape is returned unchanged.
 fn product(factors: impl Iterator<Item = Shape>) -> Shape {
     let mut factors: Vec<Shape> = factors.collect();
     match factors.len() {
@@ -236,7 +238,7 @@ fn product(factors: impl Iterator<Item = Shape>) -> Shape {
     }
 }
 
-/// The sum of terms; a single positive term is returned unchanged.
+/// The sum of terms. A single positive term is returned unchanged.
 fn sum(terms: impl Iterator<Item = (bool, Shape)>) -> Shape {
     let mut terms: Vec<(bool, Shape)> = terms.collect();
     match &terms[..] {
@@ -257,8 +259,7 @@ pub(super) enum Place {
     Below,
 }
 
-/// The largest number of terms for which a product is expanded to compare the lengths of both
-/// texts.
+/// A product with at most this number of terms is expanded to compare the lengths of both texts.
 const MAX_EXPANDED: u64 = 4096;
 
 /// Whether the leading coefficient is negative, so that the text begins with a minus sign.

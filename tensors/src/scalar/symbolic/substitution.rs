@@ -12,7 +12,7 @@ use std::collections::BTreeMap;
 /// The largest total degree of the result of a substitution.
 const DEGREE_LIMIT: u64 = 1 << 30;
 
-/// Values of parameters, and of free functions of named arguments.
+/// Values for parameters, and for free functions of named arguments.
 #[derive(Clone, Default)]
 pub(super) struct Substitution {
     parameters: BTreeMap<String, Symbolic>,
@@ -24,7 +24,8 @@ impl Substitution {
         Substitution { parameters, functions: vec![] }
     }
 
-    /// Adds the value of a function with these argument names, unless it already has one.
+    /// Adds the value of a function with these argument names. Does nothing if the function already
+    /// has a value.
     pub fn add_function(&mut self, name: &str, arguments: &[String], value: Symbolic) {
         if self.function(name, arguments.len()).is_none()
             && let Ok(function) = FreeFunction::new(name, arguments)
@@ -37,7 +38,7 @@ impl Substitution {
         self.parameters.get(name)
     }
 
-    /// The names of the arguments and the value of a function of that name.
+    /// The names of the arguments, and the value, of the function `name` with `count` arguments.
     pub fn function(&self, name: &str, count: usize) -> Option<(&[String], &Symbolic)> {
         let own =
             |(f, _): &&(FreeFunction, Symbolic)| f.name() == name && f.arguments().len() == count;
@@ -50,7 +51,8 @@ impl Substitution {
 }
 
 impl From<&BTreeMap<String, Symbolic>> for Substitution {
-    /// Builds a substitution from names of parameters and declarations of functions, `a(t)`.
+    /// Builds a substitution. The keys are names of parameters, and declarations of functions such
+    /// as `a(t)`.
     fn from(values: &BTreeMap<String, Symbolic>) -> Self {
         let mut substitution = Substitution::default();
         for (name, value) in values {
@@ -64,13 +66,13 @@ impl From<&BTreeMap<String, Symbolic>> for Substitution {
 }
 
 impl Symbolic {
-    /// The value with `values[name]` substituted for every parameter `name`, simultaneously. Other
-    /// parameters are unchanged. A declared free function `a(t)` may be substituted too; its
-    /// derivatives follow.
+    /// Substitutes `values[name]` for every parameter `name`, simultaneously. Other parameters are
+    /// unchanged. A declared free function such as `a(t)` may be substituted too; its derivatives
+    /// are then substituted accordingly.
     ///
-    /// Returns `None` if the denominator becomes zero, if a total degree could exceed `2^30`, or if
-    /// a function has no exact value at its new argument, such as `log(-1)`, or `a(2)` for a free
-    /// function.
+    /// Returns `None` if the denominator becomes zero, or if a total degree could exceed `2^30`.
+    /// Also returns `None` if a function has no exact value at its new argument, such as `log(-1)`,
+    /// or `a(2)` for a free function.
     ///
     /// ```
     /// use affinor_tensors::Symbolic;
@@ -83,8 +85,8 @@ impl Symbolic {
         self.substitute_where(&PositiveFactors::default(), &values.into()).ok()
     }
 
-    /// Like [`substitute`](Self::substitute), but square roots and logarithms are evaluated under
-    /// the assumption that these functions are positive.
+    /// Substitutes as in [`substitute`](Self::substitute), but square roots and logarithms are
+    /// evaluated under the assumption that the declared functions are positive.
     pub(super) fn substitute_where(
         &self,
         positive: &PositiveFactors,
@@ -113,11 +115,11 @@ impl Symbolic {
         Ok(value)
     }
 
-    /// The value as a float; `lookup` returns the value of each parameter.
+    /// The value as a float. The function `lookup` returns the value of each parameter.
     ///
-    /// Returns `None` if a parameter is not found or the value is not a finite number. Numerator
-    /// and denominator are evaluated as polynomials of `tan(x/2)` and `exp(x)`. They overflow or
-    /// lose accuracy near `x = pi`, for large exponents, and where terms cancel.
+    /// Returns `None` if a parameter is not found, or if the value is not a finite number. The
+    /// numerator and the denominator are evaluated as polynomials in `tan(x/2)` and `exp(x)`. They
+    /// overflow, or lose accuracy, near `x = pi`, for large exponents, and where terms cancel.
     pub fn evaluate(&self, lookup: impl Fn(&str) -> Option<f64>) -> Option<f64> {
         self.evaluate_at(&lookup)
     }
@@ -135,7 +137,7 @@ impl Symbolic {
     }
 }
 
-/// The polynomial at a point.
+/// The value of the polynomial at a point, in floats.
 fn at(f: &Polynomial, point: &[f64]) -> f64 {
     let term = |exponents: &[u32], c: f64| {
         let powers = exponents.iter().zip(point).filter(|(e, _)| **e > 0);
@@ -144,7 +146,7 @@ fn at(f: &Polynomial, point: &[f64]) -> f64 {
     f.terms.iter().map(|(m, c)| term(m.exps(), c.to_f64())).sum()
 }
 
-/// The value of the polynomial at symbolic values of its variables.
+/// The value of the polynomial for symbolic values of its variables.
 fn image(f: &Polynomial, values: &[Symbolic]) -> Symbolic {
     let mut powers = vec![BTreeMap::new(); values.len()];
     f.terms.iter().fold(Symbolic::zero(), |sum, (m, c)| {
@@ -164,9 +166,9 @@ fn power(value: &Symbolic, exponent: u32) -> Symbolic {
     }
 }
 
-/// A bound for the total degrees of all intermediate numerators and denominators. The images of `N`
-/// and `D` have a common denominator, whose degree is at most the sum over the variables. Adding
-/// two fractions at most doubles the degree.
+/// An upper bound of the total degrees of all intermediate numerators and denominators. The images
+/// of `N` and `D` have a common denominator, whose degree is at most the sum over the variables.
+/// Adding two fractions at most doubles the degree.
 fn degree_bound(f: &Fraction, values: &[Symbolic]) -> u64 {
     let degrees = f.numerator.degrees().into_iter().zip(f.expanded_denominator().degrees());
     let degrees = degrees.map(|(n, d)| u64::from(n) + u64::from(d));

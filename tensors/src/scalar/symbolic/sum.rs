@@ -1,9 +1,9 @@
-//! Sums of products of rational functions over one common denominator.
+//! Sums of products of rational functions, computed over one common denominator.
 //!
-//! A sum first only collects its terms. When it is finished, all numerators are brought over the
-//! least common denominator, whose factors are known ([`denominator`](super::denominator)), and
-//! multiplied and added as polynomials. Then each factor is divided out once. Common divisors are
-//! searched only if a factor is not known to be irreducible.
+//! At first, a sum only collects its terms. When it is complete, all terms are extended to the
+//! least common denominator, whose factors are known ([`denominator`](super::denominator)). The
+//! numerators are multiplied and added as polynomials. Then the numerator is divided once by each
+//! factor. Common divisors are searched for only if a factor is not known to be irreducible.
 
 use super::super::effort;
 use super::denominator::{Denominator, Factor, Powers, common_base, coprime};
@@ -21,7 +21,7 @@ use polycore::{Monomial, Order, Poly};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-/// A sum of terms and products that is brought to lowest terms once, when it is finished.
+/// A sum of terms and products. It is reduced to lowest terms only once, when it is complete.
 #[derive(Clone, Debug, Default)]
 pub struct SymbolicSum {
     constant: Rational,
@@ -60,14 +60,14 @@ impl SymbolicSum {
         }
     }
 
-    /// `a + b`.
+    /// The sum `a + b`.
     pub(super) fn of_terms(terms: [Arc<Fraction>; 2]) -> Symbolic {
         let mut sum = SymbolicSum::default();
         terms.into_iter().for_each(|f| sum.add(Rational::one(), [Some(f), None]));
         sum.value()
     }
 
-    /// `a b`.
+    /// The product `a b`.
     pub(super) fn of_product([a, b]: [Arc<Fraction>; 2]) -> Symbolic {
         let mut sum = SymbolicSum::default();
         sum.add(Rational::one(), [Some(a), Some(b)]);
@@ -119,17 +119,19 @@ impl SymbolicSum {
     }
 }
 
-/// The terms of a sum over their common denominator.
+/// The terms of a sum, and their common denominator.
 struct Common<'s> {
     variables: Variables,
     terms: Vec<Term<'s>>,
-    /// The factors by which the terms must be multiplied: exponents of variables, then of the base.
+    /// For each group of terms, the factors by which its terms must be multiplied. They are the
+    /// exponents of the variables, followed by those of the base.
     groups: Vec<Vec<u32>>,
-    /// Coprime factors, and their polynomials over all variables.
+    /// Coprime factors, each with its polynomial in all variables.
     base: Vec<(Arc<Factor>, Polynomial)>,
-    /// The exponents of the common denominator: of variables, then of the base.
+    /// The exponents of the common denominator: first those of the variables, then those of the
+    /// base.
     exponents: Vec<u32>,
-    /// Whether the numerator may be a multiple of this variable or factor.
+    /// For each variable and factor, whether the numerator may be a multiple of it.
     suspects: Vec<bool>,
 }
 
@@ -196,7 +198,8 @@ impl<'s> Common<'s> {
                         .for_each(|(total, share)| *total += share * e),
                 }
             }
-            // a product of two fractions need not be in lowest terms
+            // the weight is 2 for a product, because a product of two fractions need not be in
+            // lowest terms
             let weight = if factors[1].is_some() { 2 } else { 1 };
             let group = group(exponents, weight);
             terms.push(Term { coefficient: &p.coefficient, factors, group });
@@ -227,7 +230,7 @@ impl<'s> Common<'s> {
         self.within_limit().unwrap_or_else(ended)
     }
 
-    /// The value; `None` if the limit on terms is exceeded.
+    /// The value of the sum. Returns `None` if the limit on terms is exceeded.
     fn within_limit(mut self) -> Option<Symbolic> {
         let length = |f: &Option<(&Polynomial, _)>| f.as_ref().map_or(1, |(f, _)| f.terms.len());
         let products =
@@ -322,13 +325,13 @@ impl<'s> Common<'s> {
         numerator
     }
 
-    /// The numerator, computed in machine words; `None` if it may not fit.
+    /// The numerator, computed in machine words. Returns `None` if it may not fit.
     fn in_words(&mut self) -> Option<Polynomial> {
         let n = self.variables.len();
         let factor_degrees: Vec<Vec<u32>> = self.base.iter().map(|(_, f)| f.degrees()).collect();
         let factor_norms: Vec<u128> =
             self.base.iter().map(|(_, f)| Some(integral(f)?.norm)).collect::<Option<_>>()?;
-        // the degrees and magnitudes of the sums of the groups, and of the common denominator
+        // the degrees and magnitudes of the sum of each group, and the common denominator
         let mut degrees = vec![vec![0u64; n]; self.groups.len()];
         let mut operands = Vec::with_capacity(self.terms.len());
         let mut denominator = 1i128;
@@ -372,7 +375,7 @@ impl<'s> Common<'s> {
         let mut all: Vec<u64> =
             (0..n).map(|at| degrees.iter().map(|own| own[at]).max().unwrap_or(0)).collect();
         for degrees in &factor_degrees {
-            // the layout also needs room for the divisors
+            // reserves bits for the divisors in the layout
             all.iter_mut().zip(degrees).for_each(|(all, d)| *all = (*all).max((*d).into()));
         }
         let layout = Layout::new(&all)?;
@@ -405,7 +408,7 @@ impl<'s> Common<'s> {
             let room = a.len().saturating_mul(b.len());
             sum.get_or_insert_with(|| Gathered::with_room(room)).add_product(*scale, a, b);
         }
-        // the first group without missing factors collects the others
+        // collects all groups in the first group that needs no factors
         let mut total = match self.groups.iter().position(|missing| missing.iter().all(|e| *e == 0))
         {
             Some(at) => sums[at].take(),
@@ -458,7 +461,7 @@ impl<'s> Common<'s> {
         Some(unpacked(layout, &numerator, denominator))
     }
 
-    /// Divides by the largest monomial that divides numerator and denominator.
+    /// Divides by the largest monomial that divides the numerator and the denominator.
     fn divide_monomial<K: Word>(&mut self, layout: &Layout, numerator: &mut [(K, i128)]) {
         if numerator.is_empty() {
             return;
@@ -481,22 +484,22 @@ impl<'s> Common<'s> {
     }
 }
 
-/// The placeholder for values that are no longer computed. It is neither zero nor a polynomial, so
-/// that no loop waits for such a value.
+/// The placeholder for values that are no longer computed. It is neither zero nor a polynomial,
+/// because loops might wait for such a value.
 fn ended() -> Symbolic {
     Fraction::variable(Variable::parameter("limit"))
         .recip()
         .map_or_else(Symbolic::zero, Symbolic::from)
 }
 
-/// A polynomial as integers over a common denominator.
+/// A polynomial, as integers over a common denominator.
 struct Integral {
     denominator: i64,
     /// The sum of the magnitudes of the integers.
     norm: u128,
 }
 
-/// Returns `None` if a number does not fit a machine word.
+/// Converts a polynomial to integers. Returns `None` if a number does not fit in a machine word.
 fn integral(f: &Polynomial) -> Option<Integral> {
     let mut denominator = 1i64;
     for (_, c) in &f.terms {
@@ -517,8 +520,8 @@ fn numerator_over(c: &Rational, denominator: i64) -> Option<i128> {
     Some(i128::from(*c.numer()) * i128::from(denominator / c.denom()))
 }
 
-/// The integer polynomial of [`integral`], highest terms first; `None` if it does not fit the
-/// layout.
+/// The integer polynomial of [`integral`], with terms in descending order. Returns `None` if it
+/// does not fit in the layout.
 fn packed<K: Word>(layout: &Layout, f: &Polynomial, columns: &[usize]) -> Option<Vec<(K, i128)>> {
     let denominator = integral(f)?.denominator;
     let mut terms = Vec::with_capacity(f.terms.len());
@@ -530,7 +533,8 @@ fn packed<K: Word>(layout: &Layout, f: &Polynomial, columns: &[usize]) -> Option
     Some(terms)
 }
 
-/// The polynomial divided by an integer, with its terms in the order of polynomials.
+/// Converts packed terms to a polynomial, and divides it by the integer `denominator`. The terms
+/// are sorted in the order of polynomials.
 fn unpacked<K: Word>(layout: &Layout, terms: &[(K, i128)], denominator: i128) -> Polynomial {
     let monomial = |word: K| {
         let exponents = (0..layout.variables()).map(|at| layout.exponent(word, at));
@@ -540,7 +544,8 @@ fn unpacked<K: Word>(layout: &Layout, terms: &[(K, i128)], denominator: i128) ->
         .iter()
         .map(|(word, value)| (monomial(*word), Rational::reduced(*value, denominator)))
         .collect();
-    // the words are in lexicographic order, but polynomials in graded order
+    // sorts by degree, because words are in lexicographic order, but polynomials are in graded
+    // order
     terms.sort_by_key(|(monomial, _)| std::cmp::Reverse(monomial.degree()));
     Poly { terms, nvars: layout.variables(), order: Order::GrLex }
 }

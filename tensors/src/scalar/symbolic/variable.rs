@@ -1,7 +1,8 @@
-//! Variables: the generators of the field of values, each stored once.
+//! Variables, which are the generators of the field of values. Each variable is stored once.
 //!
-//! A variable has a [`Kind`] and, for functions, arguments that are themselves values. Its text is
-//! written once; it serves for output and for the order of variables, and is never parsed.
+//! A variable has a [`Kind`] and, if it is a function, arguments that are values. Its text is
+//! written once. The text is used for output and for the order of variables, but it is never
+//! parsed.
 
 use super::free::Applied;
 use super::{Symbolic, writing};
@@ -19,7 +20,8 @@ pub(super) enum Kind {
     Parameter(Box<str>),
     /// The number pi.
     Pi,
-    /// `tan(u/2)` for the part `u` of an argument: the sine and cosine of `u` are rational in it.
+    /// The half tangent `tan(u/2)` of the part `u` of an argument. The sine and cosine of `u` are
+    /// rational functions of it.
     HalfTangent(Part),
     /// The exponential of a part of an argument.
     Exponential(Part),
@@ -27,13 +29,13 @@ pub(super) enum Kind {
     Logarithm(Symbolic),
     /// The root `of^(1/parts)` of an irreducible polynomial or a prime.
     Root(Part),
-    /// A free function, or a derivative of one, at its arguments.
+    /// A free function, or a derivative of a free function, at its arguments.
     Applied(Applied),
-    /// A function in its written form, such as the sine. It occurs in written forms only.
+    /// A function in its written form, such as the sine. It occurs only in written forms.
     Written(Function, Part),
-    /// A root without its relation, in written forms only.
+    /// A root without its relation. It occurs only in written forms.
     FreeRoot(Part),
-    /// The hyperbolic secant, which does not overflow, in programs only.
+    /// The hyperbolic secant, which does not overflow. It occurs only in programs.
     Secant(Part),
 }
 
@@ -46,10 +48,10 @@ pub(super) struct Part {
     pub parts: u32,
 }
 
-/// A variable of [`Symbolic`] values: a parameter, or a function of values.
+/// A variable of [`Symbolic`] values. It is a parameter, or a function of values.
 ///
-/// Every variable is stored once, until the process ends, so that variables are compared by their addresses. `Display`
-/// gives its text.
+/// Every variable is stored once, until the process ends, so that variables can be compared by
+/// their addresses. `Display` writes the text of the variable.
 #[derive(Clone, Copy)]
 pub struct Variable(&'static Entry);
 
@@ -57,18 +59,20 @@ struct Entry {
     kind: Kind,
     text: Box<str>,
     order: Order,
-    /// The parameters that the variable depends on, in their order; empty for a parameter.
+    /// The parameters on which the variable depends, in their order. The list is empty for a
+    /// parameter.
     parameters: Variables,
-    /// A number that respects the order of the variables. [`Order`] decides between variables with
-    /// equal numbers.
+    /// A number that is compatible with the order of the variables. Variables with equal numbers
+    /// are compared by [`Order`].
     rank: u64,
     hash: u64,
-    /// The number of variables that were stored before this one.
+    /// The number of variables that were stored before this variable.
     index: usize,
 }
 
-/// The order of variables: names in natural order, `J2 < J10 < K1`, then functions by the texts of their arguments, the
-/// sine first: `z < sin(x) < cos(x) < sin(y)`.
+/// The order of variables. First come names in natural order, `J2 < J10 < K1`. Then come functions
+/// in the order of the texts of their arguments, with the sine first:
+/// `z < sin(x) < cos(x) < sin(y)`.
 #[derive(PartialEq, Eq)]
 enum Order {
     Name(Box<str>),
@@ -76,7 +80,7 @@ enum Order {
 }
 
 /// All variables of this process. A value refers to its variables without counting references, so
-/// they are never freed: a few hundred bytes for each different parameter and function.
+/// variables are never freed. Each different parameter or function needs a few hundred bytes.
 #[derive(Default)]
 struct Stored {
     parameters: HashMap<&'static str, Variable>,
@@ -96,7 +100,7 @@ impl Stored {
 }
 
 impl Variable {
-    /// The parameter of that name.
+    /// The parameter with this name.
     pub(crate) fn parameter(name: &str) -> Self {
         let mut stored = Stored::lock();
         if let Some(known) = stored.parameters.get(name) {
@@ -108,13 +112,13 @@ impl Variable {
         variable
     }
 
-    /// The variable of that kind.
+    /// The variable of this kind.
     pub(super) fn function(kind: Kind) -> Self {
         if let Some(known) = Stored::lock().functions.get(&kind) {
             return *known;
         }
-        // arguments contain other variables, so the text is written before the table is locked
-        // again
+        // writes the text before the table is locked again, because arguments contain other
+        // variables
         let text = writing::variable(&kind);
         let [name, arguments] = writing::call(&kind).map(Box::from);
         let order = Order::Function { arguments, name };
@@ -144,23 +148,25 @@ impl Variable {
         &self.0.kind
     }
 
-    /// The text of the variable: a name, or a call such as `tan(x/2)`.
+    /// The text of the variable, which is a name, or a call such as `tan(x/2)`.
     pub fn text(self) -> &'static str {
         &self.0.text
     }
 
-    /// The parameters that the variable depends on: itself, or the parameters of its arguments.
+    /// The parameters on which the variable depends. They are the variable itself, or the
+    /// parameters of its arguments.
     pub(super) fn parameters(self) -> impl Iterator<Item = Variable> {
         let own = self.is_parameter().then_some(self);
         own.into_iter().chain(self.0.parameters.iter().copied())
     }
 
-    /// Whether it is a parameter.
+    /// Whether the variable is a parameter.
     pub fn is_parameter(self) -> bool {
         matches!(self.0.kind, Kind::Parameter(_))
     }
 
-    /// The name of a free function with its derivatives, `a_t` for `a_t(t)`; `None` for other variables.
+    /// The name of a free function with its derivatives, such as `a_t` for `a_t(t)`. Returns `None`
+    /// for other variables.
     pub fn free_function(self) -> Option<String> {
         match self.kind() {
             Kind::Applied(applied) => Some(applied.head()),
@@ -168,8 +174,8 @@ impl Variable {
         }
     }
 
-    /// The argument `p` and the order `n` of a root `p^(1/n)`; `p` is a prime or an irreducible
-    /// polynomial. `None` for other variables.
+    /// The argument `p` and the order `n` of a root `p^(1/n)`, where `p` is a prime or an
+    /// irreducible polynomial. Returns `None` for other variables.
     ///
     /// ```
     /// use affinor_tensors::{Symbolic, scalar::PositiveFactors};
@@ -208,7 +214,7 @@ impl Kind {
         }
     }
 
-    /// The part of its argument, for half tangents, exponentials and roots. Functions of the same
+    /// The part of the argument of a half tangent, an exponential or a root. Functions of the same
     /// kind and argument depend on each other algebraically.
     pub fn part(&self) -> Option<&Part> {
         match self {
@@ -227,8 +233,8 @@ impl Kind {
         })
     }
 
-    /// The root of order `n` of a root or an exponential: the same function of an `n` times smaller
-    /// part.
+    /// The root of order `n` of a root or an exponential. It is the same function of a part that is
+    /// `n` times smaller.
     pub fn in_parts_of(&self, n: u32) -> Option<Kind> {
         match self {
             Kind::Exponential(part) | Kind::Root(part) => self.in_parts(part.parts.checked_mul(n)?),
@@ -236,7 +242,8 @@ impl Kind {
         }
     }
 
-    /// Whether two functions have the same kind and argument, for any numbers of parts.
+    /// Whether two functions have the same kind and argument, possibly with different numbers of
+    /// parts.
     pub fn is_related(&self, other: &Self) -> bool {
         std::mem::discriminant(self) == std::mem::discriminant(other)
             && self.part().zip(other.part()).is_some_and(|(own, other)| own.of == other.of)
@@ -261,7 +268,8 @@ impl Ord for Variable {
     fn cmp(&self, other: &Self) -> Ordering {
         match self.0.rank.cmp(&other.0.rank) {
             Ordering::Equal if self != other => {
-                // of different functions with the same text, the one that was stored first is first
+                // compares different functions with the same text by the order in which they were
+                // stored
                 self.0.order.cmp(&other.0.order).then(self.0.index.cmp(&other.0.index))
             }
             order => order,
@@ -276,7 +284,7 @@ impl Hash for Variable {
 }
 
 impl From<&str> for Variable {
-    /// The parameter of that name.
+    /// Converts a name to the parameter with this name.
     fn from(name: &str) -> Self {
         Variable::parameter(name)
     }
@@ -294,7 +302,7 @@ impl fmt::Debug for Variable {
     }
 }
 
-/// Variables in their order, each once.
+/// A list of variables in their order, each of which occurs once.
 pub(super) type Variables = Arc<[Variable]>;
 
 /// All variables of these lists, each once, in arbitrary order.
@@ -310,7 +318,7 @@ pub(super) fn distinct<'v>(lists: impl Iterator<Item = &'v [Variable]>) -> Vec<V
     found.into_iter().flatten().collect()
 }
 
-/// All variables of both lists.
+/// All variables of the two lists.
 pub(super) fn union(a: &Variables, b: &Variables) -> Variables {
     if a == b {
         return a.clone();
@@ -322,8 +330,8 @@ pub(super) fn union(a: &Variables, b: &Variables) -> Variables {
 }
 
 impl Order {
-    /// A number that respects the order of names: the first letters of a name, the number of digits
-    /// after them, and the first digits.
+    /// A number that is compatible with the order of names. It contains the first letters of a
+    /// name, the number of digits after them, and the first digits.
     fn rank(&self) -> u64 {
         match self {
             Order::Name(name) => rank(name),
@@ -367,7 +375,7 @@ fn rank(name: &str) -> u64 {
     u64::from(u32::from_be_bytes(first)) << 28 | number
 }
 
-/// The position of each variable in `all`, which must include the variables.
+/// The position of each variable in `all`, which must contain all the variables.
 pub(super) fn places(variables: &Variables, all: &Variables) -> Vec<usize> {
     let mut at = 0;
     let place = |variable: &Variable| {
@@ -380,12 +388,14 @@ pub(super) fn places(variables: &Variables, all: &Variables) -> Vec<usize> {
     variables.iter().map(place).collect()
 }
 
-/// Natural order: alphabetical, with numbers compared by value, `J2 < J10 < K1`.
+/// Compares two names in natural order, which is alphabetical, except that numbers are compared by
+/// value: `J2 < J10 < K1`.
 pub(super) fn natural(a: &str, b: &str) -> Ordering {
     pieces(a).cmp(pieces(b)).then_with(|| a.cmp(b))
 }
 
-/// Splits a name into pairs of letters and a number; numbers are compared as (length, digits).
+/// Splits a name into pairs of letters and a number. A number is returned as its length and its
+/// digits, by which it is compared.
 fn pieces(name: &str) -> impl Iterator<Item = (&str, usize, &str)> {
     let mut rest = name;
     std::iter::from_fn(move || {

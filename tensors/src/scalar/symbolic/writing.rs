@@ -1,4 +1,4 @@
-//! Conversion of values to text and LaTeX.
+//! Converts values to text and LaTeX.
 
 use super::common::CommonFactors;
 use super::free::Applied;
@@ -18,7 +18,7 @@ pub(super) enum Markup {
 }
 
 impl Symbolic {
-    /// The value as text or as LaTeX, with functions of angles in sines and cosines.
+    /// The value as text or as LaTeX. Functions of angles are written as sines and cosines.
     pub(super) fn written(&self, markup: Markup, names: &CommonFactors) -> String {
         let whole = |value: &Symbolic| match &value.0 {
             Form::Constant(c) if markup == Markup::Text => c.to_string(),
@@ -52,7 +52,7 @@ enum Binds {
     Atom,
 }
 
-/// The writer of shapes with named variables.
+/// A writer of shapes with named variables.
 #[derive(Clone, Copy)]
 struct Writer<'w> {
     markup: Markup,
@@ -60,7 +60,8 @@ struct Writer<'w> {
 }
 
 impl Writer<'_> {
-    /// Appends a shape to a text, in parentheses if the surrounding operation binds more tightly.
+    /// Appends a shape to a text. The shape has parentheses if the surrounding operation binds more
+    /// tightly.
     fn write(self, shape: &Shape, around: Binds, text: &mut String) {
         let own = match shape {
             Shape::Number(_) | Shape::Variable(..) | Shape::Named(..) => Binds::Atom,
@@ -134,7 +135,7 @@ pub(super) fn text_at(shape: &Shape, variables: &[Variable], place: Place) -> St
     text
 }
 
-/// An exponent after its base; the exponent 1 is omitted.
+/// The text of an exponent after its base. The exponent 1 is omitted.
 fn exponent(exponent: u32, markup: Markup) -> String {
     match (exponent, markup) {
         (1, _) => String::new(),
@@ -149,7 +150,7 @@ pub(super) fn variable(kind: &Kind) -> String {
 }
 
 /// The name of a function, and the text of its arguments with the closing parenthesis. Functions
-/// are ordered by them.
+/// are sorted by these two texts.
 pub(super) fn call(kind: &Kind) -> [String; 2] {
     let [name, arguments] = match kind {
         Kind::Parameter(name) => [name.to_string(), String::new()],
@@ -178,8 +179,8 @@ fn power(variable: Variable, e: u32, markup: Markup) -> String {
     }
 }
 
-/// The text of a power of a function: `sin(x)^2`, `exp(2*x)`, `\sin^{2} x`, `e^{2 x}`, `\sqrt{x}`,
-/// `x^(2/3)`, `t^(2*p)`.
+/// The text of a power of a function, such as `sin(x)^2`, `exp(2*x)`, `\sin^{2} x`, `e^{2 x}`,
+/// `\sqrt{x}`, `x^(2/3)`, `t^(2*p)`.
 fn kind_power(kind: &Kind, e: u32, markup: Markup) -> String {
     match kind {
         Kind::Parameter(name) => parameter(name, markup) + &exponent(e, markup),
@@ -211,7 +212,7 @@ fn kind_power(kind: &Kind, e: u32, markup: Markup) -> String {
     }
 }
 
-/// A base with an exponent that is not an integer.
+/// The text of a base with an exponent that is not an integer.
 fn powered(base: &Symbolic, exponent: &str, markup: Markup) -> String {
     let base = atom(base, markup);
     match markup {
@@ -221,7 +222,8 @@ fn powered(base: &Symbolic, exponent: &str, markup: Markup) -> String {
     }
 }
 
-/// A value as the base of a power, in parentheses unless it is a name or a nonnegative integer.
+/// The text of a value as the base of a power. It has parentheses unless it is a name or a
+/// nonnegative integer.
 fn atom(base: &Symbolic, markup: Markup) -> String {
     let plain = base.as_variable().is_some_and(|variable| match variable.kind() {
         Kind::Parameter(_) => true,
@@ -237,7 +239,7 @@ fn atom(base: &Symbolic, markup: Markup) -> String {
     }
 }
 
-/// The base `p` and the exponent `u`, if the argument is `u*log(p)`.
+/// The base `p` and the exponent `u`, if the argument is `u*log(p)`; otherwise `None`.
 fn symbolic_power(part: &Part) -> Option<(Symbolic, Part)> {
     let mut logarithms = part.of.variables().iter().filter_map(|variable| match variable.kind() {
         Kind::Logarithm(p) => Some((*variable, p)),
@@ -249,7 +251,7 @@ fn symbolic_power(part: &Part) -> Option<(Symbolic, Part)> {
     free.then(|| (p.clone(), Part { of, parts: part.parts }))
 }
 
-/// A power of a function of a part of an argument.
+/// The text of a power of a function of a part of an argument.
 fn called(function: &str, part: Part, e: u32, markup: Markup) -> String {
     let power = exponent(e, markup);
     match markup {
@@ -261,7 +263,7 @@ fn called(function: &str, part: Part, e: u32, markup: Markup) -> String {
     }
 }
 
-/// The text of a multiple of a part of an argument: `2*a*x/3`.
+/// The text of a multiple of a part of an argument, such as `2*a*x/3`.
 fn multiple(part: Part, count: u32, markup: Markup) -> String {
     let common = count.gcd(&part.parts);
     let (count, parts) = (i64::from(count / common), i64::from(part.parts / common));
@@ -287,7 +289,7 @@ impl Part {
 }
 
 impl Applied {
-    /// The name of the function with its derivatives: `f_r_theta`.
+    /// The name of the function with its derivatives, such as `f_r_theta`.
     pub(super) fn head(&self) -> String {
         self.differentiated_by().iter().fold(self.name.to_string(), |head, by| head + "_" + by)
     }
@@ -302,8 +304,9 @@ impl Applied {
         self.arguments.iter().map(write).collect::<Vec<_>>().join(comma)
     }
 
-    /// The text of a free function: `f_r_theta(r,theta)`. In LaTeX `f_{,r \theta}`, `f_{1,t}` for
-    /// `f1_t(t)`, and `A_{,1}(\frac{r}{t})` at arguments that are not names.
+    /// The text of a free function, such as `f_r_theta(r,theta)`. The LaTeX form is
+    /// `f_{,r \theta}`, or `f_{1,t}` for `f1_t(t)`. If the arguments are not names, the LaTeX form
+    /// is for example `A_{,1}(\frac{r}{t})`.
     fn written(&self, markup: Markup) -> String {
         if markup == Markup::Text {
             return format!("{}({})", self.head(), self.list(markup));
@@ -331,8 +334,8 @@ fn parameter(name: &str, markup: Markup) -> String {
         Markup::Text => name.to_owned(),
     }
 }
-/// The LaTeX form of a name: `J11` is `J_{11}`, `lambda` is `\lambda`, `abc_x` is
-/// `\mathit{abc}_{x}`.
+/// The LaTeX form of a name. For example, `J11` becomes `J_{11}`, `lambda` becomes `\lambda`, and
+/// `abc_x` becomes `\mathit{abc}_{x}`.
 fn latex_name(name: &str) -> String {
     let stem = name.trim_end_matches(|c: char| c.is_ascii_digit());
     let (stem, index) = match name.split_once('_') {
@@ -362,7 +365,7 @@ fn latex_stem(stem: &str) -> String {
     }
 }
 
-/// The Greek letters that have LaTeX commands.
+/// The names of the Greek letters that have LaTeX commands.
 const GREEK: &str = "alpha beta gamma delta epsilon varepsilon zeta eta theta vartheta iota kappa \
     lambda mu nu xi pi varpi rho varrho sigma varsigma tau upsilon phi varphi chi psi omega \
     Gamma Delta Theta Lambda Xi Pi Sigma Upsilon Phi Psi Omega";

@@ -4,7 +4,7 @@ use nalgebra::{Complex, DMatrix};
 use std::f64::consts::FRAC_1_SQRT_2;
 
 /// The Laplacian `Delta P = -sum_a [S_a, [S_a, P]]` with the spin matrices `S_a` of size `N`. On
-/// the entries `(a, a + d)` of `P` it is the symmetric tridiagonal matrix
+/// the entries `(a, a + d)` of `P`, the Laplacian is the symmetric tridiagonal matrix
 ///
 /// ```text
 /// 2 m_a m_(a+d) - (N^2 - 1)/2 on the diagonal, c_a c_(a+d) beside it,   m_a = (N - 1)/2 - a,   c_a^2 = (a + 1)(N - 1 - a)
@@ -14,7 +14,8 @@ use std::f64::consts::FRAC_1_SQRT_2;
 #[derive(Clone, Debug)]
 pub(in crate::mechanics) struct Laplacian {
     size: usize,
-    /// The decomposition `L D L^T` for each diagonal: the entry of `L`, and the inverse pivot.
+    /// The decomposition `L D L^T` for each diagonal. A pair consists of the entry of `L` and the
+    /// inverse pivot.
     factors: Vec<Vec<(f64, f64)>>,
 }
 
@@ -29,14 +30,15 @@ impl Laplacian {
         self.size
     }
 
-    /// The diagonal entry of the matrix of the diagonal `d`.
+    /// The entry `a` on the main diagonal of the matrix for the diagonal `d` of `P`.
     fn own(&self, d: usize, a: usize) -> f64 {
         let n = self.size as f64;
         let [m, other] = [a, a + d].map(|a| 0.5 * (n - 1.0) - a as f64);
         2.0 * m * other - 0.5 * (n * n - 1.0)
     }
 
-    /// The entry next to the diagonal, between `a` and `a + 1`.
+    /// The entry next to the main diagonal, between `a` and `a + 1`, of the matrix for the diagonal
+    /// `d` of `P`.
     fn beside(&self, d: usize, a: usize) -> f64 {
         let square = |a: usize| ((a + 1) * (self.size - 1 - a)) as f64;
         (square(a) * square(a + d)).sqrt()
@@ -51,12 +53,14 @@ impl Laplacian {
             factors.push((beside / pivot, 1.0 / pivot));
             pivot = self.own(d, a + 1) - beside * beside / pivot;
         }
-        // the last pivot of the main diagonal is 0; the solution is 0 there
+        // the last pivot of the main diagonal is 0: stores 0 instead of its inverse, so that the
+        // solution is 0 there
         factors.push((0.0, if d == 0 { 0.0 } else { 1.0 / pivot }));
         factors
     }
 
-    /// The antihermitian trace-free `P` with `Delta P = W - tr W/N`, from `W_ij`, `i <= j`.
+    /// The antihermitian, trace-free `P` with `Delta P = W - tr W/N`, computed from the entries
+    /// `W_ij` with `i <= j`.
     pub(in crate::mechanics) fn solve(&self, w: &DMatrix<Complex<f64>>) -> DMatrix<Complex<f64>> {
         let n = self.size;
         let mut p = DMatrix::zeros(n, n);
@@ -104,7 +108,7 @@ impl Laplacian {
         })
     }
 
-    /// The real harmonic of degree `l < N` and order `|m| <= l`.
+    /// The matrix of the real harmonic of degree `l < N` and order `|m| <= l`.
     pub(in crate::mechanics) fn harmonic(&self, l: usize, m: i64) -> DMatrix<Complex<f64>> {
         let d = m.unsigned_abs() as usize;
         let diagonal = self.eigenvector(d, l);
@@ -121,9 +125,9 @@ impl Laplacian {
         harmonic
     }
 
-    /// The eigenvector of the eigenvalue `-l(l+1)` on the diagonal `d`, with a positive first
-    /// entry. It is computed by recurrence from the end, where it grows, to the middle; the rest
-    /// follows by its parity.
+    /// The eigenvector for the eigenvalue `-l(l+1)` on the diagonal `d`. Its first entry is
+    /// positive. A recurrence computes the entries from the end, where they grow, to the middle;
+    /// the other half follows from the parity.
     fn eigenvector(&self, d: usize, l: usize) -> Vec<f64> {
         let length = self.size - d;
         let eigenvalue = -((l * (l + 1)) as f64);
