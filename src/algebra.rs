@@ -23,6 +23,7 @@ pub mod invariants;
 pub mod lie_derivative;
 pub mod lie_poisson;
 mod matrices;
+pub(crate) mod matrix_polynomials;
 mod rational_basis;
 pub mod roots;
 mod sparse_bracket;

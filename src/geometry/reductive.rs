@@ -1,5 +1,9 @@
 //! Reductive homogeneous spaces G/H, with their canonical and invariant connections.
 
+mod isotropy;
+
+pub use isotropy::{IsotropyComponent, RealType};
+
 use crate::algebra::frame::{Frame, expect_slots, formula};
 use crate::algebra::invariants::invariant_tensors;
 use crate::algebra::lie_derivative::act;

@@ -30,7 +30,7 @@ fn arguments() {
 #[test]
 fn values() {
     commands(&["table", "so3"]).usage(&[
-        ("--show curvatures", &["`curvatures` is not one of structure, affinities"]),
+        ("--show curvatures", &["did you mean curvature?"]),
         ("--show ricci,,torsion", &["`` is not one of"]),
         ("--format xml", &["xml", "text, markdown, latex, csv, json"]),
         ("--color red", &["red", "auto, always, never"]),

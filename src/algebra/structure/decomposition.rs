@@ -11,11 +11,11 @@
 //! complex numbers. An element on which all characters differ generates the product, and the number
 //! of distinct roots of its minimal polynomial is the number of characters.
 
-use super::ideals::{evaluate, minimal_polynomial};
 use super::radical::on_moment_curve;
 use super::{StructureTheory, Subspace};
 use crate::Error;
 use crate::algebra::irreducible_factors;
+use crate::algebra::matrix_polynomials::{evaluate, minimal_polynomial};
 use affinor_tensors::linear::{Matrix, Row};
 use affinor_tensors::stop::stage;
 use affinor_tensors::{Rational, Ring};

@@ -13,6 +13,7 @@ use super::reduction::{ModularAlgebra, PseudoRandom};
 use super::{StructureTheory, Subspace};
 use crate::Error;
 use crate::algebra::irreducible_factors;
+use crate::algebra::matrix_polynomials::{evaluate, monic};
 use crate::algebra::roots::CartanType;
 use affinor_tensors::linear::modular::{RationalReconstruction, ResidueMatrix, primes};
 use affinor_tensors::linear::{Matrix, Row};
@@ -360,46 +361,6 @@ fn generator(matrices: &[Matrix<Rational>]) -> Option<(Matrix<Rational>, Uni<Big
         return Some((gamma, monic(&solution)));
     }
     None
-}
-
-/// The polynomial `t^m - sum of s_k t^k` that belongs to a relation `x^m = sum of s_k x^k`.
-pub(super) fn monic(relation: &[Rational]) -> Uni<BigRational> {
-    let coefficients = relation.iter().map(|value| -BigRational::from(value));
-    Uni::new(coefficients.chain([BigRational::from_integer(1.into())]).collect())
-}
-
-/// The minimal polynomial of a matrix, which is the relation for the first power that depends on
-/// lower powers.
-pub(super) fn minimal_polynomial(matrix: &Matrix<Rational>) -> Option<Uni<BigRational>> {
-    let n = matrix.rows();
-    let flat = |m: &Matrix<Rational>| m.to_dense().concat();
-    let mut power = Matrix::identity(n);
-    let mut powers = vec![];
-    loop {
-        let next = flat(&power);
-        if !powers.is_empty() {
-            let system = Matrix::from_dense(&powers).ok()?.transpose();
-            if let Some(solution) = system.solve(&next).ok()? {
-                return Some(monic(&solution));
-            }
-        }
-        powers.push(next);
-        power = power.mul(matrix).ok()?;
-    }
-}
-
-/// The value of a polynomial at a matrix.
-pub(super) fn evaluate(
-    matrix: &Matrix<Rational>,
-    polynomial: &Uni<BigRational>,
-) -> Matrix<Rational> {
-    let n = matrix.rows();
-    let square = "square matrices of one size";
-    polynomial.0.iter().rev().fold(Matrix::zero(n, n), |value, coefficient| {
-        let constant = Rational::from(coefficient.clone());
-        let shift = Matrix::diagonal(std::iter::repeat_n(constant, n));
-        value.mul(matrix).expect(square).add(&shift).expect(square)
-    })
 }
 
 /// Isolating intervals of the real roots, one for each root.

@@ -2,12 +2,12 @@
 //! 4.9, 5.11).
 
 use super::dynkin::relation_of;
-use super::ideals::monic;
 use super::products::Ad;
 use super::reduction::ModularAlgebra;
 use super::subspace::combination;
 use super::{StructureTheory, Subspace};
 use crate::algebra::irreducible_factors;
+use crate::algebra::matrix_polynomials::monic;
 use crate::algebra::roots::CartanType;
 use affinor_tensors::linear::modular::PRIMES;
 use affinor_tensors::linear::{Echelon, Matrix, Row};
