@@ -150,10 +150,12 @@ impl<S: Notation + Scalar + Serialize> Serialize for Geometry<S> {
     /// Returns an error for a geometry on a chart, or in a right-invariant frame.
     fn serialize<W: Serializer>(&self, serializer: W) -> Result<W::Ok, W::Error> {
         let FrameOrigin::Algebra(algebra) = self.frame_origin() else {
-            return Err(W::Error::custom("a geometry on a chart is not written"));
+            return Err(W::Error::custom("a geometry on a chart cannot be serialized"));
         };
         if self.frame_name() == "right-invariant" {
-            return Err(W::Error::custom("a geometry in its right-invariant frame is not written"));
+            return Err(W::Error::custom(
+                "a geometry in its right-invariant frame cannot be serialized",
+            ));
         }
         let connection = match self.kind() {
             ConnectionKind::Canonical(CanonicalConnection::Plus) => Kind::Plus,

@@ -93,7 +93,7 @@ fn other_frames_are_not_written() {
     )
     .unwrap();
     let right = serde_json::to_string(&geometry.in_right_frame().unwrap()).unwrap_err();
-    assert_eq!(right.to_string(), "a geometry in its right-invariant frame is not written");
+    assert_eq!(right.to_string(), "a geometry in its right-invariant frame cannot be serialized");
 }
 
 /// States are equal to the last bit: rotations, poses, and elements of a named group.

@@ -70,7 +70,8 @@ enum Command {
     Claims(claims::Arguments),
     /// Print the structure of a Lie algebra: series, radicals, types, ideals
     Info(info::Arguments),
-    /// Print the properties of a connection and a metric, with constants or counterexamples
+    /// Print which properties a connection and a metric have, each with its constant or a
+    /// counterexample
     Properties(properties::Arguments),
     /// Print the equations of motion of a space
     Equations(equations::Arguments),

@@ -107,8 +107,8 @@ pub struct Table<S> {
     pub tolerance: Tolerance,
     /// Whether the table lists only one of the components that are equal up to sign by symmetry.
     pub independent: bool,
-    /// Whether JSON writes common factors of denominators by name, as text, Markdown, LaTeX and
-    /// HTML do. Otherwise each value in JSON is complete.
+    /// Whether JSON names common factors of denominators, like the formats text, Markdown, LaTeX
+    /// and HTML. Otherwise each value in JSON is complete.
     pub common_factors: bool,
     /// The names that are written as indices of components; `None` for numbers from 1. CSV and JSON
     /// always use numbers.

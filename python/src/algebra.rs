@@ -27,7 +27,8 @@ use pyo3::types::{PyDict, PyTuple, PyType};
 /// Parameters
 /// ----------
 /// space : str, path, dict or array
-///     Name of the catalogue, sum of names (``"so3+R^3"``), or path of a definition file. Also brackets, as a string or
+///     Name in the catalogue, sum of such names (``"so3+R^3"``), or path of a definition file. Also brackets, as a
+///     string or
 ///     a list of strings; a dict with the keys of a definition file; or structure constants as for
 ///     :meth:`from_structure`. A file is read only once: geometries and groups of this algebra do not read it again.
 /// basis : str or list of str, optional

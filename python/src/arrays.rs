@@ -253,7 +253,7 @@ pub fn fresh<'py, T: Element + Default>(
     static EMPTY: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
     let shape = [batch, row].concat();
     let size = shape.iter().fold(size_of::<T>(), |size, n| size.saturating_mul(*n));
-    // leaves these cases to NumPy, which raises an exception for too many axes and for too large a size
+    // leaves all other shapes to NumPy, which raises an exception if there are too many axes or the size is too large
     if size < LARGE && shape.len() <= AXES {
         return Ok(PyArrayDyn::zeros(py, shape, false));
     }

@@ -304,7 +304,8 @@ impl PyFamily {
         Ok(self.recorder.recording(py, key)?.shape.clone())
     }
 
-    /// Checks matrices (count, n n), which are metrics or derivatives of metrics.
+    /// Checks the matrices of metrics, or of derivatives of metrics: an array of the shape (count, n*n), one matrix per
+    /// row.
     fn check(
         &self,
         py: Python<'_>,

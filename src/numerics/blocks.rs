@@ -307,8 +307,8 @@ impl BlockProgram {
         self.write_constants(out, width, false);
     }
 
-    /// Writes the derivatives of the results along given time derivatives of the inputs, in the
-    /// same form as [`evaluate`](Self::evaluate).
+    /// Writes the time derivatives of the results, for inputs whose time derivatives are `rates`,
+    /// in the same form as [`evaluate`](Self::evaluate).
     ///
     /// # Panics
     /// If [`evaluate`](Self::evaluate) would panic.

@@ -147,8 +147,8 @@ pub fn detached<T: Send + 'static>(work: impl FnOnce() -> T + Send + 'static) ->
     let shared = work.clone();
     let thread = thread::Builder::new().spawn(move || {
         if let Some(work) = take(&shared) {
-            // ignores the failure of sending, which means that this thread has unwound and dropped
-            // the receiver
+            // ignores a failure to send, which means that the calling thread has unwound and
+            // dropped the receiver
             let _ = send.send(catch_unwind(AssertUnwindSafe(work)));
         }
     });

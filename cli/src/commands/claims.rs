@@ -50,7 +50,7 @@ impl Arguments {
         let verdicts = stages.bound(|| computation.test(&Statements::join(lists)))??;
         let inputs: Vec<_> =
             space.file.into_iter().chain(files.iter().map(PathBuf::from)).collect();
-        // a list of errors alone has no table
+        // if no statement could be tested, there are only errors and no table is printed
         if verdicts.iter().next().is_some() {
             self.shared.print(&stages, &inputs, &verdicts)?;
         }

@@ -82,7 +82,7 @@ impl Expected {
             let named = list(&head).escape_debug().to_string();
             let message = format!("{place}: columns named {named} are not {}", self.what);
             let help = format!(
-                "name the columns {}, in any order, or omit the head",
+                "name the columns {}, in any order, or omit the header",
                 choices.join("; or ")
             );
             InputError::usage(message).help(help)

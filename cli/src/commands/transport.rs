@@ -23,7 +23,7 @@ pub struct Arguments {
     /// consecutive arcs
     #[arg(long, value_name = "X", allow_negative_numbers = true, required = true)]
     pub along: Vec<String>,
-    /// Read the coordinates of the arcs that are angles in degrees
+    /// Read angles in degrees, among the coordinates of the arcs
     #[arg(long)]
     pub degrees: bool,
     #[command(flatten)]

@@ -19,7 +19,8 @@ pub struct Arguments {
     pub options: SpaceOptions,
     #[command(flatten)]
     pub selection: Choice,
-    /// The convention of a stored tensor, as "stored component = the same component here". Example
+    /// The convention of a stored tensor, as an equation: a stored component on the left, and the
+    /// equal component of affinor on the right. Example
     /// of a sign: "R^i_jkl = -R^i_jkl". Example of the order of indices: "Lambda^i_jk =
     /// Lambda^i_kj". May be repeated
     #[arg(long, value_name = "EQUATION", allow_hyphen_values = true)]

@@ -78,8 +78,8 @@ fn numbers() {
         ("initial.velocity = 1", &["a.toml:3:20"]),
     ]);
     problems("a.toml", instead_of(INITIAL)).mathematics(&[
-        ("initial.velocity = [1, '1/0', 3]", &["a.toml:3:25", "`1/0` is inf"]),
-        ("initial.velocity = [1, '10^400', 3]", &["a.toml:3:25", "`10^400` is inf"]),
+        ("initial.velocity = [1, '1/0', 3]", &["a.toml:3:25", "`1/0` is inf, which is not finite"]),
+        ("initial.velocity = [1, '10^400', 3]", &["a.toml:3:25", "`10^400` is inf, which is not finite"]),
     ]);
     problems("a.toml", after(INITIAL)).usage(&[
         ("parameters = { a = 'b', b = 'a' }", &["a.toml:4:21", "`b` is not a known name here"]),

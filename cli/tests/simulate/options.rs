@@ -73,7 +73,7 @@ fn options_are_checked_as_keys_are() {
         (&["--step", "0"], "--step:1:1", "0 is not positive", 2),
         (&["--step", "2*x"], "--step:1:3", "`x` is not a known name here", 2),
         (&["--step", "inf"], "--step:1:1", "`inf` is not a known name here", 2),
-        (&["--tolerance", "1/0"], "--tolerance:1:1", "`1/0` is inf", 1),
+        (&["--tolerance", "1/0"], "--tolerance:1:1", "`1/0` is inf, which is not finite", 1),
         (&["--tolerance", "1e-20"], "", "floats do not resolve the tolerance", 1),
         (&["--method", "rkmk853", "--step", "1"], "--step:1:1", "has no `step`", 2),
         (

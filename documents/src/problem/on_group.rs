@@ -64,7 +64,7 @@ impl OnGroup {
             }
             (None, None) => {
                 let error = InputError::usage("the space is missing");
-                return Err(error.help("give space = \"so3\", a file, or a table [definition]"));
+                return Err(error.help("give a name, as in space = \"so3\", or a file, as in space = \"my.toml\", or a table [definition]"));
             }
             (Some(_), Some(_)) => {
                 let error = source
@@ -100,7 +100,11 @@ impl OnGroup {
                 return Err(InputError::usage(message).at(&self.metric_place).help(help));
             };
             let exact = Rational::from_f64(*value).ok_or_else(|| {
-                InputError::usage(format!("`{}` is {value}", shown(&name))).at(&self.metric_place)
+                InputError::usage(format!(
+                    "the value of `{}` is {value}, which is not finite",
+                    shown(&name)
+                ))
+                .at(&self.metric_place)
             })?;
             values.insert(name, Symbolic::constant(exact));
         }

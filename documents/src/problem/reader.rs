@@ -75,7 +75,10 @@ impl Value {
         if value.is_finite() {
             return Ok(value);
         }
-        let message = format!("`{}` is {value}", shown(self.written.text()));
+        let message = format!(
+            "the value of `{}` is {value}, which is not finite",
+            shown(self.written.text())
+        );
         Err(InputError::mathematics(message).at(&self.place()))
     }
 

@@ -267,8 +267,8 @@ impl StoredTable {
                         "{key}: the component {numbers:?} needs {expected}"
                     )));
                 }
-                // compares texts first: a long value equals its own text, although the evaluation
-                // of the text would exceed a limit
+                // compares the texts first: if they are equal, the stored text need not be
+                // evaluated, which would exceed a limit for a long value
                 let computed = tensor.get(indices);
                 let written = match &named {
                     Some(named) => with_names(&computed, &named.factors),

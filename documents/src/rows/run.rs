@@ -68,7 +68,8 @@ impl RunRows {
         (0..a.len()).map(matrix).collect()
     }
 
-    /// The positions, from columns of the last column of the matrix or from columns of coordinates.
+    /// The positions: the last column of the matrix (`g14`, `g24`, `g34`) if the rows have it,
+    /// otherwise the coordinates `x`, `y`, `z`.
     /// `factor` is the number of a factor of a product.
     ///
     /// # Errors

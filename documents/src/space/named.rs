@@ -25,7 +25,7 @@ pub(super) fn part(source: &Source) -> Result<Definition, InputError> {
     }
     if source.depth >= MAX_DEPTH {
         return refused(format!(
-            "definitions are nested in {MAX_DEPTH} files: one may contain itself"
+            "the definitions are nested more than {MAX_DEPTH} files deep: one of the files may refer to itself"
         ));
     }
     let folder = Path::new(&source.name).parent().unwrap_or(Path::new(""));

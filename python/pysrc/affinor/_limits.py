@@ -92,7 +92,8 @@ class Limits(ContextDecorator):
 
     def __exit__(self, *_: Any) -> None:
         own = [block for block, _ in current.blocks() if block.owner is self]
-        # without a block in this context, ends the latest block, because a generator may end in another context
+        # if this context has no such block, ends the latest one: a generator with a `with` block may be closed in another
+        # context than it was started in
         block = own[-1] if own else self._blocks[-1]
         block.open = False
         self._blocks.remove(block)

@@ -1,6 +1,6 @@
 """Geometries: a frame with a connection and, optionally, a metric.
 
-The functions read the arguments of :class:`Geometry`.
+The functions convert the arguments of :class:`Geometry`.
 """
 
 from __future__ import annotations
@@ -241,7 +241,7 @@ def chart(
 
 
 def written(geometry: Geometry) -> Source:
-    """Writes a geometry as the source of a definition with its affinities and its metric."""
+    """Returns a source that defines a geometry by its affinities and its metric."""
     extra, _ = geometry._extra
     left = restored(type(geometry), geometry._source, extra, "left")
     if left.frame != "left-invariant":

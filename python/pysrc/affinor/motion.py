@@ -419,7 +419,9 @@ class Trajectory:
         [0.247403959255, 0.479425538604]
         """
         if self._motion is None:
-            raise ValueError("the problem of a trajectory that was unpickled is not known: simulate it with these times")
+            raise ValueError(
+                "an unpickled trajectory does not know its problem: call simulate on the problem again, with these times as output"
+            )
         times = np.atleast_1d(floats(t))
         if times.ndim > 1:
             raise ValueError(f"t should be a number or an array with one axis, not of the shape {times.shape}")

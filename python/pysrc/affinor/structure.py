@@ -1,6 +1,5 @@
-"""Structure theory: reports, and the arguments of constructions.
-
-The functions read the arguments for methods of :class:`affinor.LieAlgebra`.
+"""Structure theory: reports, and constructions of algebras. The functions convert the arguments of methods of
+:class:`affinor.LieAlgebra`.
 """
 
 from __future__ import annotations
@@ -86,7 +85,10 @@ cotangent_algebra, complexification = _named("{} with its dual"), _named("comple
 
 
 def central_extension(algebra: LieAlgebra, cocycle: Any, centre: str | Sequence[str] | None) -> Read[list[str]]:
-    """Reads the names of a centre, and a cocycle as constants ``w^i_jk`` over the algebra and the centre."""
+    """Reads the basis names of a centre, and a cocycle as constants ``w^i_jk``.
+
+    Their indices number the basis of the algebra, followed by that of the centre.
+    """
     basis, new, title = algebra.basis, names("z" if centre is None else centre), f"extension of {algebra.name}"
     labels, n, count = [*basis, *new], len(basis), len(new)
     if not new or len(set(labels)) != len(labels):

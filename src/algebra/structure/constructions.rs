@@ -219,7 +219,8 @@ impl<S: GroundField> StructureTheory<S> {
         }
         if products.dimension() != m || products.slots() != [Up, Down, Down] {
             let expected = format!("the slots ^d_ab and the dimension {m}");
-            let found = format!("{} slots and {}", products.rank(), products.dimension());
+            let found =
+                format!("{} slots and the dimension {}", products.rank(), products.dimension());
             return Err(Error::Shape { what: "the table of products", expected, found });
         }
         let mut table = vec![vec![Row::new(); m]; m];

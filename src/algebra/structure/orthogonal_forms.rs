@@ -92,7 +92,8 @@ impl Element {
                 columns[k][*i] = integer(&(value.clone() * &factor));
             }
         }
-        // The numbers 2 a_i are algebraic integers, so the coefficients are integers. The sum of
+        // The numbers 2 a_i = (a_i + a_j) + (a_i - a_j) are sums of eigenvalues of an integer
+        // matrix, so they are algebraic integers, and the coefficients are integers. The sum of
         // the squared sizes of all eigenvalues is at most the sum of the squared entries. The
         // coefficients are therefore below (1 + sum / (2 r (r - 1)))^(r (r - 1)).
         let norm: BigInt = columns.iter().flatten().map(|entry| entry * entry).sum();

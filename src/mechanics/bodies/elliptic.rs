@@ -94,7 +94,8 @@ pub(super) fn raise([s, c, d]: [f64; 3], (k, gap): (f64, f64)) -> [f64; 3] {
 /// The argument `u`, computed from `sn u`, `cn u >= 0`, `dn u`. It is the integral of the first
 /// kind, `sn R_F(cn^2, dn^2, 1)`.
 pub fn first_kind([s, c, d]: [f64; 3]) -> f64 {
-    // uses square roots in the first duplication, because squares may underflow
+    // computes the first duplication from c and d, the roots of the arguments c^2 and d^2, because
+    // these squares may underflow
     let lambda = c * d + c + d;
     let [mut x, mut y, mut z] = [c * c, d * d, 1.0].map(|x| 0.25 * (x + lambda));
     loop {

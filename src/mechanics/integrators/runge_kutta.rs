@@ -81,7 +81,10 @@ pub(super) fn expect_coordinates<G: LieGroup, C: LocalCoordinates<G>>(
     if C::exist(group) {
         return Ok(());
     }
-    Err(stopped(time, "the method projects points onto the group, which has no projection"))
+    Err(stopped(
+        time,
+        "the method needs a projection of points onto the group, and this group has none",
+    ))
 }
 
 /// The Runge-Kutta method with the tableau `T` for `y'` and `p'`, where `y` are the coordinates

@@ -147,7 +147,7 @@ impl<R: ObservedMotion> Simulation<R> {
         }
         let (recorded, Progress { state, stepper, steps }) = (&self.recorded, &mut self.now);
         *steps = steps.saturating_add(1);
-        // removes the reason that an earlier step recorded
+        // discards the reason for a failure that an earlier step recorded
         let _ = recorded.take_trouble();
         let mut end = recorded.begin_step(time, until);
         if (end - time).abs() > longest {

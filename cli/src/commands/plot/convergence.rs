@@ -54,8 +54,9 @@ pub struct Comparison {
     /// The problem, a TOML file
     #[arg(value_name = "FILE")]
     problem: String,
-    /// A method to compare; may be repeated, or a list with commas [default: rkmk4,cf4; for
-    /// constraints, matrix flows or a prescribed velocity, the methods of these problems]
+    /// A method to compare; may be repeated, or may be a list separated by commas [default:
+    /// rkmk4,cf4; for constraints, a matrix flow or a prescribed velocity: all methods for such
+    /// problems]
     #[arg(long = "method", value_name = "NAME", value_delimiter = ',')]
     methods: Vec<String>,
     /// The largest step size [default: 1/16 of the time span]

@@ -26,8 +26,8 @@ pub struct Comparison {
     /// problem
     #[arg(long, value_name = "FILE", conflicts_with_all = ["methods", "step", "tolerance", "end", "every"])]
     rows: Option<String>,
-    /// A method to compare; may be repeated, or a list with commas [default: the method that the
-    /// problem sets]
+    /// A method to compare; may be repeated, or may be a list separated by commas [default: the
+    /// method that the problem sets]
     #[arg(long = "method", value_name = "NAME", value_delimiter = ',')]
     methods: Vec<String>,
     /// Divide each change by the absolute initial value, unless this value is zero

@@ -45,7 +45,8 @@ impl Notes {
             let [plus, minus] = ideal.signature;
             let name = ideal.names.join(" or ");
             let dimension = ideal.dimension();
-            // lists an ideal without a basis if it is the whole algebra, or is not rational
+            // omits the basis if the ideal is the whole algebra, or if some ideal is not defined
+            // over the rational numbers
             let basis = levi.filter(|_| over_q == real.len()).and_then(|levi| {
                 let within = levi.within(rational.get(ideal.within)?);
                 (within.dimension() < levi.ambient()).then(|| self.basis(&within))

@@ -1,5 +1,5 @@
-//! Differences that contain roots. They are separated as factors, and rewritten without
-//! cancellation: `sqrt(x + 1) - 1` is `x/(sqrt(x + 1) + 1)`.
+//! Differences that contain roots, as factors of polynomials. They are split off, and rewritten
+//! without cancellation: `sqrt(x + 1) - 1` is `x/(sqrt(x + 1) + 1)`.
 //!
 //! A polynomial with a root `v^n = p` is divided by `v - c` for numbers `c`, by `v - w` for another
 //! root `w`, and by conjugates of other factors. The division is repeated as long as the quotient
