@@ -11,19 +11,23 @@ use std::path::PathBuf;
 
 type Outcome = Result<(), Box<dyn std::error::Error>>;
 
-/// The documents that quote outputs of the program.
-const DOCUMENTS: [&str; 10] = [
-    "README.md",
-    "docs/geometry.md",
-    "docs/commands.md",
-    "docs/two_geometries.md",
-    "docs/charts.md",
-    "docs/formats.md",
-    "docs/motion.md",
-    "docs/structure.md",
-    "docs/translation.md",
-    "docs/programs.md",
-];
+/// The pages of these folders, and of the root. Their quoted outputs and their links are tested.
+const FOLDERS: [&str; 4] = ["", "docs", "docs/how-to", "benches/results"];
+
+/// The paths of the pages, from the root.
+fn pages() -> Result<Vec<PathBuf>, std::io::Error> {
+    let mut pages = vec![];
+    for folder in FOLDERS {
+        for entry in std::fs::read_dir(root().join(folder))? {
+            let path = entry?.path();
+            if path.extension().is_some_and(|extension| extension == "md") {
+                pages.push(path);
+            }
+        }
+    }
+    pages.sort();
+    Ok(pages)
+}
 
 /// The standard output of `affinor ARGUMENTS`.
 fn output(command: &str) -> Result<String, Box<dyn std::error::Error>> {
@@ -56,10 +60,13 @@ fn refreshed(document: &str) -> Result<String, Box<dyn std::error::Error>> {
 
 #[test]
 fn quoted_outputs_are_what_the_program_prints() -> Outcome {
-    for name in DOCUMENTS {
-        let path = root().join(name);
-        let document = std::fs::read_to_string(&path)?;
-        assert!(document.contains("```console\n$ affinor "), "{name} quotes nothing");
+    let mut quoting = 0;
+    for path in pages()? {
+        let (name, document) = (path.display(), std::fs::read_to_string(&path)?);
+        if !document.contains("```console\n$ affinor ") {
+            continue;
+        }
+        quoting += 1;
         let fresh = refreshed(&document)?;
         if std::env::var_os("UPDATE_DOCUMENTS").is_some() {
             std::fs::write(&path, fresh)?;
@@ -69,6 +76,7 @@ fn quoted_outputs_are_what_the_program_prints() -> Outcome {
             assert_eq!(fresh, document, "{name}");
         }
     }
+    assert!(quoting >= 10, "{quoting} pages quote outputs");
     Ok(())
 }
 
@@ -82,30 +90,40 @@ fn links(document: &str) -> impl Iterator<Item = &str> {
 
 #[test]
 fn links_lead_somewhere() -> Outcome {
-    let all = [
-        "ARCHITECTURE.md",
-        "CONTRIBUTING.md",
-        "CHANGELOG.md",
-        "docs/joints.md",
-        "docs/library.md",
-        "docs/limits.md",
-        "docs/benchmarks.md",
-        "docs/exactness.md",
-        "docs/glossary.md",
-        "benches/results/tables.md",
-        "benches/results/structure.md",
-        "benches/results/motions.md",
-        "docs/paper.md",
-        "docs/wheels.md",
-    ];
-    let all = all.into_iter().chain(DOCUMENTS);
-    for name in all {
-        let path = root().join(name);
+    for path in pages()? {
         let folder = path.parent().map(PathBuf::from).unwrap_or_default();
         for target in links(&std::fs::read_to_string(&path)?) {
             let file = target.split_once('#').map_or(target, |(file, _)| file);
-            assert!(folder.join(file).exists(), "{name}: {target}");
+            assert!(folder.join(file).exists(), "{}: {target}", path.display());
         }
+    }
+    Ok(())
+}
+
+/// The lines of a program without their indent.
+fn lines(code: &str) -> Vec<&str> {
+    code.lines().map(str::trim).collect()
+}
+
+#[test]
+fn the_code_of_the_tutorial_is_part_of_the_examples() -> Outcome {
+    let mut programs = vec![];
+    for entry in std::fs::read_dir(root().join("examples"))? {
+        let path = entry?.path();
+        if path.extension().is_some_and(|extension| extension == "rs") {
+            programs.push(std::fs::read_to_string(path)?);
+        }
+    }
+    let page = std::fs::read_to_string(root().join("docs/rust.md"))?;
+    let blocks: Vec<&str> = page.split("```rust\n").skip(1).collect();
+    assert!(!blocks.is_empty());
+    for block in blocks {
+        let (code, _) = block.split_once("\n```").ok_or("a block that does not end")?;
+        let quoted = lines(code);
+        let holds = |program: &String| {
+            lines(program).windows(quoted.len()).any(|window| window == quoted.as_slice())
+        };
+        assert!(programs.iter().any(holds), "{code}");
     }
     Ok(())
 }

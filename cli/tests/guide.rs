@@ -1,4 +1,4 @@
-//! The guide: the three tasks at the beginning of `docs/motion.md`, with the commands of the page.
+//! The guide: the three tasks of `docs/mechanics.md`, with the commands of the page.
 
 use crate::program::{root, run};
 use std::fs;
@@ -6,7 +6,7 @@ use tempfile::TempDir;
 
 /// The tasks: their sections of the page.
 fn tasks() -> Vec<String> {
-    let page = fs::read_to_string(root().join("docs/motion.md")).unwrap();
+    let page = fs::read_to_string(root().join("docs/mechanics.md")).unwrap();
     let sections = page.split("\n## ").filter(|section| section.starts_with("Task "));
     sections.map(str::to_string).collect()
 }

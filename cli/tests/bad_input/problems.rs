@@ -79,7 +79,10 @@ fn numbers() {
     ]);
     problems("a.toml", instead_of(INITIAL)).mathematics(&[
         ("initial.velocity = [1, '1/0', 3]", &["a.toml:3:25", "`1/0` is inf, which is not finite"]),
-        ("initial.velocity = [1, '10^400', 3]", &["a.toml:3:25", "`10^400` is inf, which is not finite"]),
+        (
+            "initial.velocity = [1, '10^400', 3]",
+            &["a.toml:3:25", "`10^400` is inf, which is not finite"],
+        ),
     ]);
     problems("a.toml", after(INITIAL)).usage(&[
         ("parameters = { a = 'b', b = 'a' }", &["a.toml:4:21", "`b` is not a known name here"]),
