@@ -131,7 +131,9 @@ impl<S: Scalar + Serialize> Serialize for Connection<S> {
         let algebra = bracket.ok().and_then(|bracket| LieAlgebra::try_from(bracket).ok());
         let algebra = algebra.filter(|algebra| algebra.left_frame() == frame);
         let algebra = algebra.ok_or_else(|| {
-            W::Error::custom("only connections in the frame of a Lie algebra are written")
+            W::Error::custom(
+                "a connection that is not in the frame of a Lie algebra cannot be serialized",
+            )
         })?;
         Affinities { schema: Schema, algebra, affinities: self.affinities() }.serialize(serializer)
     }

@@ -157,7 +157,8 @@ fn numbers_without_negatives_are_refused_in_words() {
     let constants = |width: i64| [(0, 1, 2, Interval(1, 1 + width)), (1, 2, 0, Interval(1, 1))];
     assert!(Bracket::from_constants(["x", "y", "z"], constants(0)).is_ok());
     let error = Bracket::from_constants(["x", "y", "z"], constants(1)).unwrap_err();
-    let message = "the numbers are not a ring: [1, 2] - [1, 2] = [-1, 1], not 0, as for intervals";
+    let message =
+        "the numbers are not a ring: [1, 2] - [1, 2] = [-1, 1] instead of 0, as with intervals";
     assert_eq!(error.to_string(), message);
     assert!(error.advice().is_some());
 }

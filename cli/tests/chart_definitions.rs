@@ -187,7 +187,7 @@ fn values_and_checks() {
             1,
             "determinant",
         ),
-        ("chart.coordinates = ['x']", 1, "levi-civita is the connection of a metric"),
+        ("chart.coordinates = ['x']", 1, "the connection levi-civita needs a metric"),
     ] {
         let outcome =
             run(temporary.path(), &["check", "-", "--format", "json"], definition.as_bytes());

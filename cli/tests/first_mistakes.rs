@@ -44,7 +44,7 @@ fn a_metric_may_be_the_list_of_its_diagonal() {
     assert!(table("[2, 3]").out.contains("g_22 = 3"));
     for (metric, message) in [
         ("[1, 2, 3]", "the diagonal of the metric has 3 entries, but the dimension is 2"),
-        ("[1, [2]]", "the metric has rows and single entries"),
+        ("[1, [2]]", "the metric mixes rows and single entries"),
     ] {
         let outcome = table(metric);
         assert!(outcome.status == 2 && outcome.err.contains(message), "{}", outcome.err);

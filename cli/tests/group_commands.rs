@@ -214,7 +214,7 @@ fn what_is_refused() {
     let (code, message) = refusal(&["exp", "so3"], "1,2,x\n1,2,3\n");
     assert_eq!((code, message.contains("names are pi")), (2, true), "{message}");
     let (code, message) = refusal(&["transport", "SO3", "--along", "1e100,1,2", "1,2,3"], "");
-    assert_eq!((code, message.contains("turns too often")), (1, true), "{message}");
+    assert_eq!((code, message.contains("rotate too often")), (1, true), "{message}");
     let (code, message) = refusal(&["exp", "sl2", "1,1,800"], "");
     assert_eq!(
         (code, message.contains("row 1, column 1 of the result is inf")),
@@ -287,7 +287,7 @@ fn refused_rows_are_left_out_on_request() {
         [
             "note: <standard input>, line 2 is left out: a vector of this algebra of dimension 3 \
              has 3 numbers, not 2",
-            "note: <standard input>, line 3 is left out: `x` is not a number: names are pi and tau",
+            "note: <standard input>, line 3 is left out: `x` is not a number: the only names are pi and tau",
             "note: 2 of 4 rows left out",
         ]
     );
@@ -304,7 +304,7 @@ fn refused_rows_are_left_out_on_request() {
         ),
         (
             &["convert", "--from", "quaternion", "--to", "vector", "1,0,0,0", "0,0,0,0"],
-            "no direction",
+            "is zero or not finite",
         ),
     ] {
         let skipped = [arguments, &["--on-error", "skip"]].concat();
@@ -369,7 +369,7 @@ fn heads_order_the_columns_of_input() {
         (
             &["convert", "--from", "quaternion", "--to", "vector"][..],
             "q0,q1,q2,q3",
-            "columns named q0, q1, q2, q3 are not a quaternion",
+            "the columns q0, q1, q2, q3 are not a quaternion",
         ),
         (
             &["convert", "--from", "quaternion", "--to", "vector"],
@@ -381,7 +381,7 @@ fn heads_order_the_columns_of_input() {
             "roll,pitch,yaw",
             "are not a triple of Euler angles",
         ),
-        (&["exp", "so3"], "a,b,c", "columns named a, b, c are not a vector"),
+        (&["exp", "so3"], "a,b,c", "the columns a, b, c are not a vector"),
         (&["log", "so2"], "g11,g12,g21,g21", "are not an element"),
     ] {
         let outcome = run(root(), arguments, format!("{head}\n0,0,0,0\n").as_bytes());

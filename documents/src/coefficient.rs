@@ -16,8 +16,8 @@ pub trait Coefficient: Tabular + Scalar {
     fn read(value: &Symbolic) -> Result<Self, InputError> {
         Self::from_symbolic(value).ok_or_else(|| {
             let shown = shown(&value.to_string());
-            InputError::usage(format!("the value {shown} has no counterpart in this scalar"))
-                .help("set every parameter with --set, and keep floats within 1e308, and at 1e-307 or more unless 0")
+            InputError::usage(format!("the value {shown} cannot be represented in this scalar"))
+                .help("set every parameter with --set; floats must be 0, or have a magnitude from 1e-307 to 1e308")
         })
     }
 }

@@ -429,7 +429,7 @@ impl PyAlgebra {
 impl PyAlgebra {
     fn quantity(&self, py: Python<'_>, quantity: Quantity) -> PyResult<PyTensor> {
         let found = self.values.quantity(py, quantity, &self.source.get().symbols)?;
-        let reason = || format!("{} is not defined here", quantity.key());
+        let reason = || format!("the quantity {} is not defined for this algebra", quantity.key());
         found.ok_or_else(|| error(py, "MathematicsError", (reason(),)))
     }
 

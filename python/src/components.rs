@@ -44,13 +44,15 @@ pub fn float<S: Coefficient>(value: &S) -> Result<f64, InputError> {
     };
     match Notation::to_f64(value) {
         Some(float) if float.is_finite() => Ok(float),
-        Some(_) => refused("is beyond the range of floats", "take exact numbers: to_numpy(object)"),
+        Some(_) => {
+            refused("is beyond the range of floats", "use exact numbers, as in to_numpy(object)")
+        }
         None if value.parameters().is_empty() => {
-            refused("is not a rational number", "take to_sympy(), and evalf of its expressions")
+            refused("is not a rational number", "use to_sympy(), and evalf for its expressions")
         }
         None => refused(
             "has parameters, so it is not a float",
-            "substitute numbers for the parameters, or take to_sympy()",
+            "substitute numbers for the parameters, or use to_sympy()",
         ),
     }
 }
@@ -159,11 +161,14 @@ pub fn widest<'v>(all: impl IntoIterator<Item = &'v Values>) -> Kind {
 pub fn of<S: Held>(values: &Values) -> Result<Arc<Tensor<S>>, InputError> {
     S::of(values).ok_or_else(|| {
         if values.kind() == Kind::Float {
-            let error = InputError::usage("the components are floats, and exact ones are needed");
+            let error =
+                InputError::usage("the components are floats, but exact numbers are needed");
             return error.help("give exact numbers (int, Fraction, SymPy or texts)");
         }
         let reason = each!(values, tensor => tensor.nonzero().find_map(|value| float(value).err()));
-        reason.unwrap_or_else(|| InputError::usage("a component is not in the scalars"))
+        reason.unwrap_or_else(|| {
+            InputError::usage("a component cannot be represented in this scalar")
+        })
     })
 }
 

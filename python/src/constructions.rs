@@ -308,7 +308,7 @@ constructions! {
     #[pyo3(signature = (order, *, basis=None))]
     fn truncated(order) = |structure: S, order: usize, _given| {
         if !(1..=64).contains(&order) {
-            return Err(InputError::usage("the order of truncation is not between 1 and 64"));
+            return Err(InputError::usage(format!("the order of truncation is {order}, not from 1 to 64")));
         }
         Ok(made::<S>(&structure.truncated(order)?))
     };
@@ -454,7 +454,7 @@ fn extension<S: Held + GroundField>(
     let mut constants = vec![];
     for (at, value) in cocycle.components() {
         if at[0] < n || at[1] >= n || at[2] >= n {
-            let message = "a cocycle maps two vectors of the algebra into the centre";
+            let message = "the cocycle does not map two vectors of the algebra into the centre";
             return Err(InputError::usage(message));
         }
         constants.push((at[1], at[2], at[0] - n, value.clone()));

@@ -72,7 +72,7 @@ fn rows<'a>(array: &'a Floats<'_>, count: usize) -> PyResult<(&'a [f64], usize)>
     let (numbers, shape) = (array.as_slice()?, array.shape());
     let step = if shape[0] == 1 { 0 } else { shape[1] };
     if shape[0] != 1 && shape[0] != count {
-        return Err(PyValueError::new_err("the batches differ"));
+        return Err(PyValueError::new_err("the batches have different lengths"));
     }
     Ok((numbers, step))
 }
@@ -258,7 +258,7 @@ impl PyFamily {
                 format!("{of} is not symmetric: its entries [{i}, {j}] and [{j}, {i}] differ")
             }
             Defect::Degenerate => {
-                format!("{of} is degenerate: its determinant is zero to rounding")
+                format!("{of} is degenerate: its determinant is zero within rounding errors")
             }
         };
         error(py, "MetricError", (message,))

@@ -139,6 +139,6 @@ pub fn symbolic(
 
 /// The error for an exact computation with floats.
 pub fn in_floats(what: &str) -> InputError {
-    let error = InputError::usage(format!("{what} is exact, and the values here are floats"));
+    let error = InputError::usage(format!("{what} needs exact numbers, but the values are floats"));
     error.help("give exact numbers (int, Fraction, SymPy or texts) and leave out scalar='float'")
 }

@@ -440,7 +440,7 @@ impl PyGeometry {
                 "einstein" => tested(connection.einstein_constant(metric()?)?, |constant| {
                     Some(constant.to_string())
                 }),
-                other => return Err(InputError::usage(format!("no property is called {other}"))),
+                other => return Err(InputError::usage(format!("unknown property {other}"))),
             })
         }
         let (holds, value, witness) =

@@ -80,7 +80,9 @@ fn read<S: Coefficient>(values: &Values, tolerance: Tolerance) -> Result<Tensor<
         let mut components = Vec::new();
         for (at, value) in tensor.components() {
             let converted = exact(value).and_then(|value| S::from_symbolic(&value));
-            let refused = || InputError::usage(format!("{value} is not a value of this scalar"));
+            let refused = || {
+                InputError::usage(format!("the value {value} cannot be represented in this scalar"))
+            };
             components.push((at, converted.ok_or_else(refused)?));
         }
         let tensor = Tensor::from_components(tensor.dimension(), tensor.slots(), components)?;

@@ -131,7 +131,7 @@ impl PyAlgebra {
         algebra.found.get_or_try_init(py, || -> PyResult<_> {
             let written = run(py, || {
                 if matches!(algebra.values, Geometries::Float(_)) {
-                    let error = "structure theory is exact, and the structure constants are floats";
+                    let error = "structure theory needs exact numbers, but the structure constants are floats";
                     let help = "give exact numbers (int, Fraction, SymPy or texts) and leave out scalar='float'";
                     return Err(InputError::usage(error).help(help));
                 }

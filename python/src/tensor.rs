@@ -256,7 +256,7 @@ impl PyTensor {
     }
 
     fn __bool__(&self) -> PyResult<bool> {
-        Err(PyTypeError::new_err("the truth of a tensor is ambiguous: ask for is_zero"))
+        Err(PyTypeError::new_err("the truth value of a tensor is ambiguous: use is_zero"))
     }
 
     // with None, the product of a NumPy scalar and a tensor is a tensor, not a dense array

@@ -164,7 +164,7 @@ WRONG = [
     (lambda: af.simulate({**TOP, "forces": {"potential": "R44"}}), af.InputError, "R44"),
     (lambda: af.simulate({**TOP, "forces": {"table": [1, 2]}}), ValueError, "rows"),
     (lambda: af.simulate({**TOP, "forces": {"potential": sp.gamma(sp.Symbol("t"))}}), af.InputError, "gamma"),
-    (lambda: af.simulate(TOP, on_error="ignore"), ValueError, "raise or keep"),
+    (lambda: af.simulate(TOP, on_error="ignore"), ValueError, "'raise' or 'keep'"),
     (lambda: af.simulate("x.toml", space="so3"), TypeError, "keys"),
     (lambda: af.sweep(3, {"a": [1]}), TypeError, "task"),
     (lambda: af.sweep(len, [1, 2]), TypeError, "grid"),

@@ -223,7 +223,7 @@ def test_names_and_seeds_of_sweeps():
         with pytest.raises(ValueError, match="rename the parameter|at least one"):
             af.sweep(harmless, grid)
     for seed in (-1, 2**64):
-        with pytest.raises(ValueError, match="a seed is from 0"):
+        with pytest.raises(ValueError, match="the seed should be from 0"):
             af.RandomSample(1, seed=seed, a="uniform(0, 1)")
     drawn = [af.RandomSample(1, seed=seed, a="uniform(0, 1)").rows(0, 1)["a"] for seed in (2**63, 2**63 + 1, 2**64 - 1)]
     assert len({value for (value,) in drawn}) == 3

@@ -214,7 +214,7 @@ def test_components_without_floats_say_why():
     with pytest.raises(af.InputError, match="a has parameters"):
         af.Tensor(["a", 0], "^").to_numpy(float)
     halves = af.Tensor(np.eye(3) / 2, "^_", scalar="float")
-    with pytest.raises(af.InputError, match="are floats, and exact ones are needed"):
+    with pytest.raises(af.InputError, match="are floats, but exact numbers are needed"):
         af.LieAlgebra("so3").change_basis(halves)
 
 

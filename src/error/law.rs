@@ -70,34 +70,34 @@ macro_rules! laws {
 laws! {
     /// The law `x - x = 0` for numbers. It fails for intervals.
     AdditiveInverse(value: x; residual) MathematicsError
-        "the numbers are not a ring: {x} - {x} = {residual}, not 0, as for intervals"
+        "the numbers are not a ring: {x} - {x} = {residual} instead of 0, as with intervals"
         "compute over exact numbers or floats, and bound the error of the result"
     /// The law `[x, y] + [y, x] = 0`.
     Antisymmetry(pair: x y; residual) AntisymmetryError
         "the bracket is not antisymmetric: [{x}, {y}] + [{y}, {x}] = {residual}"
-        "[y,x] must be -[x,y], and [x,x] zero"
+        "change the brackets, so that [y,x] = -[x,y] and [x,x] = 0"
     /// The law `[x, y] + [y, x] = 0`, for a bracket that is given in both orders.
     OppositeOrders(pair: x y, values: forward backward; residual) AntisymmetryError
         "the bracket is not antisymmetric: [{x}, {y}] + [{y}, {x}] = {residual}, \
          for [{x}, {y}] = {forward} and [{y}, {x}] = {backward}"
-        "[y,x] must be -[x,y], and [x,x] zero"
+        "change the brackets, so that [y,x] = -[x,y] and [x,x] = 0"
     /// Each structure constant is given only once. The residual is its second value.
     GivenOnce(pair: x y, component: component, value: first; second) MathematicsError
         "the component of [{x}, {y}] along {component} is given twice: {first} and {second}"
     /// The law `[[x, y], z] + [[y, z], x] + [[z, x], y] = 0`.
     Jacobi(triple: x y z; residual) JacobiError
         "the Jacobi identity fails: [[{x},{y}],{z}] + [[{y},{z}],{x}] + [[{z},{x}],{y}] = {residual}"
-        "look at the brackets of these three basis vectors"
+        "correct the brackets of these three basis vectors"
     /// Structure constants become rational if basis vectors are divided by square roots. The
     /// residual is a constant that cannot become rational.
     RationalConstants(pair: x y, component: component; value) MathematicsError
         "no division of basis vectors by square roots makes all structure constants rational: \
          the component of [{x}, {y}] along {component} is {value}"
-        "structure theory computes over the rational numbers: give another basis, or a parameter instead of the number"
+        "give another basis, or a parameter instead of the number: structure theory computes over the rational numbers"
     /// The span of the matrices is closed under the commutator. The residual is an entry of the
     /// remainder.
     Closure(pair: x y; residual) ClosureError
-        "the matrices do not close: [{x}, {y}] leaves their real span, by {residual}"
+        "the matrices do not close: [{x}, {y}] is not in their real span, with the remainder {residual}"
         "add the missing matrices to the basis"
     /// A subspace contains the bracket of any two of its vectors.
     Subalgebra(pair: x y; bracket) ConstructionError
@@ -116,11 +116,11 @@ laws! {
     /// The law `x y - y x = 0` for a product of vectors.
     Commutative(pair: x y; residual) ConstructionError
         "the products do not commute: {x} {y} - {y} {x} = {residual}"
-        "the products must be commutative and associative: change them"
+        "change the products: they must be commutative and associative"
     /// The law `(x y) z - x (y z) = 0` for a product of vectors.
     Associative(triple: x y z; residual) ConstructionError
         "the products are not associative: ({x} {y}) {z} - {x} ({y} {z}) = {residual}"
-        "the vectors span a commutative, associative algebra: change their products"
+        "change the products: they must be commutative and associative"
     /// The law `D [x, y] - [D x, y] - [x, D y] = 0` for the matrix `D` by which the vector `d`
     /// acts.
     Derivation(derivation: d, pair: x y; residual) ConstructionError
@@ -136,14 +136,14 @@ laws! {
     /// Matrices are linearly independent over the reals.
     Independent(relation: relation; zero) DependentError
         "the matrices are linearly dependent over the reals: {relation} = {zero}"
-        "a basis has no such relation: leave a matrix out"
+        "leave a matrix out, so that the others are independent"
     /// Vector fields are linearly independent at some point.
     IndependentFields(relation: relation; zero) DependentError
         "the frame is degenerate: its determinant is zero, for {relation} = {zero}"
     /// The law `g(x, y) - g(y, x) = 0` for a metric.
     SymmetricMetric(pair: x y; residual) MetricError
         "the metric is not symmetric: g({x},{y}) - g({y},{x}) = {residual}"
-        "write the same value at both places"
+        "write the same value in both entries"
     /// A value, such as a structure function, is constant, because an operation requires this. The
     /// residual is the value.
     Constant(operation: what, component: component; value) MathematicsError
@@ -166,7 +166,7 @@ laws! {
          {component} = {residual}"
     /// The Killing form is not degenerate on a subalgebra `h`.
     KillingOnSubalgebra(null: null; _zero) MathematicsError
-        "the Killing form is degenerate on h: {null} is orthogonal to all of it"
+        "the Killing form is degenerate on h: {null} is orthogonal to h"
     /// The law `nabla_n n = 0`. The autoparallel in the direction `n` then has a constant tangent
     /// vector.
     ConstantTangent(direction: n; residual) MathematicsError
@@ -174,7 +174,7 @@ laws! {
          nabla_n n = {residual} in the left-invariant frame"
     /// The adjoint representation is faithful, which means that no vector is central.
     FaithfulAdjoint(central: central; zero) MathematicsError
-        "the algebra has a centre: {central} commutes with everything, and ad takes it to {zero}"
+        "the algebra has a centre: {central} commutes with all vectors, so ad maps it to {zero}"
     /// The algebra is nilpotent. The residual is a component that should vanish.
     Nilpotent(; component) MathematicsError
         "the algebra is not nilpotent: {component} is not zero"
@@ -188,7 +188,7 @@ laws! {
     /// The eigenvalues of `ad_x` are small integers `a + ib`. The residual is the minimal
     /// polynomial, in `z`.
     Eigenvalues(vector: x; polynomial) MathematicsError
-        "ad_{x} has an eigenvalue other than small integers a + ib: a root of {polynomial}"
+        "ad_{x} has an eigenvalue that is not a + ib with small integers a and b: a root of {polynomial}"
 }
 
 impl Law {

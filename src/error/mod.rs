@@ -101,7 +101,7 @@ pub enum Error {
         components: Vec<(usize, String)>,
     },
     /// The Levi-Civita connection was requested without a metric.
-    #[error("levi-civita is the connection of a metric, and none is given")]
+    #[error("the connection levi-civita needs a metric, but none is given")]
     NoMetric,
     /// The matrix of a change of basis is singular.
     #[error("the new basis is linearly dependent")]
@@ -132,7 +132,7 @@ impl Error {
     /// The error for a name that cannot be a coordinate, because it is not an identifier or occurs
     /// twice.
     pub(crate) fn coordinate(name: &str) -> Self {
-        Error::Name(format!("`{name}` is not the name of one coordinate"))
+        Error::Name(format!("the coordinate name `{name}` is not an identifier, or occurs twice"))
     }
 
     /// The class of the error, which is the name of the exception in Python, such as `JacobiError`.
@@ -153,7 +153,7 @@ impl Error {
             Error::Symmetry { .. } => ("SymmetryError", None),
             Error::NoMetric => ("MetricError", None),
             Error::Degenerate { .. } => {
-                ("MetricError", Some("a metric has an inverse: change it, or take another"))
+                ("MetricError", Some("give a metric whose matrix is invertible"))
             }
             Error::Integration { .. } => ("IntegrationError", None),
             Error::Linear(_)

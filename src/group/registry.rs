@@ -128,7 +128,9 @@ fn factor(name: &str) -> Result<AnyGroup, Error> {
     }
     let number = |value: &Symbolic| match value.approximation() {
         Some(value) => Ok(value.to_f64()),
-        None => Err(refused(format!("its structure constants contain {value}"))),
+        None => {
+            Err(refused(format!("its structure constants contain {value}, which is not a number")))
+        }
     };
     of_algebra(&LieAlgebra::try_from(entry.bracket(number)?)?)
 }

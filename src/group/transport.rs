@@ -119,8 +119,9 @@ impl<G: LieGroup> ParallelTranslation<G> {
         if noise < NOISE {
             return Ok(carried);
         }
-        let reason =
-            format!("it turns too often: the product with the inverse differs from 1 by {noise:e}");
+        let reason = format!(
+            "the transported vectors rotate too often: the transport there and back differs from 1 by {noise:e}"
+        );
         Err(Error::Integration { t: 1.0, reason })
     }
 
@@ -210,7 +211,7 @@ impl<G: LieGroup> ParallelTranslation<G> {
 fn expect_part(what: &str, lost: f64) -> Result<(), Error> {
     expect_digits("parallel translation", lost, |lost| {
         format!(
-            "the rounding of the {what} may change it by {lost} of its size: the arcs are too long"
+            "the arcs are too long: rounding errors of the {what} may change the result by {lost} of its size"
         )
     })
 }

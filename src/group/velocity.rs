@@ -158,6 +158,7 @@ fn continued<G: LieGroup>(group: &G, x: &G::Vector, g: &G::Element) -> Result<G:
             return Ok(x);
         }
     }
-    let reason = format!("none is found near {:?}: samples are too far apart", x.components());
+    let reason =
+        format!("the samples are too far apart: no logarithm is found near {:?}", x.components());
     Err(Error::Invalid { what: "logarithm", reason })
 }

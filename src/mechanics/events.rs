@@ -219,7 +219,7 @@ pub(crate) fn changes_of_sign(
 /// [`Error::Integration`] if the value is NaN.
 pub(crate) fn expect_number(time: f64, value: f64) -> Result<f64, Error> {
     if value.is_nan() {
-        return Err(stopped(time, "the function of an event is not a number"));
+        return Err(stopped(time, "the value of an event function is NaN"));
     }
     Ok(value)
 }

@@ -105,7 +105,9 @@ fn rooted_to(a: &DMatrix<f64>, near: f64) -> Result<DMatrix<f64>, Error> {
     if off <= OFF {
         return Ok(log);
     }
-    Err(refused(format!("the series does not converge: its exponential is off by {off:e}")))
+    Err(refused(format!(
+        "the series does not converge: its exponential differs from the matrix by {off:e}"
+    )))
 }
 
 /// The logarithm `sum -(-X)^k/k` of `a = 1 + X`, if `X` is nilpotent. In this case, the sum is
@@ -132,7 +134,7 @@ fn expect_finite(a: &DMatrix<f64>) -> Result<(), Error> {
 }
 
 fn too_many_roots() -> Error {
-    refused(format!("{ROOTS} square roots do not come near 1"))
+    refused(format!("the matrix is not near 1 after {ROOTS} square roots"))
 }
 
 fn less_identity(a: &DMatrix<f64>) -> DMatrix<f64> {

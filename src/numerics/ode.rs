@@ -83,7 +83,7 @@ fn advance(
             slope = f(t, &y);
         }
     }
-    Err(stop(t, "too many steps: the equations are stiff, or the output times far apart"))
+    Err(stop(t, "too many steps: the equations are stiff, or output times are far apart"))
 }
 
 /// The root mean square of the components, in units of their tolerance. The tolerance is for a

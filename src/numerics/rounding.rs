@@ -22,6 +22,8 @@ pub(crate) fn expect_digits(
 /// Checks the result of `log(exp(x) exp(y))` as in [`expect_digits`].
 pub(crate) fn expect_digits_of_product(lost: f64) -> Result<(), Error> {
     expect_digits("logarithm of the product", lost, |lost| {
-        format!("the rounding of exp(x) exp(y) may change it by {lost}: x and y are too large")
+        format!(
+            "x and y are too large: rounding errors of exp(x) exp(y) may change the logarithm by {lost}"
+        )
     })
 }

@@ -29,13 +29,13 @@ pub enum TensorError {
         rank: usize,
     },
     /// The sides of an array or a matrix differ in length.
-    #[error("the sides must have equal lengths, not {shape:?}")]
+    #[error("the sides must have equal lengths, but the shape is {shape:?}")]
     NotSquare {
         /// The lengths of the sides.
         shape: Vec<usize>,
     },
     /// An integer has no inverse in the scalars.
-    #[error("{0} has no inverse in the scalars")]
+    #[error("the integer {0} has no inverse in the scalars")]
     NotInvertible(i64),
     /// `dimension^rank` exceeds the range of 64-bit component keys, or a table of a contraction
     /// would be too large.
@@ -97,18 +97,18 @@ pub enum NotationError {
     #[error("brackets are allowed in the result only")]
     Brackets,
     /// A letter occurs twice in the result.
-    #[error("`{0}` occurs twice in the result")]
+    #[error("the index `{0}` occurs twice in the result")]
     Twice(char),
     /// A letter of the result is missing in a term.
-    #[error("a term lacks `{0}`")]
+    #[error("a term lacks the index `{0}`")]
     Missing(char),
     /// A letter is upper in a term and lower in the result, or vice versa.
-    #[error("`{0}` is upper on one side of `->` and lower on the other")]
+    #[error("the index `{0}` is upper on one side of `->` and lower on the other")]
     Variance(char),
     /// The two slots of a summed letter have the same variance.
-    #[error("`{0}` is summed, but not once upper and once lower")]
+    #[error("the index `{0}` is summed, but not once upper and once lower")]
     Level(char),
     /// A letter neither occurs once in the result, nor is summed as a pair.
-    #[error("`{0}` is neither an index of the result nor summed in a pair")]
+    #[error("the letter `{0}` is neither an index of the result nor summed in a pair")]
     Count(char),
 }

@@ -94,7 +94,10 @@ impl<'de, S: Summable + Deserialize<'de>> Deserialize<'de> for Tensor<S> {
             .ok_or_else(|| D::Error::custom("the tolerance must be at least 0 and less than 1"))?;
         let component = |(at, value): (Vec<usize>, S)| {
             let at: Option<Vec<usize>> = at.iter().map(|index| index.checked_sub(1)).collect();
-            Ok((at.ok_or_else(|| D::Error::custom("indices count from 1"))?, value))
+            Ok((
+                at.ok_or_else(|| D::Error::custom("an index is 0, but indices count from 1"))?,
+                value,
+            ))
         };
         let components = written.components.into_iter().map(component);
         let components: Vec<_> = components.collect::<Result<_, D::Error>>()?;

@@ -418,7 +418,7 @@ fn elements_without_a_logarithm_are_refused() {
     // a matrix of GL(3) near SO(3) that is not a rotation
     let stretched = DMatrix::from_diagonal(&DVector::from_vec(vec![1.0, 1.0, 2.0]));
     let outside = matrices(&spins()).log(&stretched).unwrap_err().to_string();
-    assert!(outside.contains("leaves the algebra by 6.93"), "{outside}");
+    assert!(outside.contains("has the distance 6.93"), "{outside}");
 }
 
 /// The determinant is 1 to a millionth of the squares of the entries.

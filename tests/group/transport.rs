@@ -112,7 +112,7 @@ fn rounding_of_long_arcs() {
     let off = (there_and_back(5.0).unwrap() - DMatrix::identity(3, 3)).amax();
     assert!(off < 1e-6, "{off:e}");
     let reason = there_and_back(10.0).unwrap_err().to_string();
-    assert!(reason.contains("the rounding of the arcs"), "{reason}");
+    assert!(reason.contains("rounding errors of the arcs"), "{reason}");
     // eigenvectors of ad with the values 2 and -2: the shrinking one has no correct digits when the
     // other has grown by 1e8
     let boost = |length: f64| on_group.along_arcs(&[Vector3::new(length, length, 0.0)]).unwrap();

@@ -23,7 +23,7 @@ fn other_shapes_are_refused() -> Result<(), TensorError> {
     let error = Tensor::vector(&[1.0, 2.0], Up).to_dmatrix().unwrap_err();
     assert_eq!(error, TensorError::Rank { rank: 1, given: 2 });
     let error = Tensor::from_dmatrix(&DMatrix::<f64>::zeros(2, 3), [Up, Down]).unwrap_err();
-    assert_eq!(error.to_string(), "the sides must have equal lengths, not [2, 3]");
+    assert_eq!(error.to_string(), "the sides must have equal lengths, but the shape is [2, 3]");
     let array = ArrayD::<f64>::zeros(vec![2, 2, 3]);
     let error = Tensor::from_array(&array, &[Up, Down, Down]).unwrap_err();
     assert_eq!(error, TensorError::NotSquare { shape: vec![2, 2, 3] });
@@ -87,7 +87,7 @@ fn what_is_read_is_checked() {
     assert_eq!(read("2", r#""up", "down""#, "0", "2, 1", r#""3/6""#), Ok("^2_1 = 1/2".into()));
     for (given, message) in [
         (("2", r#""up""#, "0", "3", r#""1""#), "index 2 is out of range for dimension 2"),
-        (("2", r#""up""#, "0", "0", r#""1""#), "indices count from 1"),
+        (("2", r#""up""#, "0", "0", r#""1""#), "an index is 0, but indices count from 1"),
         (("2", r#""up""#, "0", "1, 1", r#""1""#), "a tensor of rank 1 was given 2 indices"),
         (("2", r#""up""#, "0", "1", r#""1/0""#), "`1/0`: division by zero"),
         (("2", r#""side""#, "0", "1", r#""1""#), "unknown variant `side`"),

@@ -26,10 +26,10 @@ impl CodeOptions {
     /// formulas, so other scalars are an error.
     pub fn language(&self, shared: &Shared) -> Result<Option<Language>, InputError> {
         match self.code {
-            Some(_) if shared.scalar == Scalar::Float => {
-                Err(InputError::usage("--code writes the exact formulas, not floats")
-                    .help("leave --scalar float out: the program computes in double precision"))
-            }
+            Some(_) if shared.scalar == Scalar::Float => Err(InputError::usage(
+                "--code cannot be combined with --scalar float, because it writes exact formulas",
+            )
+            .help("leave --scalar float out: the program computes in double precision")),
             language => Ok(language),
         }
     }

@@ -80,7 +80,7 @@ impl Expected {
             };
             let choices: Vec<String> = self.names.iter().map(|names| list(names)).collect();
             let named = list(&head).escape_debug().to_string();
-            let message = format!("{place}: columns named {named} are not {}", self.what);
+            let message = format!("{place}: the columns {named} are not {}", self.what);
             let help = format!(
                 "name the columns {}, in any order, or omit the header",
                 choices.join("; or ")

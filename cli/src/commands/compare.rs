@@ -23,8 +23,8 @@ impl Arguments {
             [] => ["M(3)", "SO(3)"],
             [left, right] => [left.as_str(), right.as_str()],
             _ => {
-                return Err(InputError::usage("give two spaces, or none")
-                    .help("affinor compare M3 SO3")
+                return Err(InputError::usage("compare needs two spaces, or none")
+                    .help("write for instance affinor compare M3 SO3")
                     .into());
             }
         };

@@ -23,7 +23,7 @@ impl Arguments {
         if let Some(condition) = &self.condition {
             let Some(entries) = catalogue_where(condition)? else {
                 let message =
-                    format!("no algebra of the catalogue is `{}`", condition.escape_debug());
+                    format!("no algebra of the catalogue satisfies `{}`", condition.escape_debug());
                 return Err(InputError::usage(message).into());
             };
             return self.output.print(&[], &entries);
@@ -32,7 +32,9 @@ impl Arguments {
         let Some(entries) = catalogue(&pattern) else {
             let message =
                 format!("no entry of the catalogue contains `{}`", pattern.escape_debug());
-            return Err(InputError::usage(message).help("`affinor list` shows all entries").into());
+            return Err(InputError::usage(message)
+                .help("use `affinor list` to show all entries")
+                .into());
         };
         self.output.print(&[], &entries)
     }

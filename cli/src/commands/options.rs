@@ -225,7 +225,8 @@ impl Output {
                 deliver(self.file.as_deref(), inputs, |out| write(format, out))
             }
             OutputFormat::Program(program) => {
-                let message = format!("the format {} has structure constants only", program.name());
+                let message =
+                    format!("the format {} supports structure constants only", program.name());
                 let help = "write affinor table SPACE --show structure --format ...";
                 Err(InputError::usage(message).help(help).into())
             }

@@ -10,7 +10,7 @@ use clap::Args;
 use nalgebra::DMatrix;
 
 /// Advice for a matrix that is not an element of the group.
-const ADVICE: &str = "--restore replaces it by the nearest element of the group";
+const ADVICE: &str = "use --restore to replace the matrix by the nearest element of the group";
 
 /// The option that decides whether matrices outside the group are replaced.
 #[derive(Args)]

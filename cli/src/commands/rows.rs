@@ -151,7 +151,9 @@ fn finite(values: &DMatrix<f64>) -> Result<(), Failure> {
             let (row, column) = (at % values.nrows() + 1, at / values.nrows() + 1);
             let value = values[at];
             let message = format!("row {row}, column {column} of the result is {value}");
-            Err(InputError::mathematics(message).help("the input is too large for floats").into())
+            Err(InputError::mathematics(message)
+                .help("give smaller numbers: the result exceeds the range of floats")
+                .into())
         }
     }
 }

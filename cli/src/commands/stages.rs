@@ -67,8 +67,8 @@ impl Stages {
             let stage = self.current.borrow().as_ref().map(|(stage, _)| stage.clone());
             let message = format!("{exceeded}, in the stage `{}`", stage.unwrap_or_default());
             let help = format!(
-                "--max-terms {} allows more (150 bytes each); --set gives symbols values; affinor table SPACE --code c (or rust, python) \
-                 writes a program instead of formulas",
+                "allow more with --max-terms {} (150 bytes per term), give symbols values with --set, or write a program \
+                 with affinor table SPACE --code c (or rust, python)",
                 exceeded.limit.saturating_mul(4)
             );
             InputError::mathematics(message).help(help)

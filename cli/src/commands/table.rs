@@ -76,15 +76,18 @@ impl Arguments {
         let numbered = [Format::Csv, Format::Json].map(OutputFormat::Report);
         if named_indices && numbered.contains(&self.shared.output.format()) {
             let error = InputError::usage(
-                "names of basis vectors are not possible in CSV and JSON, which number the indices",
+                "--labels names cannot be combined with the formats csv and json, which number the indices",
             );
             return Err(error
                 .help("leave --labels names out, or write text, markdown, latex or html")
                 .into());
         }
         if self.common_factors && self.shared.output.format() == OutputFormat::Report(Format::Csv) {
-            let error = InputError::usage("names for common factors are not possible in CSV");
-            return Err(error.help("--format json has").into());
+            let error =
+                InputError::usage("--common-factors cannot be combined with the format csv");
+            return Err(error
+                .help("use --format json, which supports names for common factors")
+                .into());
         }
         if let OutputFormat::Program(program) = self.shared.output.format()
             && selection.quantities == [Quantity::Structure]
@@ -114,7 +117,7 @@ impl Arguments {
             let metric = space.definition.has_metric();
             let help = match (metric, selection.right_frame) {
                 (true, true) => {
-                    "the metric has no constant components in the right-invariant frame: leave --frame right out"
+                    "leave --frame right out: the metric has no constant components in the right-invariant frame"
                 }
                 (true, false) => "show tensors of this connection: --show torsion,curvature",
                 (false, _) => "give a metric, as in --metric identity",

@@ -22,7 +22,7 @@ fn with_metric(entry: &str) -> String {
 fn charts() {
     definitions("a.toml", with_keys).mathematics(&[(
         "",
-        &["levi-civita is the connection of a metric, and none is given", "give a metric"],
+        &["the connection levi-civita needs a metric, but none is given", "give a metric"],
     )]);
     definitions("a.toml", |tables: &str| chart("", tables)).usage(&[
         ("more = 1", &["a.toml:6:1", "unknown key `more`"]),
@@ -83,21 +83,21 @@ fn frames() {
 fn functions() {
     definitions("a.toml", with_metric).usage(&[
         ("gamma(x)", &["a.toml:3:19", "`gamma` is not a function here: there are sin, cos, tan"]),
-        ("sqrt(x*y)", &["a.toml:3:19", "unknown sign: declare which are positive, of x, y"]),
-        ("sqrt(x^2)", &["unknown sign: declare which are positive, of x"]),
+        ("sqrt(x*y)", &["a.toml:3:19", "unknown sign: declare the positive ones among x, y"]),
+        ("sqrt(x^2)", &["unknown sign: declare the positive ones among x"]),
         ("log(0)", &["the argument of log is zero"]),
         ("sqrt(-4)", &["the argument of sqrt is negative: -4"]),
         ("sqrt(1 + sin(x))", &["a.toml:3:19", "the argument of sqrt contains a function"]),
         ("exp(tan(x))", &["a.toml:3:19", "divides by a function of an angle"]),
         ("sin(z)^2", &["a.toml:3:23", "`z` is neither a basis vector"]),
-        ("cos(1000*x)", &["more than 64 multiples"]),
-        ("exp(20000*x)", &["a multiple that is greater than 10000"]),
+        ("cos(1000*x)", &["add up to more than 64"]),
+        ("exp(20000*x)", &["an integer factor greater than 10000"]),
         ("sin()", &["a.toml:3:23", "is not expected here"]),
         ("1/(cosh(x)^2 - sinh(x)^2 - 1)", &["division by zero"]),
     ]);
     let positive = |list: &str| chart("metric = \"identity\"", &format!("positive = [{list}]"));
     definitions("a.toml", positive).usage(&[
-        ("\"x*y\"", &["a.toml:6:14", "unknown sign: declare which are positive, of x, y"]),
+        ("\"x*y\"", &["a.toml:6:14", "unknown sign: declare the positive ones among x, y"]),
         ("\"x\", \"-x\"", &["a.toml:6:19", "a positive function is negative: -x"]),
         ("\"x - x\"", &["a.toml:6:14", "a positive function is zero"]),
         ("\"z\"", &["a.toml:6:14", "`z` is neither a basis vector here nor a coordinate"]),
@@ -112,21 +112,21 @@ fn functions() {
         ("\"f(a)\"", &["`f` has the argument `a`, which is not a coordinate"]),
         ("\"f_x(x)\"", &["the name of a function has no `_`: f_x(x)"]),
         ("\"f_z(x)\"", &["`f_z` is not a derivative of a function of x: f_x"]),
-        ("\"sin(x)\"", &["`sin` is another function"]),
+        ("\"sin(x)\"", &["`sin` is the name of an elementary function"]),
         ("\"x(y)\"", &["the function name `x` is already in use"]),
-        ("\"sec(x)\"", &["`sec` is another function"]),
+        ("\"sec(x)\"", &["`sec` is the name of an elementary function"]),
         ("\"f(x)\", \"f(x, y)\"", &["a.toml:6:23", "the function name `f` is already in use"]),
-        ("\"f(x + y)\"", &["the arguments of `f` are names"]),
+        ("\"f(x + y)\"", &["the arguments of `f` must be names"]),
     ]);
     let with_free =
         |entry: &str| chart(&format!("metric = \"diag(1, {entry})\""), "functions = [\"f(x, y)\"]");
     definitions("a.toml", with_free).usage(&[
-        ("f(x)", &["a.toml:3:19", "it is declared as f(x,y)"]),
+        ("f(x)", &["a.toml:3:19", "the function is declared as f(x,y)"]),
         ("f(1, 2)", &["the value of `f` at a number is not known"]),
         ("f_z(x, y)", &["`f_z` is not a derivative of a function of x, y: f_x"]),
         ("f", &["`f` is neither a basis vector here nor a coordinate"]),
         ("g(x, y)", &["there is no function `g` of 2 arguments here"]),
-        ("sqrt(f(x, y))*sqrt(x*f(x, y))", &["declare which are positive, of x, f(x,y)"]),
+        ("sqrt(f(x, y))*sqrt(x*f(x, y))", &["declare the positive ones among x, f(x,y)"]),
     ]);
     definitions("a.toml", with_metric).mathematics(&[(
         "sin(2*x) - 2*sin(x)*cos(x)",

@@ -23,7 +23,7 @@ fn syntax_errors_have_their_place() {
         ("{\"dimension\": 2,\n ,}", &["a.json:2:2", "key must be a string"]),
         ("{\"dimension\": 2,}", &["a.json:1:17", "trailing comma"]),
         ("{\"dimension\": 2, \"brackets\": \"\"} x", &["a.json:1:34"]),
-        ("[1, 2]", &["a.json:1:1", "a JSON definition is an object of keys"]),
+        ("[1, 2]", &["a.json:1:1", "a JSON definition must be an object of keys"]),
         ("{'dimension': 2}", &["a.json:1:2", "key must be a string"]),
         ("{\"dimension\": NaN}", &["a.json:1:15", "expected value"]),
         ("{\"name\": \"\\ud800\"}", &["a.json:1:1", "hex escape"]),
@@ -90,7 +90,7 @@ fn brackets_are_checked() {
     definitions("a.toml", content).mathematics(&[
         (
             "[x, y] = z\n[y, x] = h*z",
-            &["a.toml:7:1", "[x, y] + [y, x] = (h + 1)*z", "[y,x] must be -[x,y]"],
+            &["a.toml:7:1", "[x, y] + [y, x] = (h + 1)*z", "so that [y,x] = -[x,y]"],
         ),
         ("[y, y] = 1/2*z", &["a.toml:6:1", "[y, y] + [y, y] = z"]),
         (
@@ -152,14 +152,17 @@ fn matrices_are_checked() {
     definitions("a.toml", content).mathematics(&[
         (
             "[['0','1'],['0','0']], [['0','0'],['1','0']]",
-            &["a.toml", "[e1, e2] leaves their real span, by 1 at row 1, column 1"],
+            &[
+                "a.toml",
+                "[e1, e2] is not in their real span, with the remainder 1 at row 1, column 1",
+            ],
         ),
         ("[['0','1'],['0','0']], [['0','2'],['0','0']]", &["a.toml", "-2*e1 + e2 = 0"]),
         ("[['i','0'],['0','1']], [['2*i','0'],['0','2']]", &["over the reals: -2*e1 + e2 = 0"]),
         ("[['0']]", &["e1 = 0"]),
         (
             "[['0','1'],['0','0']], [['i','0'],['0','0']]",
-            &["[e1, e2] leaves their real span, by -i at row 1, column 2"],
+            &["[e1, e2] is not in their real span, with the remainder -i at row 1, column 2"],
         ),
     ]);
     definitions("a.toml", content).usage(&[

@@ -26,8 +26,16 @@ fn not_utf_8() {
     };
     let little = utf_16('\u{feff}', u16::to_le_bytes);
     let big = utf_16('\u{feff}', u16::to_be_bytes);
-    refuse_bytes("UTF-16, little end first", &little, &["a.toml is UTF-16", "save it as UTF-8"]);
-    refuse_bytes("UTF-16, big end first", &big, &["a.toml is UTF-16", "save it as UTF-8"]);
+    refuse_bytes(
+        "UTF-16, little end first",
+        &little,
+        &["a.toml is encoded in UTF-16", "save the file as UTF-8"],
+    );
+    refuse_bytes(
+        "UTF-16, big end first",
+        &big,
+        &["a.toml is encoded in UTF-16", "save the file as UTF-8"],
+    );
     let rubbish: Vec<u8> = (0..4096u32).map(|i| (i * 167 + 201) as u8).collect();
     refuse_bytes("rubbish", &rubbish, &["a.toml is not text: byte 1 is not UTF-8"]);
     let latin = b"basis = ['x', 'y']\n# caf\xe9\nbrackets = ''";

@@ -24,10 +24,10 @@ fn forces() {
         ),
         ("forces.table = 'none.csv'", &["a.toml:5:", "cannot read"]),
         ("forces.table = '.'", &["a.toml:5:", "cannot read"]),
-        ("forces.table_in = 'spatial'", &["there is no table"]),
-        ("forces.columns = { M1 = 'a' }", &["a.toml:5:", "there is no table"]),
+        ("forces.table_in = 'spatial'", &["this key needs a table"]),
+        ("forces.columns = { M1 = 'a' }", &["a.toml:5:", "this key needs a table"]),
         ("initial.restore = true", &["`restore` needs a matrix, but none is given"]),
-        ("forces.interpolation = 'hold'", &["a.toml:5:", "there is no table"]),
+        ("forces.interpolation = 'hold'", &["a.toml:5:", "this key needs a table"]),
         (
             "forces.table = 'a'\nforces.interpolation = 'cubic'",
             &["a.toml:6:", "`cubic` is neither linear nor hold"],
@@ -193,7 +193,7 @@ fn bodies() {
             "inertia.moments = [1, 2, 4]",
             &["a.toml:2:1", "no body has these moments, because 4 > 1 + 2"],
         ),
-        ("inertia.moments = [1, 2, -2]", &["-2 is a principal moment"]),
+        ("inertia.moments = [1, 2, -2]", &["a principal moment is -2"]),
         ("inertia.matrix = [[1, 2, 0], [0, 1, 0], [0, 0, 1]]", &["not symmetric"]),
     ]);
     problems("a.toml", instead_of(METRIC)).usage(&[
@@ -234,16 +234,16 @@ fn bodies() {
         ),
         ("{ mesh = 'none.stl', density = 1 }", &["a.toml:2:", "cannot read"]),
         ("{ mesh = 'a.toml', density = 1 }", &["a.toml does not have the name of a mesh file"]),
-        ("{ mass = 1 }", &["give the part either a shape or a mesh"]),
+        ("{ mass = 1 }", &["a part needs either a shape or a mesh"]),
         ("{ shape = 'ball', radius = 1, weight = 1 }", &["unknown key `weight`"]),
     ]);
     problems("a.toml", |text: &str| instead_of(METRIC)(&part(text))).mathematics(&[
 ("{ shape = 'ball', radius = 0, mass = 1 }", &["a.toml:2:", "a length is 0"]),
 ("{ shape = 'ball', radius = 1, mass = -1 }", &["the mass is -1"]),
 ("{ shape = 'ball', radius = 1e200, mass = 1 }", &["a.toml:2:"]),
-("{ shape = 'rod', length = 1, mass = 1 }", &["a.toml:2:1", "0 is a principal moment"]),
+("{ shape = 'rod', length = 1, mass = 1 }", &["a.toml:2:1", "a principal moment is 0"]),
 ("{ shape = 'points', points = [] }", &["there are no masses"]),
-("{ shape = 'ball', radius = 1, mass = 1 }, { shape = 'ball', radius = 2, mass = 2, hole = true }", &["the mass left is -1"]),
+("{ shape = 'ball', radius = 1, mass = 1 }, { shape = 'ball', radius = 2, mass = 2, hole = true }", &["the remaining mass is -1"]),
 ]);
     let on_se2 = "space = 'se2'\ninertia.moments = [1, 1, 1]\noutput.end = 1\ninitial.velocity = [1, 2, 3]\n";
     problems("a.toml", str::to_string).usage(&[(on_se2, &["so(3) and se(3)"])]);

@@ -7,14 +7,14 @@ fn arguments() {
     commands(&[]).usage(&[
         ("tabel", &["tabel", "table"]),
         ("table", &["no SPACE is given", "--basis and --bracket"]),
-        ("compare so3", &["give two spaces, or none"]),
+        ("compare so3", &["needs two spaces, or none"]),
         ("compare so3 so3 so3", &["so3"]),
         ("verify", &["SPACE"]),
         ("compare M3 SO3 --metric identity", &["--metric"]),
         ("equations", &["no SPACE is given"]),
         ("equations so3", &["need a metric", "--kind"]),
         ("equations M3 --code c --solve", &["--solve"]),
-        ("list xyzzy", &["`xyzzy`", "`affinor list` shows all"]),
+        ("list xyzzy", &["`xyzzy`", "use `affinor list` to show all"]),
         ("completions cmd", &["cmd", "bash"]),
         ("completions", &["SHELL"]),
     ]);
@@ -123,7 +123,10 @@ fn floats() {
         .usage(&[("table M3 --scalar float", &["floats need numbers for J11, J12", "--set"])]);
     commands(&["table", "so3", "--metric"]).usage(&[
         ("diag(1,2,m) --scalar float", &["numbers for m"]),
-        ("diag(1,2,1e400) --scalar float", &["--metric:1:1", "the value 1", "within 1e308"]),
+        (
+            "diag(1,2,1e400) --scalar float",
+            &["--metric:1:1", "the value 1", "from 1e-307 to 1e308"],
+        ),
     ]);
     let content =
         |constant: &str| format!("basis = ['x', 'y']\nbrackets = '[x, y] = {constant}*x'");

@@ -49,7 +49,7 @@ fn keys() {
     ]);
     problems("a.toml", instead_of(METRIC)).mathematics(&[
         ("", &["the metric of the kinetic energy is missing", "give metric ="]),
-        ("metric = 'diag(1, 0, 3)'", &["degenerate", "a metric has an inverse"]),
+        ("metric = 'diag(1, 0, 3)'", &["degenerate", "whose matrix is invertible"]),
         ("metric = [['1', '2', '0'], ['0', '1', '0'], ['0', '0', '1']]", &["symmetric"]),
     ]);
     problems("a.toml", instead_of(INITIAL))
@@ -157,26 +157,35 @@ fn methods() {
     ]);
     problems("a.toml", after(OUTPUT)).mathematics(&[
         ("integrator.method = 'rkmk4'", &["rkmk4", "it needs a step"]),
-        ("integrator = { method = 'dmv10', step = 0.1 }\nforces.body = [0, 0, 1]", &["no forces"]),
+        (
+            "integrator = { method = 'dmv10', step = 0.1 }\nforces.body = [0, 0, 1]",
+            &["a body without forces"],
+        ),
         (
             "integrator = { method = 'kick4', step = 0.1 }\nforces.body = ['-Omega1', 0, 0]",
-            &["depend on no velocity"],
+            &["do not depend on the velocity"],
         ),
         ("integrator = { method = 'magnus6', step = 0.1 }", &["magnus6"]),
         ("integrator = { method = 'isospectral2', step = 0.1 }", &["isospectral2"]),
     ]);
     let on_se2 = "space = 'se2'\nintegrator = { method = 'exact' }\n";
-    problems("a.toml", instead_of(SPACE)).mathematics(&[(on_se2, &["it is for a body"])]);
+    problems("a.toml", instead_of(SPACE)).mathematics(&[(on_se2, &["it is for a rigid body"])]);
     let on_matrices = "space = 'so(2,1)'\nintegrator = { method = 'projected853' }\n";
     problems("a.toml", instead_of(SPACE))
-        .mathematics(&[(on_matrices, &["it is for so(2), so(3)"])]);
+        .mathematics(&[(on_matrices, &["it is for left-invariant systems"])]);
 }
 
 #[test]
 fn outputs() {
     problems("a.toml", instead_of(OUTPUT)).usage(&[
-        ("output = { end = 1, every = 0 }", &["a.toml:4:", "never reach the end"]),
-        ("output = { end = 1, every = -1 }", &["a.toml:4:", "never reach the end"]),
+        (
+            "output = { end = 1, every = 0 }",
+            &["a.toml:4:", "interval between rows must be positive"],
+        ),
+        (
+            "output = { end = 1, every = -1 }",
+            &["a.toml:4:", "interval between rows must be positive"],
+        ),
         ("output = { every = 1 }", &["a.toml:4:1", "give `end` and optionally `every`"]),
         ("output = { end = 1, times = [1] }", &["a.toml:4:1", "give `end` and optionally `every`"]),
         ("output = { times = [1, 3, 2] }", &["a.toml:4:", "must increase or decrease"]),

@@ -221,12 +221,12 @@ fn a_checkpoint_without_its_rows_is_told() {
     let resume = ["--ensemble", "--checkpoint", "c", "--resume"];
     fs::write(folder.join("c.rows"), [0; 17]).unwrap();
     let message = refused(simulate(folder).args(resume), 2);
-    assert!(message.contains("c.rows is too short: c counts"), "{message}");
+    assert!(message.contains("c.rows is too short: according to c, it contains"), "{message}");
     fs::remove_file(folder.join("c.rows")).unwrap();
     let message = refused(simulate(folder).args(resume), 2);
-    assert!(message.contains("c.rows is missing: c counts"), "{message}");
+    assert!(message.contains("c.rows is missing: according to c, it contains"), "{message}");
     let mut counted = saved(folder);
-    for (rows, expected) in [(1, "counts 1 row in it"), (2, "counts 2 rows in it")] {
+    for (rows, expected) in [(1, "it contains 1 row"), (2, "it contains 2 rows")] {
         counted["rows"] = rows.into();
         fs::write(folder.join("c"), counted.to_string()).unwrap();
         let message = refused(simulate(folder).args(resume), 2);

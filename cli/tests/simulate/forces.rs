@@ -103,7 +103,7 @@ fn tables_have_names_and_numbers() {
         ("t,M1,M2,M3\n\n0,0,0,0\n1,5,x,0\n", "`x` is not a number", "pulse.csv:4:5"),
         ("t,M1,M2,M3\n0,0,0,0\n1,5,0\n", "a row of 3 numbers", "pulse.csv:3:1"),
         ("t,M1,M2,M3\n0,1,,0,0\n", "a value is missing", "pulse.csv:2:1"),
-        ("t,M1,M2,M3\n0,1 2,0,0\n", "is not one number", "pulse.csv:2:1"),
+        ("t,M1,M2,M3\n0,1 2,0,0\n", "is not a single number", "pulse.csv:2:1"),
         ("t,M1,M2,M1\n0,1,0,0\n", "two columns have the name `M1`", "pulse.csv:1:1"),
         ("t,x,y,z\n0,1,0,0\n", "no column `M1`", "top.toml"),
         ("time,M1,M2,M3\n0,1,0,0\n", "no column `t`", "top.toml"),

@@ -74,7 +74,7 @@ fn options_are_checked_as_keys_are() {
         (&["--step", "2*x"], "--step:1:3", "`x` is not a known name here", 2),
         (&["--step", "inf"], "--step:1:1", "`inf` is not a known name here", 2),
         (&["--tolerance", "1/0"], "--tolerance:1:1", "`1/0` is inf, which is not finite", 1),
-        (&["--tolerance", "1e-20"], "", "floats do not resolve the tolerance", 1),
+        (&["--tolerance", "1e-20"], "", "is too small for floats", 1),
         (&["--method", "rkmk853", "--step", "1"], "--step:1:1", "has no `step`", 2),
         (
             &["--method", "cf4", "--step", "1", "--tolerance", "1e-3"],
@@ -82,7 +82,7 @@ fn options_are_checked_as_keys_are() {
             "has no `tolerance`",
             2,
         ),
-        (&["--every=-1"], "--every:1:1", "never reach the end", 2),
+        (&["--every=-1"], "--every:1:1", "interval between rows must be positive", 2),
         (&["--end", "1e300"], "top.toml:15:9", "rows exceed the limit", 2),
     ];
     for (options, place, what, status) in cases {

@@ -55,8 +55,8 @@ pub(crate) fn read(path: &str) -> Result<Source, InputError> {
 
 pub(crate) fn decode(name: &str, bytes: &[u8]) -> Result<Source, InputError> {
     if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) {
-        let error = InputError::usage(format!("{name} is UTF-16"));
-        return Err(error.help("save it as UTF-8"));
+        let error = InputError::usage(format!("{name} is encoded in UTF-16"));
+        return Err(error.help("save the file as UTF-8"));
     }
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     match std::str::from_utf8(bytes) {

@@ -303,7 +303,7 @@ impl Form for MetricText {
         match (rows.is_empty(), entries.is_empty()) {
             (_, true) => Ok(MetricText::Rows(rows)),
             (true, false) => Ok(MetricText::Diagonal(entries)),
-            (false, false) => Err(de::Error::custom("the metric has rows and single entries")),
+            (false, false) => Err(de::Error::custom("the metric mixes rows and single entries")),
         }
     }
 

@@ -30,7 +30,7 @@ pub(crate) fn table(text: &str) -> Result<Spanned<DeTable<'_>>, Refused> {
     let span = json.span(raw);
     match json.value(raw, 0)?.map(Spanned::into_inner) {
         Some(DeValue::Table(table)) => Ok(Spanned::new(span, table)),
-        _ => Err(("a JSON definition is an object of keys, {...}".into(), span)),
+        _ => Err(("a JSON definition must be an object of keys, {...}".into(), span)),
     }
 }
 

@@ -22,7 +22,7 @@ pub(crate) fn parse_keys<T: DeserializeOwned>(
         json::table(text).map_err(|(message, span)| (message, Some(span)))
     } else if source.name.ends_with(".json") {
         let at = text.len() - start.len();
-        return refused("a JSON definition is an object of keys, {...}", Some(at..at));
+        return refused("a JSON definition must be an object of keys, {...}", Some(at..at));
     } else {
         DeTable::parse(text).map_err(|error| (error.message().into(), error.span()))
     };

@@ -97,7 +97,7 @@ fn triangles(bytes: Vec<u8>) -> Result<Corners, (usize, String)> {
     let corners = reader.enumerate().map(|(at, triangle)| {
         let triangle = triangle.map_err(|error| (at + 1, shown(&error.to_string())))?;
         match triangle.vertices.iter().flat_map(|v| v.0).find(|x| !x.is_finite()) {
-            Some(x) => Err((at + 1, format!("{x} is a coordinate"))),
+            Some(x) => Err((at + 1, format!("the coordinate {x} is not finite"))),
             None => Ok(triangle.vertices.map(|v| Vector3::from(v.0.map(f64::from)))),
         }
     });
@@ -167,9 +167,12 @@ fn obj(source: &Source) -> Result<Corners, InputError> {
                 for coordinate in position.iter_mut() {
                     let word = words.next().unwrap_or_default();
                     *coordinate =
-                        word.parse().map_err(|_| refused(line, "position parse error"))?;
+                        word.parse().map_err(|_| refused(line, "a vertex needs three numbers"))?;
                     if !f64::is_finite(*coordinate) {
-                        return Err(refused(line, &format!("{} is a coordinate", shown(word))));
+                        return Err(refused(
+                            line,
+                            &format!("the coordinate {} is not finite", shown(word)),
+                        ));
                     }
                 }
                 vertices.push(position);
@@ -178,7 +181,9 @@ fn obj(source: &Source) -> Result<Corners, InputError> {
                 let index = |word: &str| word.split('/').next()?.parse().ok();
                 let indices = words.map(index).collect::<Option<Vec<i64>>>();
                 let indices = indices.filter(|indices| indices.len() >= 3);
-                let indices = indices.ok_or_else(|| refused(line, "face parse error"))?;
+                let indices = indices.ok_or_else(|| {
+                    refused(line, "the vertices of a face must be three or more integers")
+                })?;
                 faces.push((line, vertices.len() as i64, indices));
             }
             _ => {}

@@ -79,7 +79,7 @@ impl Evaluator for Floats {
         match name {
             "pi" => Ok(PI),
             "tau" => Ok(TAU),
-            _ => Err("names are pi and tau".into()),
+            _ => Err("the only names are pi and tau".into()),
         }
     }
 

@@ -65,7 +65,7 @@ fn value(word: &str, line: &str, file: &Source) -> Result<f64, InputError> {
         _ => match numbers_in(word, file)?[..] {
             [value] => Ok(value),
             _ => {
-                let message = format!("`{}` is not one number", shown(word));
+                let message = format!("`{}` is not a single number", shown(word));
                 Err(InputError::usage(message).at(&file.whole(line)))
             }
         },

@@ -240,7 +240,9 @@ impl Body {
         };
         if about.is_some() && matches!(content, Content::Matrix(_)) {
             let error = InputError::usage("`about` is allowed with `parts` only").at(&place);
-            return Err(error.help("moments and matrix refer to the fixed point"));
+            return Err(
+                error.help("leave `about` out: moments and matrix refer to the fixed point")
+            );
         }
         let axis = reader.optional_values(&keys.axis)?;
         Ok(Body { about, content, axis, place })
@@ -272,7 +274,7 @@ impl PartKeys {
                 };
                 (Shape::Mesh(mesh.mass_properties(), surface), &[][..])
             }
-            _ => return Err(refused("give the part either a shape or a mesh".into())),
+            _ => return Err(refused("a part needs either a shape or a mesh".into())),
         };
         if keys != needed {
             let sizes = if needed.is_empty() { "no sizes".into() } else { needed.join(", ") };
@@ -281,8 +283,7 @@ impl PartKeys {
         let (mass, density) = (reader.optional(&self.mass)?, reader.optional(&self.density)?);
         let given = mass.iter().chain(&density).count();
         if given != usize::from(!matches!(shape, Shape::Named("points", _))) {
-            let message =
-                "give the part either a mass or a density; the masses of points are in their list";
+            let message = "a part needs either a mass or a density, except `points`, whose list contains the masses";
             return Err(refused(message.into()));
         }
         let position = reader.optional_values(&self.position)?;
@@ -338,7 +339,9 @@ impl Body {
                 Content::Matrix(rows) if group.algebra()?.structure_constants().is_empty() => {
                     let matrix = Value::matrix("inertia", rows, values, &self.place)?;
                     if matrix.shape() != (n, n) {
-                        return refused(&format!("the inertia has {n} rows and columns here"));
+                        return refused(&format!(
+                            "the inertia must have {n} rows and {n} columns here"
+                        ));
                     }
                     let is_positive = matrix.is_square() && matrix.clone().cholesky().is_some();
                     if matrix != matrix.transpose() || !is_positive {

@@ -63,7 +63,7 @@ impl Ensemble {
         }
         for (at, (name, _)) in all.iter().enumerate() {
             if all[..at].iter().any(|(other, _)| other.content == name.content) {
-                let message = format!("`{}` is varied twice", shown(name));
+                let message = format!("the parameter `{}` is varied twice", shown(name));
                 return Err(InputError::usage(message).at(&source.at(name)));
             }
             if !reader.names.contains(&name.content) {

@@ -93,7 +93,8 @@ impl ForceFormulas {
             None => {
                 let idle = ["forces.table_in", "forces.columns", "forces.interpolation"];
                 if let Some(key) = idle.into_iter().find(|key| source.has_key(key)) {
-                    let error = source.refused(key, "there is no table");
+                    let error =
+                        source.refused(key, "this key needs a table of forces, but none is given");
                     return Err(error.help("give table = \"FILE.csv\""));
                 }
                 None
@@ -159,7 +160,8 @@ fn force_rows(names: &[String], rows: Vec<Vec<f64>>) -> Result<Vec<Vec<f64>>, In
     let refused = |name: &String| {
         let message =
             format!("the table has no column `{name}`; its columns are {}", names.join(", "));
-        InputError::usage(message).help(format!("name them {}, in any order", wanted.join(", ")))
+        InputError::usage(message)
+            .help(format!("name the columns {}, in any order", wanted.join(", ")))
     };
     let place = |name: &String| names.iter().position(|n| n == name).ok_or_else(|| refused(name));
     let places = wanted.iter().map(place).collect::<Result<Vec<_>, _>>()?;

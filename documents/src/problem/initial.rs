@@ -122,7 +122,7 @@ impl InitialElement {
                     let (found, needed) = (parts.len(), factors.len());
                     let message =
                         format!("the space has {needed} parts, but there are {found} elements");
-                    let help = "give one table [[initial.parts]] for each part of the sum, in order; an empty one is the identity";
+                    let help = "give one table [[initial.parts]] for each part of the sum, in order; an empty table is the identity";
                     return Err(InputError::usage(message).at(place).help(help));
                 }
                 let numbers = parts
@@ -203,7 +203,8 @@ impl InitialElement {
 }
 
 /// Advice for a matrix that is not an element of the group.
-const ADVICE: &str = "restore = true in [initial] replaces it by the nearest element of the group";
+const ADVICE: &str =
+    "set restore = true in [initial] to replace the element by the nearest element of the group";
 
 /// The initial velocity or momentum.
 #[derive(Clone, Debug)]

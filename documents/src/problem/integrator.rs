@@ -172,7 +172,7 @@ impl Member<'_> {
 
     /// The time step for a class of problems that needs a step. Messages call the class `what`.
     pub fn needed_step(&self, what: &str) -> Result<f64, InputError> {
-        self.step()?.ok_or_else(|| InputError::mathematics(format!("{what} needs a step")))
+        self.step()?.ok_or_else(|| InputError::mathematics(format!("{what} needs a step size")))
     }
 
     /// The settings of the step-size control.

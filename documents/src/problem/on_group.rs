@@ -95,8 +95,8 @@ impl OnGroup {
         let mut values = BTreeMap::new();
         for name in self.space.definition.parameters() {
             let Some((_, value)) = member.parameters.iter().find(|(own, _)| *own == name) else {
-                let message = format!("`{}` has no value", shown(&name));
-                let help = "give it one in a table [parameters]";
+                let message = format!("the parameter `{}` has no value", shown(&name));
+                let help = "give the parameter a value in a table [parameters]";
                 return Err(InputError::usage(message).at(&self.metric_place).help(help));
             };
             let exact = Rational::from_f64(*value).ok_or_else(|| {

@@ -274,7 +274,9 @@ impl Times {
 /// Equidistant times from a start to an end, at intervals of `every`.
 fn equally(start: f64, end: f64, every: f64) -> Result<Vec<f64>, InputError> {
     if every.is_nan() || every <= 0.0 && end != start {
-        return Err(InputError::usage(format!("rows every {every} never reach the end")));
+        return Err(InputError::usage(format!(
+            "`every` is {every}, but the interval between rows must be positive"
+        )));
     }
     if end == start {
         return Ok(vec![start]);

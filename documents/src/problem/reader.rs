@@ -88,7 +88,7 @@ impl Value {
         if value > 0.0 {
             return Ok(value);
         }
-        Err(InputError::usage(format!("{value} is not positive")).at(&self.place()))
+        Err(InputError::usage(format!("the value {value} is not positive")).at(&self.place()))
     }
 
     /// The values of a list of numbers.

@@ -33,7 +33,7 @@ pub trait Programmed: Coefficient {
 impl Programmed for Rational {
     fn program(&self) -> Result<Recorded, String> {
         Recorded::from_rational(self)
-            .ok_or_else(|| format!("{self} has no counterpart in a program"))
+            .ok_or_else(|| format!("the number {self} cannot be written in a program"))
     }
     fn rates(values: &[Self], _: &str) -> Vec<Self> {
         vec![Rational::zero(); values.len()]

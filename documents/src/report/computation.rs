@@ -252,7 +252,7 @@ impl<'a> Computation<'a> {
             for convention in conventions {
                 let (quantity, used) = convention.apply(&mut table, &geometry, &scalars, &self.space.values)?;
                 if stated.contains(&quantity) {
-                    return Err(convention.refused(format!("two conventions state the {}", quantity.title().to_lowercase())));
+                    return Err(convention.refused(format!("two conventions are given for the {}", quantity.title().to_lowercase())));
                 }
                 stated.push(quantity);
                 if !used {

@@ -98,7 +98,7 @@ impl<S: Coefficient> Indexed<S> {
         for (one, two) in [(self, other), (other, self)] {
             let used = |letter: &&char| two.letters.contains(letter) || two.summed.contains(letter);
             if let Some(letter) = one.summed.iter().find(used) {
-                return Err(format!("the summed letter {letter} occurs more than twice"));
+                return Err(format!("the summed index {letter} occurs more than twice"));
             }
         }
         let all = || self.slots().chain(other.slots());
@@ -107,8 +107,10 @@ impl<S: Coefficient> Indexed<S> {
         for (letter, slot) in self.slots() {
             if other.slots().any(|other| other == (letter, slot)) {
                 return Err(match WHOLE.contains(&letter) {
-                    true => "a product of whole tensors: write their indices".into(),
-                    false => format!("the summed letter {letter} is not once upper and once lower"),
+                    true => "a product of tensors needs indices: write the indices of both".into(),
+                    false => {
+                        format!("the summed index {letter} must occur once upper and once lower")
+                    }
                 });
             }
         }
@@ -215,7 +217,7 @@ impl<'a, S: Coefficient> Tensors<'a, S> {
         let is_twice =
             |at: &(char, Variance)| letters.iter().filter(|other| *other == at).count() > 1;
         if let Some((letter, _)) = letters.iter().find(|at| is_twice(at)) {
-            return Err(format!("the summed letter {letter} is not once upper and once lower"));
+            return Err(format!("the summed index {letter} must occur once upper and once lower"));
         }
         if !summed.is_empty() {
             let trace = format!(

@@ -93,7 +93,8 @@ fn at<S: Programmed>(
     let TensorProgram { indices, program } = TensorProgram::new(tensor)?;
     if let Some(missing) = program.inputs().find(|input| point.get(input.text()).is_none()) {
         let message = format!("the quantity {key} depends on {missing}, which has no value");
-        return Err(InputError::usage(message).help(format!("add it, as in --at \"{missing}=1\"")));
+        return Err(InputError::usage(message)
+            .help(format!("give {missing} a value, as in --at \"{missing}=1\"")));
     }
     let value = |name: &str| point.get(name).unwrap_or_default();
     let values = program.evaluate(value, |function, x: &TrackedFloat| x.applied(function));

@@ -120,7 +120,8 @@ impl StoredTable {
             None if least > computed => format!("at least {least}"),
             _ => return self.expect_names(labels),
         };
-        let message = format!("the stored dimension is {stored}, the computed one {computed}");
+        let message =
+            format!("the stored dimension is {stored}, but the computed one is {computed}");
         Err(InputError::mathematics(message).at(&self.place))
     }
 
@@ -133,8 +134,9 @@ impl StoredTable {
             return Ok(());
         };
         let (stored, computed) = (stored.escape_debug(), computed.escape_debug());
-        let message =
-            format!("the stored basis vector {at} is `{stored}`, the computed `{computed}`");
+        let message = format!(
+            "the stored basis vector {at} is `{stored}`, but the computed one is `{computed}`"
+        );
         Err(InputError::mathematics(message).at(&self.place))
     }
 
@@ -154,7 +156,7 @@ impl StoredTable {
         let vanishing = table.tensors.iter().filter(basic).filter(|entry| entry.tensor.is_empty());
         let tensors: Vec<_> = vanishing.map(|entry| (entry.quantity, vec![])).collect();
         if tensors.is_empty() {
-            let message = "no component is stored, and no tensor of this space vanishes";
+            let message = "no component is stored, but no tensor of this space vanishes";
             return Err(InputError::mathematics(message).at(&self.place).help(NAMED));
         }
         Ok(Cow::Owned(StoredTable { tensors, ..self.clone() }))
@@ -171,7 +173,9 @@ impl StoredTable {
         }
         if let Some(stored) = self.connection.as_ref().filter(|name| **name != table.connection) {
             let (stored, computed) = (stored.escape_debug(), &table.connection);
-            remarks.push(format!("the stored connection is {stored}, the computed one {computed}"));
+            remarks.push(format!(
+                "the stored connection is {stored}, but the computed one is {computed}"
+            ));
         }
         if let Some(frame) = self.frame.as_ref().filter(|frame| *frame != table.frame) {
             let see = match (frame.as_str(), table.frame) {
@@ -180,14 +184,17 @@ impl StoredTable {
                 _ => "",
             };
             let (stored, computed) = (frame.escape_debug(), table.frame);
-            remarks.push(format!("stored in the {stored} frame, computed in the {computed}{see}"));
+            remarks.push(format!(
+                "the tensors are stored in the {stored} frame, but computed in the {computed}{see}"
+            ));
         }
         if self.independent && !table.independent {
             remarks.push("only independent components are stored: see --independent".into());
         }
         if self.scalar.as_deref() == Some("float") && S::KIND != Kind::Float {
             remarks.push(
-                "the stored values are floats, the computed ones exact: see --scalar float".into(),
+                "the stored values are floats, but the computed ones are exact: see --scalar float"
+                    .into(),
             );
         }
         remarks
@@ -251,7 +258,8 @@ impl StoredTable {
                 None if missing => continue,
                 None => {
                     let message = format!("{key} is stored, but it is not defined for this space");
-                    let help = "it may need a metric, as in --metric \"diag(1,2,3)\"";
+                    let help =
+                        "give a metric if the tensor needs one, as in --metric \"diag(1,2,3)\"";
                     return Err(refused(message).help(help));
                 }
             };
@@ -296,7 +304,7 @@ impl StoredTable {
             found.extend(compare(*quantity, &stored, shown));
         }
         if compared.is_empty() {
-            let message = "no tensor that is shown applies to this space";
+            let message = "none of the selected tensors is defined for this space";
             return Err(InputError::mathematics(message).at(&self.place));
         }
         Ok(Differences::new(compared, found, table.zero_line()))
@@ -326,8 +334,9 @@ impl StoredTable {
         match self.slots.iter().find(|(other, _)| *other == quantity) {
             Some((_, stored)) if *stored != computed => {
                 let key = quantity.key();
-                let message =
-                    format!("{key}: the stored indices are {stored}, the computed {computed}");
+                let message = format!(
+                    "{key}: the stored indices are {stored}, the computed indices {computed}"
+                );
                 Err(InputError::mathematics(message).at(&self.place))
             }
             _ => Ok(()),
@@ -400,7 +409,7 @@ impl StoredTable {
             let index = |field: &str| field.parse::<usize>().ok()?.checked_sub(1);
             let fields = (1..columns - 1).map(|at| &record[at]).filter(|field| !field.is_empty());
             let indices = fields.map(index).collect::<Option<Vec<_>>>();
-            let indices = indices.ok_or_else(|| here("an index is not a whole number from 1"))?;
+            let indices = indices.ok_or_else(|| here("an index is not a positive integer"))?;
             let component = (indices, record[columns - 1].into());
             match self.tensors.iter_mut().find(|(other, _)| *other == quantity) {
                 Some((_, components)) => components.push(component),

@@ -108,7 +108,7 @@ class Geometries(Bulk):
         super().__init__(family, [rows, *(value[..., np.newaxis].copy() for value in values)], shape)
 
     def __reduce__(self) -> Any:
-        raise TypeError("geometries in bulk are not pickled: pickle the algebra and the metrics")
+        raise TypeError("geometries in bulk cannot be pickled: pickle the algebra and the metrics")
 
     @property
     def metric(self) -> Floats:

@@ -72,7 +72,7 @@ def plot(trajectory: Columns, kind: str, columns: Sequence[str] | None, ax: Any)
     elif kind == "conserved":
         shown = list(columns) if columns is not None else trajectory.conserved
         if not shown:
-            raise ValueError("the equations conserve no column of this motion: choose some with columns=")
+            raise ValueError("the equations conserve no column of this motion: choose columns with columns=")
         for name in shown:
             change = np.abs(trajectory[name] - trajectory[name][0])
             ax.semilogy(trajectory.t, np.maximum(change, 1e-18), label=name)
@@ -87,7 +87,7 @@ def plot(trajectory: Columns, kind: str, columns: Sequence[str] | None, ax: Any)
     else:
         path = _smooth(trajectory)["H"].T
         if len(path) != 3:
-            raise ValueError(f"a momentum of 3 components is drawn, and this one has {len(path)}")
+            raise ValueError(f"the plot needs a momentum of 3 components, not {len(path)}")
         ax.plot(*path, label="H")
         _sphere(ax, float(np.linalg.norm(path[:, 0])))
         for name, letter in zip(("set_xlabel", "set_ylabel", "set_zlabel"), "123", strict=True):

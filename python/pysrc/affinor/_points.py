@@ -38,7 +38,7 @@ class PointValues(Bulk):
     __slots__ = ()
 
     def __reduce__(self) -> Any:
-        raise TypeError("values at points are not pickled: pickle the geometry and the points")
+        raise TypeError("values at points cannot be pickled: pickle the geometry and the points")
 
 
 def at(geometry: Geometry, points: Any, values: Mapping[str, Any] | None) -> PointValues:

@@ -68,7 +68,7 @@ def text_of(
         if floats and np.isfinite(number):
             return repr(number)
         if not np.isfinite(number):
-            raise ValueError(f"{number} is not a number for computations")
+            raise ValueError(f"a finite number was expected, not {number}")
         raise _inexact(number)
     if isinstance(value, (complex, np.complexfloating)):
         if value.imag == 0:
@@ -214,7 +214,7 @@ def _of_sympy(expression: Any, symbols: Symbols, floats: bool, imaginary: bool) 
             # lets formulas pass any function: they have further functions, and the engine reports unknown ones
             if floats or _is_elementary(name):
                 return f"{_OF_FORMULAS.get(name, name)}({arguments})"
-        raise TypeError(f"{node} has no counterpart among rational functions and elementary functions")
+        raise TypeError(f"{node} is neither a rational function nor an elementary function")
 
     return write(expression)
 
@@ -236,7 +236,7 @@ def _undefined(function: Any) -> str:
     if function.func != Function(name):
         raise ValueError(f"the function {name} has assumptions, which would be lost")
     if _is_elementary(name) or not re.fullmatch(r"[A-Za-z][A-Za-z0-9]*", name):
-        raise ValueError(f"the function {name!r} needs another name: of ASCII letters and digits, and not that of a known one")
+        raise ValueError(f"the function {name!r} needs another name: use ASCII letters and digits, but not the name of a known function")
     return name
 
 
@@ -345,7 +345,7 @@ def document(value: Any, symbols: Symbols, *, imaginary: bool = False) -> Any:
         return bool(value)
     if isinstance(value, (float, np.floating)):
         if not np.isfinite(value):
-            raise ValueError(f"{value} is not a number for computations")
+            raise ValueError(f"a finite number was expected, not {value}")
         return float(value)
     if isinstance(value, np.integer):
         return int(value)

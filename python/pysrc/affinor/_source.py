@@ -140,7 +140,7 @@ def _entries(constants: Any, dimension: int | None) -> tuple[list[Any], list[Any
     """Reads the indices, the values and the dimension of structure constants."""
     if isinstance(constants, Tensor):
         if constants.slots != "^__":
-            raise ValueError(f"structure constants have the slots '^__', not {constants.slots!r}")
+            raise ValueError(f"structure constants should have the slots '^__', not {constants.slots!r}")
         entries = constants._values() if constants.scalar == "float" else constants._texts()
         return constants._indices().T.tolist(), entries, constants.dimension
     if hasattr(constants, "tocoo") or hasattr(constants, "coords"):

@@ -66,7 +66,7 @@ class RandomSample:
     def __init__(self, samples: int, *, seed: int = 0, **laws: str | Sequence[Any]) -> None:
         samples, seed = index("the number of samples", samples), index("the seed", seed)
         if not 0 <= seed < 2**64:
-            raise ValueError(f"a seed is from 0 to 2^64 - 1, not {seed}")
+            raise ValueError(f"the seed should be from 0 to 2^64 - 1, not {seed}")
         if samples < 0 or not laws:
             raise ValueError("a draw needs a number of samples and a law for each parameter")
         self.samples, self.seed, self.laws = samples, seed, laws
@@ -310,13 +310,13 @@ def sweep(
         raise TypeError(f"a task is a function of a dict or SimulationTask, not {type(task).__name__}")
     chunk = index("chunk", chunk)
     if chunk < 1:
-        raise ValueError(f"a chunk has at least one row, not {chunk}")
+        raise ValueError(f"chunk should be at least one row, not {chunk}")
     source = _Grid(grid)
     names = source.rows(0, 0)
     if reserved := {"row", "error"} & set(names):
         raise ValueError(f"{sorted(reserved)[0]!r} is a column of every sweep: rename the parameter")
     if not names:
-        raise ValueError("a grid has at least one parameter")
+        raise ValueError("the grid needs at least one parameter")
     if not len(source):
         empty = [name for name, values in getattr(source, "values", {}).items() if not values]
         raise ValueError(f"the grid has no rows: {f'the list of {empty[0]} is empty' if empty else 'give some samples'}")

@@ -280,7 +280,7 @@ def _tensor(given: Any, slots: str, name: str, scalar: str) -> Tensor | None:
     if given is None:
         return None
     if isinstance(given, Tensor) and given.scalar == "float" and scalar != "float":
-        raise TypeError(f"{name} are floats, and exact numbers are needed: choose scalar='float'")
+        raise TypeError(f"{name} are floats, but exact numbers are needed: choose scalar='float'")
     tensor = given if isinstance(given, Tensor) else Tensor(given, slots, scalar="float" if scalar == "float" else None)
     if tensor.slots != slots:
         raise ValueError(f"{name} should have the slots {slots!r}, not {tensor.slots!r}")

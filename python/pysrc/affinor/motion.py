@@ -287,7 +287,7 @@ def _functions(keys: dict[str, Any]) -> tuple[dict[str, Any], dict[str, Any]]:
         return keys, {}
     functions = {name: force for name, force in forces.items() if callable(force)}
     if not set(functions) <= {"body", "spatial"}:
-        raise TypeError(f"forces.{next(iter(functions))} is not a function: body and spatial may be functions")
+        raise TypeError(f"forces.{next(iter(functions))} cannot be a function: only body and spatial can")
     rest = {name: force for name, force in forces.items() if name not in functions}
     return {**keys, "forces": rest}, functions
 
@@ -438,7 +438,7 @@ class Trajectory:
         found, at = _rows_at(problem, member, wanted.tolist())
         place = {time: row for row, time in enumerate(found["rows"][:, at].tolist())}
         if beyond := [time for time in wanted.tolist() if time not in place]:
-            raise ValueError(f"the run ends at t = {found['rows'][-1, at]:g}, and t has the time {beyond[0]:g}")
+            raise ValueError(f"the run ends at t = {found['rows'][-1, at]:g}, before the requested time {beyond[0]:g}")
         found["rows"] = found["rows"][[place[time] for time in times.tolist()]]
         return Trajectory(found, self._motion)
 
@@ -615,7 +615,7 @@ def simulate(
     """
     on_interrupt = on_interrupt or interrupts.get()
     if on_error not in ("raise", "keep") or on_interrupt not in ("return", "raise"):
-        raise ValueError("on_error is raise or keep, on_interrupt is return or raise")
+        raise ValueError("on_error should be 'raise' or 'keep', and on_interrupt 'return' or 'raise'")
     if not isinstance(progress, (bool, np.bool_, type(None))) and not callable(progress):
         raise TypeError(f"progress should be a truth value or a function, not {progress!r}")
     if not isinstance(problem, Problem):
@@ -625,7 +625,7 @@ def simulate(
     member = index("the member", member)
     if not 0 <= member < (problem.ensemble_size or 1):
         ensemble = "no ensemble" if problem.ensemble_size is None else f"an ensemble of {problem.ensemble_size} members, from 0"
-        raise ValueError(f"the problem has {ensemble}, and no member {member}")
+        raise ValueError(f"the problem has {ensemble}, but no member {member}")
     bar = None
     tell: Callable[[float], object] | None = progress if callable(progress) else None
     if tell is None and progress:

@@ -130,7 +130,7 @@ def _semidirect(algebra: LieAlgebra, on: Any, by: Iterable[Any]) -> Read[list[st
     matrices = [matrix if isinstance(matrix, Tensor) else Tensor(matrix, "^_") for matrix in by]
     if other.scalar == "float":
         raise InputError(
-            "a construction is exact, and the values here are floats",
+            "a construction needs exact numbers, but the values are floats",
             "give exact numbers (int, Fraction, SymPy or texts) and leave out scalar='float'",
         )
     return f"{algebra.name} on {other.name}", other.basis, [other.structure, *matrices]
@@ -179,7 +179,7 @@ def vector(algebra: LieAlgebra, x: Any) -> Tensor:
 def _vectors(algebra: LieAlgebra, given: Iterable[Any]) -> list[Tensor]:
     """Reads a list of vectors."""
     if isinstance(given, (str, Tensor)):
-        raise TypeError("a list of vectors was expected, not a single one")
+        raise TypeError("a list of vectors was expected, not a single vector")
     return [vector(algebra, x) for x in given]
 
 
@@ -201,7 +201,7 @@ def _combination(algebra: LieAlgebra, text: str) -> Tensor:
         raise ValueError(f"{found!r} is neither one of the vectors {', '.join(places)} nor a parameter of the algebra")
 
     def function(found: str, argument: Any) -> Any:
-        raise ValueError(f"the function {found} has no place in the vector {text!r}")
+        raise ValueError(f"the vector {text!r} cannot contain the function {found}")
 
     vector = evaluate(text, Fraction, name, function)
     if not isinstance(vector, Tensor):

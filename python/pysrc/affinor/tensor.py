@@ -38,11 +38,11 @@ def parts(components: Any, slots: str, dimension: int | None, scalar: str | None
             raise ValueError(f"the components have the dimension {found}, not {dimension}")
         return _checked(indices, values, slots, found, scalar)
     if dimension is None:
-        raise TypeError("a dict of components needs the dimension")
+        raise TypeError("a dict of components needs the argument dimension")
     keys = [key if isinstance(key, tuple) else (key,) for key in components]
     for key in keys:
         if len(key) != len(slots):
-            raise ValueError(f"the component {key} has {len(key)} indices, the slots {slots!r} {len(slots)}")
+            raise ValueError(f"the component {key} has {len(key)} indices, but the slots {slots!r} need {len(slots)}")
     indices = integers("indices", keys).reshape(len(keys), len(slots)).T
     return _checked(indices, list(components.values()), slots, dimension, scalar)
 
@@ -64,7 +64,7 @@ def _checked(
         raise TypeError(f"slots are a text of ^ and _, not {type(slots).__name__}")
     dimension = index("the dimension", dimension)
     if not 0 <= dimension < 1 << 63:
-        raise ValueError(f"the dimension is a number from 0, not {dimension}")
+        raise ValueError(f"the dimension should be from 0 to 2^63 - 1, not {dimension}")
     if scalar not in (None, "exact", "float"):
         raise ValueError(f"the scalar is exact or float, not {scalar!r}")
     symbols: Symbols = {}
@@ -83,7 +83,7 @@ def _dense(components: Any, slots: str) -> tuple[NDArray[np.int64], list[Any], i
     if not isinstance(slots, str):
         raise TypeError(f"slots are a text of ^ and _, not {type(slots).__name__}")
     if isinstance(components, Tensor):
-        raise TypeError("this is a tensor already")
+        raise TypeError("the components are a Tensor already")
     if is_matrix(components):
         components = components.tolist()
     array = np.asarray(unmasked(components), dtype=None if isinstance(components, np.ndarray) else object)
@@ -113,7 +113,7 @@ def to_coo(tensor: Tensor, dtype: Any) -> tuple[NDArray[np.int64], NDArray[Any]]
             values: NDArray[Any] = numbers.astype(dtype, copy=False)
         # rejects floats of 2^53 and more, because they may be rounded integers
         if values.dtype.kind in "biu" and not ((values == numbers) & (abs(numbers) < 1 << 53)).all():
-            raise TypeError(f"a component has no safe value of the type {values.dtype}; take float or object")
+            raise TypeError(f"a component cannot be converted safely to {values.dtype}: use float or object")
         return indices, values
     values = np.empty(tensor.nnz, dtype=object)
     values[:] = tensor._values()
@@ -124,7 +124,7 @@ def to_numpy(tensor: Tensor, dtype: Any) -> NDArray[Any]:
     """The tensor as a dense array."""
     count = tensor.dimension**tensor.rank
     if count > _DENSE:
-        raise MemoryError(f"{count} components are too many for a dense array: take to_coo()")
+        raise MemoryError(f"{count} components are too many for a dense array: use to_coo()")
     if dtype is None:
         dtype = object if tensor.parameters else float
     indices, values = to_coo(tensor, dtype)
@@ -214,7 +214,7 @@ def operands(
 
         expression = re.sub(r"(?<![\w^_])[\^_][\^_\w]*", name, left) + arrow + right
         if len(found) < len(factors):
-            raise ValueError(f"{len(factors)} factors are given, and the expression has {len(found)}")
+            raise ValueError(f"{len(factors)} factors are given, but the expression has {len(found)}")
     found.update(named)
     for key, tensor in found.items():
         if not isinstance(tensor, Tensor):

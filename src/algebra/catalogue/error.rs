@@ -64,7 +64,7 @@ pub enum CatalogueError {
     },
     /// The scalar cannot represent a structure constant.
     #[error(
-        "`{}` has the structure constant {value}, which these scalars cannot hold: \
+        "`{}` has the structure constant {value}, which these scalars cannot represent: \
          give the value of its parameter, or use symbolic scalars",
         .name.escape_debug()
     )]

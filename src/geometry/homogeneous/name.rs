@@ -49,7 +49,7 @@ impl Name {
         let unknown = || {
             let shown = text.trim().escape_debug();
             Error::Name(format!(
-                "`{shown}` names no homogeneous space: write for instance SU(3)/U(2), S^5 or Gr(2,C^4)"
+                "`{shown}` is not the name of a homogeneous space: write for instance SU(3)/U(2), S^5 or Gr(2,C^4)"
             ))
         };
         if let Some(name) = family(named) {

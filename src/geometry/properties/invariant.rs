@@ -43,9 +43,7 @@ impl<S: Field + Scalar> Connection<S> {
     pub fn parallel_forms(&self) -> Result<Vec<Tensor<S>>, Error> {
         let _stage = stage("parallel forms");
         if !self.frame().is_invariant() {
-            return Err(Error::Unsupported(
-                "constant forms are asked for in an invariant frame only".into(),
-            ));
+            return Err(Error::Unsupported("parallel forms need an invariant frame".into()));
         }
         let n = self.frame().dimension();
         // on constant components, nabla_k acts as the endomorphism Lambda^i_kj

@@ -211,7 +211,7 @@ impl MatrixGroup {
             if off.is_nan() || off > tolerance * self.span.norm(at) {
                 let vector = at + 1;
                 return refused(format!(
-                    "Ad maps basis vector {vector} out of the algebra by {off:e}"
+                    "Ad maps basis vector {vector} to a matrix at the distance {off:e} from the algebra"
                 ));
             }
         }
@@ -227,10 +227,12 @@ impl MatrixGroup {
             power = &power * g;
         }
         match witness {
-            Some((1, off)) => refused(format!("its logarithm leaves the algebra by {off:e}")),
-            Some((k, off)) => {
-                refused(format!("the logarithm of its power {k} leaves the algebra by {off:e}"))
+            Some((1, off)) => {
+                refused(format!("its logarithm has the distance {off:e} from the algebra"))
             }
+            Some((k, off)) => refused(format!(
+                "the logarithm of its power {k} has the distance {off:e} from the algebra"
+            )),
             // no power has a logarithm that could be tested, so the element is accepted
             None => Ok(()),
         }
@@ -258,7 +260,8 @@ impl MatrixGroup {
         if outside <= OUTSIDE * (1.0 + log.norm()) {
             return Ok(self.components(&log));
         }
-        let reason = format!("the principal logarithm leaves the algebra by {outside:e}");
+        let reason =
+            format!("the principal logarithm has the distance {outside:e} from the algebra");
         Err(Error::Invalid { what: "logarithm", reason })
     }
 

@@ -19,7 +19,7 @@ use std::f64::consts::PI;
 /// use affinor::group::{LieGroup, Sl2};
 /// use nalgebra::Matrix2;
 /// let refused = Sl2.log(&Matrix2::new(-2.0, 0.0, 0.0, -0.5)).unwrap_err();
-/// let reason = "invalid logarithm: the trace is -2.5, that of exp(x) is above -2 unless exp(x) = -1";
+/// let reason = "invalid logarithm: the trace is -2.5, but every exp(x) other than -1 has a trace above -2";
 /// assert_eq!(refused.to_string(), reason);
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -70,7 +70,7 @@ fn logarithm(cos: f64, part: &Vector3<f64>) -> Result<Vector3<f64>, Error> {
         let reason = match trace > -2.0 {
             true => format!("the trace is {trace}, so near -2 that rounding hides the angle"),
             false => {
-                format!("the trace is {trace}, that of exp(x) is above -2 unless exp(x) = -1")
+                format!("the trace is {trace}, but every exp(x) other than -1 has a trace above -2")
             }
         };
         return Err(Error::Invalid { what: "logarithm", reason });
@@ -228,7 +228,7 @@ impl MatrixNotation for Sl2 {
             if (determinant - 1.0).abs() <= TOLERANCE * (1.0 + m.norm_squared()) {
                 return Ok(m);
             }
-            let reason = format!("its determinant is {determinant}");
+            let reason = format!("its determinant is {determinant}, not 1");
             Err(Error::Invalid { what: "element of the group", reason })
         })
     }

@@ -27,7 +27,7 @@ pub fn from_wxyz([w, x, y, z]: [f64; 4]) -> Result<UnitQuaternion<f64>, Error> {
     let q = Quaternion::new(w, x, y, z);
     let largest = q.coords.amax();
     if !(largest > 0.0 && q.coords.iter().all(|q| q.is_finite())) {
-        let reason = format!("the quaternion {w}, {x}, {y}, {z} has no direction");
+        let reason = format!("the quaternion {w}, {x}, {y}, {z} is zero or not finite");
         return Err(Error::Invalid { what: "rotation", reason });
     }
     // scales the components first, because the norm of subnormal components is inaccurate

@@ -83,7 +83,8 @@ impl Sequence {
     /// combine to a single rotation.
     pub fn new(axes: [Axis; 3], turns: AxesFrame) -> Result<Self, Error> {
         if axes[0] == axes[1] || axes[1] == axes[2] {
-            let reason = format!("{axes:?} repeats an axis, so two angles act as one");
+            let reason =
+                format!("two consecutive axes of {axes:?} are equal, so two angles act as one");
             return Err(Error::Invalid { what: "Euler angles", reason });
         }
         Ok(Sequence { axes, turns })
@@ -202,7 +203,9 @@ impl FromStr for Sequence {
         let axes = axes.and_then(|axes| <[Axis; 3]>::try_from(axes).ok());
         let axes = axes.ok_or_else(|| Error::Invalid {
             what: "Euler angles",
-            reason: format!("`{text}` is not three of XYZ (intrinsic) or of xyz (extrinsic)"),
+            reason: format!(
+                "`{text}` is not three letters of XYZ (intrinsic) or of xyz (extrinsic)"
+            ),
         })?;
         Sequence::new(axes, turns)
     }

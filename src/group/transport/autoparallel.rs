@@ -100,7 +100,10 @@ impl<G: LieGroup> ParallelTranslation<G> {
             let Some((next, missed)) = better else { break };
             (n, residual) = (next, missed);
         }
-        let reason = format!("no autoparallel found: the nearest misses by {:e}", residual.amax());
+        let reason = format!(
+            "no autoparallel found: the nearest one misses the end point by {:e}",
+            residual.amax()
+        );
         Err(Error::Integration { t: 1.0, reason })
     }
 
@@ -114,7 +117,10 @@ impl<G: LieGroup> ParallelTranslation<G> {
         if (end - t).abs() < MAX_CHARTS * reach {
             return Ok(t + reach.copysign(end - t));
         }
-        Err(Error::Integration { t, reason: format!("it turns too fast to reach {end}") })
+        Err(Error::Integration {
+            t,
+            reason: format!("the autoparallel turns too fast to reach t = {end}"),
+        })
     }
 
     /// Integrates the autoparallel that starts at the time `t` from the origin of the chart.

@@ -97,7 +97,9 @@ impl Inertia {
         // rejects moments that are not normal, because the reciprocal of the moment must be finite
         // too
         match moments.iter().find(|moment| !(moment.is_normal() && **moment > 0.0)) {
-            Some(moment) => Err(invalid_inertia(format!("{moment} is a principal moment"))),
+            Some(moment) => Err(invalid_inertia(format!(
+                "a principal moment is {moment}, but moments must be positive and finite"
+            ))),
             None => Ok(Inertia { moments, axes }),
         }
     }

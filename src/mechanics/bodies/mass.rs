@@ -58,7 +58,7 @@ impl MassProperties {
     /// finite.
     pub fn new(mass: f64, centre: Vector3<f64>, inertia: &Matrix3<f64>) -> Result<Self, Error> {
         if mass <= 0.0 {
-            return Err(invalid_inertia(format!("the mass is {mass}")));
+            return Err(invalid_inertia(format!("the mass is {mass}, which is not positive")));
         }
         if let Some(off) = asymmetry(inertia) {
             return Err(invalid_inertia(format!(
@@ -181,7 +181,7 @@ impl MassProperties {
     /// [`Error::Invalid`] if the rest is not a body of positive masses.
     pub fn subtract(&self, part: &Self) -> Result<Self, Error> {
         let left = self.joined(part, -1.0);
-        positive("the mass left", left.mass)?;
+        positive("the remaining mass", left.mass)?;
         let about = part.inertia_matrix_about(&self.centre);
         let size = self.inertia_matrix().norm() + about.norm();
         Self::of_moments(left.mass, left.centre, left.second)?.checked(size)
@@ -231,5 +231,5 @@ fn positive(what: &str, value: f64) -> Result<f64, Error> {
     if value > 0.0 && value.is_finite() {
         return Ok(value);
     }
-    Err(invalid_inertia(format!("{what} is {value}")))
+    Err(invalid_inertia(format!("{what} is {value}, which is not positive and finite")))
 }

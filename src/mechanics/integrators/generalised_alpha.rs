@@ -156,7 +156,7 @@ impl<G: TranslationSplit, C: Constraint<G>, M: Torque<G>> Integrator<Constrained
             return Err(stopped(format!("the spectral radius {rho} is not in [0, 1]")));
         }
         if !h.is_finite() || h == 0.0 {
-            return Err(stopped(format!("there is no step of length {h}")));
+            return Err(stopped(format!("the step size {h} is zero or not finite")));
         }
         let method = self.coefficients();
         let singular = || stopped("the equations of a step are singular or not finite".into());
@@ -215,6 +215,8 @@ impl<G: TranslationSplit, C: Constraint<G>, M: Torque<G>> Integrator<Constrained
             last = size;
         }
         let limit = Self::ITERATIONS;
-        Err(stopped(format!("Newton's method finds no step of {h} in {limit} iterations")))
+        Err(stopped(format!(
+            "Newton's method does not converge in {limit} iterations for a step of {h}"
+        )))
     }
 }

@@ -62,7 +62,7 @@ impl Principal {
         state: &State<So3>,
     ) -> Result<BodyState, Error> {
         if !system.torque().is_absent() {
-            return Err(stopped(state.time, "the method is for a free body, and a torque acts"));
+            return Err(stopped(state.time, "the method is for a free body, but a torque acts"));
         }
         self.state(system, state)
     }

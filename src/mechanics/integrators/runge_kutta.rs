@@ -83,7 +83,7 @@ pub(super) fn expect_coordinates<G: LieGroup, C: LocalCoordinates<G>>(
     }
     Err(stopped(
         time,
-        "the method needs a projection of points onto the group, and this group has none",
+        "the method needs a projection of points onto the group, but this group has no projection",
     ))
 }
 

@@ -26,7 +26,7 @@ impl Integration {
         method.expect_resolved(self.control.tolerance)?;
         match self.step {
             Some(step) => Ok(step),
-            None if method.has_steps() => Err(method.refused("it needs a step")),
+            None if method.has_steps() => Err(method.refused("it needs a step size")),
             None => Ok(0.0),
         }
     }

@@ -296,7 +296,7 @@ impl Method {
             return Ok(());
         }
         Err(self.refused(&format!(
-            "floats do not resolve the tolerance {tolerance:e}: the least is {LEAST:e}"
+            "the tolerance {tolerance:e} is too small for floats: the least is {LEAST:e}"
         )))
     }
 

@@ -97,7 +97,7 @@ impl<S: System> Stepper<S> {
                     return Err(stopped(
                         time,
                         format!(
-                            "{taken} steps did not reach t = {until}: the problem is stiff, or times of output far apart"
+                            "{taken} steps did not reach t = {until}: the problem is stiff, or output times are far apart"
                         ),
                     ));
                 }

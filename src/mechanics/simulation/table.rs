@@ -36,15 +36,15 @@ impl ForceTable {
         for (at, row) in rows.iter().enumerate() {
             if row.len() != width || width < 2 {
                 let expected = format!("rows of a time and {} values", width.max(2) - 1);
-                return Err(shape(expected, format!("row {} of {} numbers", at + 1, row.len())));
+                return Err(shape(expected, format!("row {} with {} numbers", at + 1, row.len())));
             }
             let ordered = row[0].is_finite() && (at == 0 || rows[at - 1][0] <= row[0]);
             if !ordered {
-                let found = format!("{} in row {}", row[0], at + 1);
+                let found = format!("the time {} in row {}", row[0], at + 1);
                 return Err(shape("increasing times".into(), found));
             }
             if at > 1 && rows[at - 2][0] == row[0] {
-                let found = format!("{} in the rows {} to {}", row[0], at - 1, at + 1);
+                let found = format!("the time {} in the rows {} to {}", row[0], at - 1, at + 1);
                 return Err(shape("at most two rows at one time".into(), found));
             }
         }

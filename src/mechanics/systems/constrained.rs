@@ -192,7 +192,7 @@ impl<G: TranslationSplit, C: Constraint<G>, M: Torque<G>> Constrained<G, C, M> {
         }
         let finite = velocity.is_finite() && gradient.iter().all(|b| b.is_finite());
         if !finite || !time.is_finite() {
-            return Err(invalid("a value is not finite".into()));
+            return Err(invalid("the time, the velocity or a gradient is not finite".into()));
         }
         for a in 0..value.len() {
             let row = gradient.row(a).transpose();
@@ -204,9 +204,9 @@ impl<G: TranslationSplit, C: Constraint<G>, M: Torque<G>> Constrained<G, C, M> {
         }
         if let Some(a) = first_dependent(&gradient) {
             let why = if gradient.row(a).norm() == 0.0 {
-                "has no gradient here"
+                "has a zero gradient here"
             } else {
-                "depends on the ones before it: its gradient is a combination of theirs"
+                "is dependent: its gradient is a combination of the gradients of earlier constraints"
             };
             return Err(invalid(format!("constraint {} {why}", a + 1)));
         }
@@ -332,7 +332,9 @@ impl<G: TranslationSplit, C: Constraint<G>, M: Torque<G>> Constrained<G, C, M> {
             let size = if like > 0.0 { like } else { gradient.amax() };
             if (given - slope).abs() > ROUGH * (size + slope.abs()) {
                 let (a, i) = (a + 1, i + 1);
-                let reason = format!("B^{a}_{i} is {given}, but the constraint changes by {slope}");
+                let reason = format!(
+                    "B^{a}_{i} is {given}, but the derivative of the constraint is {slope}"
+                );
                 return Err(invalid(reason));
             }
         }

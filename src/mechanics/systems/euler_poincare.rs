@@ -283,6 +283,6 @@ impl<M> EulerPoincare<So3, M> {
         if (0..9).all(|at| same(at / 3, at % 3)) && self.excess.is_zero() {
             return Ok(());
         }
-        Err(invalid_inertia("the system has another one, or a connection other than plus"))
+        Err(invalid_inertia("the system has another inertia, or a connection other than plus"))
     }
 }

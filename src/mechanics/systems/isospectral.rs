@@ -192,7 +192,10 @@ fn checked<T: MatrixEntry>(
     let infinite = |entry: &T| !entry.is_finite();
     if let Some(at) = matrix.iter().position(infinite) {
         let (i, j) = (at % matrix.nrows() + 1, at / matrix.nrows() + 1);
-        return Err(Error::Invalid { what: "state", reason: format!("L_{i}{j} = {}", matrix[at]) });
+        return Err(Error::Invalid {
+            what: "state",
+            reason: format!("the entry L_{i}{j} is {}, which is not finite", matrix[at]),
+        });
     }
     let Some(symmetry) = symmetry else { return Ok(MatrixState { time, matrix }) };
     let part = symmetry.part(&matrix);

@@ -17,7 +17,7 @@ use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 /// };
 /// assert!(power(&Effort::new(10_000)).is_ok());
 /// let refused = power(&Effort::new(100)).unwrap_err();
-/// assert!(refused.to_string().starts_with("the formulas pass the limit of 100 terms"));
+/// assert!(refused.to_string().starts_with("the formulas exceed the limit of 100 terms"));
 /// ```
 #[derive(Debug)]
 pub struct Effort {
@@ -64,7 +64,7 @@ impl fmt::Display for EffortExceeded {
         let products = self.limit.saturating_mul(PRODUCTS);
         write!(
             f,
-            "the formulas pass the limit of {} terms, or of {products} products of terms on the way",
+            "the formulas exceed the limit of {} terms, or of {products} intermediate products of terms",
             self.limit
         )
     }

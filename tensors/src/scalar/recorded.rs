@@ -441,13 +441,13 @@ impl Notation for Recorded {
         let of = |function| Self::of_function(function, argument);
         let ratio = |above: Function, below: Function| match of(below).recip() {
             Some(below) => Ok(of(above) * &below),
-            None => Err(format!("`{name}` is not defined here")),
+            None => Err(format!("the function `{name}` has a pole at its argument")),
         };
         match Function::from_name(name) {
             Some(Function::Tan) => ratio(Function::Sin, Function::Cos),
             Some(function) => Ok(of(function)),
             None if name == "cot" => ratio(Function::Cos, Function::Sin),
-            None => Err(format!("`{name}` has no counterpart in a program")),
+            None => Err(format!("the function `{name}` cannot be written in a program")),
         }
     }
     /// Free functions of inputs, such as `a(t)` and `a_t(t)`, are inputs too.
@@ -457,8 +457,8 @@ impl Notation for Recorded {
         }
         let input = |value: &Self| value.as_input().map(Symbolic::variable);
         let inputs = arguments.iter().map(input).collect::<Option<Vec<_>>>();
-        let inputs =
-            inputs.ok_or_else(|| format!("`{name}` has an argument that is not a name"))?;
+        let inputs = inputs
+            .ok_or_else(|| format!("each argument of `{name}` must be a name in a program"))?;
         Self::try_from(&<Symbolic as Notation>::call(name, &inputs)?)
     }
     fn derivative(&self, name: &str) -> Self {

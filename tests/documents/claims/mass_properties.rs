@@ -352,7 +352,10 @@ fn what_bounds_no_solid_is_refused_with_an_edge() {
     assert!(flipped.contains("and, in the same direction, in triangle"), "{flipped}");
     let inside_out = whole.iter().map(|[a, b, c]| [*a, *c, *b]).collect();
     let inside_out = refusal(inside_out);
-    assert_eq!(inside_out, "invalid solid: the surface is inside out: with its orientation, -6");
+    assert_eq!(
+        inside_out,
+        "invalid solid: the surface is inside out: its volume with this orientation is -6"
+    );
     // two boxes that touch along an edge, where four triangles meet
     let mut branching = whole.clone();
     branching.extend(moved(&whole, &Isometry3::translation(1.0, 2.0, 0.0)));
@@ -514,7 +517,7 @@ fn broken_files_say_where() {
     not_a_number[84 + 50 + 12..][..4].copy_from_slice(&f32::NAN.to_le_bytes());
     assert_eq!(
         broken("part.stl", &not_a_number).0,
-        "not a valid STL file: triangle 2: NaN is a coordinate"
+        "not a valid STL file: triangle 2: the coordinate NaN is not finite"
     );
     let open = stl_binary(&corners[1..].to_vec());
     let error = mesh("part.stl", &open).unwrap_err();
@@ -528,17 +531,23 @@ fn broken_files_say_where() {
     let obj = |from: &str, to: &str| broken("part.obj", box_text.replacen(from, to, 1).as_bytes());
     assert_eq!(
         obj("v 1 0 0", "v 1 0"),
-        ("not a valid OBJ file: position parse error".into(), "v 1 0".into())
+        ("not a valid OBJ file: a vertex needs three numbers".into(), "v 1 0".into())
     );
     assert_eq!(obj("v 1 0 0", "v 1 0 z").1, "v 1 0 z");
     assert_eq!(
         obj("v 1 0 0", "v 1 nan 0"),
-        ("not a valid OBJ file: nan is a coordinate".into(), "v 1 nan 0".into())
+        ("not a valid OBJ file: the coordinate nan is not finite".into(), "v 1 nan 0".into())
     );
-    assert_eq!(obj("v 1 0 0", "v 1 0 1e999").0, "not a valid OBJ file: 1e999 is a coordinate");
+    assert_eq!(
+        obj("v 1 0 0", "v 1 0 1e999").0,
+        "not a valid OBJ file: the coordinate 1e999 is not finite"
+    );
     assert_eq!(
         obj("f 1 2 6 5", "f 1 2 6 x"),
-        ("not a valid OBJ file: face parse error".into(), "f 1 2 6 x".into())
+        (
+            "not a valid OBJ file: the vertices of a face must be three or more integers".into(),
+            "f 1 2 6 x".into()
+        )
     );
     assert_eq!(
         obj("f 1 2 6 5", "f 1 2 6 9"),

@@ -142,13 +142,13 @@ fn numbers_are_found_where_they_stand() {
     let text = text.replace("\"0*t\"", "\"0*m\"").replace("step = \"m/10\"", "step = 0");
     let error = Problem::parse("body.toml", &text).unwrap().motion(0).map(drop).unwrap_err();
     let place = error.at.as_ref().unwrap();
-    assert_eq!((place.text(), &*error.message), (Some("0"), "0 is not positive"));
+    assert_eq!((place.text(), &*error.message), (Some("0"), "the value 0 is not positive"));
     let singular = BODY.replace("diag(J, J + 1, J + 2)", "diag(J, 1, 0)");
     let error = Problem::parse("body.toml", &singular).unwrap().motion(0).map(drop).unwrap_err();
     assert_eq!(error.at.as_ref().unwrap().source.name, "body.toml", "{error:?}");
     let unknown = BODY.replace("diag(J, J + 1, J + 2)", "diag(J, 1, k)");
     let error = Problem::parse("body.toml", &unknown).unwrap().motion(0).map(drop).unwrap_err();
-    assert_eq!(error.message, "`k` has no value");
+    assert_eq!(error.message, "the parameter `k` has no value");
     assert_eq!(error.at.as_ref().unwrap().text(), Some("diag(J, 1, k)"));
 }
 

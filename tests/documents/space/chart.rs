@@ -84,7 +84,7 @@ fn values_against_declared_signs() {
         for value in refused {
             let reason = set(value).unwrap_err().to_string();
             assert!(
-                reason.contains("is declared positive, and becomes"),
+                reason.contains("is declared positive, but becomes"),
                 "{entry}, {value}: {reason}"
             );
         }
@@ -118,8 +118,8 @@ fn values_at_which_arguments_factorise() {
         assert_eq!(set(positive, entry, at).unwrap(), value(expected), "{entry}");
     }
     for (positive, entry, at, reason) in [
-        ("['y']", "sqrt(x^2 + a)", "0", "declare which are positive, of x"),
-        ("['y']", "log(x^2 + a)", "-1", "declare which are positive, of x + 1, x - 1"),
+        ("['y']", "sqrt(x^2 + a)", "0", "declare the positive ones among x"),
+        ("['y']", "log(x^2 + a)", "-1", "declare the positive ones among x + 1, x - 1"),
         ("['y']", "1/sin(a*x)", "0", "becomes zero"),
     ] {
         let refused = set(positive, entry, at).unwrap_err().to_string();

@@ -39,7 +39,7 @@ fn what_passes_the_limit_ends_soon() {
     for limit in [1, 100, 5_000] {
         let refused = Effort::new(limit).bound(|| squares(8)).unwrap_err();
         assert_eq!(refused.limit, limit);
-        assert!(refused.to_string().contains("the formulas pass the limit of "));
+        assert!(refused.to_string().contains("the formulas exceed the limit of "));
     }
     // expressions with functions, and their text
     let text = "(sin(x) + a*cos(y))^6/(1 + b*sin(x - y))^3";

@@ -139,8 +139,12 @@ impl Columns {
 /// The names of the two columns that a plane diagram needs.
 fn two(names: Vec<String>) -> Result<[String; 2], Failure> {
     <[String; 2]>::try_from(names).map_err(|names| {
-        let message = format!("a plane has two columns, not {}: {}", names.len(), names.join(", "));
-        InputError::usage(message).help("for example `--columns H1,H2`").into()
+        let message = format!(
+            "a plot in the plane needs two columns, not {}: {}",
+            names.len(),
+            names.join(", ")
+        );
+        InputError::usage(message).help("write for instance `--columns H1,H2`").into()
     })
 }
 

@@ -94,7 +94,7 @@ impl Plan {
         }
         if rows.exists() && !resumed {
             let message = format!("{} exists already, without its checkpoint", shown(&rows));
-            let help = "the run stores its rows there: delete the file, or give the checkpoint another name";
+            let help = "delete the file, or give the checkpoint another name: the run stores its rows in this file";
             return Err(InputError::usage(message).help(help).into());
         }
         if arguments.resume && !resumed {
@@ -117,8 +117,10 @@ impl Plan {
                 kept.ok_or_else(|| {
                     let is = if rows.exists() { "is too short" } else { "is missing" };
                     let (rows, path) = (shown(&rows), shown(path));
-                    let message =
-                        format!("{rows} {is}: {path} counts {} in it", counted(count, "row"));
+                    let message = format!(
+                        "{rows} {is}: according to {path}, it contains {}",
+                        counted(count, "row")
+                    );
                     let help = "restore both files, or delete both and start again";
                     InputError::usage(message).help(help)
                 })?

@@ -95,8 +95,9 @@ pub(super) fn near_pi(g: &DMatrix<f64>) -> Option<Error> {
     let eigenvalues = Schur::try_new(g.clone(), f64::EPSILON, ITERATIONS)?.complex_eigenvalues();
     let gaps = eigenvalues.iter().map(|eigenvalue| PI - eigenvalue.im.atan2(eigenvalue.re).abs());
     let gap = gaps.fold(f64::INFINITY, f64::min);
-    let reason =
-        format!("an angle is too near pi, by {gap:.1e}: the rounding of the entries decides");
+    let reason = format!(
+        "an angle is too near pi, at the distance {gap:.1e}: rounding errors of the entries decide the result"
+    );
     let near = 0.0 < gap && gap < NEAR_PI;
     near.then_some(Error::Invalid { what: "logarithm", reason })
 }

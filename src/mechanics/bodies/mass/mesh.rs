@@ -171,7 +171,9 @@ fn solid(vertices: &[Vector3<f64>], triangles: &[[usize; 3]]) -> Result<MassProp
     if size.is_finite() && volume <= FLAT * size {
         let flat = volume.abs() <= FLAT * size;
         let what = if flat { "encloses no volume" } else { "is inside out" };
-        return Err(refused(format!("the surface {what}: with its orientation, {volume}")));
+        return Err(refused(format!(
+            "the surface {what}: its volume with this orientation is {volume}"
+        )));
     }
     let offset = first / volume;
     second -= offset * offset.transpose() * volume;

@@ -105,8 +105,7 @@ impl<S: ObservedSystem> ObservedMotion for CotangentMotion<S> {
 }
 
 /// The groups with projection methods, as text for messages.
-const NO_PROJECTION: &str =
-    "it is for so(2), so(3), se(2), se(3), sl(2) and other groups in closed form, left-invariant";
+const NO_PROJECTION: &str = "it is for left-invariant systems on groups in closed form, such as so(2), so(3), se(2), se(3) and sl(2)";
 
 /// The stepper of a method that integrates systems with any group and any forces. Returns `None`
 /// for methods of other classes.

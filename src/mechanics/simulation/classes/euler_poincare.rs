@@ -72,9 +72,9 @@ impl GroupVisitor for EulerPoincareSpec<'_> {
         let method = self.integration.method.unwrap_or_else(|| self.default_method(is_body));
         let free = self.forces.is_empty();
         let lacks = match method.class() {
-            Class::FreeBody if !free => Some("no forces"),
+            Class::FreeBody if !free => Some("a body without forces"),
             Class::BodyInPotential if !self.forces.are_positional() => {
-                Some("forces that depend on no velocity")
+                Some("forces that do not depend on the velocity")
             }
             _ => None,
         };
@@ -86,10 +86,11 @@ impl GroupVisitor for EulerPoincareSpec<'_> {
         let stepper = match any_system(group, method, step, self.integration.control)? {
             Some(stepper) => stepper,
             None => {
-                let inertia =
-                    body.ok_or_else(|| method.refused("it is for a body: so(3), connection plus"))?;
+                let inertia = body.ok_or_else(|| {
+                    method.refused("it is for a rigid body: so(3) with the connection plus")
+                })?;
                 if let Some(needed) = lacks {
-                    return Err(method.refused(&format!("it asks for {needed}")));
+                    return Err(method.refused(&format!("it needs {needed}")));
                 }
                 let stepper = body_stepper(method, inertia?, &system, &start, step);
                 let other = || method.refused("it is not for equations of motion on a group");

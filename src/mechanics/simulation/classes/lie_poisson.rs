@@ -106,7 +106,7 @@ impl GroupVisitor for LiePoissonSpec {
         let step = self.integration.step_of(method)?;
         let stepper = any_system(group, method, step, control)?.ok_or_else(|| {
             let names = Method::names_of(&[Class::AnySystem, Class::Projection]);
-            method.refused(&format!("a Hamiltonian has {names}"))
+            method.refused(&format!("the methods for a Hamiltonian are {names}"))
         })?;
         let (element, momentum) = (element(group, &self.element), vector(&self.momentum));
         let state = State::with_momentum(group, self.time, element, &momentum);
@@ -148,7 +148,7 @@ impl<G: SimulationGroup> CotangentSystem for HamiltonianSystem<G> {
             let (text, at) = (&self.hamiltonian.text, momentum.components());
             let name = self.observables.names().momentum();
             self.observables.record(format!(
-                "the Hamiltonian {text} is {value}, its derivatives {:?}, at {name} = {at:?}",
+                "the Hamiltonian {text} is {value} and its derivatives are {:?} at {name} = {at:?}",
                 velocity.components()
             ));
         }

@@ -37,12 +37,19 @@ impl Manakov {
     /// axes is not positive and finite.
     pub fn new(masses: &[f64]) -> Result<Self, Error> {
         if masses.len() < 2 {
-            return Err(invalid_inertia(format!("{} axes have no rotation", masses.len())));
+            return Err(invalid_inertia(format!(
+                "a rotation needs two or more axes, not {}",
+                masses.len()
+            )));
         }
         for (i, j) in pairs(masses.len()) {
             let sum = masses[i] + masses[j];
             if sum.is_nan() || sum <= 0.0 || sum.is_infinite() {
-                return Err(invalid_inertia(format!("a_{} + a_{} = {sum}", i + 1, j + 1)));
+                return Err(invalid_inertia(format!(
+                    "a_{} + a_{} = {sum}, but each sum must be positive and finite",
+                    i + 1,
+                    j + 1
+                )));
             }
         }
         Ok(Manakov { masses: masses.to_vec() })

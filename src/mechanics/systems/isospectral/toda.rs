@@ -79,7 +79,10 @@ impl Toda {
         let sums = start.matrix.column_iter().map(|column| column.lp_norm(1));
         let pieces = (length.abs() * sums.fold(0.0, f64::max)).max(1.0).ceil();
         if !length.is_finite() || !pieces.is_finite() || pieces > PIECES {
-            return Err(stopped(start.time, format!("the solution at {time} is too far away")));
+            return Err(stopped(
+                start.time,
+                format!("the time {time} is too far from the start for the exact solution"),
+            ));
         }
         let mut matrix = start.matrix.clone();
         for _ in 0..pieces as u64 {

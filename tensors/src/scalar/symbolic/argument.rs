@@ -46,7 +46,7 @@ const MAX_DEGREE: usize = 24;
 /// A message if the factors of a denominator are unknown, if a denominator contains sines, or if
 /// numbers exceed 64 bits.
 pub(super) fn multiples(function: &str, value: &Symbolic) -> Result<Vec<Multiple>, String> {
-    let refuse = |reason: &str| Err(format!("the argument of {function}, {value}, {reason}"));
+    let refuse = |reason: &str| Err(format!("the argument {value} of {function} {reason}"));
     let Some(flat) = in_cosines(value) else {
         return refuse("divides by a function of an angle");
     };

@@ -123,7 +123,7 @@ impl Variable {
                 // avoids the tangent of the half angle, which would have twice as many parts
                 let angle = part.value().substitute_where(positive, values)?;
                 let [p, q] = half_angle("sin", &multiples("sin", &angle)?)?;
-                let undefined = || format!("{} is not defined there", self.text());
+                let undefined = || format!("{} has a pole at these values", self.text());
                 Ok(q * &p.recip().ok_or_else(undefined)?)
             }
             Kind::Exponential(part) => {
@@ -230,7 +230,7 @@ pub(super) fn function_of_sum(name: &str, argument: &Symbolic) -> Result<Symboli
     }
     let multiples = multiples(name, argument)?;
     let quotient = |above: Symbolic, below: Symbolic| {
-        let below = below.recip().ok_or_else(|| format!("{name} is not defined here"))?;
+        let below = below.recip().ok_or_else(|| format!("{name} has a pole at its argument"))?;
         Ok(above * &below)
     };
     match name {
@@ -267,7 +267,7 @@ fn exponential(name: &str, multiples: &[Multiple]) -> Result<Symbolic, String> {
         let count = multiple.count.unsigned_abs();
         if count > MAX_MULTIPLE {
             return Err(format!(
-                "the argument of {name} has a multiple that is greater than {MAX_MULTIPLE}"
+                "the argument of {name} has an integer factor greater than {MAX_MULTIPLE}"
             ));
         }
         let base = match logarithm(&multiple.of) {
@@ -285,7 +285,9 @@ fn exponential(name: &str, multiples: &[Multiple]) -> Result<Symbolic, String> {
 fn half_angle(name: &str, multiples: &[Multiple]) -> Result<[Symbolic; 2], String> {
     let counts = multiples.iter().map(|multiple| multiple.count.unsigned_abs());
     if counts.fold(0, u64::saturating_add) > MAX_ANGLES {
-        return Err(format!("the argument of {name} has more than {MAX_ANGLES} multiples"));
+        return Err(format!(
+            "the integer factors in the argument of {name} add up to more than {MAX_ANGLES}"
+        ));
     }
     let (mut p, mut q) = (Symbolic::one(), Symbolic::zero());
     for multiple in multiples {
@@ -315,7 +317,7 @@ fn half_angle_of_pi(name: &str, multiple: &Multiple) -> Result<[Symbolic; 2], St
         6 => (number(2) + &root(3), number(1)),
         parts => {
             return Err(format!(
-                "the value of {name} at a multiple of pi/{parts} is not known: at pi/2, pi/3, pi/4 and pi/6 it is"
+                "{name} is known at multiples of pi/2, pi/3, pi/4 and pi/6, but not at multiples of pi/{parts}"
             ));
         }
     };

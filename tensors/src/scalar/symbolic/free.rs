@@ -69,7 +69,7 @@ impl FreeFunction {
         let arguments: Vec<String> = arguments.iter().map(|name| name.as_ref().into()).collect();
         for (at, name) in arguments.iter().enumerate() {
             if !is_plain(name) {
-                return Err(format!("the arguments of `{head}` are names without `_`"));
+                return Err(format!("the arguments of `{head}` must be names without `_`"));
             }
             if arguments[..at].contains(name) {
                 return Err(format!("`{head}` has the argument `{name}` twice"));
@@ -126,7 +126,7 @@ impl FreeFunction {
             };
             if all.iter().any(related) {
                 return Err(format!(
-                    "{head} has two values, or one that follows from another condition"
+                    "{head} is given a value twice, or its value follows from another condition"
                 ));
             }
             let arguments = function.arguments.clone();
@@ -206,7 +206,10 @@ impl FreeFunction {
     /// A message if the number of arguments differs, or if all arguments are numbers.
     pub fn at(&self, arguments: &[Symbolic]) -> Result<Symbolic, String> {
         if arguments.len() != self.arguments.len() {
-            return Err(format!("it is declared as {}", self.declaration()));
+            return Err(format!(
+                "wrong number of arguments: the function is declared as {}",
+                self.declaration()
+            ));
         }
         self.applied(arguments).checked()
     }
@@ -335,7 +338,7 @@ fn positions(
         return Err(format!("`{head}` is not the name of a function"));
     }
     if is_elementary(&name) {
-        return Err(format!("`{name}` is another function"));
+        return Err(format!("`{name}` is the name of an elementary function"));
     }
     let numbered = |part: &str| {
         let number = part.parse::<usize>().ok().filter(|number| (1..=count).contains(number));

@@ -75,7 +75,7 @@ impl PositiveFactors {
     /// let value = |a: i64| [("a".to_string(), Symbolic::from(a))].into();
     /// assert!(positive.with_values(&value(2))?.function("sqrt", &"(2 - r)^2".parse()?).is_ok());
     /// let refused = positive.with_values(&value(-1)).unwrap_err();
-    /// assert_eq!(refused, "a - r is declared positive, and becomes -r - 1");
+    /// assert_eq!(refused, "a - r is declared positive, but becomes -r - 1");
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
@@ -90,7 +90,7 @@ impl PositiveFactors {
         for (factor, image) in &images {
             let negative = || positive.has_positive_terms(&-image.clone());
             if image.is_zero() || image.denominator() == Symbolic::one() && negative() {
-                return Err(format!("{factor} is declared positive, and becomes {image}"));
+                return Err(format!("{factor} is declared positive, but becomes {image}"));
             }
         }
         let mut there = Self::default();
@@ -109,7 +109,7 @@ impl PositiveFactors {
     /// let root = positive.function("sqrt", &"r^2 + a".parse()?)?;
     /// let values = [("a".to_string(), Symbolic::from(0))].into();
     /// let refused = positive.substitute(&root, &values).unwrap_err();
-    /// assert_eq!(refused, "the argument of sqrt has factors of unknown sign: declare which are positive, of r");
+    /// assert_eq!(refused, "the argument of sqrt has factors of unknown sign: declare the positive ones among r");
     /// positive.declare(&"r".parse()?)?;
     /// assert_eq!(positive.substitute(&root, &values)?.to_string(), "r");
     /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -161,7 +161,9 @@ impl PositiveFactors {
         let small =
             number.filter(|n| n.numer().abs() <= MAX_EXPONENT && *n.denom() <= MAX_EXPONENT);
         let Some(number) = small else {
-            return Err(format!("the numbers of an exponent must be at most {MAX_EXPONENT}"));
+            return Err(format!(
+                "the numerator and denominator of an exponent must be at most {MAX_EXPONENT}"
+            ));
         };
         let root = match u32::try_from(*number.denom()) {
             Ok(1) => base.clone(),
@@ -284,7 +286,7 @@ impl PositiveFactors {
                 let names: Vec<String> =
                     open.iter().map(|(factor, _)| factor.to_string()).collect();
                 Err(format!(
-                    "{what} has factors of unknown sign: declare which are positive, of {}",
+                    "{what} has factors of unknown sign: declare the positive ones among {}",
                     names.join(", ")
                 ))
             }
@@ -304,14 +306,14 @@ fn factors(what: &str, value: &Symbolic) -> Result<(Rational, Vec<(Symbolic, i64
     let root = |variable: &Variable| matches!(variable.kind(), Kind::Root(_));
     let sums = sum(&f.numerator) || !f.denominator.factors.is_empty();
     if f.variables.iter().any(angle) || sums && f.variables.iter().any(root) {
-        return Err(format!("{what} contains a function, and may be a quotient of polynomials"));
+        return Err(format!("{what} contains a function, but must be a quotient of polynomials"));
     }
     let (content, above) = primitive(&f.numerator);
     let above = Denominator::of(&f.variables, &above);
     let mut all = Vec::new();
     for (part, sign) in [(&above, 1), (&f.denominator, -1)] {
         let found = part.irreducible(&f.variables);
-        let found = found.ok_or_else(|| format!("the factors of {what} are not found: {value}"))?;
+        let found = found.ok_or_else(|| format!("{what} cannot be factored: {value}"))?;
         let signed = |(p, e)| (f.polynomial(&p), i64::from(e) * sign);
         all.extend(found.into_iter().map(signed));
     }

@@ -104,7 +104,7 @@ impl Symbolic {
         };
         let given = f.variables.iter().map(image_of).collect::<Result<Vec<Symbolic>, _>>()?;
         if degree_bound(f, &given) > DEGREE_LIMIT {
-            return Err(format!("the degree of {self} could pass {DEGREE_LIMIT}"));
+            return Err(format!("the degree of {self} could exceed {DEGREE_LIMIT}"));
         }
         let mut value = image(&f.numerator, &given);
         for (part, exponent) in f.denominator.parts(&f.variables) {

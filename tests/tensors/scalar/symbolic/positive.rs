@@ -75,8 +75,8 @@ fn signs_of_factors_are_those_declared() {
 fn what_has_no_sign_is_refused() {
     for (text, reason) in [
         ("sqrt(x*y)", "the argument of sqrt has factors of unknown sign"),
-        ("sqrt(x^2)", "declare which are positive, of x"),
-        ("log(x^2)", "declare which are positive, of x"),
+        ("sqrt(x^2)", "declare the positive ones among x"),
+        ("log(x^2)", "declare the positive ones among x"),
         ("sqrt(-1)", "the argument of sqrt is negative: -1"),
         ("log(0)", "the argument of log is zero"),
         ("log(-2)", "the argument of log is negative"),
