@@ -10,7 +10,6 @@ step() {
     "$@"
 }
 
-rustup target list --installed | grep -q wasm32-unknown-unknown || step rustup target add wasm32-unknown-unknown
 step cargo run -p affinor-web-build
 if ! command -v npm >/dev/null; then
     printf '\n== skipped: the size of the page, and the page in a browser, for there is no Node with npm\n'
@@ -33,7 +32,7 @@ else
 fi
 
 if [ -z "$CHROMIUM" ]; then
-    step node --test tests/budget.test.mjs
+    step node --test tests/engine-size.test.mjs
     printf '\n== skipped: the page in a browser, for there is no Chromium, and it cannot be installed\n'
     exit
 fi

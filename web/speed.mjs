@@ -19,14 +19,15 @@ function time(words) {
 const server = await serve();
 const browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args: ["--no-sandbox"] });
 const page = await browser.newPage();
-await page.goto(`${server.address}#report=conventions`);
+await page.goto(`${server.address}#compute`);
 console.log("| space | metric | tensor | browser, ms | program, ms | ratio |\n|---|---|---|---|---|---|");
 for (const [space, metric, show] of CASES) {
   let inside = Infinity, outside = Infinity, start = Infinity;
   for (let run = 0; run < RUNS; run++) {
     // alternately, so that both meet the same load
     inside = Math.min(inside, await page.evaluate(async (request) => {
-      window.engine ??= new (await import("./engine-client.js")).Engine();
+      const script = document.querySelector('script[type="module"]').src;
+      window.engine ??= new (await import(new URL("engine-client.js", script).href)).Engine();
       return (await window.engine.ask(request)).ms;
     }, { report: "table", space, metric, show, format: "csv" }));
     start = Math.min(start, time(["--version"]));
@@ -39,8 +40,8 @@ const ask = (request) => page.evaluate(async (request) => (await window.engine.a
 const times = [];
 for (let k = 0; k <= 40; k++) times.push(await ask({ report: "table", space: "so3", connection: `lambda=${k}/40` }));
 const cold = await (await browser.newContext()).newPage();
-await cold.goto(`${server.address}#report=table&space=so3&connection=zero`);
-await cold.waitForSelector("#result math");
+await cold.goto(`${server.address}#compute?space=so3&connection=zero`);
+await cold.waitForSelector(".card .body math");
 console.log(`\nso(3) in the worker: median ${times.sort((a, b) => a - b)[20].toFixed(1)} ms; first table after ${Math.round(await cold.evaluate(() => performance.now()))} ms at most`);
 await browser.close();
 server.close();

@@ -57,6 +57,7 @@ impl Coefficient for f64 {
 
 /// Evaluates an expression over the scalar type of a [`Kind`](affinor::tensors::Kind):
 /// `over_kind!(kind, S => f::<S>(x))`.
+#[cfg(not(target_arch = "wasm32"))]
 #[macro_export]
 macro_rules! over_kind {
     ($kind:expr, $S:ident => $body:expr) => {
@@ -73,6 +74,27 @@ macro_rules! over_kind {
                 type $S = $crate::scalars::TrackedFloat;
                 $body
             }
+        }
+    };
+}
+
+/// Evaluates an expression over the scalar type of a [`Kind`](affinor::tensors::Kind). The page
+/// offers no floats, and the code for them would be a tenth of its download.
+#[cfg(target_arch = "wasm32")]
+#[macro_export]
+macro_rules! over_kind {
+    ($kind:expr, $S:ident => $body:expr) => {
+        match $kind {
+            $crate::scalars::Kind::Exact => {
+                type $S = $crate::scalars::Rational;
+                $body
+            }
+            $crate::scalars::Kind::Symbolic => {
+                type $S = $crate::scalars::Symbolic;
+                $body
+            }
+            // requests of the page cannot choose floats
+            $crate::scalars::Kind::Float => unreachable!("the page computes exactly"),
         }
     };
 }

@@ -40,6 +40,7 @@
 pub(crate) mod lines;
 pub mod mathml;
 mod notation;
+pub(crate) mod prose;
 pub mod tex;
 mod text;
 mod value;

@@ -12,6 +12,7 @@
 //! [`certificate`] and any other [`listing`]. A [`Computation`] creates the reports of a space,
 //! with the kind of scalars that the space needs.
 
+mod card;
 mod claims;
 mod code;
 mod comparison;
@@ -39,6 +40,7 @@ mod stored;
 mod text;
 mod typeset;
 
+pub use card::{Card, CardKind};
 pub use claims::Claim;
 pub use code::{Language, Programmed, tensors_as_code};
 pub use comparison::{ComparedSide, Comparison};

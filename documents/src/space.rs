@@ -26,7 +26,9 @@ mod point;
 mod read;
 mod request;
 pub(crate) mod setting;
+mod spelling;
 mod tables;
+mod typed;
 
 pub use definition::Definition;
 use definition::{
@@ -34,3 +36,4 @@ use definition::{
 };
 pub use point::Point;
 pub use request::{Request, ScalarChoice, Space};
+pub use typed::{Typed, definition as typed};

@@ -97,7 +97,7 @@ fn derivatives(line: &Line) -> Result<Row, Error> {
     let chain: Vec<_> = (0..2)
         .map(|i| (0..2).fold(integer(0), |sum, a| sum + &(line.fields.get(&[a, i]) * &partials[a])))
         .collect();
-    Ok(Row::new("(A1), (A2)", "X(f) = X^i e_i(f), e_i(f) = e^a_i df/dtheta^a", "Derivatives of functions along the frame.")
+    Ok(Row::new("(A1), (A2)", "Derivatives along a frame", "X(f) = X^i e_i(f), e_i(f) = e^a_i df/dtheta^a", "Derivatives of functions along the frame.")
         .status(Status::Misprint(
             "(A2) writes `partial_i f`, which holds in a basis of coordinates only. In (32), (37), (A6) and (B2) the frame is another one, and the derivative is `e_i(f)`.",
         ))
@@ -114,7 +114,7 @@ fn bracket(line: &Line) -> Result<Row, Error> {
     // leaves out the structure constants, which gives a wrong bracket
     let part = |x: &[Symbolic], y: &Symbolic| line.along(x, y);
     let without: Vec<_> = (0..2).map(|i| part(&x, &y[i]) - &part(&y, &x[i])).collect();
-    Ok(Row::new("(A3)-(A8)", "L_X Y = [X, Y] = X Y - Y X", "The bracket of fields is the commutator of derivations; in the frame it has the components (32).")
+    Ok(Row::new("(A3)-(A8)", "Bracket of fields", "L_X Y = [X, Y] = X Y - Y X", "The bracket of fields is the commutator of derivations; in the frame it has the components (32).")
         .status(Status::Convention("The structure \"constants\" are constant in invariant frames only; in others they are functions."))
         .by(&["Frame::bracket", "Frame::structure_functions"])
         .find(Finding::equal("`[X,Y] f = X(Y f) - Y(X f)`", &[found], std::slice::from_ref(&commutator)))
@@ -123,17 +123,22 @@ fn bracket(line: &Line) -> Result<Row, Error> {
 
 fn coordinate_basis() -> Result<Row, Error> {
     let frame = Frame::<Symbolic>::coordinates(["x", "y", "z"])?;
-    Ok(Row::new("(A9)", "[e_i, e_j] = 0", "In a basis of coordinates.")
+    Ok(Row::new("(A9)", "Bracket in coordinates", "[e_i, e_j] = 0", "In a basis of coordinates.")
         .by(&["Frame::coordinates"])
         .find(Finding::exact("`c^i_jk = 0`", frame.structure_functions())))
 }
 
 fn antisymmetric(lab: &Lab) -> Result<Row, Error> {
-    Row::new("(A10)", "c^k_ji = -c^k_ij", "Structure constants are antisymmetric.")
-        .by(&["Bracket::new"])
-        .on_algebras(lab, "", |algebra| {
-            Ok(contract("c^k_ij + c^k_ji -> ^k_ij", &[("c", algebra.structure_constants())])?)
-        })
+    Row::new(
+        "(A10)",
+        "Antisymmetry of structure constants",
+        "c^k_ji = -c^k_ij",
+        "Structure constants are antisymmetric.",
+    )
+    .by(&["Bracket::new"])
+    .on_algebras(lab, "", |algebra| {
+        Ok(contract("c^k_ij + c^k_ji -> ^k_ij", &[("c", algebra.structure_constants())])?)
+    })
 }
 
 fn directions(line: &Line) -> Result<Row, Error> {
@@ -155,6 +160,7 @@ fn directions(line: &Line) -> Result<Row, Error> {
     };
     Ok(Row::new(
         "(B1)-(B3)",
+        "Order of the lower indices",
         "nabla_{e_j} e_k = Lambda^i_jk e_i, nabla_w v = (e_i(v^k) + Lambda^k_ij v^j) w^i e_k",
         "The first lower index is the direction.",
     )
@@ -175,6 +181,7 @@ fn parallel(line: &Line) -> Result<Row, Error> {
     let to_left = affinor::BasisChange::new(line.fields.clone())?;
     let mut row = Row::new(
         "(B4), (B5)",
+        "Parallel fields",
         "nabla_w v = 0, vdot^i + Lambda^i_jk w^j v^k = 0",
         "Parallel fields.",
     )
@@ -202,7 +209,7 @@ fn symmetric_part(line: &Line) -> Result<Row, Error> {
     let symmetric = turned("1/2 L^i_jk n^j n^k + 1/2 L^i_kj n^j n^k -> ^i")?;
     let off = contract("a^i - b^i -> ^i", &[("a", &all), ("b", &symmetric)])?;
     let antisymmetric = turned("L^i_jk n^j n^k - L^i_kj n^j n^k -> ^i")?;
-    Ok(Row::new("(B6)-(B8)", "nabla_n n = 0, ndot^i + Lambda^i_jk n^j n^k = 0", "Autoparallels. Where the affinities are antisymmetric, `ndot = 0`.")
+    Ok(Row::new("(B6)-(B8)", "Autoparallels", "nabla_n n = 0, ndot^i + Lambda^i_jk n^j n^k = 0", "Autoparallels. Where the affinities are antisymmetric, `ndot = 0`.")
         .status(Status::TooStrong(
             "Geodesics are autoparallels if the connection is metric and has no torsion. This is sufficient, not necessary: a totally antisymmetric torsion does no harm.",
         ))
@@ -224,6 +231,7 @@ fn torsion(line: &Line) -> Result<Row, Error> {
     let expected = difference(&expected, &line.frame.bracket(&x, &y)?);
     Ok(Row::new(
         "(B9), (B10)",
+        "Torsion",
         "tau(X,Y) = nabla_X Y - nabla_Y X - [X,Y], tau^i_jk = Lambda^i_jk - Lambda^i_kj - c^i_jk",
         "The torsion.",
     )
@@ -234,6 +242,7 @@ fn torsion(line: &Line) -> Result<Row, Error> {
 fn torsion_free(lab: &Lab) -> Result<Row, Error> {
     Row::new(
         "(B11), (B12)",
+        "Connections without torsion",
         "c^i_jk = Lambda^i_jk - Lambda^i_kj",
         "Without torsion. In a basis of coordinates the affinities are symmetric.",
     )
@@ -269,7 +278,7 @@ fn curvature(line: &Line) -> Result<Row, Error> {
         &[("a", connection.curvature()), ("b", &products)],
     )?;
     Ok(Row::new(
-        "(B13), (B14)",
+        "(B13), (B14)", "Curvature",
         "R(X,Y) v = nabla_X nabla_Y v - nabla_Y nabla_X v - nabla_{[X,Y]} v",
         "The curvature: `R^i_jkl = e_k(Lambda^i_lj) - e_l(Lambda^i_kj) + Lambda^i_km Lambda^m_lj - Lambda^i_lm Lambda^m_kj - c^m_kl Lambda^i_mj`.",
     )

@@ -57,6 +57,7 @@ fn axes() -> Result<Row, Error> {
     let moved = (third * Vector3::new(3.0, 5.0, 7.0) - Vector3::new(7.0, 3.0, 5.0)).amax();
     Ok(Row::new(
         "(1)-(3)",
+        "Components in the body and in space",
         "e_i(t) = R(t) E_i, x_i = r_ij X_j",
         "The rotation takes body components to spatial components.",
     )
@@ -72,7 +73,7 @@ fn axes() -> Result<Row, Error> {
 fn orthogonal() -> Result<Row, Error> {
     let r = fixed(&matrix(T));
     let off = (r.transpose() * r - Matrix3::identity()).amax().max((r.determinant() - 1.0).abs());
-    Ok(Row::new("(4)", "R^T R = I, det R = 1", "Rotation matrices.")
+    Ok(Row::new("(4)", "Rotation matrices", "R^T R = I, det R = 1", "Rotation matrices.")
         .by(&["LieGroup::matrix"])
         .find(Finding::within("on the motion", off, 1e-14)))
 }
@@ -84,6 +85,7 @@ fn velocities() -> Result<Row, Error> {
     let spatial = (slope * r.transpose() - spin(&spatial)).amax();
     Ok(Row::new(
         "(5)-(8)",
+        "Angular velocity in the body and in space",
         "Omega~ = R^T Rdot, omega~ = Rdot R^T, Rdot = omega~ R = R Omega~",
         "The body and the spatial velocity, with `Omega~ = spin(Omega)`.",
     )
@@ -101,6 +103,7 @@ fn images() -> Result<Row, Error> {
         (Vector3::from_column_slice(moving.as_slice()) - spatial.cross(&(r * place))).amax();
     Ok(Row::new(
         "(9), (10)",
+        "Velocity of a point",
         "xdot = omega x x, omega = R Omega",
         "The velocity of a point, and the two images of the angular velocity.",
     )
@@ -133,6 +136,7 @@ fn momentum() -> Result<Row, Error> {
     let off = (sum - r * j * body).amax().max((sum - r * j * r.transpose() * spatial).amax());
     Ok(Row::new(
         "(11)-(14)",
+        "Angular momentum and inertia",
         "h = R J R^T omega = R H, H = J Omega",
         "The angular momentum `h`, the sum of `m r x v` over the masses at `r`, and the inertia.",
     )
@@ -152,13 +156,18 @@ fn euler(lab: &Lab) -> Result<Row, Error> {
     let gyroscopic = cross(&omega, &metric.lower(&omega)?);
     let expected: Vec<Symbolic> =
         torque.iter().zip(&gyroscopic).map(|(m, g)| m.clone() - g).collect();
-    Ok(Row::new("(15)", "J dOmega/dt + Omega x H = M", "Euler's equations, in body components.")
-        .by(&["Equations::euler_poincare"])
-        .find(Finding::equal(
-            "`J dOmega/dt = M - Omega x H` for all `J`, `Omega`, `M`",
-            &found,
-            &expected,
-        )))
+    Ok(Row::new(
+        "(15)",
+        "Euler's equations",
+        "J dOmega/dt + Omega x H = M",
+        "Euler's equations, in body components.",
+    )
+    .by(&["Equations::euler_poincare"])
+    .find(Finding::equal(
+        "`J dOmega/dt = M - Omega x H` for all `J`, `Omega`, `M`",
+        &found,
+        &expected,
+    )))
 }
 
 fn energy(lab: &Lab) -> Result<Row, Error> {
@@ -172,8 +181,13 @@ fn energy(lab: &Lab) -> Result<Row, Error> {
     let form = 0.5 * body.dot(&(j * body));
     let omega = symbols("Omega", 3);
     let h = lab.inertia()?.lower(&omega)?;
-    Ok(Row::new("(16)", "T = 1/2 Omega^T J Omega = 1/2 H Omega", "The kinetic energy.")
-        .by(&["Metric::lower"])
-        .find(Finding::within("the sum over the masses", (sum - form).abs(), 1e-13))
-        .find(Finding::value(&format!("H_1 = {}", h[0]))))
+    Ok(Row::new(
+        "(16)",
+        "Kinetic energy",
+        "T = 1/2 Omega^T J Omega = 1/2 H Omega",
+        "The kinetic energy.",
+    )
+    .by(&["Metric::lower"])
+    .find(Finding::within("the sum over the masses", (sum - form).abs(), 1e-13))
+    .find(Finding::value(&format!("H_1 = {}", h[0]))))
 }

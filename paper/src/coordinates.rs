@@ -35,9 +35,14 @@ fn products(lab: &Lab) -> Result<Row, Error> {
         let x = group.log(&group.compose(&p, &q))?;
         Ok(distance(&group.matrix(&group.exp(&x)), &(group.matrix(&p) * group.matrix(&q))))
     })?;
-    Ok(Row::new("(72)", "Phi(p q) = Phi(p) Phi(q)", "`Phi` is a representation.")
-        .by(&["LieGroup::matrix"])
-        .find(Finding::within("`Phi(p q) = Phi(p) Phi(q)`", off, 1e-12)))
+    Ok(Row::new(
+        "(72)",
+        "Phi as a representation",
+        "Phi(p q) = Phi(p) Phi(q)",
+        "`Phi` is a representation.",
+    )
+    .by(&["LieGroup::matrix"])
+    .find(Finding::within("`Phi(p q) = Phi(p) Phi(q)`", off, 1e-12)))
 }
 
 fn one_to_one() -> Result<Row, Error> {
@@ -47,7 +52,7 @@ fn one_to_one() -> Result<Row, Error> {
     };
     let antipodes = So3.exp(&(n * PI)).angle_to(&So3.exp(&(n * -PI)));
     let across = So3.tangent_left(&(n * TAU), &Vector3::new(2.0, 1.0, 0.0)).norm();
-    Ok(Row::new("at (72)", "", "The paper calls `Phi` one to one and onto.")
+    Ok(Row::new("at (72)", "Phi as one to one", "", "The paper calls `Phi` one to one and onto.")
         .status(Status::TooStrong(
             "This is true of the points of the group. In rotation vectors it is true for lengths below `pi`: at length `pi` antipodes are the \
              same rotation, and at `2 pi` the coordinates are singular.",
@@ -70,7 +75,7 @@ fn product(lab: &Lab) -> Result<Row, Error> {
         let sum = DVector::from_fn(x.len(), |i, _| parts.iter().map(|part| part[i]).sum());
         Ok(apart(&group.log(&group.compose(&group.exp(&x), &group.exp(&y)))?, &sum))
     })?;
-    Ok(Row::new("(73)", "p q = Phi^{-1}(Phi(p) Phi(q))", "The product in canonical coordinates.")
+    Ok(Row::new("(73)", "Product in canonical coordinates", "p q = Phi^{-1}(Phi(p) Phi(q))", "The product in canonical coordinates.")
         .status(Status::Convention(
             "It needs a branch of the logarithm. The principal branch has lengths up to `pi`; at length `pi` the first component that is not zero is positive.",
         ))
@@ -84,9 +89,14 @@ fn straight(lab: &Lab) -> Result<Row, Error> {
         let n = vectors(group)[2].clone();
         Ok(apart(&group.log(&group.exp(&(&n * 0.9)))?, &(&n * 0.9)))
     })?;
-    Ok(Row::new("(74)", "q^i = s n^i", "Rays are straight lines in canonical coordinates.")
-        .by(&["LieGroup::log"])
-        .find(Finding::within("`log(exp(s n)) = s n`", off, 1e-13)))
+    Ok(Row::new(
+        "(74)",
+        "Rays as straight lines",
+        "q^i = s n^i",
+        "Rays are straight lines in canonical coordinates.",
+    )
+    .by(&["LieGroup::log"])
+    .find(Finding::within("`log(exp(s n)) = s n`", off, 1e-13)))
 }
 
 /// The affinities of a canonical connection in canonical coordinates, at a point.
@@ -113,7 +123,7 @@ fn pole(lab: &Lab) -> Result<Row, Error> {
         Ok(sum.components().map(|(_, value)| value.value().abs()).fold(0.0, f64::max))
     };
     let mut row = Row::new(
-        "(75)",
+        "(75)", "Pole condition",
         "Gamma^i_(jk)(e) = 0",
         "The pole condition: in canonical coordinates the symmetric part of the affinities vanishes at the identity. Elsewhere only its contraction `Gamma^i_jk q^j q^k` along the ray vanishes.",
     )
@@ -151,6 +161,7 @@ fn exponential(lab: &Lab) -> Result<Row, Error> {
     })?;
     Ok(Row::new(
         "(76)-(79)",
+        "Phi as the exponential",
         "Phi(q) = exp(q~), Phi(e) = I",
         "`Phi` is the exponential of matrices; `e_i(q) = q e_i(e)` stands for left translation.",
     )
@@ -169,6 +180,7 @@ fn derivative_at_identity(lab: &Lab) -> Result<Row, Error> {
     let spin = (Matrix3::from_column_slice(y.as_slice()) - spin(&x)).amax();
     Ok(Row::new(
         "(80)-(83)",
+        "Derivative of Phi at the identity",
         "Y(I) = Phi(e)_* X(e) = spin(X(e))",
         "The derivative of `Phi` at the identity.",
     )
@@ -187,6 +199,7 @@ fn brackets(lab: &Lab) -> Result<Row, Error> {
     let cross = (So3.bracket(&x, &y) - x.cross(&y)).amax();
     Ok(Row::new(
         "(84), (85)",
+        "Brackets and commutators",
         "[X_1, X_2] = vect([Y_1, Y_2]) = X_1 x X_2",
         "`Phi_*` takes brackets to commutators.",
     )
@@ -217,7 +230,7 @@ fn left_components(lab: &Lab) -> Result<Row, Error> {
         &So3.basis().iter().map(|e| So3.tangent_left(&psi, e)).collect::<Vec<_>>(),
     );
     let determinant = operator.determinant() - 2.0 * (1.0 - theta.cos()) / theta.powi(2);
-    Ok(Row::new("(86)", "Y(Q) = Q X~(e)", "A vector at `q` has the same left components in both pictures.")
+    Ok(Row::new("(86)", "Vectors in both pictures", "Y(Q) = Q X~(e)", "A vector at `q` has the same left components in both pictures.")
         .status(Status::Convention(
             "`X(e)` are components in the left-invariant frame, not rates of the coordinates. For those, `Q^T dQ = spin(T dq)` with an operator \
              `T` that the paper does not write down: `T = I - (1 - cos theta)/theta^2 q~ + (theta - sin theta)/theta^3 q~^2` on the rotations.",
@@ -235,7 +248,7 @@ fn derivative() -> Result<Row, Error> {
     let q = |t: f64| So3.log(&rotation(t)).unwrap_or_default();
     let dq = (q(t + 1e-5) - q(t - 1e-5)) / 2e-5;
     let right = (So3.tangent_left(&q(t), &dq) - body).norm();
-    Ok(Row::new("after (86)", "Phi(q)_* = L_{Q*} Phi(e)_* L_{q^{-1}*}", "The derivative of `Phi` anywhere.")
+    Ok(Row::new("after (86)", "Derivative of Phi anywhere", "Phi(q)_* = L_{Q*} Phi(e)_* L_{q^{-1}*}", "The derivative of `Phi` anywhere.")
         .status(Status::Misprint(
             "The paper prints `Phi(q)_* = Phi(q) Phi(e)_*`, whose domains do not fit: `Phi(e)_*` takes vectors at `e`.",
         ))
@@ -250,7 +263,7 @@ fn same_structure(lab: &Lab) -> Result<Row, Error> {
         &[("c", lab.so3.frame().structure_functions()), ("E", &epsilon()?)],
     )?;
     Ok(Row::new(
-        "(87)-(90)",
+        "(87)-(90)", "Structure constants in both pictures",
         "[e_i, e_j] = c^k_ij e_k, [e~_i, e~_j] = c~^k_ij e~_k, c = c~",
         "Both algebras have the same structure constants: those of the matrices, and the cross product.",
     )

@@ -44,6 +44,7 @@ fn covectors(lab: &Lab) -> Result<Row, Error> {
     let off = contract("l_i u^i - g_ij v^i u^j ->", &operands)?;
     Ok(Row::new(
         "(91)-(98)",
+        "Covectors",
         "v^*(u) = v_i u^i = g_ij v^i u^j, v_i = g_ij v^j, e^i(e_j) = delta^i_j",
         "Covectors, and the metric that lowers indices.",
     )
@@ -52,7 +53,7 @@ fn covectors(lab: &Lab) -> Result<Row, Error> {
 }
 
 fn inertia(lab: &Lab) -> Result<Row, Error> {
-    Ok(Row::new("(99)", "g_ij = J_ij", "The metric of M(3) is the inertia.")
+    Ok(Row::new("(99)", "Metric of M(3)", "g_ij = J_ij", "The metric of M(3) is the inertia.")
         .by(&["Metric", "paper::m3"])
         .components("g", lab.inertia()?.components()))
 }
@@ -78,7 +79,7 @@ fn bases(lab: &Lab) -> Result<Row, Error> {
         )?)
     };
     let invariance = lab.m3.frame().derivative(lab.inertia()?.components())?;
-    Ok(Row::new("(100), (101)", "<e_i(p), e_j(p)> = J_ij", "The metric is left-invariant.")
+    Ok(Row::new("(100), (101)", "Invariance of the metric", "<e_i(p), e_j(p)> = J_ij", "The metric is left-invariant.")
         .status(Status::TooStrong(
             "The text chooses the basis by (100). The basis is fixed by (46) and (88) already, and only the metric is chosen: `c` and `J` change together, \
              and only rotations keep `c = eps`.",
@@ -94,6 +95,7 @@ fn bi_invariant(lab: &Lab) -> Result<Row, Error> {
     let algebra = lab.so3.algebra().ok_or(Error::NoMetric)?;
     Ok(Row::new(
         "(102)",
+        "Bi-invariant metric",
         "ghat_ij = 2 delta_ij",
         "The bi-invariant metric `tr(A^T B)` of the matrices.",
     )
@@ -110,6 +112,7 @@ fn compatible(lab: &Lab) -> Result<Row, Error> {
     let algebra = lab.so3.algebra().ok_or(Error::NoMetric)?;
     let mut row = Row::new(
         "after (102)",
+        "Compatibility of zero and its metric",
         "nabla_k ghat_ij = 0",
         "The metric (102) is compatible with `zero`.",
     )
@@ -128,6 +131,7 @@ fn momentum(lab: &Lab) -> Result<Row, Error> {
     let values = h.iter().zip(1..).map(|(h, i)| Finding::value(&format!("H_{i} = {h}")));
     let row = Row::new(
         "(103)",
+        "Angular momentum as a covector",
         "H_i = J_ij Omega^j",
         "The angular momentum is the covector of the velocity.",
     )
@@ -155,7 +159,7 @@ fn balance(lab: &Lab) -> Result<Row, Error> {
     let nabla = plus.nabla(&Tensor::vector(&omega, Up))?;
     let vector = contract("D^i_k O^k -> ^i", &[("D", &nabla), ("O", &Tensor::vector(&omega, Up))])?;
     let zero = vec![constant(0); 3];
-    Ok(Row::new("(104)", "DH/Dt = M", "The law of motion.")
+    Ok(Row::new("(104)", "Law of motion", "DH/Dt = M", "The law of motion.")
         .status(Status::Convention(
             "It must be written for the covector `H`. `plus` does not preserve the metric `J`, so lowering an index does not commute with `D/Dt`.",
         ))
@@ -166,7 +170,7 @@ fn balance(lab: &Lab) -> Result<Row, Error> {
 }
 
 fn dual_frame(lab: &Lab) -> Result<Row, Error> {
-    Row::new("(105)", "nabla_{e_k} e^j = -Lambda^j_ki e^i", "The derivative of the dual frame.")
+    Row::new("(105)", "Derivative of the dual frame", "nabla_{e_k} e^j = -Lambda^j_ki e^i", "The derivative of the dual frame.")
         .status(Status::Convention(
             "`Theta^k` are quasi-coordinates: `dTheta^k = Omega^k dt` cannot be integrated. Only the covariant derivative is meant.",
         ))
@@ -203,7 +207,7 @@ fn on_any_algebra(lab: &Lab) -> Result<Row, Error> {
     });
     let findings = findings.collect::<Result<Vec<_>, Error>>()?;
     Ok(Row::new(
-        "(106)",
+        "(106)", "Law of motion in components",
         "DH/Dt = (Hdot_i - Lambda^j_ki Omega^k H_j) e^i",
         "Written out. On every algebra `DH/Dt = M` is the Euler-Poincare equation `Hdot_i = c^j_ki Omega^k H_j + M_i` of a left-invariant system.",
     )
@@ -221,7 +225,7 @@ fn array(lab: &Lab) -> Result<Row, Error> {
     let with = |slots| Tensor::from_fn(3, slots, |at| spin.get(&at));
     let below = contract("a_i^j - b_i^j -> _i^j", &[("a", &below), ("b", &with([Down, Up])?)])?;
     let above = contract("a^j_i - b^j_i -> ^j_i", &[("a", &above), ("b", &with([Up, Down])?)])?;
-    Ok(Row::new("(107)", "-Lambda^j_ki Omega^k = Omega~_i^j", "The array of the gyroscopic term.")
+    Ok(Row::new("(107)", "Gyroscopic array", "-Lambda^j_ki Omega^k = Omega~_i^j", "The array of the gyroscopic term.")
         .status(Status::Misprint(
             "Its lower index is the row, unlike in (44). With the index order of (44) the array is `-spin(Omega)`.",
         ))
@@ -243,6 +247,7 @@ fn euler(lab: &Lab) -> Result<Row, Error> {
     let lines = lines.map(|(value, i)| Finding::value(&format!("J{i}{i} dOmega{i}/dt = {value}")));
     let row = Row::new(
         "(108)",
+        "Euler's equations on M(3)",
         "J_ij dOmega^j/dt + Omega~_i^j J_jk Omega^k = M_i",
         "Euler's equations. In principal axes:",
     )
@@ -263,7 +268,7 @@ fn half(lab: &Lab) -> Result<Row, Error> {
         a.iter().zip(b).fold(constant(0), |sum, (a, b)| sum + &(a.clone() * b))
     };
     let blind = [product(&zero, &omega), product(&zero, &h)];
-    Ok(Row::new("after (108)", "J dOmega/dt + 1/2 Omega x J Omega = M", "With `zero` the gyroscopic term is half of what it should be; here in principal axes.")
+    Ok(Row::new("after (108)", "The gyroscopic term by zero", "J dOmega/dt + 1/2 Omega x J Omega = M", "With `zero` the gyroscopic term is half of what it should be; here in principal axes.")
         .by(&["Equations::euler_poincare"])
         .find(Finding::equal("with zero `DH/Dt - Hdot = 1/2 Omega x H`", &zero, &halved))
         .find(Finding::equal("with zero it is `Omega x H`", &zero, &cross(&omega, &h)).refuted())
@@ -280,7 +285,7 @@ fn power(lab: &Lab) -> Result<Row, Error> {
         Ok((name, Finding::exact("", &work)))
     });
     let findings = findings.collect::<Result<Vec<_>, Error>>()?;
-    let row = Row::new("(109)", "dT/dt = Omega^i J_ij dOmega^j/dt = M_i Omega^i", "Torques alone do work: `Lambda^j_mi Omega^i Omega^m H_j = 0`, because the affinities are antisymmetric.")
+    let row = Row::new("(109)", "Power", "dT/dt = Omega^i J_ij dOmega^j/dt = M_i Omega^i", "Torques alone do work: `Lambda^j_mi Omega^i Omega^m H_j = 0`, because the affinities are antisymmetric.")
         .by(&["Connection::affinities"])
         .find(Finding::everywhere("with plus ", findings));
     let body = Connection::levi_civita(
@@ -307,6 +312,7 @@ fn index(lab: &Lab) -> Result<Row, Error> {
     let work = contract("L^j_ki O^k J_jm O^m O^i ->", &operands)?;
     Ok(Row::new(
         "after (109)",
+        "Work of the gyroscopic term",
         "Omega^i Omega~_i^j J_jk Omega^k = 0",
         "The gyroscopic term does no work.",
     )
@@ -324,7 +330,7 @@ fn incompatible(lab: &Lab) -> Result<Row, Error> {
     vanish.sort();
     let ball = Metric::diagonal(vec![Symbolic::parameter("J"); 3])?;
     let of_ball = lab.m3.connection().nonmetricity(&ball)?;
-    let mut row = Row::new("after (109)", "nabla_k J_ij != 0", "`plus` is not compatible with the inertia.")
+    let mut row = Row::new("after (109)", "Compatibility of plus and the inertia", "nabla_k J_ij != 0", "`plus` is not compatible with the inertia.")
         .status(Status::TooStrong("It is compatible exactly with the ad-invariant inertias; on so(3) these are the multiples of the identity."))
         .by(&["Connection::nonmetricity"])
         .find(Finding::exact("`nabla_k J_ij = 0`", &q).refuted())

@@ -45,7 +45,7 @@ fn neutral(lab: &Lab) -> Result<Row, Error> {
         let p = group.exp(&vectors(group)[0]);
         Ok(apart(&group.compose(&group.identity(), &p), &group.identity()))
     })?;
-    Ok(Row::new("in 3.1", "e p = p e = p", "The axiom of the neutral element.")
+    Ok(Row::new("in 3.1", "Neutral element", "e p = p e = p", "The axiom of the neutral element.")
         .status(Status::Misprint("The paper prints `e p = p e = e`."))
         .by(&["LieGroup::compose", "LieGroup::identity"])
         .find(Finding::within("`e p = p e = p`", off, 1e-12))
@@ -60,6 +60,7 @@ fn translations(lab: &Lab) -> Result<Row, Error> {
     })?;
     Ok(Row::new(
         "(17), (18)",
+        "Translations",
         "L_g(h) = g h, R_g(h) = h g",
         "Left and right translations. Right translations compose in the other order.",
     )
@@ -81,7 +82,7 @@ fn invariant_fields(lab: &Lab) -> Result<Row, Error> {
         Ok(apart(&field.at(group, &group.exp(&x)), &v))
     })?;
     Ok(Row::new(
-        "(19)-(24)",
+        "(19)-(24)", "Left-invariant fields",
         "X_g = L_{g*} X_e",
         "Left-invariant vectors and fields. In the left-invariant frame `e_i(p) = L_{p*} e_i(e)` they have constant components.",
     )
@@ -103,7 +104,7 @@ fn one_parameter_groups(lab: &Lab) -> Result<Row, Error> {
         Ok(distance(&slope, &(&there * &unit)).max(distance(&slope, &(unit * there))))
     })?;
     Ok(Row::new(
-        "(25)-(27)",
+        "(25)-(27)", "One-parameter groups",
         "g(t) = exp(t g'(0)), g'(t) = L_{g(t)*} g'(0) = R_{g(t)*} g'(0)",
         "One-parameter groups. Not every element has a logarithm: there are matrices in SL(2) without one.",
     )
@@ -125,7 +126,7 @@ fn bracket(lab: &Lab) -> Result<Row, Error> {
         let found = field(&x).bracket(group, &field(&y)).vector;
         Ok(apart(&found, &-group.bracket(&x, &y)))
     })?;
-    Ok(Row::new("(28)", "[X_e, Y_e] = [X^L, Y^L]_e", "The bracket of the algebra, by left-invariant extensions.")
+    Ok(Row::new("(28)", "Bracket of the algebra", "[X_e, Y_e] = [X^L, Y^L]_e", "The bracket of the algebra, by left-invariant extensions.")
         .status(Status::Convention(
             "With left-invariant extensions it is the commutator of matrices. Right-invariant extensions change the sign.",
         ))
@@ -161,7 +162,7 @@ fn connections(lab: &Lab) -> Result<Row, Error> {
         Ok(off.components().map(|(_, value)| value.abs()).fold(0.0, f64::max))
     })?;
     Ok(Row::new(
-        "(29)-(31)",
+        "(29)-(31)", "The three canonical connections",
         "nabla^R_X Y = [X^L, Y], nabla^L_X Y = [X^R, Y], nabla^S_X Y = 1/2 [X^L + X^R, Y]",
         "The three canonical connections: here `plus`, `minus` and `zero`, the connections (+), (-) and (0) of Cartan and Schouten.",
     )
@@ -177,7 +178,7 @@ fn connections(lab: &Lab) -> Result<Row, Error> {
 
 fn bracket_of_fields(lab: &Lab) -> Result<Row, Error> {
     Row::new(
-        "(32)-(34)",
+        "(32)-(34)", "Bracket of fields in a frame",
         "[X, Y]^i = X^j e_j(Y^i) - Y^j e_j(X^i) + c^i_jk X^j Y^k",
         "The bracket of fields in a frame. Of left-invariant fields only the last term remains.",
     )
@@ -204,9 +205,14 @@ fn left_and_right(lab: &Lab) -> Result<Row, Error> {
         let other = left.flow(group, &right.flow(group, &p, 1.0), 1.0);
         Ok(apart(&one, &other))
     })?;
-    Ok(Row::new("(35)", "[X^L, Y^R] = 0", "Left- and right-invariant fields commute.")
-        .by(&["InvariantField::flow"])
-        .find(Finding::within("their flows commute", off, 1e-11)))
+    Ok(Row::new(
+        "(35)",
+        "Left- and right-invariant fields commute",
+        "[X^L, Y^R] = 0",
+        "Left- and right-invariant fields commute.",
+    )
+    .by(&["InvariantField::flow"])
+    .find(Finding::within("their flows commute", off, 1e-11)))
 }
 
 fn right_invariant_fields(lab: &Lab) -> Result<Row, Error> {
@@ -223,7 +229,7 @@ fn right_invariant_fields(lab: &Lab) -> Result<Row, Error> {
         Ok(apart(&carried, &right_translate(group, &u, &between)))
     })?;
     Ok(Row::new(
-        "(36), (37)",
+        "(36), (37)", "Fields parallel for plus",
         "nabla^R_X Y^R = 0, nabla^R_X Y = (e_j(Y^i) + c^i_jk Y^k) X^j e_i",
         "Right-invariant fields are parallel for `plus`, so its parallel transport is right translation on every path.",
     )
@@ -240,6 +246,7 @@ fn affinities(lab: &Lab) -> Result<Row, Error> {
     let right = lab.m3.in_right_frame()?;
     Ok(Row::new(
         "(38)",
+        "Affinities of plus",
         "Lambda^i_jk = c^i_jk",
         "The affinities of `plus` in the left-invariant frame.",
     )
@@ -260,15 +267,21 @@ fn torsion(lab: &Lab) -> Result<Row, Error> {
         "t^i_jk - c^i_jk -> ^i_jk",
         &[("t", &m3.torsion()), ("c", m3.frame().structure_functions())],
     )?;
-    Ok(Row::new("after (38)", "tau^i_jk = c^i_jk", "The torsion of `plus`, by (B10).")
-        .by(&["Connection::torsion"])
-        .find(Finding::exact("`tau^i_jk = c^i_jk` of M(3)", &off))
-        .components("tau", &m3.torsion()))
+    Ok(Row::new(
+        "after (38)",
+        "Torsion of plus",
+        "tau^i_jk = c^i_jk",
+        "The torsion of `plus`, by (B10).",
+    )
+    .by(&["Connection::torsion"])
+    .find(Finding::exact("`tau^i_jk = c^i_jk` of M(3)", &off))
+    .components("tau", &m3.torsion()))
 }
 
 fn flat(lab: &Lab) -> Result<Row, Error> {
     Row::new(
         "after (38)",
+        "Curvature of plus",
         "R^i_jkl = 0",
         "`plus` has no curvature: with (B14) this is the Jacobi identity.",
     )
@@ -287,7 +300,7 @@ fn halves() -> Result<Row, Error> {
     let printed = right_translate(&So3, &unit, &p);
     let through = right_translate(&So3, &So3.adjoint(&p, &unit), &p);
     Ok(Row::new(
-        "before (39)",
+        "before (39)", "Construction of zero",
         "nabla^S_{e_j} e_k = 1/2 [e_j^L, e_k^L] + 1/2 [e_j^R, e_k^L]",
         "The connection `zero` on the left-invariant frame.",
     )
@@ -308,6 +321,7 @@ fn affinities_of_zero(lab: &Lab) -> Result<Row, Error> {
     )?;
     Ok(Row::new(
         "(39)",
+        "Affinities of zero",
         "c^i_jk = 2 Lambda^i_jk",
         "The affinities of `zero` in the left-invariant frame.",
     )
@@ -316,7 +330,7 @@ fn affinities_of_zero(lab: &Lab) -> Result<Row, Error> {
 }
 
 fn torsion_of_zero(lab: &Lab) -> Result<Row, Error> {
-    Row::new("after (39)", "tau^i_jk = 0", "`zero` has no torsion.")
+    Row::new("after (39)", "Torsion of zero", "tau^i_jk = 0", "`zero` has no torsion.")
         .by(&["Connection::torsion"])
         .find(Finding::exact("`tau^i_jk = 0` of SO(3)", &lab.so3.connection().torsion()))
         .on_algebras(lab, "and of zero ", |algebra| {
@@ -329,6 +343,7 @@ fn antisymmetric(lab: &Lab) -> Result<Row, Error> {
     let right = lab.so3.in_right_frame()?;
     Ok(Row::new(
         "(40)",
+        "Antisymmetry of the affinities",
         "Lambda^i_jk = -Lambda^i_kj",
         "The affinities of `plus` and `zero` are antisymmetric.",
     )
@@ -348,7 +363,7 @@ fn curvature_of_zero(lab: &Lab) -> Result<Row, Error> {
     let heisenberg: LieAlgebra<Rational> = catalogue::algebra("heisenberg(3)")?;
     let step_two = Connection::canonical(&heisenberg, CanonicalConnection::Zero);
     let row = Row::new(
-        "after (40)",
+        "after (40)", "Curvature of zero",
         "R^i_jkl = -1/4 c^m_kl c^i_mj",
         "The curvature of `zero`, which the paper does not print: `R(X,Y) Z = -1/4 [[X,Y],Z]`. It vanishes exactly on algebras that are nilpotent of step two, or abelian.",
     )

@@ -62,8 +62,9 @@ fn equation(row: &Row, id: &str, out: &mut dyn Write) -> io::Result<()> {
     let class = word.replace(' ', "-");
     writeln!(
         out,
-        "<article id=\"{id}\" aria-labelledby=\"{id}-title\">\n<h3 id=\"{id}-title\"><a href=\"#{id}\">{}</a> <span class=\"standing {class}\">{word}</span></h3>",
-        escaped(row.equation)
+        "<article id=\"{id}\" aria-labelledby=\"{id}-title\">\n<h3 id=\"{id}-title\"><a href=\"#{id}\">{}</a> <span class=\"name\">{}</span> <span class=\"standing {class}\">{word}</span></h3>",
+        escaped(row.equation),
+        escaped(row.name)
     )?;
     if !row.formula.is_empty() {
         writeln!(

@@ -63,6 +63,8 @@ pub struct Section {
 pub struct Row {
     /// The number of the equation, such as `(38)` or `after (38)`.
     pub equation: &'static str,
+    /// What the equation is about, in a few words. No two entries share a name.
+    pub name: &'static str,
     /// The formula, in the notation of this project.
     pub formula: &'static str,
     /// The statement in words. Formulas are written between backticks.
@@ -184,8 +186,14 @@ impl Paper {
 
 impl Row {
     /// A row for an equation that is correct as printed, without findings.
-    fn new(equation: &'static str, formula: &'static str, says: &'static str) -> Self {
-        Row { equation, formula, says, status: Status::Right, functions: vec![], findings: vec![] }
+    fn new(
+        equation: &'static str,
+        name: &'static str,
+        formula: &'static str,
+        says: &'static str,
+    ) -> Self {
+        let status = Status::Right;
+        Row { equation, name, formula, says, status, functions: vec![], findings: vec![] }
     }
 
     fn by(mut self, functions: &[&'static str]) -> Self {
@@ -247,8 +255,9 @@ fn parts(text: &str) -> impl Iterator<Item = Part<'_>> {
 }
 
 const TITLE: &str = "Finite rotations on a Lie group";
-const ABOUT: &str = "This document goes through E. Paraskevopoulos and S. Natsiavas, \
-    Int. J. Solids and Structures 50 (2013) 57-72, equation by equation. Each entry states the equation in our notation, \
+const ABOUT: &str = "A group has no connection and no metric of its own: they are chosen. M(3) and SO(3) are the rotation group with two choices. \
+    This document goes through E. Paraskevopoulos and S. Natsiavas, \
+    Int. J. Solids and Structures 50 (2013) 57-72, doi 10.1016/j.ijsolstr.2012.09.001, equation by equation. Each entry states the equation in our notation, \
     computes it, and says where it holds and where the paper must be read with a correction. \
     Exact values are computed over the rationals or with symbols. Statements about motions and group elements are computed in floats, \
     with the bound that they satisfy.";

@@ -44,7 +44,7 @@ fn tangent(lab: &Lab) -> Result<Row, Error> {
         Ok(left.max(distance(&(hat(group, &spatial) * &g), &slope)))
     })?;
     Ok(Row::new(
-        "(41), (52)-(56), (59)",
+        "(41), (52)-(56), (59)", "Tangent of a motion",
         "w = w^i e_i(p), w = L_{p*} Omega = R_{p*} omega, w^i = Omega^i",
         "The tangent of a motion has the components of the body velocity in the left-invariant frame. Its right image at the identity is `omega`.",
     )
@@ -54,7 +54,7 @@ fn tangent(lab: &Lab) -> Result<Row, Error> {
 
 fn parallel(lab: &Lab) -> Result<Row, Error> {
     let mut row = Row::new(
-        "(42)",
+        "(42)", "Parallel vectors along a motion",
         "vdot^i + Lambda^i_jk w^j v^k = 0",
         "Parallel vectors along a motion. Before (42): `nabla_w v = (vdot^i + Lambda^i_jk w^j v^k) e_i`.",
     )
@@ -106,7 +106,7 @@ fn autoparallels(lab: &Lab) -> Result<Row, Error> {
         Ok(worst)
     })?;
     Ok(Row::new(
-        "(43)",
+        "(43)", "Autoparallels of M(3)",
         "n^i(t) = n^i(0)",
         "Autoparallels have constant components. They are the left translates `g exp(t n)` of one-parameter groups, the same curves for all three connections.",
     )
@@ -129,7 +129,7 @@ fn generator(lab: &Lab) -> Result<Row, Error> {
         &[("L", plus.affinities()), ("n", &Tensor::vector(&symbols("n", 3), Up))],
     )?;
     Ok(Row::new(
-        "(44), (45)",
+        "(44), (45)", "Parallel transport along an autoparallel",
         "udot = -n~ u, n~^i_k = Lambda^i_jk n^j",
         "Parallel transport along an autoparallel. The upper index is the row, so on the rotations the array is `spin(n)`; on every group it is `ad_n`.",
     )
@@ -144,6 +144,7 @@ fn twenty_seven(lab: &Lab) -> Result<Row, Error> {
     let off = contract("L^i_jk - E^i_jk -> ^i_jk", &[("L", gamma), ("E", &epsilon)])?;
     Ok(Row::new(
         "(46)",
+        "Affinities of M(3)",
         "Lambda^1_23 = Lambda^2_31 = Lambda^3_12 = 1",
         "The 27 affinities of M(3): the alternating symbol.",
     )
@@ -160,6 +161,7 @@ fn frame(lab: &Lab) -> Result<Row, Error> {
     })?;
     Ok(Row::new(
         "(47), (48)",
+        "Components of left-invariant fields",
         "e_i(p) = L_{p*} e_i(e), n^i_p = n^i_e",
         "Left-invariant fields have the same components everywhere.",
     )
@@ -188,6 +190,7 @@ fn rays(lab: &Lab) -> Result<Row, Error> {
     let matrix = distance(&b.transpose(), &So3.matrix(&So3.exp(&psi)));
     Ok(Row::new(
         "(49)-(51)",
+        "Transport along a ray",
         "u_p = B u_e, u_e = A u_p, A(t) = exp(t n~), B(t) = exp(-t n~)",
         "Transport along a ray from `e` to `p`. On every group `A = Ad_p`.",
     )
@@ -207,7 +210,7 @@ fn images(lab: &Lab) -> Result<Row, Error> {
     let plus = lab.on_groups(|group| image(group, CanonicalConnection::Plus))?;
     let zero = lab.least_on_groups(|group| image(group, CanonicalConnection::Zero))?;
     Ok(Row::new(
-        "(57)",
+        "(57)", "The two angular velocities as parallel translates",
         "Omega = B omega, omega = A Omega, A = R, B = R^T",
         "The two images of the velocity are parallel translates of each other. It is (10), told by the connection `plus`.",
     )
@@ -225,6 +228,7 @@ fn carried(lab: &Lab) -> Result<Row, Error> {
     })?;
     Ok(Row::new(
         "(58)",
+        "The field that carries the spatial velocity",
         "nabla_n omegahat = 0",
         "The field that carries `omega` along the rays is the right-invariant one.",
     )
@@ -242,7 +246,7 @@ fn equal_images() -> Result<Row, Error> {
         (body - spatial).norm()
     };
     Ok(Row::new(
-        "after (59)",
+        "after (59)", "Equality of the two angular velocities",
         "Omega = omega",
         "The paper concludes that both are parallel to `n`.",
     )
@@ -261,7 +265,7 @@ fn one_parameter() -> Result<Row, Error> {
     let n = psi / 0.9;
     let body = Velocity::of_path(&So3, rotation, 0.9, 0.02)?.body;
     let around = psi - psi.normalize() * TAU;
-    Ok(Row::new("(60)", "Q(s, n) = exp(s n~), Q(t, n(t)) = R(t)", "A motion by its rays.")
+    Ok(Row::new("(60)", "Motion by rays", "Q(s, n) = exp(s n~), Q(t, n(t)) = R(t)", "A motion by its rays.")
         .status(Status::TooStrong(
             "`n(t) = Psi(t)/t` is not a velocity, it is undefined at `t = 0`, and beyond half a turn it is not unique. The library uses `Psi`.",
         ))
@@ -280,7 +284,7 @@ fn rodrigues() -> Result<Row, Error> {
         (Matrix3::from_column_slice(found.as_slice()) - expected).amax()
     });
     Ok(Row::new(
-        "after (60)",
+        "after (60)", "Formula of Rodrigues",
         "A = I + sin theta/theta Psi~ + 1/2 (sin(theta/2)/(theta/2))^2 Psi~^2, theta = norm(Psi)",
         "The formula of Rodrigues, with half angles, which keeps the digits that `1 - cos theta` loses.",
     )
@@ -291,7 +295,12 @@ fn rodrigues() -> Result<Row, Error> {
 fn rotation_vector() -> Result<Row, Error> {
     let psi = Vector3::new(0.4, -1.2, 0.7);
     let off = (So3.log(&So3.exp(&psi))? - psi).norm();
-    Ok(Row::new("(61)", "Psi = t n", "The rotation vector: canonical coordinates.")
-        .by(&["LieGroup::log", "So3::log_near"])
-        .find(Finding::within("`log(exp(Psi)) = Psi` within half a turn", off, 1e-14)))
+    Ok(Row::new(
+        "(61)",
+        "Rotation vector",
+        "Psi = t n",
+        "The rotation vector: canonical coordinates.",
+    )
+    .by(&["LieGroup::log", "So3::log_near"])
+    .find(Finding::within("`log(exp(Psi)) = Psi` within half a turn", off, 1e-14)))
 }

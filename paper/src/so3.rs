@@ -38,6 +38,7 @@ fn basis() -> Result<Row, Error> {
     });
     Ok(Row::new(
         "(62), (63)",
+        "Basis of the algebra of matrices",
         "e~_i(I) = spin(E_i), ehat_i(R) = R e~_i(I)",
         "The basis of the algebra of matrices, and the left-invariant frame.",
     )
@@ -54,6 +55,7 @@ fn structure(lab: &Lab) -> Result<Row, Error> {
     let off = contract("c^i_jk - E^i_jk -> ^i_jk", &[("c", c), ("E", &epsilon()?)])?;
     Ok(Row::new(
         "(64)",
+        "Structure constants of SO(3)",
         "c~^i_jk = eps^i_jk",
         "The structure constants, from commutators of the matrices.",
     )
@@ -67,6 +69,7 @@ fn affinities(lab: &Lab) -> Result<Row, Error> {
     let off = contract("L^i_jk - 1/2 E^i_jk -> ^i_jk", &[("L", gamma), ("E", &epsilon()?)])?;
     Ok(Row::new(
         "(65)",
+        "Affinities of SO(3)",
         "Lambda^i_jk = 1/2 eps^i_jk",
         "The affinities of `zero` in the left-invariant frame.",
     )
@@ -90,6 +93,7 @@ fn curvature(lab: &Lab) -> Result<Row, Error> {
     let scalar = metric.trace(&connection.ricci())?;
     Ok(Row::new(
         "after (65)",
+        "Curvature of SO(3)",
         "R^i_jkl = Lambda^i_km Lambda^m_lj - Lambda^i_lm Lambda^m_kj - c~^m_kl Lambda^i_mj",
         "The curvature: twelve components, the other 69 vanish.",
     )
@@ -110,6 +114,7 @@ fn frames() -> Result<Row, Error> {
     let (left, right) = ((slope - r * spin(&body)).amax(), (slope - spin(&spatial) * r).amax());
     Ok(Row::new(
         "(66)-(69)",
+        "Velocity in two frames",
         "Rdot = Omega^i ehat_i(R) = omega^i ebar_i(R), ebar_i(R) = e~_i(I) R",
         "The velocity in the left- and in the right-invariant frame.",
     )
@@ -126,6 +131,7 @@ fn commuting(lab: &Lab) -> Result<Row, Error> {
     })?;
     Ok(Row::new(
         "(70)",
+        "Generator of a one-parameter group",
         "Q' = Q n~ = n~ Q",
         "A one-parameter group has the same generator on both sides.",
     )
@@ -147,7 +153,7 @@ fn transport(lab: &Lab) -> Result<Row, Error> {
         Ok(apart(&carried, &group.adjoint(&root, &u)))
     })?;
     Ok(Row::new(
-        "(71)",
+        "(71)", "Transport along a ray by zero",
         "A(t) = exp(t n~/2)",
         "Transport by `zero` along a ray turns by half as much. On every group it is left translation by the square root of `p`, then right translation by it.",
     )
@@ -168,6 +174,7 @@ fn velocity_by_zero(lab: &Lab) -> Result<Row, Error> {
     };
     Ok(Row::new(
         "after (71)",
+        "Velocity carried by zero",
         "exp(t n~/2) Omega != omega",
         "The velocity, carried to the identity by `zero`, is not the spatial velocity.",
     )
@@ -191,6 +198,7 @@ fn holonomy() -> Result<Row, Error> {
     let identity = DMatrix::identity(3, 3);
     Ok(Row::new(
         "after (71)",
+        "Holonomy of a closed one-parameter group",
         "A_e = A(2 pi)",
         "Transport once around a closed one-parameter group.",
     )
@@ -233,7 +241,7 @@ fn unsuitable(lab: &Lab) -> Result<Row, Error> {
     let principal = Metric::diagonal((0..3).map(|i| metric.components().get(&[i, i])))?;
     let [zero, of_zero] = by(CanonicalConnection::Zero, &principal)?;
     Ok(Row::new(
-        "after (71)",
+        "after (71)", "The claim that SO(3) is unsuited",
         "",
         "The paper concludes that SO(3) cannot describe the motion of a rigid body.",
     )

@@ -71,6 +71,21 @@ fn every_equation_has_one_row() {
     assert!(remarks > 10, "{remarks}");
 }
 
+/// Every entry has a name of its own, in the heading of the HTML document.
+#[test]
+fn every_entry_has_its_own_name() {
+    let mut written = vec![];
+    PAPER.write(PaperFormat::Html, &[], &mut written).unwrap();
+    let written = String::from_utf8(written).unwrap();
+    let names: BTreeSet<&str> = rows().map(|row| row.name).collect();
+    assert_eq!(names.len(), rows().count());
+    for name in names {
+        let heading = format!("<span class=\"name\">{}</span>", name.replace('\'', "&#x27;"));
+        let plain = format!("<span class=\"name\">{name}</span>");
+        assert!(written.contains(&heading) || written.contains(&plain), "{name}");
+    }
+}
+
 #[test]
 fn every_finding_has_its_expected_outcome() {
     let findings = rows().flat_map(|row| row.findings.iter().map(move |finding| (row, finding)));

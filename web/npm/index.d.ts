@@ -1,13 +1,15 @@
 /** A request, in the words of the command line. */
 export interface Request {
   /** The report. */
-  report: "compare" | "table" | "check" | "info" | "properties" | "equations" | "transport" | "motion" | "list" | "conventions";
+  report: "compare" | "table" | "check" | "info" | "properties" | "equations" | "transport" | "motion" | "simulate" | "list" | "conventions";
   /** A name such as `so3`, `E8`, `so3+R^3`, a geometry such as `so3@zero;metric=diag(1,2,3)`, or brackets `[x,y]=z`. */
   space?: string;
   /** The second space of a comparison. */
   other?: string;
   /** The text of a definition file in TOML or JSON, instead of a space. */
   definition?: string;
+  /** A name, or a definition in any notation: brackets, `(0,0,12)`, matrices, a table of GAP, TOML; instead of a space. */
+  input?: string;
   /** A connection: `levi-civita`, `plus`, `zero`, `minus`, `lambda=1/3`, ... */
   connection?: string;
   /** A metric: `identity`, `killing`, `diag(a,b,c)`, or a matrix. */
@@ -22,7 +24,7 @@ export interface Request {
   path?: string;
   /** The vector that is transported, in the left-invariant frame. */
   vector?: string;
-  /** The text of a problem of mechanics in TOML, for `motion`. */
+  /** The text of a problem of mechanics in TOML, for `motion`, which is also called `simulate`. */
   problem?: string;
   /** Methods of integration to compare with the method of the problem. */
   methods?: string;

@@ -31,6 +31,11 @@ async function load() {
  * @returns {Promise<import("./index.d.ts").Answer>}
  */
 export async function report(request) {
+  for (const [key, value] of Object.entries(request)) {
+    if (typeof value === "string") continue;
+    const kind = Array.isArray(value) ? "a list: join its items with commas" : typeof value;
+    throw new TypeError(`\`${key}\` must be a text, and is ${kind}`);
+  }
   await (ready ??= load());
   try {
     return JSON.parse(call(JSON.stringify(request)));

@@ -1,10 +1,12 @@
 // @ts-check
-// One worker, one request at a time; of those that wait only the newest is kept.
+// One worker, one request at a time, in the order in which they are asked. Views that change quickly ask only for their newest state.
+
+/** @typedef {{request: object, resolve: Function, reject: Function, id: number, stage?: (name: string) => void}} Job */
 
 export class Engine {
   /** @type {Worker | undefined} */ #worker;
-  /** @type {{request: object, resolve: Function, reject: Function, id: number, stage?: (name: string) => void} | undefined} */ #running;
-  /** @type {{request: object, resolve: Function, reject: Function, id: number, stage?: (name: string) => void} | undefined} */ #waiting;
+  /** @type {Job | undefined} */ #running;
+  /** @type {Job[]} */ #waiting = [];
   #ready = false;
   #failed = false;
   #next = 0;
@@ -14,9 +16,10 @@ export class Engine {
   #start() {
     this.#worker?.terminate();
     this.#ready = this.#failed = false;
-    this.#worker = new Worker(new URL("worker.js", import.meta.url), { type: "module" });
-    this.#worker.onmessage = ({ data }) => this.#receive(data);
-    this.#worker.onerror = (event) => this.#receive({ kind: "failed", message: event.message || "the engine did not load" });
+    const worker = new Worker(new URL("worker.js", import.meta.url), { type: "module" });
+    worker.onmessage = ({ data }) => { if (worker === this.#worker) this.#receive(data); };
+    worker.onerror = (event) => { if (worker === this.#worker) this.#receive({ kind: "failed", message: event.message || "the engine did not load" }); };
+    this.#worker = worker;
   }
 
   /**
@@ -27,45 +30,48 @@ export class Engine {
     // an engine that did not load is asked for again
     if (this.#failed) this.#start();
     return new Promise((resolve, reject) => {
-      this.#waiting?.reject({ kind: "replaced" });
-      this.#waiting = { request, resolve, reject, id: ++this.#next, stage };
+      this.#waiting.push({ request, resolve, reject, id: ++this.#next, stage });
       this.#send();
     });
   }
 
   /** Whether a request waits. */
-  get busy() { return Boolean(this.#waiting); }
+  get busy() { return this.#waiting.length > 0; }
 
-  /** Ends what is running by starting another worker. */
+  /** Ends all requests by starting another worker. */
   stop() {
-    for (const job of [this.#running, this.#waiting]) job?.reject({ kind: "stopped" });
-    this.#running = this.#waiting = undefined;
+    this.#reject({ kind: "stopped" });
     this.#start();
   }
 
+  /** @param {any} problem */
+  #reject(problem) {
+    const jobs = this.#running ? [this.#running, ...this.#waiting] : this.#waiting;
+    this.#running = undefined;
+    this.#waiting = [];
+    for (const job of jobs) job.reject(problem);
+  }
+
   #send() {
-    if (!this.#ready || this.#running || !this.#waiting) return;
-    this.#running = this.#waiting;
-    this.#waiting = undefined;
-    this.#worker?.postMessage({ id: this.#running.id, request: this.#running.request });
+    if (!this.#ready || this.#running) return;
+    this.#running = this.#waiting.shift();
+    if (this.#running) this.#worker?.postMessage({ id: this.#running.id, request: this.#running.request });
   }
 
   /** @param {any} data */
   #receive(data) {
+    if (data.kind === "loading") return (this.#running ?? this.#waiting[0])?.stage?.(`loading the engine, ${data.megabytes} MB`);
     if (data.kind === "ready") this.#ready = true;
     else if (data.kind === "failed") {
       this.#failed = true;
-      for (const job of [this.#running, this.#waiting]) job?.reject(data);
-      this.#running = this.#waiting = undefined;
-      return;
-    } else if (data.kind === "stage") {
-      if (this.#running?.id === data.id) this.#running?.stage?.(data.name);
-      return;
+      return this.#reject(data);
     } else if (this.#running?.id === data.id) {
-      const job = this.#running;
+      const job = /** @type {Job} */ (this.#running);
+      if (data.kind === "stage") return job.stage?.(data.name);
       this.#running = undefined;
-      if (data.kind === "answer") job?.resolve(data);
-      else job?.reject(data);
+      if (data.kind === "answer") job.resolve(data);
+      // the part that did not load is asked for again by the next request
+      else job.reject(data.kind === "unloaded" ? { ...data, kind: "failed" } : data);
       if (data.kind === "crashed") this.#start();
     }
     this.#send();

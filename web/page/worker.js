@@ -1,39 +1,82 @@
 // @ts-check
-// The engine, away from the page. After a panic it is not called again: the page starts another worker.
-import init, { call } from "./engine.js";
+// The engine, away from the page: readings and cards of tensors first, reports, structure and motions on demand. After a panic it is not called
+// again: the page starts another worker.
+// @ts-ignore the build writes the modules
+import init, { call } from "../engine/tables.js";
+
+/** Requests that the first module answers. */
+const FIRST = ["reading", "names", "card"];
 
 let panic = "";
 const shown = console.error;
 console.error = (...words) => { panic = words.join(" ").split("\n")[0]; shown(...words); };
 
-/** @type {WebAssembly.Memory} */
-let memory;
-/** The largest memory, in bytes, as the engine is built. */
+/** Memories of the modules. @type {WebAssembly.Memory[]} */
+const memories = [];
+/** The largest memory of a module, in bytes, as it is built. */
 const LIMIT = 2 ** 30;
-/** What runs. */
+/** The identifier of the request that runs. */
 let running = 0;
+/** The second module, once it is asked for. @type {Promise<(request: string) => string> | undefined} */
+let second;
 
+const stage = (/** @type {string} */ name) => postMessage({ kind: "stage", id: running, name });
 // the engine calls it
-Object.assign(globalThis, { stage: (/** @type {string} */ name) => postMessage({ kind: "stage", id: running, name }) });
+Object.assign(globalThis, { stage });
 
-init().then((engine) => {
-  memory = engine.memory;
-  postMessage({ kind: "ready" });
-}, (error) => postMessage({ kind: "failed", message: String(error) }));
+/** A module, with the bytes that have arrived on the way. @param {URL} address */
+async function fetched(address) {
+  const response = await fetch(address);
+  if (!response.ok || !response.body) throw new Error(`${address.pathname}: ${response.status}`);
+  let loaded = 0, told = 0;
+  const counted = response.body.pipeThrough(new TransformStream({
+    transform(part, stream) {
+      loaded += part.length;
+      if (loaded - told > 1e5) postMessage({ kind: "loading", megabytes: ((told = loaded) / 1e6).toFixed(1) });
+      stream.enqueue(part);
+    },
+  }));
+  return new Response(counted, { headers: { "content-type": "application/wasm" } });
+}
 
-onmessage = ({ data: { id, request } }) => {
+const first = init({ module_or_path: fetched(new URL("../engine/tables_bg.wasm", import.meta.url)) }).then((/** @type {any} */ engine) => {
+  memories.push(engine.memory);
+  return call;
+});
+first.then(() => postMessage({ kind: "ready" }), (/** @type {unknown} */ error) => postMessage({ kind: "failed", message: String(error) }));
+
+/** Loads the second module. */
+async function loaded() {
+  stage("loading the second part of the engine");
+  // @ts-ignore the build writes the modules
+  const engine = await import("../engine/engine.js");
+  memories.push((await engine.default({ module_or_path: fetched(new URL("../engine/engine_bg.wasm", import.meta.url)) })).memory);
+  return engine.call;
+}
+
+onmessage = async ({ data: { id, request } }) => {
   const start = performance.now();
   running = id;
+  /** @type {(request: string) => string} */
+  let answering;
   try {
-    const answer = call(JSON.stringify(request));
+    answering = FIRST.includes(request.report) ? await first : await (second ??= loaded());
+  } catch (error) {
+    second = undefined;
+    return postMessage({ kind: "unloaded", id, message: String(error) });
+  }
+  try {
+    const answer = answering(JSON.stringify(request));
     postMessage({ kind: "answer", id, answer: JSON.parse(answer), ms: performance.now() - start });
   } catch (error) {
     if (typeof error === "string") postMessage({ kind: "refused", id, refusal: JSON.parse(error) });
-    else postMessage({ kind: "crashed", id, message: full() ? "it needs more than 1 GiB of memory" : panic || String(error) });
+    else postMessage({ kind: "crashed", id, message: exhausted(error) ? "it needs more than 1 GiB of memory" : panic || String(error) });
   }
 };
 
-/** Whether the memory is used up, but for a sixteenth: the request that fails may be large. */
-function full() {
-  return memory.buffer.byteLength > LIMIT - LIMIT / 16;
+/** Whether a trap means that the memory is used up. A failed allocation traps without a panic, and one large block may fail
+ * when half of the memory is still free. @param {unknown} error */
+function exhausted(error) {
+  const traps = error instanceof WebAssembly.RuntimeError && !panic;
+  return memories.some((memory) => memory.buffer.byteLength > (traps ? LIMIT / 2 : LIMIT - LIMIT / 16));
 }

@@ -1,5 +1,6 @@
 //! The answers to requests of the page.
 
+use super::words;
 use affinor::Error;
 use affinor_documents::input::{InputError, Place};
 use affinor_documents::picture::{Picture, svg};
@@ -24,6 +25,7 @@ pub struct Refusal {
     message: String,
     place: Option<Value>,
     help: Option<String>,
+    suggestions: Vec<String>,
 }
 
 impl Answer {
@@ -58,6 +60,7 @@ impl Answer {
                      `affinor`"
                         .into(),
                 ),
+                suggestions: vec![],
             }),
         }
     }
@@ -78,18 +81,21 @@ impl Answer {
 impl Refusal {
     /// An error with this message.
     pub fn new(message: impl Into<String>) -> Self {
-        Refusal { message: message.into(), place: None, help: None }
+        Refusal { message: message.into(), place: None, help: None, suggestions: vec![] }
     }
 
     pub(super) fn json(&self) -> Value {
-        json!({ "message": self.message, "place": self.place, "help": self.help })
+        let Refusal { message, place, help, suggestions } = self;
+        json!({ "message": message, "place": place, "help": help, "suggestions": suggestions })
     }
 }
 
 impl From<InputError> for Refusal {
     fn from(error: InputError) -> Self {
         let place = error.at.as_deref().map(place);
-        Refusal { place, message: error.message, help: error.help }
+        let help = error.help.as_deref().and_then(words::advice);
+        let message = words::message(&error.message);
+        Refusal { place, message, help, suggestions: error.suggestions }
     }
 }
 
@@ -102,7 +108,7 @@ impl From<Error> for Refusal {
 /// The source of a location, its line, from 1, the text of the line, and the range in it in units
 /// of UTF-16, in which scripts count.
 fn place(place: &Place) -> Value {
-    let (source, text) = (&place.source.name, &*place.source.text);
+    let (source, text) = (words::source(&place.source.name), &*place.source.text);
     let Some(span) = place.span.clone().filter(|span| text.get(span.clone()).is_some()) else {
         return json!({ "source": source });
     };

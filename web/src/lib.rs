@@ -2,12 +2,24 @@
 //!
 //! Requests and answers are JSON. A request has the options of the command line; an answer is the
 //! report in a format, or an error message. The page restarts the module after a panic.
+//!
+//! The crate is built twice: without features it reads inputs and makes the cards of tensors, which
+//! the page loads first; the feature `reports` adds reports in all formats, the structure theory of
+//! algebras, properties, equations and motions.
 
 mod answer;
+mod charts;
+#[cfg(feature = "reports")]
 mod motion;
+mod reading;
+#[cfg(feature = "reports")]
+mod reports;
 mod request;
+#[cfg(feature = "reports")]
 mod source;
+#[cfg(feature = "reports")]
 mod transport;
+mod words;
 
 pub use answer::{Answer, Refusal};
 pub use request::Request;

@@ -1,23 +1,11 @@
 //! Requests of the page, as arguments of the command line.
 
-use super::source::{self, Copy};
-use super::{Answer, Refusal, motion, transport};
+use super::{Answer, Refusal, charts, reading};
 use affinor::CanonicalConnection;
-use affinor::geometry::equations::EquationKind;
-use affinor_documents::input::InputError;
-use affinor_documents::over_kind;
-use affinor_documents::picture::{self, Picture};
-use affinor_documents::problem::Problem;
-use affinor_documents::report::{
-    ComparedSide, Comparison, Computation, Format, Info, Properties, Quantity, Report, Selection,
-    Table, TableEntry, catalogue, certificate, conventions, dynkin_type,
-};
-use affinor_documents::space::{self, ScalarChoice, Space};
-use affinor_tensors::Tolerance;
+use affinor_documents::report::{CardKind, Computation, Quantity};
+use affinor_documents::space::{self, Space};
 use serde::Deserialize;
-
-/// The largest dimension of tensors that are shown as heat maps.
-const HEAT: usize = 32;
+use serde_json::json;
 
 /// A request of the page.
 #[derive(Clone, Debug, Default, Deserialize)]
@@ -28,6 +16,13 @@ pub struct Request {
     pub report: String,
     /// A SPACE.
     pub space: String,
+    /// The text of the field of the page, instead of a SPACE: a name, or a definition in any
+    /// notation.
+    pub input: String,
+    /// The tensor of a card: `brackets`, `connection`, or the name of a quantity.
+    pub card: String,
+    /// The indices of the components of a card, separated by commas; an empty one means every index.
+    pub filter: String,
     /// The second SPACE, for a comparison.
     pub other: String,
     /// The text of a definition file, instead of a SPACE; JSON if it begins with a brace.
@@ -60,103 +55,46 @@ impl Request {
     /// # Errors
     /// Any error of the request.
     pub fn answer(&self) -> Result<Answer, Refusal> {
-        if let Some(copy) = Copy::from_name(&self.format) {
-            return self.copied(copy);
+        match self.report.as_str() {
+            "reading" => reading::reading(&self.input, &self.open()?),
+            "names" => reading::names(),
+            "card" => self.card(),
+            _ => self.report(),
         }
-        let format = self.format()?;
-        let (report, notes): (Box<dyn Report>, Vec<String>) = match self.report.as_str() {
-            "compare" => (Box::new(self.comparison()?), vec![]),
-            "list" => match catalogue(&self.space) {
-                Some(list) => (Box::new(list), vec![]),
-                None => return Err(Refusal::new("no name of the catalogue contains this text")),
-            },
-            "conventions" => (Box::new(conventions()), vec![]),
-            "transport" => (transport::transport(&self.path, &self.vector, &self.metric)?, vec![]),
-            "motion" => (motion::motion(&self.problem, &self.methods)?, vec![]),
-            "table" => {
-                let (space, quantities) = (self.open()?, self.quantities()?);
-                let selection = Selection { quantities, ..Selection::default() };
-                (computation(&space).table(&selection)?.report, notes(&space))
-            }
-            "check" => {
-                let space = self.open()?;
-                let checks = computation(&space).checks()?;
-                (Box::new(certificate(&space.definition.name, &checks, None)), notes(&space))
-            }
-            "equations" => self.equations()?,
-            "info" => {
-                let space = self.open()?;
-                (Box::new(Info::of(&space.definition, &crate::stage)?), notes(&space))
-            }
-            "properties" => {
-                let space = self.open()?;
-                (Box::new(Properties::of(&space.definition)?), notes(&space))
-            }
-            other => return Err(Refusal::new(format!("`{other}` is not a report"))),
+    }
+
+    /// The other reports are not in the first module of the page.
+    #[cfg(not(feature = "reports"))]
+    fn report(&self) -> Result<Answer, Refusal> {
+        Err(Refusal::new("this part of the engine has no reports"))
+    }
+
+    /// A tensor of the space, for a card.
+    fn card(&self) -> Result<Answer, Refusal> {
+        let kind = match self.card.as_str() {
+            "brackets" => CardKind::Brackets,
+            "connection" => CardKind::Tensor(Quantity::Affinities),
+            name => CardKind::Tensor(
+                Quantity::from_key(name)
+                    .ok_or_else(|| Refusal::new(format!("there is no card “{name}”")))?,
+            ),
         };
-        let answer = Answer::new(&*report, format, notes)?;
-        Ok(match format {
-            Format::Html => answer.with(self.pictures()),
-            _ => answer,
+        let card = computation(&self.open()?).card(kind, &self.filter)?;
+        reading::written(&match card {
+            None => json!({ "absent": true }),
+            Some(card) => json!({
+                "title": card.title,
+                "html": card.html,
+                "definition": card.definition,
+                "letters": card.letters,
+                "count": card.count,
+                "summarized": card.summarized,
+            }),
         })
     }
 
-    fn format(&self) -> Result<Format, Refusal> {
-        match self.format.as_str() {
-            "" => Ok(Format::Html),
-            name => Format::from_name(name)
-                .ok_or_else(|| Refusal::new(format!("`{name}` is not a format"))),
-        }
-    }
-
-    /// Heat maps of a table; the diagrams of an algebra with roots.
-    fn pictures(&self) -> Vec<Picture> {
-        let drawn = || -> Result<Vec<Picture>, Refusal> {
-            match self.report.as_str() {
-                "table" => Ok(heat_maps(&self.open()?, &self.quantities()?)?),
-                "info" => {
-                    let definition = self.open()?.definition;
-                    let types = dynkin_type(&definition)?;
-                    let made = [picture::dynkin, picture::roots];
-                    let drawn = made.map(|make| make(&definition.name, &types));
-                    Ok(if types.is_empty() { vec![] } else { drawn.into() })
-                }
-                _ => Ok(vec![]),
-            }
-        };
-        // errors of pictures are ignored, because the report is complete without them
-        drawn().unwrap_or_default()
-    }
-
-    /// The file of the report, or the lines that load it.
-    fn copied(&self, copy: Copy) -> Result<Answer, Refusal> {
-        let (toml, notes) = match self.report.as_str() {
-            "motion" => {
-                Problem::parse("problem.toml", &self.problem)?;
-                (self.problem.clone(), vec![])
-            }
-            report @ ("table" | "check" | "info" | "properties" | "equations") => {
-                // reads the tensors and the equations to check them: the copy quotes both texts
-                self.quantities()?;
-                self.kind()?;
-                let space = self.open()?;
-                (source::definition(&space, report != "info")?, notes(&space))
-            }
-            other => return Err(Refusal::new(format!("`{other}` cannot be copied as a file"))),
-        };
-        let text = copy.write(&self.report, toml, self.show.trim(), self.kind()?.name());
-        Answer::written(notes, |out| out.write_all(text.as_bytes()))
-    }
-
-    fn quantities(&self) -> Result<Vec<Quantity>, Refusal> {
-        match self.show.trim() {
-            "" => Ok(Quantity::shown()),
-            list => Quantity::list(list).map_err(Refusal::new),
-        }
-    }
-
     /// The space with its connection and metric.
-    fn open(&self) -> Result<Space, Refusal> {
+    pub(super) fn open(&self) -> Result<Space, Refusal> {
         let given =
             |text: &str| Some(text.trim()).filter(|text| !text.is_empty()).map(String::from);
         let name = if self.definition.trim_start().starts_with('{') {
@@ -164,9 +102,11 @@ impl Request {
         } else {
             "definition.toml"
         };
+        let chart = charts::find(&self.input).map(|text| ("the chart".into(), text.into()));
         let request = space::Request {
             space: if self.definition.is_empty() { given(&self.space) } else { None },
-            definition: given(&self.definition).map(|text| (name.into(), text)),
+            typed: given(&self.input).filter(|_| chart.is_none()),
+            definition: chart.or(given(&self.definition).map(|text| (name.into(), text))),
             connection: given(&self.connection),
             metric: given(&self.metric),
             set: given(&self.set),
@@ -180,57 +120,9 @@ impl Request {
         }
         Ok(space)
     }
-
-    fn equations(&self) -> Result<(Box<dyn Report>, Vec<String>), Refusal> {
-        let kind = self.kind()?;
-        let space = self.open()?;
-        Ok((computation(&space).equations(kind, false)?, notes(&space)))
-    }
-
-    /// The kind of equations.
-    fn kind(&self) -> Result<EquationKind, Refusal> {
-        match self.motion.as_str() {
-            "" => Ok(EquationKind::EulerPoincare),
-            name => EquationKind::from_name(name)
-                .ok_or_else(|| Refusal::new(format!("`{name}` is not a motion"))),
-        }
-    }
-
-    fn comparison(&self) -> Result<Comparison, Refusal> {
-        let side = |name: &str, default: &str| -> Result<ComparedSide, Refusal> {
-            let name = if name.trim().is_empty() { default } else { name };
-            let request = space::Request { space: Some(name.into()), ..space::Request::default() };
-            Ok(computation(&Space::open(&request)?).side()?)
-        };
-        Ok(Comparison::new(side(&self.space, "M(3)")?, side(&self.other, "SO(3)")?))
-    }
 }
 
 /// An exact computation whose stages the page shows.
-fn computation(space: &Space) -> Computation<'_> {
+pub(super) fn computation(space: &Space) -> Computation<'_> {
     Computation { stage: &crate::stage, ..Computation::of(space) }
-}
-
-/// The parameters that the input introduced.
-fn notes(space: &Space) -> Vec<String> {
-    match space.introduced.as_slice() {
-        [] => vec![],
-        names => vec![format!("taken as parameters: {}", names.join(", "))],
-    }
-}
-
-/// Heat maps of tensors.
-fn heat_maps(space: &Space, quantities: &[Quantity]) -> Result<Vec<Picture>, InputError> {
-    let definition = &space.definition;
-    if definition.dimension() > HEAT {
-        return Ok(vec![]);
-    }
-    over_kind!(space.kind(ScalarChoice::Exact)?, S => {
-        let geometry = definition.geometry::<S>(Tolerance::default())?;
-        let table = Table::new(&geometry, quantities)?;
-        let drawn = |entry: &TableEntry<S>| {
-            picture::heat(entry.quantity.title(), entry.quantity.symbol(), &entry.tensor)
-        };
-        Ok(table.tensors.iter().filter_map(drawn).collect())
-    })
 }

@@ -1,7 +1,9 @@
 //! Answers of the engine agree with the reports of the library.
 
+mod cards;
 mod copies;
 mod drawn;
+mod inputs;
 
 use affinor_web::call;
 use serde_json::{Value, json};

@@ -55,7 +55,7 @@ fn spaces_without_an_algebra() {
     commands(&["table"]).usage(&[
         ("so31", &["SPACE:1:1", "can be read as so(31) or so(3,1)", "write the parentheses"]),
         ("soo3", &["SPACE:1:1", "no algebra named `soo3`", "nearest is so(3)"]),
-        ("Heisenberg(3)", &["nearest is heisenberg(3)"]),
+        ("Heisenburg(3)", &["nearest is heisenberg(3)"]),
         ("xyzzy", &["no algebra named `xyzzy`", "`affinor list` shows the names"]),
         ("E9", &["no `E9` in the catalogue", "n = 6, 7, 8"]),
         ("sp(5)", &["no `sp(5)` in the catalogue", "an even number"]),

@@ -51,7 +51,7 @@ fn math(formula: &[Node], most: usize, attributes: &str) -> Vec<String> {
 }
 
 /// A sequence of elements, wrapped in `mrow` unless there is only one.
-fn row(nodes: &[Node]) -> String {
+pub(crate) fn row(nodes: &[Node]) -> String {
     match nodes {
         [node] => piece(node),
         _ => format!("<mrow>{}</mrow>", pieces(nodes)),

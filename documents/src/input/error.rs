@@ -27,6 +27,8 @@ pub struct InputError {
     pub at: Option<Box<Place>>,
     /// Advice: text to write instead.
     pub help: Option<String>,
+    /// Names that may have been meant instead.
+    pub suggestions: Vec<String>,
     /// The error of the library from which this error was made.
     pub cause: Option<Arc<Error>>,
 }
@@ -35,7 +37,14 @@ impl InputError {
     /// An error of wrong usage or unreadable input.
     pub fn usage(message: impl Into<String>) -> Self {
         let message = message.into();
-        InputError { refusal: Refusal::Usage, message, at: None, help: None, cause: None }
+        InputError {
+            refusal: Refusal::Usage,
+            message,
+            at: None,
+            help: None,
+            suggestions: vec![],
+            cause: None,
+        }
     }
 
     /// A mathematical error.

@@ -21,6 +21,8 @@ pub struct Source {
     table: Arc<str>,
     /// The string of the file that is being parsed; `None` if the whole text is parsed.
     excerpt: Option<Arc<Excerpt>>,
+    /// Whether names without a declaration are parameters.
+    declares_names: bool,
     /// The number of files through which this file was included.
     pub(crate) depth: usize,
     /// The cache of files.
@@ -54,6 +56,7 @@ impl Source {
             keys: Arc::default(),
             table: "".into(),
             excerpt: None,
+            declares_names: false,
             depth: 0,
             files: Files::default(),
         }
@@ -84,6 +87,30 @@ impl Source {
         let places = literal::places(literal, &text.content);
         let excerpt = Excerpt { text: text.clone(), places };
         Source { excerpt: Some(Arc::new(excerpt)), ..self.clone() }
+    }
+
+    /// The same source with a content that was made from its content: `places` has the position
+    /// of each byte in the old content, of `length` bytes.
+    pub(crate) fn rewritten(&self, content: String, mut places: Vec<usize>, length: usize) -> Self {
+        places.push(length);
+        let old = |at: usize| match &self.excerpt {
+            Some(excerpt) => excerpt.span(at..at).start,
+            None => at,
+        };
+        let places = Some(places.into_iter().map(old).collect());
+        let text = Text { content, span: 0..self.text.len() };
+        Source { excerpt: Some(Arc::new(Excerpt { text, places })), ..self.clone() }
+    }
+
+    /// Whether names without a declaration are parameters, as in a text that is typed into a
+    /// field.
+    pub(crate) fn declares_names(&self) -> bool {
+        self.declares_names
+    }
+
+    /// The same text, in which names without a declaration are parameters.
+    pub(crate) fn declaring_names(self) -> Self {
+        Source { declares_names: true, ..self }
     }
 
     /// The text whose pieces have locations: the excerpt if there is one, otherwise the whole text.

@@ -300,12 +300,15 @@ impl<'a> Computation<'a> {
         })
     }
 
-    fn kind(&self) -> Result<Kind, InputError> {
+    pub(super) fn kind(&self) -> Result<Kind, InputError> {
         self.space.kind(self.scalar)
     }
 
     /// The geometry of the space, in the selected frame.
-    fn geometry<S: Coefficient>(&self, selection: &Selection) -> Result<Geometry<S>, InputError> {
+    pub(super) fn geometry<S: Coefficient>(
+        &self,
+        selection: &Selection,
+    ) -> Result<Geometry<S>, InputError> {
         let definition = &self.space.definition;
         (self.stage)("jacobi");
         let ground = definition.ground(self.tolerance)?;

@@ -7,7 +7,7 @@ use super::latex::{self, verbatim};
 use super::markdown;
 use super::text::head_line;
 use super::{Format, Report};
-use crate::formula::tex;
+use crate::formula::{prose, tex};
 use crate::rows::failed;
 use comfy_table::presets::UTF8_BORDERS_ONLY;
 use comfy_table::{ContentArrangement, Table};
@@ -40,6 +40,8 @@ pub(super) struct Cell {
     pub latex: Option<Vec<String>>,
     /// The lines in HTML, if they differ from the escaped text.
     pub html: Option<Vec<String>>,
+    /// Whether the text is prose that contains formulas.
+    pub is_prose: bool,
     /// Whether the characters must be aligned vertically, as in a diagram or a matrix.
     pub is_drawn: bool,
 }
@@ -62,12 +64,18 @@ impl Cell {
         Cell { is_drawn: true, ..text.into() }
     }
 
+    /// Words that contain formulas, which LaTeX and HTML typeset.
+    pub fn prose(text: &str) -> Self {
+        Cell { is_prose: true, ..text.into() }
+    }
+
     /// The lines in LaTeX.
     fn in_latex(&self) -> Vec<String> {
         if self.is_drawn {
             return self.lines(verbatim);
         }
-        self.latex.clone().unwrap_or_else(|| self.lines(tex::escaped))
+        let escape = if self.is_prose { prose::latex } else { tex::escaped };
+        self.latex.clone().unwrap_or_else(|| self.lines(escape))
     }
 
     /// The lines of plain text, in which `escape` escapes the special characters of a format.

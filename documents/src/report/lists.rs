@@ -1,6 +1,6 @@
 //! Short lists: the conventions, the catalogue, and the checks of a certificate.
 
-use super::grid::{Grid, head_of_grid};
+use super::grid::{Cell, Grid, head_of_grid};
 use super::{Report, head};
 use crate::certificate::Check;
 use crate::input::InputError;
@@ -12,7 +12,8 @@ use serde_json::{Map, Value, json};
 /// The conventions of signs and indices. JSON has the schema `affinor.conventions/1`.
 pub fn conventions() -> impl Report {
     let all = affinor::conventions::ALL;
-    let rows = all.iter().map(|(object, lines)| vec![(*object).into(), lines.join("\n").into()]);
+    let rows =
+        all.iter().map(|(object, lines)| vec![(*object).into(), Cell::prose(&lines.join("\n"))]);
     let lines: Map<String, Value> =
         all.iter().map(|(object, lines)| (object.to_string(), json!(lines))).collect();
     let json = json!({ "schema": "affinor.conventions/1", "conventions": lines });

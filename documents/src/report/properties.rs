@@ -239,7 +239,7 @@ impl List {
             Property::Fails(witness) => (false, witness.to_string()),
         };
         let answer = if holds { "yes" } else { "no" };
-        self.rows.push(vec![name.into(), answer.into(), detail.as_str().into()]);
+        self.rows.push(vec![Cell::prose(name), answer.into(), Cell::prose(&detail)]);
         let key = if holds { "value" } else { "witness" };
         let mut entry = json!({ "name": name, "holds": holds });
         if !detail.is_empty() {
@@ -249,7 +249,7 @@ impl List {
     }
 
     fn fact(&mut self, name: &str, value: &str) {
-        self.rows.push(vec![name.into(), "".into(), value.into()]);
+        self.rows.push(vec![Cell::prose(name), "".into(), Cell::prose(value)]);
         self.json.push(json!({ "name": name, "value": value }));
     }
 
@@ -362,7 +362,7 @@ impl List {
             }
         };
         let head: Vec<(&str, Cell)> = vec![
-            ("basis", printable_list(geometry.frame().labels()).into()),
+            ("basis", Cell::prose(&printable_list(geometry.frame().labels()))),
             ("connection", printable(&geometry.kind().describe()).into()),
             ("metric", metric.into()),
         ];

@@ -56,13 +56,19 @@ pub(super) fn equation<S: Coefficient>(
 
 /// The brackets of the basis vectors, `[e1, e2] = e3`.
 pub(super) fn brackets<S: Coefficient>(structure: &Tensor<S>, labels: &[String]) -> Vec<Row> {
+    let labels: Vec<Node> = labels.iter().map(|name| label(name)).collect();
+    brackets_of(structure, &labels)
+}
+
+/// The [`brackets`] of basis vectors with typeset names.
+pub(super) fn brackets_of<S: Coefficient>(structure: &Tensor<S>, labels: &[Node]) -> Vec<Row> {
     let mut brackets: BTreeMap<_, Vec<_>> = BTreeMap::new();
     for (at, coefficient) in structure.components().filter(|(at, _)| at[1] < at[2]) {
-        let term = (value(&plain(coefficient)), vec![label(&labels[at[0]])]);
+        let term = (value(&plain(coefficient)), vec![labels[at[0]].clone()]);
         brackets.entry((at[1], at[2])).or_default().push(term);
     }
     let pair = |(j, k): (usize, usize)| {
-        let pair = vec![label(&labels[j]), Node::Sign(","), label(&labels[k])];
+        let pair = vec![labels[j].clone(), Node::Sign(","), labels[k].clone()];
         vec![Node::Group(crate::formula::Brackets::Square, pair)]
     };
     brackets.into_iter().map(|(at, terms)| chain([pair(at), sum(terms)])).collect()
@@ -70,7 +76,7 @@ pub(super) fn brackets<S: Coefficient>(structure: &Tensor<S>, labels: &[String])
 
 /// The symbol with its indices. Commas separate indices above dimension 9, and names that are not one
 /// symbol: `theta` is one, and a comma before an index would mean a derivative.
-fn with_scripts<S: Coefficient>(
+pub(super) fn with_scripts<S: Coefficient>(
     symbol: &[Node],
     dimension: usize,
     tensor: &Tensor<S>,

@@ -78,7 +78,8 @@ impl Document {
         let labels: Vec<String> = labels.iter().map(|(label, _)| label.clone()).collect();
         let parameters = self.declared(&indices, source)?;
         let declared = parameters.iter().cloned().collect();
-        let names = Names { parameters: Some(&parameters), ..Names::open(&indices, None) };
+        let closed = (!source.declares_names()).then_some(&parameters);
+        let names = Names { parameters: closed, ..Names::open(&indices, None) };
         let functions = self.chart.as_ref().map(|chart| chart.functions(&names, source));
         let functions = functions.transpose()?;
         let names = Names { functions: functions.as_ref(), ..names };

@@ -1,7 +1,7 @@
 //! Spaces given by a string: sums of catalogue names, paths of files, and tables in the string
 //! itself.
 
-use super::{Definition, check_dimension, tables};
+use super::{Definition, check_dimension, spelling, tables};
 use crate::input::{InputError, Source};
 use affinor::algebra::catalogue::CatalogueError;
 use std::path::Path;
@@ -61,12 +61,20 @@ fn entry(part: &str, source: &Source) -> Result<Definition, InputError> {
         Ok(entry) => return Ok(Definition::from_entry(entry)),
         Err(error) => error,
     };
+    if let Some((meant, note)) = spelling::meaning(name)
+        && let Ok(entry) = affinor::algebra::catalogue::find(&meant)
+    {
+        let mut definition = Definition::from_entry(entry);
+        definition.notes.push(note);
+        return Ok(definition);
+    }
     let span = match &error {
         CatalogueError::Malformed { span, .. } => span.clone(),
         CatalogueError::Value { source, .. } => source.span.clone(),
         _ => 0..name.len(),
     };
     let refused = InputError::usage(error.to_string()).at(&source.find(name, span));
+    let refused = InputError { suggestions: suggestions(&error), ..refused };
     let foreign: String = name.chars().filter(|c| !c.is_ascii()).take(64).collect();
     Err(match error {
         _ if !foreign.is_empty() => {
@@ -77,6 +85,16 @@ fn entry(part: &str, source: &Source) -> Result<Definition, InputError> {
         CatalogueError::Unknown { .. } => refused.help(NAMES),
         _ => refused,
     })
+}
+
+/// The names that may have been meant.
+fn suggestions(error: &CatalogueError) -> Vec<String> {
+    match error {
+        CatalogueError::Unknown { nearest: names, .. }
+        | CatalogueError::Ambiguous { readings: names, .. }
+        | CatalogueError::Incomplete { candidates: names, .. } => names.clone(),
+        _ => vec![],
+    }
 }
 
 /// Whether a SPACE is a path: `-`, a name with an extension such as `.toml` or `.csv`, or a name

@@ -10,7 +10,7 @@ use crate::space::{
     notation::{self, Names, basis, lines, metric, statement},
     paper,
     setting::settings,
-    tables,
+    spelling, tables, typed,
 };
 use affinor_tensors::{Kind, Rational, Symbolic};
 use std::collections::BTreeMap;
@@ -23,6 +23,8 @@ pub struct Request {
     pub space: Option<String>,
     /// A definition instead of SPACE: a name for messages, and the text of a definition file.
     pub definition: Option<(String, String)>,
+    /// An alternative to SPACE: a text that is typed into a field ([`typed`](super::typed)).
+    pub typed: Option<String>,
     /// The names of the basis vectors of brackets given inline.
     pub basis: Option<String>,
     /// Brackets given inline.
@@ -68,27 +70,15 @@ impl Space {
     /// be read, and for an invalid value.
     pub fn open(request: &Request) -> Result<Self, InputError> {
         let files = &request.files;
-        let inside = request
-            .space
-            .as_deref()
-            .map_or(Ok(Request::default()), |space| split_space(space, files))?;
-        let inline_brackets = !request.brackets.is_empty();
-        let definition = match (&request.definition, &inside.space, &request.basis) {
-            (Some((name, text)), None, None) if !inline_brackets => {
-                Definition::parse_part(name, text, files)?
-            }
-            (None, Some(name), None) if !inline_brackets => find(name, files)?,
-            (None, None, Some(labels)) => inline(labels, &request.brackets)?,
-            (None, None, None) => {
-                return Err(InputError::usage("no SPACE is given")
-                    .help("name one (so3, E8, file.toml), or give --basis and --bracket"));
-            }
-            _ => {
-                return Err(InputError::usage("give a SPACE or --basis and --bracket, not both"));
-            }
+        let inside = match (&request.space, &request.typed) {
+            (Some(space), _) => split_space(space, files)?,
+            (None, Some(text)) if is_completed(text) => split_space(text, files)?,
+            _ => Request::default(),
         };
+        let definition = Self::definition_of(request, &inside)?;
         let is_file = |name: &String| !tables::is_inline(name);
         let declared = match (&request.basis, &inside.space) {
+            _ if request.typed.is_some() => vec![],
             (None, space) if space.as_ref().is_none_or(is_file) => definition.parameters(),
             _ => vec![],
         };
@@ -117,6 +107,26 @@ impl Space {
             space.set(text, &[])?;
         }
         Ok(space)
+    }
+
+    /// The definition of a request without its connection and metric.
+    fn definition_of(request: &Request, inside: &Request) -> Result<Definition, InputError> {
+        let files = &request.files;
+        if let Some(text) = &request.typed {
+            let text = inside.space.as_ref().unwrap_or(text);
+            return Ok(typed::definition(text)?.0);
+        }
+        let inline_brackets = !request.brackets.is_empty();
+        match (&request.definition, &inside.space, &request.basis) {
+            (Some((name, text)), None, None) if !inline_brackets => {
+                Definition::parse_part(name, text, files)
+            }
+            (None, Some(name), None) if !inline_brackets => find(name, files),
+            (None, None, Some(labels)) => inline(labels, &request.brackets),
+            (None, None, None) => Err(InputError::usage("no SPACE is given")
+                .help("name one (so3, E8, file.toml), or give --basis and --bracket")),
+            _ => Err(InputError::usage("give a SPACE or --basis and --bracket, not both")),
+        }
     }
 
     /// The space with this definition, without further options.
@@ -231,6 +241,12 @@ fn on_chart() -> InputError {
     InputError::usage("functions on a chart must be exact, because they are differentiated")
 }
 
+/// Whether a typed text is a name with a connection, `so3@plus`.
+fn is_completed(text: &str) -> bool {
+    text.contains('@') && !text.contains(['\n', '=', '['])
+        || text.split_once('@').is_some_and(|(name, _)| !name.contains(['\n', '=', '[']))
+}
+
 /// Splits `NAME@connection;metric=...` into its parts.
 fn split_space(space: &str, files: &Files) -> Result<Request, InputError> {
     let mut parts = Request::default();
@@ -277,14 +293,8 @@ fn split_space(space: &str, files: &Files) -> Result<Request, InputError> {
 /// Finds the definition that a name means: a geometry of Paraskevopoulos and Natsiavas (2013), a
 /// file, or a sum of catalogue names.
 fn find(name: &str, files: &Files) -> Result<Definition, InputError> {
-    let compact: String = name.chars().filter(|c| !c.is_whitespace()).collect();
-    match compact.as_str() {
-        "M(3)" | "M3" => return Definition::of_paper(&paper::m3()?, Symbolic::clone),
-        "SO(3)" | "SO3" => {
-            let exact = |value: &Rational| Symbolic::constant(value.clone());
-            return Definition::of_paper(&paper::so3()?, exact);
-        }
-        _ => {}
+    if let Some(geometry) = of_paper(name) {
+        return geometry;
     }
     if let Some(table) = tables::inline(&Source::new("SPACE", name)) {
         return table;
@@ -292,7 +302,26 @@ fn find(name: &str, files: &Files) -> Result<Definition, InputError> {
     if is_path(name) {
         return Definition::read_part(name, 0, files);
     }
-    named(&Source::new("SPACE", name))
+    named(&Source::new("SPACE", &spelling::folded(name)))
+}
+
+/// A geometry of the paper, or a sum of catalogue names.
+pub(super) fn named_space(source: &Source) -> Result<Definition, InputError> {
+    of_paper(source.content()).unwrap_or_else(|| named(source))
+}
+
+/// A geometry of the paper.
+fn of_paper(name: &str) -> Option<Result<Definition, InputError>> {
+    let compact: String = name.chars().filter(|c| !c.is_whitespace()).collect();
+    let exact = |value: &Rational| Symbolic::constant(value.clone());
+    let read = match compact.as_str() {
+        "M(3)" | "M3" => {
+            paper::m3().map(|geometry| Definition::of_paper(&geometry, Symbolic::clone))
+        }
+        "SO(3)" | "SO3" => paper::so3().map(|geometry| Definition::of_paper(&geometry, exact)),
+        _ => return None,
+    };
+    Some(read.map_err(InputError::from).and_then(|definition| definition))
 }
 
 /// Reads brackets that are given on the command line.

@@ -5,9 +5,12 @@
 //! module documentation describes the grammar.
 
 mod brackets;
+mod equations;
 mod gap;
 mod json;
 mod maple;
+mod marks;
+mod matrices;
 mod rows;
 mod sage;
 mod salamon;
@@ -19,6 +22,9 @@ use affinor_tensors::expression::canonical_name;
 use affinor_tensors::{Ring, Symbolic};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
+
+/// The name of the source of a text that is typed into a field.
+pub(super) const TYPED: &str = "the input";
 
 /// A notation in which a space can be written.
 struct Notation {
@@ -34,7 +40,7 @@ struct Notation {
 }
 
 /// All notations. A text is parsed by the first notation that recognizes it.
-const NOTATIONS: [Notation; 7] = [
+const NOTATIONS: [Notation; 9] = [
     Notation {
         name: "JSON of `affinor table`",
         recognises: json::is_table,
@@ -44,6 +50,18 @@ const NOTATIONS: [Notation; 7] = [
     Notation { name: "GAP", recognises: gap::is_table, read: gap::definition, inline: false },
     Notation { name: "Maple", recognises: maple::is_table, read: maple::definition, inline: false },
     Notation { name: "Sage", recognises: sage::is_table, read: sage::definition, inline: false },
+    Notation {
+        name: "matrices [[0, 1], [0, 0]]",
+        recognises: matrices::is_table,
+        read: matrices::definition,
+        inline: true,
+    },
+    Notation {
+        name: "de3 = -e1^e2",
+        recognises: equations::is_table,
+        read: equations::definition,
+        inline: true,
+    },
     Notation {
         name: "(0,0,12)",
         recognises: salamon::is_table,
@@ -69,9 +87,30 @@ const NOTATIONS: [Notation; 7] = [
 /// # Errors
 /// Errors of the parser, with their locations.
 pub(super) fn definition(source: &Source) -> Option<Result<Definition, InputError>> {
-    let text = source.content();
-    let notation = NOTATIONS.iter().find(|notation| (notation.recognises)(text))?;
+    let notation = notation(source.content())?;
     Some((notation.read)(source))
+}
+
+/// The notation that recognizes a text.
+fn notation(text: &str) -> Option<&'static Notation> {
+    NOTATIONS.iter().find(|notation| (notation.recognises)(text))
+}
+
+/// The algebra of a text that is typed into a field, with the name of its notation. A text with
+/// brackets and `=` in no notation is read as brackets, whose messages fit best.
+///
+/// # Errors
+/// Those of [`definition`].
+pub(super) fn typed(source: &Source) -> Option<Result<(Definition, &'static str), InputError>> {
+    let text = source.content();
+    let looks_like_brackets = || text.contains('[') && text.contains([',', '=']);
+    let (read, name) = match notation(text) {
+        Some(notation) => (notation.read, notation.name),
+        None if looks_like_brackets() => (brackets::definition as fn(&Source) -> _, "brackets"),
+        None => return None,
+    };
+    let read: Result<Definition, InputError> = read(source);
+    Some(read.map(|definition| (definition, name)))
 }
 
 /// Reads the algebra from a SPACE that is itself a table, as in [`is_inline`]; `None` for other
@@ -86,7 +125,7 @@ pub(super) fn inline(source: &Source) -> Option<Result<Definition, InputError>> 
 /// Whether the SPACE of a command line is itself a table, and not a name or a path.
 pub(super) fn is_inline(space: &str) -> bool {
     let mut inline = NOTATIONS.iter().filter(|notation| notation.inline);
-    space.trim_start().starts_with(['(', '['])
+    space.trim_start().starts_with(['(', '[', '\\', 'd', '{'])
         && inline.any(|notation| (notation.recognises)(space))
 }
 
@@ -182,7 +221,7 @@ fn number(at: &str, n: usize) -> Result<usize, String> {
 /// The algebra with these brackets. It is named after the file.
 fn of_brackets(source: &Source, labels: Vec<String>, given: Pairs) -> Definition {
     let name = match source.name.as_str() {
-        "SPACE" => "inline algebra",
+        "SPACE" | TYPED => "inline algebra",
         path => path.rsplit('/').next().unwrap_or_default(),
     };
     let mut definition = Definition::new(name, labels, Origin::Brackets(given));

@@ -2,7 +2,7 @@
 
 use super::super::html::head;
 use super::{Cell, Grid};
-use crate::formula::mathml::escaped;
+use crate::formula::{mathml::escaped, prose};
 use crate::page::page;
 use std::io::{self, Write};
 
@@ -49,7 +49,8 @@ fn lines(cell: &Cell) -> String {
     if cell.is_drawn {
         return format!("<pre>{}</pre>", escaped(&cell.text.join("\n")));
     }
+    let escape = if cell.is_prose { prose::html } else { escaped };
     let lines = cell.html.clone();
-    let lines = lines.unwrap_or_else(|| cell.text.iter().map(|line| escaped(line)).collect());
+    let lines = lines.unwrap_or_else(|| cell.text.iter().map(|line| escape(line)).collect());
     lines.join("<br/>")
 }

@@ -35,7 +35,10 @@ impl Notes {
     }
 
     pub(super) fn row(&mut self, notion: &str, answer: impl Into<Cell>, witness: &str) {
-        self.rows.push(vec![notion.into(), answer.into(), witness.into()]);
+        let answer: Cell = answer.into();
+        let is_prose = !answer.is_drawn;
+        let answer = Cell { is_prose, ..answer };
+        self.rows.push(vec![notion.into(), answer, Cell::prose(witness)]);
     }
 
     /// Adds a row for a missing answer. The answer is `-` if it is not computed.
@@ -231,7 +234,7 @@ impl Notes {
         };
         let head: Vec<(&str, Cell)> = vec![
             ("dimension", dimension.to_string().into()),
-            ("basis", self.labels.join(", ").into()),
+            ("basis", Cell::prose(&self.labels.join(", "))),
             ("field", field.into()),
         ];
         let title = format!("Structure of {}", printable(name));

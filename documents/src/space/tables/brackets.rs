@@ -5,16 +5,17 @@
 //! brackets are basis vectors, and so is the last name of a term that contains no other basis
 //! vector. [`order_of`] determines the order of the basis vectors.
 
-use super::{add, basis_vectors, first_line, of_brackets, split_at_top};
+use super::{add, basis_vectors, first_line, marks, of_brackets, split_at_top};
 use crate::input::{InputError, Source};
 use crate::space::notation::{Names, basis, lines, statement};
 use crate::space::{Definition, Pairs, check_dimension};
 use affinor_tensors::expression::canonical_name;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Whether the first line begins with a bracket of two names and `=`, or names the basis.
 pub(super) fn is_table(text: &str) -> bool {
-    let first = first_line(text);
+    let first = first_line(text).trim_start_matches(['$', ' ']);
+    let first = first.strip_prefix("\\left").unwrap_or(first);
     let inside = first.strip_prefix('[').and_then(|rest| rest.split_once(']'));
     let statement = inside.is_some_and(|(pair, right)| {
         pair.matches(',').count() == 1 && right.trim_start().starts_with('=')
@@ -33,6 +34,7 @@ fn named(line: &str) -> Option<Vec<&str>> {
 
 /// Reads the algebra from the brackets.
 pub(super) fn definition(source: &Source) -> Result<Definition, InputError> {
+    let source = &marks::plain(source);
     let text = source.content();
     let first = first_line(text);
     let given_names = named(first);
@@ -40,7 +42,14 @@ pub(super) fn definition(source: &Source) -> Result<Definition, InputError> {
         lines(text).filter(|line| given_names.is_none() || line.trim() != first).collect();
     let labels = match &given_names {
         Some(names) => names.iter().map(|name| canonical_name(name).into_owned()).collect(),
-        None => order_of(&vectors(&statements))?,
+        None => {
+            let found = vectors(&statements);
+            // without a bracket, its message says what is missing
+            if let (true, Some(line)) = (found.is_empty(), statements.first()) {
+                statement(line, "", &Names::open(&BTreeMap::new(), None), source)?;
+            }
+            order_of(&found)?
+        }
     };
     let borrowed: Vec<&str> = labels.iter().map(String::as_str).collect();
     let place = |at: usize| {

@@ -12,11 +12,22 @@ use crate::space::Definition;
 /// Whether a text begins with `(` and a number, a sign or a name, and the first line ends with `)`.
 pub(super) fn is_table(text: &str) -> bool {
     let line = first_line(text).trim_end_matches([';', '.']).trim_end();
+    if is_bare(line) {
+        return true;
+    }
     let inside = line.starts_with('(').then(|| enclosed(line)).flatten();
     inside.is_some_and(|inside| {
         let known = |c: char| c.is_alphanumeric() || " \t,.+-*/^_(){}−·".contains(c);
         inside.len() + 2 == line.len() && inside.contains(',') && inside.chars().all(known)
     })
+}
+
+/// Whether a line is a list without parentheses that begins with 0, as no row of CSV does.
+fn is_bare(line: &str) -> bool {
+    let items = items(line);
+    let term =
+        |item: &&str| zeros(item).is_some() || terms(item).iter().all(|(_, t)| form(t).is_some());
+    items.len() > 2 && zeros(items[0]).is_some() && items.iter().all(|item| term(&item))
 }
 
 /// Reads the algebra from a list.
@@ -30,7 +41,7 @@ pub(super) fn definition(source: &Source) -> Result<Definition, InputError> {
         let help = "give one list: affinor table \"(0,0,12)\"";
         return Err(InputError::usage(message).at(&source.whole(second)).help(help));
     }
-    let inside = enclosed(line).unwrap_or_default();
+    let inside = if is_bare(line) { line } else { enclosed(line).unwrap_or_default() };
     let (mut entries, mut k) = (vec![], 0usize);
     for item in items(inside) {
         if let Some(count) = zeros(item) {
@@ -70,7 +81,7 @@ fn zeros(item: &str) -> Option<usize> {
 }
 
 /// Splits a sum into its terms, each with its sign.
-fn terms(sum: &str) -> Vec<(bool, &str)> {
+pub(super) fn terms(sum: &str) -> Vec<(bool, &str)> {
     let (mut depth, mut from, mut negative, mut terms) = (0i64, 0, false, vec![]);
     for (at, symbol) in sum.char_indices() {
         match symbol {

@@ -1,9 +1,9 @@
 // @ts-check
 // A body in motion: a box that turns, played or stepped through, beside the drift of what should be conserved.
 import { chart } from "./chart.js";
-import { View, html, make } from "./picture.js";
+import { View, html, make } from "../picture.js";
 
-/** @typedef {import("./picture.js").Point} Point */
+/** @typedef {import("../picture.js").Point} Point */
 
 const SIZE = 130;
 /** Rows played in a second; with reduced motion a step a second. */
@@ -49,7 +49,7 @@ export class MotionView {
     box.replaceChildren(html("div", { class: "panels" },
       html("figure", {}, this.picture, html("p", { class: "buttons" },
         button("Back", () => this.#go(this.#at - 1)), this.play, button("Step", () => this.#go(this.#at + 1)), this.time, this.clock), this.caption),
-      html("div", {}, html("p", {}, html("label", { for: "quantity" }, "Quantity "), this.choice), this.charts, this.table)));
+      html("details", {}, html("summary", {}, "conserved quantities, by method"), html("p", {}, html("label", { for: "quantity" }, "Quantity "), this.choice), this.charts, this.table)));
   }
 
   /** @param {any} data the answer of the engine */

@@ -1,8 +1,10 @@
 // @ts-check
-// The metric as a grid of numbers and symbols, which writes the text of the field.
+// The metric as a grid of numbers and letters, which writes its text.
 
-/** Larger grids are no help. */
-const LARGEST = 8;
+import { element, letter } from "./dom.js";
+
+/** The largest grid. */
+export const LARGEST = 8;
 
 /** The entries of a metric that is written as `identity`, `diag(..)` or `[[..], ..]`; else nothing. @param {string} text @param {number} n @returns {string[][] | undefined} */
 export function entries(text, n) {
@@ -34,38 +36,21 @@ export class Grid {
     this.#changed = changed;
   }
 
-  /** The grid of a metric in a basis. @param {string[]} basis @param {string} metric */
-  show(basis, metric) {
-    const n = basis.length;
-    const rows = n > LARGEST ? undefined : entries(metric, n);
-    if (!rows) {
-      this.#box.replaceChildren(n > LARGEST ? `A grid has at most ${LARGEST} rows, and the dimension is ${n}.` : "This metric is not written by its entries.");
-      return;
-    }
-    const table = document.createElement("table");
-    const line = (/** @type {(HTMLElement | string)[]} */ cells, tag = "td") => cells.map((content, at) => {
-      const cell = document.createElement(at ? tag : "th");
-      if (!at || tag === "th") cell.setAttribute("scope", at ? "col" : "row");
-      cell.append(content);
-      return cell;
-    });
-    const head = document.createElement("tr");
-    head.append(document.createElement("td"), ...line(["", ...basis], "th").slice(1));
+  /** The grid of a metric in a basis. @param {string[]} basis @param {string[][]} rows */
+  show(basis, rows) {
+    const table = element("table", {}, element("caption", { class: "hidden", text: "entries of the metric" }));
+    const head = element("tr", {}, element("td"), ...basis.map((name) => element("th", { scope: "col" }, letter(name))));
     /** @type {HTMLInputElement[][]} */
     const inputs = rows.map((row, i) => row.map((value, j) => {
-      const input = Object.assign(document.createElement("input"), { value, spellcheck: false, autocomplete: "off", size: 4 });
-      input.setAttribute("aria-label", `g ${basis[i]} ${basis[j]}`);
+      const input = element("input", { value, spellcheck: false, autocomplete: "off", size: 4, "aria-label": `g ${basis[i]} ${basis[j]}` });
       input.addEventListener("input", () => {
+        // a metric is symmetric
         if (i !== j) inputs[j][i].value = input.value;
         this.#changed(written(inputs.map((row) => row.map(({ value }) => value.trim() || "0"))));
       });
       return input;
     }));
-    table.append(head, ...inputs.map((row, i) => {
-      const tr = document.createElement("tr");
-      tr.append(...line([basis[i], ...row]));
-      return tr;
-    }));
+    table.append(head, ...inputs.map((row, i) => element("tr", {}, element("th", { scope: "row" }, letter(basis[i])), ...row.map((input) => element("td", {}, input)))));
     this.#box.replaceChildren(table);
   }
 }

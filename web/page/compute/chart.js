@@ -1,6 +1,6 @@
 // @ts-check
 // A chart of lines over time: linear, or logarithmic with a floor.
-import { make } from "./picture.js";
+import { make } from "../picture.js";
 
 const [WIDTH, HEIGHT, LEFT, BELOW, TOP] = [480, 240, 62, 34, 12];
 /** Smaller changes are drawn here. */

@@ -1,0 +1,171 @@
+//! Spellings of names: letters of other alphabets, LaTeX, proper names, and names of groups.
+//!
+//! The catalogue has one name for each algebra, `su(2)`. Papers also write `SU(2)`, `\mathfrak{su}(2)`,
+//! `SL_2(R)` or `Poincaré`.
+
+use affinor::algebra::catalogue;
+
+/// Proper names, in lower case without blanks, and the catalogue names that they mean.
+const PROPER: [(&str, &str); 20] = [
+    ("antidesitter", "so(3,2)"),
+    ("conformal", "conformal(3,1)"),
+    ("desitter", "so(4,1)"),
+    ("engel", "filiform(4)"),
+    ("euclid", "se(3)"),
+    ("euclidean", "se(3)"),
+    ("galilean", "galilei(3)"),
+    ("galilei", "galilei(3)"),
+    ("heisenberg", "heisenberg(3)"),
+    ("lorentz", "so(3,1)"),
+    ("nil", "heisenberg(3)"),
+    ("nil3", "heisenberg(3)"),
+    ("oscillator", "oscillator(4)"),
+    ("poincare", "iso(3,1)"),
+    ("rigidmotions", "se(3)"),
+    ("rotations", "so(3)"),
+    ("schroedinger", "schroedinger(1)"),
+    ("schrodinger", "schroedinger(1)"),
+    ("sol", "iso(1,1)"),
+    ("sol3", "iso(1,1)"),
+];
+
+/// Groups whose algebra has another name in the catalogue: the name of the group, in lower case, and
+/// the family of the algebra.
+const FAMILIES: [(&str, &str); 7] = [
+    ("e", "se"),
+    ("o", "so"),
+    ("pgl", "sl"),
+    ("pso", "so"),
+    ("psl", "sl"),
+    ("psu", "su"),
+    ("spin", "so"),
+];
+
+/// Words around a proper name that carry no meaning.
+const FILLERS: [&str; 6] = ["the", "group", "algebra", "lie", "of", "'s"];
+
+/// A name in ASCII: accents are removed, letters of the Fraktur and double-struck alphabets become
+/// Latin, `⊕` becomes `+`, and LaTeX commands for alphabets are dropped. Other characters stay.
+pub(super) fn folded(name: &str) -> String {
+    let mut text = name.trim().trim_matches('$').to_string();
+    for command in ["mathfrak", "mathrm", "mathbb", "operatorname", "mathsf", "text"] {
+        text = text.replace(&format!("\\{command}"), "");
+    }
+    text = text.replace("\\oplus", "+").replace("\\times", "+");
+    let text: String = text.chars().flat_map(letters).collect();
+    if name.contains('\\') { text.replace(['{', '}'], "") } else { text }
+}
+
+/// The letters that a character means.
+fn letters(c: char) -> Vec<char> {
+    let shifted = |first: u32| char::from_u32(u32::from('a') + u32::from(c) - first);
+    let latin = match c {
+        'á' | 'à' | 'â' | 'ä' | 'å' | 'ã' => Some('a'),
+        'é' | 'è' | 'ê' | 'ë' => Some('e'),
+        'í' | 'ì' | 'î' | 'ï' => Some('i'),
+        'ó' | 'ò' | 'ô' | 'ø' => Some('o'),
+        'ö' => return vec!['o', 'e'],
+        'ü' => return vec!['u', 'e'],
+        'ç' => Some('c'),
+        'ñ' => Some('n'),
+        'ℝ' => Some('R'),
+        'ℂ' => Some('C'),
+        'ℍ' => Some('H'),
+        '⊕' | '×' => Some('+'),
+        '−' => Some('-'),
+        '’' => Some('\''),
+        '\u{2080}'..='\u{2089}' => char::from_digit(u32::from(c) - 0x2080, 10),
+        '\u{1d51e}'..='\u{1d537}' => shifted(0x1d51e),
+        '²' => return vec!['^', '2'],
+        '³' => return vec!['^', '3'],
+        '⁴' => return vec!['^', '4'],
+        '\u{a0}' => Some(' '),
+        _ => None,
+    };
+    vec![latin.unwrap_or(c)]
+}
+
+/// The catalogue name that another spelling means, and a note that says so.
+///
+/// A name of a group, which begins with a capital letter, means its Lie algebra.
+pub(super) fn meaning(name: &str) -> Option<(String, String)> {
+    let known = |other: &String| catalogue::find(other).is_ok();
+    let lower = name.to_lowercase();
+    let words = lower.split([' ', '-', '_']).filter(|word| !FILLERS.contains(word));
+    let compact: String = words.collect::<String>().replace("'s", "");
+    if let Some((_, meant)) = PROPER.iter().find(|(proper, _)| *proper == compact) {
+        return Some((meant.to_string(), format!("{name} is read as {meant}")));
+    }
+    let compact: String = name.chars().filter(|c| !c.is_whitespace()).collect();
+    let end = compact.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(compact.len());
+    let (family, rest) = compact.split_at(end);
+    // a name that is not finished has no other meaning
+    if rest.matches('(').count() != rest.matches(')').count() || rest.contains(",)") {
+        return None;
+    }
+    let arguments = arguments(rest);
+    let lower = family.to_lowercase();
+    let is_group = family.starts_with(|c: char| c.is_ascii_uppercase());
+    let other = FAMILIES.iter().find(|(group, _)| is_group && *group == lower);
+    // E6 is an exceptional algebra, E(3) a group of motions
+    let other = other.filter(|_| lower != "e" || rest.starts_with('('));
+    let families = other.map(|(_, family)| family.to_string()).into_iter().chain([lower.clone()]);
+    let spelled =
+        families.flat_map(|family| [format!("{family}{rest}"), format!("{family}({arguments})")]);
+    let exceptional = [compact.to_uppercase(), compact.to_lowercase()];
+    let meant = spelled.chain(exceptional).find(known)?;
+    let algebra = meant.starts_with(|c: char| c.is_ascii_lowercase());
+    let note = match is_group && algebra {
+        true => format!("{name}: computed in its Lie algebra {meant}"),
+        false => format!("{name} is read as {meant}"),
+    };
+    Some((meant, note))
+}
+
+/// The arguments of a name without parentheses around all of them: `2,R` for `_2(R)`, `2(R)` and
+/// `(2;R)`.
+fn arguments(rest: &str) -> String {
+    let rest = rest.trim_start_matches(['_', '+', '^']);
+    let parts = rest.split(['(', ')', ',', ';']).map(|part| part.trim_matches(['{', '}', '_']));
+    parts.filter(|part| !part.is_empty()).collect::<Vec<_>>().join(",")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{folded, meaning};
+
+    #[test]
+    fn groups_mean_their_lie_algebras() {
+        for (group, algebra) in [
+            ("SU(2)", "su(2)"),
+            ("SL(2,R)", "sl(2,R)"),
+            ("SL_2(R)", "sl(2,R)"),
+            ("SE(3)", "se(3)"),
+            ("E(3)", "se(3)"),
+            ("GL(2)", "gl(2)"),
+            ("U(1)", "u(1)"),
+            ("SO+(3,1)", "so(3,1)"),
+            ("Spin(7)", "so(7)"),
+            ("PSL(2,C)", "sl(2,C)"),
+        ] {
+            let (meant, note) = meaning(group).unwrap_or_default();
+            assert_eq!(meant, algebra, "{group}");
+            assert!(note.contains("Lie algebra"), "{note}");
+        }
+    }
+
+    #[test]
+    fn other_spellings_are_read() {
+        for (spelling, name) in [
+            ("e8", "E8"),
+            ("Poincaré", "iso(3,1)"),
+            ("the Lorentz group", "so(3,1)"),
+            ("Nil", "heisenberg(3)"),
+        ] {
+            assert_eq!(meaning(&folded(spelling)).map(|(name, _)| name).as_deref(), Some(name));
+        }
+        assert_eq!(folded("\u{1d530}\u{1d532}(2) ⊕ ℝ³"), "su(2) + R^3");
+        assert_eq!(folded("\\mathfrak{so}(3)"), "so(3)");
+        assert_eq!(meaning("nonsense"), None);
+    }
+}

@@ -1,0 +1,159 @@
+//! Puts the files of the page together: folders that are named by their contents and never change, an index and a service
+//! worker that name them, and compressed copies of all.
+
+use anyhow::{Context, Result};
+use flate2::{Compression, write::GzEncoder};
+use std::fs;
+use std::hash::{DefaultHasher, Hasher};
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+/// Files that are not in a hashed folder, because their address must not change.
+const FIXED: [&str; 2] = ["index.html", "sw.js"];
+
+/// Name and contents of a file; names of folders are separated by `/`.
+type File = (String, Vec<u8>);
+
+/// Renames the folder of a new engine by its contents and compresses its files. Returns its name.
+pub(crate) fn store_engine(dist: &Path, new: &Path) -> Result<String> {
+    let name = format!("engine-{}", hash(&files(new, "")?));
+    let folder = dist.join(&name);
+    remove_others(dist, "engine-", &[&name, "engine-new"])?;
+    if folder.exists() {
+        fs::remove_dir_all(new)?;
+    } else {
+        fs::rename(new, &folder)?;
+        for (file, bytes) in files(&folder, "")? {
+            compress(&folder.join(file), &bytes)?;
+        }
+    }
+    Ok(name)
+}
+
+/// The folder of the engine of the last build.
+pub(crate) fn last_engine(dist: &Path) -> Result<String> {
+    let mut names =
+        fs::read_dir(dist)?.filter_map(|entry| entry.ok()?.file_name().into_string().ok());
+    names
+        .find(|name| name.starts_with("engine-"))
+        .context("there is no engine yet; build without --page-only")
+}
+
+/// Writes the page with the engine in the folder of this name.
+pub(crate) fn assemble(folder: &Path, dist: &Path, engine: &str) -> Result<()> {
+    let mut own = files(&folder.join("page"), "")?;
+    // the style of reports
+    own.push(("page.css".into(), fs::read(folder.join("../documents/src/page.css"))?));
+    let (fixed, mut own): (Vec<File>, Vec<File>) =
+        own.into_iter().partition(|(name, _)| FIXED.contains(&name.as_str()));
+    for (name, bytes) in &mut own {
+        if name.ends_with(".js") {
+            *bytes = replaced(bytes, "/engine/", &format!("/{engine}/"))?;
+        }
+    }
+    own.sort();
+    let page = format!("page-{}", hash(&own));
+    remove_others(dist, "page-", &[])?;
+    for (name, bytes) in &own {
+        let path = dist.join(&page).join(name);
+        fs::create_dir_all(path.parent().unwrap_or(dist))?;
+        fs::write(&path, bytes)?;
+        compress(&path, bytes)?;
+    }
+    let engines = files(&dist.join(engine), "")?;
+    let stored = own.iter().map(|(name, _)| format!("{page}/{name}"));
+    let stored = stored.chain(engines.iter().map(|(name, _)| format!("{engine}/{name}")));
+    let stored: Vec<_> =
+        stored.filter(|name| !compressed(name)).map(|name| format!("\"{name}\"")).collect();
+    for (name, bytes) in fixed {
+        let bytes = replaced(&bytes, "\"page/", &format!("\"{page}/"))?;
+        let bytes = replaced(&bytes, "/engine/", &format!("/{engine}/"))?;
+        let bytes = replaced(&bytes, "/* files */", &stored.join(", "))?;
+        fs::write(dist.join(&name), &bytes)?;
+        compress(&dist.join(&name), &bytes)?;
+    }
+    let paper = dist.join("paper.html");
+    compress(&paper, &fs::read(&paper)?)
+}
+
+fn replaced(bytes: &[u8], from: &str, to: &str) -> Result<Vec<u8>> {
+    Ok(std::str::from_utf8(bytes)?.replace(from, to).into_bytes())
+}
+
+/// The files in a folder and its folders.
+fn files(folder: &Path, prefix: &str) -> Result<Vec<File>> {
+    let mut found = vec![];
+    for entry in fs::read_dir(folder)? {
+        let entry = entry?;
+        let name = format!("{prefix}{}", entry.file_name().to_string_lossy());
+        if entry.file_type()?.is_dir() {
+            found.extend(files(&entry.path(), &format!("{name}/"))?);
+        } else {
+            found.push((name, fs::read(entry.path())?));
+        }
+    }
+    found.sort();
+    Ok(found)
+}
+
+/// Removes folders of earlier builds.
+fn remove_others(dist: &Path, prefix: &str, kept: &[&str]) -> Result<()> {
+    for entry in fs::read_dir(dist)? {
+        let entry = entry?;
+        let name = entry.file_name().to_string_lossy().into_owned();
+        if name.starts_with(prefix) && !kept.contains(&name.as_str()) {
+            fs::remove_dir_all(entry.path())?;
+        }
+    }
+    Ok(())
+}
+
+/// Sixteen digits that change with the names and contents of files.
+fn hash(files: &[File]) -> String {
+    let mut hasher = DefaultHasher::new();
+    for (name, bytes) in files {
+        hasher.write(name.as_bytes());
+        hasher.write(&bytes.len().to_le_bytes());
+        hasher.write(bytes);
+    }
+    format!("{:016x}", hasher.finish())
+}
+
+fn compressed(name: &str) -> bool {
+    name.ends_with(".br") || name.ends_with(".gz")
+}
+
+/// Writes compressed copies beside a file, unless it is small or compressed already.
+fn compress(path: &Path, bytes: &[u8]) -> Result<()> {
+    let name = path.to_string_lossy();
+    if bytes.len() < 500 || name.ends_with(".woff2") || compressed(&name) {
+        return Ok(());
+    }
+    let beside = |ending: &str| PathBuf::from(format!("{name}.{ending}"));
+    let mut brotli = brotli::CompressorWriter::new(vec![], 1 << 16, 11, 24);
+    brotli.write_all(bytes)?;
+    fs::write(beside("br"), brotli.into_inner())?;
+    let mut gzip = GzEncoder::new(vec![], Compression::best());
+    gzip.write_all(bytes)?;
+    Ok(fs::write(beside("gz"), gzip.finish()?)?)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::hash;
+
+    #[test]
+    fn the_name_of_a_folder_changes_with_every_name_and_byte() {
+        let file = |name: &str, bytes: &str| (name.to_string(), bytes.as_bytes().to_vec());
+        let sets = [
+            vec![file("a.js", "1"), file("b.js", "2")],
+            vec![file("a.js", "1"), file("c.js", "2")],
+            vec![file("a.js", "1"), file("b.js", "3")],
+            vec![file("a.js", "12"), file("b.js", "")],
+            vec![file("a.js", "1")],
+        ];
+        let names: std::collections::BTreeSet<_> = sets.iter().map(|set| hash(set)).collect();
+        assert_eq!(names.len(), sets.len());
+        assert!(names.iter().all(|name| name.len() == 16));
+    }
+}

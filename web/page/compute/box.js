@@ -1,0 +1,117 @@
+// @ts-check
+// The box: a text in any notation, what it was read as, suggestions, and messages under its letters.
+import { button, element } from "./dom.js";
+
+/** @typedef {{message: string, place?: any, help?: string | null, suggestions?: string[]}} Refusal */
+
+/** Completions that are shown at once. */
+const SHOWN = 7;
+
+export class Box {
+  /** Names for completion. @type {string[]} */ #names = [];
+
+  /**
+   * @param {HTMLFormElement} form @param {{typed: () => void, entered: () => void, chosen: (text: string) => void, stop: () => void}} acts
+   */
+  constructor(form, acts) {
+    const old = form.querySelector("#space-input"), value = /** @type {HTMLInputElement | null} */ (old)?.value ?? "";
+    this.field = element("textarea", {
+      id: "space-input", name: "space", rows: 1, autocomplete: "off", autocapitalize: "off", spellcheck: "false",
+      placeholder: "a name, or brackets: [e1,e2]=e3", "aria-describedby": "read-as",
+    });
+    this.field.value = value;
+    const focused = document.activeElement === old;
+    old?.replaceWith(this.field);
+    if (focused) this.field.focus();
+    this.examples = /** @type {HTMLElement} */ (form.querySelector(".chips")) ?? element("p", { class: "chips" });
+    this.matches = element("p", { class: "chips matches", hidden: true });
+    this.line = element("p", { id: "read-as", class: "read-as", hidden: true });
+    this.error = element("div", { class: "refusal", role: "alert" });
+    this.waiting = element("p", { class: "waiting", hidden: true }, element("progress", { "aria-label": "computing" }), " ", element("span"), " ", button("Stop", acts.stop, { class: "stop" }));
+    this.field.after(this.line, this.error, this.waiting);
+    this.examples.after(this.matches);
+    this.chosen = acts.chosen;
+    this.field.addEventListener("input", () => { this.#fit(); this.#complete(); acts.typed(); });
+    this.field.addEventListener("keydown", (event) => {
+      // a text of several lines has line ends
+      if (event.key !== "Enter" || event.shiftKey || event.isComposing) return;
+      if (this.field.value.includes("\n") || /^\s*[[({]/.test(this.field.value) && !event.ctrlKey && !/[\])}]\s*=?.*$/.test(this.field.value)) return;
+      event.preventDefault();
+      acts.entered();
+    });
+    form.addEventListener("submit", (event) => { event.preventDefault(); acts.entered(); });
+    form.addEventListener("dragover", (event) => event.preventDefault());
+    form.addEventListener("drop", async (event) => {
+      const [file] = event.dataTransfer?.files ?? [];
+      if (!file) return;
+      event.preventDefault();
+      if (file.size > 1 << 20) return this.refuse({ message: `${file.name} is larger than 1 MB` });
+      acts.chosen(await file.text());
+    });
+    this.#fit();
+  }
+
+  get text() { return this.field.value.trim(); }
+
+  /** @param {string} text */
+  set text(text) {
+    if (this.field.value !== text) this.field.value = text;
+    this.#fit();
+    this.#complete();
+  }
+
+  /** @param {string[]} names */
+  names(names) {
+    this.#names = names;
+    this.#complete();
+  }
+
+  /** The field is as high as its text, up to twelve lines. */
+  #fit() { this.field.rows = Math.min(12, this.field.value.split("\n").length); }
+
+  /** Names that contain what is typed. */
+  #complete() {
+    const typed = this.field.value.trim().toLowerCase(), plain = (/** @type {string} */ name) => name.toLowerCase().replace(/[^a-z0-9]/g, "");
+    const found = typed && /^[\w\s(),*^-]{1,24}$/.test(typed) && document.activeElement === this.field
+      ? this.#names.filter((name) => plain(name).startsWith(plain(typed)) && name.toLowerCase() !== typed).slice(0, SHOWN) : [];
+    this.matches.replaceChildren(...found.map((name) => button(name, () => this.chosen(name), { class: "chip" })));
+    this.matches.hidden = !found.length;
+    this.examples.hidden = Boolean(found.length);
+  }
+
+  /** What was read. @param {(Node | string)[]} words @param {string[]} notes */
+  read(words, notes) {
+    this.line.replaceChildren(...words, ...(notes.length ? [element("span", { class: "notes", text: notes.join(" ") })] : []));
+    this.line.hidden = !words.length;
+  }
+
+  /** No message. */
+  accept() { this.error.replaceChildren(); }
+
+  /** A message under the letters it is about. @param {Refusal} refusal */
+  refuse({ message, place, help, suggestions = [] }) {
+    const parts = [element("p", { text: capital(message) })];
+    if (place?.text) {
+      const { text, from, to } = place, wide = text.length > 160;
+      // of a long line only the neighbourhood is shown
+      const start = wide ? Math.max(0, from - 60) : 0, end = wide ? from + 90 : text.length;
+      const where = place.source === "input" ? "" : `${place.source}: `;
+      const before = element("span", { text: where + text.slice(start, from) });
+      const marked = element("mark", { text: text.slice(from, Math.max(from + 1, to)) || " " });
+      parts.push(element("p", { class: "where" }, before, marked, text.slice(Math.max(from + 1, to), end)));
+    }
+    if (help) parts.push(element("p", { class: "help", text: `${capital(help)}.` }));
+    if (suggestions.length) parts.push(element("p", { class: "chips" }, "Did you mean ", ...suggestions.slice(0, 6).flatMap((name) => [button(name, () => this.chosen(name), { class: "chip" }), " "])));
+    this.error.replaceChildren(...parts);
+  }
+
+  /** Shows that a computation runs, after a second. @param {string} words or nothing to end */
+  wait(words) {
+    this.waiting.hidden = !words;
+    const span = this.waiting.querySelector("span");
+    if (span) span.textContent = words;
+  }
+}
+
+/** @param {string} text */
+const capital = (text) => text.charAt(0).toUpperCase() + text.slice(1);

@@ -1,0 +1,201 @@
+// @ts-check
+// Cards: the results in a fixed order, each with its copies, a link, and its definition.
+import { copy } from "../export.js";
+import { button, drawn, element, fragment, report } from "./dom.js";
+import { settings } from "./state.js";
+
+/** @typedef {import("./state.js").State} State @typedef {import("./chips.js").Reading} Reading */
+/** @typedef {{ask(request: object, stage?: (name: string) => void): Promise<any>}} Asking */
+/** @typedef {{state: State, reading: Reading, engine: Asking, link: (card: string) => string, say: (text: string) => void}} Context */
+/** @typedef {{name: string, title: string, second?: boolean, when: (reading: Reading) => boolean, report: string, show?: string, size: number, most?: number, kind?: (reading: Reading) => string}} Kind */
+
+/** More components are not copied: the report would be longer than 16 MB. */
+const COPIED = 300000;
+
+/** The cards in their order. @type {Kind[]} */
+export const KINDS = [
+  { name: "brackets", title: "Brackets", when: ({ kind, frame }) => kind !== "chart" || frame !== "coordinate", report: "card", show: "structure", size: 2 },
+  { name: "metric", title: "Metric", when: ({ has_metric }) => has_metric, report: "card", show: "metric", size: 2 },
+  { name: "structure", title: "Structure", second: true, when: ({ kind }) => kind !== "chart", report: "info", size: 3 },
+  { name: "connection", title: "Connection", when: () => true, report: "card", show: "affinities", size: 3 },
+  { name: "torsion", title: "Torsion", when: () => true, report: "card", show: "torsion", size: 1 },
+  { name: "curvature", title: "Curvature", when: () => true, report: "card", show: "curvature", size: 2 },
+  { name: "ricci", title: "Ricci tensor", when: () => true, report: "card", show: "ricci", size: 2 },
+  { name: "scalar_curvature", title: "Scalar curvature", when: ({ has_metric }) => has_metric, report: "card", show: "scalar_curvature", size: 1 },
+  { name: "properties", title: "Properties", second: true, when: () => true, report: "properties", size: 2, most: 60 },
+  { name: "equations", title: "Equations of motion", second: true, when: ({ dimension }) => dimension <= 30, report: "equations", size: 2, kind: ({ has_metric }) => has_metric ? "" : "autoparallel" },
+];
+
+/** The part of a request that names the space. @param {State} state */
+export const named = ({ space, connection, metric, set }) => ({ input: space, connection, metric, set: settings(set) });
+
+const FORMATS = [["LaTeX", "latex"], ["CSV", "csv"], ["JSON", "json"], ["Python", "python"], ["TOML", "toml"]];
+
+export class Card {
+  #filter = "";
+  /** @type {Context | null} */ #context = null;
+  count = 0;
+  /** Whether the reader wants a result that takes long. */
+  asked = false;
+
+  /** @param {Kind} kind */
+  constructor(kind) {
+    this.kind = kind;
+    this.body = element("div", { class: "body" });
+    this.foot = element("div", { class: "foot" });
+    this.heading = element("h2", { text: kind.title, id: `card-${kind.name}` });
+    this.element = element("article", { class: `card ${kind.name}`, "aria-labelledby": `card-${kind.name}` }, this.heading, this.body, this.foot);
+    this.body.append(element("p", { class: "quiet", text: kind.second ? "Computed when it is in view." : "…" }));
+  }
+
+  /** The request of the card. @param {Context} context */
+  #request({ state, reading }) {
+    const { kind } = this;
+    return kind.report === "card" ? { report: "card", card: kind.name, filter: this.#filter, ...named(state) }
+      : { report: kind.report, motion: kind.kind?.(reading) ?? "", ...named(state) };
+  }
+
+  /** Computes and shows the card. @param {Context} context @param {(name: string) => void} stage */
+  async compute(context, stage) {
+    this.#context = context;
+    const { answer } = await context.engine.ask(this.#request(context), stage);
+    if (this.kind.report === "card") this.#tensor(JSON.parse(answer.text));
+    else if (this.kind.name === "structure") this.#structure(answer);
+    else if (this.kind.name === "properties") this.#properties(answer.text);
+    else this.body.replaceChildren(report(answer.text));
+    this.element.classList.remove("stale");
+  }
+
+  /** Marks the card as that of an earlier input. */
+  outdate() { if (this.element.dataset.key) this.element.classList.add("stale"); }
+
+  /** A sentence instead of a result. @param {string} text @param {...Node} more */
+  tell(text, ...more) {
+    this.body.replaceChildren(element("p", { class: "quiet", text }), ...more);
+    this.foot.replaceChildren();
+    this.element.classList.remove("stale");
+  }
+
+  /** @param {any} card */
+  #tensor(card) {
+    if (card.absent) return this.tell("This tensor is not defined here.");
+    this.count = Math.max(card.count, this.#filter ? this.count : 0);
+    if (this.kind.name !== "connection") this.heading.textContent = card.title;
+    this.body.replaceChildren(...fragment(card.html));
+    if (card.summarized || this.#filter) this.body.prepend(this.#filters([...card.letters]));
+    this.#feet(card.definition, FORMATS);
+  }
+
+  /** Fields for indices. @param {string[]} letters */
+  #filters(letters) {
+    const now = this.#filter.split(",");
+    const fields = letters.map((letter, at) => element("label", {}, element("i", { text: letter }), element("input", { type: "text", inputmode: "numeric", size: 3, value: now[at] ?? "", placeholder: "all", "aria-label": `index ${letter}` })));
+    const apply = async () => {
+      const values = fields.map((field) => /** @type {HTMLInputElement} */ (field.querySelector("input")).value.trim());
+      this.#filter = values.some(Boolean) ? values.join(",") : "";
+      try {
+        if (this.#context) await this.compute(this.#context, () => {});
+      } catch (problem) {
+        const { kind, refusal } = /** @type {any} */ (problem);
+        if (kind === "refused") box.append(element("p", { class: "help", role: "alert", text: refusal.message }));
+      }
+    };
+    const box = element("form", { class: "filters", submit: (/** @type {Event} */ event) => { event.preventDefault(); apply(); } }, element("span", { text: "Indices" }), ...fields, button("List", apply));
+    return box;
+  }
+
+  /** @param {any} answer */
+  #structure({ text, pictures }) {
+    const box = report(text), rows = [...box.querySelectorAll("tbody tr")].map((row) => [...row.children]);
+    const badges = element("p", { class: "badges" }), table = element("dl", { class: "facts" });
+    for (const [notion, answer, witness] of rows) {
+      const name = notion.textContent ?? "", words = answer.textContent ?? "";
+      if (name === "it is" || name === "it is not") {
+        badges.append(...words.split(", ").filter((word) => word !== "-").flatMap((word) => [element("span", { class: `badge ${name === "it is" ? "yes" : "no"}`, text: word }), " "]));
+        continue;
+      }
+      // the diagram is drawn below
+      if (name === "Dynkin diagram" || words === "-") continue;
+      const remark = witness.childNodes.length ? [element("span", { class: "remark" }, ...witness.childNodes)] : [];
+      table.append(element("dt", {}, ...notion.childNodes), element("dd", {}, ...answer.childNodes, " ", ...remark));
+    }
+    // the diagrams of rank 1 are a point and a line
+    const rank = Number(/rank (\d+)/.exec([...table.querySelectorAll("dt")].find((term) => term.textContent === "root system")?.nextElementSibling?.textContent ?? "")?.[1] ?? 0);
+    const rest = element("details", {}, element("summary", { text: "all of its structure" }), table);
+    this.body.replaceChildren(badges, ...short(table), element("div", { class: "drawings" }, ...(rank > 1 ? pictures.map(drawn) : [])), rest);
+    this.#feet("", FORMATS.filter(([, format]) => format !== "csv"));
+    const [picture] = this.body.querySelectorAll(".drawn svg");
+    if (picture) this.foot.querySelector(".copies")?.append(button("SVG", () => copy(new XMLSerializer().serializeToString(picture)), { class: "small" }));
+  }
+
+  /** @param {string} text */
+  #properties(text) {
+    const rows = [...report(text).querySelectorAll("tbody tr")].map((row) => [...row.children]);
+    const badges = element("div", { class: "badges" }), facts = element("dl", { class: "facts" });
+    const witness = element("p", { class: "witness", "aria-live": "polite" });
+    for (const [name, holds, detail] of rows) {
+      const answer = holds.textContent;
+      if (!answer) {
+        facts.append(element("dt", {}, ...name.childNodes), element("dd", {}, ...detail.childNodes));
+        continue;
+      }
+      const badge = element("button", { type: "button", class: `badge ${answer}`, "aria-expanded": "false" }, ...name.childNodes);
+      badge.addEventListener("click", () => {
+        const open = badge.getAttribute("aria-expanded") === "true";
+        for (const other of badges.querySelectorAll("button")) other.setAttribute("aria-expanded", "false");
+        badge.setAttribute("aria-expanded", String(!open));
+        const words = [...detail.childNodes].map((node) => node.cloneNode(true));
+        witness.replaceChildren(...(open ? [] : [answer === "yes" ? "It holds" : "It fails", words.length ? ": " : ".", ...words]));
+      });
+      badges.append(badge, " ");
+    }
+    const rest = facts.children.length ? [element("details", {}, element("summary", { text: "more facts" }), facts)] : [];
+    this.body.replaceChildren(badges, witness, ...rest);
+    this.#feet("", FORMATS.filter(([, format]) => format !== "csv"));
+  }
+
+  /** Copies, a link, and the definition. @param {string} definition @param {string[][]} formats */
+  #feet(definition, formats) {
+    const chart = this.#context?.reading.kind === "chart";
+    const allowed = formats.filter(([, format]) => !chart || !["python", "toml"].includes(format));
+    const copies = this.count > COPIED ? [element("span", { class: "quiet", text: "Choose indices to copy components." })]
+      : [element("span", { class: "quiet", text: "Copy" }), ...allowed.map(([name, format]) => button(name, () => this.#copy(name, format), { class: "small" }))];
+    const link = button("Link", async () => {
+      await copy(this.#context?.link(this.kind.name) ?? location.href);
+      this.#context?.say("The link to this card is copied.");
+    }, { class: "small" });
+    const how = definition ? [element("details", { class: "how" }, element("summary", { text: "How is this defined?" }), ...fragment(definition))] : [];
+    this.foot.replaceChildren(element("p", { class: "copies" }, ...copies, link), ...how);
+  }
+
+  /** @param {string} name @param {string} format */
+  async #copy(name, format) {
+    if (!this.#context) return;
+    const { state, engine, say, reading } = this.#context, { kind } = this;
+    const tables = kind.report === "card";
+    const request = { report: tables ? "table" : kind.report, show: tables ? kind.show : "", motion: kind.kind?.(reading) ?? "", format, ...named(state) };
+    try {
+      const { answer } = await engine.ask(request);
+      await copy(answer.text);
+      say(`${kind.title}: copied as ${name}.`);
+    } catch (problem) {
+      const { refusal, message } = /** @type {any} */ (problem);
+      say(`${kind.title} could not be copied: ${refusal?.message ?? message ?? problem}`);
+    }
+  }
+}
+
+/** The first facts of a structure: its type, its Killing form and its name. @param {HTMLElement} facts */
+function short(facts) {
+  const wanted = ["identification", "Killing form", "Dynkin type", "simple ideals", "Betti numbers"];
+  /** Longer facts are not for the first look. */
+  const longest = 90;
+  const box = element("dl", { class: "facts first" });
+  for (const term of [...facts.querySelectorAll("dt")]) {
+    const value = term.nextElementSibling;
+    if (!value || !wanted.includes(term.textContent ?? "")) continue;
+    value.querySelector(".remark")?.remove();
+    if ((value.textContent ?? "").length <= longest) box.append(term, value);
+  }
+  return box.children.length ? [box] : [];
+}

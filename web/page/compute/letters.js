@@ -1,0 +1,89 @@
+// @ts-check
+// Letters: each one is a slider with a number, or stays a letter.
+import { button, element, letter } from "./dom.js";
+
+/** The number of sliders made so far. */
+let made = 0;
+/** The steps of a slider. */
+const STEPS = 200;
+
+export class Letters {
+  /** @type {Map<string, {row: HTMLElement, range: HTMLInputElement, number: HTMLInputElement, free: HTMLButtonElement}>} */ #rows = new Map();
+
+  /** @param {HTMLElement} box @param {(name: string, value: string | null, moving: boolean) => void} changed */
+  constructor(box, changed) {
+    this.box = box;
+    this.changed = changed;
+  }
+
+  /** @param {string[]} names @param {Record<string, string>} set @param {string[]} positive letters that a metric needs positive */
+  show(names, set, positive = []) {
+    for (const [name, { row }] of this.#rows) if (!names.includes(name)) { row.remove(); this.#rows.delete(name); }
+    for (const name of names) {
+      const known = this.#rows.get(name) ?? this.#row(name, positive.includes(name));
+      // the order of the names
+      this.box.append(known.row);
+      this.#value(name, set[name] ?? null);
+    }
+    this.box.hidden = !names.length;
+  }
+
+  /** @param {string} name @param {boolean} positive */
+  #row(name, positive) {
+    // the same letter may have another slider in the card of motions
+    const id = `letter-${name}-${made++}`;
+    const range = element("input", { id, type: "range", "aria-label": name, min: positive ? "0.1" : "-3", max: positive ? "4" : "3", step: "any", "aria-valuetext": `${name}, a letter` });
+    range.value = "1";
+    const number = element("input", { type: "text", inputmode: "decimal", size: 6, placeholder: "letter", "aria-label": `value of ${name}`, autocomplete: "off", spellcheck: "false" });
+    const free = button("letter", () => this.#set(name, null, false), { class: "free", title: `compute with ${name} as a letter`, "aria-label": `${name} as a letter` });
+    range.addEventListener("input", () => this.#set(name, short(Number(range.value)), true));
+    range.addEventListener("change", () => this.#set(name, short(Number(range.value)), false));
+    range.addEventListener("keydown", (event) => {
+      // a slider without steps moves by a share of its length
+      const sign = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1 }[event.key];
+      if (!sign) return;
+      event.preventDefault();
+      range.value = String(Number(range.value) + sign * (Number(range.max) - Number(range.min)) / (STEPS / 4));
+      range.dispatchEvent(new Event("input"));
+    });
+    number.addEventListener("change", () => this.#set(name, number.value.trim() || null, false));
+    number.addEventListener("keydown", (event) => { if (event.key === "Enter") { event.preventDefault(); number.blur(); } });
+    const row = element("div", { class: "letter" }, element("label", { for: id }, letter(name)), range, number, free);
+    const parts = { row, range, number, free };
+    this.#rows.set(name, parts);
+    return parts;
+  }
+
+  /** @param {string} name @param {string | null} value @param {boolean} moving */
+  #set(name, value, moving) {
+    this.#value(name, value);
+    this.changed(name, value, moving);
+  }
+
+  /** @param {string} name @param {string | null} value */
+  #value(name, value) {
+    const { row, range, number, free } = /** @type {any} */ (this.#rows.get(name));
+    const size = fraction(value);
+    row.classList.toggle("free", value === null);
+    free.hidden = value === null;
+    if (document.activeElement !== number) number.value = value ?? "";
+    if (size !== null && document.activeElement !== range) {
+      // a number beyond the slider makes it longer
+      if (size > Number(range.max)) range.max = String(2 * size);
+      if (size < Number(range.min)) range.min = String(size < 0 ? 2 * size : 0);
+      range.value = String(size);
+    }
+    range.setAttribute("aria-valuetext", value === null ? `${name}, a letter` : `${name} = ${value}`);
+  }
+}
+
+/** The number of a fraction or a decimal. @param {string | null} text */
+export function fraction(text) {
+  if (text === null) return null;
+  const [above, below = "1"] = text.split("/");
+  const value = Number(above) / Number(below);
+  return Number.isFinite(value) && above.trim() ? value : null;
+}
+
+/** @param {number} value */
+export const short = (value) => String(Number(value.toPrecision(3)));

@@ -1,0 +1,322 @@
+// @ts-check
+// Compute: one box, chips, a slider for each letter, and the results as cards.
+import { Box } from "./box.js";
+import { Card, KINDS, named } from "./cards.js";
+import { Chips } from "./chips.js";
+import { button, element } from "./dom.js";
+import { Letters } from "./letters.js";
+import { MotionCard } from "./motions.js";
+import { LONGEST, empty, read, write } from "./state.js";
+
+/** @typedef {import("./state.js").State} State @typedef {import("./chips.js").Reading} Reading */
+
+/** Milliseconds after the last key until a text is read. */
+const PAUSE = 250;
+/** The least width of a column of cards, in letters of the root. */
+const COLUMN = 28;
+/** Messages while a text is being typed wait longer. */
+const PATIENCE = 900;
+
+/** @param {HTMLElement} section @param {import("../main.js").Services} services */
+export function mount(section, services) {
+  return new Compute(section, services).view();
+}
+
+class Compute {
+  /** @type {State} */ #state = empty();
+  /** @type {Reading | null} */ #reading = null;
+  /** The part of the state that the reading holds for. */
+  #read = "";
+  /** The number of runs begun: only the newest writes. */
+  #turn = 0;
+  /** Whether a run is on its way, and whether the state has changed since. */
+  #busy = false;
+  #again = false;
+  /** An assumption of the page for the next reading. */
+  #note = "";
+  /** The number of columns of cards that are laid. */
+  #columns = 0;
+  /** @type {(Card | MotionCard)[]} */ #cards = [];
+  /** @type {ReturnType<typeof setTimeout> | undefined} */ #pause;
+  /** Cards of the second module that are in view. @type {Set<Element>} */ #seen = new Set();
+
+  /** @param {HTMLElement} section @param {import("../main.js").Services} services */
+  constructor(section, services) {
+    this.services = services;
+    this.box = new Box(services.box, {
+      typed: () => this.#typed(),
+      entered: () => this.#enter(this.box.text, "push"),
+      chosen: (text) => { this.box.text = text; this.#enter(text, "push"); this.box.field.focus(); },
+      stop: () => services.engine.stop(),
+    });
+    const controls = element("div", { class: "controls-of-space", hidden: true }), letters = element("div", { class: "letters", hidden: true, role: "group", "aria-label": "Letters" });
+    this.controls = controls;
+    this.chips = new Chips(controls, {
+      connection: (connection, moving) => {
+        // Levi-Civita is the connection of a metric
+        const lacks = connection === "levi-civita" && !this.#reading?.has_metric;
+        this.#note = lacks ? "Levi-Civita needs a metric: the identity is taken." : "";
+        this.#change({ connection, ...(lacks ? { metric: "identity" } : {}) }, moving);
+      },
+      metric: (metric, moving) => this.#change({ metric, ...this.#following(metric) }, moving),
+    });
+    controls.append(letters);
+    this.letters = new Letters(letters, (name, value, moving) => {
+      const set = { ...this.#state.set };
+      if (value === null) delete set[name];
+      else set[name] = value;
+      this.#change({ set }, moving);
+    });
+    this.list = element("div", { class: "cards" });
+    this.guide = element("p", { class: "quiet guide", text: "Write a name or brackets in the box above, or choose an example." });
+    section.append(element("h1", { class: "hidden", text: "Compute" }), controls, this.guide, this.list);
+    this.watcher = new IntersectionObserver((entries) => {
+      for (const { target, isIntersecting } of entries) {
+        if (isIntersecting) this.#seen.add(target);
+        else this.#seen.delete(target);
+      }
+      if (entries.some(({ isIntersecting }) => isIntersecting)) this.#run();
+    }, { rootMargin: "200px" });
+    this.#names();
+  }
+
+  view() {
+    return {
+      /** @param {string} text */
+      open: async (text) => {
+        const state = read(text);
+        if (write(state) === write(this.#state) && this.#reading) return this.#run();
+        this.#state = state;
+        this.box.text = state.space;
+        await this.#run();
+      },
+      state: () => write(this.#state),
+      title: () => this.#title(),
+      cards: () => this.#cards.filter(({ element: { hidden } }) => !hidden).map(({ element }) => element),
+    };
+  }
+
+  /** Names for completion, once the engine is there. */
+  async #names() {
+    try {
+      const { answer } = await this.services.engine.ask({ report: "names" });
+      const { spaces, charts } = JSON.parse(answer.text);
+      this.box.names(["M(3)", "SO(3)", ...spaces, ...charts]);
+    } catch {
+      // completion is no necessity
+    }
+  }
+
+  /** Without a metric the connection cannot be that of the metric. @param {string} metric */
+  #following(metric) {
+    if (!metric && this.#state.connection === "levi-civita") return { connection: "" };
+    return {};
+  }
+
+  #typed() {
+    clearTimeout(this.#pause);
+    this.#outdate();
+    this.#pause = setTimeout(() => this.#enter(this.box.text, document.body.dataset.view === "compute" ? "replace" : "push", true), PAUSE);
+  }
+
+  /** @param {string} space @param {"push" | "replace"} history @param {boolean} [typing] */
+  #enter(space, history, typing = false) {
+    clearTimeout(this.#pause);
+    if (!space) {
+      this.box.accept();
+      return this.box.read([], []);
+    }
+    // a new space has its own connection, metric and letters
+    if (space !== this.#state.space) this.#state = { ...read(new URLSearchParams({ space }).toString().replaceAll("+", "%20")) };
+    this.#tell(history);
+    this.#run(typing);
+  }
+
+  /** @param {Partial<State>} part @param {boolean} moving a slider that moves makes no entry of the history */
+  #change(part, moving) {
+    this.#state = { ...this.#state, card: "", ...part };
+    this.#tell(moving ? "replace" : "push");
+    this.#run(true);
+  }
+
+  /** @param {"push" | "replace"} history */
+  #tell(history) { this.services.address.set(write(this.#state), history); }
+
+  /** Marks what is shown as the result of an earlier input. */
+  #outdate() { for (const card of this.#cards) card.outdate(); }
+
+  #title() {
+    if (!this.#reading) return "Compute";
+    const { metric, connection, card } = this.#state, kind = KINDS.find(({ name }) => name === card);
+    const space = [this.#reading.name, metric, connection].filter(Boolean).join(", ");
+    return kind ? `${kind.title} of ${space}` : space;
+  }
+
+  /** Computes the state. While one runs, only the newest state waits. @param {boolean} [typing] */
+  async #run(typing = false) {
+    if (this.#busy) {
+      this.#again = true;
+      return;
+    }
+    this.#busy = true;
+    try {
+      do {
+        this.#again = false;
+        await this.#once(typing);
+      } while (this.#again);
+    } finally {
+      this.#busy = false;
+    }
+  }
+
+  /** @param {boolean} typing */
+  async #once(typing) {
+    if (!this.#state.space) {
+      this.guide.hidden = false;
+      return;
+    }
+    const state = this.#state, turn = ++this.#turn, started = performance.now();
+    const waiting = setInterval(() => {
+      const seconds = Math.floor((performance.now() - started) / 1000);
+      if (seconds) this.box.wait(`computing, ${seconds} s`);
+    }, 250);
+    try {
+      const key = JSON.stringify([state.space, state.connection, state.metric]);
+      if (key !== this.#read) {
+        this.#outdate();
+        const { answer } = await this.services.engine.ask({ report: "reading", ...named({ ...state, set: {} }) }, (name) => this.box.wait(name));
+        if (this.#again) return;
+        this.#take(JSON.parse(answer.text), state);
+        this.#read = key;
+      } else {
+        this.letters.show(this.#reading?.parameters ?? [], state.set);
+      }
+      this.box.accept();
+      const computed = await this.#fill(state);
+      if (this.#again) return;
+      const count = this.#cards.filter(({ element: { hidden } }) => !hidden).length;
+      if (computed) this.services.say(`${this.#title()}: ${count} cards, ${Math.max(1, Math.round(performance.now() - started))} ms`);
+      if (state.card) this.#scroll(state.card);
+    } catch (problem) {
+      if (!this.#again) this.#fail(problem, typing, turn);
+    } finally {
+      clearInterval(waiting);
+      this.box.wait("");
+    }
+  }
+
+  /** @param {Reading & {notes: string[], introduced: string[]}} reading @param {State} state */
+  #take(reading, state) {
+    this.#reading = reading;
+    const known = Object.fromEntries(Object.entries(state.set).filter(([name]) => reading.parameters.includes(name)));
+    if (Object.keys(known).length < Object.keys(state.set).length) this.#state = { ...this.#state, set: known };
+    const letters = reading.parameters.length ? `, letters ${reading.parameters.join(", ")}` : "";
+    const notation = /** @type {any} */ (reading).notation;
+    const notes = reading.notes.map((note) => `${note.charAt(0).toUpperCase()}${note.slice(1).replace(/\.$/, "")}.`);
+    if (this.#note) notes.push(this.#note);
+    this.#note = "";
+    const long = state.space.length > LONGEST ? ["The text is too long for a link."] : [];
+    this.box.read([element("b", { text: reading.name }), `, dimension ${reading.dimension}${letters}${notation ? `, read as ${notation}` : ""}. `], [...notes, ...long]);
+    this.chips.show(reading, state.connection, state.metric);
+    const positive = state.metric.match(/[A-Za-z]\w*/g) ?? [];
+    this.letters.show(reading.parameters, this.#state.set, positive);
+    this.controls.hidden = false;
+    this.guide.hidden = true;
+    this.#lay(reading);
+    this.services.title(this.#title());
+  }
+
+  /** The cards of a reading: those that stay are kept. @param {Reading} reading */
+  #lay(reading) {
+    if (!this.#cards.length) {
+      this.#cards = KINDS.map((kind) => new Card(kind));
+      this.#cards.push(new MotionCard(this.services.engine));
+      for (const card of this.#cards) if (card.kind.second) this.watcher.observe(card.element);
+      new ResizeObserver(() => this.#columnize()).observe(this.list);
+    }
+    for (const card of this.#cards) card.element.hidden = !card.kind.when(reading);
+    this.#columns = 0;
+    this.#columnize();
+  }
+
+  /** Lays the cards in columns of about equal height. The heights are those of usual cards, so that no card changes its column
+   * when its result grows. */
+  #columnize() {
+    const count = Math.max(1, Math.min(3, Math.floor(this.list.clientWidth / (COLUMN * parseFloat(getComputedStyle(document.documentElement).fontSize)))));
+    if (count === this.#columns) return;
+    this.#columns = count;
+    const columns = Array.from({ length: count }, () => ({ size: 0, box: element("div", { class: "column" }) }));
+    const wide = this.#cards.filter(({ kind }) => kind.name === "motions").map(({ element }) => element);
+    for (const { element: card, kind } of this.#cards) {
+      if (kind.name === "motions") continue;
+      const lowest = columns.reduce((least, column) => column.size < least.size ? column : least);
+      lowest.box.append(card);
+      if (!card.hidden) lowest.size += /** @type {any} */ (kind).size;
+    }
+    this.list.replaceChildren(...columns.map(({ box }) => box), ...wide);
+  }
+
+  /** Fills the cards, those of the first module before the others. Returns how many were computed. @param {State} state */
+  async #fill(state) {
+    const reading = /** @type {Reading} */ (this.#reading);
+    const shown = this.#cards.filter(({ element: { hidden } }) => !hidden);
+    const key = JSON.stringify(state.set) + this.#read;
+    const link = (/** @type {string} */ card) => location.href.replace(/#.*$/, `#compute?${write({ ...state, card })}`);
+    const context = { state, reading, engine: this.services.engine, link, say: this.services.say };
+    let computed = 0;
+    const first = shown.filter(({ kind }) => !kind.second), second = shown.filter(({ kind }) => kind.second);
+    for (const card of first.concat(second)) {
+      const { element: box, kind } = card;
+      if (box.dataset.key === key) {
+        box.classList.remove("stale");
+        continue;
+      }
+      card.outdate();
+      if (kind.second && !this.#seen.has(box) && state.card !== kind.name) continue;
+      const most = "most" in kind ? kind.most : undefined;
+      if (card instanceof Card && most && reading.dimension > most && !card.asked) {
+        card.tell(`Above dimension ${most} this takes minutes.`, button("Compute", () => { card.asked = true; this.#run(); }));
+        continue;
+      }
+      const stage = (/** @type {string} */ name) => this.box.wait(`${kind.title}: ${name}`);
+      try {
+        await card.compute(context, stage);
+        box.dataset.key = key;
+        computed++;
+      } catch (problem) {
+        const { kind: what, refusal, message } = /** @type {any} */ (problem);
+        if (what === "refused" && !first.includes(card)) card.tell(refusal.message);
+        else if (what === "failed") card.tell(`The part of the engine for this card did not load: ${message}`);
+        else throw problem;
+      }
+      if (this.#again) break;
+    }
+    return computed;
+  }
+
+  /** @param {any} problem @param {boolean} typing @param {number} turn */
+  #fail(problem, typing, turn) {
+    const { kind, message, refusal } = problem;
+    if (kind === "replaced") return;
+    this.#outdate();
+    const tell = () => {
+      if (turn !== this.#turn) return;
+      if (kind === "refused") this.box.refuse(refusal);
+      else if (kind === "crashed") this.box.refuse({ message: `The computation failed: ${message}.`, help: "Your input is kept. A smaller space or fewer letters may succeed" });
+      else if (kind === "failed") this.box.refuse({ message: `The engine did not load: ${message}`, help: "This page needs a browser with WebAssembly. Press Enter to try again" });
+      else if (kind === "stopped") this.services.say("stopped");
+      else this.box.refuse({ message: `The page failed: ${message ?? problem}` });
+      if (kind !== "stopped") this.services.say("");
+    };
+    this.#read = "";
+    if (typing) setTimeout(tell, PATIENCE - PAUSE);
+    else tell();
+  }
+
+  /** @param {string} card */
+  #scroll(card) {
+    const box = this.#cards.find(({ kind }) => kind.name === card)?.element;
+    this.#state = { ...this.#state, card: "" };
+    box?.scrollIntoView({ block: "start" });
+  }
+}

@@ -1,0 +1,168 @@
+// The view Compute in a browser: the box, the chips, the letters and the cards.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { compute, formulas, settled, text, type } from "./computed.mjs";
+import { PHONE, sound, violations, visit } from "./visit.mjs";
+
+test("a name has its cards in their order, as mathematics", async () => {
+  const page = await compute("space=so(3)&connection=zero");
+  assert.match(await text(page, "#read-as"), /^so\(3\), dimension 3/);
+  const titles = await page.locator(".card:not([hidden]) h2").allTextContents();
+  // the order goes from column to column
+  assert.deepEqual(titles.toSorted(), ["Brackets", "Connection", "Curvature", "Equations of motion", "Motions", "Properties", "Ricci tensor", "Structure", "Torsion"]);
+  assert.deepEqual([titles[0], titles.at(-1)], ["Brackets", "Motions"]);
+  assert.deepEqual((await formulas(page, "curvature"))[0], "R^1_212 = R^1_313 = R^2_323 = 1/4");
+  assert.match(await text(page, ".card.curvature .rest"), /Antisymmetric/);
+  assert.match(await page.title(), /so\(3\)/);
+  await sound(page);
+});
+
+test("what is typed on the first screen opens Compute and keeps the cursor", async () => {
+  const page = await visit();
+  await page.click("#space-input");
+  await page.waitForFunction(() => document.querySelector("textarea#space-input"));
+  await page.locator("#space-input").pressSequentially("SU(2)");
+  await page.waitForFunction(() => document.body.dataset.view === "compute");
+  await settled(page);
+  assert.equal(await page.inputValue("#space-input"), "SU(2)");
+  assert.equal(await page.evaluate(() => document.activeElement?.id), "space-input");
+  assert.match(await text(page, "#read-as"), /computed in its Lie algebra su\(2\)/);
+  assert.match(page.url(), /#compute\?space=SU\(2\)/);
+});
+
+test("a message stands under the letters, and goes when they are right", async () => {
+  const page = await compute("space=so(3)");
+  await page.fill("#space-input", "[x,y]=z; [y,z]=q^2");
+  await page.waitForFunction(() => document.querySelector(".refusal mark"));
+  assert.match(await text(page, ".refusal .where"), /\[y,z\]=q\^2/);
+  assert.ok(await page.locator(".card.stale").count(), "earlier cards are marked");
+  await type(page, "[x,y]=z");
+  assert.equal(await text(page, ".refusal"), "");
+  // cards of the second module wait until they are in view
+  assert.equal(await page.locator(".card.stale:not(.structure, .properties, .equations, .motions)").count(), 0);
+});
+
+test("a suggestion is a button", async () => {
+  const page = await compute("space=soo(3)");
+  await page.locator(".refusal .chip").first().click();
+  await settled(page);
+  assert.equal(await text(page, ".refusal"), "");
+  assert.match(await text(page, "#read-as"), /dimension/);
+});
+
+test("an earlier result is marked as soon as a letter is typed", async () => {
+  const page = await compute("space=so(3)");
+  await page.locator("#space-input").press("x");
+  assert.ok(await page.locator(".card.stale").count());
+});
+
+test("every letter is a slider that makes one entry of the history, and a letter again", async () => {
+  const page = await compute("space=so(3)&metric=diag(a,b,c)");
+  assert.deepEqual(await page.locator(".controls-of-space .letter label math").evaluateAll((all) => all.map((math) => math.getAttribute("alttext"))), ["a", "b", "c"]);
+  assert.match((await formulas(page, "scalar_curvature"))[0], /a/);
+  const length = await page.evaluate(() => history.length);
+  const slider = page.locator(".controls-of-space .letter input[type=range]").first();
+  await slider.focus();
+  for (let k = 0; k < 5; k++) await page.keyboard.press("ArrowRight");
+  await settled(page);
+  assert.match(page.url(), /set=a=1\.\d+/);
+  assert.doesNotMatch((await formulas(page, "scalar_curvature"))[0], /a/);
+  assert.match(await slider.getAttribute("aria-valuetext"), /^a = 1\./);
+  assert.equal(await page.evaluate(() => history.length), length);
+  await page.click(".letter .free:visible");
+  await settled(page);
+  assert.match((await formulas(page, "scalar_curvature"))[0], /a/);
+});
+
+test("chips choose the connection and the metric, and lambda shows a value only where it holds", async () => {
+  const page = await compute("space=so(3)");
+  const chip = (name) => page.locator(`.controls-of-space button:text-is("${name}")`);
+  assert.equal(await chip("zero").getAttribute("aria-pressed"), "true");
+  assert.match(await chip("Levi-Civita").getAttribute("title"), /metric/);
+  await chip("plus").click();
+  await settled(page);
+  assert.deepEqual((await formulas(page, "torsion"))[0], "tau^1_23 = 1");
+  assert.equal(await text(page, ".lambda output"), "λ = 1");
+  await chip("diagonal").click();
+  await settled(page);
+  await chip("Levi-Civita").click();
+  await settled(page);
+  assert.ok(await page.locator(".lambda").isHidden());
+  assert.ok((await formulas(page, "torsion"))[0].endsWith("= 0"));
+  await chip("full").click();
+  await settled(page);
+  const entry = page.locator(".grid input").nth(1);
+  await entry.fill("1/2");
+  await settled(page);
+  assert.equal(await page.locator(".grid input").nth(3).inputValue(), "1/2");
+  await page.goBack();
+  await settled(page);
+  assert.ok(await chip("Killing").isEnabled());
+});
+
+test("E8 is a summary with a filter, and no page of a mile", async () => {
+  const page = await compute("space=E8&connection=zero");
+  assert.match(await text(page, ".card.curvature .body"), /1\u2009031\u2009700 nonzero components/);
+  assert.ok(await page.evaluate(() => document.documentElement.scrollHeight) < 6000);
+  await page.locator(".card.curvature .filters input").nth(0).fill("1");
+  await page.locator(".card.curvature .filters input").nth(1).fill("2");
+  await page.locator(".card.curvature .filters input").nth(2).fill("1");
+  await page.click(".card.curvature .filters button");
+  await page.waitForFunction(() => !document.querySelector(".card.curvature .body strong"), undefined, { timeout: 60000 });
+  assert.match(await text(page, ".card.curvature .body"), /zero/);
+});
+
+test("structure, properties and motions come when they are in view", async () => {
+  const page = await compute("space=so(3)&metric=diag(1,2,3)");
+  await page.locator(".card.properties").scrollIntoViewIfNeeded();
+  await page.waitForSelector(".card.properties .badge", { timeout: 60000 });
+  await page.locator(".card.properties .badge.no").first().click();
+  assert.match(await text(page, ".card.properties .witness"), /^It fails/);
+  assert.ok(await page.locator(".card.properties .witness math").count(), "the witness is mathematics");
+  await page.locator(".card.motions").scrollIntoViewIfNeeded();
+  await page.waitForSelector(".card.motions svg.ball polygon", { timeout: 60000 });
+  await page.locator(".card.structure").scrollIntoViewIfNeeded();
+  await page.waitForSelector(".card.structure .badge.yes", { timeout: 60000 });
+  await sound(page);
+});
+
+test("copies of a card", async () => {
+  const page = await compute("space=so(3)&connection=plus", { permissions: ["clipboard-read", "clipboard-write"] });
+  for (const [name, part] of [["LaTeX", "\\tau"], ["CSV", "tensor,i,j,k,l,value"], ["JSON", "affinor.table/1"], ["Python", "import affinor"], ["TOML", "structure_constants"]]) {
+    await page.click(`.card.torsion .copies button:text-is("${name}")`);
+    await page.waitForFunction((name) => document.getElementById("say").textContent.includes(`copied as ${name}`), name, { timeout: 60000 });
+    assert.ok((await page.evaluate(() => navigator.clipboard.readText())).includes(part), name);
+  }
+  await page.click('.card.torsion .copies button:text-is("Link")');
+  assert.match(await page.evaluate(() => navigator.clipboard.readText()), /card=torsion/);
+});
+
+test("a link opens the same state, and back and forward lead through states", async () => {
+  const page = await compute("space=so(3)&connection=zero");
+  await type(page, "sl(2)");
+  await page.keyboard.press("Enter");
+  await page.goto(page.url().replace(/#.*/, "#compute?space=se(2)"));
+  await settled(page);
+  assert.match(await text(page, "#read-as"), /^se\(2\)/);
+  await page.goBack();
+  await settled(page);
+  assert.match(await text(page, "#read-as"), /^sl\(2\)/);
+});
+
+test("a spacetime, and its letter", async () => {
+  const page = await compute("space=Schwarzschild");
+  assert.deepEqual(await formulas(page, "ricci"), ["Ric_jl = 0"]);
+  assert.equal(await page.locator(".controls-of-space .letter").count(), 1);
+});
+
+for (const [name, options] of [["a phone", { viewport: PHONE }], ["a dark laptop", { colorScheme: "dark" }]]) {
+  test(`nothing is cut, and axe objects to nothing, on ${name}`, async () => {
+    const page = await compute("space=so(3)&metric=diag(a,b,c)", options);
+    await sound(page);
+    assert.deepEqual(await violations(page), []);
+    await page.fill("#space-input", "nonsense");
+    await page.waitForSelector(".refusal p");
+    await sound(page);
+    assert.deepEqual(await violations(page), []);
+  });
+}
