@@ -166,8 +166,17 @@ impl PySource {
         let set = (!settings.is_empty()).then(|| settings.join(","));
         let Arguments { space, definition, basis, brackets, connection, metric, .. } = arguments;
         let files = self.files.clone();
-        let request =
-            Request { space, definition, basis, brackets, connection, metric, set, files };
+        let request = Request {
+            space,
+            definition,
+            basis,
+            brackets,
+            connection,
+            metric,
+            set,
+            files,
+            ..Request::default()
+        };
         run(py, || Space::open(&request))
     }
 
