@@ -33,6 +33,7 @@ mod geometry {
     mod forms;
     mod holonomy;
     mod homogeneous;
+    mod isometry;
     mod metric_affine;
     mod properties;
     mod reductive;

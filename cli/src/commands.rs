@@ -14,6 +14,7 @@ mod equations;
 mod examples;
 mod failure;
 mod info;
+mod isometries;
 mod list;
 mod note;
 mod on_group;
@@ -73,6 +74,8 @@ enum Command {
     /// Print which properties a connection and a metric have, each with its constant or a
     /// counterexample
     Properties(properties::Arguments),
+    /// Print the Lie algebra of the Killing fields of a metric: dimension, isotropy, name, brackets
+    Isometries(isometries::Arguments),
     /// Print the equations of motion of a space
     Equations(equations::Arguments),
     /// Map coordinates x to the group element exp(x)
@@ -143,6 +146,7 @@ fn run(command: Command, watch: &Watch) -> Result<(), Failure> {
         Command::Claims(arguments) => arguments.run(),
         Command::Info(arguments) => arguments.run(),
         Command::Properties(arguments) => arguments.run(),
+        Command::Isometries(arguments) => arguments.run(),
         Command::Equations(arguments) => arguments.run(),
         Command::Exp(arguments) => arguments.run(Operation::Exp),
         Command::Log(arguments) => arguments.run(),

@@ -182,6 +182,7 @@ fn formats_names_every_key_of_every_schema() -> Outcome {
         ("affinor.info/1", "affinor info \"bianchi(II)\"".into()),
         ("affinor.properties/1", "affinor properties M3".into()),
         ("affinor.properties/1", "affinor properties SO3".into()),
+        ("affinor.isometries/1", "affinor isometries so3 --metric \"diag(a,a,b)\"".into()),
         ("affinor.conventions/1", "affinor conventions".into()),
     ];
     for (schema, command) in commands {

@@ -6,7 +6,8 @@
 //! the [`Claim`]s of Paraskevopoulos and Natsiavas (2013) about them. [`EquationReport`] writes
 //! equations of motion, also as source code. [`StoredTable`] compares a table with a stored table.
 //! [`Statements`] are claims about a geometry, each of which is tested. [`Info`] is the structure
-//! of an algebra, and [`Properties`] are the properties of a geometry.
+//! of an algebra, [`Properties`] are the properties of a geometry, and [`Isometries`] are its
+//! Killing fields.
 //!
 //! Each of these types is a [`Report`]. Short lists are [`conventions`], the [`catalogue`], a
 //! [`certificate`] and any other [`listing`]. A [`Computation`] creates the reports of a space,
@@ -27,6 +28,7 @@ mod html;
 mod identifiers;
 mod indexed;
 mod info;
+mod isometries;
 mod json;
 mod latex;
 mod lists;
@@ -48,6 +50,7 @@ pub use components::{GROUPED, Group, groups, independent};
 pub use computation::{Compared, Computation, SIMPLIFIED_AT_POINTS, Selection, TableReport};
 pub use equations::EquationReport;
 pub use info::{Info, dynkin_type};
+pub use isometries::Isometries;
 pub use latex::{components_in_latex, labelled_in_latex};
 pub use lists::{catalogue, catalogue_where, certificate, conventions, listing};
 pub use points::TensorProgram;

@@ -83,6 +83,8 @@ OTHERS = [
     ("claims", "so3", "examples/claims/so3.txt", "--metric", "diag(a,b,c)"),
     ("simulate", "examples/motions/heavy_top.toml"),
     ("equations", "examples/definitions/sphere.toml", "--kind", "autoparallel"),
+    ("isometries", "examples/definitions/schwarzschild.toml"),
+    ("isometries", "so3", "--metric", "identity", "--homothetic"),
 ]
 
 

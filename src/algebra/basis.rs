@@ -40,6 +40,12 @@ impl<S: Field + Scalar> BasisChange<S> {
         &self.inverse
     }
 
+    /// The change back to the old basis.
+    #[must_use]
+    pub fn inverted(&self) -> Self {
+        BasisChange { matrix: self.inverse.clone(), inverse: self.matrix.clone() }
+    }
+
     /// The components in the new basis: `A^-1` on every upper slot, `A` on every lower slot.
     ///
     /// If the tensor is symmetric or antisymmetric in two slots of equal variance, the result has

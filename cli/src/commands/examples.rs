@@ -3,7 +3,7 @@
 use clap::Command;
 
 /// For each command, two examples, which run in the root folder of the project.
-const EXAMPLES: [(&str, [&str; 2]); 20] = [
+const EXAMPLES: [(&str, [&str; 2]); 21] = [
     ("compare", ["affinor compare", "affinor compare so3@plus aff1@plus --format markdown"]),
     (
         "table",
@@ -33,6 +33,13 @@ const EXAMPLES: [(&str, [&str; 2]); 20] = [
         [
             "affinor properties aff1 --metric identity",
             "affinor properties \"heisenberg(3)\" --metric \"diag(a,b,c)\"",
+        ],
+    ),
+    (
+        "isometries",
+        [
+            "affinor isometries examples/definitions/schwarzschild.toml",
+            "affinor isometries \"heisenberg(3)\" --metric \"diag(a,b,c)\" --homothetic",
         ],
     ),
     (

@@ -1,0 +1,143 @@
+//! The isometry algebra of a metric: its dimension, its orbits, its name and its brackets.
+
+use super::grid::{Cell, Grid};
+use super::head::{printable, printable_list};
+use super::{Format, Report};
+use crate::input::InputError;
+use crate::space::Definition;
+use affinor::geometry::isometry::{Certainty, IsometryAlgebra, Symmetry};
+use affinor_tensors::{Rational, Symbolic, Tolerance};
+use serde_json::{Value, json};
+use std::io::{self, Write};
+
+/// The name of the schema.
+const SCHEMA: &str = "affinor.isometries/1";
+/// The number of characters above which brackets are written in JSON only.
+const LONGEST: usize = 400;
+
+/// The isometry algebra of a space, ready for output.
+#[derive(Clone, Debug)]
+pub struct Isometries(Grid);
+
+impl Isometries {
+    /// The algebra of the Killing fields, or of the homothetic fields, of the metric of a
+    /// definition.
+    ///
+    /// # Errors
+    /// Those of [`Definition::geometry`] and [`IsometryAlgebra::of`].
+    pub fn of(definition: &Definition, symmetry: Symmetry) -> Result<Self, InputError> {
+        let tolerance = Tolerance::default();
+        let found = if definition.is_rational() {
+            let geometry = definition.geometry::<Rational>(tolerance)?;
+            let metric = geometry.metric().ok_or(affinor::Error::NoMetric)?;
+            IsometryAlgebra::invariant(geometry.frame(), metric, symmetry)?
+        } else {
+            IsometryAlgebra::of(&definition.geometry::<Symbolic>(tolerance)?, symmetry)?
+        };
+        Ok(Self::new(definition, &found))
+    }
+
+    fn new(definition: &Definition, found: &IsometryAlgebra) -> Self {
+        let fields = match found.symmetry() {
+            Symmetry::Killing => "Killing fields",
+            Symmetry::Homothetic => "homothetic fields",
+        };
+        let (name, description) = (found.name(), found.description());
+        let brackets = found.structure().map(|structure| structure.algebra().to_string());
+        let mut rows: Vec<Vec<Cell>> = vec![];
+        let mut row = |notion: &str, answer: &str, witness: &str| {
+            rows.push(vec![notion.into(), answer.into(), witness.into()]);
+        };
+        row("dimension", &found.dimension().to_string(), certainty(found.certainty()));
+        let transitive = match found.is_transitive() {
+            true => "locally homogeneous",
+            false => "not homogeneous",
+        };
+        row("orbit of a generic point", &found.orbit().to_string(), transitive);
+        row("isotropy", &found.isotropy().to_string(), "the fields that vanish at the point");
+        match (&name, &description, found.structure()) {
+            (Some(name), ..) => row("algebra", name, ""),
+            (None, Some(description), _) => row("algebra", "not named", description),
+            (None, None, Some(_)) => row("algebra", "not named", ""),
+            (None, None, None) if found.certainty() == Certainty::UpperBound => {
+                row("algebra", "-", "the dimension is not stable");
+            }
+            (None, None, None) => row("algebra", "-", "the structure constants are too long"),
+        }
+        if let Some(brackets) = brackets.filter(|text| !text.is_empty()) {
+            let long = brackets.chars().count() > LONGEST;
+            row("brackets", "", if long { "in --format json" } else { &brackets });
+        }
+        let dimensions: Vec<String> = found.dimensions().iter().map(usize::to_string).collect();
+        let orders = "jets that preserve R, nabla R, ...";
+        row("dimensions by order", &dimensions.join(", "), orders);
+        let [plus, minus] = found.signature();
+        row("signature", &format!("({plus}, {minus})"), "positive and negative squares");
+        if !found.values().is_empty() {
+            let values = found.values().iter();
+            let values: Vec<_> =
+                values.map(|(name, v)| format!("{} = {v}", printable(name))).collect();
+            row("sample values", "", &values.join(", "));
+        }
+        let title = format!("Algebra of {fields} of {}", printable(&definition.name));
+        let head = vec![("basis", printable_list(&definition.labels).into())];
+        let grid =
+            Grid::new(title, &["notion", "answer", "remark"], rows, document(definition, found));
+        Isometries(grid.with_head(head))
+    }
+}
+
+/// The certainty in words.
+fn certainty(certainty: Certainty) -> &'static str {
+    match certainty {
+        Certainty::Proved => "proved",
+        Certainty::Generic => {
+            "proved as an upper bound; exact unless the sample values are special"
+        }
+        Certainty::UpperBound => "proved as an upper bound, which higher orders may lower",
+    }
+}
+
+/// The report in JSON.
+fn document(definition: &Definition, found: &IsometryAlgebra) -> Value {
+    let algebra = found.structure().map(|structure| {
+        let constants = structure.algebra().structure_constants().components();
+        let constants = constants
+            .filter(|(at, _)| at[1] < at[2])
+            .map(|(at, value)| json!([at[1] + 1, at[2] + 1, at[0] + 1, value.to_string()]));
+        json!({
+            "name": found.name(),
+            "description": found.description(),
+            "basis": structure.algebra().labels(),
+            "structure_constants": constants.collect::<Vec<_>>(),
+        })
+    });
+    let values = found.values().iter().map(|(name, value)| json!([name, value.to_string()]));
+    json!({
+        "schema": SCHEMA,
+        "name": definition.name,
+        "symmetry": match found.symmetry() {
+            Symmetry::Killing => "killing",
+            Symmetry::Homothetic => "homothetic",
+        },
+        "dimension": found.dimension(),
+        "certainty": match found.certainty() {
+            Certainty::Proved => "proved",
+            Certainty::Generic => "generic",
+            Certainty::UpperBound => "upper bound",
+        },
+        "orbit": found.orbit(),
+        "isotropy": found.isotropy(),
+        "homogeneous": found.is_transitive(),
+        "orders": found.dimensions(),
+        "signature": found.signature(),
+        "sample": values.collect::<Vec<_>>(),
+        "algebra": algebra,
+    })
+}
+
+impl Report for Isometries {
+    fn write(&self, format: Format, out: &mut dyn Write) -> io::Result<()> {
+        self.0.write(format, out)
+    }
+}
