@@ -66,6 +66,7 @@
 //! |---|---|
 //! | [`tensors`] | the re-exported package `affinor-tensors`: scalars, sparse tensors, [`contract!`], linear algebra |
 //! | [`algebra`] | [`Frame`], [`Bracket`], [`LieAlgebra`], the [`catalogue`](algebra::catalogue), [`structure`](algebra::structure) theory, roots |
+//! | [`representation`] | irreducible representations of reductive algebras: products, powers, branching rules |
 //! | [`geometry`] | [`Connection`], [`Metric`], torsion, curvature, [`Chart`], forms, homogeneous spaces ([`ReductivePair`]), equations of motion |
 //! | [`group`] | group elements in `f64`: exponential, logarithm, adjoint, parallel transport, rotations |
 //! | [`mechanics`] | rigid bodies, Euler-Poincare and Lie-Poisson systems, integrators, events |
@@ -91,6 +92,7 @@ pub mod geometry;
 pub mod group;
 pub mod mechanics;
 pub mod numerics;
+pub mod representation;
 #[cfg(feature = "serde")]
 mod serial;
 

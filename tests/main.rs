@@ -25,6 +25,23 @@ mod algebra {
     pub mod structure;
 }
 
+mod representation {
+    mod algebra;
+    mod character;
+    mod class;
+    mod common;
+    mod decomposition;
+    mod diagram;
+    mod embeddings;
+    mod highest_weight;
+    mod named;
+    mod names;
+    mod powers;
+    mod products;
+    mod regular;
+    mod subalgebra;
+}
+
 mod geometry {
     mod chart;
     mod connection;

@@ -70,7 +70,8 @@ fn sources(folders: &[&str]) -> Vec<File> {
 const PACKAGES: [&str; 6] =
     ["tensors/src", "src", "documents/src", "paper/src", "cli/src", "python/src"];
 /// The modules of the library, from the bottom up: each may use the modules before it.
-const ROOMS: [&str; 5] = ["numerics", "algebra", "geometry", "group", "mechanics"];
+const ROOMS: [&str; 6] =
+    ["numerics", "algebra", "representation", "geometry", "group", "mechanics"];
 
 #[test]
 fn no_source_is_long() {
@@ -84,7 +85,7 @@ fn no_source_is_long() {
 fn the_library_has_few_rooms() {
     let root = root();
     let entries = fs::read_dir(root.join("src")).expect("the sources").count();
-    assert!(entries <= 14, "src has {entries} entries");
+    assert!(entries <= 16, "src has {entries} entries");
 }
 
 #[test]

@@ -23,6 +23,7 @@ mod output;
 mod paper;
 mod plot;
 mod properties;
+mod rep;
 mod restore;
 mod rows;
 mod simulate;
@@ -76,6 +77,8 @@ enum Command {
     Properties(properties::Arguments),
     /// Print the Lie algebra of the Killing fields of a metric: dimension, isotropy, name, brackets
     Isometries(isometries::Arguments),
+    /// Representations of a reductive algebra: products, powers, branching
+    Rep(rep::Arguments),
     /// Print the equations of motion of a space
     Equations(equations::Arguments),
     /// Map coordinates x to the group element exp(x)
@@ -147,6 +150,7 @@ fn run(command: Command, watch: &Watch) -> Result<(), Failure> {
         Command::Info(arguments) => arguments.run(),
         Command::Properties(arguments) => arguments.run(),
         Command::Isometries(arguments) => arguments.run(),
+        Command::Rep(arguments) => arguments.run(),
         Command::Equations(arguments) => arguments.run(),
         Command::Exp(arguments) => arguments.run(Operation::Exp),
         Command::Log(arguments) => arguments.run(),

@@ -28,6 +28,7 @@ mod notations;
 mod paper;
 mod plot;
 mod range_of_floats;
+mod rep;
 mod roots;
 #[cfg(unix)]
 mod simulate;

@@ -7,7 +7,7 @@
 //! equations of motion, also as source code. [`StoredTable`] compares a table with a stored table.
 //! [`Statements`] are claims about a geometry, each of which is tested. [`Info`] is the structure
 //! of an algebra, [`Properties`] are the properties of a geometry, and [`Isometries`] are its
-//! Killing fields.
+//! Killing fields. A [`RepresentationReport`] is about a representation of a reductive algebra.
 //!
 //! Each of these types is a [`Report`]. Short lists are [`conventions`], the [`catalogue`], a
 //! [`certificate`] and any other [`listing`]. A [`Computation`] creates the reports of a space,
@@ -37,6 +37,7 @@ mod points;
 mod program;
 mod properties;
 mod quantity;
+mod representation;
 mod statements;
 mod stored;
 mod text;
@@ -57,6 +58,7 @@ pub use points::TensorProgram;
 pub use program::Program;
 pub use properties::Properties;
 pub use quantity::Quantity;
+pub use representation::{Operations, Power, RepresentationReport};
 pub use statements::{Statements, Verdict, Verdicts};
 pub use stored::{Convention, Differences, StoredTable, Verification};
 pub use text::{components_in_text, grouped_in_text, labelled_in_text};

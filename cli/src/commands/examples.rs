@@ -3,7 +3,7 @@
 use clap::Command;
 
 /// For each command, two examples, which run in the root folder of the project.
-const EXAMPLES: [(&str, [&str; 2]); 21] = [
+const EXAMPLES: [(&str, [&str; 2]); 22] = [
     ("compare", ["affinor compare", "affinor compare so3@plus aff1@plus --format markdown"]),
     (
         "table",
@@ -40,6 +40,13 @@ const EXAMPLES: [(&str, [&str; 2]); 21] = [
         [
             "affinor isometries examples/definitions/schwarzschild.toml",
             "affinor isometries \"heisenberg(3)\" --metric \"diag(a,b,c)\" --homothetic",
+        ],
+    ),
+    (
+        "rep",
+        [
+            "affinor rep \"SU(5)\" 10 --tensor 5bar",
+            "affinor rep \"SU(5)\" 10 --branch \"SU(3)xSU(2)xU(1)\" --format json",
         ],
     ),
     (

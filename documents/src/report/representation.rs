@@ -1,0 +1,379 @@
+//! Representations: properties of a highest weight, products, powers and branching rules.
+
+use super::grid::{Cell, Grid};
+use super::{Format, Report};
+use crate::input::InputError;
+use affinor::representation::diagram::labelled;
+use affinor::representation::names::name;
+use affinor::representation::{
+    Decomposition, HighestWeight, ReductiveAlgebra, RepresentationError, Subalgebra,
+};
+use num_bigint::BigInt;
+use serde_json::{Map, Value, json};
+use std::io::{self, Write};
+
+/// The kind of a power.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Power {
+    /// Symmetric powers.
+    Symmetric,
+    /// Exterior powers.
+    Exterior,
+}
+
+/// The operations on a representation, in the order in which they are done.
+#[derive(Clone, Debug, Default)]
+pub struct Operations {
+    /// A power, with its degree.
+    pub power: Option<(Power, usize)>,
+    /// Highest weights of further factors, as text.
+    pub tensor: Vec<String>,
+    /// A subalgebra, as text.
+    pub branch: Option<String>,
+    /// Whether to list the dominant weights of the result, and not its components.
+    pub weights: bool,
+}
+
+/// A representation and the result of operations on it. JSON has the schema `affinor.rep/1`.
+#[derive(Clone, Debug)]
+pub struct RepresentationReport {
+    grid: Grid,
+}
+
+impl RepresentationReport {
+    /// Computes the operations on the representation of a reductive algebra whose highest weight is
+    /// given as text.
+    ///
+    /// # Errors
+    /// An error of usage for a text that does not name a representation or a subalgebra; a
+    /// mathematical error for results beyond the limits.
+    ///
+    /// ```
+    /// use affinor_documents::report::{Format, Operations, Report, RepresentationReport};
+    /// let operations = Operations { tensor: vec!["3".into()], ..Operations::default() };
+    /// let report = RepresentationReport::new(&"SU(3)".parse()?, "3", &operations)?;
+    /// let mut csv = vec![];
+    /// report.write(Format::Csv, &mut csv)?;
+    /// assert!(String::from_utf8(csv)?.contains("\n3bar,\"[0,1]\",3,1,1\n"));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn new(
+        algebra: &ReductiveAlgebra,
+        weight: &str,
+        operations: &Operations,
+    ) -> Result<Self, InputError> {
+        let weight = HighestWeight::parse(algebra, weight).map_err(failure)?;
+        let mut state = State::new(&weight);
+        if let Some((kind, degree)) = operations.power {
+            state.power(kind, degree)?;
+        }
+        for factor in &operations.tensor {
+            let factor = HighestWeight::parse(algebra, factor).map_err(failure)?;
+            state.tensor(&factor)?;
+        }
+        if let Some(text) = &operations.branch {
+            state.branch(text)?;
+        }
+        Ok(RepresentationReport { grid: state.finish(operations.weights)? })
+    }
+}
+
+impl Report for RepresentationReport {
+    fn write(&self, format: Format, out: &mut dyn Write) -> io::Result<()> {
+        self.grid.write(format, out)
+    }
+}
+
+/// Errors of limits and of restrictions are mathematical; all others are errors of usage.
+fn failure(error: RepresentationError) -> InputError {
+    match error {
+        RepresentationError::TooLarge { .. } | RepresentationError::NotACharacter { .. } => {
+            InputError::mathematics(error.to_string())
+        }
+        other => InputError::usage(other.to_string()),
+    }
+}
+
+/// A representation on its way through the operations, with the expected dimension and index.
+struct State {
+    weight: HighestWeight,
+    value: Decomposition,
+    dimension: BigInt,
+    index: Vec<BigInt>,
+    /// Lines of the head.
+    steps: Vec<(&'static str, String)>,
+    json: Vec<Value>,
+}
+
+impl State {
+    fn new(weight: &HighestWeight) -> Self {
+        State {
+            weight: weight.clone(),
+            value: Decomposition::irreducible(weight),
+            dimension: weight.dimension().into(),
+            index: weight.index().into_iter().map(BigInt::from).collect(),
+            steps: vec![],
+            json: vec![],
+        }
+    }
+
+    /// The symmetric power of degree `k` has the dimension `C(n+k-1, k)`, and its index is the index
+    /// times `C(n+k, k-1)`; the exterior power has `C(n, k)` and `C(n-2, k-1)`.
+    fn power(&mut self, kind: Power, degree: usize) -> Result<(), InputError> {
+        let (n, k) = (self.dimension.clone(), degree);
+        let (word, dimension, factor) = match kind {
+            Power::Symmetric => {
+                self.value = self.value.symmetric_power(k).map_err(failure)?;
+                ("symmetric", binomial(&n + k, k, 1), binomial(&n + k, k.wrapping_sub(1), 0))
+            }
+            Power::Exterior => {
+                self.value = self.value.exterior_power(k).map_err(failure)?;
+                ("exterior", binomial(n.clone(), k, 0), binomial(&n - 2, k.wrapping_sub(1), 0))
+            }
+        };
+        self.dimension = dimension;
+        self.index.iter_mut().for_each(|index| *index *= &factor);
+        self.steps.push(("power", format!("{word} power of degree {degree}")));
+        self.json.push(json!({ "operation": "power", "kind": word, "degree": degree }));
+        Ok(())
+    }
+
+    fn tensor(&mut self, factor: &HighestWeight) -> Result<(), InputError> {
+        let other = Decomposition::irreducible(factor);
+        self.value = self.value.tensor(&other).map_err(failure)?;
+        let (dimension, index) = (BigInt::from(factor.dimension()), factor.index());
+        for (own, index) in self.index.iter_mut().zip(index) {
+            *own = &*own * &dimension + BigInt::from(index) * &self.dimension;
+        }
+        self.dimension *= dimension;
+        self.steps.push(("product", format!("with {}", with_name(factor))));
+        self.json.push(json!({ "operation": "tensor", "factor": in_json(factor) }));
+        Ok(())
+    }
+
+    fn branch(&mut self, text: &str) -> Result<(), InputError> {
+        let subalgebra = Subalgebra::parse(self.value.algebra(), text).map_err(failure)?;
+        self.value = subalgebra.restrict(&self.value).map_err(failure)?;
+        let embedding = subalgebra.embedding_index();
+        let products = embedding.iter().map(|row| {
+            row.iter().zip(&self.index).map(|(e, index)| index * BigInt::from(*e)).sum()
+        });
+        self.index = products.collect();
+        let rows: Vec<String> = subalgebra.projection().iter().map(|row| list(row)).collect();
+        self.steps.push((
+            "restriction",
+            format!("to {}, {}", subalgebra.algebra(), subalgebra.description()),
+        ));
+        self.steps.push(("projection", format!("[{}]", rows.join(","))));
+        self.json.push(json!({
+            "operation": "branch",
+            "algebra": subalgebra.algebra().to_string(),
+            "subalgebra": subalgebra.description(),
+            "projection": subalgebra.projection(),
+            "embedding_index": embedding,
+        }));
+        Ok(())
+    }
+
+    fn finish(self, weights: bool) -> Result<Grid, InputError> {
+        let (dimension, index) = (self.value.dimension(), self.value.index());
+        let ok = dimension == self.dimension && index == self.index;
+        let algebra = self.value.algebra().clone();
+        let mut json = Map::new();
+        json.insert("schema".into(), json!("affinor.rep/1"));
+        json.insert("algebra".into(), algebra_in_json(self.weight.algebra()));
+        json.insert("conventions".into(), json!({ "roots": ROOTS, "casimir": LENGTHS }));
+        json.insert("representation".into(), described(&self.weight));
+        json.insert("operations".into(), Value::from(self.json));
+        let mut components: Vec<_> = self.value.components().collect();
+        components.sort_by_cached_key(|(weight, _)| weight.dimension());
+        let rows_in_json: Vec<Value> = components
+            .iter()
+            .map(|(weight, multiplicity)| {
+                let mut object = in_json(weight);
+                object["multiplicity"] = json!(multiplicity.to_string());
+                object
+            })
+            .collect();
+        json.insert(
+            "result".into(),
+            json!({
+                "algebra": algebra_in_json(&algebra),
+                "dimension": dimension.to_string(),
+                "index": texts(&index),
+                "components": rows_in_json,
+            }),
+        );
+        json.insert(
+            "certificate".into(),
+            json!({
+                "dimension": self.dimension.to_string(),
+                "index": texts(&self.index),
+                "ok": ok,
+            }),
+        );
+        let certificate = format!(
+            "{}: the components have dimension {dimension} and index {}",
+            if ok { "ok" } else { "FAILS" },
+            numbers(&index)
+        );
+        let (title, plain) = (title(&self.weight, &self.steps), self.steps.is_empty());
+        let mut head: Vec<(&'static str, Cell)> = vec![];
+        if !plain || weights {
+            head.push(("weight", with_name(&self.weight).into()));
+            for (at, line) in labelled(&self.weight).lines().enumerate() {
+                head.push((if at == 0 { "diagram" } else { "" }, Cell::drawn(line)));
+            }
+            head.push(("dimension", self.weight.dimension().to_string().into()));
+            head.extend(self.steps.into_iter().map(|(key, text)| (key, text.into())));
+            head.push(("certificate", certificate.into()));
+            let (header, rows) = if weights {
+                let character = self.value.character().map_err(failure)?;
+                let rows = character.dominant_weights().map(|(weight, multiplicity)| {
+                    let orbit = algebra.orbit_size(weight).to_string();
+                    [list(weight), multiplicity.to_string(), orbit]
+                });
+                let rows: Vec<[String; 3]> = rows.collect();
+                let objects = character.dominant_weights().map(|(weight, multiplicity)| {
+                    let orbit = algebra.orbit_size(weight).to_string();
+                    json!({ "labels": weight, "multiplicity": multiplicity.to_string(), "orbit": orbit })
+                });
+                json.insert("weights".into(), objects.collect());
+                let cells = rows.into_iter().map(|row| row.map(Cell::from).to_vec()).collect();
+                (&["dominant weight", "multiplicity", "weights in the orbit"][..], cells)
+            } else {
+                let cells = components.into_iter().map(|(weight, multiplicity)| {
+                    let index = weight.index().into_iter().map(BigInt::from).collect::<Vec<_>>();
+                    vec![
+                        name(weight).unwrap_or_else(|| weight.dimension().to_string()).into(),
+                        list(weight.labels()).into(),
+                        weight.dimension().to_string().into(),
+                        multiplicity.to_string().into(),
+                        numbers(&index).into(),
+                    ]
+                });
+                let header = &["component", "labels", "dimension", "multiplicity", "index"][..];
+                (header, cells.collect())
+            };
+            return Ok(Grid::new(title, header, rows, Value::Object(json)).with_head(head));
+        }
+        let rows = properties(&self.weight)
+            .into_iter()
+            .map(|(key, cell)| vec![key.into(), cell])
+            .collect();
+        Ok(Grid::new(title, &["property", "value"], rows, Value::Object(json)))
+    }
+}
+
+/// The numbering of the nodes.
+const ROOTS: &str = "numbered as in Bourbaki";
+/// The normalization of the Casimir eigenvalue.
+const LENGTHS: &str = "(w, w + 2 rho), where long roots have squared length 2";
+
+/// The properties of an irreducible representation.
+fn properties(weight: &HighestWeight) -> Vec<(&'static str, Cell)> {
+    let algebra = weight.algebra();
+    let index: Vec<BigInt> = weight.index().into_iter().map(BigInt::from).collect();
+    let casimir: Vec<String> = weight.casimir().iter().map(ToString::to_string).collect();
+    vec![
+        ("highest weight", with_name(weight).into()),
+        ("diagram", Cell::drawn(&labelled(weight))),
+        ("dimension", weight.dimension().to_string().into()),
+        ("algebra", format!("{algebra}, of dimension {}, {ROOTS}", algebra.dimension()).into()),
+        ("dual", with_name(&weight.dual()).into()),
+        ("reality", weight.indicator().to_string().into()),
+        ("congruency class", class(weight).into()),
+        ("Dynkin index", numbers(&index).into()),
+        ("Casimir eigenvalue", format!("{}: {LENGTHS}", casimir.join(", ")).into()),
+    ]
+}
+
+fn class(weight: &HighestWeight) -> String {
+    let factors = weight.congruency_class().into_iter().map(|residues| {
+        let residues =
+            residues.into_iter().map(|(value, modulus)| format!("{value} mod {modulus}"));
+        let residues: Vec<String> = residues.collect();
+        if residues.is_empty() { "0".into() } else { residues.join(" and ") }
+    });
+    factors.collect::<Vec<_>>().join(", ")
+}
+
+fn title(weight: &HighestWeight, steps: &[(&'static str, String)]) -> String {
+    let algebra = weight.algebra();
+    let start = format!("Representation {} of {algebra}", short(weight));
+    match steps.iter().filter(|(key, _)| *key != "projection").count() {
+        0 => start,
+        _ => format!("{start}: {}", {
+            let words: Vec<&str> =
+                steps.iter().map(|(key, _)| *key).filter(|key| *key != "projection").collect();
+            words.join(", ")
+        }),
+    }
+}
+
+/// The name, or the labels.
+fn short(weight: &HighestWeight) -> String {
+    name(weight).unwrap_or_else(|| weight.to_string())
+}
+
+fn with_name(weight: &HighestWeight) -> String {
+    match name(weight) {
+        Some(name) => format!("{weight} = {name}"),
+        None => weight.to_string(),
+    }
+}
+
+fn list(labels: &[i64]) -> String {
+    let labels: Vec<String> = labels.iter().map(ToString::to_string).collect();
+    format!("[{}]", labels.join(","))
+}
+
+fn texts(values: &[BigInt]) -> Vec<String> {
+    values.iter().map(ToString::to_string).collect()
+}
+
+fn numbers(values: &[BigInt]) -> String {
+    if values.is_empty() { "none".into() } else { texts(values).join(", ") }
+}
+
+fn algebra_in_json(algebra: &ReductiveAlgebra) -> Value {
+    let simple: Vec<String> = algebra.simple_factors().iter().map(ToString::to_string).collect();
+    json!({
+        "name": algebra.to_string(),
+        "simple_factors": simple,
+        "abelian_dimension": algebra.abelian_dimension(),
+        "dimension": algebra.dimension(),
+    })
+}
+
+fn in_json(weight: &HighestWeight) -> Value {
+    let index: Vec<BigInt> = weight.index().into_iter().map(BigInt::from).collect();
+    json!({
+        "name": name(weight),
+        "labels": weight.labels(),
+        "dimension": weight.dimension().to_string(),
+        "index": texts(&index),
+    })
+}
+
+/// An irreducible representation with all its properties.
+fn described(weight: &HighestWeight) -> Value {
+    let mut object = in_json(weight);
+    let casimir: Vec<String> = weight.casimir().iter().map(ToString::to_string).collect();
+    object["dual"] = json!({ "name": name(&weight.dual()), "labels": weight.dual().labels() });
+    object["reality"] = json!(weight.indicator().to_string());
+    object["frobenius_schur"] = json!(weight.indicator().value());
+    object["congruency_class"] = json!(weight.congruency_class());
+    object["casimir"] = json!(casimir);
+    object["diagram"] = json!(labelled(weight));
+    object
+}
+
+/// The binomial coefficient `C(n - less, k)`; 0 for the degree -1, which wraps around.
+fn binomial(n: BigInt, k: usize, less: i64) -> BigInt {
+    if k == usize::MAX {
+        return BigInt::from(0);
+    }
+    let n = n - less;
+    (0..k).fold(BigInt::from(1), |value, i| value * (&n - BigInt::from(i)) / BigInt::from(i + 1))
+}

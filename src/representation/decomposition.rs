@@ -1,0 +1,288 @@
+//! Decompositions into irreducible representations.
+
+use super::{Character, HighestWeight, ReductiveAlgebra, RepresentationError};
+use affinor_tensors::stop::{checkpoint, stage};
+use num_bigint::{BigInt, BigUint};
+use num_traits::Zero;
+use std::collections::HashMap;
+use std::fmt;
+
+/// The maximum number of different irreducible components.
+const MAX_COMPONENTS: usize = 1 << 21;
+
+/// Irreducible representations with their multiplicities, by highest weights in descending
+/// lexicographic order.
+///
+/// ```
+/// use affinor::representation::{HighestWeight, ReductiveAlgebra};
+/// let su3: ReductiveAlgebra = "SU(3)".parse()?;
+/// let quark = HighestWeight::new(&su3, [1, 0])?;
+/// let product = quark.tensor(&quark.dual())?;
+/// assert_eq!(product.to_string(), "1 + 8");
+/// assert_eq!(product.dimension(), 9.into());
+/// # Ok::<(), affinor::representation::RepresentationError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Decomposition {
+    algebra: ReductiveAlgebra,
+    components: Vec<(HighestWeight, i128)>,
+}
+
+impl Decomposition {
+    /// One irreducible representation.
+    pub fn irreducible(weight: &HighestWeight) -> Self {
+        let components = vec![(weight.clone(), 1)];
+        Decomposition { algebra: weight.algebra().clone(), components }
+    }
+
+    /// Decomposes the character with these weights and multiplicities. The weights are all weights
+    /// of the representation; equal weights are added.
+    ///
+    /// # Errors
+    /// [`RepresentationError::NotACharacter`] if the Weyl group does not preserve the weights or if
+    /// an irreducible component would have a negative multiplicity;
+    /// [`RepresentationError::Length`] if a weight has the wrong length.
+    ///
+    /// ```
+    /// use affinor::representation::{Decomposition, ReductiveAlgebra};
+    /// let su2: ReductiveAlgebra = "SU(2)".parse()?;
+    /// let weights = [vec![2], vec![0], vec![0], vec![-2]].map(|weight| (weight, 1));
+    /// assert_eq!(Decomposition::from_weights(&su2, weights)?.to_string(), "1 + 3");
+    /// # Ok::<(), affinor::representation::RepresentationError>(())
+    /// ```
+    pub fn from_weights(
+        algebra: &ReductiveAlgebra,
+        weights: impl IntoIterator<Item = (Vec<i64>, i64)>,
+    ) -> Result<Self, RepresentationError> {
+        let mut all: HashMap<Vec<i64>, i128> = HashMap::new();
+        for (weight, multiplicity) in weights {
+            let (given, expected) = (weight.len(), algebra.rank());
+            if given != expected {
+                let algebra = algebra.to_string();
+                return Err(RepresentationError::Length { given, expected, algebra });
+            }
+            *all.entry(weight).or_default() += i128::from(multiplicity);
+        }
+        all.retain(|_, multiplicity| *multiplicity != 0);
+        let mut sum = Sum::new(algebra);
+        let origin = HighestWeight::trivial(algebra);
+        for (weight, &multiplicity) in &all {
+            for i in 0..algebra.semisimple_rank() {
+                let mut image = weight.clone();
+                algebra.reflect(&mut image, i);
+                if all.get(&image) != Some(&multiplicity) {
+                    let reason = format!(
+                        "the multiplicity of {weight:?} is {multiplicity}, but that of {image:?} is {}",
+                        all.get(&image).unwrap_or(&0)
+                    );
+                    return Err(RepresentationError::NotACharacter { reason });
+                }
+            }
+            sum.add_straightened(origin.labels(), weight, multiplicity);
+        }
+        sum.finish()?.effective()
+    }
+
+    pub(super) fn of(algebra: &ReductiveAlgebra, components: Vec<(HighestWeight, i128)>) -> Self {
+        Decomposition { algebra: algebra.clone(), components }
+    }
+
+    /// The algebra.
+    pub fn algebra(&self) -> &ReductiveAlgebra {
+        &self.algebra
+    }
+
+    /// The irreducible representations with their multiplicities.
+    pub fn components(&self) -> impl ExactSizeIterator<Item = (&HighestWeight, i128)> {
+        self.components.iter().map(|(weight, multiplicity)| (weight, *multiplicity))
+    }
+
+    /// The multiplicity of an irreducible representation.
+    pub fn multiplicity(&self, weight: &HighestWeight) -> i128 {
+        let found = self.components.binary_search_by(|(w, _)| weight.labels().cmp(w.labels()));
+        match found {
+            Ok(at) if self.algebra == *weight.algebra() => self.components[at].1,
+            _ => 0,
+        }
+    }
+
+    /// The dimension.
+    pub fn dimension(&self) -> BigInt {
+        self.sum(1, |weight| vec![weight.dimension()]).remove(0)
+    }
+
+    /// The Dynkin index of each simple factor: the sum of the [indices](HighestWeight::index) of
+    /// the components.
+    pub fn index(&self) -> Vec<BigInt> {
+        self.sum(self.algebra.simple_factors().len(), HighestWeight::index)
+    }
+
+    fn sum(&self, n: usize, value: impl Fn(&HighestWeight) -> Vec<BigUint>) -> Vec<BigInt> {
+        let mut sums = vec![BigInt::zero(); n];
+        for (weight, multiplicity) in &self.components {
+            checkpoint();
+            for (sum, value) in sums.iter_mut().zip(value(weight)) {
+                *sum += BigInt::from(value) * BigInt::from(*multiplicity);
+            }
+        }
+        sums
+    }
+
+    /// The sum of the characters of the components.
+    ///
+    /// # Errors
+    /// [`RepresentationError::TooLarge`] if the number of dominant weights or the multiplicities
+    /// exceed the limits.
+    pub fn character(&self) -> Result<Character, RepresentationError> {
+        let mut weights: HashMap<Vec<i64>, i128> = HashMap::new();
+        for (component, multiplicity) in &self.components {
+            for (weight, m) in component.character()?.dominant_weights() {
+                *weights.entry(weight.to_vec()).or_default() += m * multiplicity;
+            }
+        }
+        let mut weights: Vec<_> = weights.into_iter().filter(|(_, m)| *m != 0).collect();
+        weights.sort_by(|a, b| b.0.cmp(&a.0));
+        Ok(Character::of(&self.algebra, weights))
+    }
+
+    /// The decomposition if all multiplicities are positive.
+    pub(super) fn effective(self) -> Result<Self, RepresentationError> {
+        match self.components.iter().find(|(_, multiplicity)| *multiplicity < 0) {
+            None => Ok(self),
+            Some((weight, multiplicity)) => Err(RepresentationError::NotACharacter {
+                reason: format!("the multiplicity of {weight} would be {multiplicity}"),
+            }),
+        }
+    }
+}
+
+impl fmt::Display for Decomposition {
+    /// The components by dimension, such as `1 + 2 (8) + 10`. Components without a
+    /// [name](super::names::name) are written by their labels.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut components: Vec<_> =
+            self.components().map(|(weight, m)| (weight.dimension(), weight, m)).collect();
+        components.sort_by(|a, b| a.0.cmp(&b.0));
+        let terms = components.into_iter().map(|(_, weight, multiplicity)| {
+            let name = super::names::name(weight).unwrap_or_else(|| weight.to_string());
+            if multiplicity == 1 { name } else { format!("{multiplicity} ({name})") }
+        });
+        let terms: Vec<String> = terms.collect();
+        f.write_str(if terms.is_empty() { "0" } else { "" })?;
+        f.write_str(&terms.join(" + "))
+    }
+}
+
+/// A sum of products of irreducible representations with characters, in the ring of virtual
+/// representations.
+pub(super) struct Sum {
+    algebra: ReductiveAlgebra,
+    multiplicities: HashMap<Vec<i64>, i128>,
+    buffer: Vec<i64>,
+    /// A bound of the absolute values of all multiplicities.
+    bound: BigInt,
+    full: bool,
+}
+
+impl Sum {
+    pub fn new(algebra: &ReductiveAlgebra) -> Self {
+        Sum {
+            algebra: algebra.clone(),
+            multiplicities: HashMap::new(),
+            buffer: vec![],
+            bound: BigInt::zero(),
+            full: false,
+        }
+    }
+
+    /// Adds `factor` times the product of an irreducible representation `λ` with a character, by
+    /// the formula of Brauer and Klimyk. Each weight `ν` contributes to the representation
+    /// `w(λ + ν + ρ) - ρ` its multiplicity, times the sign of `w`.
+    ///
+    /// `project` maps the weights of the character to weights of the algebra.
+    ///
+    /// # Errors
+    /// [`RepresentationError::TooLarge`] if the multiplicities may exceed 128 bits, or if the
+    /// number of components exceeds the limit.
+    pub fn add_product(
+        &mut self,
+        base: &HighestWeight,
+        factor: i128,
+        character: &Character,
+        mut project: impl FnMut(&[i64], &mut [i64]),
+    ) -> Result<(), RepresentationError> {
+        let absolute = |m: i128| BigInt::from(m.unsigned_abs());
+        let sizes = character
+            .dominant_weights()
+            .map(|(weight, m)| BigInt::from(character.algebra().orbit_size(weight)) * absolute(m));
+        self.bound += sizes.fold(BigInt::zero(), |sum, size| sum + size) * absolute(factor);
+        if self.bound.bits() > 126 {
+            return Err(RepresentationError::TooLarge {
+                what: "the bound of the multiplicities".into(),
+                limit: "the 128-bit integers".into(),
+            });
+        }
+        let mut image = vec![0; self.algebra.rank()];
+        for (weight, multiplicity) in character.dominant_weights() {
+            character.algebra().for_each_in_orbit(weight, |weight| {
+                if !self.full {
+                    project(weight, &mut image);
+                    self.add_straightened(base.labels(), &image, multiplicity * factor);
+                }
+            });
+            if self.full {
+                return Err(RepresentationError::TooLarge {
+                    what: "the number of components".into(),
+                    limit: MAX_COMPONENTS.to_string(),
+                });
+            }
+        }
+        Ok(())
+    }
+
+    #[inline]
+    fn add_straightened(&mut self, base: &[i64], weight: &[i64], multiplicity: i128) {
+        let rank = self.algebra.semisimple_rank();
+        self.buffer.clear();
+        self.buffer.extend(base.iter().zip(weight).map(|(b, w)| b + w));
+        self.buffer[..rank].iter_mut().for_each(|label| *label += 1);
+        let sign = self.algebra.straighten(&mut self.buffer);
+        if sign == 0 {
+            return;
+        }
+        match self.multiplicities.get_mut(&self.buffer) {
+            Some(sum) => *sum += sign * multiplicity,
+            None => {
+                self.multiplicities.insert(self.buffer.clone(), sign * multiplicity);
+                self.full |= self.multiplicities.len() > MAX_COMPONENTS;
+            }
+        }
+    }
+
+    /// The sum.
+    ///
+    /// # Errors
+    /// [`RepresentationError::LargeLabel`] if a label exceeds the limit.
+    pub fn finish(self) -> Result<Decomposition, RepresentationError> {
+        self.divided(1)
+    }
+
+    /// The sum, divided by an integer that divides all its multiplicities.
+    ///
+    /// # Errors
+    /// [`RepresentationError::LargeLabel`] if a label exceeds the limit.
+    pub fn divided(self, divisor: i128) -> Result<Decomposition, RepresentationError> {
+        let _stage = stage("components");
+        let rank = self.algebra.semisimple_rank();
+        let mut components = vec![];
+        for (mut labels, multiplicity) in self.multiplicities {
+            if multiplicity != 0 {
+                labels[..rank].iter_mut().for_each(|label| *label -= 1);
+                components
+                    .push((HighestWeight::new(&self.algebra, labels)?, multiplicity / divisor));
+            }
+        }
+        components.sort_by(|a, b| b.0.labels().cmp(a.0.labels()));
+        Ok(Decomposition::of(&self.algebra, components))
+    }
+}

@@ -1,0 +1,245 @@
+//! The names of representations in physics: dimensions with bars and primes, such as `5bar`.
+//!
+//! # The rule
+//!
+//! A representation of a simple algebra is named by its dimension. Of two dual representations one
+//! has a `bar`. Representations of equal dimension that are not dual have no, one, two primes in
+//! the order of their Dynkin indices; for equal indices the lexicographically larger labels come
+//! first.
+//!
+//! Of two dual representations the one with the smaller residue of the
+//! [congruency class](HighestWeight::congruency_class) has no bar (Slansky, *Phys. Rep.* 79 (1981)
+//! 1-128). If the classes are equal, its labels are larger in lexicographic order, which reads
+//! `D_n` from the right. There is one exception: the 6 of SU(3) is the symmetric square of the 3.
+//!
+//! For a sum of algebras the names of the factors are in parentheses, followed by the charges:
+//! `(3,2)(1)`. The factors of a name are in the order of the algebra.
+
+use super::{HighestWeight, ReductiveAlgebra, RepresentationError};
+use crate::algebra::roots::{CartanType, Series};
+use num_bigint::BigUint;
+use num_traits::ToPrimitive;
+
+/// The largest dimension of a representation with a name.
+pub const MAX_NAMED: u64 = 1_000_000;
+
+/// The name of a representation; `None` if the dimension of a factor exceeds [`MAX_NAMED`].
+///
+/// ```
+/// use affinor::representation::{HighestWeight, ReductiveAlgebra, names::name};
+/// let standard_model: ReductiveAlgebra = "SU(3) x SU(2) x U(1)".parse()?;
+/// let quarks = HighestWeight::new(&standard_model, [1, 0, 1, 1])?;
+/// assert_eq!(name(&quarks).as_deref(), Some("(3,2)(1)"));
+/// # Ok::<(), affinor::representation::RepresentationError>(())
+/// ```
+pub fn name(weight: &HighestWeight) -> Option<String> {
+    let algebra = weight.algebra();
+    let factors = algebra.simple_factors().iter().enumerate();
+    let names: Option<Vec<String>> = factors
+        .map(|(at, factor)| {
+            let dimension = weight.factor_dimension(at).to_u64().filter(|d| *d <= MAX_NAMED)?;
+            let named = named(*factor, dimension);
+            let labels = &weight.labels()[algebra.positions(at)];
+            named.into_iter().find(|(_, found)| found == labels).map(|(name, _)| name)
+        })
+        .collect();
+    let names = names?;
+    let charges = &weight.labels()[algebra.semisimple_rank()..];
+    let charges: String = charges.iter().map(|charge| format!("({charge})")).collect();
+    Some(match &names[..] {
+        [one] => format!("{one}{charges}"),
+        [] if charges.is_empty() => "1".into(),
+        [] => charges,
+        _ => format!("({}){charges}", names.join(",")),
+    })
+}
+
+impl HighestWeight {
+    /// Reads Dynkin labels, such as `[0,1,0,0]`, `0 1 0 0` or `0,1,0,0`, or a name by the
+    /// [rule](super::names): `10`, `5bar`, `(3,2)(1)`. A single number is a name; the labels of
+    /// rank 1 need brackets.
+    ///
+    /// # Errors
+    /// The errors of [`HighestWeight::new`] for labels; [`RepresentationError::UnknownWeight`] if
+    /// no representation has the name.
+    ///
+    /// ```
+    /// use affinor::representation::{HighestWeight, ReductiveAlgebra};
+    /// let su3: ReductiveAlgebra = "SU(3)".parse()?;
+    /// assert_eq!(HighestWeight::parse(&su3, "3bar")?.labels(), [0, 1]);
+    /// assert_eq!(HighestWeight::parse(&su3, "[4, 0]")?, HighestWeight::parse(&su3, "15'")?);
+    /// # Ok::<(), affinor::representation::RepresentationError>(())
+    /// ```
+    pub fn parse(algebra: &ReductiveAlgebra, text: &str) -> Result<Self, RepresentationError> {
+        let text = text.trim();
+        let inner = text.strip_prefix('[').and_then(|rest| rest.strip_suffix(']'));
+        let list = inner.unwrap_or(text);
+        let numbers: Option<Vec<i64>> =
+            list.split([',', ' ']).filter(|n| !n.is_empty()).map(|n| n.parse().ok()).collect();
+        match numbers {
+            Some(labels) if inner.is_some() || labels.len() != 1 => Self::new(algebra, labels),
+            _ => parse_name(algebra, text).map_err(|reason| RepresentationError::UnknownWeight {
+                text: text.into(),
+                algebra: algebra.to_string(),
+                reason,
+            }),
+        }
+    }
+}
+
+fn parse_name(algebra: &ReductiveAlgebra, text: &str) -> Result<HighestWeight, String> {
+    let factors = algebra.simple_factors();
+    let form = "write Dynkin labels such as [1,0,0], or a name such as 10, 5bar, 15' or (3,2)(1)";
+    // the parts in parentheses; a name without parentheses is the first part
+    let mut parts: Vec<&str> = vec![];
+    let open = text.find('(').unwrap_or(text.len());
+    if open > 0 {
+        parts.push(&text[..open]);
+    }
+    for part in text[open..].split('(').skip(1) {
+        parts.push(part.trim().strip_suffix(')').ok_or(form)?);
+    }
+    let mut parts = parts.into_iter();
+    let names: Vec<&str> = match factors.len() {
+        0 => vec![],
+        _ => parts.next().unwrap_or_default().split(',').map(str::trim).collect(),
+    };
+    if names.len() != factors.len() {
+        let (given, expected) = (names.len(), factors.len());
+        return Err(format!(
+            "the name has {given} factors, but the algebra has {expected}; {form}"
+        ));
+    }
+    let mut labels = vec![];
+    for (factor, name) in factors.iter().zip(names) {
+        let name = name.replace('*', "bar").replace('’', "'");
+        let digits = name.find(|c: char| !c.is_ascii_digit()).unwrap_or(name.len());
+        let dimension: u64 = name[..digits].parse().map_err(|_| form.to_string())?;
+        if dimension > MAX_NAMED {
+            return Err(format!("names exist up to dimension {MAX_NAMED}; write Dynkin labels"));
+        }
+        let named = named(*factor, dimension);
+        // primes may precede or follow the bar
+        let primes = "'".repeat(name.matches('\'').count());
+        let bar = if name.contains("bar") { "bar" } else { "" };
+        let normal = format!("{dimension}{primes}{bar}");
+        let found = named.iter().find(|(candidate, _)| *candidate == normal);
+        let complete = normal.len() == name.len();
+        match found.filter(|_| complete) {
+            Some((_, found)) => labels.extend_from_slice(found),
+            None if named.is_empty() => {
+                return Err(format!("{factor} has no representation of dimension {dimension}"));
+            }
+            None => {
+                let known: Vec<String> = named
+                    .iter()
+                    .map(|(name, labels)| format!("{name} = {labels:?}").replace(", ", ","))
+                    .collect();
+                return Err(format!("{factor} has {}", known.join(", ")));
+            }
+        }
+    }
+    let charges: Result<Vec<i64>, String> = parts
+        .flat_map(|part| part.split(','))
+        .map(|charge| charge.trim().parse().map_err(|_| form.to_string()))
+        .collect();
+    let charges = charges?;
+    if charges.len() != algebra.abelian_dimension() {
+        let (given, expected) = (charges.len(), algebra.abelian_dimension());
+        return Err(format!("the name has {given} charges, but the algebra needs {expected}"));
+    }
+    labels.extend(charges);
+    HighestWeight::new(algebra, labels).map_err(|error| error.to_string())
+}
+
+/// The irreducible representations of a simple algebra of a dimension.
+fn of_dimension(factor: CartanType, dimension: u64) -> Vec<HighestWeight> {
+    let algebra = ReductiveAlgebra::new([factor], 0);
+    let mut found = vec![];
+    let mut labels = vec![0; factor.rank()];
+    collect(&algebra, &BigUint::from(dimension), &mut labels, 0, &mut found);
+    found
+}
+
+/// The labels of the irreducible representations of a simple algebra of a dimension, in descending
+/// lexicographic order.
+pub(super) fn irreducible(factor: CartanType, dimension: u64) -> Vec<Vec<i64>> {
+    let found = of_dimension(factor, dimension);
+    let mut labels: Vec<_> = found.iter().map(|weight| weight.labels().to_vec()).collect();
+    labels.sort_by(|a, b| b.cmp(a));
+    labels
+}
+
+/// All representations of a simple algebra of a dimension, with their names.
+fn named(factor: CartanType, dimension: u64) -> Vec<(String, Vec<i64>)> {
+    let found = of_dimension(factor, dimension);
+    let mut plain: Vec<HighestWeight> = found.into_iter().filter(without_bar).collect();
+    plain.sort_by(|a, b| a.index().cmp(&b.index()).then_with(|| b.labels().cmp(a.labels())));
+    let mut names = vec![];
+    for (primes, weight) in plain.into_iter().enumerate() {
+        let name = format!("{dimension}{}", "'".repeat(primes));
+        let dual = weight.dual();
+        if dual != weight {
+            names.push((format!("{name}bar"), dual.labels().to_vec()));
+        }
+        names.push((name, weight.labels().to_vec()));
+    }
+    names
+}
+
+/// Whether the name of a representation has no bar.
+fn without_bar(weight: &HighestWeight) -> bool {
+    let dual = weight.dual();
+    let factor = weight.algebra().simple_factors()[0];
+    let residues =
+        |w: &HighestWeight| w.congruency_class().concat().iter().map(|c| c.0).collect::<Vec<_>>();
+    let (class, dual_class) = (residues(weight), residues(&dual));
+    if factor.series() == Series::A && [weight.labels(), dual.labels()].contains(&&[2, 0][..]) {
+        return weight.labels() == [2, 0];
+    }
+    if class != dual_class {
+        return class < dual_class;
+    }
+    match factor.series() {
+        Series::D => weight.labels().iter().rev().ge(dual.labels().iter().rev()),
+        _ => weight.labels() >= dual.labels(),
+    }
+}
+
+/// Collects the representations of a dimension. The dimension grows with each label, so the last
+/// label is found by bisection, and the other labels end when the dimension is exceeded.
+fn collect(
+    algebra: &ReductiveAlgebra,
+    dimension: &BigUint,
+    labels: &mut Vec<i64>,
+    at: usize,
+    found: &mut Vec<HighestWeight>,
+) {
+    affinor_tensors::stop::checkpoint();
+    let last = at + 1 == labels.len();
+    let value = |labels: &mut Vec<i64>, label: i64| {
+        labels[at] = label;
+        HighestWeight::of(algebra, labels.clone()).dimension()
+    };
+    if last {
+        let (mut low, mut high) = (0, i64::try_from(MAX_NAMED).unwrap_or(i64::MAX));
+        while low < high {
+            let middle = (low + high) / 2;
+            if value(labels, middle) < *dimension {
+                low = middle + 1;
+            } else {
+                high = middle;
+            }
+        }
+        if value(labels, low) == *dimension {
+            found.push(HighestWeight::of(algebra, labels.clone()));
+        }
+    } else {
+        let mut label = 0;
+        while value(labels, label) <= *dimension {
+            collect(algebra, dimension, labels, at + 1, found);
+            label += 1;
+        }
+    }
+    labels[at] = 0;
+}
