@@ -41,9 +41,9 @@ use watch::{LimitOptions, Watch};
 
 /// Differential geometry of Lie groups, from a table of brackets.
 ///
-/// A SPACE is a geometry of Paraskevopoulos and Natsiavas (M3, SO3), a name of the catalogue (so3,
-/// "so(3,1)", E8, "so3+R^3"), a file (x.toml, x.json, a table such as x.csv, or - for standard
-/// input), or brackets "[x,y]=z, [y,z]=x". Leave it out if --basis and --bracket define the space.
+/// A SPACE is a name of the catalogue (so3, "so(3,1)", E8, "so3+R^3") or brackets "[x,y]=z,
+/// [y,z]=x". It may be a file (x.toml, x.json, a table such as x.csv, or - for standard input). M3
+/// and SO3 are the geometries of Paraskevopoulos and Natsiavas. Leave it out if --basis and --bracket define the space.
 /// Its connection and metric may follow the name: "so3@levi-civita;metric=diag(1,2,3)".
 ///
 /// Exit status: 0 success; 1 valid input without a mathematical answer, such as brackets that

@@ -92,7 +92,7 @@ fn every_command_writes_every_format() {
 #[test]
 fn help_and_version_are_results() {
     let commands = "compare table check verify info properties equations exp log compose adjoint transport convert \
-                    simulate list conventions completions";
+                    simulate list conventions completions isometries rep";
     let mut all = vec![vec!["--help"], vec!["--version"], vec!["help", "check"]];
     all.extend(commands.split_whitespace().map(|command| vec![command, "--help"]));
     let figures = "images transport autoparallels motion frames attitude momentum animation series phase section drift \
@@ -140,7 +140,7 @@ fn examples_of_the_help_succeed() {
         }
         count += 1;
     }
-    assert_eq!(count, 21);
+    assert_eq!(count, 22);
 }
 
 #[test]
@@ -518,7 +518,7 @@ fn derived_tensors_are_shown_when_asked_for() {
     assert_eq!(keys(&["--show", "derived"]).join(", "), derived);
     assert_eq!(keys(&["--show", "all,derived"]).join(", "), format!("{basic}, {derived}"));
     assert_eq!(keys(&["--show", "weyl, ricci"]), ["weyl", "ricci"]);
-    let refused = affinor(&["table", "so4", "--show", "weil"]);
+    let refused = affinor(&["table", "so4", "--show", "conformal"]);
     assert_eq!(refused.status, 2);
     assert!(refused.err.contains(&format!("{basic}, {derived}, all, derived")), "{}", refused.err);
 

@@ -246,7 +246,7 @@ fn constructions_of_other_files() {
     let found = stdout(folder.path(), &["info", "whole.toml", "--format", "json"]);
     let found: Value = serde_json::from_str(&found).unwrap();
     assert_eq!(shape(&found), json!([6, 3, 1, "A1"]));
-    for (file, message) in [("snake.toml", "contain itself"), ("parts/none.toml", "cannot read")] {
+    for (file, message) in [("snake.toml", "refer to itself"), ("parts/none.toml", "cannot read")] {
         let outcome = run(folder.path(), &["info", file], b"");
         assert_eq!(outcome.status, 2, "{}", outcome.err);
         assert!(outcome.err.contains(message), "{}", outcome.err);

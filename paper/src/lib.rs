@@ -63,7 +63,7 @@ pub struct Section {
 pub struct Row {
     /// The number of the equation, such as `(38)` or `after (38)`.
     pub equation: &'static str,
-    /// What the equation is about, in a few words. No two entries share a name.
+    /// The topic of the equation, in a few words. No two entries share a name.
     pub name: &'static str,
     /// The formula, in the notation of this project.
     pub formula: &'static str,

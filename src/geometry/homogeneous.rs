@@ -1,7 +1,6 @@
 //! Homogeneous spaces G/H by name: `SU(3)/U(2)`, `S^7 = Sp(2)/Sp(1)`, `CP^2`, `G2/SU(3)`.
 //!
-//! A name stands for a pair of Lie algebras and one embedding, which [`HomogeneousSpace::embedding`]
-//! states. Whether the groups are connected or simply connected makes no difference for the algebras.
+//! A name denotes a pair of Lie algebras and one embedding ([`HomogeneousSpace::embedding`]). Whether the groups are connected or simply connected makes no difference for the algebras.
 
 mod blocks;
 mod exceptional;

@@ -3,9 +3,9 @@
 //! Requests and answers are JSON. A request has the options of the command line; an answer is the
 //! report in a format, or an error message. The page restarts the module after a panic.
 //!
-//! The crate is built twice: without features it reads inputs and makes the cards of tensors, which
-//! the page loads first; the feature `reports` adds reports in all formats, the structure theory of
-//! algebras, properties, equations and motions.
+//! The crate is built twice. Without features it reads inputs and makes the cards of tensors; the
+//! page loads this module first. The feature `reports` adds reports in all formats, the structure
+//! theory of algebras, properties, equations and motions.
 
 mod answer;
 mod charts;

@@ -43,7 +43,7 @@ fn keys() {
     problems("a.toml", with)
         .usage(&[("forces.wind = [1, 0, 0]", &["a.toml:5:", "`wind`", "the keys are body"])]);
     problems("a.toml", instead_of(SPACE)).usage(&[
-        ("", &["the space is missing", "give space"]),
+        ("", &["the space is missing", "as in space = "]),
         ("space = 'so(3'", &["a.toml:1:12", "not closed"]),
         ("space = 'none.toml'", &["a.toml:1:10", "cannot read none.toml"]),
     ]);

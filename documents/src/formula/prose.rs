@@ -103,7 +103,7 @@ fn is_word(word: &str) -> bool {
     let mathematical = bare.split('-').count() == 1
         && (letter(name).is_some() && name.len() > 1 || QUANTITIES.contains(&name))
         || is_function(name) && !["max", "min", "re", "im", "arg"].contains(&name);
-    letters && !mathematical && !bare.is_empty()
+    letters && !mathematical && bare.contains(char::is_alphabetic)
 }
 
 #[cfg(test)]

@@ -168,7 +168,7 @@ fn read<'de, F: Form, D: Deserializer<'de>>(deserializer: D) -> Result<F, D::Err
     }
 }
 
-/// Checks a scalar at once, so that an error is raised while the parser still knows the location.
+/// Checks a scalar at once, while the parser still knows its location.
 fn scalar<F: Form, E: de::Error>(kind: Kind, content: String) -> Result<Value<F>, E> {
     if F::scalar(kind, Text { content: String::new(), span: 0..0 }).is_some() {
         return Ok(Value::Scalar(kind, content));

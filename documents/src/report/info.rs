@@ -55,8 +55,8 @@ impl Info {
     /// Computes the structure of the algebra of a definition; `stage` is called before each part.
     ///
     /// # Errors
-    /// An error if the brackets do not define a Lie algebra, if the definition is on a chart, or if
-    /// the structure constants cannot be made rational by dividing basis vectors by square roots.
+    /// An error if the brackets do not define a Lie algebra, or if the definition is on a chart. Also
+    /// if dividing basis vectors by square roots cannot make the structure constants rational.
     pub fn of(definition: &Definition, stage: &dyn Fn(&str)) -> Result<Self, InputError> {
         let definition = definition.algebra_alone();
         let tolerance = Tolerance::default();

@@ -125,7 +125,7 @@ impl ChartText {
             return refuse(format!("the name of a function has no `_`: {}", shown(text)));
         }
         if is_abbreviation(free.name()) {
-            return refuse(format!("`{}` is another function", free.name()));
+            return refuse(format!("`{}` is the name of an elementary function", free.name()));
         }
         if let Some(other) = free.arguments().iter().find(|name| !known.coordinates.contains(name))
         {

@@ -61,7 +61,10 @@ fn entry(part: &str, source: &Source) -> Result<Definition, InputError> {
         Ok(entry) => return Ok(Definition::from_entry(entry)),
         Err(error) => error,
     };
-    if let Some((meant, note)) = spelling::meaning(name)
+    // a short form with several readings is an error, because the spelling would choose one of them
+    let is_ambiguous = matches!(error, CatalogueError::Ambiguous { .. });
+    if !is_ambiguous
+        && let Some((meant, note)) = spelling::meaning(name)
         && let Ok(entry) = affinor::algebra::catalogue::find(&meant)
     {
         let mut definition = Definition::from_entry(entry);

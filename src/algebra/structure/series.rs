@@ -94,7 +94,7 @@ impl<S: GroundField> StructureTheory<S> {
     /// assert_eq!(algebra.centre().dimension(), 1);
     /// # Ok::<(), affinor::Error>(())
     /// ```
-    #[doc(alias("center", "central"))]
+    #[doc(alias("central"))]
     pub fn centre(&self) -> Subspace<S> {
         let zero = || Subspace::zero(self.dimension());
         let find = || match self.is_semisimple() {

@@ -93,7 +93,7 @@ pub(super) fn octonions() -> Result<Embedded, Error> {
         sorted.sort_unstable();
         let inversions = (at[0] > at[1]) as u8 + (at[0] > at[2]) as u8 + (at[1] > at[2]) as u8;
         let found = TRIPLES.iter().find(|(triple, _)| *triple == sorted);
-        let sign = if inversions % 2 == 0 { 1 } else { -1 };
+        let sign = if inversions.is_multiple_of(2) { 1 } else { -1 };
         found.map_or(0, |(_, value)| sign * value)
     };
     // (x phi)_ijk = x_mi phi_mjk + x_mj phi_imk + x_mk phi_ijm, for each i < j < k

@@ -118,7 +118,7 @@ fn family(text: &str) -> Option<Name> {
     }
 }
 
-/// The largest size of a matrix group, which keeps the dimension within that of the catalogue.
+/// The largest size of a matrix group; larger groups exceed the dimensions of the catalogue.
 const MAX_SIZE: usize = 40;
 
 /// The factors of a product, separated by `x`.

@@ -25,9 +25,9 @@ pub enum RealType {
 pub struct IsotropyComponent {
     /// The subspace of `m`, in the basis of `m`.
     pub subspace: Subspace<Rational>,
-    /// The number of equivalent summands over the reals, and their type; `None` if the component is
-    /// irreducible over the rationals and not over the reals, or if the representation has no
-    /// invariant scalar product.
+    /// The number of equivalent summands over the reals, and their type. `None` if the component is
+    /// irreducible over the rationals, but not over the reals. Also `None` if the representation has
+    /// no invariant scalar product.
     pub summands: Option<(usize, RealType)>,
 }
 
@@ -125,8 +125,8 @@ fn centre(algebra: &[Matrix<Rational>]) -> Result<Vec<Matrix<Rational>>, Error> 
 /// The largest number of combinations that are tried.
 const TRIALS: i64 = 64;
 
-/// An element of a commutative algebra whose minimal polynomial has the dimension of the algebra as
-/// its degree, so that it generates the algebra; the last one that was tried if none is found.
+/// An element that generates a commutative algebra: the degree of its minimal polynomial is the
+/// dimension of the algebra. If none is found, the last element that was tried.
 fn general_element(n: usize, algebra: &[Matrix<Rational>]) -> Result<Matrix<Rational>, Error> {
     let mut element = Matrix::identity(n);
     for t in 1..=TRIALS {
@@ -143,8 +143,8 @@ fn general_element(n: usize, algebra: &[Matrix<Rational>]) -> Result<Matrix<Rati
 }
 
 /// The number and the type of the equivalent summands of a component, whose basis are the rows of
-/// `kernel`: `k` of them have `k^2`, `2k^2` or `4k^2` endomorphisms, and as many invariant forms, of
-/// which `k(k+1)/2`, `k^2` or `k(2k-1)` are symmetric.
+/// `kernel`. For `k` summands the endomorphisms have dimension `k^2`, `2k^2` or `4k^2`, and so have
+/// the invariant forms. The dimension of the symmetric forms is `k(k+1)/2`, `k^2` or `k(2k-1)`.
 fn summands(
     kernel: &Matrix<Rational>,
     commutant: &[Matrix<Rational>],

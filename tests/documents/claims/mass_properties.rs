@@ -384,7 +384,10 @@ fn what_bounds_no_solid_is_refused_with_an_edge() {
     collapsed.push([a, b, a]);
     assert!((solid(collapsed).mass() - 6.0).abs() < 1e-14);
     let index = Mesh::new(vec![a, b, c], vec![[0, 1, 3]]).unwrap_err();
-    assert_eq!(index.to_string(), "invalid solid: triangle 1 has vertex 4 of 3");
+    assert_eq!(
+        index.to_string(),
+        "invalid solid: triangle 1 refers to vertex 4, but there are 3 vertices"
+    );
     for far in [f64::NAN, f64::INFINITY, 1e200] {
         let triangles: Corners = whole.iter().map(|t| t.map(|x| x * far)).collect();
         assert!(matches!(Mesh::from_triangles(triangles), Err(Error::Overflow { .. })), "{far}");

@@ -55,8 +55,7 @@ pub struct Comparison {
     #[arg(value_name = "FILE")]
     problem: String,
     /// A method to compare; may be repeated, or may be a list separated by commas [default:
-    /// rkmk4,cf4; for constraints, a matrix flow or a prescribed velocity: all methods for such
-    /// problems]
+    /// rkmk4,cf4, or all methods for constraints, matrix flows and prescribed velocities]
     #[arg(long = "method", value_name = "NAME", value_delimiter = ',')]
     methods: Vec<String>,
     /// The largest step size [default: 1/16 of the time span]

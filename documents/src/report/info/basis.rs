@@ -19,8 +19,8 @@ pub(super) struct InBases {
 
 impl InBases {
     /// # Errors
-    /// An error if the brackets do not define a Lie algebra, if the definition is on a chart, or if
-    /// the structure constants cannot be made rational by dividing basis vectors by square roots.
+    /// An error if the brackets do not define a Lie algebra, or if the definition is on a chart. Also
+    /// if dividing basis vectors by square roots cannot make the structure constants rational.
     pub fn of(definition: &Definition) -> Result<Self, InputError> {
         let given = definition.algebra::<Symbolic>(Tolerance::default())?;
         let rational = RationalBasis::of(&given).map_err(|error| definition.refused(error))?;

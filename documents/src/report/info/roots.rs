@@ -21,8 +21,8 @@ const SHOWN_RANK: usize = 8;
 /// solvable algebra.
 ///
 /// # Errors
-/// An error if the brackets do not define a Lie algebra, if the definition is on a chart, if the
-/// structure constants cannot be made rational by dividing basis vectors by square roots, or if the
+/// An error if the brackets do not define a Lie algebra, or if the definition is on a chart. Also if
+/// dividing basis vectors by square roots cannot make the structure constants rational, or if the
 /// type is not found.
 pub fn dynkin_type(definition: &Definition) -> Result<Vec<CartanType>, InputError> {
     let definition = definition.algebra_alone();

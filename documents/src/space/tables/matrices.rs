@@ -37,11 +37,17 @@ pub(super) fn is_table(text: &str) -> bool {
 /// A name before a matrix, and the rest.
 fn named(text: &str) -> (Option<&str>, &str) {
     match text.split_once('=') {
-        Some((name, rest)) if !name.contains(OPEN) && !name.trim().is_empty() => {
-            (Some(name.trim()), rest.trim_start())
-        }
+        Some((name, rest)) if is_name(name.trim()) => (Some(name.trim()), rest.trim_start()),
         _ => (None, text),
     }
+}
+
+/// Whether a text is the name of a matrix, such as `X`, `e1` or `E_12`: one letter, and then digits. A
+/// longer word may be the key of a definition, such as `metric`.
+fn is_name(text: &str) -> bool {
+    let mut letters = text.chars();
+    letters.next().is_some_and(char::is_alphabetic)
+        && letters.all(|c| c.is_ascii_digit() || c == '_' || c == '\'')
 }
 
 /// The algebra that the matrices span.

@@ -73,7 +73,10 @@ fn check(text: &str) {
     };
     for space in &*SPACES {
         match Computation::of(space).test(&statements) {
-            Ok(verdicts) => assert!(verdicts.iter().count() > 0),
+            Ok(verdicts) => {
+                assert!(verdicts.iter().count() + verdicts.errors().len() > 0);
+                verdicts.errors().iter().for_each(assert_sound);
+            }
             Err(error) => assert_sound(&error),
         }
     }
