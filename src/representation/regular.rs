@@ -25,7 +25,7 @@ impl Subalgebra {
     /// let e6: ReductiveAlgebra = "E6".parse()?;
     /// let so10 = Subalgebra::levi(&e6, &[6])?;
     /// let restriction = so10.branch(&HighestWeight::parse(&e6, "27")?)?;
-    /// assert_eq!(restriction.to_string(), "1(4) + 10(-2) + 16bar(1)");
+    /// assert_eq!(restriction.to_string(), "1(-4) + 10(2) + 16bar(-1)");
     /// # Ok::<(), affinor::representation::RepresentationError>(())
     /// ```
     pub fn levi(

@@ -90,7 +90,7 @@ fn refusals_have_a_message() {
     let place = &refused(&request.to_string())["place"];
     assert_eq!(
         (&place["source"], &place["line"]),
-        (&json!("definition.toml"), &json!(2)),
+        (&json!("input"), &json!(2)),
         "{place}"
     );
     let (text, from) = (place["text"].as_str().unwrap(), place["from"].as_u64().unwrap() as usize);

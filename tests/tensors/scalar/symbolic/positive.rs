@@ -92,7 +92,7 @@ fn what_has_no_sign_is_refused() {
     assert_eq!(found, "the argument of sqrt is negative: -4*x, by the functions declared positive");
     let mut contradicted = known.clone();
     assert!(contradicted.declare(&value("-x^3")).unwrap_err().contains("is negative"));
-    assert!(contradicted.declare(&value("y*z")).unwrap_err().contains("of y, z"));
+    assert!(contradicted.declare(&value("y*z")).unwrap_err().contains("among y, z"));
     assert!(contradicted.declare(&value("0")).unwrap_err().contains("is zero"));
 }
 
