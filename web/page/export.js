@@ -94,3 +94,9 @@ export async function copy(text) {
   area.remove();
   if (!done) throw new Error("the browser does not allow it");
 }
+
+/** Shows for two seconds at a button that its action is done. @param {HTMLElement} button @param {string} words */
+export function confirm(button, words) {
+  button.dataset.told = words;
+  setTimeout(() => { delete button.dataset.told; }, 2000);
+}

@@ -1,9 +1,9 @@
 // @ts-check
 // The shell: reads the address, shows a view, and gives the views what they share.
 
-import { copy } from "./export.js";
+import { copy, confirm } from "./export.js";
 
-/** @typedef {{open(state: string): void | Promise<void>, state(): string, title(): string, cards(): Element[], clock?(): any}} View */
+/** @typedef {{open(state: string): void | Promise<void>, state(): string, title(): string, cards(): Element[], clock?(): any, about?(): {title: string, words: string}}} View */
 /**
  * @typedef {Object} Services what every view gets
  * @property {{ask(request: object, stage?: (name: string) => void): Promise<any>, stop(): void}} engine
@@ -78,6 +78,7 @@ async function open() {
   const { view, rest } = route(location.hash);
   show(view);
   services.title("");
+  services.say("");
   try {
     const shown = await (mounted[view] ??= MOUNT[view]());
     // a later address has been opened meanwhile
@@ -94,6 +95,24 @@ async function open() {
 const current = () => mounted[document.body.dataset.view ?? ""];
 
 addEventListener("popstate", open);
+// an address without a state is the name of a section, to which the browser would scroll
+for (const link of document.querySelectorAll(".brand, nav a")) {
+  link.addEventListener("click", (event) => {
+    const { ctrlKey, metaKey, shiftKey } = /** @type {MouseEvent} */ (event);
+    if (ctrlKey || metaKey || shiftKey) return;
+    event.preventDefault();
+    const address = link.getAttribute("href") ?? "";
+    if (location.hash !== address) history.pushState(null, "", address);
+    scrollTo(0, 0);
+    open();
+  });
+}
+document.querySelector(".skip")?.addEventListener("click", (event) => {
+  // the address keeps the view
+  event.preventDefault();
+  by("main").focus();
+  by("main").scrollIntoView();
+});
 by("box").addEventListener("submit", (/** @type {Event} */ event) => {
   event.preventDefault();
   const space = by("space-input")?.value.trim();
@@ -102,6 +121,7 @@ by("box").addEventListener("submit", (/** @type {Event} */ event) => {
 by("share").addEventListener("click", async () => {
   try {
     await copy(location.href);
+    confirm(by("share"), "link copied");
     services.say("The link is copied. It opens this page in this state.");
   } catch (error) {
     services.say(`The link could not be copied: ${/** @type {Error} */ (error).message}. It is in the address bar.`);
@@ -111,7 +131,7 @@ by("share").addEventListener("click", async () => {
 async function presented() {
   const [view, { present }] = await Promise.all([current(), import("./present.js")]);
   const cards = view?.cards() ?? [];
-  if (cards.length) present(cards, document.title.replace(/ - affinor$|^affinor: /, ""), () => view.clock?.() ?? null);
+  if (cards.length) present(cards, document.title.replace(/ - affinor$|^affinor: /, ""), () => view.clock?.() ?? null, view.about?.());
   else services.say("There is no card to present yet.");
 }
 by("present").addEventListener("click", presented);

@@ -7,6 +7,7 @@ import { download, drawing, film, png } from "./export.js";
 const dialog = document.createElement("dialog");
 dialog.className = "presenting";
 dialog.setAttribute("aria-label", "Presentation");
+dialog.tabIndex = -1;
 dialog.innerHTML = '<div class="slide"></div><p class="bar"><button type="button" data-do="before" aria-label="previous card">←</button><span class="where" role="status"></span><button type="button" data-do="next" aria-label="next card">→</button>'
   + '<button type="button" data-do="scheme">Black</button><button type="button" data-do="svg">SVG</button><button type="button" data-do="png">PNG</button><button type="button" data-do="film">Film</button><button type="button" data-do="close">Close</button></p>';
 const slide = /** @type {HTMLElement} */ (dialog.querySelector(".slide")), where = /** @type {HTMLElement} */ (dialog.querySelector(".where"));
@@ -14,12 +15,14 @@ const button = (/** @type {string} */ name) => /** @type {HTMLButtonElement} */ 
 
 /** @type {Element[]} */ let cards = [];
 let at = 0, name = "affinor";
+/** The title and the words of a slide that is a picture. @type {{title: string, words: string} | undefined} */ let about;
 /** Where the card belongs. */
 const place = document.createComment("card");
 /** @type {() => (Clock | null)} */ let clock = () => null;
 
 function back() {
-  if (place.parentNode) place.replaceWith(slide.firstChild ?? "");
+  /** @type {HTMLElement | undefined} */ (cards[at])?.style.removeProperty("--formula");
+  if (place.parentNode) place.replaceWith(cards[at]);
 }
 
 /** @param {number} k */
@@ -28,11 +31,35 @@ function turn(k) {
   at = Math.max(0, Math.min(cards.length - 1, k));
   cards[at].before(place);
   slide.replaceChildren(cards[at]);
+  if (about) {
+    const heading = Object.assign(document.createElement("h2"), { className: "heading", innerHTML: about.title });
+    const words = Object.assign(document.createElement("p"), { className: "words", innerHTML: about.words });
+    slide.prepend(heading);
+    slide.append(words);
+  }
+  fit();
   where.textContent = cards.length > 1 ? `${at + 1} of ${cards.length}` : "";
   for (const part of ["before", "next"]) button(part).hidden = cards.length < 2;
   const drawn = Boolean(cards[at].querySelector("svg"));
-  for (const part of ["svg", "png"]) button(part).disabled = !drawn;
-  button("film").disabled = clock()?.box !== cards[at];
+  const moving = clock()?.box === cards[at];
+  for (const part of ["svg", "png", "film"]) {
+    const [can, reason] = part === "film" ? [moving, "only pictures with a clock can be filmed"] : [drawn, "only pictures can be exported"];
+    button(part).disabled = !can;
+    button(part).title = can ? "" : reason;
+  }
+}
+
+/** Sizes of formulas in pixels; a card of formulas has the largest that fits. */
+const SIZES = [96, 80, 68, 56, 48, 40, 34, 28];
+
+function fit() {
+  const card = /** @type {HTMLElement} */ (cards[at]);
+  if (!card.matches(".card")) return;
+  const wide = () => [...card.querySelectorAll(".components, .matrix, .report, .body > p")].some((part) => part.scrollWidth > part.clientWidth + 1);
+  for (const size of SIZES) {
+    card.style.setProperty("--formula", `${size}px`);
+    if (slide.scrollHeight <= slide.clientHeight && !wide()) return;
+  }
 }
 
 const ground = () => getComputedStyle(dialog).backgroundColor;
@@ -94,14 +121,35 @@ dialog.addEventListener("close", () => {
   if (document.fullscreenElement) document.exitFullscreen();
 });
 
-/** Presents cards. @param {Element[]} shown @param {string} title of files @param {() => (Clock | null)} stage the stage that has a clock */
-export function present(shown, title, stage) {
+addEventListener("resize", () => { if (dialog.open) fit(); });
+
+/** The card that has the focus, or of which most is in view. @param {Element[]} shown */
+function nearest(shown) {
+  const focused = shown.findIndex((card) => card.contains(document.activeElement));
+  if (focused >= 0) return focused;
+  const seen = shown.map((card) => {
+    const { top, bottom } = card.getBoundingClientRect();
+    return (Math.min(bottom, innerHeight) - Math.max(top, 0)) / Math.min(bottom - top, innerHeight);
+  });
+  const most = Math.max(...seen);
+  return most > 0 ? seen.indexOf(most) : 0;
+}
+
+/**
+ * Presents cards, first the one that is in view.
+ * @param {Element[]} shown @param {string} title of files @param {() => (Clock | null)} stage the stage that has a clock
+ * @param {{title: string, words: string}} [words] what is written around a picture, as HTML
+ */
+export function present(shown, title, stage, words) {
   if (!shown.length || dialog.open) return;
   if (!dialog.isConnected) document.body.append(dialog);
-  [cards, name, clock] = [shown, title.toLowerCase().replace(/[^a-z0-9]+/g, "-").replace(/^-|-$/g, "") || "affinor", stage];
+  const first = nearest(shown);
+  [cards, about, clock] = [shown, words, stage];
+  name = title.toLowerCase().replace(/[^a-z0-9]+/g, "-").replace(/^-|-$/g, "") || "affinor";
   document.documentElement.dataset.scheme = matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light";
   button("scheme").textContent = document.documentElement.dataset.scheme === "dark" ? "White" : "Black";
   dialog.showModal();
-  turn(0);
+  turn(first);
+  dialog.focus();
   dialog.requestFullscreen?.().catch(() => {});
 }

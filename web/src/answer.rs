@@ -23,7 +23,7 @@ pub struct Answer {
 #[derive(Clone, Debug)]
 pub struct Refusal {
     message: String,
-    place: Option<Value>,
+    place: Option<Box<Value>>,
     help: Option<String>,
     suggestions: Vec<String>,
 }
@@ -92,7 +92,7 @@ impl Refusal {
 
 impl From<InputError> for Refusal {
     fn from(error: InputError) -> Self {
-        let place = error.at.as_deref().map(place);
+        let place = error.at.as_deref().map(|at| Box::new(place(at)));
         let help = error.help.as_deref().and_then(words::advice);
         let message = words::message(&error.message);
         Refusal { place, message, help, suggestions: error.suggestions }

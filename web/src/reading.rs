@@ -61,7 +61,7 @@ pub(super) fn reading(input: &str, space: &Space) -> Result<Answer, Refusal> {
         "name": name,
         "dimension": definition.dimension(),
         "kind": kind,
-        "notation": notation,
+        "notation": notation.map(notation_name),
         "basis": definition.labels,
         "parameters": definition.parameters(),
         "coordinates": definition.coordinates(),
@@ -75,6 +75,18 @@ pub(super) fn reading(input: &str, space: &Space) -> Result<Answer, Refusal> {
         "notes": notes,
     });
     written(&json)
+}
+
+/// The name of a notation for a reader: the program lists notations by an example.
+fn notation_name(example: &str) -> &str {
+    match example {
+        "(0,0,12)" => "Salamon's list of de^i",
+        "de3 = -e1^e2" => "structure equations",
+        other => match other.split_once(' ') {
+            Some((word @ ("brackets" | "matrices"), _)) => word,
+            _ => other,
+        },
+    }
 }
 
 /// Names for the completion of the input: schema `affinor.names/1`.

@@ -29,7 +29,7 @@ const FREE: &str = "4 1 2 -1; 5 1 3 -1; 6 2 3 -1";
 const SL2: &str = "1 1 3 -2; 2 2 3 2; 3 1 2 1";
 
 /// Inputs in all notations, and the structure constants that they mean.
-const INPUTS: [(&str, &str); 66] = [
+const INPUTS: [(&str, &str); 73] = [
     ("so(3)", SO3),
     ("so3", SO3),
     (" so ( 3 ) ", SO3),
@@ -90,6 +90,13 @@ const INPUTS: [(&str, &str); 66] = [
     ("de1=0; de2=0; de3=-e1∧e2", HEISENBERG),
     ("de^3 = -e^1\\wedge e^2", HEISENBERG),
     ("de^3 = -e^{12}", HEISENBERG),
+    ("de4=e12, de5=e13, de6=e23", FREE),
+    ("de4=12; de5=13; de6=23", FREE),
+    ("de^4=12, de^5=13, de^6=23", FREE),
+    ("de^4 = e^12\nde^5 = e^13\nde^6 = e^23", FREE),
+    ("de4 = e1^e2, de5 = e13, de6 = 23", FREE),
+    ("de3 = 2*12", "3 1 2 -2"),
+    ("de3 = -2 e12", "3 1 2 2"),
     ("[[0,1],[0,0]], [[0,0],[1,0]], [[1,0],[0,-1]]", SL2),
     ("((0,1),(0,0)); ((0,0),(1,0)); ((1,0),(0,-1))", SL2),
     ("[0 1; 0 0], [0 0; 1 0], [1 0; 0 -1]", SL2),
@@ -266,7 +273,9 @@ fn readings_say_what_was_assumed() {
     assert_eq!((&paper["connection"], &paper["has_metric"]), (&json!("zero"), &json!(true)));
     let brackets = reading(json!({ "input": "[x,y] = a z", "metric": "diag(b, 1, 1)" }));
     assert_eq!(brackets["parameters"], json!(["a", "b"]));
-    assert_eq!(brackets["notation"], "brackets [x, y] = z");
+    assert_eq!(brackets["notation"], "brackets");
+    let list = reading(json!({ "input": "(0,0,0,12,13,23)" }));
+    assert_eq!(list["notation"], "Salamon's list of de^i");
     assert_eq!(brackets["connection"], "levi-civita");
     let chart = reading(json!({ "input": "Schwarzschild" }));
     assert_eq!((&chart["kind"], &chart["parameters"]), (&json!("chart"), &json!(["M"])));
@@ -282,4 +291,27 @@ fn unknown_names_have_suggestions() {
     assert!(refusal["suggestions"].as_array().is_some_and(|names| !names.is_empty()), "{refusal}");
     let refusal = ask(&json!({ "report": "reading", "input": "galilee" })).unwrap_err();
     assert_eq!(refusal["place"]["source"], "input");
+}
+
+/// Messages name the bracket that is missing, and the argument that does not fit.
+#[test]
+fn messages_name_the_fault() {
+    for (input, part, words) in [
+        ("(0,0,0,12,13,23", "(0,0,0,12,13,23", "a “)” is missing"),
+        ("[e1,e2=e3", "[e1,e2=e3", "a “]” is missing"),
+        ("[e1;e2]=e3", "e1;e2", "a comma separates the two basis vectors"),
+        ("SU(", "(", "parenthesis is not closed"),
+        ("SU(2.5)", "SU(2.5)", "su(n) needs n >= 2"),
+        ("SU(300)", "SU(300)", "exceeds the limit of 2048"),
+        ("SO(1000)", "SO(1000)", "exceeds the limit of 2048"),
+        ("Spin(1000)", "Spin(1000)", "exceeds the limit of 2048"),
+    ] {
+        let refusal = ask(&json!({ "report": "reading", "input": input })).unwrap_err();
+        let message = refusal["message"].as_str().unwrap();
+        assert!(message.contains(words), "{input}: {message}");
+        let place = &refusal["place"];
+        let at = |name: &str| usize::try_from(place[name].as_u64().unwrap()).unwrap();
+        let text = place["text"].as_str().unwrap();
+        assert_eq!(&text[at("from")..at("to")], part, "{input}");
+    }
 }

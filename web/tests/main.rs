@@ -88,11 +88,7 @@ fn refusals_have_a_message() {
     // the place, under the letters
     let request = json!({ "report": "table", "definition": "basis = [\"x\", \"y\"]\nbrackets = \"[x, q] = y\"" });
     let place = &refused(&request.to_string())["place"];
-    assert_eq!(
-        (&place["source"], &place["line"]),
-        (&json!("input"), &json!(2)),
-        "{place}"
-    );
+    assert_eq!((&place["source"], &place["line"]), (&json!("input"), &json!(2)), "{place}");
     let (text, from) = (place["text"].as_str().unwrap(), place["from"].as_u64().unwrap() as usize);
     assert!(text[from..].starts_with('q'), "{place}");
 }

@@ -31,6 +31,8 @@ const FILTERED: usize = 400;
 const CHAINED: usize = 12;
 /// The largest matrix that is drawn.
 const MATRIX: usize = 10;
+/// The largest width of a matrix in characters; a wider one is listed entry by entry.
+const MATRIX_WIDTH: usize = 60;
 /// The largest number of distinct values in a summary.
 const VALUES: usize = 8;
 
@@ -232,7 +234,8 @@ fn ricci<S: Coefficient + Field>(
     ricci: &Tensor<S>,
     geometry: &Geometry<S>,
 ) -> Result<Option<String>, InputError> {
-    let Some(drawn) = matrix(Quantity::Ricci, ricci) else { return Ok(None) };
+    let listed = || components(Quantity::Ricci, ricci, false, LISTED);
+    let Some(drawn) = matrix(Quantity::Ricci, ricci).or_else(listed) else { return Ok(None) };
     let Some(metric) = geometry.metric() else {
         let hint = "<p class=\"rest\">Eigenvalues need a metric.</p>";
         return Ok(Some(if ricci.is_empty() { drawn } else { drawn + hint }));
@@ -261,7 +264,7 @@ fn ricci<S: Coefficient + Field>(
     Ok(Some(format!("{drawn}<p>{eigenvalues}</p>")))
 }
 
-/// A tensor with two indices as a matrix; `None` if it is too large.
+/// A tensor with two indices as a matrix; `None` if it is too large or too wide.
 fn matrix<S: Coefficient>(quantity: Quantity, tensor: &Tensor<S>) -> Option<String> {
     let n = tensor.dimension();
     let symbol = mathml::inline(&general(quantity, tensor));
@@ -272,18 +275,19 @@ fn matrix<S: Coefficient>(quantity: Quantity, tensor: &Tensor<S>) -> Option<Stri
     if n > MATRIX {
         return None;
     }
-    let entry = |i: usize, j: usize| {
-        let value = value(&plain(&tensor.get(&[i, j])));
-        format!("<mtd>{}</mtd>", mathml::row(&value))
-    };
-    let row = |i: usize| {
-        let entries: String = (0..n).map(|j| entry(i, j)).collect();
-        format!("<mtr>{entries}</mtr>")
-    };
-    let rows: String = (0..n).map(row).collect();
-    let text: Vec<String> = (0..n)
-        .map(|i| (0..n).map(|j| plain(&tensor.get(&[i, j]))).collect::<Vec<_>>().join(", "))
-        .collect();
+    let row = |i: usize| (0..n).map(|j| plain(&tensor.get(&[i, j]))).collect();
+    let entries: Vec<Vec<String>> = (0..n).map(row).collect();
+    /// Characters between two columns.
+    const GAP: usize = 2;
+    let width = |j: usize| entries.iter().map(|row| row[j].chars().count()).max().unwrap_or(0);
+    if (0..n).map(|j| width(j) + GAP).sum::<usize>() > MATRIX_WIDTH {
+        return None;
+    }
+    let entry = |text: &String| format!("<mtd>{}</mtd>", mathml::row(&value(text)));
+    let row =
+        |row: &Vec<String>| format!("<mtr>{}</mtr>", row.iter().map(entry).collect::<String>());
+    let rows: String = entries.iter().map(row).collect();
+    let text: Vec<String> = entries.iter().map(|row| row.join(", ")).collect();
     Some(format!(
         "<div class=\"matrix\" tabindex=\"0\">{symbol}<math display=\"block\" alttext=\"[{}]\"><mrow><mo>=</mo>\
          <mo stretchy=\"true\">(</mo><mtable displaystyle=\"true\">{rows}</mtable>\

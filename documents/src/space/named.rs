@@ -71,9 +71,16 @@ fn entry(part: &str, source: &Source) -> Result<Definition, InputError> {
         definition.notes.push(note);
         return Ok(definition);
     }
+    // the arguments of a group are those of its algebra
+    let group = spelling::of_family(name);
+    let error = match group.as_ref().map(|algebra| affinor::algebra::catalogue::find(algebra)) {
+        Some(Err(other)) => other,
+        _ => error,
+    };
+    let same_length = group.is_none_or(|algebra| algebra.len() == name.len());
     let span = match &error {
-        CatalogueError::Malformed { span, .. } => span.clone(),
-        CatalogueError::Value { source, .. } => source.span.clone(),
+        CatalogueError::Malformed { span, .. } if same_length => span.clone(),
+        CatalogueError::Value { source, .. } if same_length => source.span.clone(),
         _ => 0..name.len(),
     };
     let refused = InputError::usage(error.to_string()).at(&source.find(name, span));
@@ -86,6 +93,9 @@ fn entry(part: &str, source: &Source) -> Result<Definition, InputError> {
                 .help(format!("names of algebras must be ASCII, but this one contains {foreign}"))
         }
         CatalogueError::Unknown { .. } => refused.help(NAMES),
+        CatalogueError::NoSuchAlgebra { .. } if name.contains('.') => {
+            refused.help("write a whole number")
+        }
         _ => refused,
     })
 }

@@ -97,21 +97,16 @@ pub(super) fn meaning(name: &str) -> Option<(String, String)> {
         return Some((meant.to_string(), format!("{name} is read as {meant}")));
     }
     let compact: String = name.chars().filter(|c| !c.is_whitespace()).collect();
-    let end = compact.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(compact.len());
-    let (family, rest) = compact.split_at(end);
+    let (family, rest) = split(&compact);
     // a name that is not finished has no other meaning
     if rest.matches('(').count() != rest.matches(')').count() || rest.contains(",)") {
         return None;
     }
     let arguments = arguments(rest);
-    let lower = family.to_lowercase();
     let is_group = family.starts_with(|c: char| c.is_ascii_uppercase());
-    let other = FAMILIES.iter().find(|(group, _)| is_group && *group == lower);
-    // E6 is an exceptional algebra, E(3) a group of motions
-    let other = other.filter(|_| lower != "e" || rest.starts_with('('));
-    let families = other.map(|(_, family)| family.to_string()).into_iter().chain([lower.clone()]);
-    let spelled =
-        families.flat_map(|family| [format!("{family}{rest}"), format!("{family}({arguments})")]);
+    let spelled = families(family, rest)
+        .into_iter()
+        .flat_map(|family| [format!("{family}{rest}"), format!("{family}({arguments})")]);
     let exceptional = [compact.to_uppercase(), compact.to_lowercase()];
     let meant = spelled.chain(exceptional).find(known)?;
     let algebra = meant.starts_with(|c: char| c.is_ascii_lowercase());
@@ -120,6 +115,33 @@ pub(super) fn meaning(name: &str) -> Option<(String, String)> {
         false => format!("{name} is read as {meant}"),
     };
     Some((meant, note))
+}
+
+/// The name of a group with the family of its Lie algebra: `su(300)` for `SU(300)`. Errors for the
+/// arguments of a group are those of this name.
+pub(super) fn of_family(name: &str) -> Option<String> {
+    let (family, rest) = split(name);
+    let is_group = family.starts_with(|c: char| c.is_ascii_uppercase());
+    let known = |name: &String| {
+        !matches!(catalogue::find(name), Err(catalogue::CatalogueError::Unknown { .. }))
+    };
+    let mut names = families(family, rest).into_iter().map(|family| format!("{family}{rest}"));
+    names.find(|name| is_group && known(name))
+}
+
+/// Splits a name into its letters and the rest.
+fn split(name: &str) -> (&str, &str) {
+    name.split_at(name.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(name.len()))
+}
+
+/// The families of algebras that the letters of a name may mean.
+fn families(letters: &str, rest: &str) -> Vec<String> {
+    let is_group = letters.starts_with(|c: char| c.is_ascii_uppercase());
+    let lower = letters.to_lowercase();
+    let other = FAMILIES.iter().find(|(group, _)| is_group && *group == lower);
+    // E6 is an exceptional algebra, E(3) a group of motions
+    let other = other.filter(|_| lower != "e" || rest.starts_with('('));
+    other.map(|(_, family)| family.to_string()).into_iter().chain([lower]).collect()
 }
 
 /// The arguments of a name without parentheses around all of them: `2,R` for `_2(R)`, `2(R)` and

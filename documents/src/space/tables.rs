@@ -97,7 +97,8 @@ fn notation(text: &str) -> Option<&'static Notation> {
 }
 
 /// The algebra of a text that is typed into a field, with the name of its notation. A text with
-/// brackets and `=` in no notation is read as brackets, whose messages fit best.
+/// brackets and `=` in no notation is read as brackets, whose messages fit best. A list whose
+/// bracket is not closed is an error.
 ///
 /// # Errors
 /// Those of [`definition`].
@@ -106,11 +107,54 @@ pub(super) fn typed(source: &Source) -> Option<Result<(Definition, &'static str)
     let looks_like_brackets = || text.contains('[') && text.contains([',', '=']);
     let (read, name) = match notation(text) {
         Some(notation) => (notation.read, notation.name),
+        None if text.trim_start().starts_with(['(', '[']) && fault(source).is_some() => {
+            return fault(source).map(Err);
+        }
         None if looks_like_brackets() => (brackets::definition as fn(&Source) -> _, "brackets"),
         None => return None,
     };
     let read: Result<Definition, InputError> = read(source);
     Some(read.map(|definition| (definition, name)))
+}
+
+/// The error for a bracket that is not closed, or that separates two names by a semicolon.
+fn fault(source: &Source) -> Option<InputError> {
+    let text = source.content();
+    let refused = |part: &str, message: String, help: &str| {
+        Some(InputError::usage(message).at(&source.whole(part)).help(help))
+    };
+    let closing = |open: char| if open == '(' { ')' } else { ']' };
+    let help = |open: char| match open {
+        '(' => "write a list such as (0,0,12)",
+        _ => "brackets are written [e1,e2] = e3",
+    };
+    let mut open: Vec<(usize, char)> = vec![];
+    for (at, symbol) in text.char_indices() {
+        match symbol {
+            '(' | '[' => open.push((at, symbol)),
+            ')' | ']' => match open.pop() {
+                Some((from, '[')) if symbol == ']' => {
+                    let inside = &text[from + 1..at];
+                    if inside.contains(';') && !inside.contains([',', '[', ' ']) {
+                        let message = "a comma separates the two basis vectors of a bracket";
+                        return refused(inside, message.into(), help('['));
+                    }
+                }
+                Some((_, first)) if symbol == closing(first) => {}
+                Some((from, first)) => {
+                    let message = format!("a `{}` is missing before `{symbol}`", closing(first));
+                    return refused(&text[from..=at], message, help(first));
+                }
+                None => {
+                    let message = format!("the `{symbol}` closes no bracket");
+                    return refused(&text[at..=at], message, help('['));
+                }
+            },
+            _ => {}
+        }
+    }
+    let (from, first) = open.pop()?;
+    refused(text[from..].trim_end(), format!("a `{}` is missing", closing(first)), help(first))
 }
 
 /// Reads the algebra from a SPACE that is itself a table, as in [`is_inline`]; `None` for other

@@ -8,7 +8,7 @@ import { button, element } from "./dom.js";
 const SHOWN = 7;
 
 export class Box {
-  /** Names for completion. @type {string[]} */ #names = [];
+  /** Names for completion, and the text that each one means. @type {[string, string][]} */ #names = [];
 
   /**
    * @param {HTMLFormElement} form @param {{typed: () => void, entered: () => void, chosen: (text: string) => void, stop: () => void}} acts
@@ -34,8 +34,7 @@ export class Box {
     this.field.addEventListener("input", () => { this.#fit(); this.#complete(); acts.typed(); });
     this.field.addEventListener("keydown", (event) => {
       // a text of several lines has line ends
-      if (event.key !== "Enter" || event.shiftKey || event.isComposing) return;
-      if (this.field.value.includes("\n") || /^\s*[[({]/.test(this.field.value) && !event.ctrlKey && !/[\])}]\s*=?.*$/.test(this.field.value)) return;
+      if (event.key !== "Enter" || event.shiftKey || event.isComposing || this.field.value.includes("\n") && !event.ctrlKey) return;
       event.preventDefault();
       acts.entered();
     });
@@ -60,9 +59,9 @@ export class Box {
     this.#complete();
   }
 
-  /** @param {string[]} names */
-  names(names) {
-    this.#names = names;
+  /** @param {string[]} names @param {Record<string, string>} texts names of texts that are not names of spaces */
+  names(names, texts = {}) {
+    this.#names = [...new Set(names)].map((name) => /** @type {[string, string]} */ ([name, name])).concat(Object.entries(texts));
     this.#complete();
   }
 
@@ -73,8 +72,8 @@ export class Box {
   #complete() {
     const typed = this.field.value.trim().toLowerCase(), plain = (/** @type {string} */ name) => name.toLowerCase().replace(/[^a-z0-9]/g, "");
     const found = typed && /^[\w\s(),*^-]{1,24}$/.test(typed) && document.activeElement === this.field
-      ? this.#names.filter((name) => plain(name).startsWith(plain(typed)) && name.toLowerCase() !== typed).slice(0, SHOWN) : [];
-    this.matches.replaceChildren(...found.map((name) => button(name, () => this.chosen(name), { class: "chip" })));
+      ? this.#names.filter(([name]) => plain(name).startsWith(plain(typed)) && name.toLowerCase() !== typed).slice(0, SHOWN) : [];
+    this.matches.replaceChildren(...found.map(([name, text]) => button(name, () => this.chosen(text), { class: "chip" })));
     this.matches.hidden = !found.length;
     this.examples.hidden = Boolean(found.length);
   }

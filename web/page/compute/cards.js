@@ -1,6 +1,6 @@
 // @ts-check
 // Cards: the results in a fixed order, each with its copies, a link, and its definition.
-import { copy } from "../export.js";
+import { copy, confirm } from "../export.js";
 import { button, drawn, element, fragment, report } from "./dom.js";
 import { settings } from "./state.js";
 
@@ -9,6 +9,8 @@ import { settings } from "./state.js";
 /** @typedef {{state: State, reading: Reading, engine: Asking, link: (card: string) => string, say: (text: string) => void}} Context */
 /** @typedef {{name: string, title: string, second?: boolean, when: (reading: Reading) => boolean, report: string, show?: string, size: number, most?: number, kind?: (reading: Reading) => string}} Kind */
 
+/** The rows of a list that are shown at first. */
+const ROWS = 12;
 /** More components are not copied: the report would be longer than 16 MB. */
 const COPIED = 300000;
 
@@ -35,6 +37,8 @@ export class Card {
   #filter = "";
   /** @type {Context | null} */ #context = null;
   count = 0;
+  /** Whether the reader wants all rows. */
+  #whole = false;
   /** Whether the reader wants a result that takes long. */
   asked = false;
 
@@ -57,13 +61,32 @@ export class Card {
 
   /** Computes and shows the card. @param {Context} context @param {(name: string) => void} stage */
   async compute(context, stage) {
+    if (context.reading.name !== this.#context?.reading.name) this.#whole = false;
     this.#context = context;
     const { answer } = await context.engine.ask(this.#request(context), stage);
     if (this.kind.report === "card") this.#tensor(JSON.parse(answer.text));
     else if (this.kind.name === "structure") this.#structure(answer);
     else if (this.kind.name === "properties") this.#properties(answer.text);
     else this.body.replaceChildren(report(answer.text));
+    this.#shorten();
     this.element.classList.remove("stale");
+  }
+
+  /** Hides the rows of long lists behind a button. */
+  #shorten() {
+    if (this.#whole) return;
+    for (const list of this.body.querySelectorAll("ul, ol, tbody, .report dl")) {
+      const rest = [...list.children].slice(ROWS);
+      // a button takes as much room as two rows
+      if (rest.length < 3 || list.closest("details")) continue;
+      for (const row of rest) row.toggleAttribute("hidden", true);
+      const show = button(`Show all ${list.children.length}`, () => {
+        this.#whole = true;
+        for (const row of this.body.querySelectorAll("[hidden]")) row.removeAttribute("hidden");
+        for (const other of this.body.querySelectorAll(".all")) other.remove();
+      }, { class: "all" });
+      (list.closest("table") ?? list).after(show);
+    }
   }
 
   /** Marks the card as that of an earlier input. */
@@ -159,24 +182,26 @@ export class Card {
     const chart = this.#context?.reading.kind === "chart";
     const allowed = formats.filter(([, format]) => !chart || !["python", "toml"].includes(format));
     const copies = this.count > COPIED ? [element("span", { class: "quiet", text: "Choose indices to copy components." })]
-      : [element("span", { class: "quiet", text: "Copy" }), ...allowed.map(([name, format]) => button(name, () => this.#copy(name, format), { class: "small" }))];
+      : [element("span", { class: "quiet", text: "Copy" }), ...allowed.map(([name, format]) => button(name, (event) => this.#copy(name, format, /** @type {HTMLElement} */ (event.currentTarget)), { class: "small" }))];
     const link = button("Link", async () => {
       await copy(this.#context?.link(this.kind.name) ?? location.href);
+      confirm(link, "copied");
       this.#context?.say("The link to this card is copied.");
     }, { class: "small" });
     const how = definition ? [element("details", { class: "how" }, element("summary", { text: "How is this defined?" }), ...fragment(definition))] : [];
     this.foot.replaceChildren(element("p", { class: "copies" }, ...copies, link), ...how);
   }
 
-  /** @param {string} name @param {string} format */
-  async #copy(name, format) {
+  /** @param {string} name @param {string} format @param {HTMLElement} pressed */
+  async #copy(name, format, pressed) {
     if (!this.#context) return;
     const { state, engine, say, reading } = this.#context, { kind } = this;
     const tables = kind.report === "card";
     const request = { report: tables ? "table" : kind.report, show: tables ? kind.show : "", motion: kind.kind?.(reading) ?? "", format, ...named(state) };
     try {
       const { answer } = await engine.ask(request);
-      await copy(answer.text);
+      await copy(format === "latex" ? equations(answer.text) : answer.text);
+      confirm(pressed, "copied");
       say(`${kind.title}: copied as ${name}.`);
     } catch (problem) {
       const { refusal, message } = /** @type {any} */ (problem);
@@ -184,6 +209,9 @@ export class Card {
     }
   }
 }
+
+/** The displayed equations of a document of LaTeX, or the document if it has none. @param {string} text */
+export const equations = (text) => text.match(/\\begin\{(align\*?|equation\*?|gather\*?)\}[^]*?\\end\{\1\}/g)?.join("\n") ?? text;
 
 /** The first facts of a structure: its type, its Killing form and its name. @param {HTMLElement} facts */
 function short(facts) {

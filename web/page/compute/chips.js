@@ -95,7 +95,7 @@ export class Chips {
   /** A diagonal metric of letters that are not in use. */
   #letters() {
     const { basis, parameters, dimension: n } = /** @type {Reading} */ (this.#reading);
-    const used = [...basis, ...parameters], free = "abcdpqrsuvwh".split("").filter((letter) => !used.includes(letter));
+    const used = [...basis, ...parameters], free = "abcdefghpqrsuvw".split("").filter((letter) => !used.includes(letter));
     const letters = n <= free.length ? free.slice(0, n) : basis.map((_, at) => `g${at + 1}`);
     return `diag(${letters.join(", ")})`;
   }

@@ -18,7 +18,7 @@ export function element(tag, attributes = {}, ...children) {
   return made;
 }
 
-/** @param {string} text @param {() => void} act @param {Record<string, any>} [attributes] */
+/** @param {string} text @param {(event: Event) => void} act @param {Record<string, any>} [attributes] */
 export const button = (text, act, attributes = {}) => element("button", { type: "button", text, click: act, ...attributes });
 
 /** Elements of a fragment of HTML that the engine wrote. @param {string} html */

@@ -4,8 +4,10 @@ import { button, element, letter } from "./dom.js";
 
 /** The number of sliders made so far. */
 let made = 0;
-/** The steps of a slider. */
-const STEPS = 200;
+/** The least number of steps of a slider. */
+const STEPS = 30;
+/** Values that are not a number: names other than those of constants and functions. */
+const NAMES = /[A-Za-z_]\w*/g, NUMBERS = /^(e|E\d*|e\d+|pi|sqrt)$/;
 
 export class Letters {
   /** @type {Map<string, {row: HTMLElement, range: HTMLInputElement, number: HTMLInputElement, free: HTMLButtonElement}>} */ #rows = new Map();
@@ -32,23 +34,19 @@ export class Letters {
   #row(name, positive) {
     // the same letter may have another slider in the card of motions
     const id = `letter-${name}-${made++}`;
-    const range = element("input", { id, type: "range", "aria-label": name, min: positive ? "0.1" : "-3", max: positive ? "4" : "3", step: "any", "aria-valuetext": `${name}, a letter` });
+    const range = element("input", { id, type: "range", "aria-label": name, min: positive ? "0.1" : "-3", max: positive ? "4" : "3", step: "0.1", "aria-valuetext": `${name}, a letter` });
     range.value = "1";
     const number = element("input", { type: "text", inputmode: "decimal", size: 6, placeholder: "letter", "aria-label": `value of ${name}`, autocomplete: "off", spellcheck: "false" });
     const free = button("letter", () => this.#set(name, null, false), { class: "free", title: `compute with ${name} as a letter`, "aria-label": `${name} as a letter` });
     range.addEventListener("input", () => this.#set(name, short(Number(range.value)), true));
     range.addEventListener("change", () => this.#set(name, short(Number(range.value)), false));
-    range.addEventListener("keydown", (event) => {
-      // a slider without steps moves by a share of its length
-      const sign = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1 }[event.key];
-      if (!sign) return;
-      event.preventDefault();
-      range.value = String(Number(range.value) + sign * (Number(range.max) - Number(range.min)) / (STEPS / 4));
-      range.dispatchEvent(new Event("input"));
+    number.addEventListener("change", () => {
+      const text = number.value.trim();
+      if (text.match(NAMES)?.some((word) => !NUMBERS.test(word))) return this.tell(name, "Write a number, or leave the field empty for the letter.");
+      this.#set(name, text || null, false);
     });
-    number.addEventListener("change", () => this.#set(name, number.value.trim() || null, false));
     number.addEventListener("keydown", (event) => { if (event.key === "Enter") { event.preventDefault(); number.blur(); } });
-    const row = element("div", { class: "letter" }, element("label", { for: id }, letter(name)), range, number, free);
+    const row = element("div", { class: "letter" }, element("label", { for: id }, letter(name)), range, number, free, element("p", { class: "help", role: "alert" }));
     const parts = { row, range, number, free };
     this.#rows.set(name, parts);
     return parts;
@@ -57,8 +55,19 @@ export class Letters {
   /** @param {string} name @param {string | null} value @param {boolean} moving */
   #set(name, value, moving) {
     this.#value(name, value);
+    this.tell(name, "");
     this.changed(name, value, moving);
   }
+
+  /** A message about the value of a letter, under its slider. Returns whether the letter has a slider. @param {string} name @param {string} text */
+  tell(name, text) {
+    const place = this.#rows.get(name)?.row.querySelector(".help");
+    if (place) place.textContent = text;
+    return Boolean(place);
+  }
+
+  /** Removes the messages. */
+  accept() { for (const name of this.#rows.keys()) this.tell(name, ""); }
 
   /** @param {string} name @param {string | null} value */
   #value(name, value) {
@@ -71,6 +80,7 @@ export class Letters {
       // a number beyond the slider makes it longer
       if (size > Number(range.max)) range.max = String(2 * size);
       if (size < Number(range.min)) range.min = String(size < 0 ? 2 * size : 0);
+      range.step = String(step(Number(range.max) - Number(range.min)));
       range.value = String(size);
     }
     range.setAttribute("aria-valuetext", value === null ? `${name}, a letter` : `${name} = ${value}`);
@@ -84,6 +94,9 @@ export function fraction(text) {
   const value = Number(above) / Number(below);
   return Number.isFinite(value) && above.trim() ? value : null;
 }
+
+/** A power of ten that divides a length into at least 30 steps. @param {number} length */
+export const step = (length) => Number((10 ** Math.floor(Math.log10(length / STEPS))).toPrecision(1));
 
 /** @param {number} value */
 export const short = (value) => String(Number(value.toPrecision(3)));

@@ -14,6 +14,10 @@ import { LONGEST, empty, read, write } from "./state.js";
 const PAUSE = 250;
 /** The least width of a column of cards, in letters of the root. */
 const COLUMN = 28;
+/** Proper names of groups, for completion. */
+const PROPER = ["Heisenberg", "Lorentz", "Poincare", "Euclidean", "Galilei", "Nil", "Sol", "Engel", "de Sitter", "anti de Sitter", "Schroedinger", "oscillator"];
+/** Notations, for completion, and an example of each. */
+const TEXTS = { "Salamon's list (0,0,0,12,13,23)": "(0,0,0,12,13,23)", "de4 = e12, de5 = e13": "de4 = e12, de5 = e13", "brackets [e1,e2] = e3": "[e1,e2] = e3" };
 /** Messages while a text is being typed wait longer. */
 const PATIENCE = 900;
 
@@ -36,6 +40,10 @@ class Compute {
   #note = "";
   /** The number of columns of cards that are laid. */
   #columns = 0;
+  /** The letter whose value changed last, while nothing else has. */
+  #letter = "";
+  /** Whether the space was read, so that a message is about the values of its letters. */
+  #valued = false;
   /** @type {(Card | MotionCard)[]} */ #cards = [];
   /** @type {ReturnType<typeof setTimeout> | undefined} */ #pause;
   /** Cards of the second module that are in view. @type {Set<Element>} */ #seen = new Set();
@@ -66,6 +74,7 @@ class Compute {
       if (value === null) delete set[name];
       else set[name] = value;
       this.#change({ set }, moving);
+      this.#letter = name;
     });
     this.list = element("div", { class: "cards" });
     this.guide = element("p", { class: "quiet guide", text: "Write a name or brackets in the box above, or choose an example." });
@@ -85,6 +94,11 @@ class Compute {
       /** @param {string} text */
       open: async (text) => {
         const state = read(text);
+        if (!state.space && this.#state.space && this.#reading) {
+          // the link to the view leads back to its last state
+          this.services.address.set(write(this.#state), "replace");
+          return this.#run();
+        }
         if (write(state) === write(this.#state) && this.#reading) return this.#run();
         this.#state = state;
         this.box.text = state.space;
@@ -92,7 +106,8 @@ class Compute {
       },
       state: () => write(this.#state),
       title: () => this.#title(),
-      cards: () => this.#cards.filter(({ element: { hidden } }) => !hidden).map(({ element }) => element),
+      // in the order in which they are seen
+      cards: () => /** @type {HTMLElement[]} */ ([...this.list.querySelectorAll(".card")]).filter(({ hidden }) => !hidden && !this.list.hidden),
     };
   }
 
@@ -101,7 +116,7 @@ class Compute {
     try {
       const { answer } = await this.services.engine.ask({ report: "names" });
       const { spaces, charts } = JSON.parse(answer.text);
-      this.box.names(["M(3)", "SO(3)", ...spaces, ...charts]);
+      this.box.names(["M(3)", "SO(3)", ...PROPER, ...spaces, ...charts], TEXTS);
     } catch {
       // completion is no necessity
     }
@@ -123,8 +138,8 @@ class Compute {
   #enter(space, history, typing = false) {
     clearTimeout(this.#pause);
     if (!space) {
-      this.box.accept();
-      return this.box.read([], []);
+      this.#again = this.#busy;
+      return this.#empty(history);
     }
     // a new space has its own connection, metric and letters
     if (space !== this.#state.space) this.#state = { ...read(new URLSearchParams({ space }).toString().replaceAll("+", "%20")) };
@@ -132,9 +147,23 @@ class Compute {
     this.#run(typing);
   }
 
+  /** The box is empty: no results of an earlier input stay. @param {"push" | "replace"} history */
+  #empty(history) {
+    this.box.accept();
+    this.box.read([], []);
+    [this.#state, this.#reading, this.#read] = [empty(), null, ""];
+    this.list.hidden = this.controls.hidden = true;
+    this.guide.hidden = false;
+    this.services.say("");
+    if (document.body.dataset.view !== "compute") return;
+    this.#tell(history);
+    this.services.title(this.#title());
+  }
+
   /** @param {Partial<State>} part @param {boolean} moving a slider that moves makes no entry of the history */
   #change(part, moving) {
     this.#state = { ...this.#state, card: "", ...part };
+    this.#letter = "";
     this.#tell(moving ? "replace" : "push");
     this.#run(true);
   }
@@ -171,15 +200,13 @@ class Compute {
 
   /** @param {boolean} typing */
   async #once(typing) {
-    if (!this.#state.space) {
-      this.guide.hidden = false;
-      return;
-    }
+    if (!this.#state.space) return this.#empty("replace");
     const state = this.#state, turn = ++this.#turn, started = performance.now();
     const waiting = setInterval(() => {
       const seconds = Math.floor((performance.now() - started) / 1000);
       if (seconds) this.box.wait(`computing, ${seconds} s`);
     }, 250);
+    this.#valued = false;
     try {
       const key = JSON.stringify([state.space, state.connection, state.metric]);
       if (key !== this.#read) {
@@ -192,10 +219,12 @@ class Compute {
         this.letters.show(this.#reading?.parameters ?? [], state.set);
       }
       this.box.accept();
+      this.letters.accept();
+      this.#valued = true;
       const computed = await this.#fill(state);
       if (this.#again) return;
       const count = this.#cards.filter(({ element: { hidden } }) => !hidden).length;
-      if (computed) this.services.say(`${this.#title()}: ${count} cards, ${Math.max(1, Math.round(performance.now() - started))} ms`);
+      if (computed && document.body.dataset.view === "compute") this.services.say(`${this.#title()}: ${count} cards, ${Math.max(1, Math.round(performance.now() - started))} ms`);
       if (state.card) this.#scroll(state.card);
     } catch (problem) {
       if (!this.#again) this.#fail(problem, typing, turn);
@@ -222,6 +251,7 @@ class Compute {
     this.letters.show(reading.parameters, this.#state.set, positive);
     this.controls.hidden = false;
     this.guide.hidden = true;
+    this.list.hidden = false;
     this.#lay(reading);
     this.services.title(this.#title());
   }
@@ -253,7 +283,9 @@ class Compute {
       lowest.box.append(card);
       if (!card.hidden) lowest.size += /** @type {any} */ (kind).size;
     }
-    this.list.replaceChildren(...columns.map(({ box }) => box), ...wide);
+    // an example of a motion begins with it
+    const [before, after] = this.#state.motion ? [wide, []] : [[], wide];
+    this.list.replaceChildren(...before, ...columns.map(({ box }) => box), ...after);
   }
 
   /** Fills the cards, those of the first module before the others. Returns how many were computed. @param {State} state */
@@ -299,9 +331,11 @@ class Compute {
     const { kind, message, refusal } = problem;
     if (kind === "replaced") return;
     this.#outdate();
+    const letter = this.#letter || (this.#valued && Object.keys(this.#state.set).at(-1)) || "";
     const tell = () => {
       if (turn !== this.#turn) return;
-      if (kind === "refused") this.box.refuse(refusal);
+      if (kind === "refused" && letter && this.letters.tell(letter, sentence(refusal))) this.box.accept();
+      else if (kind === "refused") this.box.refuse(refusal);
       else if (kind === "crashed") this.box.refuse({ message: `The computation failed: ${message}.`, help: "Your input is kept. A smaller space or fewer letters may succeed" });
       else if (kind === "failed") this.box.refuse({ message: `The engine did not load: ${message}`, help: "This page needs a browser with WebAssembly. Press Enter to try again" });
       else if (kind === "stopped") this.services.say("stopped");
@@ -316,7 +350,15 @@ class Compute {
   /** @param {string} card */
   #scroll(card) {
     const box = this.#cards.find(({ kind }) => kind.name === card)?.element;
+    const { motion } = this.#state;
     this.#state = { ...this.#state, card: "" };
-    box?.scrollIntoView({ block: "start" });
+    if (motion) scrollTo(0, 0);
+    else box?.scrollIntoView({ block: "start" });
   }
+}
+
+/** A message and its advice as sentences. @param {import("./box.js").Refusal} refusal */
+function sentence({ message, help }) {
+  const parts = [message, help ?? ""].filter(Boolean).map((part) => `${part.charAt(0).toUpperCase()}${part.slice(1).replace(/\.$/, "")}.`);
+  return parts.join(" ");
 }

@@ -66,6 +66,9 @@ export class MotionView {
     this.#go(this.#at);
   }
 
+  /** Begins the animation. */
+  start() { if (!this.#playing) this.#toggle(); }
+
   /** Ends the animation, when another report is shown. */
   stop() { if (this.#playing) this.#toggle(); }
 

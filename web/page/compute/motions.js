@@ -40,6 +40,8 @@ export class MotionCard {
   kind = { name: "motions", title: "Motions", second: true, report: "motion", when: (/** @type {Reading} */ { name }) => name in OF };
   /** @type {any} */ #view = null;
   #problem = "";
+  /** Whether an example of a motion was played. */
+  #shown = false;
   #text = "";
   #busy = false;
   #again = false;
@@ -77,6 +79,9 @@ export class MotionCard {
     this.#text = assigned(this.#text, state.set);
     this.#sliders();
     await this.#draw();
+    // an example of a motion moves at once
+    if (wanted && !this.#shown && !matchMedia("(prefers-reduced-motion: reduce)").matches) this.#view?.start();
+    this.#shown ||= Boolean(wanted);
   }
 
   /** @param {string} name @param {string[]} names */

@@ -38,7 +38,7 @@ export default {
   camera: [52, 26],
   points: { p: P },
   move: (name, x, { v }) => norm(x) * Math.max(1, v) > REACH ? scale(x, REACH / (norm(x) * Math.max(1, v))) : x,
-  hands: { unit: UNIT, box: BOX },
+  hands: { unit: UNIT, box: BOX, size: ({ v }) => v },
   play: "Carry",
   duration: 4,
   rest: 4,
@@ -49,7 +49,7 @@ export default {
     ball.carried(path, family(0.5), u, "zero", share);
     for (const x of [/** @type {Point} */ ([0, 0, 0]), a, b]) ball.dot(x, "ink", 2.4);
     ball.label([0, 0, 0], "e", "name", [-6, 10]);
-    ball.label(p, "p", "name", [0, 15]);
+    ball.label(a, "p", "name", [0, 15]);
     const words = `turned by ${(turn * 180 / Math.PI).toFixed(1)}°`;
     return [{ svg: ball.drawn(), caption: "", about: `Ball of rotation vectors: a vector carried around a triangle by the zero connection comes back ${words}` }];
   },

@@ -9,7 +9,7 @@ const by = (id) => /** @type {HTMLElement} */ (document.getElementById(id));
 
 /** The view of Explore. @param {import("../main.js").Services} services @returns {import("../main.js").View & {clock(): Stage}} */
 export function mount(services) {
-  let id = "", title = "";
+  let id = "", title = "", opened = false;
   /** @type {Stage} */ let stage;
   /** What the control says, once it has been moved. */
   const named = () => {
@@ -36,6 +36,7 @@ export function mount(services) {
       const [, name, state] = /^([a-z]*)\??(.*)$/s.exec(rest) ?? ["", "", ""];
       const at = PAGES.findIndex((page) => page.id === name);
       if (stage !== first) stage.pause();
+      queueMicrotask(() => { opened = true; });
       by("page").hidden = at < 0;
       for (const part of ["explore", "box", "contents"]) by(part).hidden = at >= 0;
       if (at < 0) {
@@ -51,10 +52,12 @@ export function mount(services) {
       if (id !== name || !by("page").firstChild) {
         [id, title] = [name, spec.title];
         const near = (/** @type {number} */ k, /** @type {string} */ sign) => PAGES[k] ? `<a href="#explore/${PAGES[k].id}">${sign === "next" ? `${PAGES[k].title} →` : `← ${PAGES[k].title}`}</a>` : '<a href="#explore">All pages</a>';
-        by("page").innerHTML = `<h1>${spec.title}</h1><div class="spread"><div class="stage"></div><div class="text"><p>${spec.text}</p><p>${spec.more}</p>`
+        by("page").innerHTML = `<h1 tabindex="-1">${spec.title}</h1><div class="spread"><div class="stage"></div><div class="text"><p>${spec.text}</p><p>${spec.more}</p>`
           + `<p class="readout"></p><p><a class="tensors" href="#compute?${spec.tensors}">See the tensors →</a></p></div></div><nav class="steps" aria-label="Pages">${near(at - 1, "before")}${near(at + 1, "next")}</nav>`;
         stage = new Stage(/** @type {HTMLElement} */ (by("page").querySelector(".stage")), spec, "page", () => changed());
         scrollTo(0, 0);
+        // who comes from another page reads on from the heading; a first visit begins at the top
+        if (opened) /** @type {HTMLElement} */ (by("page").querySelector("h1")).focus({ preventScroll: true });
         if (state) stage.load(state);
         else if (!still) stage.toggle();
       } else if (state) stage.load(state);
@@ -63,5 +66,6 @@ export function mount(services) {
     title: named,
     cards: () => [stage.box],
     clock: () => stage,
+    about: () => stage === first ? { title: by("question").innerHTML, words: document.querySelector("#explore .lead")?.innerHTML ?? "" } : { title: stage.spec.title, words: stage.spec.text },
   };
 }

@@ -23,10 +23,10 @@ const UNTURNED = "<span>returns unturned:</span>";
 
 /** What becomes of a vector, in words. @param {number} lambda @param {number} turn degrees */
 export function verdict(lambda, turn) {
-  if (lambda === 1) return `${UNTURNED} <span><b>flat</b>, torsion <i>c</i></span>`;
-  if (lambda === 0) return `${UNTURNED} <span><b>flat</b>, torsion −<i>c</i></span>`;
+  if (lambda === 1) return `${UNTURNED} <span><b>flat</b>, torsion <i title="c: the structure constants of the group">c</i></span>`;
+  if (lambda === 0) return `${UNTURNED} <span><b>flat</b>, torsion −<i title="c: the structure constants of the group">c</i></span>`;
   const torsion = 2 * lambda - 1;
-  const twist = torsion === 0 ? "<b>no torsion</b>" : `torsion ${torsion.toFixed(2).replace("-", "−")} <i>c</i>`;
+  const twist = torsion === 0 ? "<b>no torsion</b>" : `torsion ${torsion.toFixed(2).replace("-", "−")} <i title="c: the structure constants of the group">c</i>`;
   return `<span>turned by ${turn.toFixed(1)}°:</span> <span><b>curved</b>, ${twist}</span>`;
 }
 

@@ -25,7 +25,7 @@ import { within } from "./ball.js";
  * @property {number} [rest] the time that is shown before the clock starts
  * @property {Record<string, Point>} [points]
  * @property {(name: string, x: Point, state: State) => Point} [move] restricts a point that is moved
- * @property {{unit: number, box: [number, number, number, number]}} [hands] scale and box of the pictures with points
+ * @property {{unit: number, box: [number, number, number, number], size?: (state: State) => number}} [hands] scale and box of the pictures with points; `size` scales the points
  */
 
 /** @param {Spec} spec @returns {State} */
@@ -33,10 +33,10 @@ export const start = (spec) => ({ v: spec.control.value, t: spec.rest ?? 0, poin
 
 const brief = (/** @type {Point} */ x) => x.map((part) => part.toFixed(1).replace("-", "−")).join(", ");
 
-/** Where a point stands in its picture, in percent. @param {Spec} spec @param {Camera} camera @param {Point} x */
-function place(spec, camera, x) {
-  const [right, up] = camera.axes(), { unit, box } = spec.hands ?? { unit: 1, box: [0, 0, 1, 1] };
-  const along = (/** @type {Point} */ axis) => unit * (x[0] * axis[0] + x[1] * axis[1] + x[2] * axis[2]);
+/** Where a point stands in its picture, in percent. @param {Spec} spec @param {Camera} camera @param {Point} x @param {State} state */
+function place(spec, camera, x, state) {
+  const [right, up] = camera.axes(), { unit, box, size } = spec.hands ?? { unit: 1, box: [0, 0, 1, 1] };
+  const along = (/** @type {Point} */ axis) => unit * (size?.(state) ?? 1) * (x[0] * axis[0] + x[1] * axis[1] + x[2] * axis[2]);
   return [100 * (along(right) - box[0]) / box[2], 100 * (-along(up) - box[1]) / box[3]];
 }
 
@@ -104,9 +104,9 @@ export class Stage {
 
   /** @param {HTMLElement} handle */
   #hand(handle) {
-    const name = handle.dataset.name ?? "", { unit, box } = this.spec.hands ?? { unit: 1, box: [0, 0, 1, 1] };
+    const name = handle.dataset.name ?? "", { unit, box, size } = this.spec.hands ?? { unit: 1, box: [0, 0, 1, 1] };
     const move = (/** @type {number} */ right, /** @type {number} */ up) => {
-      const axes = this.camera.axes(), moved = add(add(this.state.points[name], axes[0], right), axes[1], up);
+      const scale = 1 / (size?.(this.state) ?? 1), axes = this.camera.axes(), moved = add(add(this.state.points[name], axes[0], right * scale), axes[1], up * scale);
       this.state.points[name] = (this.spec.move ?? ((_, x) => within(x)))(name, moved, this.state);
       this.state.memo = undefined;
       this.changed();
@@ -207,7 +207,7 @@ export class Stage {
     });
     for (const element of this.box.querySelectorAll(".handle")) {
       const handle = /** @type {HTMLElement} */ (element), x = state.points[handle.dataset.name ?? ""];
-      const [left, top] = place(spec, camera, x), view = /** @type {HTMLElement} */ (handle.parentElement?.firstElementChild);
+      const [left, top] = place(spec, camera, x, state), view = /** @type {HTMLElement} */ (handle.parentElement?.firstElementChild);
       handle.style.left = `${view.offsetLeft + left / 100 * view.offsetWidth}px`;
       handle.style.top = `${view.offsetTop + top / 100 * view.offsetHeight}px`;
       handle.setAttribute("aria-valuenow", Math.hypot(...x).toFixed(2));

@@ -162,8 +162,9 @@ mod tests {
         let entries = rows.iter().enumerate().flat_map(|(i, row)| {
             row.iter().enumerate().map(move |(j, value)| ([i, j], Rational::from(*value)))
         });
-        let tensor = Tensor::from_components(rows.len(), &[Up, Down], entries).unwrap();
-        let found = eigenvalues(&tensor).unwrap();
+        let tensor =
+            Tensor::from_components(rows.len(), &[Up, Down], entries).expect("the entries fit");
+        let found = eigenvalues(&tensor).expect("there are eigenvalues");
         found.into_iter().map(|value| (value.text, value.multiplicity)).collect()
     }
 

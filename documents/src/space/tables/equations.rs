@@ -1,4 +1,5 @@
 //! Structure equations of a coframe: `de1 = 0, de3 = -e1^e2`, also with `∧`, `e^{12}` and `d\omega^1`.
+//! Products may be written as in the notation of Salamon: `de4 = e12`, `de4 = 12`.
 //!
 //! `de^k = a e^i ∧ e^j` means `[e_i, e_j] = -a e_k`, because `de^k(x, y) = -e^k([x, y])`. The basis
 //! is deduced as for brackets.
@@ -11,7 +12,8 @@ use crate::space::Definition;
 /// The mark of a wedge product in the rewritten text.
 const WEDGE: char = '∧';
 
-/// Whether the first statement is `d` of a name, and some statement contains a product of forms.
+/// Whether the first statement is `d` of a name, and some statement contains a product of forms, or
+/// two indices after the `d` of a numbered form.
 pub(super) fn is_table(text: &str) -> bool {
     let first = first_line(text);
     let head = first.split(['=', ',', ';']).next().unwrap_or_default();
@@ -24,7 +26,23 @@ pub(super) fn is_table(text: &str) -> bool {
                 .skip(1)
                 .any(|rest| rest.trim_start().starts_with(|c: char| c.is_alphabetic() || c == '{'))
     };
-    is_head && text.lines().any(|line| line.contains('=') && wedge(line))
+    let is_numbered = head.trim_end_matches(['}', ' ']).ends_with(|c: char| c.is_ascii_digit());
+    let indices = |line: &str| {
+        let sums = split_at_top(line, &[',', ';']).into_iter().filter_map(|s| s.split_once('='));
+        sums.flat_map(|(_, sum)| salamon::terms(sum)).any(|(_, term)| is_pair(term))
+    };
+    let product = |line: &str| wedge(line) || is_numbered && indices(line);
+    is_head && text.lines().any(|line| line.contains('=') && product(line))
+}
+
+/// Whether a term is a product of forms by two indices, after a factor: `12`, `2*e12`.
+fn is_pair(term: &str) -> bool {
+    let last = term.rsplit(['*', '·', ' ']).next().unwrap_or_default();
+    let name = last.trim_start_matches(|c: char| c.is_ascii_digit() || c == '\\');
+    let is_name = |c: char| c.is_alphanumeric() || "_^{}".contains(c);
+    let digits = name.chars().filter(char::is_ascii_digit).count();
+    let named = name.starts_with(char::is_alphabetic) && name.chars().all(is_name);
+    salamon::form(term).is_some() || named && digits == 2
 }
 
 /// The algebra of the equations.
@@ -37,7 +55,8 @@ pub(super) fn definition(source: &Source) -> Result<Definition, InputError> {
         .flat_map(|line| split_at_top(line, &[',', ';']))
         .filter(|statement| !statement.trim().is_empty())
         .collect();
-    let (mut entries, mut names, mut found) = (vec![], vec![], vec![]);
+    let (mut entries, mut names) = (vec![], vec![]);
+    let mut found: Vec<String> = vec![];
     for statement in &statements {
         let refuse = |part: &str, message: String| {
             let help = "write de3 = -e1^e2, one equation for each form";
@@ -55,17 +74,17 @@ pub(super) fn definition(source: &Source) -> Result<Definition, InputError> {
             continue;
         }
         for (negative, term) in salamon::terms(sum) {
-            let Some((value, [i, j])) = product(term) else {
+            let Some((value, [i, j])) = product(term).or_else(|| by_indices(k, term)) else {
                 let part = if term.is_empty() { sum } else { term };
                 let message = format!("`{}` is not a product of two forms", shown(part.trim()));
                 return refuse(part, message);
             };
-            found.extend([i, j]);
+            found.extend([i.clone(), j.clone()]);
             let (j, k, i) = (i.into(), j.into(), k.into());
             entries.push(Entry { j, k, i, negative: !negative, value, place: term });
         }
     }
-    names.extend(found);
+    names.extend(found.iter().map(String::as_str));
     let labels = order_of(&names)?;
     let borrowed: Vec<&str> = labels.iter().map(String::as_str).collect();
     let labels = basis_vectors(&borrowed);
@@ -92,7 +111,7 @@ fn form(head: &str) -> Option<&str> {
 const GREEK: [&str; 5] = ["alpha", "eta", "omega", "sigma", "theta"];
 
 /// The factor and the two forms of a term: `a*e1∧e2`, `2 e1∧e2`.
-fn product(term: &str) -> Option<(&str, [&str; 2])> {
+fn product(term: &str) -> Option<(&str, [String; 2])> {
     let is_name = |c: char| c.is_alphanumeric() || c == '_';
     let (head, second) = term.split_once(WEDGE)?;
     let (head, second) = (head.trim_end(), second.trim());
@@ -103,7 +122,15 @@ fn product(term: &str) -> Option<(&str, [&str; 2])> {
     let factor = factor.trim_end_matches(['*', '·']).trim_end();
     let factor = if factor.is_empty() { "1" } else { factor };
     let ok = !name.is_empty() && !second.is_empty() && second.chars().all(is_name);
-    ok.then_some((factor, [name, second]))
+    ok.then(|| (factor, [name.into(), second.into()]))
+}
+
+/// The factor and the two forms of a term in the notation of Salamon: `2*12` in `de4` means
+/// `2 e1∧e2`.
+fn by_indices<'t>(form: &str, term: &'t str) -> Option<(&'t str, [String; 2])> {
+    let stem = form.trim_end_matches(|c: char| c.is_ascii_digit());
+    let (factor, indices) = salamon::form(term).filter(|_| stem.len() < form.len())?;
+    Some((factor, indices.map(|index| format!("{stem}{index}"))))
 }
 
 /// The source with one mark for products and with plain indices: `e^{12}` and `e12` on the right
@@ -129,7 +156,7 @@ fn rewritten(source: &Source) -> Source {
             at += rest.len() - behind.len();
             continue;
         }
-        if symbol.is_alphabetic() && !(symbol == 'd' && !right) {
+        if symbol.is_alphabetic() && (right || symbol != 'd') {
             let name = rest.find(|c: char| !c.is_alphabetic()).unwrap_or(rest.len());
             let marks = rest[name..].find(|c: char| !(c.is_ascii_digit() || "_^{}".contains(c)));
             // a wedge may follow an index

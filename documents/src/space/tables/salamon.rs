@@ -27,7 +27,7 @@ fn is_bare(line: &str) -> bool {
     let items = items(line);
     let term =
         |item: &&str| zeros(item).is_some() || terms(item).iter().all(|(_, t)| form(t).is_some());
-    items.len() > 2 && zeros(items[0]).is_some() && items.iter().all(|item| term(&item))
+    items.len() > 2 && zeros(items[0]).is_some() && items.iter().all(term)
 }
 
 /// Reads the algebra from a list.
@@ -101,7 +101,7 @@ pub(super) fn terms(sum: &str) -> Vec<(bool, &str)> {
 }
 
 /// The factor and the two indices of a term: `12`, `1.10`, `{1,10}`, `a*12`, `2 12`.
-fn form(term: &str) -> Option<(&str, [&str; 2])> {
+pub(super) fn form(term: &str) -> Option<(&str, [&str; 2])> {
     let (factor, pair) = match term.rfind(['*', '·', ' ']) {
         Some(at) => {
             let behind = term[at..].chars().next().map_or(0, char::len_utf8);
