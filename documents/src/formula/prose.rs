@@ -88,6 +88,10 @@ fn formula(run: &str) -> Option<Row> {
     if !operators || alone {
         return None;
     }
+    // the notation reads a star as a product, but that of a dual vector, `e2* + e7*`, is a mark
+    if run.ends_with('*') || run.contains("* ") || run.contains("*,") {
+        return None;
+    }
     let row = notation(&run.replace("nabla[", "nabla [")).ok()?;
     // words in a formula mean that it is text
     (!row.iter().any(|node| matches!(node, Node::Text(_)))).then_some(row)
@@ -133,6 +137,7 @@ mod tests {
             ("Einstein (Ric = c g)", &["(Ric = c g)"]),
             ("constant curvature K", &["K"]),
             ("-", &[]),
+            ("e2* + e7*, e8*", &[]),
             ("for matrices AB - BA", &[]),
         ] {
             assert_eq!(formulas(text), expected, "{text}");

@@ -101,7 +101,8 @@ fn remove_others(dist: &Path, prefix: &str, kept: &[&str]) -> Result<()> {
     for entry in fs::read_dir(dist)? {
         let entry = entry?;
         let name = entry.file_name().to_string_lossy().into_owned();
-        if name.starts_with(prefix) && !kept.contains(&name.as_str()) {
+        let is_folder = entry.file_type()?.is_dir();
+        if is_folder && name.starts_with(prefix) && !kept.contains(&name.as_str()) {
             fs::remove_dir_all(entry.path())?;
         }
     }
