@@ -187,7 +187,7 @@ def test_functions_come_back(value):
     ],
 )
 def test_functions_that_would_be_others_are_refused(value):
-    with pytest.raises((TypeError, ValueError), match="no counterpart|another name|assumptions"):
+    with pytest.raises((TypeError, ValueError), match="neither a rational function|another name|assumptions"):
         af.Tensor([value, 0], "^")
 
 
@@ -204,7 +204,7 @@ def test_the_imaginary_unit_is_no_symbol():
     keys = {"space": "so3", "metric": "identity", "initial": {"velocity": [0, 0, 0]}, "parameters": {"i": 5}}
     assert af.simulate(keys, forces={"body": [i, 0, 0]}, output={"end": 1})["Omega1"][-1] == pytest.approx(5)
     for value in (sp.I, 1j):
-        with pytest.raises(TypeError, match="no counterpart|real number"):
+        with pytest.raises(TypeError, match="neither a rational function|real number"):
             af.simulate(keys, forces={"body": [value, 0, 0]}, output={"end": 1})
 
 

@@ -264,7 +264,7 @@ def test_names_of_indices():
     assert "Ric_xx = Ric_yy = Ric_zz = 1/2" in ricci.to_text(labels=["x", "y", "z"])
     assert "Ric_r,r = Ric_theta,theta" not in ricci.to_text(labels=["r", "theta", "phi"])
     assert "Ric_rr = Ric_theta,theta = Ric_phi,phi = 1/2" in ricci.to_text(labels=["r", "theta", "phi"])
-    assert r"_{\theta,\theta}" in ricci.to_latex(labels=["r", "theta", "phi"])
+    assert r"_{\theta \theta}" in ricci.to_latex(labels=["r", "theta", "phi"])
     assert ricci.to_latex(labels=None) == ricci.to_latex()
     for method in (ricci.to_text, ricci.to_latex):
         with pytest.raises(ValueError, match="2 labels, but the dimension is 3"):

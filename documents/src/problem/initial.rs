@@ -122,7 +122,7 @@ impl InitialElement {
                     let (found, needed) = (parts.len(), factors.len());
                     let message =
                         format!("the space has {needed} parts, but there are {found} elements");
-                    let help = "give one table [[initial.parts]] for each part of the sum, in order; an empty table is the identity";
+                    let help = "give one table [[initial.parts]] for each part of the sum, in order; leave it empty for the identity";
                     return Err(InputError::usage(message).at(place).help(help));
                 }
                 let numbers = parts
