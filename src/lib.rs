@@ -64,7 +64,7 @@
 //!
 //! | module | contents |
 //! |---|---|
-//! | [`tensors`] | the re-exported package `affinor-tensors`: scalars, sparse tensors, [`contract!`], linear algebra |
+//! | [`tensors`] | the re-exported package `affinor-tensors`: scalars, sparse tensors, [`contract`], linear algebra |
 //! | [`algebra`] | [`Frame`], [`Bracket`], [`LieAlgebra`], the [`catalogue`](algebra::catalogue), [`structure`](algebra::structure) theory, roots |
 //! | [`representation`] | irreducible representations of reductive algebras: products, powers, branching rules |
 //! | [`geometry`] | [`Connection`], [`Metric`], torsion, curvature, [`Chart`], forms, homogeneous spaces ([`ReductivePair`]), equations of motion |
