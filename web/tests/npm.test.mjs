@@ -36,7 +36,7 @@ test("the command prints what the program prints", () => {
 test("errors have a place, help and a status", () => {
   const refused = affinor("table", "so33");
   assert.equal(refused.status, 2);
-  assert.match(refused.stderr, /^error: `so33` can be read as so\(33\) or so\(3,3\).*\n {2}so33\n {2}\^{4}\n/);
+  assert.match(refused.stderr, /^error: “so33” can be read as so\(33\) or so\(3,3\).*\n {2}so33\n {2}\^{4}\n/);
   for (const words of [["tables"], ["table", "so3", "E8"], ["simulate"], ["simulate", "nothing.toml"], ["table", "--colour"], []]) {
     assert.equal(affinor(...words).status, 2, words.join(" "));
   }
