@@ -21,7 +21,7 @@ pub(crate) use error::shown;
 pub use error::{InputError, Refusal};
 pub use file::fingerprint;
 pub use files::Files;
-pub(crate) use keys::parse_keys;
+pub(crate) use keys::{known_keys, parse_keys};
 pub use mesh::{mesh, read_mesh};
 pub use numbers::numbers;
 pub(crate) use rows::read_columns;

@@ -61,7 +61,7 @@ pub(super) fn reading(input: &str, space: &Space) -> Result<Answer, Refusal> {
         "name": name,
         "dimension": definition.dimension(),
         "kind": kind,
-        "notation": notation.map(notation_name),
+        "notation": notation,
         "basis": definition.labels,
         "parameters": definition.parameters(),
         "coordinates": definition.coordinates(),
@@ -77,25 +77,13 @@ pub(super) fn reading(input: &str, space: &Space) -> Result<Answer, Refusal> {
     written(&json)
 }
 
-/// The name of a notation for a reader: the program lists notations by an example.
-fn notation_name(example: &str) -> &str {
-    match example {
-        "(0,0,12)" => "Salamon's list of de^i",
-        "de3 = -e1^e2" => "structure equations",
-        other => match other.split_once(' ') {
-            Some((word @ ("brackets" | "matrices"), _)) => word,
-            _ => other,
-        },
-    }
-}
-
 /// Names for the completion of the input: schema `affinor.names/1`.
 ///
 /// # Errors
 /// None, because a list of names is short.
 pub(super) fn names() -> Result<Answer, Refusal> {
     let names: Vec<&str> = families().iter().map(|family| family.example).collect();
-    written(&json!({ "schema": "affinor.names/1", "spaces": names, "charts": charts::NAMES }))
+    written(&json!({ "schema": "affinor.names/1", "spaces": names, "charts": charts::names() }))
 }
 
 /// The answer that consists of JSON.

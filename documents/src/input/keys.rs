@@ -1,7 +1,8 @@
 //! Parser of the keys of a file, which is written in TOML, or in JSON with the same keys.
 
 use super::{InputError, Place, Source, json};
-use serde::de::DeserializeOwned;
+use serde::de::{DeserializeOwned, Error, Visitor, value};
+use serde::{Deserializer, forward_to_deserialize_any};
 use toml::de::{DeTable, DeValue};
 
 /// Parses the keys of a file: JSON if the text begins with `{`, otherwise TOML. Also returns the
@@ -43,6 +44,40 @@ pub(crate) fn parse_keys<T: DeserializeOwned>(
             let message = if overflow { "the integer exceeds 64 bits" } else { error.message() };
             refused(message, error.span())
         }
+    }
+}
+
+/// The keys that a file with these contents may have.
+pub(crate) fn known_keys<T: DeserializeOwned>() -> &'static [&'static str] {
+    let mut keys: &'static [&'static str] = &[];
+    // the probe stops with an error as soon as it has the names
+    let _ = T::deserialize(KeyProbe(&mut keys));
+    keys
+}
+
+/// A deserializer that contains nothing, and records the names of the fields that are asked for.
+struct KeyProbe<'k>(&'k mut &'static [&'static str]);
+
+impl<'de> Deserializer<'de> for KeyProbe<'_> {
+    type Error = value::Error;
+
+    fn deserialize_struct<V: Visitor<'de>>(
+        self,
+        _: &'static str,
+        fields: &'static [&'static str],
+        visitor: V,
+    ) -> Result<V::Value, Self::Error> {
+        *self.0 = fields;
+        self.deserialize_any(visitor)
+    }
+
+    fn deserialize_any<V: Visitor<'de>>(self, _: V) -> Result<V::Value, Self::Error> {
+        Err(value::Error::custom("a probe contains no values"))
+    }
+
+    forward_to_deserialize_any! {
+        bool i8 i16 i32 i64 i128 u8 u16 u32 u64 u128 f32 f64 char str string bytes byte_buf option
+        unit unit_struct newtype_struct seq tuple tuple_struct map enum identifier ignored_any
     }
 }
 

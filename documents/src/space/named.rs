@@ -1,9 +1,10 @@
 //! Spaces given by a string: sums of catalogue names, paths of files, and tables in the string
 //! itself.
 
-use super::{Definition, check_dimension, spelling, tables};
+use super::{Definition, check_dimension, paper, spelling, tables};
 use crate::input::{InputError, Source};
 use affinor::algebra::catalogue::CatalogueError;
+use affinor_tensors::{Rational, Symbolic};
 use std::path::Path;
 
 /// The longest chain of definition files that refer to each other.
@@ -36,8 +37,22 @@ pub(super) fn part(source: &Source) -> Result<Definition, InputError> {
     }
 }
 
+/// The space that a name in a source means: a geometry of Paraskevopoulos and Natsiavas (2013), or
+/// the algebra of a sum of catalogue names.
+pub(super) fn named_space(source: &Source) -> Result<Definition, InputError> {
+    let name: String = source.content().chars().filter(|c| !c.is_whitespace()).collect();
+    match name.as_str() {
+        "M(3)" | "M3" => Definition::of_paper(&paper::m3()?, Symbolic::clone),
+        "SO(3)" | "SO3" => {
+            let exact = |value: &Rational| Symbolic::constant(value.clone());
+            Definition::of_paper(&paper::so3()?, exact)
+        }
+        _ => named(source),
+    }
+}
+
 /// The algebra that a sum of catalogue names in a source means.
-pub(super) fn named(source: &Source) -> Result<Definition, InputError> {
+fn named(source: &Source) -> Result<Definition, InputError> {
     let text = source.content();
     let parts = affinor::group::registry::summands(text).into_iter();
     let parts: Vec<_> = parts.map(|part| entry(part, source)).collect::<Result<_, _>>()?;

@@ -6,13 +6,12 @@ use crate::input::{
 };
 use crate::space::{
     Definition, MetricChoice, Origin, add,
-    named::{is_path, named},
+    named::{is_path, named_space},
     notation::{self, Names, basis, lines, metric, statement},
-    paper,
     setting::settings,
     spelling, tables, typed,
 };
-use affinor_tensors::{Kind, Rational, Symbolic};
+use affinor_tensors::{Kind, Symbolic};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
@@ -293,35 +292,13 @@ fn split_space(space: &str, files: &Files) -> Result<Request, InputError> {
 /// Finds the definition that a name means: a geometry of Paraskevopoulos and Natsiavas (2013), a
 /// file, or a sum of catalogue names.
 fn find(name: &str, files: &Files) -> Result<Definition, InputError> {
-    if let Some(geometry) = of_paper(name) {
-        return geometry;
-    }
     if let Some(table) = tables::inline(&Source::new("SPACE", name)) {
         return table;
     }
     if is_path(name) {
         return Definition::read_part(name, 0, files);
     }
-    named(&Source::new("SPACE", &spelling::folded(name)))
-}
-
-/// A geometry of the paper, or a sum of catalogue names.
-pub(super) fn named_space(source: &Source) -> Result<Definition, InputError> {
-    of_paper(source.content()).unwrap_or_else(|| named(source))
-}
-
-/// A geometry of the paper.
-fn of_paper(name: &str) -> Option<Result<Definition, InputError>> {
-    let compact: String = name.chars().filter(|c| !c.is_whitespace()).collect();
-    let exact = |value: &Rational| Symbolic::constant(value.clone());
-    let read = match compact.as_str() {
-        "M(3)" | "M3" => {
-            paper::m3().map(|geometry| Definition::of_paper(&geometry, Symbolic::clone))
-        }
-        "SO(3)" | "SO3" => paper::so3().map(|geometry| Definition::of_paper(&geometry, exact)),
-        _ => return None,
-    };
-    Some(read.map_err(InputError::from).and_then(|definition| definition))
+    named_space(&Source::new("SPACE", &spelling::folded(name)))
 }
 
 /// Reads brackets that are given on the command line.

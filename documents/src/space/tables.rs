@@ -26,10 +26,15 @@ use std::collections::BTreeMap;
 /// The name of the source of a text that is typed into a field.
 pub(super) const TYPED: &str = "the input";
 
+/// The name of the notation of brackets.
+const BRACKETS: &str = "brackets";
+
 /// A notation in which a space can be written.
 struct Notation {
-    /// The name of the notation in the list of supported notations.
+    /// The name of the notation.
     name: &'static str,
+    /// A table in the notation; empty for the output of a program.
+    example: &'static str,
     /// Whether a text is in this notation. The first characters decide, or a word that occurs only
     /// in this notation.
     recognises: fn(&str) -> bool,
@@ -43,39 +48,63 @@ struct Notation {
 const NOTATIONS: [Notation; 9] = [
     Notation {
         name: "JSON of `affinor table`",
+        example: "",
         recognises: json::is_table,
         read: json::definition,
         inline: false,
     },
-    Notation { name: "GAP", recognises: gap::is_table, read: gap::definition, inline: false },
-    Notation { name: "Maple", recognises: maple::is_table, read: maple::definition, inline: false },
-    Notation { name: "Sage", recognises: sage::is_table, read: sage::definition, inline: false },
     Notation {
-        name: "matrices [[0, 1], [0, 0]]",
+        name: "GAP",
+        example: "",
+        recognises: gap::is_table,
+        read: gap::definition,
+        inline: false,
+    },
+    Notation {
+        name: "Maple",
+        example: "",
+        recognises: maple::is_table,
+        read: maple::definition,
+        inline: false,
+    },
+    Notation {
+        name: "Sage",
+        example: "",
+        recognises: sage::is_table,
+        read: sage::definition,
+        inline: false,
+    },
+    Notation {
+        name: "matrices",
+        example: "[[0, 1], [0, 0]]",
         recognises: matrices::is_table,
         read: matrices::definition,
         inline: true,
     },
     Notation {
-        name: "de3 = -e1^e2",
+        name: "structure equations",
+        example: "de3 = -e1^e2",
         recognises: equations::is_table,
         read: equations::definition,
         inline: true,
     },
     Notation {
-        name: "(0,0,12)",
+        name: "Salamon's list of de^i",
+        example: "(0,0,12)",
         recognises: salamon::is_table,
         read: salamon::definition,
         inline: true,
     },
     Notation {
-        name: "brackets [x, y] = z",
+        name: BRACKETS,
+        example: "[x, y] = z",
         recognises: brackets::is_table,
         read: brackets::definition,
         inline: true,
     },
     Notation {
-        name: "CSV rows i,j,k,value",
+        name: "CSV rows",
+        example: "i,j,k,value",
         recognises: rows::is_table,
         read: rows::definition,
         inline: false,
@@ -110,7 +139,7 @@ pub(super) fn typed(source: &Source) -> Option<Result<(Definition, &'static str)
         None if text.trim_start().starts_with(['(', '[']) && fault(source).is_some() => {
             return fault(source).map(Err);
         }
-        None if looks_like_brackets() => (brackets::definition as fn(&Source) -> _, "brackets"),
+        None if looks_like_brackets() => (brackets::definition as fn(&Source) -> _, BRACKETS),
         None => return None,
     };
     let read: Result<Definition, InputError> = read(source);
@@ -189,8 +218,9 @@ pub(super) fn unknown(source: &Source) -> InputError {
         ("import ", "a program in Python"),
     ];
     let text = source.content();
-    let names = NOTATIONS.iter().map(|notation| notation.name).chain(["keys in TOML or JSON"]);
-    let names: Vec<&str> = names.collect();
+    let known = NOTATIONS.iter().map(|notation| format!("{} {}", notation.name, notation.example));
+    let mut names: Vec<String> = known.map(|name| name.trim_end().into()).collect();
+    names.push("keys in TOML or JSON".into());
     let seems = GUESSES.iter().find(|(sign, _)| text.contains(sign));
     let seems = seems.map_or(String::new(), |(_, what)| format!("; it seems to be {what}"));
     let message = format!("{} is not a definition of a space{seems}", source.name);

@@ -1,47 +1,21 @@
 //! Texts that are typed into a field: a name, brackets, matrices, or the keys of a definition.
 
 use super::document::Document;
-use super::request::named_space;
+use super::named::named_space;
 use super::tables::{self, TYPED};
 use super::{Definition, spelling};
-use crate::input::{InputError, Source, parse_keys};
+use crate::input::{InputError, Source, known_keys, parse_keys};
 
 /// The kind of a typed text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Typed {
     /// A name of the catalogue, or a sum of names.
     Name,
-    /// A table in a notation, such as `brackets [x, y] = z`.
+    /// A table in the notation with this name, such as `brackets`.
     Table(&'static str),
     /// The keys of a definition, in TOML or JSON.
     Keys,
 }
-
-/// Keys with which a definition may begin.
-const KEYS: [&str; 22] = [
-    "name",
-    "basis",
-    "dimension",
-    "parameters",
-    "brackets",
-    "structure_constants",
-    "matrices",
-    "sum",
-    "semidirect",
-    "subalgebra",
-    "quotient",
-    "central_extension",
-    "contraction",
-    "change_of_basis",
-    "truncated",
-    "tensor_product",
-    "complexification",
-    "chart",
-    "frame",
-    "metric",
-    "connection",
-    "affinities",
-];
 
 /// The definition in a text that is typed into a field, which is not a path, and the kind of the
 /// text. Names without a declaration become parameters.
@@ -87,7 +61,8 @@ fn has_keys(text: &str) -> bool {
     let object = first.strip_prefix('{').map(str::trim_start);
     let next = text.trim_start().strip_prefix('{').map(str::trim_start);
     let head = first.strip_prefix('[').and_then(|rest| rest.split_once(']'));
-    let is_key = |word: &str| KEYS.contains(&word.trim().trim_matches(['"', '\'']));
+    let keys = known_keys::<Document>();
+    let is_key = |word: &str| keys.contains(&word.trim().trim_matches(['"', '\'']));
     object.is_some_and(|_| next.is_some_and(|next| next.starts_with('"')))
         || head.is_some_and(|(key, behind)| behind.trim().is_empty() && is_key(key))
         || first.split_once('=').is_some_and(|(key, _)| is_key(key.split('.').next().unwrap_or("")))
