@@ -57,7 +57,6 @@ impl Coefficient for f64 {
 
 /// Evaluates an expression over the scalar type of a [`Kind`](affinor::tensors::Kind):
 /// `over_kind!(kind, S => f::<S>(x))`.
-#[cfg(not(target_arch = "wasm32"))]
 #[macro_export]
 macro_rules! over_kind {
     ($kind:expr, $S:ident => $body:expr) => {
@@ -70,31 +69,28 @@ macro_rules! over_kind {
                 type $S = $crate::scalars::Symbolic;
                 $body
             }
-            $crate::scalars::Kind::Float => {
-                type $S = $crate::scalars::TrackedFloat;
-                $body
-            }
+            $crate::scalars::Kind::Float => $crate::over_floats!($S => $body),
         }
     };
 }
 
-/// Evaluates an expression over the scalar type of a [`Kind`](affinor::tensors::Kind). The page
-/// offers no floats, and the code for them would be a tenth of its download.
+/// Evaluates an expression over floats.
+#[doc(hidden)]
+#[cfg(not(target_arch = "wasm32"))]
+#[macro_export]
+macro_rules! over_floats {
+    ($S:ident => $body:expr) => {{
+        type $S = $crate::scalars::TrackedFloat;
+        $body
+    }};
+}
+
+/// Requests of the page cannot choose floats, whose code would be a tenth of its download.
+#[doc(hidden)]
 #[cfg(target_arch = "wasm32")]
 #[macro_export]
-macro_rules! over_kind {
-    ($kind:expr, $S:ident => $body:expr) => {
-        match $kind {
-            $crate::scalars::Kind::Exact => {
-                type $S = $crate::scalars::Rational;
-                $body
-            }
-            $crate::scalars::Kind::Symbolic => {
-                type $S = $crate::scalars::Symbolic;
-                $body
-            }
-            // requests of the page cannot choose floats
-            $crate::scalars::Kind::Float => unreachable!("the page computes exactly"),
-        }
+macro_rules! over_floats {
+    ($S:ident => $body:expr) => {
+        unreachable!("the page computes exactly")
     };
 }
