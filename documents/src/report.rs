@@ -303,9 +303,9 @@ impl Format {
         }
     }
 
-    /// The format of files with this ending, such as `tex` or `md`, in any case.
+    /// The format of files with this ending in lower case, such as `tex` or `md`.
     pub fn from_ending(ending: &str) -> Option<Self> {
-        Some(match ending.to_ascii_lowercase().as_str() {
+        Some(match ending {
             "txt" => Format::Text,
             "md" => Format::Markdown,
             "tex" => Format::Latex,

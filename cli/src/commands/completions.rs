@@ -1,5 +1,6 @@
 //! `affinor completions`: command-line completions for a shell.
 
+use super::convert::KINDS;
 use super::failure::Failure;
 use super::output::deliver;
 use affinor::algebra::catalogue;
@@ -47,9 +48,7 @@ fn names(argument: &str) -> Vec<String> {
         "kind" => EquationKind::ALL.map(|kind| kind.name().into()).to_vec(),
         "code" => Language::ALL.map(|language| language.name().into()).to_vec(),
         "method" | "methods" => Method::ALL.iter().map(|method| method.name().into()).collect(),
-        "from" | "to" => {
-            own(&["vector", "quaternion", "matrix", "gibbs", "modified", "ZYX", "zyx"])
-        }
+        "from" | "to" => [own(&KINDS.map(|(name, _)| name)), own(&["ZYX", "zyx"])].concat(),
         "format" => Format::ALL.map(|format| format.name().into()).to_vec(),
         _ => vec![],
     }

@@ -171,19 +171,24 @@ impl Arguments {
     }
 }
 
+/// The kinds with a name of their own; Euler angles are named by their axes.
+pub const KINDS: [(&str, Kind); 5] = [
+    ("vector", Kind::Vector),
+    ("quaternion", Kind::Quaternion),
+    ("matrix", Kind::Matrix),
+    ("gibbs", Kind::Gibbs),
+    ("modified", Kind::Modified),
+];
+
 fn kind(name: &str) -> Result<Kind, String> {
-    Ok(match name {
-        "vector" => Kind::Vector,
-        "quaternion" => Kind::Quaternion,
-        "matrix" => Kind::Matrix,
-        "gibbs" => Kind::Gibbs,
-        "modified" => Kind::Modified,
-        _ => {
-            let unknown =
-                "choose vector, quaternion, matrix, gibbs, modified, and Euler angles such as ZYX";
-            let axes: Vec<char> = name.chars().collect();
-            let axes = axes.try_into().map_err(|_| unknown)?;
-            Kind::Euler(name.parse().map_err(|_| unknown)?, axes)
-        }
-    })
+    if let Some((_, kind)) = KINDS.iter().find(|(own, _)| *own == name) {
+        return Ok(*kind);
+    }
+    let unknown = || {
+        let names = KINDS.map(|(name, _)| name).join(", ");
+        format!("choose {names}, and Euler angles such as ZYX")
+    };
+    let axes: Vec<char> = name.chars().collect();
+    let axes = axes.try_into().map_err(|_| unknown())?;
+    Ok(Kind::Euler(name.parse().map_err(|_| unknown())?, axes))
 }

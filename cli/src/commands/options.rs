@@ -3,7 +3,7 @@
 use super::color::ColorOption;
 use super::failure::Failure;
 use super::note::note;
-use super::output::deliver;
+use super::output::{deliver, ending};
 use super::stages::Stages;
 use affinor_documents::input::InputError;
 use affinor_documents::problem::Problem;
@@ -204,8 +204,7 @@ impl ProblemOptions {
 impl Output {
     /// The format of `--format`, otherwise that of the ending of the output file, otherwise text.
     pub fn format(&self) -> OutputFormat {
-        let ending = self.file.as_ref().and_then(|file| file.extension()?.to_str());
-        let named = ending.and_then(Format::from_ending).unwrap_or(Format::Text);
+        let named = Format::from_ending(&ending(self.file.as_deref())).unwrap_or(Format::Text);
         self.format.unwrap_or(OutputFormat::Report(named))
     }
 

@@ -38,6 +38,12 @@ pub fn deliver(
     done.map_err(|error| Failure::Output(error, shown))
 }
 
+/// The ending of the name of an output file, in lower case; empty if there is none.
+pub fn ending(file: Option<&Path>) -> String {
+    let ending = file.and_then(|file| file.extension()?.to_str());
+    ending.unwrap_or_default().to_ascii_lowercase()
+}
+
 /// A writer that checks before each write whether a stop is requested.
 struct Polled<'w>(&'w mut dyn Write);
 

@@ -3,7 +3,7 @@
 
 use super::color::ColorOption;
 use super::failure::Failure;
-use super::output::deliver;
+use super::output::{deliver, ending};
 use super::plot::{FIGURE_AT, connected, precession};
 use affinor_documents::figures::{self, Figure};
 use affinor_documents::picture::{View, draw, svg};
@@ -36,10 +36,9 @@ enum Format {
 impl Arguments {
     pub fn run(&self) -> Result<(), Failure> {
         let paper = Paper::read()?;
-        let ending = self.file.as_ref().and_then(|file| file.extension()?.to_str());
-        let format = self.format.unwrap_or(match ending {
-            Some("md") => Format::Markdown,
-            Some("tex") => Format::Latex,
+        let format = self.format.unwrap_or(match ending(self.file.as_deref()).as_str() {
+            "md" => Format::Markdown,
+            "tex" => Format::Latex,
             _ => Format::Html,
         });
         let (format, figures) = match format {

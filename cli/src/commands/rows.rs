@@ -4,7 +4,7 @@ use super::color::ColorOption;
 use super::columns::Expected;
 use super::failure::Failure;
 use super::note::{counted, note};
-use super::output::deliver;
+use super::output::{deliver, ending};
 use affinor_documents::input::{InputError, Source, numbers};
 use clap::{Args, ValueEnum};
 use nalgebra::DMatrix;
@@ -43,10 +43,9 @@ enum RowFormat {
 impl RowOutput {
     /// The format of `--format`, otherwise that of the ending of the output file, otherwise text.
     fn format(&self) -> RowFormat {
-        let ending = self.file.as_ref().and_then(|file| file.extension()?.to_str());
-        self.format.unwrap_or(match ending.map(str::to_ascii_lowercase).as_deref() {
-            Some("csv") => RowFormat::Csv,
-            Some("json" | "jsonl") => RowFormat::Json,
+        self.format.unwrap_or(match ending(self.file.as_deref()).as_str() {
+            "csv" => RowFormat::Csv,
+            "json" | "jsonl" => RowFormat::Json,
             _ => RowFormat::Text,
         })
     }

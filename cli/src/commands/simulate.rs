@@ -9,7 +9,7 @@ use super::color::ColorOption;
 use super::failure::Failure;
 use super::note::{counted, line, note};
 use super::options::ProblemOptions;
-use super::output::{deliver, expect_place};
+use super::output::{deliver, ending, expect_place};
 use super::watch::{Ending, Watch};
 use affinor_documents::input::InputError;
 use affinor_documents::problem::{Integration, Problem, Progress as Step, Ready};
@@ -180,10 +180,8 @@ impl Arguments {
     /// The format of the rows: the format given by `--format`, otherwise the format of the file
     /// name extension, otherwise CSV.
     fn format(&self) -> Result<RunFormat, Failure> {
-        let ending = self.file.as_ref().and_then(|file| file.extension());
-        let ending = ending.map(|ending| ending.to_string_lossy().to_lowercase());
-        let ending = ending.as_deref().unwrap_or_default();
-        match self.format.or(RunFormat::from_name(ending)) {
+        let ending = ending(self.file.as_deref());
+        match self.format.or(RunFormat::from_name(&ending)) {
             None if ending == PARQUET => {
                 Err(InputError::usage(WITHOUT_PARQUET).help(WITH_PARQUET).into())
             }
