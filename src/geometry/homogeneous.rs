@@ -85,12 +85,6 @@ impl HomogeneousSpace {
     }
 }
 
-/// Whether a text has the form of the name of a homogeneous space: a `/` after a group, or the name
-/// of a family such as `S^2`.
-pub fn is_name(text: &str) -> bool {
-    Name::read(text).is_ok()
-}
-
 fn embed(name: &Name) -> Result<Embedded, Error> {
     match (name.group.as_slice(), name.isotropy.as_slice()) {
         ([Factor::Exceptional(group)], isotropy) => exceptional::embed(group, isotropy, name),

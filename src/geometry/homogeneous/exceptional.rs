@@ -26,16 +26,18 @@ pub(super) fn embed(
 ) -> Result<Embedded, Error> {
     use Factor::{Orthogonal, SpecialUnitary, Symplectic, Torus};
     let (subsystem, what) = match (group, isotropy) {
-        (_, [Torus]) => (Subsystem::None, "the maximal torus"),
-        ("G2", [SpecialUnitary(3)]) => (Subsystem::Long, "the long roots"),
-        ("G2", [Orthogonal(4)]) => {
-            (Subsystem::Even(1), "the roots with an even coefficient of the second simple root")
-        }
-        ("F4", [Orthogonal(9)]) => {
-            (Subsystem::Even(3), "the roots with an even coefficient of the fourth simple root")
-        }
+        (_, [Torus]) => (Subsystem::None, ""),
+        ("G2", [SpecialUnitary(3)]) => (Subsystem::Long, " and the long roots"),
+        ("G2", [Orthogonal(4)]) => (
+            Subsystem::Even(1),
+            " and the roots with an even coefficient of the second simple root",
+        ),
+        ("F4", [Orthogonal(9)]) => (
+            Subsystem::Even(3),
+            " and the roots with an even coefficient of the fourth simple root",
+        ),
         ("F4", [Symplectic(3), SpecialUnitary(2) | Symplectic(1)]) => {
-            (Subsystem::Even(0), "the roots with an even coefficient of the first simple root")
+            (Subsystem::Even(0), " and the roots with an even coefficient of the first simple root")
         }
         _ => return Err(name.without_embedding()),
     };
@@ -57,8 +59,7 @@ pub(super) fn embed(
     Ok(Embedded {
         algebra: catalogue::algebra(&Factor::Exceptional(group).algebra())?,
         vectors: places.into_iter().map(unit).collect(),
-        sentence: format!("the maximal torus of {group}, and {what}")
-            .replace("the maximal torus of G2, and the maximal torus", "the maximal torus of G2"),
+        sentence: format!("the maximal torus of {group}{what}"),
     })
 }
 
