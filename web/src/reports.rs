@@ -60,10 +60,11 @@ impl Request {
                 (Box::new(Properties::of(&space.definition)?), notes(&space))
             }
             other => {
-                let name = if other.is_empty() { "no report is named" } else { "unknown report" };
-                return Err(Refusal::new(
-                    format!("{name} {other}: name one of {REPORTS}").replace(" :", ":"),
-                ));
+                let fault = match other {
+                    "" => "no report is named".to_string(),
+                    other => format!("unknown report {other}"),
+                };
+                return Err(Refusal::new(format!("{fault}: name one of {REPORTS}")));
             }
         };
         let answer = Answer::new(&*report, format, notes)?;

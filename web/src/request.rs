@@ -11,8 +11,8 @@ use serde_json::json;
 #[derive(Clone, Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct Request {
-    /// `compare`, `table`, `check`, `info`, `properties`, `equations`, `transport`, `motion`, `list` or
-    /// `conventions`.
+    /// `reading` (of the field), `names` (for it) or `card`; or a report in a format: `compare`, `table`,
+    /// `check`, `info`, `properties`, `equations`, `transport`, `motion`, `list` or `conventions`.
     pub report: String,
     /// A SPACE.
     pub space: String,

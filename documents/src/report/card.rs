@@ -236,16 +236,17 @@ fn ricci<S: Coefficient + Field>(
 ) -> Result<Option<String>, InputError> {
     let listed = || components(Quantity::Ricci, ricci, false, LISTED);
     let Some(drawn) = matrix(Quantity::Ricci, ricci).or_else(listed) else { return Ok(None) };
+    if ricci.is_empty() {
+        return Ok(Some(drawn));
+    }
     let Some(metric) = geometry.metric() else {
-        let hint = "<p class=\"rest\">Eigenvalues need a metric.</p>";
-        return Ok(Some(if ricci.is_empty() { drawn } else { drawn + hint }));
+        return Ok(Some(drawn + "<p class=\"rest\">Eigenvalues need a metric.</p>"));
     };
     let operator = contract("g^ik r_kj -> ^i_j", &[("g", metric.inverse()), ("r", ricci)])
         .map_err(affinor::Error::from)?;
     let operator_name = formula("g^ik Ric_kj");
     let name = mathml::inline(&operator_name);
     let eigenvalues = match eigenvalues(&operator) {
-        _ if ricci.is_empty() => return Ok(Some(drawn)),
         Some(all) => {
             let each = all.iter().map(|eigenvalue| {
                 let sign = if eigenvalue.approximate { "≈ " } else { "" };
@@ -348,13 +349,10 @@ fn components<S: Coefficient>(
     });
     let lines = list(&short.collect::<Vec<_>>(), WIDE);
     let words = symmetries.as_ref().and_then(|symmetries| symmetries.words(&quantity.letters()));
-    let rest = match (words, shown.len() == tensor.len()) {
-        (Some(words), false) => format!("{words}; all other components are zero."),
-        (Some(words), true) if tensor.rank() > 0 => {
-            format!("{words}; all other components are zero.")
-        }
-        _ if tensor.rank() > 0 => "All other components are zero.".into(),
-        _ => String::new(),
+    let rest = match words {
+        _ if tensor.rank() == 0 => String::new(),
+        Some(words) => format!("{words}; all other components are zero."),
+        None => "All other components are zero.".into(),
     };
     let capital = rest.chars().next().map(|c| c.to_uppercase().to_string() + &rest[c.len_utf8()..]);
     Some(format!("{lines}\n<p class=\"rest\">{}</p>", capital.unwrap_or_default()))
