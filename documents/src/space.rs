@@ -36,4 +36,6 @@ use definition::{
 };
 pub use point::Point;
 pub use request::{Request, ScalarChoice, Space};
+pub use spelling::proper_names;
+pub use tables::notations;
 pub use typed::{Typed, definition as typed};

@@ -5,7 +5,7 @@ use super::{Answer, Refusal};
 use affinor::Metric;
 use affinor::algebra::catalogue::families;
 use affinor_documents::over_kind;
-use affinor_documents::space::{ScalarChoice, Space, Typed, typed};
+use affinor_documents::space::{ScalarChoice, Space, Typed, notations, proper_names, typed};
 use affinor_tensors::Tolerance;
 use serde_json::{Value, json};
 
@@ -82,8 +82,14 @@ pub(super) fn reading(input: &str, space: &Space) -> Result<Answer, Refusal> {
 /// # Errors
 /// None, because a list of names is short.
 pub(super) fn names() -> Result<Answer, Refusal> {
-    let names: Vec<&str> = families().iter().map(|family| family.example).collect();
-    written(&json!({ "schema": "affinor.names/1", "spaces": names, "charts": charts::names() }))
+    let mut spaces = proper_names();
+    spaces.extend(families().iter().map(|family| family.example));
+    written(&json!({
+        "schema": "affinor.names/1",
+        "spaces": spaces,
+        "charts": charts::names(),
+        "notations": notations(),
+    }))
 }
 
 /// The answer that consists of JSON.

@@ -8,7 +8,7 @@ import { PHONE, sound, visit } from "./visit.mjs";
 
 test("names are offered from their first letters", async () => {
   const page = await compute("space=so(3)");
-  for (const [typed, name] of [["Heis", "Heisenberg"], ["Salam", "Salamon's list (0,0,0,12,13,23)"], ["schw", "Schwarzschild"]]) {
+  for (const [typed, name] of [["Heis", "Heisenberg"], ["Salam", "Salamon's list of de^i (0,0,12)"], ["schw", "Schwarzschild"]]) {
     await page.fill("#space-input", typed);
     await page.locator(".matches .chip", { hasText: name }).first().waitFor();
   }

@@ -5,29 +5,34 @@
 
 use affinor::algebra::catalogue;
 
-/// Proper names, in lower case without blanks, and the catalogue names that they mean.
+/// Proper names, and the catalogue names that they mean. Capitals and blanks make no difference.
 const PROPER: [(&str, &str); 20] = [
-    ("antidesitter", "so(3,2)"),
+    ("anti de Sitter", "so(3,2)"),
     ("conformal", "conformal(3,1)"),
-    ("desitter", "so(4,1)"),
-    ("engel", "filiform(4)"),
-    ("euclid", "se(3)"),
-    ("euclidean", "se(3)"),
-    ("galilean", "galilei(3)"),
-    ("galilei", "galilei(3)"),
-    ("heisenberg", "heisenberg(3)"),
-    ("lorentz", "so(3,1)"),
-    ("nil", "heisenberg(3)"),
-    ("nil3", "heisenberg(3)"),
+    ("de Sitter", "so(4,1)"),
+    ("Engel", "filiform(4)"),
+    ("Euclid", "se(3)"),
+    ("Euclidean", "se(3)"),
+    ("Galilean", "galilei(3)"),
+    ("Galilei", "galilei(3)"),
+    ("Heisenberg", "heisenberg(3)"),
+    ("Lorentz", "so(3,1)"),
+    ("Nil", "heisenberg(3)"),
+    ("Nil3", "heisenberg(3)"),
     ("oscillator", "oscillator(4)"),
-    ("poincare", "iso(3,1)"),
-    ("rigidmotions", "se(3)"),
+    ("Poincare", "iso(3,1)"),
+    ("rigid motions", "se(3)"),
     ("rotations", "so(3)"),
-    ("schroedinger", "schroedinger(1)"),
-    ("schrodinger", "schroedinger(1)"),
-    ("sol", "iso(1,1)"),
-    ("sol3", "iso(1,1)"),
+    ("Schroedinger", "schroedinger(1)"),
+    ("Schrodinger", "schroedinger(1)"),
+    ("Sol", "iso(1,1)"),
+    ("Sol3", "iso(1,1)"),
 ];
+
+/// The proper names that are read.
+pub fn proper_names() -> Vec<&'static str> {
+    PROPER.iter().map(|(name, _)| *name).collect()
+}
 
 /// Groups whose algebra has another name in the catalogue: the name of the group, in lower case, and
 /// the family of the algebra.
@@ -90,10 +95,12 @@ fn letters(c: char) -> Vec<char> {
 /// A name of a group, which begins with a capital letter, means its Lie algebra.
 pub(super) fn meaning(name: &str) -> Option<(String, String)> {
     let known = |other: &String| catalogue::find(other).is_ok();
-    let lower = name.to_lowercase();
-    let words = lower.split([' ', '-', '_']).filter(|word| !FILLERS.contains(word));
-    let compact: String = words.collect::<String>().replace("'s", "");
-    if let Some((_, meant)) = PROPER.iter().find(|(proper, _)| *proper == compact) {
+    let words = |name: &str| -> String {
+        let lower = name.to_lowercase();
+        let words = lower.split([' ', '-', '_']).filter(|word| !FILLERS.contains(word));
+        words.collect::<String>().replace("'s", "")
+    };
+    if let Some((_, meant)) = PROPER.iter().find(|(proper, _)| words(proper) == words(name)) {
         return Some((meant.to_string(), format!("{name} is read as {meant}")));
     }
     let compact: String = name.chars().filter(|c| !c.is_whitespace()).collect();

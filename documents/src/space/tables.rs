@@ -111,6 +111,12 @@ const NOTATIONS: [Notation; 9] = [
     },
 ];
 
+/// The names of the notations that may be typed, each with a table in it.
+pub fn notations() -> Vec<(&'static str, &'static str)> {
+    let typed = NOTATIONS.iter().filter(|notation| notation.inline);
+    typed.map(|notation| (notation.name, notation.example)).collect()
+}
+
 /// Reads the algebra from a text in one of the notations; `None` for other texts.
 ///
 /// # Errors

@@ -14,10 +14,6 @@ import { LONGEST, empty, read, write } from "./state.js";
 const PAUSE = 250;
 /** The least width of a column of cards, in letters of the root. */
 const COLUMN = 28;
-/** Proper names of groups, for completion. */
-const PROPER = ["Heisenberg", "Lorentz", "Poincare", "Euclidean", "Galilei", "Nil", "Sol", "Engel", "de Sitter", "anti de Sitter", "Schroedinger", "oscillator"];
-/** Notations, for completion, and an example of each. */
-const TEXTS = { "Salamon's list (0,0,0,12,13,23)": "(0,0,0,12,13,23)", "de4 = e12, de5 = e13": "de4 = e12, de5 = e13", "brackets [e1,e2] = e3": "[e1,e2] = e3" };
 /** Messages while a text is being typed wait longer. */
 const PATIENCE = 900;
 
@@ -115,8 +111,10 @@ class Compute {
   async #names() {
     try {
       const { answer } = await this.services.engine.ask({ report: "names" });
-      const { spaces, charts } = JSON.parse(answer.text);
-      this.box.names(["M(3)", "SO(3)", ...PROPER, ...spaces, ...charts], TEXTS);
+      /** @type {{spaces: string[], charts: string[], notations: [string, string][]}} */
+      const { spaces, charts, notations } = JSON.parse(answer.text);
+      const texts = notations.map(([name, example]) => [`${name} ${example}`, example]);
+      this.box.names(["M(3)", "SO(3)", ...spaces, ...charts], Object.fromEntries(texts));
     } catch {
       // completion is no necessity
     }
