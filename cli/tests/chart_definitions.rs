@@ -11,8 +11,8 @@ fn charts_of_the_rotation_group_are_so3() {
     let so3 = ["so3", "--connection", "lambda=1/3"];
     let table = [&["table"], &so3[..], &["--show", show, "--format", "csv", "-o", "so3"]].concat();
     assert_eq!(run(temporary.path(), &table, b"").status, 0);
-    for chart in ["euler_angles.toml", "gibbs_vector.toml", "rotation_vector.toml"] {
-        let verify = ["verify", &definition(chart), "so3", "--connection", "lambda=1/3"];
+    for chart in ["euler-angles", "gibbs-vector", "rotation-vector"] {
+        let verify = ["verify", chart, "so3", "--connection", "lambda=1/3"];
         let outcome = run(temporary.path(), &verify, b"");
         assert_eq!(outcome.status, 0, "{chart}: {}", outcome.out);
     }

@@ -169,8 +169,8 @@ fn charts_as_programs() {
     for (space, point) in [
         (definition("sphere.toml"), &[0.7, 0.3][..]),
         (definition("schwarzschild.toml"), &[0.4, 9.5, 1.1, 0.2]),
-        (definition("schwarzschild_static.toml"), &[0.4, 9.5, 1.1, 0.2]),
-        (definition("hopf.toml"), &[0.8, 0.1, 0.3]),
+        ("schwarzschild-observers".into(), &[0.4, 9.5, 1.1, 0.2]),
+        ("3-sphere".into(), &[0.8, 0.1, 0.3]),
         (definition("expanding_universe.toml"), &[2.5, 0.6, 1.1, 0.2]),
         (products.to_str().unwrap().into(), &[0.7, 0.4]),
     ] {

@@ -123,8 +123,7 @@ fn rows_of_a_csv_are_named_by_coordinate_or_number() {
 /// rates), and the error for a metric that varies.
 #[test]
 fn kinematics_of_euler_angles() {
-    let angles = definition("euler_angles.toml");
-    let text = printed(&[&angles, "--metric", "diag(1,2,3)", "--connection", "plus"]);
+    let text = printed(&["euler-angles", "--metric", "diag(1,2,3)", "--connection", "plus"]);
     for line in [
         "dphi/dt = sin(psi)/sin(theta)*Omega1 + cos(psi)/sin(theta)*Omega2\n",
         "dtheta/dt = cos(psi)*Omega1 - sin(psi)*Omega2\n",

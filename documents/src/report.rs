@@ -14,6 +14,7 @@
 //! with the kind of scalars that the space needs.
 
 mod card;
+mod chart_list;
 mod claims;
 mod code;
 mod comparison;

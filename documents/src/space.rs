@@ -12,6 +12,7 @@
 //! means.
 
 mod chart;
+mod charts;
 mod construction;
 mod definition;
 pub(crate) mod document;
@@ -30,6 +31,7 @@ mod spelling;
 mod tables;
 mod typed;
 
+pub use charts::NamedChart;
 pub use definition::Definition;
 use definition::{
     ConnectionChoice, Given, MatrixEntries, MetricChoice, Origin, Pairs, add, check_dimension,

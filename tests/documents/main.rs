@@ -7,6 +7,7 @@ mod common;
 
 mod space {
     mod chart;
+    mod charts;
     mod tables;
 }
 mod figures;

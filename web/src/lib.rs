@@ -8,7 +8,6 @@
 //! theory of algebras, properties, equations and motions.
 
 mod answer;
-mod charts;
 #[cfg(feature = "reports")]
 mod motion;
 mod reading;

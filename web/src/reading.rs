@@ -1,11 +1,12 @@
 //! The reading of an input: the space, its letters, and the assumptions.
 
-use super::charts;
 use super::{Answer, Refusal};
 use affinor::Metric;
 use affinor::algebra::catalogue::families;
 use affinor_documents::over_kind;
-use affinor_documents::space::{ScalarChoice, Space, Typed, notations, proper_names, typed};
+use affinor_documents::space::{
+    NamedChart, ScalarChoice, Space, Typed, notations, proper_names, typed,
+};
 use affinor_tensors::Tolerance;
 use serde_json::{Value, json};
 
@@ -21,9 +22,8 @@ const GRID: usize = 8;
 pub(super) fn reading(input: &str, space: &Space) -> Result<Answer, Refusal> {
     let definition = &space.definition;
     let (kind, notation) = match typed(input) {
-        _ if charts::find(input).is_some() => ("chart", None),
         Ok((_, Typed::Table(notation))) => ("table", Some(notation)),
-        Ok((_, Typed::Keys)) if definition.is_on_chart() => ("chart", None),
+        _ if definition.is_on_chart() => ("chart", None),
         Ok((_, Typed::Keys)) => ("keys", None),
         _ => ("name", None),
     };
@@ -87,7 +87,7 @@ pub(super) fn names() -> Result<Answer, Refusal> {
     written(&json!({
         "schema": "affinor.names/1",
         "spaces": spaces,
-        "charts": charts::names(),
+        "charts": NamedChart::all().map(NamedChart::name).collect::<Vec<_>>(),
         "notations": notations(),
     }))
 }

@@ -1,6 +1,6 @@
 //! Requests of the page, as arguments of the command line.
 
-use super::{Answer, Refusal, charts, reading};
+use super::{Answer, Refusal, reading};
 use affinor::CanonicalConnection;
 use affinor_documents::report::{CardKind, Computation, Quantity};
 use affinor_documents::space::{self, Space};
@@ -102,11 +102,10 @@ impl Request {
         } else {
             "definition.toml"
         };
-        let chart = charts::find(&self.input).map(|text| ("the chart".into(), text.into()));
         let request = space::Request {
             space: if self.definition.is_empty() { given(&self.space) } else { None },
-            typed: given(&self.input).filter(|_| chart.is_none()),
-            definition: chart.or(given(&self.definition).map(|text| (name.into(), text))),
+            typed: given(&self.input),
+            definition: given(&self.definition).map(|text| (name.into(), text)),
             connection: given(&self.connection),
             metric: given(&self.metric),
             set: given(&self.set),

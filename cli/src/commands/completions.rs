@@ -7,6 +7,7 @@ use affinor::algebra::catalogue;
 use affinor::geometry::equations::EquationKind;
 use affinor::mechanics::simulation::Method;
 use affinor_documents::report::{Format, Language, Quantity};
+use affinor_documents::space::NamedChart;
 use clap::builder::PossibleValuesParser;
 use clap::{Arg, Args, Command};
 use clap_complete::{Shell, generate};
@@ -41,7 +42,10 @@ pub fn suggesting(command: Command) -> Command {
 fn names(argument: &str) -> Vec<String> {
     let own = |names: &[&str]| names.iter().map(ToString::to_string).collect::<Vec<_>>();
     match argument {
-        "space" => (1..=LARGEST).flat_map(catalogue::names).collect(),
+        "space" => {
+            let charts = NamedChart::all().map(|chart| chart.name().into());
+            (1..=LARGEST).flat_map(catalogue::names).chain(charts).collect()
+        }
         "show" => Quantity::ALL.iter().map(|quantity| quantity.key().into()).collect(),
         "connection" => own(&["plus", "zero", "minus", "levi-civita"]),
         "metric" => own(&["identity", "killing"]),

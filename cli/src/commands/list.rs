@@ -10,8 +10,8 @@ use clap::Args;
 pub struct Arguments {
     /// List only entries that contain this text, ignoring case
     pub pattern: Option<String>,
-    /// List the algebras with these properties, as in "dimension=4, nilpotent". Without a
-    /// dimension, up to dimension 6; a given dimension may be up to 10
+    /// List the algebras with these properties, as in "dimension=4, nilpotent" (without a
+    /// dimension, up to dimension 6), or the charts, as in "spacetime, Ricci-flat, isometries=4"
     #[arg(long = "where", value_name = "CONDITION", conflicts_with = "pattern")]
     pub condition: Option<String>,
     #[command(flatten)]
@@ -23,10 +23,10 @@ impl Arguments {
         if let Some(condition) = &self.condition {
             let Some(entries) = catalogue_where(condition)? else {
                 let message =
-                    format!("no algebra of the catalogue satisfies `{}`", condition.escape_debug());
+                    format!("nothing in the catalogue satisfies `{}`", condition.escape_debug());
                 return Err(InputError::usage(message).into());
             };
-            return self.output.print(&[], &entries);
+            return self.output.print(&[], &*entries);
         }
         let pattern = self.pattern.as_deref().unwrap_or_default().to_lowercase();
         let Some(entries) = catalogue(&pattern) else {

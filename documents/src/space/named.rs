@@ -1,6 +1,7 @@
 //! Spaces given by a string: sums of catalogue names, paths of files, and tables in the string
 //! itself.
 
+use super::charts::{self, NamedChart};
 use super::{Definition, check_dimension, paper, spelling, tables};
 use crate::input::{InputError, Source};
 use affinor::algebra::catalogue::CatalogueError;
@@ -37,8 +38,8 @@ pub(super) fn part(source: &Source) -> Result<Definition, InputError> {
     }
 }
 
-/// The space that a name in a source means: a geometry of Paraskevopoulos and Natsiavas (2013), or
-/// the algebra of a sum of catalogue names.
+/// The space that a name in a source means: a geometry of Paraskevopoulos and Natsiavas (2013), a
+/// chart, or the algebra of a sum of catalogue names.
 pub(super) fn named_space(source: &Source) -> Result<Definition, InputError> {
     let name: String = source.content().chars().filter(|c| !c.is_whitespace()).collect();
     match name.as_str() {
@@ -47,7 +48,10 @@ pub(super) fn named_space(source: &Source) -> Result<Definition, InputError> {
             let exact = |value: &Rational| Symbolic::constant(value.clone());
             Definition::of_paper(&paper::so3()?, exact)
         }
-        _ => named(source),
+        name => match NamedChart::find(name) {
+            Some(chart) => chart.definition(),
+            None => named(source),
+        },
     }
 }
 
@@ -76,6 +80,14 @@ fn entry(part: &str, source: &Source) -> Result<Definition, InputError> {
         Ok(entry) => return Ok(Definition::from_entry(entry)),
         Err(error) => error,
     };
+    if matches!(error, CatalogueError::Unknown { .. })
+        && let Some(chart) = charts::nearest(name)
+    {
+        let message =
+            format!("there is no space named `{}`; the nearest is {chart}", name.escape_debug());
+        let refused = InputError::usage(message).at(&source.whole(part)).help(NAMES);
+        return Err(InputError { suggestions: vec![chart.into()], ..refused });
+    }
     // a short form with several readings is an error, because the spelling would choose one of them
     let is_ambiguous = matches!(error, CatalogueError::Ambiguous { .. });
     if !is_ambiguous

@@ -1,0 +1,111 @@
+//! The charts of the catalogue that have the properties in a condition.
+
+use super::Report;
+use super::grid::{Cell, Grid};
+use super::head::printable;
+use crate::input::InputError;
+use crate::space::NamedChart;
+use affinor::Error;
+use affinor::geometry::Geometry;
+use affinor::geometry::isometry::{IsometryAlgebra, Symmetry};
+use affinor_tensors::stop::checkpoint;
+use affinor_tensors::{Symbolic, Tolerance};
+use serde_json::json;
+
+/// The properties of charts that a condition may name.
+pub(super) const PROPERTIES: [&str; 6] =
+    ["chart", "spacetime", "flat", "Ricci-flat", "Einstein", "homogeneous"];
+
+/// The properties of a chart that a condition requires.
+pub(super) struct Wanted<'a> {
+    pub dimension: &'a dyn Fn(usize) -> bool,
+    /// The dimension of the algebra of Killing fields.
+    pub isometries: Option<usize>,
+    /// Each property, and whether it is required or excluded.
+    pub properties: &'a [(String, bool)],
+}
+
+/// A chart of the catalogue with its computed properties.
+struct Facts {
+    geometry: Geometry<Symbolic>,
+    spacetime: bool,
+    /// `None` without a metric, and where no sample point is rational.
+    isometries: Option<IsometryAlgebra>,
+}
+
+impl Facts {
+    fn holds(&self, property: &str) -> Result<bool, Error> {
+        let connection = self.geometry.connection();
+        Ok(match property {
+            "spacetime" => self.spacetime,
+            "flat" => connection.flat().holds().is_some(),
+            "Ricci-flat" => connection.ricci().is_empty(),
+            "Einstein" => match self.geometry.metric() {
+                Some(metric) => connection.einstein_constant(metric)?.holds().is_some(),
+                None => false,
+            },
+            "homogeneous" => self.isometries.as_ref().is_some_and(IsometryAlgebra::is_transitive),
+            _ => true,
+        })
+    }
+}
+
+/// The charts that satisfy a condition, which the title repeats; `None` if there are none. JSON has
+/// the schema `affinor.list/1`.
+pub(super) fn charts_where(
+    condition: &str,
+    wanted: &Wanted,
+) -> Result<Option<impl Report + use<>>, InputError> {
+    let (mut rows, mut entries) = (vec![], vec![]);
+    for chart in NamedChart::all() {
+        checkpoint();
+        let definition = chart.definition()?;
+        if !(wanted.dimension)(definition.dimension()) {
+            continue;
+        }
+        let geometry = definition.geometry::<Symbolic>(Tolerance::default())?;
+        let isometries = IsometryAlgebra::of(&geometry, Symmetry::Killing).ok();
+        let facts = Facts { geometry, spacetime: chart.is_spacetime(), isometries };
+        let isometries = facts.isometries.as_ref().map(IsometryAlgebra::dimension);
+        let mut fits = wanted.isometries.is_none_or(|n| isometries == Some(n));
+        for (property, required) in wanted.properties {
+            fits = fits && facts.holds(property)? == *required;
+        }
+        if !fits {
+            continue;
+        }
+        let mut words = vec![];
+        for property in &PROPERTIES[1..] {
+            if facts.holds(property)? {
+                words.push(*property);
+            }
+        }
+        entries.push(json!({
+            "name": chart.name(),
+            "dimension": definition.dimension(),
+            "properties": words,
+            "isometries": isometries,
+        }));
+        let number = |n: Option<usize>| n.map_or("-".into(), |n| n.to_string());
+        let words = if words.is_empty() { "-".into() } else { words.join(", ") };
+        let dimension = definition.dimension().to_string();
+        rows.push(
+            [chart.name().into(), dimension, number(isometries), words].map(Cell::from).to_vec(),
+        );
+    }
+    let json = json!({ "schema": "affinor.list/1", "where": condition, "spaces": entries });
+    let header = ["name", "dimension", "isometries", "properties"];
+    let title = format!("Catalogue: {}", printable(condition));
+    Ok((!rows.is_empty()).then(|| Grid::new(title, &header, rows, json)))
+}
+
+/// The rows of all charts in a list: name, coordinates, example. JSON entries as those of algebras.
+pub(super) fn rows() -> Vec<[String; 3]> {
+    let row = |chart: &NamedChart| {
+        let definition = chart.definition().ok()?;
+        let coordinates = definition.coordinates().join(", ");
+        let summary = format!("{} in {coordinates}", definition.name);
+        Some([chart.name().to_string(), summary, chart.name().to_string()])
+    };
+    NamedChart::all().filter_map(row).collect()
+}
