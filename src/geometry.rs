@@ -6,7 +6,7 @@
 //! - [`properties`]: parallel curvature, Einstein, bi-invariance, with witnesses; [`holonomy`];
 //! - [`chart`]: coordinates and moving frames; [`forms`]: differential forms;
 //! - [`reductive`]: homogeneous spaces G/H; [`homogeneous`]: the same by name; [`equations`]: equations of motion;
-//! - [`isometry`]: Killing and homothetic fields as Lie algebras;
+//! - [`isometry`]: Killing and homothetic fields as Lie algebras; [`petrov`]: the type of a spacetime;
 //! - [`Geometry`]: frame, connection and metric together;
 //! - [`conditions`]: the conditions on parameters under which a tensor vanishes.
 
@@ -21,6 +21,7 @@ pub mod homogeneous;
 pub mod isometry;
 pub mod metric;
 pub mod metric_affine;
+pub mod petrov;
 pub mod properties;
 pub mod reductive;
 

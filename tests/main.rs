@@ -52,6 +52,7 @@ mod geometry {
     mod homogeneous;
     mod isometry;
     mod metric_affine;
+    mod petrov;
     mod properties;
     mod reductive;
 }

@@ -38,7 +38,7 @@ mod residue;
 
 use crate::Error;
 use crate::algebra::frame::Frame;
-use crate::algebra::structure::{Killing, StructureTheory};
+use crate::algebra::structure::{GroundField, Killing, StructureTheory};
 use crate::algebra::{Bracket, LieAlgebra, to_matrix};
 use crate::geometry::Geometry;
 use crate::geometry::chart::Fields;
@@ -50,12 +50,15 @@ use jets::{AtPoint, Columns, Jets};
 use point::{Expansion, Point, Unfit};
 use power_series::PowerSeries;
 use residue::Residue;
+use std::cmp::Ordering;
 use std::sync::Arc;
 
 /// The largest number of points that are tried until all roots in the metric are rational there.
 const POINTS: u64 = 20_000;
 /// The number of points at which the dimension is computed, unless two of the first points agree.
 const SAMPLES: usize = 5;
+/// The number of sample points at which a sign is computed.
+const SIGNS: usize = 32;
 
 /// The vector fields of a symmetry algebra.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -477,4 +480,18 @@ fn algebra(
 fn signature(form: &Tensor<Rational>) -> [usize; 2] {
     let [plus, minus, _] = Killing::new(to_matrix(form)).signature().unwrap_or_default();
     [plus, minus]
+}
+
+/// Whether a function is positive at one of the sample points.
+pub(crate) fn is_positive_at_sample(function: &Symbolic) -> bool {
+    let mut tried = 0;
+    for seed in 1..POINTS {
+        match Point::new(seed).value(function) {
+            Ok(value) if value.sign() == Some(Ordering::Greater) => return true,
+            Ok(_) if tried < SIGNS => tried += 1,
+            Err(Unfit::Retry(_)) => {}
+            Ok(_) | Err(Unfit::Never(_)) => return false,
+        }
+    }
+    false
 }

@@ -8,13 +8,26 @@ use crate::space::NamedChart;
 use affinor::Error;
 use affinor::geometry::Geometry;
 use affinor::geometry::isometry::{IsometryAlgebra, Symmetry};
+use affinor::geometry::petrov::PetrovType;
 use affinor_tensors::stop::checkpoint;
 use affinor_tensors::{Symbolic, Tolerance};
 use serde_json::json;
 
 /// The properties of charts that a condition may name.
-pub(super) const PROPERTIES: [&str; 6] =
-    ["chart", "spacetime", "flat", "Ricci-flat", "Einstein", "homogeneous"];
+pub(super) const PROPERTIES: [&str; 12] = [
+    "chart",
+    "spacetime",
+    "flat",
+    "Ricci-flat",
+    "Einstein",
+    "homogeneous",
+    "Petrov O",
+    "Petrov N",
+    "Petrov III",
+    "Petrov D",
+    "Petrov II",
+    "Petrov I",
+];
 
 /// The properties of a chart that a condition requires.
 pub(super) struct Wanted<'a> {
@@ -31,6 +44,8 @@ struct Facts {
     spacetime: bool,
     /// `None` without a metric, and where no sample point is rational.
     isometries: Option<IsometryAlgebra>,
+    /// `None` except for Lorentzian metrics in dimension 4.
+    petrov: Option<PetrovType>,
 }
 
 impl Facts {
@@ -45,7 +60,10 @@ impl Facts {
                 None => false,
             },
             "homogeneous" => self.isometries.as_ref().is_some_and(IsometryAlgebra::is_transitive),
-            _ => true,
+            _ => match property.strip_prefix("Petrov ") {
+                Some(name) => self.petrov.is_some_and(|kind| kind.to_string() == name),
+                None => true,
+            },
         })
     }
 }
@@ -65,7 +83,11 @@ pub(super) fn charts_where(
         }
         let geometry = definition.geometry::<Symbolic>(Tolerance::default())?;
         let isometries = IsometryAlgebra::of(&geometry, Symmetry::Killing).ok();
-        let facts = Facts { geometry, spacetime: chart.is_spacetime(), isometries };
+        let petrov = match geometry.metric().filter(|_| chart.is_spacetime()) {
+            Some(metric) => geometry.connection().petrov(metric)?.map(|petrov| petrov.kind),
+            None => None,
+        };
+        let facts = Facts { geometry, spacetime: chart.is_spacetime(), isometries, petrov };
         let isometries = facts.isometries.as_ref().map(IsometryAlgebra::dimension);
         let mut fits = wanted.isometries.is_none_or(|n| isometries == Some(n));
         for (property, required) in wanted.properties {

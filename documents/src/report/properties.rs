@@ -8,6 +8,7 @@ use crate::input::InputError;
 use crate::space::Definition;
 use affinor::algebra::Complex;
 use affinor::algebra::structure::{GroundField, StructureTheory};
+use affinor::geometry::petrov::Petrov;
 use affinor::geometry::properties::{MAX_SEARCHED, Property};
 use affinor::{Connection, ConnectionKind, Geometry, LieAlgebra, MatrixBasis, Metric};
 use affinor_tensors::text::{combination, exact_decimal, rounded};
@@ -96,6 +97,7 @@ impl Properties {
             list.valued("Einstein (Ric = c g)", einstein, |c| constant("c", &c));
             let curvature = connection.constant_curvature(metric)?;
             list.valued("constant curvature K", curvature, |k| constant("K", &k));
+            list.petrov(connection, metric)?;
         } else if !planes.is_empty() {
             let message = "the sectional curvature of a plane needs a metric";
             return Err(InputError::usage(message).help("give a metric, as in --metric identity"));
@@ -290,6 +292,23 @@ impl List {
         if let Some(entry) = self.json.last_mut() {
             entry["dimension"] = basis.len().into();
             entry["basis"] = basis.iter().map(components).collect();
+        }
+        Ok(())
+    }
+
+    /// Adds the Petrov type of a spacetime, with the invariant `I` where it is real and short.
+    fn petrov<S: GroundField + Coefficient>(
+        &mut self,
+        connection: &Connection<S>,
+        metric: &Metric<S>,
+    ) -> Result<(), InputError> {
+        let levi_civita = connection.torsion_free().holds().is_some()
+            && connection.metric_compatible(metric)?.holds().is_some();
+        let found = if levi_civita { connection.petrov(metric)? } else { None };
+        if let Some(Petrov { kind, quadratic: [real, imaginary], .. }) = found {
+            let invariant = format!("; I = {real}");
+            let shown = !real.vanishes() && imaginary.vanishes() && invariant.len() < LONGEST;
+            self.fact("Petrov type", &format!("{kind}{}", if shown { &invariant } else { "" }));
         }
         Ok(())
     }

@@ -1,6 +1,7 @@
 //! The charts of the catalogue: published curvature and isometry groups, and their names.
 
 use affinor::geometry::isometry::{IsometryAlgebra, Symmetry};
+use affinor::geometry::petrov::PetrovType;
 use affinor_documents::input::InputError;
 use affinor_documents::report::{Computation, Format, Statements, catalogue_where};
 use affinor_documents::space::{NamedChart, Request, Space, typed};
@@ -124,6 +125,79 @@ const PUBLISHED: &[Published] = &[
     ("rotation-vector", None, "", &["not flat"]),
 ];
 
+/// Petrov types of spacetimes of dimension 4: H. Stephani and others (2003), chapters 12 to 24 and 31; types of metrics with
+/// free functions are those of generic functions.
+const TYPES: &[(PetrovType, &[&str])] = &[
+    (
+        PetrovType::O,
+        &[
+            "minkowski",
+            "rindler",
+            "milne",
+            "de-sitter",
+            "de-sitter-static",
+            "anti-de-sitter",
+            "anti-de-sitter-static",
+            "einstein-static",
+            "friedmann",
+            "friedmann-dust",
+            "bertotti-robinson",
+            "cosmic-string",
+        ],
+    ),
+    (PetrovType::N, &["pp-wave", "plane-wave", "cahen-wallach"]),
+    (
+        PetrovType::D,
+        &[
+            "schwarzschild",
+            "schwarzschild-isotropic",
+            "schwarzschild-observers",
+            "eddington-finkelstein",
+            "painleve-gullstrand",
+            "lemaitre-tolman",
+            "schwarzschild-de-sitter",
+            "reissner-nordstrom",
+            "bardeen",
+            "hayward",
+            "vaidya",
+            "kerr",
+            "kerr-newman",
+            "taub-nut",
+            "kantowski-sachs",
+            "goedel",
+            "nariai",
+            "ellis-wormhole",
+            "melvin",
+            "c-metric",
+        ],
+    ),
+    (
+        PetrovType::I,
+        &[
+            "kasner",
+            "bianchi-i",
+            "van-stockum",
+            "levi-civita-cylinder",
+            "curzon-chazy",
+            "weyl",
+            "petrov",
+        ],
+    ),
+];
+
+#[test]
+fn spacetimes_have_their_published_petrov_types() {
+    let spacetimes = NamedChart::all().filter(|chart| chart.is_spacetime());
+    for chart in spacetimes {
+        let geometry = chart.definition().unwrap().geometry::<Symbolic>(Tolerance::default());
+        let geometry = geometry.unwrap();
+        let found = geometry.connection().petrov(geometry.metric().unwrap()).unwrap();
+        let published = TYPES.iter().find(|(_, names)| names.contains(&chart.name()));
+        let (found, published) = (found.map(|petrov| petrov.kind), published.map(|row| row.0));
+        assert_eq!(found, published, "{}", chart.name());
+    }
+}
+
 fn sorted(sum: &str) -> Vec<&str> {
     let mut parts: Vec<_> = sum.split(" + ").collect();
     parts.sort_unstable();
@@ -211,6 +285,8 @@ fn conditions_choose_charts() {
     let flat_surfaces = names("chart, dimension=2, flat");
     assert_eq!(flat_surfaces, ["cylinder", "cone"]);
     assert_eq!(names("isometries=8"), ["fubini-study"]);
+    assert_eq!(names("Petrov N"), ["pp-wave", "plane-wave", "cahen-wallach"]);
+    assert_eq!(names("Petrov D, Einstein, not Ricci-flat"), ["schwarzschild-de-sitter", "nariai"]);
     assert_eq!(names("dimension=5, Ricci-flat"), ["tangherlini"]);
     let mixed = catalogue_where("nilpotent, flat").err().unwrap();
     assert!(mixed.message.contains("property of algebras"), "{mixed:?}");
