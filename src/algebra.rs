@@ -261,8 +261,16 @@ impl<S: Field + Scalar> LieAlgebra<S> {
     /// [`Error::Shape`] unless `A` has the dimension of the algebra.
     #[doc(alias("basis change"))]
     pub fn change_basis(&self, change: &BasisChange<S>) -> Result<Self, Error> {
+        self.in_basis(change, (1..=self.dimension()).map(|a| format!("e{a}")))
+    }
+
+    /// The same algebra in another basis, whose vectors have these names.
+    pub(crate) fn in_basis(
+        &self,
+        change: &BasisChange<S>,
+        labels: impl IntoIterator<Item = String>,
+    ) -> Result<Self, Error> {
         let structure = change.apply(self.structure_constants())?;
-        let labels = (1..=self.dimension()).map(|a| format!("e{a}"));
         // the Jacobi identity is not checked again: a change of basis preserves the identity, but
         // the check might fail because of rounding errors
         Ok(LieAlgebra { frame: Frame::invariant(labels, structure)? })

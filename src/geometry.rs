@@ -29,6 +29,7 @@ use crate::algebra::frame::Frame;
 use crate::algebra::{Bracket, LieAlgebra};
 use crate::geometry::chart::Fields;
 use crate::geometry::connection::{CanonicalConnection, Connection};
+use crate::geometry::homogeneous::HomogeneousSpace;
 use crate::geometry::metric::Metric;
 use crate::{Error, Law};
 use affinor_tensors::{Field, Notation, Scalar, Tensor};
@@ -70,6 +71,8 @@ pub enum FrameOrigin<S> {
     /// Fields on a chart, and their Lie algebra if the structure functions are constant. In this
     /// case, the fields are locally the left-invariant fields of a group with this algebra.
     Chart(Box<Fields<S>>, Option<LieAlgebra<S>>),
+    /// The complement of the isotropy algebra of a homogeneous space.
+    Homogeneous(Box<HomogeneousSpace<S>>),
 }
 
 impl<S: Field + Scalar> FrameOrigin<S> {
@@ -78,14 +81,50 @@ impl<S: Field + Scalar> FrameOrigin<S> {
         match self {
             FrameOrigin::Algebra(algebra) => algebra.left_frame(),
             FrameOrigin::Chart(fields, _) => fields.frame(),
+            FrameOrigin::Homogeneous(space) => space.pair().frame(),
         }
     }
 
-    /// The Lie algebra of the frame; `None` if its structure functions are not constant.
+    /// The Lie algebra of the frame; `None` if its structure functions are not constant, and for a
+    /// homogeneous space.
     pub fn algebra(&self) -> Option<&LieAlgebra<S>> {
         match self {
             FrameOrigin::Algebra(algebra) => Some(algebra),
             FrameOrigin::Chart(_, algebra) => algebra.as_ref(),
+            FrameOrigin::Homogeneous(_) => None,
+        }
+    }
+
+    /// The homogeneous space; `None` for other frames.
+    pub fn homogeneous(&self) -> Option<&HomogeneousSpace<S>> {
+        match self {
+            FrameOrigin::Homogeneous(space) => Some(space),
+            _ => None,
+        }
+    }
+
+    /// Checks that a metric is the metric of a geometry with this frame: on a homogeneous space,
+    /// it must be invariant under the isotropy algebra.
+    ///
+    /// # Errors
+    /// [`Law::IsotropyInvariance`]; [`Error::Shape`] when the dimensions differ.
+    pub fn expect_metric(&self, metric: &Metric<S>) -> Result<(), Error> {
+        metric.expect_dimension(self.frame().dimension())?;
+        match self.homogeneous() {
+            Some(space) => space.pair().expect_invariant("the metric", metric.components()),
+            None => Ok(()),
+        }
+    }
+
+    /// The structure functions, if they are constant: on a homogeneous space they are the brackets
+    /// `[x,y]_m`. The parameter `what` names the computation; it occurs in the error.
+    ///
+    /// # Errors
+    /// [`Law::Constant`] with `what` and the first structure function that is not constant.
+    pub fn constant_structure(&self, what: &'static str) -> Result<&Tensor<S>, Error> {
+        match self.homogeneous() {
+            Some(space) => Ok(space.pair().frame().structure_functions()),
+            None => Ok(self.algebra_for(what)?.structure_constants()),
         }
     }
 
@@ -93,8 +132,14 @@ impl<S: Field + Scalar> FrameOrigin<S> {
     /// algebra; it occurs in the error.
     ///
     /// # Errors
-    /// [`Law::Constant`] with `what` and the first structure function that is not constant.
+    /// [`Law::Constant`] with `what` and the first structure function that is not constant;
+    /// [`Error::Unsupported`] for a homogeneous space.
     pub fn algebra_for(&self, what: &'static str) -> Result<&LieAlgebra<S>, Error> {
+        if let Some(space) = self.homogeneous() {
+            let name = space.name();
+            let message = format!("{what} needs a Lie group, but {name} is a homogeneous space");
+            return Err(Error::Unsupported(message));
+        }
         self.algebra().ok_or_else(|| {
             let frame = self.frame();
             let found =
@@ -113,12 +158,18 @@ impl<S: Field + Scalar> FrameOrigin<S> {
         (0..frame.dimension()).any(|k| !frame.derive(k, value).vanishes())
     }
 
-    /// The fields of a frame on a chart; `None` for the frame of a Lie algebra.
+    /// The fields of a frame on a chart; `None` for other frames.
     pub fn fields(&self) -> Option<&Fields<S>> {
         match self {
-            FrameOrigin::Algebra(_) => None,
             FrameOrigin::Chart(fields, _) => Some(fields),
+            _ => None,
         }
+    }
+}
+
+impl<S> From<HomogeneousSpace<S>> for FrameOrigin<S> {
+    fn from(space: HomogeneousSpace<S>) -> Self {
+        FrameOrigin::Homogeneous(Box::new(space))
     }
 }
 
@@ -157,7 +208,8 @@ impl<S: Notation + Scalar> Geometry<S> {
     ///
     /// # Errors
     /// [`Error::NoMetric`] for Levi-Civita without a metric; [`Law::Constant`] for a canonical
-    /// connection over structure functions; [`Error::Shape`].
+    /// connection over structure functions; [`Law::IsotropyInvariance`] for a metric or affinities
+    /// on a homogeneous space that are not invariant; [`Error::Shape`].
     pub fn new(
         name: impl Into<String>,
         origin: impl Into<FrameOrigin<S>>,
@@ -166,9 +218,12 @@ impl<S: Notation + Scalar> Geometry<S> {
     ) -> Result<Self, Error> {
         let origin = origin.into();
         let frame = origin.frame();
+        if let Some(metric) = &metric {
+            origin.expect_metric(metric)?;
+        }
         let canonical = |lambda: &S| {
             let what = "a connection lambda c";
-            origin.algebra_for(what)?;
+            origin.constant_structure(what)?;
             if origin.varies(lambda) {
                 let at = [what, "lambda"].map(String::from);
                 return Err(Law::Constant.broken(at, lambda.to_string()));
@@ -180,9 +235,10 @@ impl<S: Notation + Scalar> Geometry<S> {
             (ConnectionKind::Family(lambda), _) => canonical(lambda)?,
             (ConnectionKind::LeviCivita, Some(metric)) => Connection::levi_civita(frame, metric)?,
             (ConnectionKind::LeviCivita, None) => return Err(Error::NoMetric),
-            (ConnectionKind::Affinities(gamma), _) => {
-                Connection::new(frame.clone(), gamma.clone())?
-            }
+            (ConnectionKind::Affinities(gamma), _) => match origin.homogeneous() {
+                Some(space) => space.pair().connection(gamma.clone())?,
+                None => Connection::new(frame.clone(), gamma.clone())?,
+            },
         };
         let (name, algebra_name, right) = (name.into(), None, false);
         Ok(Geometry { name, algebra_name, origin, connection, kind, metric, right })
@@ -195,12 +251,17 @@ impl<S: Notation + Scalar> Geometry<S> {
     ///
     /// # Errors
     /// [`Law::AdInvariance`] for a connection without constant components in the right-invariant
-    /// frame; [`Error::Unsupported`] over a chart.
+    /// frame; [`Error::Unsupported`] over a chart, and on a homogeneous space.
     pub fn in_right_frame(&self) -> Result<Self, Error> {
-        let FrameOrigin::Algebra(algebra) = &self.origin else {
-            return Err(Error::Unsupported(
-                "fields on a chart have no right-invariant frame".into(),
-            ));
+        let unsupported = |message: &str| Err(Error::Unsupported(message.into()));
+        let algebra = match &self.origin {
+            FrameOrigin::Algebra(algebra) => algebra,
+            FrameOrigin::Chart(..) => {
+                return unsupported("fields on a chart have no right-invariant frame");
+            }
+            FrameOrigin::Homogeneous(_) => {
+                return unsupported("a homogeneous space has no right-invariant frame");
+            }
         };
         let connection = self.connection.in_right_frame(algebra)?;
         let metric = self.metric.as_ref().filter(|metric| {
@@ -223,13 +284,34 @@ impl<S: Notation + Scalar> Geometry<S> {
     }
 
     /// The name of the frame to which all components refer: `left-invariant` or `right-invariant`,
-    /// or `coordinate` or `moving` over a chart.
+    /// `coordinate` or `moving` over a chart, or `reductive` on a homogeneous space.
     pub fn frame_name(&self) -> &'static str {
-        match self.origin.fields() {
-            Some(fields) if fields.are_coordinates() => "coordinate",
-            Some(_) => "moving",
-            None if self.right => "right-invariant",
-            None => "left-invariant",
+        match &self.origin {
+            FrameOrigin::Homogeneous(_) => "reductive",
+            FrameOrigin::Chart(fields, _) if fields.are_coordinates() => "coordinate",
+            FrameOrigin::Chart(..) => "moving",
+            FrameOrigin::Algebra(_) if self.right => "right-invariant",
+            FrameOrigin::Algebra(_) => "left-invariant",
+        }
+    }
+
+    /// The short name of the connection, as [`ConnectionKind::name`]. On a homogeneous space,
+    /// `canonical` is the connection `Lambda = 0`, and `natural` the connection `Lambda = c/2`.
+    pub fn connection_name(&self) -> &'static str {
+        match (&self.kind, self.origin.homogeneous()) {
+            (ConnectionKind::Canonical(which), Some(_)) => which.on_homogeneous_space().0,
+            (kind, _) => kind.name(),
+        }
+    }
+
+    /// The name of the connection with an explanation, as [`ConnectionKind::describe`].
+    pub fn describe_connection(&self) -> String {
+        match (&self.kind, self.origin.homogeneous()) {
+            (ConnectionKind::Canonical(which), Some(_)) => {
+                let (name, words) = which.on_homogeneous_space();
+                format!("{name} ({words})")
+            }
+            (kind, _) => kind.describe(),
         }
     }
 
@@ -250,7 +332,7 @@ impl<S: Notation + Scalar> Geometry<S> {
         &self.name
     }
 
-    /// The origin of the frame: the Lie algebra, or the fields on a chart.
+    /// The origin of the frame: the Lie algebra, the fields on a chart, or the homogeneous space.
     pub fn frame_origin(&self) -> &FrameOrigin<S> {
         &self.origin
     }
@@ -299,7 +381,7 @@ impl<S: Notation + Scalar> Geometry<S> {
 /// `so(3), connection plus (left invariant canonical), metric diag(1, 2, 3)`.
 impl<S: Notation + Scalar> fmt::Display for Geometry<S> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}, connection {}", self.name, self.kind.describe())?;
+        write!(f, "{}, connection {}", self.name, self.describe_connection())?;
         match &self.metric {
             Some(metric) => write!(f, ", metric {metric}"),
             None => Ok(()),

@@ -152,7 +152,9 @@ impl<S: Notation + Scalar + Serialize> Serialize for Geometry<S> {
     /// Returns an error for a geometry on a chart, or in a right-invariant frame.
     fn serialize<W: Serializer>(&self, serializer: W) -> Result<W::Ok, W::Error> {
         let FrameOrigin::Algebra(algebra) = self.frame_origin() else {
-            return Err(W::Error::custom("a geometry on a chart cannot be serialized"));
+            let on = self.frame_origin().homogeneous().map_or("chart", |_| "homogeneous space");
+            let message = format!("a geometry on a {on} cannot be serialized");
+            return Err(W::Error::custom(message));
         };
         if self.frame_name() == "right-invariant" {
             return Err(W::Error::custom(

@@ -180,6 +180,8 @@ fn formats_names_every_key_of_every_schema() -> Outcome {
         ("affinor.list/1", "affinor list --where \"dimension=2\"".into()),
         ("affinor.info/1", "affinor info \"iso(2,1)\"".into()),
         ("affinor.info/1", "affinor info \"bianchi(II)\"".into()),
+        ("affinor.homogeneous/1", "affinor info \"CP^2\"".into()),
+        ("affinor.table/1", "affinor table \"CP^2\" --metric killing".into()),
         ("affinor.properties/1", "affinor properties M3".into()),
         ("affinor.properties/1", "affinor properties SO3".into()),
         ("affinor.isometries/1", "affinor isometries so3 --metric \"diag(a,a,b)\"".into()),

@@ -22,6 +22,7 @@ mod float_tables;
 mod group_commands;
 mod guide;
 mod heads;
+mod homogeneous;
 mod info;
 mod limits;
 mod notations;

@@ -110,6 +110,18 @@ fn ground<S: Coefficient>(
         checks.push(vanishing("jacobi", "[[x,y],z] + cyclic = 0 for all fields", &residual)?);
         return Ok(Some(ground));
     }
+    if definition.is_homogeneous() {
+        stage("jacobi");
+        let Some(ground) = passed("jacobi", definition.ground(tolerance), checks)? else {
+            return Ok(None);
+        };
+        checks.extend([
+            held("jacobi", "[[x,y],z] + cyclic = 0 for all triples of the algebra of G"),
+            held("subalgebra", "h contains [h,h]"),
+            held("reductive", "the complement m contains [h,m]"),
+        ]);
+        return Ok(Some(ground));
+    }
     stage("antisymmetry");
     let name = if definition.is_by_matrices() { "closure" } else { "antisymmetry" };
     let Some(bracket) = passed(name, definition.bracket(tolerance), checks)? else {

@@ -107,10 +107,13 @@ pub struct Table<S> {
     pub connection_words: String,
     /// The factor `lambda` of a connection `Lambda = lambda c`.
     pub lambda: Option<S>,
-    /// The frame of the components: `left-invariant`, `right-invariant`, `coordinate` or `moving`.
+    /// The frame of the components: `left-invariant`, `right-invariant`, `coordinate`,
+    /// `moving` or `reductive`.
     pub frame: &'static str,
     /// The chart, if the components are functions on a chart.
     pub chart: Option<OnChart>,
+    /// The embedding of the isotropy algebra, on a homogeneous space.
+    pub homogeneous: Option<OnHomogeneousSpace>,
     /// The tolerance below which a float counts as zero.
     pub tolerance: Tolerance,
     /// Whether the table lists only one of the components that are equal up to sign by symmetry.
@@ -129,6 +132,16 @@ pub struct Table<S> {
     pub point: Vec<(String, f64)>,
     /// The tensors, in the order in which they are shown.
     pub tensors: Vec<TableEntry<S>>,
+}
+
+/// The embedding of the isotropy algebra of a homogeneous space, and the basis of the complement in
+/// the algebra of the group, as text.
+#[derive(Clone, Debug)]
+pub struct OnHomogeneousSpace {
+    /// A sentence about the embedding.
+    pub embedding: String,
+    /// The basis vectors, such as `e1 - e2`, in the order of the labels.
+    pub complement: Vec<String>,
 }
 
 /// The coordinates of a chart, and the vector fields of its frame as text.
@@ -182,13 +195,17 @@ impl<S: Coefficient> Table<S> {
             algebra: geometry.algebra_name().into(),
             labels: geometry.frame().labels().to_vec(),
             parameters: parameters.into_iter().collect(),
-            connection: geometry.kind().name().into(),
-            connection_words: geometry.kind().describe(),
+            connection: geometry.connection_name().into(),
+            connection_words: geometry.describe_connection(),
             lambda: geometry.kind().lambda(),
             frame: geometry.frame_name(),
             chart: geometry.frame_origin().fields().map(|fields| OnChart {
                 coordinates: fields.chart().coordinates().to_vec(),
                 fields: fields.written(),
+            }),
+            homogeneous: geometry.frame_origin().homogeneous().map(|space| OnHomogeneousSpace {
+                embedding: space.embedding().into(),
+                complement: space.complement().to_vec(),
             }),
             tolerance: geometry.frame().structure_functions().tolerance(),
             independent: false,

@@ -1,7 +1,7 @@
 //! Spaces: given on the command line and in files, and converted to geometries.
 //!
 //! A SPACE is a geometry of Paraskevopoulos and Natsiavas (2013), a catalogue name, a sum of names,
-//! a file, or brackets given inline ([`Space`]). Each form becomes a [`Definition`] with exact and
+//! a homogeneous space G/H, a file, or brackets given inline ([`Space`]). Each form becomes a [`Definition`] with exact and
 //! symbolic values. A definition is then converted to the scalar type of the computation
 //! ([`Coefficient`](crate::Coefficient)). Files are tables of structure constants, or TOML or JSON
 //! files, which have the same keys.
@@ -19,6 +19,8 @@ pub(crate) mod document;
 mod entry;
 mod functions;
 mod group;
+mod homogeneous;
+mod invariant_metric;
 mod named;
 pub(crate) mod notation;
 pub mod paper;

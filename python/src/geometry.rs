@@ -26,13 +26,14 @@ use std::sync::{Arc, OnceLock};
 /// Parameters
 /// ----------
 /// space : LieAlgebra, str, path or dict
-///     A LieAlgebra or anything that defines one, a name with a connection (``"so3@plus"``), or a definition with a
-///     chart. ``"M3"`` and ``"SO3"`` are the geometries of Paraskevopoulos and Natsiavas (2013).
+///     A LieAlgebra or anything that defines one, a name with a connection (``"so3@plus"``), a homogeneous space
+///     (``"SU(3)/U(2)"``, ``"CP^2"``), or a definition with a chart. ``"M3"`` and ``"SO3"`` are the geometries of Paraskevopoulos and Natsiavas (2013).
 /// connection : str or number, optional
-///     ``plus``, ``zero``, ``minus``, ``levi-civita``, ``lambda=1/3`` or a number lambda. The default is
-///     ``levi-civita`` if there is a metric, otherwise ``zero``.
+///     ``plus``, ``zero``, ``minus``, ``levi-civita``, ``lambda=1/3`` or a number lambda. ``canonical`` and
+///     ``natural`` are ``minus`` and ``zero`` on a homogeneous space. The default is ``levi-civita`` if there is a
+///     metric, otherwise ``zero``.
 /// metric : str, array or list, optional
-///     ``identity``, ``killing``, ``diag(...)``, a symmetric matrix ``g_ij``, or a list of diagonal entries. Unknown
+///     ``identity``, ``killing``, ``invariant``, ``diag(...)``, a symmetric matrix ``g_ij``, or a list of diagonal entries. Unknown
 ///     names become parameters.
 /// basis : str or list of str, optional
 ///     Names of the basis vectors; required for brackets.
@@ -58,6 +59,8 @@ use std::sync::{Arc, OnceLock};
 /// --------
 /// >>> Geometry("so3", metric=[1, 1, 1]).scalar_curvature
 /// Fraction(3, 2)
+/// >>> Geometry("CP^2", metric="killing").scalar_curvature
+/// Fraction(2, 1)
 /// >>> print(Geometry("so3", metric="diag(a,a,b)").ricci[2, 2])
 /// b**2/(2*a**2)
 #[pyclass(name = "Geometry", frozen, subclass, module = "affinor")]
@@ -201,9 +204,10 @@ properties! { PyGeometry, own:
     dimension: usize = own.values.labels().len();
     /// Kind of the scalars: ``exact``, ``symbolic`` or ``float``.
     scalar: &'static str = own.values.scalar();
-    /// Name of the connection: ``plus``, ``zero``, ``minus``, ``lambda``, ``levi-civita`` or ``affinities``.
-    connection: String = each!(&own.values, geometry => geometry.kind().name().into());
-    /// Kind of the frame: ``left-invariant``, ``right-invariant``, ``coordinate`` or ``moving``.
+    /// Name of the connection: ``plus``, ``zero``, ``minus``, ``lambda``, ``levi-civita`` or ``affinities``; on a
+    /// homogeneous space also ``canonical`` or ``natural``.
+    connection: String = each!(&own.values, geometry => geometry.connection_name().into());
+    /// Kind of the frame: ``left-invariant``, ``right-invariant``, ``coordinate``, ``moving`` or ``reductive``.
     frame: &'static str = each!(&own.values, geometry => geometry.frame_name());
 }
 

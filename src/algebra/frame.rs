@@ -159,6 +159,12 @@ impl<S: Scalar> Frame<S> {
         self.derivations.is_none() && self.isotropy.is_none()
     }
 
+    /// Whether components of invariant tensors are constant: the frame of a group or of a homogeneous
+    /// space.
+    pub(crate) fn is_homogeneous(&self) -> bool {
+        self.derivations.is_none()
+    }
+
     /// The frame derivatives `e_k(T)` of all components; `k` is a new first slot `_k`.
     ///
     /// # Errors

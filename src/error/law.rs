@@ -160,6 +160,11 @@ laws! {
     /// vector `x` of `h`.
     ReductiveComplement(pair: x y; bracket) MathematicsError
         "the complement m is not invariant under h: [{x}, {y}] = {bracket} is not in m"
+    /// A subalgebra `h` has a complement that contains the brackets of its vectors with `h`. The
+    /// complement is the kernel of a projection `P` onto `h` with `P([x,y]) = [x, P(y)]`.
+    Reductive(pair: x y; residual) MathematicsError
+        "no complement of h is invariant under h: for a projection P onto h, \
+         P([x,y]) = [x, P(y)] with x = {x}, y = {y} leaves {residual} = 0"
     /// A tensor at the origin of a homogeneous space is invariant under the isotropy group.
     IsotropyInvariance(tensor: tensor, direction: direction, component: component; residual) MathematicsError
         "{tensor} must be invariant under h, but the action of {direction} gives the component \

@@ -1,4 +1,4 @@
-//! The holonomy algebra of a left-invariant connection.
+//! The holonomy algebra of an invariant connection.
 
 use crate::Error;
 use crate::algebra::frame::formula;
@@ -17,7 +17,8 @@ pub struct Holonomy<S> {
 }
 
 impl<S: Field + Scalar> Connection<S> {
-    /// The holonomy algebra of a connection with constant components in an invariant frame. It is
+    /// The holonomy algebra of a connection with constant components in the frame of a group or of a
+    /// homogeneous space. It is
     /// the smallest space of matrices `A^i_j` that satisfies two conditions: it contains all
     /// `R(e_k, e_l)`, and with each matrix `A` it contains all `[Lambda_m, A]`, where
     /// `(Lambda_m)^i_j = Lambda^i_mj`.
@@ -27,7 +28,7 @@ impl<S: Field + Scalar> Connection<S> {
     /// the algebra for generic values. Over floats, the dimension depends on the tolerance.
     ///
     /// # Errors
-    /// [`Error::Unsupported`] in a frame that is not invariant; [`Error::Linear`] over a ring that
+    /// [`Error::Unsupported`] in a frame on a chart; [`Error::Linear`] over a ring that
     /// is not a field.
     ///
     /// ```
@@ -73,7 +74,7 @@ impl<S: Field + Scalar> Connection<S> {
     /// The holonomy algebra, whose dimension must be at most `largest`.
     fn holonomy_up_to(&self, largest: usize) -> Result<Holonomy<S>, Error> {
         let _stage = stage("holonomy");
-        if !self.frame().is_invariant() {
+        if !self.frame().is_homogeneous() {
             return Err(Error::Unsupported("the holonomy algebra needs an invariant frame".into()));
         }
         let n = self.frame().dimension();

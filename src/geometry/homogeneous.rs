@@ -5,12 +5,14 @@
 mod blocks;
 mod exceptional;
 mod name;
+mod nearest;
+
+pub use name::{FAMILIES, Family};
 
 use crate::Error;
-use crate::algebra::LieAlgebra;
-use crate::algebra::catalogue;
+use crate::algebra::{LieAlgebra, catalogue};
 use crate::geometry::reductive::ReductivePair;
-use affinor_tensors::Rational;
+use affinor_tensors::{Field, Rational, Scalar};
 use name::{Factor, Name};
 
 /// A homogeneous space with its name and the embedding of the isotropy algebra.
@@ -23,20 +25,79 @@ use name::{Factor, Name};
 /// assert!(plane.pair().is_symmetric());
 /// # Ok::<(), affinor::Error>(())
 /// ```
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 #[doc(alias("coset space", "quotient", "symmetric space", "flag manifold", "Stiefel manifold"))]
-pub struct HomogeneousSpace {
+pub struct HomogeneousSpace<S = Rational> {
     name: String,
     embedding: String,
-    pair: ReductivePair<Rational>,
+    complement: Vec<String>,
+    pair: ReductivePair<S>,
 }
 
-/// A subalgebra, as vectors in the basis of the algebra that contains it, with a sentence about the
-/// embedding.
+/// A subalgebra of a Lie algebra, as vectors in the basis of the algebra that contains it.
+#[derive(Clone, Debug)]
+pub struct Embedding {
+    /// The name of the homogeneous space, as `G/H`.
+    pub name: String,
+    /// The Lie algebra of G.
+    pub algebra: LieAlgebra<Rational>,
+    /// The name of the Lie algebra of G in the catalogue.
+    pub algebra_name: String,
+    /// A basis of the Lie algebra of H.
+    pub vectors: Vec<Vec<Rational>>,
+    /// A sentence that states how H lies in G.
+    pub sentence: String,
+}
+
+/// An embedding without its names.
 struct Embedded {
     algebra: LieAlgebra<Rational>,
     vectors: Vec<Vec<Rational>>,
     sentence: String,
+}
+
+impl Embedding {
+    /// The embedding of H in G for the name of a homogeneous space; see [`HomogeneousSpace::find`].
+    ///
+    /// ```
+    /// use affinor::geometry::homogeneous::Embedding;
+    /// let sphere = Embedding::find("S^7 = Sp(2)/Sp(1)")?;
+    /// assert_eq!((sphere.algebra_name.as_str(), sphere.vectors.len()), ("usp(4)", 3));
+    /// # Ok::<(), affinor::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Name`] for a name that cannot be read, and for groups without a known embedding.
+    pub fn find(name: &str) -> Result<Self, Error> {
+        let read = Name::read(name)?;
+        let Embedded { algebra, vectors, sentence } = embed(&read)?;
+        let factors: Vec<_> = read.group.iter().map(|factor| factor.algebra()).collect();
+        let algebra_name = factors.join(" + ");
+        Ok(Embedding { name: read.to_string(), algebra, algebra_name, vectors, sentence })
+    }
+}
+
+/// Whether a text has the form of a name of a homogeneous space, although it may be misspelt. The
+/// forms are `G/H`, where both sides look like names of groups, and the names of families.
+///
+/// ```
+/// use affinor::geometry::homogeneous::has_form;
+/// assert!(has_form("SU(3)/U(2)") && has_form("S^7 = Sp(2)/Sp(1)") && has_form("CP^2"));
+/// assert!(!has_form("data/so3") && !has_form("so(3)"));
+/// ```
+pub fn has_form(text: &str) -> bool {
+    name::has_form(text)
+}
+
+/// The names of homogeneous spaces that a misspelt name may mean; none for other texts.
+///
+/// ```
+/// use affinor::geometry::homogeneous::nearest;
+/// assert_eq!(nearest("su(3)/u(2)"), ["SU(3)/U(2)"]);
+/// assert_eq!(nearest("cp^2"), ["CP^2"]);
+/// ```
+pub fn nearest(text: &str) -> Vec<String> {
+    nearest::nearest(text)
 }
 
 impl HomogeneousSpace {
@@ -60,15 +121,44 @@ impl HomogeneousSpace {
     /// The complement is orthogonal under the Killing form of G.
     ///
     /// # Errors
-    /// [`Error::Invalid`] for a name that cannot be read, and for groups without a known embedding;
-    /// those of [`ReductivePair::orthogonal`].
+    /// Those of [`Embedding::find`] and [`new`](Self::new).
     pub fn find(name: &str) -> Result<Self, Error> {
-        let read = Name::read(name)?;
-        let embedded = embed(&read)?;
-        let pair = ReductivePair::orthogonal(&embedded.algebra, &embedded.vectors)?;
-        Ok(HomogeneousSpace { name: read.to_string(), embedding: embedded.sentence, pair })
+        let Embedding { name, algebra, vectors, sentence, .. } = Embedding::find(name)?;
+        Self::new(name, sentence, &algebra, &vectors)
+    }
+}
+
+impl<S: Field + Scalar> HomogeneousSpace<S> {
+    /// The space of an algebra and a basis of the isotropy algebra, with the complement of
+    /// [`ReductivePair::complement`]. The `embedding` is a sentence about the isotropy algebra.
+    ///
+    /// # Errors
+    /// Those of [`ReductivePair::complement`] and [`ReductivePair::new`].
+    pub fn new(
+        name: impl Into<String>,
+        embedding: impl Into<String>,
+        algebra: &LieAlgebra<S>,
+        h: &[Vec<S>],
+    ) -> Result<Self, Error> {
+        let m = ReductivePair::complement(algebra, h)?;
+        let write = |x: &Vec<S>| algebra.left_frame().write(x.iter().cloned());
+        let (pair, texts) = (ReductivePair::new(algebra, h, &m)?, m.iter().map(write).collect());
+        Ok(Self::of_pair(name, embedding, texts, pair))
     }
 
+    /// The space of a reductive pair. The `complement` is the basis of `m` as text, in the basis in
+    /// which the algebra of G was given.
+    pub fn of_pair(
+        name: impl Into<String>,
+        embedding: impl Into<String>,
+        complement: Vec<String>,
+        pair: ReductivePair<S>,
+    ) -> Self {
+        HomogeneousSpace { name: name.into(), embedding: embedding.into(), complement, pair }
+    }
+}
+
+impl<S> HomogeneousSpace<S> {
     /// The name as `G/H`.
     pub fn name(&self) -> &str {
         &self.name
@@ -79,8 +169,13 @@ impl HomogeneousSpace {
         &self.embedding
     }
 
+    /// The basis of the complement in the basis of the algebra of G, as text.
+    pub fn complement(&self) -> &[String] {
+        &self.complement
+    }
+
     /// The algebra of G, the isotropy algebra and the complement.
-    pub fn pair(&self) -> &ReductivePair<Rational> {
+    pub fn pair(&self) -> &ReductivePair<S> {
         &self.pair
     }
 }

@@ -4,11 +4,16 @@
 mod einstein;
 mod invariant;
 mod isometries;
+mod linear_system;
 mod sectional;
 mod soliton;
 
 pub use sectional::{Extreme, MAX_SEARCHED};
 pub use soliton::Soliton;
+
+pub(super) use invariant::symmetric_invariants;
+pub(super) use isometries::triples;
+pub(super) use linear_system::LinearSystem;
 
 use crate::Error;
 use crate::geometry::connection::Connection;

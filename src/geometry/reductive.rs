@@ -1,7 +1,12 @@
 //! Reductive homogeneous spaces G/H, with their canonical and invariant connections.
 
+mod cohomology;
+mod complement;
 mod isotropy;
+mod metrics;
+mod rank;
 
+pub use cohomology::{InvariantForms, MAX_FORMS};
 pub use isotropy::{IsotropyComponent, RealType};
 
 use crate::algebra::frame::{Frame, expect_slots, formula};
@@ -72,38 +77,59 @@ impl<S: Field + Scalar> ReductivePair<S> {
             .flat_map(|(a, x)| x.components().map(move |(i, value)| ([i[0], a], value.clone())));
         let change = Tensor::from_components(n, &[Up, Down], entries)?;
         let change = change.with_tolerance(algebra.structure_constants().tolerance());
-        let adapted = algebra.change_basis(&BasisChange::new(change)?)?;
-        let c = adapted.structure_constants();
-        // the constants c^i_jk whose indices belong to h where `of_h` is true, and to m elsewhere
-        let part = |of_h: [bool; 3]| {
-            c.filter_map(|at, value| at.iter().map(|i| *i >= r).eq(of_h).then(|| value.clone()))
-        };
-        let escaped = |of_h| {
-            let at = part(of_h).components().next().map(|(at, _)| at)?;
+        let adapted = algebra.in_basis(&BasisChange::new(change)?, labels(r, n - r))?;
+        // states brackets that escape in the given basis
+        if let Some((law, [j, k])) = escaping(&adapted, r) {
             let vector = |k: usize| basis[k].to_vector().unwrap_or_default();
-            let (x, y) = (vector(at[1]), vector(at[2]));
-            let bracket = algebra.bracket(&x, &y).unwrap_or_default();
-            Some([x, y, bracket].map(|v| algebra.left_frame().write(v)))
-        };
-        if let Some([x, y, bracket]) = escaped([false, true, true]) {
-            return Err(Law::ReductiveIsotropy.broken([x, y], bracket));
+            let (x, y) = (vector(j), vector(k));
+            let bracket = algebra.bracket(&x, &y)?;
+            let [x, y, bracket] = [x, y, bracket].map(|v| algebra.left_frame().write(v));
+            return Err(law.broken([x, y], bracket));
         }
-        if let Some([x, y, bracket]) = escaped([true, true, false]) {
-            return Err(Law::ReductiveComplement.broken([x, y], bracket));
+        Self::adapted(adapted, r)
+    }
+
+    /// The pair of an algebra whose first `r` basis vectors span `m`, and whose other basis vectors
+    /// span `h`.
+    ///
+    /// ```
+    /// use affinor::algebra::catalogue;
+    /// use affinor::{Rational, ReductivePair};
+    /// let so3 = catalogue::algebra::<Rational>("so(3)")?;
+    /// assert!(ReductivePair::adapted(so3, 2)?.is_symmetric());
+    /// # Ok::<(), affinor::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Law::ReductiveIsotropy`] or [`Law::ReductiveComplement`] with the first bracket that
+    /// violates the condition; [`Error::Shape`] if `r` exceeds the dimension of the algebra.
+    pub fn adapted(algebra: LieAlgebra<S>, r: usize) -> Result<Self, Error> {
+        let n = algebra.dimension();
+        if r > n {
+            let (expected, found) = (format!("at most {n} vectors"), format!("{r} vectors"));
+            return Err(Error::Shape { what: "the basis of m", expected, found });
         }
+        if let Some((law, at)) = escaping(&algebra, r) {
+            let unit =
+                |at: usize| (0..n).map(|i| S::from_i64(i64::from(i == at))).collect::<Vec<_>>();
+            let bracket = algebra.bracket(&unit(at[0]), &unit(at[1]))?;
+            let vectors = at.map(|at| algebra.labels()[at].clone());
+            return Err(law.broken(vectors, algebra.left_frame().write(bracket)));
+        }
+        let c = algebra.structure_constants();
         // the components of the brackets in h: [x, y]_h
-        let vertical = part([true, false, false]);
+        let vertical = part(c, r, [true, false, false]);
         let curving = formula("v^a_kl c^i_aj -> ^i_j[kl]", &[("v", &vertical), ("c", c)]);
-        let labels = &adapted.labels()[..r];
+        let labels = &algebra.labels()[..r];
         let frame = Frame::reductive(labels, restricted(c, r)?, restricted(&curving, r)?)?;
-        let acting = part([false, true, false]);
+        let acting = part(c, r, [false, true, false]);
         let isotropy = (r..n).map(|a| {
             let ad = acting.components().filter(|(at, _)| at[1] == a);
             let ad = ad.map(|(at, value)| ([at[0], at[2]], value.clone()));
             Ok(Tensor::from_components(r, &[Up, Down], ad)?.with_tolerance(c.tolerance()))
         });
         let isotropy = isotropy.collect::<Result<_, Error>>()?;
-        Ok(ReductivePair { algebra: adapted, frame, isotropy })
+        Ok(ReductivePair { algebra, frame, isotropy })
     }
 
     /// The pair of `h` and the complement that is orthogonal to `h` under the Killing form.
@@ -114,6 +140,10 @@ impl<S: Field + Scalar> ReductivePair<S> {
     /// [`Error::SingularBasis`] for dependent vectors. The other errors are those of
     /// [`new`](Self::new).
     pub fn orthogonal(algebra: &LieAlgebra<S>, h: &[Vec<S>]) -> Result<Self, Error> {
+        Self::new(algebra, h, &Self::orthogonal_complement(algebra, h)?)
+    }
+
+    fn orthogonal_complement(algebra: &LieAlgebra<S>, h: &[Vec<S>]) -> Result<Vec<Vec<S>>, Error> {
         let killing = algebra.killing_form();
         let rows = h.iter().map(|x| {
             let x = algebra.vector(x)?;
@@ -123,11 +153,11 @@ impl<S: Field + Scalar> ReductivePair<S> {
         let rows = rows.collect::<Result<Vec<Vec<_>>, Error>>()?;
         let tolerance = killing.tolerance();
         let products = Matrix::from_rows(algebra.dimension(), rows)?.with_tolerance(tolerance);
-        let vectors = Matrix::from_dense(h)?.with_tolerance(tolerance);
-        if vectors.rank()? < h.len() {
-            return Err(Error::SingularBasis);
-        }
         if !h.is_empty() {
+            let vectors = Matrix::from_dense(h)?.with_tolerance(tolerance);
+            if vectors.rank()? < h.len() {
+                return Err(Error::SingularBasis);
+            }
             // the kernel of the Killing form restricted to h
             let null = products.mul(&vectors.transpose())?.nullspace()?;
             if null.rows() > 0 {
@@ -136,7 +166,7 @@ impl<S: Field + Scalar> ReductivePair<S> {
                 return Err(Law::KillingOnSubalgebra.broken([null], "0"));
             }
         }
-        Self::new(algebra, h, &products.nullspace()?.to_dense())
+        Ok(products.nullspace()?.to_dense())
     }
 
     /// The second canonical connection, `Lambda = 0`. Invariant tensors are parallel. The torsion
@@ -198,7 +228,15 @@ impl<S: Field + Scalar> ReductivePair<S> {
         invariant_tensors(self.dimension(), slots, &self.isotropy)
     }
 
-    fn expect_invariant(&self, what: &'static str, tensor: &Tensor<S>) -> Result<(), Error> {
+    /// Checks that a tensor on `m` is invariant under `h`; `what` is its name in the error.
+    ///
+    /// # Errors
+    /// [`Law::IsotropyInvariance`].
+    pub(crate) fn expect_invariant(
+        &self,
+        what: &'static str,
+        tensor: &Tensor<S>,
+    ) -> Result<(), Error> {
         for (a, endomorphism) in self.isotropy.iter().enumerate() {
             if let Some((at, residual)) = act(endomorphism, tensor)?.components().next() {
                 let direction = self.algebra.labels()[self.dimension() + a].clone();
@@ -242,6 +280,31 @@ impl<S: Scalar> ReductivePair<S> {
     pub fn is_symmetric(&self) -> bool {
         self.frame.structure_functions().is_empty()
     }
+}
+
+/// The labels `m1, ..., h1, ...` of an adapted basis.
+fn labels(m: usize, h: usize) -> Vec<String> {
+    let numbered = |letter: &'static str, count| (1..=count).map(move |at| format!("{letter}{at}"));
+    numbered("m", m).chain(numbered("h", h)).collect()
+}
+
+/// The constants `c^i_jk` whose indices belong to `h` where `of_h` is true, and to `m` elsewhere.
+fn part<S: Scalar>(c: &Tensor<S>, r: usize, of_h: [bool; 3]) -> Tensor<S> {
+    c.filter_map(|at, value| at.iter().map(|i| *i >= r).eq(of_h).then(|| value.clone()))
+}
+
+/// The first bracket of basis vectors that violates a condition of a reductive pair in an adapted
+/// basis, with the condition.
+fn escaping<S: Scalar>(algebra: &LieAlgebra<S>, r: usize) -> Option<(Law, [usize; 2])> {
+    let conditions = [
+        (Law::ReductiveIsotropy, [false, true, true]),
+        (Law::ReductiveComplement, [true, true, false]),
+    ];
+    conditions.into_iter().find_map(|(law, of_h)| {
+        let escaped = part(algebra.structure_constants(), r, of_h);
+        let found = escaped.components().next().map(|(at, _)| (law, [at[1], at[2]]));
+        found
+    })
 }
 
 /// The components whose indices are all below `r`, as a tensor of dimension `r`.

@@ -8,6 +8,7 @@ mod common;
 mod space {
     mod chart;
     mod charts;
+    mod homogeneous;
     mod tables;
 }
 mod figures;

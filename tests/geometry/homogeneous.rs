@@ -1,6 +1,6 @@
 //! Homogeneous spaces by name: dimensions, isotropy and invariant metrics against the literature.
 
-use affinor::geometry::homogeneous::HomogeneousSpace;
+use affinor::geometry::homogeneous::{FAMILIES, HomogeneousSpace, has_form, nearest};
 use affinor::{Metric, ReductivePair};
 use affinor_tensors::{Down, Rational, Tensor};
 
@@ -132,5 +132,42 @@ fn names_that_are_refused() {
         "",
     ] {
         assert!(HomogeneousSpace::find(name).is_err(), "{name}");
+    }
+}
+
+/// A misspelt name has the nearest names that can be read; texts of other forms have none.
+#[test]
+fn nearest_names_are_suggested() {
+    for (text, name) in [
+        ("su(3)/u(2)", "SU(3)/U(2)"),
+        ("so(5)/so(3)", "SO(5)/SO(3)"),
+        ("SP(2)/Sp(1)", "Sp(2)/Sp(1)"),
+        ("SUU(3)/U(2)", "SU(3)/U(2)"),
+        ("su(3)/s(u(2)xu(1))", "SU(3)/S(U(2)xU(1))"),
+        ("cp^2", "CP^2"),
+        ("GR(2,C^4)", "Gr(2,C^4)"),
+        ("v(2,R^5)", "V(2,R^5)"),
+        ("fl(3)", "Fl(3)"),
+        ("g2/su(3)", "G2/SU(3)"),
+    ] {
+        assert_eq!(nearest(text).first().map(String::as_str), Some(name), "{text}");
+    }
+    for text in ["so(3)", "data/so3", "SU(3)/U(2)", "", "x", "a/b/c", "E8", "\u{1d530}/2"] {
+        assert!(nearest(text).is_empty(), "{text}: {:?}", nearest(text));
+    }
+}
+
+#[test]
+fn the_form_of_a_name() {
+    for (name, ..) in SPACES {
+        assert!(has_form(name), "{name}");
+    }
+    for family in FAMILIES {
+        assert!(has_form(family.example), "{}", family.pattern);
+        HomogeneousSpace::find(family.example).unwrap();
+    }
+    for text in ["so(3)", "a/b", "Data/so3", "data/SO3.toml", "./SU3", "so(3)+R^2", "x/y/z", "R^3"]
+    {
+        assert!(!has_form(text), "{text}");
     }
 }

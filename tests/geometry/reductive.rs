@@ -1,5 +1,9 @@
 //! Homogeneous spaces: Nomizu's connections on spheres, projective spaces, flags and groups.
 
+mod cohomology;
+mod complement;
+mod metrics;
+
 use crate::common::algebras::{by_table, catalogued, seeds};
 use crate::common::{fraction, integer, labels, property::properties, rationals, stored};
 use affinor::{

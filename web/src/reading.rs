@@ -50,7 +50,7 @@ pub(super) fn reading(input: &str, space: &Space) -> Result<Answer, Refusal> {
             }
             _ => false,
         };
-        (metric, geometry.kind().name().to_string(), killing, geometry.frame_name())
+        (metric, geometry.connection_name().to_string(), killing, geometry.frame_name())
     });
     let name = match kind {
         "table" => "your algebra",

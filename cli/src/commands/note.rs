@@ -29,6 +29,7 @@ pub fn note_default_connection(definition: &Definition) {
     if definition.has_metric() {
         note("no connection given: using levi-civita, the connection of the metric");
     } else if !definition.is_on_chart() {
-        note("no connection and no metric given: using the connection zero");
+        let default = if definition.is_homogeneous() { "natural" } else { "zero" };
+        note(&format!("no connection and no metric given: using the connection {default}"));
     }
 }

@@ -30,10 +30,12 @@ pub struct SpaceOptions {
 /// The connection and the metric of a space.
 #[derive(Args, Clone, Default)]
 pub struct GeometryOptions {
-    /// The connection: plus, zero, minus, lambda=1/3, or levi-civita
+    /// The connection: plus, zero, minus, lambda=1/3, or levi-civita; canonical (lambda=0) or
+    /// natural (lambda=1/2) on a homogeneous space
     #[arg(long, value_name = "NAME", allow_hyphen_values = true)]
     pub connection: Option<String>,
-    /// The metric: identity, killing, "diag(1,2,3)", or rows "[[1,0],[0,2]]"
+    /// The metric: identity, killing, invariant (one letter per parameter), "diag(1,2,3)", rows
+    /// "[[1,0],[0,2]]", or on a homogeneous space "summands(1,2)"
     #[arg(long, value_name = "METRIC", allow_hyphen_values = true)]
     pub metric: Option<String>,
 }

@@ -6,7 +6,7 @@ use affinor::algebra::frame::expect_numbers;
 use affinor::geometry::properties::{Property, Witness};
 use affinor::{Error, Geometry, Law};
 use affinor_tensors::text::written;
-use affinor_tensors::{Tensor, contract};
+use affinor_tensors::{Tensor, Up, contract};
 
 /// A statement about a geometry of Paraskevopoulos and Natsiavas (2013), with the number of its
 /// equation. [`holds`](Claim::holds) tests the statement on any geometry.
@@ -121,8 +121,7 @@ impl Claim {
         geometry: &Geometry<S>,
     ) -> Result<Option<Property<String>>, Error> {
         let connection = geometry.connection();
-        let algebra = geometry.frame_origin().algebra_for("a claim of the paper")?;
-        let c = algebra.structure_constants();
+        let c = geometry.frame_origin().constant_structure("a claim of the paper")?;
         let vanish = |sum: &'static str| {
             let torsion = connection.torsion();
             let operands = [("Lambda", connection.affinities()), ("c", c), ("tau", &torsion)];
@@ -160,7 +159,9 @@ impl Claim {
                 })
             }
             (Claim::BiInvariant, Some(metric)) => {
-                vanishes(&metric.ad_invariance_defect(algebra)?, "g_mj c^m_ki + g_im c^m_kj", "kij")
+                let sum = "g_mj c^m_ki + g_im c^m_kj";
+                let operands = [("g", metric.components()), ("c", c)];
+                vanishes(&contract(&format!("{sum} -> _kij"), &operands)?, sum, "kij")
             }
         };
         property.map(Some)
@@ -179,10 +180,10 @@ fn transport<S: Coefficient>(
     share: &S,
     sum: &'static str,
 ) -> Result<Property<String>, Error> {
-    let algebra = geometry.frame_origin().algebra_for("transport by ad")?;
-    for (j, label) in algebra.labels().iter().enumerate() {
+    let c = geometry.frame_origin().constant_structure("transport by ad")?;
+    for (j, label) in geometry.frame().labels().iter().enumerate() {
         let unit = |i| if i == j { S::one() } else { S::zero() };
-        let n: Vec<S> = (0..algebra.dimension()).map(unit).collect();
+        let n: Vec<S> = (0..c.dimension()).map(unit).collect();
         let generator = match geometry.connection().transport_generator(&n) {
             Ok(generator) => generator,
             Err(Error::Broken { law: Law::ConstantTangent, residual, .. }) => {
@@ -190,7 +191,8 @@ fn transport<S: Coefficient>(
             }
             Err(error) => return Err(error),
         };
-        let ad = algebra.ad(&n)?.scale(share);
+        let operands = [("c", c), ("n", &Tensor::vector(&n, Up))];
+        let ad = contract("c^i_jk n^j -> ^i_k", &operands)?.scale(share);
         let residual = contract("G^i_k + a^i_k -> ^i_k", &[("G", &generator), ("a", &ad)])?;
         if let Property::Fails(mut witness) = vanishes(&residual, sum, "ik")? {
             witness.residual += &format!(" for n = {label}");

@@ -164,7 +164,7 @@ pub fn tensors_as_code<S: Programmed>(
         _ => "tensors".into(),
     };
     let about = vec![
-        format!("{}, connection {}.", geometry.name(), geometry.kind().name()),
+        format!("{}, connection {}.", geometry.name(), geometry.connection_name()),
         format!(
             "Basis {}; {} frame.",
             printable_list(geometry.frame().labels()),

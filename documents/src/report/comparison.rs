@@ -11,7 +11,7 @@ use crate::formula::{Row, formula, notation, sum, tex, value};
 use crate::page::page;
 use affinor::geometry::conditions::conditions;
 use affinor::geometry::properties::Property;
-use affinor::{ConnectionKind, Error, Geometry, LieAlgebra};
+use affinor::{ConnectionKind, Error, Geometry};
 use affinor_tensors::contract;
 use affinor_tensors::text::combination;
 use affinor_tensors::{CommonFactors, Kind, Tensor};
@@ -54,9 +54,10 @@ impl ComparedSide {
     /// [`Law::Constant`](affinor::Law::Constant) if the structure functions are not constant.
     pub fn new<S: Coefficient>(geometry: &Geometry<S>) -> Result<Self, Error> {
         let kind = geometry.kind();
-        let algebra = geometry.frame_origin().algebra_for("a comparison")?;
-        let basis = basis(algebra.labels());
-        let mut rows = vec![("basis", basis.into()), ("connection", kind.describe().into())];
+        let structure = geometry.frame_origin().constant_structure("a comparison")?;
+        let basis = basis(geometry.frame().labels());
+        let connection = geometry.describe_connection();
+        let mut rows = vec![("basis", basis.into()), ("connection", connection.into())];
         let shown = [
             ("structure constants", Quantity::Structure),
             ("affinities", Quantity::Affinities),
@@ -69,12 +70,12 @@ impl ComparedSide {
             rows.push((title, tensor.map_or("none".into(), |tensor| listed(quantity, &tensor))));
         }
         rows.push(("compatibility", compatibility(geometry)?));
-        rows.push(("transport along n", transport(geometry, algebra)));
+        rows.push(("transport along n", transport(geometry, structure)));
         let verdict = |claim: Claim| Ok((claim, claim.holds(geometry)?));
         let verdicts = Claim::ALL.into_iter().map(verdict).collect::<Result<_, Error>>()?;
         let connection = match kind {
             ConnectionKind::Family(lambda) => format!("lambda={lambda}"),
-            _ => kind.name().into(),
+            _ => geometry.connection_name().into(),
         };
         let tolerance = geometry.frame().structure_functions().tolerance();
         let zero = (S::KIND == Kind::Float).then(|| head::zero(tolerance));
@@ -277,8 +278,8 @@ fn compatibility<S: Coefficient>(geometry: &Geometry<S>) -> Result<Cell, Error> 
 
 /// The generator of parallel transport along an autoparallel, written as a multiple of `ad_n` if it
 /// is a multiple.
-fn transport<S: Coefficient>(geometry: &Geometry<S>, algebra: &LieAlgebra<S>) -> Cell {
-    let (c, gamma) = (algebra.structure_constants(), geometry.connection().affinities());
+fn transport<S: Coefficient>(geometry: &Geometry<S>, c: &Tensor<S>) -> Cell {
+    let gamma = geometry.connection().affinities();
     let generator = |text: &str, parts: Vec<Part>| {
         let law = [Part::Formula(formula("du/dt = G u")), Part::Words(", ")];
         line(&format!("du/dt = G u, {text}"), law.into_iter().chain(parts).collect())

@@ -63,7 +63,7 @@ impl<S: Coefficient> EquationReport<S> {
             equations,
             name: geometry.name().into(),
             labels: geometry.frame().labels().to_vec(),
-            connection: [geometry.kind().name().into(), geometry.kind().describe()],
+            connection: [geometry.connection_name().into(), geometry.describe_connection()],
             parameters: parameters.into_iter().collect(),
             frame: geometry.frame_name(),
             position,

@@ -1,6 +1,6 @@
 //! The header of a table: the space, its connection and its scalar.
 
-use super::{OnChart, Table};
+use super::{OnChart, OnHomogeneousSpace, Table};
 use crate::Coefficient;
 use affinor::conventions;
 use affinor_tensors::{Kind, Tolerance};
@@ -10,6 +10,10 @@ use serde_json::{Value, json};
 pub(super) fn conventions() -> String {
     [conventions::BRACKET, conventions::AFFINITIES, conventions::CURVATURE].join("; ")
 }
+
+/// The meaning of brackets and curvature on a homogeneous space.
+pub(super) const ISOTROPY: &str =
+    "c^i_jk e_i is the part of [e_j, e_k] in m; R(e_k, e_l) e_j contains -[[e_k, e_l]_h, e_j]";
 
 /// The rule by which a float counts as zero.
 pub(super) fn zero(tolerance: Tolerance) -> String {
@@ -53,6 +57,13 @@ impl<S: Coefficient> Table<S> {
             if self.frame == "moving" {
                 lines.insert(4, ("fields", equal.collect::<Vec<_>>().join(", ")));
             }
+        }
+        if let Some(OnHomogeneousSpace { embedding, complement }) = &self.homogeneous {
+            let equal = self.labels.iter().zip(complement).map(|(e, x)| format!("{e} = {x}"));
+            let complement = equal.collect::<Vec<_>>().join(", ");
+            lines.insert(2, ("embedding", printable(embedding)));
+            lines.insert(3, ("complement", printable(&complement)));
+            lines.insert(4, ("isotropy", ISOTROPY.into()));
         }
         if !self.point.is_empty() {
             let point = self.point.iter().map(|(name, value)| format!("{name} = {value}"));

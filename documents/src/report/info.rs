@@ -4,6 +4,7 @@ mod basis;
 mod casimirs;
 mod exceptional;
 mod forms;
+mod homogeneous;
 mod ideals;
 mod notes;
 mod roots;
@@ -52,7 +53,7 @@ pub struct Info {
 }
 
 impl Info {
-    /// Computes the structure of the algebra of a definition; `stage` is called before each part.
+    /// Computes the structure of the algebra of a definition, or of its homogeneous space; `stage` is called before each part.
     ///
     /// # Errors
     /// An error if the brackets do not define a Lie algebra, or if the definition is on a chart. Also
@@ -61,6 +62,17 @@ impl Info {
         let definition = definition.algebra_alone();
         let tolerance = Tolerance::default();
         stage("jacobi");
+        if let Some(algebra) = definition.algebra_of_group() {
+            if !definition.is_rational() {
+                let message = "the structure of a homogeneous space is computed over the rational numbers only";
+                return Err(InputError::usage(message).help("set all parameters with --set"));
+            }
+            let space = definition.homogeneous::<Rational>(tolerance)?;
+            return space.map_or_else(
+                || Err(InputError::usage("the definition is not a homogeneous space")),
+                |space| Self::of_homogeneous(&space, algebra, stage),
+            );
+        }
         if definition.is_rational() {
             let algebra = definition.algebra::<Rational>(tolerance)?;
             return Self::new(&definition.name, &StructureTheory::new(algebra), &[], stage);

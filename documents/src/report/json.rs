@@ -2,8 +2,8 @@
 
 use super::components::append;
 use super::factors::{NamedFactor, NamedFactors};
-use super::head::kind_name;
-use super::{OnChart, Quantity, Table, TableEntry};
+use super::head::{ISOTROPY, kind_name};
+use super::{OnChart, OnHomogeneousSpace, Quantity, Table, TableEntry};
 use crate::Coefficient;
 use affinor_tensors::{CommonFactors, Kind, Up, Variance};
 use serde_json::{Value, json};
@@ -38,6 +38,10 @@ pub(super) fn write<S: Coefficient>(table: &Table<S>, out: &mut dyn Write) -> io
     }
     if let Some(OnChart { coordinates, fields }) = &table.chart {
         writeln!(out, "  \"chart\": {},", json!({ "coordinates": coordinates, "fields": fields }))?;
+    }
+    if let Some(OnHomogeneousSpace { embedding, complement }) = &table.homogeneous {
+        let json = json!({ "embedding": embedding, "complement": complement });
+        writeln!(out, "  \"homogeneous\": {json},")?;
     }
     if !table.point.is_empty() {
         let point = table.point.iter().map(|(name, value)| (name.clone(), Value::from(*value)));
@@ -106,6 +110,9 @@ fn tensor<S: Coefficient>(
 fn conventions<S: Coefficient>(table: &Table<S>) -> Vec<(&'static str, String)> {
     let mut conventions = vec![("indices", "from 1".into())];
     conventions.push(("frame", table.frame.into()));
+    if table.homogeneous.is_some() {
+        conventions.push(("isotropy", ISOTROPY.into()));
+    }
     conventions.extend(table.zero_line().map(|zero| ("zero", zero)));
     if table.independent {
         conventions.push(("components", "one of each set that is equal by symmetry".into()));

@@ -40,6 +40,10 @@ pub fn catalogue(pattern: &str) -> Option<impl Report + use<>> {
     ];
     let algebra = |family: &Family| [family.pattern, family.summary, family.example];
     rows.extend(families().iter().map(|family| algebra(family).map(String::from)));
+    let homogeneous = affinor::geometry::homogeneous::FAMILIES.iter();
+    let homogeneous = homogeneous
+        .map(|family| [family.pattern, family.summary, family.example].map(String::from));
+    rows.extend(homogeneous);
     rows.extend(chart_list::rows());
     let pattern = pattern.to_lowercase();
     rows.retain(|row| row.iter().any(|cell| cell.to_lowercase().contains(&pattern)));

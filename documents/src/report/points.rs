@@ -70,6 +70,7 @@ impl<S: Programmed> Table<S> {
             lambda: lambda.transpose()?,
             frame: self.frame,
             chart: self.chart.clone(),
+            homogeneous: self.homogeneous.clone(),
             tolerance: self.tolerance,
             independent: self.independent,
             common_factors: self.common_factors,

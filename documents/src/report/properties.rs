@@ -8,11 +8,14 @@ use crate::input::InputError;
 use crate::space::Definition;
 use affinor::algebra::Complex;
 use affinor::algebra::structure::{GroundField, StructureTheory};
+use affinor::geometry::homogeneous::HomogeneousSpace;
 use affinor::geometry::petrov::Petrov;
-use affinor::geometry::properties::{MAX_SEARCHED, Property};
-use affinor::{Connection, ConnectionKind, Geometry, LieAlgebra, MatrixBasis, Metric};
+use affinor::geometry::properties::{Extreme, MAX_SEARCHED, Property};
+use affinor::{
+    Connection, ConnectionKind, Geometry, LieAlgebra, MatrixBasis, Metric, ReductivePair,
+};
 use affinor_tensors::text::{combination, exact_decimal, rounded};
-use affinor_tensors::{Rational, Ring, Symbolic, Tensor, Tolerance};
+use affinor_tensors::{Down, Rational, Ring, Symbolic, Tensor, Tolerance, Up};
 use serde_json::{Value, json};
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::{self, Write};
@@ -24,6 +27,9 @@ const METRICS: usize = 16;
 /// The largest number of characters of a family in the report. Longer families are written only in
 /// JSON.
 const LONGEST: usize = 240;
+
+/// The extremes of the sectional curvature, if they are searched for.
+type Found = Result<Option<[Extreme; 2]>, affinor::Error>;
 
 /// A plane: its text, and the two vectors that span it.
 type Plane<S> = (String, [Vec<S>; 2]);
@@ -114,7 +120,19 @@ impl Properties {
             });
             let fields = metric.killing_fields(algebra)?;
             list.fact("left-invariant Killing fields", &format!("dimension {}", fields.len()));
-            list.extremes(connection, metric, algebra)?;
+            list.extremes(connection, metric, algebra.structure_constants(), |metric, value| {
+                metric.sectional_extremes(&algebra.map(value)?)
+            })?;
+        }
+        let pair = geometry.frame_origin().homogeneous().map(HomogeneousSpace::pair);
+        if let (Some(metric), Some(pair)) = (geometry.metric(), pair) {
+            let reductive = pair.naturally_reductive(metric)?;
+            list.valued("naturally reductive", reductive, |()| "with respect to G".into());
+            let constants = pair.algebra().structure_constants();
+            list.extremes(connection, metric, constants, |metric, value| {
+                let pair = ReductivePair::adapted(pair.algebra().map(value)?, pair.dimension())?;
+                metric.sectional_extremes_in(pair.frame())
+            })?;
         }
         if let Some(metric) = geometry.metric() {
             for (text, [x, y]) in planes {
@@ -123,11 +141,19 @@ impl Properties {
                 list.fact(&format!("sectional curvature of {text}"), &value);
             }
         }
+        let labels = geometry.frame().labels();
+        let is_free = |letter: &&str| !names.iter().any(|name| is_numbered(letter, name));
+        let letter = ["a", "b", "p", "q", "s"].into_iter().find(is_free).unwrap_or("a_");
+        let family = Family { labels, letter, limit: METRICS, write: form };
+        if let Some(pair) = pair {
+            list.family("invariant symmetric forms", &family, || pair.invariant_forms())?;
+            let family =
+                Family { labels, letter, limit: CONNECTIONS, write: covariant_derivatives };
+            list.family("invariant connections", &family, || {
+                pair.invariant_tensors(&[Up, Down, Down])
+            })?;
+        }
         if let Some(algebra) = algebra {
-            let labels = geometry.frame().labels();
-            let is_free = |letter: &&str| !names.iter().any(|name| is_numbered(letter, name));
-            let letter = ["a", "b", "p", "q", "s"].into_iter().find(is_free).unwrap_or("a_");
-            let family = Family { labels, letter, limit: METRICS, write: form };
             list.family("bi-invariant symmetric forms", &family, || {
                 Metric::bi_invariant_forms(algebra)
             })?;
@@ -135,6 +161,8 @@ impl Properties {
             let family =
                 Family { labels, letter, limit: CONNECTIONS, write: covariant_derivatives };
             list.family("bi-invariant connections", &family, || Connection::bi_invariant(algebra))?;
+        }
+        if algebra.is_some() || pair.is_some() {
             let holonomy = match geometry.metric() {
                 Some(metric) => connection.holonomy_beside(metric)?,
                 None => connection.holonomy()?,
@@ -319,19 +347,20 @@ impl List {
         &mut self,
         connection: &Connection<S>,
         metric: &Metric<S>,
-        algebra: &LieAlgebra<S>,
+        constants: &Tensor<S>,
+        find: impl FnOnce(&Metric<Rational>, fn(&S) -> Rational) -> Found,
     ) -> Result<(), InputError> {
         let fits = connection.torsion_free().holds().is_some()
             && connection.metric_compatible(metric)?.holds().is_some();
         let rational =
             |tensor: &Tensor<S>| tensor.components().all(|(_, value)| value.rational().is_some());
-        if !fits || !rational(metric.components()) || !rational(algebra.structure_constants()) {
+        if !fits || !rational(metric.components()) || !rational(constants) {
             return Ok(());
         }
         let value = |value: &S| value.rational().unwrap_or_default();
-        let labels = algebra.labels();
+        let labels = connection.frame().labels();
         let metric = Metric::new(labels, metric.components().map(value))?;
-        let Some(extremes) = metric.sectional_extremes(&algebra.map(value)?)? else {
+        let Some(extremes) = find(&metric, value)? else {
             let limit = "not searched: the metric is indefinite, or the dimension not 2 to";
             self.fact("extremes of K", &format!("{limit} {MAX_SEARCHED}"));
             return Ok(());
@@ -368,7 +397,7 @@ impl List {
         let json = json!({
             "schema": "affinor.properties/1",
             "name": geometry.name(),
-            "connection": geometry.kind().name(),
+            "connection": geometry.connection_name(),
             "has_metric": geometry.metric().is_some(),
             "scalar": kind_name(S::KIND),
             "properties": self.json,
@@ -382,7 +411,7 @@ impl List {
         };
         let head: Vec<(&str, Cell)> = vec![
             ("basis", Cell::prose(&printable_list(geometry.frame().labels()))),
-            ("connection", printable(&geometry.kind().describe()).into()),
+            ("connection", printable(&geometry.describe_connection()).into()),
             ("metric", metric.into()),
         ];
         let title = format!("Properties of {}", printable(geometry.name()));

@@ -2,6 +2,7 @@
 
 use super::chart::OnChart;
 use super::functions::Functions;
+use super::homogeneous::CosetSpace;
 use crate::Coefficient;
 use crate::input::{InputError, Place, Source, shown};
 use affinor::algebra::Complex;
@@ -13,8 +14,8 @@ use num_traits::Zero;
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 
-/// The definition of a space: an algebra or vector fields on a chart, and optionally a connection
-/// and a metric.
+/// The definition of a space: an algebra, vector fields on a chart or a homogeneous space, and
+/// optionally a connection and a metric.
 ///
 /// The values are exact and may depend on parameters. They are checked when they are converted to a
 /// scalar type.
@@ -46,6 +47,8 @@ pub(super) enum Origin {
     Matrices(usize, Vec<MatrixEntries>),
     /// Vector fields on a chart.
     Chart(OnChart),
+    /// The complement of the isotropy algebra of a homogeneous space.
+    Homogeneous(Box<CosetSpace>),
 }
 
 /// Brackets: the right-hand side for each ordered pair of basis vectors.
@@ -68,6 +71,10 @@ pub(super) struct Given {
 pub(super) enum MetricChoice {
     Identity,
     Killing(Place),
+    /// The general invariant metric, with a letter for each parameter.
+    Invariant(Place),
+    /// Factors of the isotropy summands of a homogeneous space.
+    Summands(Vec<Symbolic>, Place),
     Components(Vec<([usize; 2], Symbolic)>, Option<Place>),
 }
 
@@ -129,7 +136,7 @@ impl Definition {
     /// Whether the definition is an entry of the catalogue or a sum of entries. Only such
     /// definitions may occur in a sum.
     pub fn is_of_catalogue(&self) -> bool {
-        self.source.is_none() && self.algebra_name.is_none()
+        self.source.is_none() && self.algebra_name.is_none() && !self.is_homogeneous()
     }
 
     /// The parameters on which values depend, sorted.
@@ -202,6 +209,11 @@ impl Definition {
             Origin::Chart(_) => {
                 return Err(InputError::usage("a table of brackets is not possible on a chart"));
             }
+            Origin::Homogeneous(coset) => {
+                let message = format!("{} is a homogeneous space, not a Lie algebra", self.name);
+                let help = format!("name the algebra of the group: {}", coset.algebra);
+                return Err(InputError::usage(message).help(help));
+            }
         };
         Ok(bracket)
     }
@@ -218,7 +230,7 @@ impl Definition {
         LieAlgebra::try_from(self.bracket(tolerance)?).map_err(|error| self.refused(error))
     }
 
-    /// The [`algebra`](Self::algebra), or the vector fields on a chart.
+    /// The [`algebra`](Self::algebra), the vector fields on a chart, or the homogeneous space.
     ///
     /// # Errors
     /// Those of [`algebra`](Self::algebra), and an error for fields that are dependent everywhere.
@@ -228,15 +240,18 @@ impl Definition {
     ) -> Result<FrameOrigin<S>, InputError> {
         match &self.origin {
             Origin::Chart(chart) => Ok(chart.fields(&self.labels)?.into()),
-            _ => Ok(self.algebra(tolerance)?.into()),
+            Origin::Homogeneous(coset) => {
+                Ok(coset.space(&self.name, &self.labels, tolerance)?.into())
+            }
+            Origin::Brackets(_) | Origin::Matrices(..) => Ok(self.algebra(tolerance)?.into()),
         }
     }
 
     /// The metric in the frame of the geometry, if a metric is given.
     ///
     /// # Errors
-    /// An error for a metric that is degenerate or not symmetric, and for the Killing form if the
-    /// structure functions are not constant.
+    /// An error for a metric that is degenerate, not symmetric, or not invariant on a homogeneous
+    /// space, and for the Killing form if the structure functions are not constant.
     pub fn metric<S: Coefficient>(
         &self,
         ground: &FrameOrigin<S>,
@@ -255,6 +270,10 @@ impl Definition {
                 let algebra = algebra.map_err(|error| InputError::from(error).at(place))?;
                 (algebra.killing_form(), Some(place))
             }
+            Some(MetricChoice::Invariant(place) | MetricChoice::Summands(_, place)) => {
+                // `set_metric` replaces these choices by components
+                return Err(InputError::usage("this metric has no components").at(place));
+            }
             Some(MetricChoice::Components(entries, place)) => {
                 let mut values = Vec::new();
                 for (at, value) in entries {
@@ -265,8 +284,11 @@ impl Definition {
             }
         };
         let components = components.with_tolerance(tolerance);
-        let metric = Metric::new(ground.frame().labels(), components);
-        metric.map(Some).map_err(|error| InputError::from(error).or_at(place))
+        let metric = Metric::new(ground.frame().labels(), components).and_then(|metric| {
+            ground.expect_metric(&metric)?;
+            Ok(Some(metric))
+        });
+        metric.map_err(|error| InputError::from(error).or_at(place))
     }
 
     /// The geometry. Its default connection is levi-civita if there is a metric, otherwise zero. On
@@ -444,6 +466,7 @@ impl Definition {
                 let values = chart.fields.iter_mut().flat_map(|field| field.value.values_mut());
                 values.for_each(&mut *f);
             }
+            Origin::Homogeneous(coset) => coset.values_mut().for_each(&mut *f),
         }
         if let Some(MetricChoice::Components(entries, _)) = &mut self.metric {
             entries.iter_mut().for_each(|(_, value)| f(value));

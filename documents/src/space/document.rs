@@ -17,6 +17,7 @@ use crate::space::{
         TensorProduct, Truncated, pairs,
     },
     functions::Functions,
+    homogeneous::{CosetSpace, HomogeneousText},
     named,
     notation::{
         Names, basis, check_name, connection, lines, metric, metric_rows, shape, statement,
@@ -51,6 +52,7 @@ pub(crate) struct Document {
     truncated: Option<Truncated<Document>>,
     tensor_product: Option<TensorProduct<Document>>,
     complexification: Option<Part<Document>>,
+    homogeneous: Option<HomogeneousText<Document>>,
     chart: Option<ChartText>,
     frame: Option<Formulas>,
     metric: Option<MetricText>,
@@ -62,15 +64,18 @@ impl Document {
     /// Converts the keys to a definition.
     pub fn define(&self, source: &Source) -> Result<Definition, InputError> {
         let built = self.constructed(source)?;
-        let labels = self.labels(built.as_ref(), source)?;
+        let coset = self.coset_space(source)?;
+        let given = built.as_ref().map(LieAlgebra::labels).map(<[String]>::to_vec);
+        let given = given.or_else(|| coset.as_ref().map(CosetSpace::labels));
+        let labels = self.labels(given, source)?;
         let place = |at: usize| {
             let (_, text): &(String, Option<&Text>) = &labels[at];
             text.map_or_else(|| Place::within(source.clone()), |text| source.at(text))
         };
         let names: Vec<&str> = labels.iter().map(|(label, _)| &**label).collect();
-        let indices = match &built {
+        let indices = match built.is_some() || coset.is_some() {
             // accepts labels with primes at their ends, which direct sums have
-            Some(_) if self.basis.is_none() => {
+            true if self.basis.is_none() => {
                 names.iter().map(|name| name.to_string()).zip(0..).collect()
             }
             _ => basis(&names, &place)?,
@@ -84,28 +89,29 @@ impl Document {
         let functions = functions.transpose()?;
         let names = Names { functions: functions.as_ref(), ..names };
         let given = (&self.brackets, &self.structure_constants, &self.matrices);
-        let origin = match (given, &functions) {
-            ((None, None, None), _) if built.is_some() => {
+        let origin = match (coset, given, &functions) {
+            (Some(coset), ..) => Origin::Homogeneous(Box::new(coset)),
+            (_, (None, None, None), _) if built.is_some() => {
                 let place = Place::within(source.clone());
                 Origin::Brackets(built.iter().flat_map(|algebra| pairs(algebra, &place)).collect())
             }
-            ((None, None, None), Some(functions)) => self.fields(functions, &names, source)?,
-            (_, Some(_)) => {
+            (_, (None, None, None), Some(functions)) => self.fields(functions, &names, source)?,
+            (_, _, Some(_)) => {
                 let message = "brackets are given twice: the fields of the chart define them";
                 return Err(source.refused("chart", message));
             }
-            ((Some(block), None, None), None) => {
+            (_, (Some(block), None, None), None) => {
                 Origin::Brackets(block.statements("", &names, source)?)
             }
-            ((None, Some(rows), None), None) => {
+            (_, (None, Some(rows), None), None) => {
                 Origin::Brackets(structure_constants(rows, labels.len(), &names, source)?)
             }
-            ((None, None, Some(matrices)), None) => {
+            (_, (None, None, Some(matrices)), None) => {
                 matrix_basis(matrices, &labels, &names, source)?
             }
-            ((None, None, None), None) => {
+            (_, (None, None, None), None) => {
                 return Err(InputError::usage(format!("{} defines no bracket", source.name)).help(
-                    "give one of brackets, structure_constants, matrices, chart, or a construction",
+                    "give one of brackets, structure_constants, matrices, chart, homogeneous, or a construction",
                 ));
             }
             _ => {
@@ -146,7 +152,46 @@ impl Document {
         let name = self.name.clone().unwrap_or_else(stem);
         let source = Some(source.clone());
         let definition = Definition::new(name, labels, origin);
-        Ok(Definition { metric, connection, declared, source, ..definition })
+        let mut definition = Definition { connection, declared, source, ..definition };
+        if let Some(metric) = metric {
+            definition.set_metric(metric)?;
+        }
+        Ok(definition)
+    }
+
+    /// The homogeneous space that the key `homogeneous` defines.
+    fn coset_space(&self, source: &Source) -> Result<Option<CosetSpace>, InputError> {
+        let Some(given) = &self.homogeneous else { return Ok(None) };
+        if self.has_brackets() || self.dimension.is_some() {
+            let message = "`homogeneous` defines the space: give no brackets and no dimension";
+            return Err(source.refused("homogeneous", message));
+        }
+        let (name, algebra) = self.algebra_of(&given.of, "homogeneous.of", source)?;
+        given.read(&name, &algebra, &self.parameter_names(), source).map(Some)
+    }
+
+    /// Whether the file has brackets, matrices or a chart.
+    fn has_brackets(&self) -> bool {
+        self.brackets.is_some()
+            || self.structure_constants.is_some()
+            || self.matrices.is_some()
+            || self.chart.is_some()
+    }
+
+    /// The algebra that a part of the file names or defines, with its name; `key` is the key of the
+    /// part.
+    fn algebra_of(
+        &self,
+        part: &Part<Self>,
+        key: &str,
+        source: &Source,
+    ) -> Result<(String, LieAlgebra<Symbolic>), InputError> {
+        let (definition, place) = match part {
+            Part::Name(text) => (named::part(&source.excerpt(text))?, source.at(text)),
+            Part::Nested(document) => (document.define(&source.table(key))?, source.key(key)),
+        };
+        let algebra = definition.algebra_alone().algebra(Tolerance::default());
+        Ok((definition.name, algebra.map_err(|error| error.or_at(&place))?))
     }
 
     /// The algebra that a construction of the file builds; `None` if the file has no construction.
@@ -172,23 +217,13 @@ impl Document {
         let mut given =
             given.into_iter().filter_map(|(key, construction)| Some((key, construction?)));
         let Some((key, construction)) = given.next() else { return Ok(None) };
-        let others = self.brackets.is_some()
-            || self.structure_constants.is_some()
-            || self.matrices.is_some()
-            || self.chart.is_some();
+        let others = self.has_brackets() || self.homogeneous.is_some();
         if given.next().is_some() || others || self.dimension.is_some() {
             let message =
                 format!("`{key}` defines the algebra: give no other brackets and no dimension");
             return Err(source.refused(key, message));
         }
-        let read = |part: &Part<Self>, key: &str| {
-            let (definition, place) = match part {
-                Part::Name(text) => (named::part(&source.excerpt(text))?, source.at(text)),
-                Part::Nested(document) => (document.define(&source.table(key))?, source.key(key)),
-            };
-            let algebra = definition.algebra_alone().algebra(Tolerance::default());
-            algebra.map_err(|error| error.or_at(&place))
-        };
+        let read = |part: &Part<Self>, key: &str| Ok(self.algebra_of(part, key, source)?.1);
         let (place, declared) = (source.key(key), self.parameter_names());
         Site { source, place, declared, read: &read }.build(&construction).map(Some)
     }
@@ -260,20 +295,20 @@ impl Document {
         Ok(Origin::Chart(OnChart { functions: functions.clone(), fields, place }))
     }
 
-    /// The names of the basis vectors, from the keys `basis` or `dimension`, or from the names or
-    /// the number of the matrices. A name that the file contains comes with its location.
+    /// The names of the basis vectors, from the keys `basis` or `dimension`, from a construction,
+    /// whose names are `given`, or from the names or the number of the matrices. A name that the file contains comes with its location.
     fn labels(
         &self,
-        built: Option<&LieAlgebra<Symbolic>>,
+        given: Option<Vec<String>>,
         source: &Source,
     ) -> Result<Vec<(String, Option<&Text>)>, InputError> {
         fn named(text: &Text) -> (String, Option<&Text>) {
             (text.to_string(), Some(text))
         }
-        if let Some(algebra) = built {
-            let n = algebra.dimension();
+        if let Some(labels) = given {
+            let n = labels.len();
             return match &self.basis {
-                None => Ok(algebra.labels().iter().map(|label| (label.clone(), None)).collect()),
+                None => Ok(labels.into_iter().map(|label| (label, None)).collect()),
                 Some(basis) if basis.len() == n => Ok(basis.iter().map(named).collect()),
                 Some(basis) => {
                     let message = format!("{} names for dimension {n}", basis.len());

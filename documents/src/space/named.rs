@@ -2,9 +2,10 @@
 //! itself.
 
 use super::charts::{self, NamedChart};
-use super::{Definition, check_dimension, paper, spelling, tables};
+use super::{Definition, check_dimension, homogeneous, paper, spelling, tables};
 use crate::input::{InputError, Source};
 use affinor::algebra::catalogue::CatalogueError;
+use affinor::geometry::homogeneous::has_form;
 use affinor_tensors::{Rational, Symbolic};
 use std::path::Path;
 
@@ -39,7 +40,7 @@ pub(super) fn part(source: &Source) -> Result<Definition, InputError> {
 }
 
 /// The space that a name in a source means: a geometry of Paraskevopoulos and Natsiavas (2013), a
-/// chart, or the algebra of a sum of catalogue names.
+/// chart, a homogeneous space, or the algebra of a sum of catalogue names.
 pub(super) fn named_space(source: &Source) -> Result<Definition, InputError> {
     let name: String = source.content().chars().filter(|c| !c.is_whitespace()).collect();
     match name.as_str() {
@@ -50,7 +51,7 @@ pub(super) fn named_space(source: &Source) -> Result<Definition, InputError> {
         }
         name => match NamedChart::find(name) {
             Some(chart) => chart.definition(),
-            None => named(source),
+            None => homogeneous::named(source).unwrap_or_else(|| named(source)),
         },
     }
 }
@@ -75,6 +76,11 @@ fn entry(part: &str, source: &Source) -> Result<Definition, InputError> {
     if name.is_empty() {
         let error = InputError::usage("the name of an algebra is missing here");
         return Err(error.at(&source.whole(part)).help(NAMES));
+    }
+    if has_form(name) {
+        let message = format!("{name} is a homogeneous space, not a Lie algebra");
+        let help = "sums and constructions consist of Lie algebras, such as so(3) + R^2";
+        return Err(InputError::usage(message).at(&source.whole(part)).help(help));
     }
     let error = match affinor::algebra::catalogue::find(name) {
         Ok(entry) => return Ok(Definition::from_entry(entry)),
@@ -119,7 +125,7 @@ fn entry(part: &str, source: &Source) -> Result<Definition, InputError> {
             refused
                 .help(format!("names of algebras must be ASCII, but this one contains {foreign}"))
         }
-        CatalogueError::Unknown { .. } => refused.help(NAMES),
+        CatalogueError::Unknown { .. } => homogeneous::with_nearest(refused.help(NAMES), name),
         CatalogueError::NoSuchAlgebra { .. } if name.contains('.') => {
             refused.help("write a whole number")
         }
@@ -138,9 +144,11 @@ fn suggestions(error: &CatalogueError) -> Vec<String> {
 }
 
 /// Whether a SPACE is a path: `-`, a name with an extension such as `.toml` or `.csv`, or a name
-/// with a `/` outside parentheses.
+/// with a `/` outside parentheses. The name of a homogeneous space is a path only if there is such a
+/// file.
 pub(super) fn is_path(name: &str) -> bool {
-    if tables::is_inline(name) {
+    let has_form = has_form(&spelling::folded(name));
+    if tables::is_inline(name) || has_form && !Path::new(name).exists() {
         return false;
     }
     let mut depth = 0i64;

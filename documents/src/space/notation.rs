@@ -204,7 +204,8 @@ fn between_commas(line: &str) -> Vec<&str> {
     parts
 }
 
-/// Parses a metric: `identity`, `killing`, `diag(...)`, or rows `[[...], ...]`.
+/// Parses a metric: `identity`, `killing`, `invariant`, `diag(...)`, `summands(...)`, or rows
+/// `[[...], ...]`.
 pub(super) fn metric(
     dimension: usize,
     names: &Names,
@@ -215,7 +216,12 @@ pub(super) fn metric(
     match trimmed {
         "identity" => return Ok(MetricChoice::Identity),
         "killing" => return Ok(MetricChoice::Killing(place)),
+        "invariant" => return Ok(MetricChoice::Invariant(place)),
         _ => {}
+    }
+    if let Some(inside) = enclosed(trimmed, "summands(", ')') {
+        let factors = list(inside).into_iter().map(|factor| names.scalar(factor, source));
+        return Ok(MetricChoice::Summands(factors.collect::<Result<_, _>>()?, place));
     }
     if let Some(inside) = enclosed(trimmed, "diag(", ')') {
         let entries = list(inside);
@@ -245,7 +251,7 @@ pub(super) fn metric(
     }
     Err(InputError::usage(format!("`{}` is not a metric", shown(trimmed)))
         .at(&place)
-        .help("identity, killing, diag(a, b, ...), or [[a, b], [b, c]]"))
+        .help("identity, killing, diag(a, b, ...), [[a, b], [b, c]], or invariant"))
 }
 
 /// Reads a metric from its rows; `read` converts an entry to its value.
@@ -479,13 +485,16 @@ pub(super) fn connection(
         ("plus", _) => ConnectionChoice::Canonical(CanonicalConnection::Plus),
         ("zero", _) => ConnectionChoice::Canonical(CanonicalConnection::Zero),
         ("minus", _) => ConnectionChoice::Canonical(CanonicalConnection::Minus),
+        // the names on a homogeneous space; on a group G/{e} they are the same connections
+        ("natural", _) => ConnectionChoice::Canonical(CanonicalConnection::Zero),
+        ("canonical", _) => ConnectionChoice::Canonical(CanonicalConnection::Minus),
         ("levi-civita", _) => ConnectionChoice::LeviCivita,
         (_, Some(value)) => ConnectionChoice::Family(names.scalar(value, source)?),
         _ => {
             let message = format!("`{}` is not a connection", shown(trimmed));
-            return Err(InputError::usage(message)
-                .at(&place)
-                .help("plus, zero, minus, lambda=1/3, or levi-civita"));
+            return Err(InputError::usage(message).at(&place).help(
+                "plus, zero, minus, lambda=1/3, or levi-civita; canonical or natural on G/H",
+            ));
         }
     };
     Ok((choice, place))

@@ -5,7 +5,7 @@ use crate::input::{
     forms::{MetricText, Text},
 };
 use crate::space::{
-    Definition, MetricChoice, Origin, add,
+    Definition, MetricChoice, Origin, add, homogeneous,
     named::{is_path, named_space},
     notation::{self, Names, basis, lines, metric, statement},
     setting::settings,
@@ -162,8 +162,13 @@ impl Space {
     ) -> Result<(), InputError> {
         let labels = self.labels();
         let names = Names::open(&labels, self.definition.functions());
-        self.definition.metric = Some(read(&names)?);
-        Ok(())
+        let choice = read(&names).map_err(|error| match error.help {
+            None if self.definition.is_homogeneous() => error.help(
+                "on a homogeneous space, summands(a, b, ...) has one factor per isotropy summand",
+            ),
+            _ => error,
+        })?;
+        self.definition.set_metric(choice)
     }
 
     fn set_connection(&mut self, source: &Source) -> Result<(), InputError> {
@@ -290,13 +295,17 @@ fn split_space(space: &str, files: &Files) -> Result<Request, InputError> {
 }
 
 /// Finds the definition that a name means: a geometry of Paraskevopoulos and Natsiavas (2013), a
-/// file, or a sum of catalogue names.
+/// file, a homogeneous space, or a sum of catalogue names.
 fn find(name: &str, files: &Files) -> Result<Definition, InputError> {
     if let Some(table) = tables::inline(&Source::new("SPACE", name)) {
         return table;
     }
     if is_path(name) {
-        return Definition::read_part(name, 0, files);
+        let read = Definition::read_part(name, 0, files);
+        return read.map_err(|error| match Path::new(name).exists() {
+            true => error,
+            false => homogeneous::with_nearest(error, name),
+        });
     }
     named_space(&Source::new("SPACE", &spelling::folded(name)))
 }

@@ -56,7 +56,9 @@ pub(super) fn folded(name: &str) -> String {
     for command in ["mathfrak", "mathrm", "mathbb", "operatorname", "mathsf", "text"] {
         text = text.replace(&format!("\\{command}"), "");
     }
-    text = text.replace("\\oplus", "+").replace("\\times", "+");
+    // groups of a homogeneous space G/H have products; algebras have sums
+    let product = if text.contains('/') { "x" } else { "+" };
+    text = text.replace("\\oplus", "+").replace("\\times", product).replace('×', product);
     let text: String = text.chars().flat_map(letters).collect();
     if name.contains('\\') { text.replace(['{', '}'], "") } else { text }
 }
@@ -76,14 +78,16 @@ fn letters(c: char) -> Vec<char> {
         'ℝ' => Some('R'),
         'ℂ' => Some('C'),
         'ℍ' => Some('H'),
-        '⊕' | '×' => Some('+'),
+        '⊕' => Some('+'),
         '−' => Some('-'),
         '’' => Some('\''),
         '\u{2080}'..='\u{2089}' => char::from_digit(u32::from(c) - 0x2080, 10),
         '\u{1d51e}'..='\u{1d537}' => shifted(0x1d51e),
         '²' => return vec!['^', '2'],
         '³' => return vec!['^', '3'],
-        '⁴' => return vec!['^', '4'],
+        '⁴'..='⁹' => {
+            return vec!['^', char::from_digit(u32::from(c) - 0x2070, 10).unwrap_or(c)];
+        }
         '\u{a0}' => Some(' '),
         _ => None,
     };

@@ -97,4 +97,14 @@ impl CanonicalConnection {
             CanonicalConnection::Minus => "right invariant canonical",
         }
     }
+
+    /// The short name on a homogeneous space, and its explanation: `canonical` for `lambda = 0` and
+    /// `natural` for `lambda = 1/2` (K. Nomizu, *Amer. J. Math.* 76 (1954) 33-65).
+    pub fn on_homogeneous_space(self) -> (&'static str, &'static str) {
+        match self {
+            CanonicalConnection::Plus => ("lambda", "the family lambda [x,y]_m"),
+            CanonicalConnection::Zero => ("natural", "first canonical, torsion-free"),
+            CanonicalConnection::Minus => ("canonical", "second canonical"),
+        }
+    }
 }

@@ -36,6 +36,38 @@ pub(super) struct Name {
     pub special: bool,
 }
 
+/// A family of homogeneous spaces: the form of its names, its spaces, and an example.
+#[derive(Clone, Copy, Debug)]
+pub struct Family {
+    /// The form of the names, such as `S^n`.
+    pub pattern: &'static str,
+    /// The spaces.
+    pub summary: &'static str,
+    /// A name.
+    pub example: &'static str,
+}
+
+const fn of(pattern: &'static str, summary: &'static str, example: &'static str) -> Family {
+    Family { pattern, summary, example }
+}
+
+/// The families of homogeneous spaces that have names.
+pub const FAMILIES: &[Family] = &[
+    of("G/H", "homogeneous space: blocks, U(n) in SO(2n), Sp(n) in SU(2n)", "SU(3)/U(2)"),
+    of("G/T", "G by its diagonal maximal torus", "Sp(2)/T"),
+    of("SU(3)/U(1)_{k,l}", "Aloff-Wallach space, circle diag(k, l, -k-l)", "SU(3)/U(1)_{1,1}"),
+    of("GxGxG/G", "products of equal groups by the diagonal", "SU(2)xSU(2)xSU(2)/SU(2)"),
+    of("S^n", "sphere SO(n+1)/SO(n)", "S^4"),
+    of("H^n", "hyperbolic space SO(n,1)/SO(n)", "H^3"),
+    of("CP^n", "complex projective space SU(n+1)/S(U(n)xU(1))", "CP^2"),
+    of("CH^n", "complex hyperbolic space SU(n,1)/S(U(n)xU(1))", "CH^2"),
+    of("HP^n", "quaternionic projective space Sp(n+1)/Sp(n)xSp(1)", "HP^2"),
+    of("OP^2", "octonionic projective plane F4/Spin(9)", "OP^2"),
+    of("V(k,R^n)", "Stiefel manifold SO(n)/SO(n-k), also C^n, H^n", "V(2,R^5)"),
+    of("Gr(k,R^n)", "oriented Grassmannian SO(n)/SO(k)xSO(n-k), also C^n, H^n", "Gr(2,C^4)"),
+    of("Fl(n)", "flags SU(n)/T", "Fl(3)"),
+];
+
 const EXCEPTIONAL: [&str; 5] = ["G2", "F4", "E6", "E7", "E8"];
 
 impl Name {
@@ -44,8 +76,7 @@ impl Name {
     /// # Errors
     /// [`Error::Name`] for a text that names no homogeneous space.
     pub fn read(text: &str) -> Result<Self, Error> {
-        let compact: String = text.chars().filter(|c| !c.is_whitespace()).collect();
-        let named = compact.rsplit('=').next().unwrap_or_default();
+        let named = &compact(text);
         let unknown = || {
             let shown = text.trim().escape_debug();
             Error::Name(format!(
@@ -71,6 +102,39 @@ impl Name {
             "{self}: no embedding of the second group in the first is known by name; \
              give the vectors of the subalgebra"
         ))
+    }
+}
+
+/// A name without blanks and without a text before `=`.
+pub(super) fn compact(text: &str) -> String {
+    let named = text.rsplit('=').next().unwrap_or_default();
+    named.chars().filter(|c| !c.is_whitespace()).collect()
+}
+
+/// The letters with which the name of a group, or of a product of groups, begins.
+const LONGEST_HEAD: usize = 4;
+
+/// Whether a text is the name of a family, or `G/H` where both sides look like groups. The name of
+/// a group begins with up to four letters, and the first letter is a capital.
+pub(super) fn has_form(text: &str) -> bool {
+    let named = &compact(text);
+    let is_group = |text: &str| {
+        let text = text.strip_prefix("S(").unwrap_or(text);
+        let head = text.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(text.len());
+        let next = text[head..].chars().next();
+        (1..=LONGEST_HEAD).contains(&head)
+            && text.starts_with(|c: char| c.is_ascii_uppercase())
+            && next.is_none_or(|c| c.is_ascii_digit() || "(^".contains(c))
+    };
+    let mut sides = named.split('/');
+    match (sides.next(), sides.next(), sides.next()) {
+        (Some(_), None, _) => family(named).is_some(),
+        (Some(group), Some(isotropy), None) => {
+            let factors = group.split(['x', '*']).chain(isotropy.split(['x', '*']));
+            let numbered = named.contains(|c: char| c.is_ascii_digit());
+            numbered && factors.into_iter().all(is_group)
+        }
+        _ => false,
     }
 }
 

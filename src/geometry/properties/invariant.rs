@@ -59,7 +59,7 @@ impl<S: Field + Scalar> Connection<S> {
 
 /// A basis of the symmetric forms that all endomorphisms annihilate. The transpose of an invariant
 /// form is invariant, so the symmetric parts of all invariant forms span this space.
-fn symmetric_invariants<S: Field + Scalar>(
+pub(in crate::geometry) fn symmetric_invariants<S: Field + Scalar>(
     n: usize,
     endomorphisms: &[Tensor<S>],
 ) -> Result<Vec<Tensor<S>>, Error> {

@@ -1,12 +1,13 @@
 //! Right translations that are isometries of a left-invariant metric: Killing fields,
 //! bi-invariance, natural reductivity.
 
+use super::linear_system::LinearSystem;
 use super::{Property, Witness, vanishing};
 use crate::Error;
 use crate::algebra::LieAlgebra;
 use crate::algebra::frame::formula;
 use crate::geometry::metric::Metric;
-use affinor_tensors::linear::{Echelon, Matrix};
+use affinor_tensors::linear::Matrix;
 use affinor_tensors::stop::stage;
 use affinor_tensors::{Down, Field, Scalar, Tensor, Up};
 
@@ -140,44 +141,11 @@ impl<S: Field + Scalar> Metric<S> {
     }
 }
 
-/// An ordered system of linear equations `sum of coefficient * unknown + constant = 0`.
-struct LinearSystem<S> {
-    unknowns: usize,
-    /// The equations as rows; the last column contains the constants.
-    span: Echelon<S>,
-}
-
-impl<S: Field + Scalar> LinearSystem<S> {
-    fn new(unknowns: usize, tolerance: affinor_tensors::Tolerance) -> Self {
-        LinearSystem { unknowns, span: Echelon::new().with_tolerance(tolerance) }
-    }
-
-    /// Adds an equation. If the equation contradicts the earlier equations, the method returns the
-    /// constant that remains.
-    fn add(&mut self, mut row: Vec<(usize, S)>, constant: S) -> Result<Option<S>, Error> {
-        row.push((self.unknowns, constant));
-        let remainder = self.span.reduce(row);
-        match remainder.first() {
-            Some((at, residual)) if *at == self.unknowns => Ok(Some(residual.clone())),
-            _ => {
-                self.span.insert(remainder)?;
-                Ok(None)
-            }
-        }
-    }
-
-    /// The nonzero values of the solution in which every unknown without a pivot is 0, each with
-    /// its column.
-    fn solution(&self) -> impl Iterator<Item = (usize, S)> {
-        let value = |(pivot, row): (&usize, &Vec<(usize, S)>)| {
-            let (at, constant) = row.last()?;
-            (*at == self.unknowns).then(|| (*pivot, -constant.clone()))
-        };
-        self.span.pivots().iter().zip(self.span.rows()).filter_map(value)
-    }
-}
-
-fn triples(first: usize, second: usize, third: usize) -> impl Iterator<Item = [usize; 3]> {
+pub(in crate::geometry) fn triples(
+    first: usize,
+    second: usize,
+    third: usize,
+) -> impl Iterator<Item = [usize; 3]> {
     let pairs = move |a| (0..second).flat_map(move |b| (0..third).map(move |c| [a, b, c]));
     (0..first).flat_map(pairs)
 }

@@ -9,9 +9,9 @@
 
 use super::Property;
 use crate::Error;
-use crate::algebra::LieAlgebra;
-use crate::algebra::irreducible_factors;
+use crate::algebra::frame::Frame;
 use crate::algebra::structure::Killing;
+use crate::algebra::{LieAlgebra, irreducible_factors};
 use crate::geometry::connection::Connection;
 use crate::geometry::metric::Metric;
 use affinor_tensors::linear::Matrix;
@@ -71,13 +71,33 @@ impl Metric<Rational> {
         &self,
         algebra: &LieAlgebra<Rational>,
     ) -> Result<Option<[Extreme; 2]>, Error> {
+        let found = self.sectional_extremes_in(algebra.left_frame())?;
+        let Some([mut least, mut most]) = found else { return Ok(None) };
+        if self.ad_invariance_defect(algebra)?.is_empty() {
+            let positive = self.definite(algebra.dimension())?.is_some_and(|sign| sign > 0.0);
+            let bound = if positive { &mut least } else { &mut most };
+            bound.proved |= bound.curvature.vanishes();
+        }
+        Ok(Some([least, most]))
+    }
+
+    /// The extremes of the sectional curvature as in
+    /// [`sectional_extremes`](Self::sectional_extremes), for an invariant metric in the frame of a
+    /// homogeneous space.
+    ///
+    /// # Errors
+    /// [`Error::Shape`] when the dimensions differ.
+    pub fn sectional_extremes_in(
+        &self,
+        frame: &Frame<Rational>,
+    ) -> Result<Option<[Extreme; 2]>, Error> {
         let _stage = stage("sectional curvature");
-        let n = algebra.dimension();
+        let n = frame.dimension();
         let Some(sign) = self.definite(n)? else { return Ok(None) };
         if !(2..=MAX_SEARCHED).contains(&n) {
             return Ok(None);
         }
-        let connection = Connection::levi_civita(algebra.left_frame(), self)?;
+        let connection = Connection::levi_civita(frame, self)?;
         let unit = |at: usize| (0..n).map(|i| Rational::from_i64(i64::from(i == at))).collect();
         if let Property::Holds(curvature) = connection.constant_curvature(self)? {
             let extreme = Extreme { curvature, plane: [unit(0), unit(1)], proved: true };
@@ -98,12 +118,7 @@ impl Metric<Rational> {
             };
             found.push(Extreme { curvature, plane, proved: false });
         }
-        let Ok([mut least, mut most]) = <[Extreme; 2]>::try_from(found) else { return Ok(None) };
-        if self.ad_invariance_defect(algebra)?.is_empty() {
-            let bound = if sign > 0.0 { &mut least } else { &mut most };
-            bound.proved = bound.curvature.vanishes();
-        }
-        Ok(Some([least, most]))
+        Ok(found.try_into().ok())
     }
 
     /// The sign of a definite metric; `None` if the metric is indefinite.

@@ -7,6 +7,9 @@ use crate::algebra::matrix_polynomials::{evaluate, minimal_polynomial};
 use crate::algebra::structure::Subspace;
 use affinor_tensors::linear::{Echelon, Matrix};
 use affinor_tensors::{Down, Rational, Tensor, Up};
+use num_rational::BigRational;
+use num_traits::Signed;
+use polycore::Uni;
 
 /// The scalars of the endomorphisms of an irreducible real representation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -51,7 +54,8 @@ impl ReductivePair<Rational> {
     /// is compact or semisimple.
     ///
     /// They are the kernels of the irreducible factors of the minimal polynomial of a general
-    /// element in the centre of the commutant, the endomorphisms of `m` that commute with `h`.
+    /// element in the centre of the commutant, the endomorphisms of `m` that commute with `h`. The
+    /// components are in the order of their dimensions, and then of their first basis vectors.
     ///
     /// ```
     /// use affinor::geometry::homogeneous::HomogeneousSpace;
@@ -79,12 +83,28 @@ impl ReductivePair<Rational> {
             let kernel = evaluate(&general, &factor).nullspace()?;
             let rows = (0..kernel.rows()).map(|at| kernel.row(at).to_vec());
             let subspace = Subspace::span(n, rows);
-            let summands =
-                if factor.deg() == 1 { summands(&kernel, &commutant, &forms)? } else { None };
+            let summands = match is_single(&factor) {
+                true => summands(&kernel, &commutant, &forms)?,
+                false => None,
+            };
             components.push(IsotropyComponent { subspace, summands });
         }
-        components.sort_by_key(|component| component.subspace.dimension());
+        components.sort_by_key(|component| {
+            let subspace = &component.subspace;
+            let first = subspace.basis().first().and_then(|row| row.first()).map(|(at, _)| *at);
+            (subspace.dimension(), first)
+        });
         Ok(components)
+    }
+}
+
+/// Whether an irreducible factor belongs to one isotypic component over the reals: it has one real
+/// root, or one pair of complex roots.
+fn is_single(factor: &Uni<BigRational>) -> bool {
+    match factor.0.as_slice() {
+        [_, _] => true,
+        [c, b, a] => (b * b - a * c * BigRational::from_integer(4.into())).is_negative(),
+        _ => false,
     }
 }
 

@@ -53,6 +53,12 @@ pub(super) fn holds<S: Coefficient>(
         ("naturally reductive", Some(metric), Some(algebra)) => {
             verdict(metric.naturally_reductive(algebra)?)
         }
+        ("naturally reductive", Some(metric), None) => {
+            match geometry.frame_origin().homogeneous() {
+                Some(space) => verdict(space.pair().naturally_reductive(metric)?),
+                None => None,
+            }
+        }
         _ => None,
     })
 }

@@ -24,6 +24,7 @@ struct Table {
     name: Option<Text>,
     algebra: Option<Algebra>,
     chart: Option<IgnoredAny>,
+    homogeneous: Option<IgnoredAny>,
     conventions: Option<Conventions>,
     #[serde(rename = "where")]
     factors: Option<Entries<String, Text>>,
@@ -52,6 +53,10 @@ pub(super) fn definition(source: &Source) -> Result<Definition, InputError> {
         let message = format!("a report {} is not a table", &*table.schema);
         let help = format!("a space can be read from {SCHEMA}, written by `affinor table`");
         return Err(source.refused("schema", message).help(help));
+    }
+    if table.homogeneous.is_some() {
+        let message = "a space cannot be read from a table of a homogeneous space";
+        return Err(source.refused("homogeneous", message).help("give the name of the space"));
     }
     if table.chart.is_some() {
         return Err(source
