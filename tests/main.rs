@@ -44,6 +44,7 @@ mod representation {
 
 mod geometry {
     mod chart;
+    mod conditions;
     mod connection;
     mod curvature;
     mod equations;

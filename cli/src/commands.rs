@@ -27,6 +27,7 @@ mod rep;
 mod restore;
 mod rows;
 mod simulate;
+mod solve;
 mod stages;
 mod table;
 mod transport;
@@ -77,6 +78,8 @@ enum Command {
     Properties(properties::Arguments),
     /// Print the Lie algebra of the Killing fields of a metric: dimension, isotropy, name, brackets
     Isometries(isometries::Arguments),
+    /// Find all values of the letters of a space for which it has a property, such as Einstein
+    Solve(solve::Arguments),
     /// Representations of a reductive algebra: products, powers, branching
     Rep(rep::Arguments),
     /// Print the equations of motion of a space
@@ -150,6 +153,7 @@ fn run(command: Command, watch: &Watch) -> Result<(), Failure> {
         Command::Info(arguments) => arguments.run(),
         Command::Properties(arguments) => arguments.run(),
         Command::Isometries(arguments) => arguments.run(),
+        Command::Solve(arguments) => arguments.run(),
         Command::Rep(arguments) => arguments.run(),
         Command::Equations(arguments) => arguments.run(),
         Command::Exp(arguments) => arguments.run(Operation::Exp),

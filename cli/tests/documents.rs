@@ -185,6 +185,11 @@ fn formats_names_every_key_of_every_schema() -> Outcome {
         ("affinor.properties/1", "affinor properties M3".into()),
         ("affinor.properties/1", "affinor properties SO3".into()),
         ("affinor.isometries/1", "affinor isometries so3 --metric \"diag(a,a,b)\"".into()),
+        (
+            "affinor.solve/1",
+            "affinor solve so3 --metric \"diag(1,p^3-1,q^2-1)\" --for einstein".into(),
+        ),
+        ("affinor.solve/1", "affinor solve se2 --metric \"diag(a,b,c)\" --for flat".into()),
         ("affinor.rep/1", "affinor rep G2 7 --power 2 --tensor 7 --weights".into()),
         ("affinor.rep/1", "affinor rep \"SU(5)\" 10 --branch \"SU(3)xSU(2)xU(1)\"".into()),
         ("affinor.conventions/1", "affinor conventions".into()),

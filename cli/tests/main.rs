@@ -34,6 +34,7 @@ mod roots;
 #[cfg(unix)]
 mod simulate;
 mod snapshots;
+mod solve;
 #[cfg(unix)]
 mod stops;
 mod tables;

@@ -88,6 +88,10 @@ OTHERS = [
     ("equations", "examples/definitions/sphere.toml", "--kind", "autoparallel"),
     ("isometries", "examples/definitions/schwarzschild.toml"),
     ("isometries", "so3", "--metric", "identity", "--homothetic"),
+    ("properties", "so3", "--metric", "diag(a,a,b)"),
+    ("solve", "so3", "--metric", "diag(a,b,c)", "--for", "einstein"),
+    ("solve", "so3", "--metric", "diag(1,p^3-1,q^2-1)", "--for", "einstein"),
+    ("solve", "se2", "--metric", "diag(a,b,c)", "--for", "flat"),
 ]
 
 

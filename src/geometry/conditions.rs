@@ -1,4 +1,11 @@
-//! Conditions on the parameters under which a tensor vanishes.
+//! Conditions on the parameters under which a tensor vanishes, and under which a geometry has a
+//! property, with all real solutions: [`Condition`], [`ConditionSolutions`].
+
+mod condition;
+mod solutions;
+
+pub use condition::{Condition, ParametricGeometry};
+pub use solutions::{ConditionSolutions, SolutionFamily, SolutionPoint};
 
 use affinor_tensors::linear::Matrix;
 use affinor_tensors::scalar::Variable;

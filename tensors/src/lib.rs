@@ -9,6 +9,7 @@
 //! - [`Tensor`]: sorted nonzero components with upper and lower slots;
 //! - [`contract`]: sums of products that are written with index letters and computed by one kernel;
 //! - [`linear`]: rank, nullspace, solutions, inverse and determinant over any field;
+//! - [`polynomial`]: systems of polynomial equations, and all their real solutions;
 //! - [`text`]: values and linear combinations as text;
 //! - [`stop`]: computations that can be stopped from outside.
 //!
@@ -28,6 +29,7 @@ mod function;
 mod limits;
 pub mod linear;
 mod operations;
+pub mod polynomial;
 pub mod scalar;
 #[cfg(feature = "serde")]
 mod serial;

@@ -41,6 +41,7 @@ pub use rational::Rational;
 use rational::RationalSum;
 pub use recorded::{Count, Output, Recorded, Step, StraightLine, derivatives};
 pub use summable::{ExactSum, Sum, Summable, Tolerance};
+pub(crate) use symbolic::polynomial_factors;
 pub use symbolic::{CommonFactors, FreeFunction, PositiveFactors, Symbolic, Variable};
 pub use tabular::Tabular;
 pub use tracked::TrackedFloat;

@@ -8,6 +8,7 @@ mod dense;
 mod expression;
 mod linear;
 mod operations;
+mod polynomial;
 mod scalar;
 mod stop;
 mod tensor;

@@ -3,7 +3,7 @@
 use clap::Command;
 
 /// For each command, two examples, which run in the root folder of the project.
-const EXAMPLES: [(&str, [&str; 2]); 22] = [
+const EXAMPLES: [(&str, [&str; 2]); 23] = [
     ("compare", ["affinor compare", "affinor compare so3@plus aff1@plus --format markdown"]),
     (
         "table",
@@ -40,6 +40,13 @@ const EXAMPLES: [(&str, [&str; 2]); 22] = [
         [
             "affinor isometries examples/definitions/schwarzschild.toml",
             "affinor isometries \"heisenberg(3)\" --metric \"diag(a,b,c)\" --homothetic",
+        ],
+    ),
+    (
+        "solve",
+        [
+            "affinor solve so3 --metric \"diag(a,b,c)\" --for einstein",
+            "affinor solve \"[x,y]=p*y,[x,z]=q*z\" --metric identity --for constant-curvature",
         ],
     ),
     (

@@ -2,12 +2,14 @@
 
 use super::grid::{Cell, Grid};
 use super::head::{kind_name, printable, printable_list};
+use super::solve::alternatives;
 use super::{Format, Report};
 use crate::Coefficient;
 use crate::input::InputError;
 use crate::space::Definition;
 use affinor::algebra::Complex;
 use affinor::algebra::structure::{GroundField, StructureTheory};
+use affinor::geometry::conditions::{Condition, ParametricGeometry};
 use affinor::geometry::homogeneous::HomogeneousSpace;
 use affinor::geometry::petrov::Petrov;
 use affinor::geometry::properties::{Extreme, MAX_SEARCHED, Property};
@@ -17,6 +19,7 @@ use affinor::{
 use affinor_tensors::text::{combination, exact_decimal, rounded};
 use affinor_tensors::{Down, Rational, Ring, Symbolic, Tensor, Tolerance, Up};
 use serde_json::{Value, json};
+use std::any::Any;
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::{self, Write};
 
@@ -91,18 +94,26 @@ impl Properties {
             true => format!("the constant is {value}"),
             false => format!("{name} = {value}"),
         };
-        let mut list = List::default();
+        let mut list = List { symbolic: with_letters(geometry), ..List::default() };
         list.plain("torsion-free", connection.torsion_free());
+        list.only_if(Condition::TorsionFree);
         list.plain("flat", connection.flat());
+        list.only_if(Condition::Flat);
         list.plain("parallel torsion", connection.parallel_torsion());
+        list.only_if(Condition::ParallelTorsion);
         list.plain("parallel curvature", connection.parallel_curvature());
+        list.only_if(Condition::ParallelCurvature);
         list.plain("locally symmetric", connection.locally_symmetric());
+        list.only_if(Condition::LocallySymmetric);
         if let Some(metric) = geometry.metric() {
             list.plain("metric-compatible", connection.metric_compatible(metric)?);
+            list.only_if(Condition::MetricCompatible);
             let einstein = connection.einstein_constant(metric)?;
             list.valued("Einstein (Ric = c g)", einstein, |c| constant("c", &c));
+            list.only_if(Condition::Einstein);
             let curvature = connection.constant_curvature(metric)?;
             list.valued("constant curvature K", curvature, |k| constant("K", &k));
+            list.only_if(Condition::ConstantCurvature);
             list.petrov(connection, metric)?;
         } else if !planes.is_empty() {
             let message = "the sectional curvature of a plane needs a metric";
@@ -112,12 +123,14 @@ impl Properties {
         let algebra = geometry.algebra().filter(|_| geometry.frame_origin().fields().is_none());
         if let (Some(metric), Some(algebra)) = (geometry.metric(), algebra) {
             list.plain("bi-invariant metric", metric.bi_invariant(algebra)?);
+            list.only_if(Condition::BiInvariant);
             let reductive = metric.naturally_reductive(algebra)?;
             list.valued("naturally reductive", reductive, |_| "by translations".into());
             let soliton = metric.ricci_soliton(algebra)?;
             list.valued("algebraic Ricci soliton", soliton, |soliton| {
                 constant("c", &soliton.constant)
             });
+            list.only_if(Condition::RicciSoliton);
             let fields = metric.killing_fields(algebra)?;
             list.fact("left-invariant Killing fields", &format!("dimension {}", fields.len()));
             list.extremes(connection, metric, algebra.structure_constants(), |metric, value| {
@@ -247,13 +260,45 @@ fn covariant_derivatives(labels: &[String], components: &BTreeMap<Vec<usize>, St
     by_pair.into_iter().map(line).collect::<Vec<_>>().join(", ")
 }
 
-#[derive(Default)]
-struct List {
-    rows: Vec<Vec<Cell>>,
-    json: Vec<Value>,
+/// The geometry as a symbolic one, if its components contain letters. On a chart, they are functions.
+fn with_letters<S: GroundField + Coefficient>(
+    geometry: &Geometry<S>,
+) -> Option<&Geometry<Symbolic>> {
+    let symbolic = (geometry as &dyn Any).downcast_ref::<Geometry<Symbolic>>()?;
+    let letters = ParametricGeometry::of(symbolic).ok()?.letters();
+    (!letters.is_empty()).then_some(symbolic)
 }
 
-impl List {
+#[derive(Default)]
+struct List<'a> {
+    rows: Vec<Vec<Cell>>,
+    json: Vec<Value>,
+    /// The geometry, if it contains letters.
+    symbolic: Option<&'a Geometry<Symbolic>>,
+}
+
+impl List<'_> {
+    /// If the last property fails, adds the values of the letters for which it holds.
+    fn only_if(&mut self, condition: Condition) {
+        let fails = self.json.last().is_some_and(|entry| entry["holds"] == false);
+        let Some(geometry) = self.symbolic.filter(|_| fails) else { return };
+        let Some(alternatives) = alternatives(geometry, condition) else { return };
+        let text = match &alternatives[..] {
+            [] => "for no real values of the letters".into(),
+            all => format!("only if {}", all.join(", or ")),
+        };
+        let text = match text.chars().count() {
+            0..=LONGEST => text,
+            _ => format!("only if: see `affinor solve --for {}`", condition.name()),
+        };
+        if let Some(cell) = self.rows.last_mut().and_then(|row| row.last_mut()) {
+            cell.text.push(printable(&text));
+        }
+        if let Some(entry) = self.json.last_mut() {
+            entry["only_if"] = alternatives.into();
+        }
+    }
+
     fn plain<S: Coefficient>(&mut self, name: &str, property: Property<S>) {
         self.valued(name, property, |()| String::new());
     }

@@ -51,6 +51,13 @@ pub use free::FreeFunction;
 pub use positive::PositiveFactors;
 pub use variable::Variable;
 
+/// The factors of a primitive polynomial with a positive leading coefficient, in graded
+/// lexicographic order. Each factor is repeated by its multiplicity, and has a flag that tells
+/// whether it is known to be irreducible.
+pub(crate) fn polynomial_factors(f: &Polynomial) -> Vec<(Polynomial, bool)> {
+    factors::parts(f).into_iter().map(|part| (part.polynomial, part.irreducible)).collect()
+}
+
 /// Clears the caches of symbolic values in the current thread.
 pub(super) fn clear_caches() {
     once::clear();

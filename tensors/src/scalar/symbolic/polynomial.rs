@@ -10,7 +10,7 @@ use num_rational::{BigRational, Ratio};
 use num_traits::{One, ToPrimitive};
 use polycore::{Field, Gf, Monomial, Order, Poly};
 
-pub(super) type Polynomial = Poly<Rational>;
+pub(crate) type Polynomial = Poly<Rational>;
 
 /// The constant polynomial `c` in `n` variables.
 pub(super) fn constant(c: Rational, n: usize) -> Polynomial {
