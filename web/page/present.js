@@ -123,27 +123,15 @@ dialog.addEventListener("close", () => {
 
 addEventListener("resize", () => { if (dialog.open) fit(); });
 
-/** The card that has the focus, or of which most is in view. @param {Element[]} shown */
-function nearest(shown) {
-  const focused = shown.findIndex((card) => card.contains(document.activeElement));
-  if (focused >= 0) return focused;
-  const seen = shown.map((card) => {
-    const { top, bottom } = card.getBoundingClientRect();
-    return (Math.min(bottom, innerHeight) - Math.max(top, 0)) / Math.min(bottom - top, innerHeight);
-  });
-  const most = Math.max(...seen);
-  return most > 0 ? seen.indexOf(most) : 0;
-}
-
 /**
- * Presents cards, first the one that is in view.
+ * Presents cards, first the one that has the focus.
  * @param {Element[]} shown @param {string} title of files @param {() => (Clock | null)} stage the stage that has a clock
  * @param {{title: string, words: string}} [words] what is written around a picture, as HTML
  */
 export function present(shown, title, stage, words) {
   if (!shown.length || dialog.open) return;
   if (!dialog.isConnected) document.body.append(dialog);
-  const first = nearest(shown);
+  const first = Math.max(0, shown.findIndex((card) => card.contains(document.activeElement)));
   [cards, about, clock] = [shown, words, stage];
   name = title.toLowerCase().replace(/[^a-z0-9]+/g, "-").replace(/^-|-$/g, "") || "affinor";
   document.documentElement.dataset.scheme = matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light";

@@ -89,6 +89,22 @@ test("the slider blends plus, zero and minus in the middle ball, in words too", 
   assert.equal((await verdicts(page))[1], (await verdicts(page))[2]);
 });
 
+test("a link to the first screen holds lambda and p", async () => {
+  const page = await visit(), slider = page.locator("#hero input[type=range]"), handle = page.locator("#hero .handle").first();
+  await slider.focus();
+  for (let k = 0; k < 6; k++) await page.keyboard.press("ArrowRight");
+  await handle.focus();
+  await page.keyboard.press("ArrowUp");
+  await page.waitForTimeout(300);
+  const again = await visit(new URL(page.url()).hash);
+  assert.equal(await again.locator("#hero input[type=range]").inputValue(), "18");
+  assert.equal(await again.locator("#hero output").textContent(), "λ = 1/4");
+  assert.equal(await again.locator("#hero .handle").first().getAttribute("aria-valuetext"), await handle.getAttribute("aria-valuetext"));
+  assert.equal(await again.locator("#say").textContent(), "");
+  const other = await visit("#explore/nowhere");
+  assert.match(await other.locator("#say").textContent(), /no page "nowhere"/);
+});
+
 test("the vector is carried in four seconds, and the clock can be stopped", async () => {
   const page = await visit(), play = page.locator("#hero .play"), picture = page.locator("#hero .view").nth(1);
   const rest = await picture.innerHTML();

@@ -128,6 +128,30 @@ test("the paper lists the 24 refuted statements, names its entries, and finds wo
   }
 });
 
+test("words that are only in entries of another choice are told, with a button to them", async () => {
+  const page = await visit("#paper"), found = page.locator("#paper .found");
+  await page.locator("#paper .entry:not([hidden])").first().waitFor();
+  await page.locator("#paper [name=find]").fill("Rodrigues");
+  assert.match(await found.innerText(), /^0 refuted statements in 0 entries; the words are in 1 more entry\./);
+  await found.locator("button").focus();
+  await page.keyboard.press("Enter");
+  assert.equal(await found.innerText(), "1 entry");
+  assert.equal(await page.evaluate(() => document.activeElement.value), "all");
+  assert.equal(await page.locator("#paper .entry:not([hidden])").count(), 1);
+  await page.locator("#paper [name=find]").fill("no such words");
+  assert.equal(await found.innerText(), "0 entries");
+  await sound(page);
+});
+
+test("a presentation begins with the entry of the link", async () => {
+  const page = await visit("#paper/eq-4-10");
+  await page.locator("#eq-4-10 details[open]").waitFor();
+  await open(page);
+  assert.equal(await page.locator("dialog .entry").getAttribute("id"), "eq-4-10");
+  await page.keyboard.press("Escape");
+  await sound(page);
+});
+
 test("an entry has a link of its own, and the whole document is beside the page", async () => {
   const page = await visit("#paper/eq-4-10");
   await page.locator("#eq-4-10 details[open]").waitFor();

@@ -6,12 +6,17 @@ import { button, element } from "./dom.js";
 
 /** Completions that are shown at once. */
 const SHOWN = 7;
+/** The largest number of lines of the field. */
+const LINES = 12;
 
 export class Box {
   /** Names for completion, and the text that each one means. @type {[string, string][]} */ #names = [];
+  /** Names of notations, and an example of each one. @type {[string, string][]} */ #notations = [];
+  /** Whether the computation was stopped. */
+  #halted = false;
 
   /**
-   * @param {HTMLFormElement} form @param {{typed: () => void, entered: () => void, chosen: (text: string) => void, stop: () => void}} acts
+   * @param {HTMLFormElement} form @param {{typed: () => void, entered: () => void, chosen: (text: string) => void, stop: () => void, resume: () => void}} acts
    */
   constructor(form, acts) {
     const old = form.querySelector("#space-input"), value = /** @type {HTMLInputElement | null} */ (old)?.value ?? "";
@@ -27,7 +32,10 @@ export class Box {
     this.matches = element("p", { class: "chips matches", hidden: true });
     this.line = element("p", { id: "read-as", class: "read-as", hidden: true });
     this.error = element("div", { class: "refusal", role: "alert" });
-    this.waiting = element("p", { class: "waiting", hidden: true }, element("progress", { "aria-label": "computing" }), " ", element("span"), " ", button("Stop", acts.stop, { class: "stop" }));
+    this.progress = element("progress", { "aria-label": "computing" });
+    this.words = element("span");
+    this.halting = button("Stop", () => this.#halted ? acts.resume() : acts.stop(), { class: "stop" });
+    this.waiting = element("p", { class: "waiting", hidden: true }, this.progress, " ", this.words, " ", this.halting);
     this.field.after(this.line, this.error, this.waiting);
     this.examples.after(this.matches);
     this.chosen = acts.chosen;
@@ -47,8 +55,12 @@ export class Box {
       if (file.size > 1 << 20) return this.refuse({ message: `${file.name} is larger than 1 MB` });
       acts.chosen(await file.text());
     });
+    addEventListener("resize", () => this.#fit());
     this.#fit();
   }
+
+  /** Whether names that complete the text are shown. */
+  get completes() { return !this.matches.hidden; }
 
   get text() { return this.field.value.trim(); }
 
@@ -59,21 +71,36 @@ export class Box {
     this.#complete();
   }
 
-  /** @param {string[]} names @param {Record<string, string>} texts names of texts that are not names of spaces */
-  names(names, texts = {}) {
-    this.#names = [...new Set(names)].map((name) => /** @type {[string, string]} */ ([name, name])).concat(Object.entries(texts));
+  /** @param {string[]} names @param {[string, string][]} notations names of notations, and an example of each one */
+  names(names, notations) {
+    this.#names = [...new Set(names)].map((name) => /** @type {[string, string]} */ ([name, name])).concat(notations);
+    this.#notations = notations;
     this.#complete();
   }
 
+  /** Buttons that write an example of each notation. */
+  notations() {
+    return element("p", { class: "chips" }, "Notations ", ...this.#chips(this.#notations));
+  }
+
+  /** Buttons of names. @param {[string, string][]} names */
+  #chips(names) { return names.flatMap(([name, text]) => [button(name, () => this.chosen(text), { class: "chip" }), " "]); }
+
   /** The field is as high as its text, up to twelve lines. */
-  #fit() { this.field.rows = Math.min(12, this.field.value.split("\n").length); }
+  #fit() {
+    const { field } = this, { lineHeight, paddingTop, paddingBottom } = getComputedStyle(field);
+    field.rows = 1;
+    const lines = Math.round((field.scrollHeight - parseFloat(paddingTop) - parseFloat(paddingBottom)) / parseFloat(lineHeight));
+    // a field that is hidden has no height
+    field.rows = Math.min(LINES, Math.max(lines || 1, field.value.split("\n").length));
+  }
 
   /** Names that contain what is typed. */
   #complete() {
     const typed = this.field.value.trim().toLowerCase(), plain = (/** @type {string} */ name) => name.toLowerCase().replace(/[^a-z0-9]/g, "");
     const found = typed && /^[\w\s(),*^-]{1,24}$/.test(typed) && document.activeElement === this.field
       ? this.#names.filter(([name]) => plain(name).startsWith(plain(typed)) && name.toLowerCase() !== typed).slice(0, SHOWN) : [];
-    this.matches.replaceChildren(...found.map(([name, text]) => button(name, () => this.chosen(text), { class: "chip" })));
+    this.matches.replaceChildren(...this.#chips(found));
     this.matches.hidden = !found.length;
     this.examples.hidden = Boolean(found.length);
   }
@@ -82,14 +109,26 @@ export class Box {
   read(words, notes) {
     this.line.replaceChildren(...words, ...(notes.length ? [element("span", { class: "notes", text: notes.join(" ") })] : []));
     this.line.hidden = !words.length;
+    this.line.classList.remove("stale");
   }
 
+  /** Marks the reading as that of an earlier input. */
+  outdate() { this.line.classList.add("stale"); }
+
   /** No message. */
-  accept() { this.error.replaceChildren(); }
+  clear() { this.error.replaceChildren(); }
+
+  /** No message; what was read is what is in the field. */
+  accept() {
+    this.clear();
+    this.line.classList.remove("stale");
+  }
 
   /** A message under the letters it is about. @param {Refusal} refusal */
   refuse({ message, place, help, suggestions = [] }) {
-    const parts = [element("p", { text: capital(message) })];
+    // the names that the message lists are buttons
+    /** @type {HTMLElement[]} */
+    const parts = [element("p", { text: capital(suggestions.length ? message.replace(/; the nearest is .*$/s, "") : message) })];
     if (place?.text) {
       const { text, from, to } = place, wide = text.length > 160;
       // of a long line only the neighbourhood is shown
@@ -100,15 +139,33 @@ export class Box {
       parts.push(element("p", { class: "where" }, before, marked, text.slice(Math.max(from + 1, to), end)));
     }
     if (help) parts.push(element("p", { class: "help", text: `${capital(help)}.` }));
-    if (suggestions.length) parts.push(element("p", { class: "chips" }, "Did you mean ", ...suggestions.slice(0, 6).flatMap((name) => [button(name, () => this.chosen(name), { class: "chip" }), " "])));
+    if (suggestions.length) {
+      parts.push(element("p", { class: "chips" }, "Did you mean ", ...this.#chips(suggestions.slice(0, SHOWN).map((name) => [name, name]))));
+      // one row of names is enough
+      this.matches.hidden = true;
+      this.examples.hidden = false;
+    }
+    if (help?.includes("list below")) {
+      const names = this.#names.filter(([name, text]) => name === text);
+      parts.push(this.notations(), element("details", {}, element("summary", { text: `all ${names.length} names` }), element("p", { class: "chips" }, ...this.#chips(names))));
+    }
     this.error.replaceChildren(...parts);
   }
 
-  /** Shows that a computation runs, after a second. @param {string} words or nothing to end */
-  wait(words) {
+  /** Shows that a computation runs. @param {string} words or nothing to end */
+  wait(words) { this.#work(words, false); }
+
+  /** Shows that the computation was stopped, with a button to resume it. */
+  halt() { this.#work("stopped", true); }
+
+  /** @param {string} words @param {boolean} halted */
+  #work(words, halted) {
+    this.#halted = this.progress.hidden = halted;
+    this.words.textContent = words;
+    this.halting.textContent = halted ? "Resume" : "Stop";
+    // the button vanishes
+    if (!words && document.activeElement === this.halting) this.field.focus({ preventScroll: true });
     this.waiting.hidden = !words;
-    const span = this.waiting.querySelector("span");
-    if (span) span.textContent = words;
   }
 }
 

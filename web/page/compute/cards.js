@@ -48,7 +48,7 @@ export class Card {
     this.body = element("div", { class: "body" });
     this.foot = element("div", { class: "foot" });
     this.heading = element("h2", { text: kind.title, id: `card-${kind.name}` });
-    this.element = element("article", { class: `card ${kind.name}`, "aria-labelledby": `card-${kind.name}` }, this.heading, this.body, this.foot);
+    this.element = element("article", { class: `card ${kind.name}`, tabindex: "-1", "aria-labelledby": `card-${kind.name}` }, this.heading, this.body, this.foot);
     this.body.append(element("p", { class: "quiet", text: kind.second ? "Computed when it is in view." : "…" }));
   }
 
@@ -56,14 +56,36 @@ export class Card {
   #request({ state, reading }) {
     const { kind } = this;
     return kind.report === "card" ? { report: "card", card: kind.name, filter: this.#filter, ...named(state) }
-      : { report: kind.report, motion: kind.kind?.(reading) ?? "", ...named(state) };
+      : { report: kind.report, motion: kind.kind?.(reading) ?? "", ...named(this.#shown(state, reading)) };
+  }
+
+  /** The state with the connection that its chips show: by default the engine writes equations of motion with another one.
+   * @param {State} state @param {Reading} reading */
+  #shown(state, { connection, connection_is_default, has_metric }) {
+    return this.kind.report === "equations" && has_metric && connection_is_default ? { ...state, connection } : state;
   }
 
   /** Computes and shows the card. @param {Context} context @param {(name: string) => void} stage */
   async compute(context, stage) {
-    if (context.reading.name !== this.#context?.reading.name) this.#whole = false;
+    // another space has other indices
+    if (context.state.space !== this.#context?.state.space) [this.#whole, this.#filter] = [false, ""];
     this.#context = context;
     const { answer } = await context.engine.ask(this.#request(context), stage);
+    this.#keep(() => this.#show(answer));
+  }
+
+  /** Writes into the card; the focus of a part that goes is on its counterpart, or on the card. @param {() => void} write */
+  #keep(write) {
+    const held = /** @type {HTMLElement | null} */ (document.activeElement), inside = this.element.contains(held);
+    write();
+    if (!inside || held?.isConnected) return;
+    const same = [.../** @type {NodeListOf<HTMLElement>} */ (this.element.querySelectorAll("button, input, summary"))]
+      .find((part) => part.matches(held?.tagName ?? "") && name(part) === name(held));
+    (same ?? this.element).focus({ preventScroll: true });
+  }
+
+  /** @param {any} answer */
+  #show(answer) {
     if (this.kind.report === "card") this.#tensor(JSON.parse(answer.text));
     else if (this.kind.name === "structure") this.#structure(answer);
     else if (this.kind.name === "properties") this.#properties(answer.text);
@@ -80,11 +102,11 @@ export class Card {
       // a button takes as much room as two rows
       if (rest.length < 3 || list.closest("details")) continue;
       for (const row of rest) row.toggleAttribute("hidden", true);
-      const show = button(`Show all ${list.children.length}`, () => {
+      const show = button(`Show all ${list.children.length}`, () => this.#keep(() => {
         this.#whole = true;
         for (const row of this.body.querySelectorAll("[hidden]")) row.removeAttribute("hidden");
         for (const other of this.body.querySelectorAll(".all")) other.remove();
-      }, { class: "all" });
+      }), { class: "all" });
       (list.closest("table") ?? list).after(show);
     }
   }
@@ -94,8 +116,12 @@ export class Card {
 
   /** A sentence instead of a result. @param {string} text @param {...Node} more */
   tell(text, ...more) {
-    this.body.replaceChildren(element("p", { class: "quiet", text }), ...more);
-    this.foot.replaceChildren();
+    this.#keep(() => {
+      this.body.replaceChildren(element("p", { class: "quiet", text }), ...more);
+      this.foot.replaceChildren();
+    });
+    // a sentence is not a result, which would be marked later as that of an earlier input
+    delete this.element.dataset.key;
     this.element.classList.remove("stale");
   }
 
@@ -106,6 +132,7 @@ export class Card {
     if (this.kind.name !== "connection") this.heading.textContent = card.title;
     this.body.replaceChildren(...fragment(card.html));
     if (card.summarized || this.#filter) this.body.prepend(this.#filters([...card.letters]));
+    if (card.summarized && this.#filter) this.body.append(element("p", { class: "help", text: "Too many components have these indices: choose one more index." }));
     this.#feet(card.definition, FORMATS);
   }
 
@@ -115,15 +142,19 @@ export class Card {
     const fields = letters.map((letter, at) => element("label", {}, element("i", { text: letter }), element("input", { type: "text", inputmode: "numeric", size: 3, value: now[at] ?? "", placeholder: "all", "aria-label": `index ${letter}` })));
     const apply = async () => {
       const values = fields.map((field) => /** @type {HTMLInputElement} */ (field.querySelector("input")).value.trim());
+      const before = this.#filter;
       this.#filter = values.some(Boolean) ? values.join(",") : "";
+      box.querySelector(".help")?.remove();
       try {
         if (this.#context) await this.compute(this.#context, () => {});
       } catch (problem) {
+        // the indices that were refused are not asked for again
+        this.#filter = before;
         const { kind, refusal } = /** @type {any} */ (problem);
         if (kind === "refused") box.append(element("p", { class: "help", role: "alert", text: refusal.message }));
       }
     };
-    const box = element("form", { class: "filters", submit: (/** @type {Event} */ event) => { event.preventDefault(); apply(); } }, element("span", { text: "Indices" }), ...fields, button("List", apply));
+    const box = element("form", { class: "filters", submit: (/** @type {Event} */ event) => { event.preventDefault(); apply(); } }, element("span", { text: "Indices" }), ...fields, element("button", { type: "submit", text: "List" }));
     return box;
   }
 
@@ -195,7 +226,7 @@ export class Card {
   /** @param {string} name @param {string} format @param {HTMLElement} pressed */
   async #copy(name, format, pressed) {
     if (!this.#context) return;
-    const { state, engine, say, reading } = this.#context, { kind } = this;
+    const { engine, say, reading } = this.#context, { kind } = this, state = this.#shown(this.#context.state, reading);
     const tables = kind.report === "card";
     const request = { report: tables ? "table" : kind.report, show: tables ? kind.show : "", motion: kind.kind?.(reading) ?? "", format, ...named(state) };
     try {
@@ -209,6 +240,9 @@ export class Card {
     }
   }
 }
+
+/** The name of a control. @param {Element | null} control */
+const name = (control) => control?.getAttribute("aria-label") ?? control?.textContent;
 
 /** The displayed equations of a document of LaTeX, or the document if it has none. @param {string} text */
 export const equations = (text) => text.match(/\\begin\{(align\*?|equation\*?|gather\*?)\}[^]*?\\end\{\1\}/g)?.join("\n") ?? text;

@@ -21,12 +21,12 @@ export class Letters {
   /** @param {string[]} names @param {Record<string, string>} set @param {string[]} positive letters that a metric needs positive */
   show(names, set, positive = []) {
     for (const [name, { row }] of this.#rows) if (!names.includes(name)) { row.remove(); this.#rows.delete(name); }
-    for (const name of names) {
-      const known = this.#rows.get(name) ?? this.#row(name, positive.includes(name));
-      // the order of the names
-      this.box.append(known.row);
+    names.forEach((name, at) => {
+      const { row } = this.#rows.get(name) ?? this.#row(name, positive.includes(name));
+      // an element that is inserted anew, even in its own place, loses the focus and the mouse that drags it
+      if (this.box.children[at] !== row) this.box.insertBefore(row, this.box.children[at] ?? null);
       this.#value(name, set[name] ?? null);
-    }
+    });
     this.box.hidden = !names.length;
   }
 
@@ -37,7 +37,11 @@ export class Letters {
     const range = element("input", { id, type: "range", "aria-label": name, min: positive ? "0.1" : "-3", max: positive ? "4" : "3", step: "0.1", "aria-valuetext": `${name}, a letter` });
     range.value = "1";
     const number = element("input", { type: "text", inputmode: "decimal", size: 6, placeholder: "letter", "aria-label": `value of ${name}`, autocomplete: "off", spellcheck: "false" });
-    const free = button("letter", () => this.#set(name, null, false), { class: "free", title: `compute with ${name} as a letter`, "aria-label": `${name} as a letter` });
+    const free = button("letter", () => {
+      this.#set(name, null, false);
+      // the button vanishes
+      if (free.hidden) range.focus();
+    }, { class: "free", title: `compute with ${name} as a letter`, "aria-label": `${name} as a letter` });
     range.addEventListener("input", () => this.#set(name, short(Number(range.value)), true));
     range.addEventListener("change", () => this.#set(name, short(Number(range.value)), false));
     number.addEventListener("change", () => {
@@ -45,7 +49,6 @@ export class Letters {
       if (text.match(NAMES)?.some((word) => !NUMBERS.test(word))) return this.tell(name, "Write a number, or leave the field empty for the letter.");
       this.#set(name, text || null, false);
     });
-    number.addEventListener("keydown", (event) => { if (event.key === "Enter") { event.preventDefault(); number.blur(); } });
     const row = element("div", { class: "letter" }, element("label", { for: id }, letter(name)), range, number, free, element("p", { class: "help", role: "alert" }));
     const parts = { row, range, number, free };
     this.#rows.set(name, parts);

@@ -16,6 +16,8 @@ const PAUSE = 250;
 const COLUMN = 28;
 /** Messages while a text is being typed wait longer. */
 const PATIENCE = 900;
+/** A metric in coordinates, as it is written into the box. */
+const CHART = 'chart.coordinates = ["theta", "phi"]\nmetric = "diag(1, sin(theta)^2)"';
 
 /** @param {HTMLElement} section @param {import("../main.js").Services} services */
 export function mount(section, services) {
@@ -29,13 +31,17 @@ class Compute {
   #read = "";
   /** The number of runs begun: only the newest writes. */
   #turn = 0;
+  /** The space that the reading is of, as it is written. */
+  #taken = "";
+  /** Whether the reader has stopped the computation. */
+  #halted = false;
   /** Whether a run is on its way, and whether the state has changed since. */
   #busy = false;
   #again = false;
   /** An assumption of the page for the next reading. */
   #note = "";
-  /** The number of columns of cards that are laid. */
-  #columns = 0;
+  /** The cards of each column that is laid. */
+  #laid = "";
   /** The letter whose value changed last, while nothing else has. */
   #letter = "";
   /** Whether the space was read, so that a message is about the values of its letters. */
@@ -52,6 +58,7 @@ class Compute {
       entered: () => this.#enter(this.box.text, "push"),
       chosen: (text) => { this.box.text = text; this.#enter(text, "push"); this.box.field.focus(); },
       stop: () => services.engine.stop(),
+      resume: () => { this.box.wait("computing"); this.#run(); },
     });
     const controls = element("div", { class: "controls-of-space", hidden: true }), letters = element("div", { class: "letters", hidden: true, role: "group", "aria-label": "Letters" });
     this.controls = controls;
@@ -65,22 +72,16 @@ class Compute {
       metric: (metric, moving) => this.#change({ metric, ...this.#following(metric) }, moving),
     });
     controls.append(letters);
-    this.letters = new Letters(letters, (name, value, moving) => {
-      const set = { ...this.#state.set };
-      if (value === null) delete set[name];
-      else set[name] = value;
-      this.#change({ set }, moving);
-      this.#letter = name;
-    });
+    this.letters = new Letters(letters, (name, value, moving) => this.#assign(name, value, moving));
     this.list = element("div", { class: "cards" });
-    this.guide = element("p", { class: "quiet guide", text: "Write a name or brackets in the box above, or choose an example." });
+    this.guide = element("div", { class: "quiet guide" }, element("p", { text: "Write a name or brackets in the box above, or choose an example." }));
     section.append(element("h1", { class: "hidden", text: "Compute" }), controls, this.guide, this.list);
     this.watcher = new IntersectionObserver((entries) => {
       for (const { target, isIntersecting } of entries) {
         if (isIntersecting) this.#seen.add(target);
         else this.#seen.delete(target);
       }
-      if (entries.some(({ isIntersecting }) => isIntersecting)) this.#run();
+      if (!this.#halted && entries.some(({ isIntersecting }) => isIntersecting)) this.#run();
     }, { rootMargin: "200px" });
     this.#names();
   }
@@ -96,14 +97,18 @@ class Compute {
           return this.#run();
         }
         if (write(state) === write(this.#state) && this.#reading) return this.#run();
-        this.#state = state;
+        [this.#state, this.#letter] = [state, ""];
         this.box.text = state.space;
         await this.#run();
       },
       state: () => write(this.#state),
       title: () => this.#title(),
-      // in the order in which they are seen
-      cards: () => /** @type {HTMLElement[]} */ ([...this.list.querySelectorAll(".card")]).filter(({ hidden }) => !hidden && !this.list.hidden),
+      // in an order that does not depend on the number of columns
+      cards: () => {
+        const shown = this.list.hidden ? [] : this.#cards.filter(({ element: { hidden } }) => !hidden);
+        const begins = (/** @type {Card | MotionCard} */ { kind }) => kind.name === "motions" && Boolean(this.#state.motion);
+        return [...shown.filter(begins), ...shown.filter((card) => !begins(card))].map(({ element }) => element);
+      },
     };
   }
 
@@ -113,8 +118,9 @@ class Compute {
       const { answer } = await this.services.engine.ask({ report: "names" });
       /** @type {{spaces: string[], charts: string[], notations: [string, string][]}} */
       const { spaces, charts, notations } = JSON.parse(answer.text);
-      const texts = notations.map(([name, example]) => [`${name} ${example}`, example]);
-      this.box.names(["M(3)", "SO(3)", ...spaces, ...charts], Object.fromEntries(texts));
+      this.box.names(["M(3)", "SO(3)", ...spaces, ...charts],
+        [...notations.map(([name, example]) => /** @type {[string, string]} */ ([`${name} ${example}`, example])), ["ds^2, a metric in coordinates", CHART]]);
+      this.guide.append(this.box.notations());
     } catch {
       // completion is no necessity
     }
@@ -140,7 +146,7 @@ class Compute {
       return this.#empty(history);
     }
     // a new space has its own connection, metric and letters
-    if (space !== this.#state.space) this.#state = { ...read(new URLSearchParams({ space }).toString().replaceAll("+", "%20")) };
+    if (space !== this.#state.space) [this.#letter, this.#state] = ["", stated(space)];
     this.#tell(history);
     this.#run(typing);
   }
@@ -149,7 +155,8 @@ class Compute {
   #empty(history) {
     this.box.accept();
     this.box.read([], []);
-    [this.#state, this.#reading, this.#read] = [empty(), null, ""];
+    this.box.wait("");
+    [this.#state, this.#reading, this.#read, this.#letter] = [empty(), null, "", ""];
     this.list.hidden = this.controls.hidden = true;
     this.guide.hidden = false;
     this.services.say("");
@@ -166,11 +173,23 @@ class Compute {
     this.#run(true);
   }
 
+  /** Gives a letter a value, or none. @param {string} name @param {string | null} value @param {boolean} moving */
+  #assign(name, value, moving) {
+    const set = { ...this.#state.set };
+    if (value === null) delete set[name];
+    else set[name] = value;
+    this.#change({ set }, moving);
+    this.#letter = name;
+  }
+
   /** @param {"push" | "replace"} history */
   #tell(history) { this.services.address.set(write(this.#state), history); }
 
   /** Marks what is shown as the result of an earlier input. */
-  #outdate() { for (const card of this.#cards) card.outdate(); }
+  #outdate() {
+    for (const card of this.#cards) card.outdate();
+    if (stated(this.box.text).space !== this.#taken.trim()) this.box.outdate();
+  }
 
   #title() {
     if (!this.#reading) return "Compute";
@@ -181,6 +200,7 @@ class Compute {
 
   /** Computes the state. While one runs, only the newest state waits. @param {boolean} [typing] */
   async #run(typing = false) {
+    this.#halted = false;
     if (this.#busy) {
       this.#again = true;
       return;
@@ -200,16 +220,18 @@ class Compute {
   async #once(typing) {
     if (!this.#state.space) return this.#empty("replace");
     const state = this.#state, turn = ++this.#turn, started = performance.now();
+    let words = "computing";
+    const stage = (/** @type {string} */ name) => { words = name; };
     const waiting = setInterval(() => {
       const seconds = Math.floor((performance.now() - started) / 1000);
-      if (seconds) this.box.wait(`computing, ${seconds} s`);
+      if (seconds) this.box.wait(`${words}, ${seconds} s`);
     }, 250);
     this.#valued = false;
     try {
       const key = JSON.stringify([state.space, state.connection, state.metric]);
       if (key !== this.#read) {
         this.#outdate();
-        const { answer } = await this.services.engine.ask({ report: "reading", ...named({ ...state, set: {} }) }, (name) => this.box.wait(name));
+        const { answer } = await this.services.engine.ask({ report: "reading", ...named({ ...state, set: {} }) }, stage);
         if (this.#again) return;
         this.#take(JSON.parse(answer.text), state);
         this.#read = key;
@@ -219,7 +241,7 @@ class Compute {
       this.box.accept();
       this.letters.accept();
       this.#valued = true;
-      const computed = await this.#fill(state);
+      const computed = await this.#fill(state, stage);
       if (this.#again) return;
       const count = this.#cards.filter(({ element: { hidden } }) => !hidden).length;
       if (computed && document.body.dataset.view === "compute") this.services.say(`${this.#title()}: ${count} cards, ${Math.max(1, Math.round(performance.now() - started))} ms`);
@@ -228,16 +250,16 @@ class Compute {
       if (!this.#again) this.#fail(problem, typing, turn);
     } finally {
       clearInterval(waiting);
-      this.box.wait("");
+      if (!this.#halted) this.box.wait("");
     }
   }
 
   /** @param {Reading & {notes: string[], introduced: string[]}} reading @param {State} state */
   #take(reading, state) {
-    this.#reading = reading;
+    [this.#reading, this.#taken] = [reading, state.space];
     const known = Object.fromEntries(Object.entries(state.set).filter(([name]) => reading.parameters.includes(name)));
     if (Object.keys(known).length < Object.keys(state.set).length) this.#state = { ...this.#state, set: known };
-    const letters = reading.parameters.length ? `, letters ${reading.parameters.join(", ")}` : "";
+    const letters = reading.parameters.length ? `, letter${reading.parameters.length > 1 ? "s" : ""} ${reading.parameters.join(", ")}` : "";
     const notation = /** @type {any} */ (reading).notation;
     const notes = reading.notes.map((note) => `${note.charAt(0).toUpperCase()}${note.slice(1).replace(/\.$/, "")}.`);
     if (this.#note) notes.push(this.#note);
@@ -258,12 +280,14 @@ class Compute {
   #lay(reading) {
     if (!this.#cards.length) {
       this.#cards = KINDS.map((kind) => new Card(kind));
-      this.#cards.push(new MotionCard(this.services.engine));
+      // a letter that the space and its motion share has one value
+      this.#cards.push(new MotionCard(this.services.engine, (name, value, moving) => {
+        if (this.#reading?.parameters.includes(name)) this.#assign(name, value, moving);
+      }));
       for (const card of this.#cards) if (card.kind.second) this.watcher.observe(card.element);
       new ResizeObserver(() => this.#columnize()).observe(this.list);
     }
     for (const card of this.#cards) card.element.hidden = !card.kind.when(reading);
-    this.#columns = 0;
     this.#columnize();
   }
 
@@ -271,23 +295,27 @@ class Compute {
    * when its result grows. */
   #columnize() {
     const count = Math.max(1, Math.min(3, Math.floor(this.list.clientWidth / (COLUMN * parseFloat(getComputedStyle(document.documentElement).fontSize)))));
-    if (count === this.#columns) return;
-    this.#columns = count;
-    const columns = Array.from({ length: count }, () => ({ size: 0, box: element("div", { class: "column" }) }));
-    const wide = this.#cards.filter(({ kind }) => kind.name === "motions").map(({ element }) => element);
-    for (const { element: card, kind } of this.#cards) {
-      if (kind.name === "motions") continue;
+    const columns = Array.from({ length: count }, () => ({ size: 0, cards: /** @type {(Card | MotionCard)[]} */ ([]) }));
+    const wide = this.#cards.filter(({ kind }) => kind.name === "motions");
+    for (const card of this.#cards) {
+      if (wide.includes(card)) continue;
       const lowest = columns.reduce((least, column) => column.size < least.size ? column : least);
-      lowest.box.append(card);
-      if (!card.hidden) lowest.size += /** @type {any} */ (kind).size;
+      lowest.cards.push(card);
+      if (!card.element.hidden) lowest.size += /** @type {any} */ (card.kind).size;
     }
     // an example of a motion begins with it
     const [before, after] = this.#state.motion ? [wide, []] : [[], wide];
-    this.list.replaceChildren(...before, ...columns.map(({ box }) => box), ...after);
+    const layout = [before, ...columns.map(({ cards }) => cards), after], laid = JSON.stringify(layout.map((cards) => cards.map(({ kind }) => kind.name)));
+    // elements that are moved, even to their own place, lose the focus
+    if (laid === this.#laid) return;
+    this.#laid = laid;
+    const elements = (/** @type {(Card | MotionCard)[]} */ cards) => cards.map(({ element }) => element);
+    this.list.replaceChildren(...elements(before), ...columns.map(({ cards }) => element("div", { class: "column" }, ...elements(cards))), ...elements(after));
   }
 
-  /** Fills the cards, those of the first module before the others. Returns how many were computed. @param {State} state */
-  async #fill(state) {
+  /** Fills the cards, those of the first module before the others. Returns how many were computed.
+   * @param {State} state @param {(name: string) => void} told called with the name of each stage */
+  async #fill(state, told) {
     const reading = /** @type {Reading} */ (this.#reading);
     const shown = this.#cards.filter(({ element: { hidden } }) => !hidden);
     const key = JSON.stringify(state.set) + this.#read;
@@ -308,9 +336,9 @@ class Compute {
         card.tell(`Above dimension ${most} this takes minutes.`, button("Compute", () => { card.asked = true; this.#run(); }));
         continue;
       }
-      const stage = (/** @type {string} */ name) => this.box.wait(`${kind.title}: ${name}`);
       try {
-        await card.compute(context, stage);
+        told(kind.title);
+        await card.compute(context, (name) => told(`${kind.title}: ${name}`));
         box.dataset.key = key;
         computed++;
       } catch (problem) {
@@ -328,17 +356,25 @@ class Compute {
   #fail(problem, typing, turn) {
     const { kind, message, refusal } = problem;
     if (kind === "replaced") return;
+    if (kind === "stopped") {
+      this.#halted = true;
+      this.box.halt();
+      return this.services.say("stopped");
+    }
     this.#outdate();
-    const letter = this.#letter || (this.#valued && Object.keys(this.#state.set).at(-1)) || "";
+    // the space is read without the values of its letters
+    const letter = this.#valued ? this.#letter || Object.keys(this.#state.set).at(-1) : "";
     const tell = () => {
       if (turn !== this.#turn) return;
-      if (kind === "refused" && letter && this.letters.tell(letter, sentence(refusal))) this.box.accept();
+      this.letters.accept();
+      // a text that is the beginning of names is not a fault before it is entered
+      if (kind === "refused" && typing && refusal.place?.source === "input" && this.box.completes) this.box.clear();
+      else if (kind === "refused" && letter && this.letters.tell(letter, sentence(refusal))) this.box.accept();
       else if (kind === "refused") this.box.refuse(refusal);
       else if (kind === "crashed") this.box.refuse({ message: `The computation failed: ${message}.`, help: "Your input is kept. A smaller space or fewer letters may succeed" });
       else if (kind === "failed") this.box.refuse({ message: `The engine did not load: ${message}`, help: "This page needs a browser with WebAssembly. Press Enter to try again" });
-      else if (kind === "stopped") this.services.say("stopped");
       else this.box.refuse({ message: `The page failed: ${message ?? problem}` });
-      if (kind !== "stopped") this.services.say("");
+      this.services.say("");
     };
     this.#read = "";
     if (typing) setTimeout(tell, PATIENCE - PAUSE);
@@ -350,10 +386,15 @@ class Compute {
     const box = this.#cards.find(({ kind }) => kind.name === card)?.element;
     const { motion } = this.#state;
     this.#state = { ...this.#state, card: "" };
-    if (motion) scrollTo(0, 0);
-    else box?.scrollIntoView({ block: "start" });
+    if (motion) return scrollTo(0, 0);
+    box?.scrollIntoView({ block: "start" });
+    // a presentation begins with it
+    box?.focus({ preventScroll: true });
   }
 }
+
+/** The state of a text of the box. @param {string} space */
+const stated = (space) => read(new URLSearchParams({ space }).toString().replaceAll("+", "%20"));
 
 /** A message and its advice as sentences. @param {import("./box.js").Refusal} refusal */
 function sentence({ message, help }) {

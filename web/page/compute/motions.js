@@ -10,8 +10,8 @@ import { PROBLEMS } from "./problems.js";
 const OF = { "so(3)": ["free body", "heavy top"], "su(2)": ["free body", "heavy top"], "M(3)": ["free body", "heavy top"], "SO(3)": ["free body", "heavy top"], "se(3)": ["body in a fluid"] };
 /** Methods of interest beside that of a problem. @type {Record<string, string>} */
 const COMPARED = { "free body": "rkmk4, projected4, cf4", "heavy top": "rkmk4, projected4, kick4", "body in a fluid": "projected4, cf4, rkmk853" };
-/** A parameter with a number. */
-const PARAMETER = /^(\s*\w+)(\s*=\s*)([-+]?\d+(?:\.\d*)?(?:[eE][-+]?\d+)?)(\s*(?:#.*)?)$/;
+/** A parameter with a number, or with a text in quotes such as "5/4". */
+const NUMBER = /^[-+]?\d+(?:\.\d*)?(?:[eE][-+]?\d+)?$/, PARAMETER = /^(\s*\w+)(\s*=\s*)([-+]?\d+(?:\.\d*)?(?:[eE][-+]?\d+)?|"[^"]*")(\s*(?:#.*)?)$/;
 
 /** The parameters of a problem that are numbers. @param {string} text */
 export function parameters(text) {
@@ -21,7 +21,7 @@ export function parameters(text) {
   for (const line of text.split("\n")) {
     if (/^\s*\[/.test(line)) inside = /^\s*\[\s*parameters\s*\]/.test(line);
     const parameter = inside && PARAMETER.exec(line);
-    if (parameter) found[parameter[1].trim()] = parameter[3];
+    if (parameter) found[parameter[1].trim()] = parameter[3].replaceAll('"', "");
   }
   return found;
 }
@@ -31,8 +31,8 @@ export function assigned(text, values) {
   let inside = false;
   return text.split("\n").map((line) => {
     if (/^\s*\[/.test(line)) inside = /^\s*\[\s*parameters\s*\]/.test(line);
-    const parameter = inside && PARAMETER.exec(line), value = parameter && values[parameter[1].trim()];
-    return parameter && value !== undefined && value !== null ? `${parameter[1]}${parameter[2]}${value}${parameter[4]}` : line;
+    const parameter = inside ? PARAMETER.exec(line) : null, value = parameter ? values[parameter[1].trim()] : undefined;
+    return parameter && value !== undefined ? `${parameter[1]}${parameter[2]}${NUMBER.test(value) ? value : `"${value}"`}${parameter[4]}` : line;
   }).join("\n");
 }
 
@@ -43,11 +43,16 @@ export class MotionCard {
   /** Whether an example of a motion was played. */
   #shown = false;
   #text = "";
+  /** The text whose motion is shown. */
+  #drawn = "";
   #busy = false;
   #again = false;
 
-  /** @param {{ask(request: object, stage?: (name: string) => void): Promise<any>}} engine */
-  constructor(engine) {
+  /**
+   * @param {{ask(request: object, stage?: (name: string) => void): Promise<any>}} engine
+   * @param {(name: string, value: string, moving: boolean) => void} changed called for each number that changes here
+   */
+  constructor(engine, changed) {
     this.engine = engine;
     this.picture = element("div", { class: "motion" });
     this.choice = element("div", { class: "pick", role: "group", "aria-label": "Problem" });
@@ -56,11 +61,18 @@ export class MotionCard {
       if (value === null) return this.letters.show(Object.keys(parameters(this.#text)), parameters(this.#text));
       this.#text = assigned(this.#text, { [name]: value });
       this.#draw();
+      changed(name, value, moving);
     });
     this.field = element("textarea", { rows: 14, spellcheck: false, "aria-label": "The problem, as TOML" });
-    this.field.addEventListener("change", () => { this.#text = this.field.value; this.#sliders(); this.#draw(); });
+    this.field.addEventListener("change", () => {
+      const before = parameters(this.#text);
+      this.#text = this.field.value;
+      this.#sliders();
+      this.#draw();
+      for (const [name, value] of Object.entries(parameters(this.#text))) if (value !== before[name]) changed(name, value, false);
+    });
     this.message = element("p", { class: "help", role: "alert" });
-    this.element = element("article", { class: "card motions", "aria-labelledby": "card-motions" },
+    this.element = element("article", { class: "card motions", tabindex: "-1", "aria-labelledby": "card-motions" },
       element("h2", { id: "card-motions", text: "Motions" }), this.choice, this.picture, box, this.message,
       element("details", {}, element("summary", { text: "the problem as a file" }), this.field));
   }
@@ -78,7 +90,7 @@ export class MotionCard {
     // letters of the metric are moments of the body
     this.#text = assigned(this.#text, state.set);
     this.#sliders();
-    await this.#draw();
+    if (this.#text !== this.#drawn) await this.#draw();
     // an example of a motion moves at once
     if (wanted && !this.#shown && !matchMedia("(prefers-reduced-motion: reduce)").matches) this.#view?.start();
     this.#shown ||= Boolean(wanted);
@@ -88,7 +100,9 @@ export class MotionCard {
   #choose(name, names) {
     this.#problem = name;
     this.#text = PROBLEMS[/** @type {keyof typeof PROBLEMS} */ (name)] ?? "";
-    this.choice.replaceChildren(...names.map((other) => button(other, () => { this.#choose(other, names); this.#sliders(); this.#draw(); }, { class: "chip", "aria-pressed": String(other === name) })));
+    // the buttons of the same problems stay, and with them the focus
+    if ([...this.choice.children].map(({ textContent }) => textContent).join() !== names.join()) this.choice.replaceChildren(...names.map((other) => button(other, () => { this.#choose(other, names); this.#sliders(); this.#draw(); }, { class: "chip" })));
+    for (const chip of this.choice.children) chip.setAttribute("aria-pressed", String(chip.textContent === name));
   }
 
   #sliders() {
@@ -107,9 +121,11 @@ export class MotionCard {
       while (this.#again) {
         this.#again = false;
         const { MotionView } = await import("./motion.js");
-        const { answer } = await this.engine.ask({ report: "motion", problem: this.#text, methods: COMPARED[this.#problem] ?? "", format: "json" });
+        const text = this.#text;
+        const { answer } = await this.engine.ask({ report: "motion", problem: text, methods: COMPARED[this.#problem] ?? "", format: "json" });
         this.#view ??= new MotionView(this.picture);
         this.#view.show(JSON.parse(answer.text));
+        this.#drawn = text;
         this.message.textContent = "";
       }
     } catch (problem) {

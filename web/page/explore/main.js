@@ -33,7 +33,7 @@ export function mount(services) {
   by("contents").innerHTML = `<h2>Seven pages, one idea each</h2><ol>${PAGES.map(({ id, title, idea }) => `<li><a href="#explore/${id}"><b>${title}</b><span>${idea}</span></a></li>`).join("")}</ol>`;
   return {
     async open(rest) {
-      const [, name, state] = /^([a-z]*)\??(.*)$/s.exec(rest) ?? ["", "", ""];
+      const [, name = "", state] = /^(?:([a-z]+)(?![^?]))?\??(.*)$/s.exec(rest) ?? ["", "", ""];
       const at = PAGES.findIndex((page) => page.id === name);
       if (stage !== first) stage.pause();
       queueMicrotask(() => { opened = true; });

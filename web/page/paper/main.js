@@ -4,6 +4,9 @@
 /** The document beside the page. */
 const SOURCE = new URL("../../paper.html", import.meta.url);
 
+/** A number with its noun. @param {number} count @param {string} one @param {string} many */
+const counted = (count, one, many = `${one}s`) => `${count} ${count === 1 ? one : many}`;
+
 /** @param {HTMLElement} section @param {import("../main.js").Services} services @returns {import("../main.js").View} */
 export function mount(section, services) {
   section.innerHTML = `<header class="front"><h1>Finite rotations on a Lie group, equation by equation</h1>
@@ -18,17 +21,30 @@ export function mount(section, services) {
   const list = /** @type {HTMLElement} */ (section.querySelector(".entries"));
   /** @type {{card: HTMLElement, refuted: number, corrected: boolean, text: string}[]} */ let entries = [];
   let state = "";
+  const all = document.createElement("button");
+  all.type = "button";
+  all.textContent = "Show all entries";
+  all.addEventListener("click", () => {
+    /** @type {any} */ (form.elements).show.value = "all";
+    filter();
+    // the button vanishes
+    /** @type {HTMLElement} */ (form.querySelector(":checked")).focus();
+  });
 
   /** Shows the entries that the form asks for. */
   function filter() {
     const data = new FormData(form), show = String(data.get("show")), words = String(data.get("find")).toLowerCase().split(/\s+/).filter(Boolean);
-    let statements = 0, shown = 0;
+    let statements = 0, shown = 0, others = 0;
     for (const { card, refuted, corrected, text } of entries) {
-      const wanted = (show === "all" || (show === "refuted" ? refuted > 0 : corrected)) && words.every((word) => text.includes(word));
+      const named = words.every((word) => text.includes(word));
+      const wanted = named && (show === "all" || (show === "refuted" ? refuted > 0 : corrected));
       card.hidden = !wanted;
       if (wanted) [statements, shown] = [statements + refuted, shown + 1];
+      else if (named) others++;
     }
-    found.textContent = show === "refuted" ? `${statements} refuted statements in ${shown} entries` : `${shown} entries`;
+    found.textContent = show === "refuted" ? `${counted(statements, "refuted statement")} in ${counted(shown, "entry", "entries")}` : counted(shown, "entry", "entries");
+    // the words may be in entries that the choice leaves out
+    if (words.length && others) found.append(`; the words are in ${counted(others, "more entry", "more entries")}. `, all);
   }
 
   /** Reads the document, once. */
@@ -39,6 +55,7 @@ export function mount(section, services) {
     entries = [...parsed.querySelectorAll("article")].map((article) => {
       const card = document.createElement("article");
       card.className = "entry";
+      card.tabIndex = -1;
       card.id = article.id;
       const third = /** @type {HTMLElement} */ (article.querySelector("h3")), heading = document.createElement("h2");
       // the sections of the document are left out, so an entry is one level higher
@@ -51,7 +68,7 @@ export function mount(section, services) {
       const rest = [...article.querySelectorAll(".findings, .functions")];
       const whole = document.createElement("details"), summary = document.createElement("summary");
       const findings = article.querySelectorAll(".findings li").length;
-      summary.textContent = `${findings} ${findings === 1 ? "finding" : "findings"}`;
+      summary.textContent = counted(findings, "finding");
       whole.append(summary, ...rest.map((part) => part.cloneNode(true)));
       const refuted = document.createElement("ul");
       refuted.className = "findings";
@@ -88,6 +105,8 @@ export function mount(section, services) {
       }
       filter();
       card?.scrollIntoView({ block: "start" });
+      // a presentation begins with it
+      card?.focus({ preventScroll: true });
     },
     state: () => state,
     title: () => "The paper, equation by equation",
