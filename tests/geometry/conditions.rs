@@ -213,11 +213,11 @@ fn full_flags() {
     assert_eq!((points(&found), found.families.len()), (expected, 0));
 }
 
-/// S^7 = Sp(2)/Sp(1) and S^11 = Sp(3)/Sp(2): the round metric, and the one of G. R. Jensen (*J. Diff.
+/// S^7, S^11 and S^15 as Sp(n+1)/Sp(n): the round metric, and the one of G. R. Jensen (*J. Diff.
 /// Geom.* 8 (1973) 599-614), whose fibres are shorter by `1/(2n+3)` in dimension `4n+3`.
 #[test]
 fn jensen_spheres() {
-    for (name, n) in [("Sp(2)/Sp(1)", 1), ("Sp(3)/Sp(2)", 2)] {
+    for (name, n) in [("Sp(2)/Sp(1)", 1), ("Sp(3)/Sp(2)", 2), ("Sp(4)/Sp(3)", 3)] {
         let sphere = pair(name);
         let letters = by_fixed(&sphere);
         let g = || blocks(&sphere, |at| letters[at]);
@@ -274,6 +274,22 @@ fn stiefel_manifolds() {
     let found = on_space(&space, g, Condition::Einstein);
     let definite = found.points.iter().filter(|point| point.is_definite() == Some(true));
     assert_eq!((definite.count(), found.families.len()), (1, 0));
+}
+
+/// The Aloff-Wallach space SU(3)/U(1)_{1,2} has two invariant Einstein metrics (L. Castellani, L. J.
+/// Romans, *Nucl. Phys.* B 238 (1984) 683-701; D. N. Page, C. N. Pope, *Phys. Lett.* B 147 (1984)
+/// 55-60). Their ratios are irrational.
+#[test]
+fn aloff_wallach() {
+    let space = pair("SU(3)/U(1)_{1,2}");
+    let (g, letters) = general(&space);
+    assert_eq!(letters, 4);
+    let found = on_space(&space, g, Condition::Einstein);
+    assert_eq!((found.points.len(), found.families.len()), (2, 0));
+    for point in &found.points {
+        assert_eq!(point.is_definite(), Some(true));
+        assert!(point.values[1].1.rational().is_none());
+    }
 }
 
 /// The space of Ledger and Obata SU(2)^3/SU(2) is the group SU(2)xSU(2), with the same metrics.
