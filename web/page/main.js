@@ -3,7 +3,7 @@
 
 import { copy, confirm } from "./export.js";
 
-/** @typedef {{open(state: string): void | Promise<void>, state(): string, title(): string, cards(): Element[], clock?(): any, about?(): {title: string, words: string}}} View */
+/** @typedef {{open(state: string): void | Promise<void>, state(): string, title(): string, cards(): Element[], clock?(): import("./present.js").Clock | null, about?(): import("./present.js").About}} View */
 /**
  * @typedef {Object} Services what every view gets
  * @property {{ask(request: object, stage?: (name: string) => void): Promise<any>, stop(): void}} engine

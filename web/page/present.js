@@ -2,26 +2,30 @@
 // Present: one card over the whole screen, on white or black, with arrow keys from card to card; and pictures and films out of it.
 import { download, drawing, film, png } from "./export.js";
 
-/** @typedef {{box: Element, state: {t: number}, spec: {duration: number, id: string}, pause(): void, now(): void}} Clock a stage with a clock */
+/** @typedef {{box: Element, time: number, length: number, pause(): void, go(time: number): void}} Clock the clock of a picture, in seconds */
+/** @typedef {{title?: string, words?: string, formula?: string, readout?: string, of?: string}} About title, sentence, formula and numbers of a picture, as HTML; or the space of all cards, as text */
 
 const dialog = document.createElement("dialog");
 dialog.className = "presenting";
 dialog.setAttribute("aria-label", "Presentation");
 dialog.tabIndex = -1;
 dialog.innerHTML = '<div class="slide"></div><p class="bar"><button type="button" data-do="before" aria-label="previous card">←</button><span class="where" role="status"></span><button type="button" data-do="next" aria-label="next card">→</button>'
-  + '<button type="button" data-do="scheme">Black</button><button type="button" data-do="svg">SVG</button><button type="button" data-do="png">PNG</button><button type="button" data-do="film">Film</button><button type="button" data-do="close">Close</button></p>';
+  + '<button type="button" data-do="scheme">Black</button><button type="button" data-do="svg">SVG</button><button type="button" data-do="png">PNG</button><button type="button" data-do="film">Film</button><button type="button" data-do="latex">LaTeX</button><button type="button" data-do="close">Close</button></p>';
 const slide = /** @type {HTMLElement} */ (dialog.querySelector(".slide")), where = /** @type {HTMLElement} */ (dialog.querySelector(".where"));
 const button = (/** @type {string} */ name) => /** @type {HTMLButtonElement} */ (dialog.querySelector(`[data-do="${name}"]`));
 
 /** @type {Element[]} */ let cards = [];
 let at = 0, name = "affinor";
-/** The title and the words of a slide that is a picture. @type {{title: string, words: string} | undefined} */ let about;
+/** @type {About} */ let about = {};
 /** Where the card belongs. */
 const place = document.createComment("card");
 /** @type {() => (Clock | null)} */ let clock = () => null;
 
+/** The longest film, in seconds. */
+const LONGEST = 15;
+
 function back() {
-  /** @type {HTMLElement | undefined} */ (cards[at])?.style.removeProperty("--formula");
+  for (const name of ["--formula", "--columns"]) /** @type {HTMLElement | undefined} */ (cards[at])?.style.removeProperty(name);
   if (place.parentNode) place.replaceWith(cards[at]);
 }
 
@@ -31,35 +35,73 @@ function turn(k) {
   at = Math.max(0, Math.min(cards.length - 1, k));
   cards[at].before(place);
   slide.replaceChildren(cards[at]);
-  if (about) {
-    const heading = Object.assign(document.createElement("h2"), { className: "heading", innerHTML: about.title });
-    const words = Object.assign(document.createElement("p"), { className: "words", innerHTML: about.words });
-    slide.prepend(heading);
-    slide.append(words);
+  const { title, words, formula, readout, of } = about;
+  if (title) slide.prepend(Object.assign(document.createElement("h2"), { className: "heading", innerHTML: title }));
+  if (words) {
+    const aside = Object.assign(document.createElement("div"), { className: "aside", innerHTML: `<p class="words">${words}</p>` });
+    if (formula) aside.append(Object.assign(document.createElement("p"), { className: "formula", innerHTML: formula }));
+    slide.append(aside);
+    // a stage writes its numbers beside itself
+    if (readout) slide.append(Object.assign(document.createElement("p"), { className: "readout", innerHTML: readout }));
   }
-  fit();
+  if (of) slide.prepend(Object.assign(document.createElement("p"), { className: "of", textContent: of }));
+  slide.scrollTop = 0;
+  grown.disconnect();
+  // a card may be computed while it is shown
+  for (const part of cards[at].querySelectorAll(".body, .motion")) grown.observe(part, { childList: true });
+  settle();
   where.textContent = cards.length > 1 ? `${at + 1} of ${cards.length}` : "";
   for (const part of ["before", "next"]) button(part).hidden = cards.length < 2;
-  const drawn = Boolean(cards[at].querySelector("svg"));
-  const moving = clock()?.box === cards[at];
-  for (const part of ["svg", "png", "film"]) {
-    const [can, reason] = part === "film" ? [moving, "only pictures with a clock can be filmed"] : [drawn, "only pictures can be exported"];
-    button(part).disabled = !can;
-    button(part).title = can ? "" : reason;
-  }
 }
 
-/** Sizes of formulas in pixels; a card of formulas has the largest that fits. */
-const SIZES = [96, 80, 68, 56, 48, 40, 34, 28];
+const grown = new MutationObserver(() => settle());
+
+/** Fits the card, and offers the exports that it has. */
+function settle() {
+  fit();
+  const drawn = Boolean(cards[at].querySelector("svg"));
+  button("svg").hidden = button("png").hidden = !drawn;
+  button("film").hidden = clock()?.box !== cards[at];
+  button("latex").hidden = !latex();
+}
+
+/** The button of a card that copies it as LaTeX. */
+const latex = () => /** @type {HTMLButtonElement | undefined} */ ([...cards[at].querySelectorAll(".copies button")].find(({ textContent }) => textContent === "LaTeX"));
+
+/** Sizes of formulas in units of the screen; a card of formulas has the largest that fits, in as many columns as that needs. */
+const SIZES = [128, 96, 80, 68, 56, 48, 40, 34, 28];
+/** The largest size of formulas in a list. */
+const MANY = 68;
+const COLUMNS = [1, 2, 3, 4, 5, 6];
+
+/** Shows by its lower edge that a slide goes on. */
+function edge() {
+  const long = slide.scrollHeight > slide.clientHeight + 1;
+  slide.classList.toggle("more", slide.scrollTop + slide.clientHeight < slide.scrollHeight - 1);
+  if (long) slide.tabIndex = 0;
+  else slide.removeAttribute("tabindex");
+}
 
 function fit() {
   const card = /** @type {HTMLElement} */ (cards[at]);
-  if (!card.matches(".card")) return;
-  const wide = () => [...card.querySelectorAll(".components, .matrix, .report, .body > p")].some((part) => part.scrollWidth > part.clientWidth + 1);
-  for (const size of SIZES) {
-    card.style.setProperty("--formula", `${size}px`);
-    if (slide.scrollHeight <= slide.clientHeight && !wide()) return;
-  }
+  const wide = () => [...card.querySelectorAll(".components, .matrix, .report, .body > p")].some((part) => part.checkVisibility() && part.scrollWidth > part.clientWidth + 1)
+    || [...card.querySelectorAll(".components > li > math")].some((math) => math.checkVisibility() && math.getBoundingClientRect().width > /** @type {Element} */ (math.parentElement).clientWidth + 1);
+  const rows = Math.max(1, ...[...card.querySelectorAll(".components")].map(({ children }) => [...children].filter((row) => row.checkVisibility()).length));
+  const tries = card.matches(".card:not(.motions)") ? SIZES.filter((size) => rows < 2 || size <= MANY).flatMap((size) => COLUMNS.filter((count) => count <= rows).map((count) => [size, count])) : [];
+  const set = (/** @type {number[]} */ [size, count]) => {
+    card.style.setProperty("--formula", String(size));
+    card.style.setProperty("--columns", String(count));
+  };
+  const fitted = tries.some((one) => {
+    set(one);
+    return slide.scrollHeight <= slide.clientHeight + 1 && !wide();
+  });
+  // a longer list scrolls, in as many columns as there is room for
+  if (!fitted) tries.filter(([size]) => size === SIZES.at(-1)).reverse().some((one) => {
+    set(one);
+    return !wide();
+  });
+  edge();
 }
 
 const ground = () => getComputedStyle(dialog).backgroundColor;
@@ -87,14 +129,25 @@ const ACTIONS = {
     if (!stage) return;
     stage.pause();
     where.textContent = "recording…";
-    const length = Math.min(stage.spec.duration, 12);
-    const made = await film((time) => {
-      stage.state.t = Math.min(time, length);
-      stage.now();
-      return drawing(cards[at], ground());
-    }, length);
-    download(made, `${name}.webm`);
-    where.textContent = "recorded";
+    const before = stage.time, length = Math.min(stage.length, LONGEST);
+    try {
+      const made = await film((time) => {
+        stage.go(Math.min(time, length));
+        return drawing(stage.box, ground());
+      }, length);
+      download(made, `${name}.webm`);
+      where.textContent = "recorded";
+    } finally {
+      stage.go(before);
+    }
+  },
+  latex() {
+    const said = /** @type {HTMLElement} */ (document.getElementById("say"));
+    new MutationObserver((_, once) => {
+      where.textContent = said.textContent;
+      once.disconnect();
+    }).observe(said, { childList: true });
+    latex()?.click();
   },
 };
 
@@ -113,22 +166,30 @@ dialog.addEventListener("keydown", (event) => {
   const action = { ArrowRight: "next", PageDown: "next", ArrowLeft: "before", PageUp: "before", b: "scheme", w: "scheme" }[event.key];
   if (!action) return;
   event.preventDefault();
-  ACTIONS[action]();
+  // a page of a slide that is longer than the screen comes before the next slide
+  const way = { PageDown: 1, PageUp: -1 }[event.key] ?? 0, from = slide.scrollTop;
+  slide.scrollTop += 0.85 * way * slide.clientHeight;
+  if (slide.scrollTop === from) ACTIONS[action]();
 });
 dialog.addEventListener("close", () => {
+  grown.disconnect();
   back();
   delete document.documentElement.dataset.scheme;
   if (document.fullscreenElement) document.exitFullscreen();
 });
 
+slide.addEventListener("scroll", edge);
+// rows that are unfolded
+slide.addEventListener("click", (event) => { if (/** @type {HTMLElement} */ (event.target).matches(".all")) fit(); });
+slide.addEventListener("toggle", edge, true);
 addEventListener("resize", () => { if (dialog.open) fit(); });
 
 /**
  * Presents cards, first the one that has the focus.
  * @param {Element[]} shown @param {string} title of files @param {() => (Clock | null)} stage the stage that has a clock
- * @param {{title: string, words: string}} [words] what is written around a picture, as HTML
+ * @param {About} [words] what is written around the cards
  */
-export function present(shown, title, stage, words) {
+export function present(shown, title, stage, words = {}) {
   if (!shown.length || dialog.open) return;
   if (!dialog.isConnected) document.body.append(dialog);
   const first = Math.max(0, shown.findIndex((card) => card.contains(document.activeElement)));

@@ -4,6 +4,7 @@ import fs from "node:fs";
 import path from "node:path";
 import { test } from "node:test";
 import { drawn as written } from "../first.mjs";
+import { affinor, needsCommand } from "./computed.mjs";
 import { LAPTOP, PHONE, drag, drawn, sound, swipe, violations, visit } from "./visit.mjs";
 import { dist } from "./server.mjs";
 
@@ -78,7 +79,7 @@ test("the slider blends plus, zero and minus in the middle ball, in words too", 
   await page.keyboard.press("ArrowRight");
   await drawn(page);
   assert.equal(await slider.getAttribute("aria-valuetext"), "λ = 11/24");
-  assert.match((await verdicts(page))[1], /curved, torsion\s−0.08\sc/);
+  assert.match((await verdicts(page))[1], /curved, torsion\s−1\/12\sc/);
   assert.match(await page.title(), /λ = 11\/24/);
   await page.keyboard.press("Home");
   await drawn(page);
@@ -103,6 +104,38 @@ test("a link to the first screen holds lambda and p", async () => {
   assert.equal(await again.locator("#say").textContent(), "");
   const other = await visit("#explore/nowhere");
   assert.match(await other.locator("#say").textContent(), /no page "nowhere"/);
+});
+
+test("the slider says what it moves, from plus to minus, at every width", async () => {
+  for (const viewport of [PHONE, LAPTOP]) {
+    const page = await visit("", { viewport });
+    assert.match(await page.locator("#hero .range label").innerText(), /middle ball/);
+    const [slider, ends] = [await page.locator("#hero .range input").boundingBox(), await page.locator("#hero datalist option").evaluateAll((all) => all.map((option) => { const { x, width, height } = option.getBoundingClientRect(); return { x, width, height, name: option.label }; }))];
+    assert.deepEqual(ends.map(({ name }) => name), ["plus", "zero", "minus"]);
+    for (const { x, width, height } of ends) assert.ok(height > 0 && x >= slider.x - 1 && x + width <= slider.x + slider.width + 1, JSON.stringify({ x, width, height, slider }));
+    // no side of the slider is filled
+    assert.equal(await page.locator("#hero .range input").evaluate((range) => getComputedStyle(range).appearance), "none");
+    await page.context().close();
+  }
+});
+
+test("the torsion is the fraction (2 lambda - 1) c of the engine", needsCommand, async () => {
+  const { verdict } = await import("../page/explore/parallel.js");
+  for (const [lambda, text] of [[1 / 4, "1/4"], [2 / 3, "2/3"], [1 / 24, "1/24"], [1, "1"], [0, "0"]]) {
+    const [, sign, size] = /torsion\s(−?)([\d/]*)\s?c$/.exec(verdict(lambda, 0).replace(/<[^>]*>/g, ""));
+    const rows = affinor("table", "so3", "--connection", `lambda=${text}`, "--show", "torsion", "--format", "csv");
+    assert.equal(/,1,2,3,,(.*)/.exec(rows)[1], `${sign ? "-" : ""}${size || 1}`, text);
+  }
+});
+
+test("the names of points are at least 12 pixels tall on a phone", async () => {
+  for (const hash of ["", "#explore/parallel", "#explore/holonomy"]) {
+    const page = await visit(hash, { viewport: PHONE });
+    await page.locator(".view text:visible").first().waitFor();
+    const sizes = await page.locator(".view text.name").evaluateAll((all) => all.filter((text) => text.checkVisibility()).map((text) => parseFloat(getComputedStyle(text).fontSize) * text.ownerSVGElement.clientWidth / 200));
+    assert.ok(sizes.length >= 2 && Math.min(...sizes) >= 12, `${hash} ${sizes}`);
+    await page.context().close();
+  }
 });
 
 test("the vector is carried in four seconds, and the clock can be stopped", async () => {

@@ -2,6 +2,7 @@
 import assert from "node:assert/strict";
 import fs from "node:fs";
 import { test } from "node:test";
+import { compute } from "./computed.mjs";
 import { LAPTOP, PHONE, sound, violations, visit } from "./visit.mjs";
 
 const open = async (page) => {
@@ -89,6 +90,120 @@ test("a picture leaves the page as SVG with its colours, as PNG and as a film", 
   await sound(page);
 });
 
+test("slides grow with the screen, their heading centred over the picture", async () => {
+  const sizes = {};
+  for (const [width, height] of [[1366, 768], [1920, 1080], [3840, 2160]]) {
+    const page = await visit("#explore/holonomy", { viewport: { width, height } });
+    await page.locator("#page .pictures").waitFor();
+    await open(page);
+    sizes[width] = await page.locator("dialog").evaluate((dialog) => Object.fromEntries([".heading", ".words", ".formula math", ".readout", ".play", ".where"].map((part) => [part, parseFloat(getComputedStyle(dialog.querySelector(part)).fontSize)])));
+    const middle = await page.locator("dialog .heading").evaluate((heading) => { const { left, right } = heading.getBoundingClientRect(); return (left + right) / 2; });
+    assert.ok(Math.abs(middle - width / 2) < 2, `${middle} of ${width}`);
+    await sound(page);
+    await page.context().close();
+  }
+  assert.ok(sizes[1366][".formula math"] >= 28);
+  for (const width of [1920, 3840]) for (const [part, size] of Object.entries(sizes[width])) assert.ok(size >= 0.99 * sizes[1366][part] * width / 1366, `${part} ${size} at ${width}`);
+});
+
+for (const [width, height] of [[1366, 768], [3840, 2160]]) {
+  test(`every slide of se(3) is whole at ${width}, names its space, and offers the exports that it has`, { timeout: 300000 }, async () => {
+    const page = await compute("space=se(3)&connection=zero", { viewport: { width, height } });
+    await page.locator(".card.motions").scrollIntoViewIfNeeded();
+    await page.waitForSelector(".card.motions .law math", { timeout: 60000 });
+    await page.evaluate(() => scrollTo(0, 0));
+    await open(page);
+    const count = Number(/of (\d+)/.exec(await page.locator("dialog .where").innerText())[1]);
+    for (let k = 0; k < count; k++) await page.keyboard.press("ArrowLeft");
+    for (let k = 0; k < count; k++, await page.keyboard.press("ArrowRight")) {
+      await page.waitForFunction(() => document.querySelector("dialog .card").dataset.key, undefined, { timeout: 60000 });
+      const { title, cut, least, wide, exports } = await page.locator("dialog .slide").evaluate((slide) => ({
+        title: slide.querySelector("h2").textContent, cut: slide.scrollHeight - slide.clientHeight,
+        least: Math.min(...[...slide.querySelectorAll(".components > li > math")].filter((math) => math.checkVisibility()).map((math) => parseFloat(getComputedStyle(math).fontSize))),
+        wide: [...slide.querySelectorAll(".components, .components > li, .matrix")].filter((part) => part.checkVisibility() && part.scrollWidth > part.clientWidth + 1).length,
+        exports: [...document.querySelectorAll("dialog .bar button:not([hidden])")].map(({ textContent }) => textContent).filter((name) => /^(SVG|PNG|Film|LaTeX)$/.test(name)),
+      }));
+      assert.ok(cut <= 1 && wide === 0, `${title}: ${cut} px are cut, ${wide} parts are wider than their place`);
+      assert.ok(least >= (title === "Motions" ? 25 : 27.9) * width / 1366, `${title} ${least}`);
+      assert.match(await page.locator("dialog .of").innerText(), /^se\(3\), connection zero/);
+      assert.deepEqual(exports, title === "Motions" ? ["SVG", "PNG", "Film"] : title === "Equations of motion" ? [] : ["LaTeX"], title);
+    }
+    // the last slide has a picture and formulas, and a film of its clock
+    const [picture, law] = [await page.locator("dialog .ball").boundingBox(), await page.locator("dialog .law math").first().boundingBox()];
+    assert.ok(picture.width > 0.2 * width && law.x >= picture.x + picture.width, `${JSON.stringify(picture)} ${JSON.stringify(law)}`);
+    await sound(page);
+    await page.context().close();
+  });
+}
+
+test("a slide that is longer than the screen scrolls by its keys, and its formulas do not overlap", async () => {
+  for (const viewport of [PHONE, LAPTOP]) {
+    const page = await compute("space=se(3)&metric=diag(a,b,c,d,e,f)", { viewport });
+    await page.locator(".card.connection .copies button").first().focus();
+    await open(page);
+    await page.locator("dialog .all").click();
+    const { boxes, wide } = await page.locator("dialog .slide").evaluate((slide) => ({
+      boxes: [...slide.querySelectorAll(".components > li > math")].map((math) => math.getBoundingClientRect()).map(({ left, right, top, bottom }) => ({ left, right, top, bottom })),
+      wide: slide.scrollWidth - slide.clientWidth,
+    }));
+    assert.ok(boxes.length > 12 && wide <= 1, String(wide));
+    for (const a of boxes) for (const b of boxes) assert.ok(a === b || a.right <= b.left + 1 || b.right <= a.left + 1 || a.bottom <= b.top + 2 || b.bottom <= a.top + 2, JSON.stringify([a, b]));
+    const name = await page.locator("dialog .where").innerText(), lower = await page.locator("dialog .slide").evaluate((slide) => slide.scrollHeight > slide.clientHeight + 1);
+    await page.keyboard.press("PageDown");
+    assert.equal(await page.locator("dialog .where").innerText() === name, lower);
+    assert.deepEqual(await violations(page), []);
+    await page.context().close();
+  }
+});
+
+test("a formula is copied as LaTeX from its slide", async () => {
+  const page = await compute("space=so(3)&connection=plus", { permissions: ["clipboard-read", "clipboard-write"] });
+  await page.locator(".card.torsion .copies button").first().focus();
+  await open(page);
+  await page.locator("dialog [data-do=latex]").click();
+  await page.waitForFunction(() => document.querySelector("dialog .where").textContent.includes("copied as LaTeX"), undefined, { timeout: 60000 });
+  assert.match(await page.evaluate(() => navigator.clipboard.readText()), /\\tau/);
+  await sound(page);
+});
+
+test("the buttons of a slide are readable before they are used", async () => {
+  for (const colorScheme of ["light", "dark"]) {
+    const page = await visit("#explore/holonomy", { colorScheme });
+    await page.locator("#page .pictures").waitFor();
+    await open(page);
+    await page.waitForTimeout(300);
+    assert.equal(await page.locator("dialog .bar").evaluate((bar) => getComputedStyle(bar).opacity), "1");
+    assert.deepEqual(await violations(page), []);
+    await page.context().close();
+  }
+});
+
+test("a film leaves the picture as it was", async () => {
+  const page = await visit("#explore/holonomy");
+  await page.locator("#page .pictures").waitFor();
+  await open(page);
+  const picture = () => page.locator("dialog .view").innerHTML(), before = await picture();
+  await file(page, "film");
+  await page.waitForFunction(() => document.querySelector("dialog .where").textContent === "recorded");
+  assert.equal(await picture(), before);
+  await page.locator("dialog [data-do=scheme]").click();
+  assert.equal(await picture(), before);
+});
+
+test("the motion of a body is filmed, and stays where it was", { timeout: 120000 }, async () => {
+  const page = await compute("space=so(3)");
+  await page.locator(".card.motions").scrollIntoViewIfNeeded();
+  await page.waitForSelector(".card.motions .law math", { timeout: 60000 });
+  await page.locator(".card.motions button:text-is('Step')").click();
+  await open(page);
+  const time = () => page.locator("dialog .buttons output").innerText(), before = await time();
+  const film = await file(page, "film");
+  assert.equal(film.bytes.subarray(0, 4).toString("hex"), "1a45dfa3");
+  await page.waitForFunction(() => document.querySelector("dialog .where").textContent === "recorded");
+  assert.equal(await time(), before);
+  await sound(page);
+});
+
 test("Share copies the link, over plain http as well", async () => {
   const page = await visit("#explore/torsion?v=20", { permissions: ["clipboard-read", "clipboard-write"] });
   await page.locator("#page .pictures").waitFor();
@@ -161,7 +276,25 @@ test("an entry has a link of its own, and the whole document is beside the page"
   assert.equal(await page.locator("article").count(), 83);
   // no link leads into a repository that a reader does not have
   const links = await page.locator("a").evaluateAll((all) => all.map((a) => a.getAttribute("href")));
-  assert.ok(links.every((link) => /^(#|https:)/.test(link)), links.find((link) => !/^(#|https:)/.test(link)));
+  assert.ok(links.every((link) => /^(#|https:|\.\/#paper$)/.test(link)), links.find((link) => !/^(#|https:)/.test(link)));
+  await page.locator("a[href='./#paper']").click();
+  await page.locator("#paper .entry:not([hidden])").first().waitFor();
+  await sound(page);
+});
+
+test("the whole document has the font and the sizes of the page", async () => {
+  for (const [width, least] of [[1366, 16], [3840, 32]]) {
+    const page = await visit("", { viewport: { width, height: 800 } });
+    const missing = [];
+    page.on("response", (response) => { if (response.status() >= 400) missing.push(response.url()); });
+    await page.goto(new URL("paper.html", page.url()).href);
+    await page.evaluate(() => document.fonts.ready);
+    const { size, family, loaded } = await page.evaluate(() => ({ size: parseFloat(getComputedStyle(document.body).fontSize), family: getComputedStyle(document.body).fontFamily, loaded: document.fonts.check("16px 'Affinor Text'") }));
+    assert.ok(size >= least, `${size} at ${width}`);
+    assert.ok(loaded && /^"Affinor Text"/.test(family), family);
+    assert.deepEqual(missing, []);
+    await page.context().close();
+  }
 });
 
 test("a document that does not load is told, with what to do", async () => {

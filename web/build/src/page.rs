@@ -73,7 +73,26 @@ pub(crate) fn assemble(folder: &Path, dist: &Path, engine: &str) -> Result<()> {
         compress(&dist.join(&name), &bytes)?;
     }
     let paper = dist.join("paper.html");
-    compress(&paper, &fs::read(&paper)?)
+    let joined = joined(&fs::read_to_string(&paper)?, &page)?;
+    fs::write(&paper, &joined)?;
+    compress(&paper, joined.as_bytes())
+}
+
+/// The document of the paper with the icon, the fonts and the sizes of the page, and a link back to it. A document of an
+/// earlier build has them already, for another folder; they are replaced.
+fn joined(paper: &str, page: &str) -> Result<String> {
+    const BEGIN: &str = "<!-- page -->";
+    const END: &str = "<!-- /page -->";
+    let (head, rest) = paper.split_once("</head>").context("the paper has no head")?;
+    let (_, body) = rest.split_once("<body>").context("the paper has no body")?;
+    let head = head.split_once(BEGIN).map_or(head, |(head, _)| head);
+    let body = body.split_once(END).map_or(body, |(_, body)| body);
+    let style = |name| format!("<link rel=\"stylesheet\" href=\"{page}/{name}.css\"/>");
+    let (tokens, document) = (style("tokens"), style("paper/document"));
+    Ok(format!(
+        "{head}{BEGIN}<link rel=\"icon\" href=\"data:,\"/>{tokens}{document}\n</head>\n<body>\n\
+         <p class=\"back\"><a href=\"./#paper\">affinor, the paper as cards</a></p>{END}{body}"
+    ))
 }
 
 fn replaced(bytes: &[u8], from: &str, to: &str) -> Result<Vec<u8>> {
@@ -141,7 +160,18 @@ fn compress(path: &Path, bytes: &[u8]) -> Result<()> {
 
 #[cfg(test)]
 mod tests {
-    use super::hash;
+    use super::{hash, joined};
+
+    #[test]
+    fn the_paper_is_joined_to_the_page_of_the_last_build_alone() -> anyhow::Result<()> {
+        let printed = "<html>\n<head>\n<title>t</title>\n</head>\n<body>\n<main>m</main>\n</body>";
+        let once = joined(printed, "page-1")?;
+        assert!(once.contains("page-1/tokens.css") && once.contains("href=\"./#paper\""));
+        assert_eq!(joined(&once, "page-2")?, joined(printed, "page-2")?);
+        assert_eq!(joined(&once, "page-1")?, once);
+        assert!(once.ends_with("\n<main>m</main>\n</body>"));
+        Ok(())
+    }
 
     #[test]
     fn the_name_of_a_folder_changes_with_every_name_and_byte() {

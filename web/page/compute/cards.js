@@ -175,11 +175,10 @@ export class Card {
     }
     // the diagrams of rank 1 are a point and a line
     const rank = Number(/rank (\d+)/.exec([...table.querySelectorAll("dt")].find((term) => term.textContent === "root system")?.nextElementSibling?.textContent ?? "")?.[1] ?? 0);
-    const rest = element("details", {}, element("summary", { text: "all of its structure" }), table);
+    const rest = folded("all of its structure", table);
     this.body.replaceChildren(badges, ...short(table), element("div", { class: "drawings" }, ...(rank > 1 ? pictures.map(drawn) : [])), rest);
     this.#feet("", FORMATS.filter(([, format]) => format !== "csv"));
-    const [picture] = this.body.querySelectorAll(".drawn svg");
-    if (picture) this.foot.querySelector(".copies")?.append(button("SVG", () => copy(new XMLSerializer().serializeToString(picture)), { class: "small" }));
+    if (rank > 1 && pictures.length) this.foot.querySelector(".copies")?.append(button("SVG", () => copy(pictures[0].svg), { class: "small" }));
   }
 
   /** @param {string} text */
@@ -203,7 +202,7 @@ export class Card {
       });
       badges.append(badge, " ");
     }
-    const rest = facts.children.length ? [element("details", {}, element("summary", { text: "more facts" }), facts)] : [];
+    const rest = facts.children.length ? [folded("more facts", facts)] : [];
     this.body.replaceChildren(badges, witness, ...rest);
     this.#feet("", FORMATS.filter(([, format]) => format !== "csv"));
   }
@@ -247,6 +246,11 @@ const name = (control) => control?.getAttribute("aria-label") ?? control?.textCo
 /** The displayed equations of a document of LaTeX, or the document if it has none. @param {string} text */
 export const equations = (text) => text.match(/\\begin\{(align\*?|equation\*?|gather\*?)\}[^]*?\\end\{\1\}/g)?.join("\n") ?? text;
 
+/** Facts behind a summary; those that are wider than the card can be scrolled by keys. @param {string} summary @param {HTMLElement} facts */
+const folded = (summary, facts) => element("details", { toggle: () => {
+  for (const fact of facts.querySelectorAll("dd")) if (fact.scrollWidth > fact.clientWidth) fact.tabIndex = 0;
+} }, element("summary", { text: summary }), facts);
+
 /** The first facts of a structure: its type, its Killing form and its name. @param {HTMLElement} facts */
 function short(facts) {
   const wanted = ["identification", "Killing form", "Dynkin type", "simple ideals", "Betti numbers"];
@@ -257,6 +261,8 @@ function short(facts) {
     const value = term.nextElementSibling;
     if (!value || !wanted.includes(term.textContent ?? "")) continue;
     value.querySelector(".remark")?.remove();
+    // a determinant that is too long for a line
+    for (const part of value.childNodes) if (part.nodeType === Node.TEXT_NODE) part.textContent = (part.textContent ?? "").replace(/, determinant a number of \d+ characters/, "");
     if ((value.textContent ?? "").length <= longest) box.append(term, value);
   }
   return box.children.length ? [box] : [];

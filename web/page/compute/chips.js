@@ -10,7 +10,7 @@ const PARTS = 24;
 /** The values of lambda of the canonical connections. @type {Record<string, string>} */
 const LAMBDA = { plus: "1", zero: "1/2", minus: "0" };
 
-/** @typedef {{name: string, basis: string[], parameters: string[], dimension: number, kind: string, connection: string, metric: string[][] | null, has_metric: boolean, killing: boolean, connection_is_default: boolean, frame: string}} Reading */
+/** @typedef {{name: string, basis: string[], coordinates: string[], parameters: string[], dimension: number, kind: string, connection: string, metric: string[][] | null, has_metric: boolean, killing: boolean, connection_is_default: boolean, frame: string}} Reading */
 
 export class Chips {
   /** @type {Reading | null} */ #reading = null;

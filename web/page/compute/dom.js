@@ -1,6 +1,8 @@
 // @ts-check
 // Elements of the page, and parts of the reports of the engine as elements.
 
+const NS = "http://www.w3.org/1998/Math/MathML";
+
 /**
  * An element with attributes; `text` is its text, and functions are listeners.
  * @template {keyof HTMLElementTagNameMap} T
@@ -23,7 +25,29 @@ export const button = (text, act, attributes = {}) => element("button", { type: 
 
 /** Elements of a fragment of HTML that the engine wrote. @param {string} html */
 export function fragment(html) {
-  return [...new DOMParser().parseFromString(html, "text/html").body.childNodes];
+  const { body } = new DOMParser().parseFromString(html, "text/html");
+  chained(body);
+  return [...body.childNodes];
+}
+
+/** Groups the sides of equations with several sides, so that lines can break between them. @param {Element} box */
+function chained(box) {
+  for (const math of box.querySelectorAll('math[display="block"]')) {
+    const [row, ...more] = math.children;
+    if (row?.localName !== "mrow" || more.length) continue;
+    /** @type {Element[][]} */ const sides = [[]];
+    for (const part of row.children) {
+      if (part.localName === "mo" && part.textContent === "=") sides.push([]);
+      sides[sides.length - 1].push(part);
+    }
+    if (sides.length < 3) continue;
+    math.replaceChildren(...sides.filter((side) => side.length).map((side) => {
+      const group = document.createElementNS(NS, "mrow");
+      group.append(...side);
+      return group;
+    }));
+    math.classList.add("chain");
+  }
 }
 
 /** What a report of the engine, a page of HTML, has in its main part, without its title. @param {string} html @returns {HTMLElement} */
@@ -43,14 +67,21 @@ export function report(html) {
   return box;
 }
 
+/** The height of the title of a picture. */
+const TITLE = 40;
+
 /** A picture that the engine drew. @param {{title: string, svg: string}} picture */
 export function drawn({ title, svg }) {
   const picture = element("figure", { class: "drawn", "aria-label": title });
-  picture.append(document.importNode(new DOMParser().parseFromString(svg, "image/svg+xml").documentElement, true));
+  const { documentElement } = new DOMParser().parseFromString(svg, "image/svg+xml"), made = /** @type {any} */ (document.importNode(documentElement, true));
+  // without the band of the title, which the card has
+  const [, , width, height] = (made.getAttribute("viewBox") ?? "").split(" ").map(Number);
+  if (height > TITLE) made.setAttribute("viewBox", `0 ${TITLE} ${width} ${height - TITLE}`);
+  made.removeAttribute("height");
+  made.setAttribute("width", `${width / 16}rem`);
+  picture.append(made);
   return picture;
 }
-
-const NS = "http://www.w3.org/1998/Math/MathML";
 
 /** A letter as mathematics: `J11` has the index 11. @param {string} name */
 export function letter(name) {

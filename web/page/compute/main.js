@@ -103,6 +103,8 @@ class Compute {
       },
       state: () => write(this.#state),
       title: () => this.#title(),
+      clock: () => this.#cards.find((card) => card instanceof MotionCard)?.clock() ?? null,
+      about: () => ({ of: this.#of() }),
       // in an order that does not depend on the number of columns
       cards: () => {
         const shown = this.list.hidden ? [] : this.#cards.filter(({ element: { hidden } }) => !hidden);
@@ -198,6 +200,12 @@ class Compute {
     return kind ? `${kind.title} of ${space}` : space;
   }
 
+  /** The space with its connection and its metric, in words. */
+  #of() {
+    const { name, connection } = /** @type {Reading} */ (this.#reading), { metric } = this.#state;
+    return [name, connection && `connection ${connection}`, metric && `metric ${metric}`].filter(Boolean).join(", ");
+  }
+
   /** Computes the state. While one runs, only the newest state waits. @param {boolean} [typing] */
   async #run(typing = false) {
     this.#halted = false;
@@ -265,7 +273,8 @@ class Compute {
     if (this.#note) notes.push(this.#note);
     this.#note = "";
     const long = state.space.length > LONGEST ? ["The text is too long for a link."] : [];
-    this.box.read([element("b", { text: reading.name }), `, dimension ${reading.dimension}${letters}${notation ? `, read as ${notation}` : ""}. `], [...notes, ...long]);
+    const coordinates = reading.kind === "chart" ? `, coordinates ${reading.coordinates.join(", ")}` : "";
+    this.box.read([element("b", { text: reading.name }), `, dimension ${reading.dimension}${coordinates}${letters}${notation ? `, read as ${notation}` : ""}. `], [...notes, ...long]);
     this.chips.show(reading, state.connection, state.metric);
     const positive = state.metric.match(/[A-Za-z]\w*/g) ?? [];
     this.letters.show(reading.parameters, this.#state.set, positive);

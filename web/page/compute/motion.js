@@ -8,6 +8,10 @@ import { View, html, make } from "../picture.js";
 const SIZE = 130;
 /** Rows played in a second; with reduced motion a step a second. */
 const RATE = 20;
+/** Names of methods in words. @type {Record<string, string>} */
+const METHODS = { "dmv10": "discrete Moser-Veselov, order 10", "rkmk4": "Runge-Kutta-Munthe-Kaas, order 4", "rkmk853": "Runge-Kutta-Munthe-Kaas, order 8", "projected4": "Runge-Kutta and projection, order 4",
+  "cf4": "commutator-free, order 4", "kick4": "kicks between free motions, order 4", "simo-wong": "Simo and Wong, order 2" };
+const inWords = (/** @type {string} */ method) => METHODS[method] ? `${method} (${METHODS[method]})` : method;
 /** The corners of the faces of a box, as signs. @type {Point[][]} */
 const FACES = [0, 1, 2].flatMap((k) => [1, -1].map((side) => [[1, 1], [1, -1], [-1, -1], [-1, 1]].map((signs) => {
   const corner = /** @type {Point} */ ([0, 0, 0]);
@@ -24,7 +28,7 @@ export class MotionView {
 
   /** @param {HTMLElement} box */
   constructor(box) {
-    this.picture = /** @type {SVGElement} */ (make("svg", { viewBox: "-170 -170 340 340", role: "img", tabindex: 0, class: "ball" }));
+    this.picture = /** @type {SVGElement} */ (make("svg", { viewBox: "-145 -145 290 290", role: "img", tabindex: 0, class: "ball" }));
     this.picture.addEventListener("keydown", (event) => { if (this.#view.key(event)) this.redraw(); });
     this.picture.addEventListener("pointerdown", (event) => this.picture.setPointerCapture(event.pointerId));
     this.picture.addEventListener("pointermove", (event) => {
@@ -45,11 +49,12 @@ export class MotionView {
     this.choice.addEventListener("change", () => { this.#quantity = this.choice.value; this.#charts(); });
     this.caption = html("figcaption");
     this.charts = html("div");
+    this.law = html("div", { class: "law" });
     this.table = html("div", { class: "table", tabindex: "0", role: "group", "aria-label": "largest changes" });
     box.replaceChildren(html("div", { class: "panels" },
       html("figure", {}, this.picture, html("p", { class: "buttons" },
         button("Back", () => this.#go(this.#at - 1)), this.play, button("Step", () => this.#go(this.#at + 1)), this.time, this.clock), this.caption),
-      html("details", {}, html("summary", {}, "conserved quantities, by method"), html("p", {}, html("label", { for: "quantity" }, "Quantity "), this.choice), this.charts, this.table)));
+      html("div", {}, this.law, html("details", {}, html("summary", {}, "conserved quantities, by method"), html("p", {}, html("label", { for: "quantity" }, "Quantity "), this.choice), this.charts, this.table))));
   }
 
   /** @param {any} data the answer of the engine */
@@ -71,6 +76,14 @@ export class MotionView {
 
   /** Ends the animation, when another report is shown. */
   stop() { if (this.#playing) this.#toggle(); }
+
+  /** Seconds that the animation takes, and its time. */
+  get length() { return this.#data.rows.length / RATE; }
+
+  get passed() { return this.#at / RATE; }
+
+  /** Shows a time of the animation. @param {number} time */
+  go(time) { this.#go(Math.round(time * RATE)); }
 
   #toggle() {
     const begin = !this.#playing;
@@ -108,7 +121,7 @@ export class MotionView {
     const lines = drifts.filter((/** @type {any} */ drift) => drift.quantity === name)
       .map((/** @type {any} */ { method, changes }) => ({ name: method, values: changes }));
     const at = columns.indexOf(name);
-    const legend = lines.map(({ name }, k) => html("li", { class: `line-${k % 5}` }, name));
+    const legend = lines.map(({ name }, k) => html("li", { class: `line-${k % 5}` }, inWords(name)));
     this.choice.parentElement?.toggleAttribute("hidden", !lines.length);
     this.charts.replaceChildren(...(!lines.length ? [html("p", {}, "This problem has no quantity that should be conserved.")] : [
       html("figure", {}, chart(`Largest change of ${name} up to each time, logarithmic: ${lines.map(({ name, values }) => `${name} ${values[values.length - 1].toExponential(1)}`).join(", ")}`, times, lines, true),
@@ -157,7 +170,7 @@ export class MotionView {
         view.arrow(centre, /** @type {Point} */ (axis.map((part, i) => centre[i] + part * (places ? 0.4 : 1))), SIZE, `axis-${k}`)));
     const tip = axes[2].map((/** @type {number} */ part) => part.toFixed(2)).join(", ");
     const where = places ? ` Its origin is at (${places[at].map((/** @type {number} */ x) => x.toFixed(2)).join(", ")}).` : "";
-    const words = `${name} by ${method}, at t = ${Number(time.toFixed(4))}: axis 3 of inertia points to (${tip}).${where}`;
+    const words = `${name} by ${inWords(method)}, at t = ${Number(time.toFixed(4))}: axis 3 of inertia points to (${tip}).${where}`;
     this.picture.setAttribute("aria-label", `${words} Arrow keys turn the view.`);
     this.caption.textContent = words;
   }

@@ -1,6 +1,6 @@
 // @ts-check
 // Motions: a body that turns, or moves, on the group of the space; a problem of motion with a slider for each number.
-import { button, element } from "./dom.js";
+import { button, element, report } from "./dom.js";
 import { Letters } from "./letters.js";
 import { PROBLEMS } from "./problems.js";
 
@@ -10,6 +10,8 @@ import { PROBLEMS } from "./problems.js";
 const OF = { "so(3)": ["free body", "heavy top"], "su(2)": ["free body", "heavy top"], "M(3)": ["free body", "heavy top"], "SO(3)": ["free body", "heavy top"], "se(3)": ["body in a fluid"] };
 /** Methods of interest beside that of a problem. @type {Record<string, string>} */
 const COMPARED = { "free body": "rkmk4, projected4, cf4", "heavy top": "rkmk4, projected4, kick4", "body in a fluid": "projected4, cf4, rkmk853" };
+/** The space and the metric of a problem. */
+const SPACE = /^\s*space\s*=\s*"(.*)"/m, METRIC = /^\s*metric\s*=\s*"(.*)"/m, POTENTIAL = /^\s*potential\s*=\s*"(.*)"/m;
 /** A parameter with a number, or with a text in quotes such as "5/4". */
 const NUMBER = /^[-+]?\d+(?:\.\d*)?(?:[eE][-+]?\d+)?$/, PARAMETER = /^(\s*\w+)(\s*=\s*)([-+]?\d+(?:\.\d*)?(?:[eE][-+]?\d+)?|"[^"]*")(\s*(?:#.*)?)$/;
 
@@ -47,6 +49,8 @@ export class MotionCard {
   #drawn = "";
   #busy = false;
   #again = false;
+  /** The space, the metric and the potential whose equations are shown. */
+  #law = "";
 
   /**
    * @param {{ask(request: object, stage?: (name: string) => void): Promise<any>}} engine
@@ -54,7 +58,7 @@ export class MotionCard {
    */
   constructor(engine, changed) {
     this.engine = engine;
-    this.picture = element("div", { class: "motion" });
+    this.picture = element("div", { class: "motion" }, element("p", { class: "quiet", text: "Computed when it is in view." }));
     this.choice = element("div", { class: "pick", role: "group", "aria-label": "Problem" });
     const box = element("div", { class: "letters", role: "group", "aria-label": "Numbers of the motion" });
     this.letters = new Letters(box, (name, value, moving) => {
@@ -78,6 +82,13 @@ export class MotionCard {
   }
 
   outdate() {}
+
+  /** The clock of the motion, once it is computed. @returns {import("../present.js").Clock | null} */
+  clock() {
+    const { element: box } = this, view = this.#view;
+    return view && { box, get time() { return view.passed; }, length: view.length, pause: () => view.stop(), go: (/** @type {number} */ time) => view.go(time) };
+  }
+
   /** @param {string} text */
   tell(text) { this.message.textContent = text; }
 
@@ -127,6 +138,7 @@ export class MotionCard {
         this.#view.show(JSON.parse(answer.text));
         this.#drawn = text;
         this.message.textContent = "";
+        await this.#equations();
       }
     } catch (problem) {
       const { kind, refusal, message } = /** @type {any} */ (problem);
@@ -135,5 +147,17 @@ export class MotionCard {
     } finally {
       this.#busy = false;
     }
+  }
+
+  /** Writes the equations of the problem beside its picture. */
+  async #equations() {
+    const [space = "", metric = "", potential = ""] = [SPACE, METRIC, POTENTIAL].map((key) => key.exec(this.#text)?.[1]);
+    const law = JSON.stringify([space, metric, potential]);
+    if (law === this.#law) return;
+    const { answer } = await this.engine.ask({ report: "equations", input: space, metric });
+    const list = report(answer.text).querySelector(".components");
+    this.#view.law.replaceChildren(...(list ? [element("h3", { text: "Equations of motion" }), list] : []),
+      element("p", { class: "rest", text: potential ? `M: the moment of the potential ${potential}` : "M = 0" }));
+    this.#law = law;
   }
 }

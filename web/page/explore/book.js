@@ -43,6 +43,7 @@ export default {
   title: "The tumbling book",
   text: 'Throw a book spinning about its middle axis, and it flips. Seen from space the angular momentum <span class="violet">H</span> stands still while the angular velocity <span class="gold">ω</span> wanders. Seen from the book, <span class="gold">ω</span> runs along a curve on the ellipsoid of constant energy.',
   more: 'The curves are <em>polhodes</em>, where |H| is constant too. About the long and the short axis they are small loops: the spin stays near its axis. At the middle axis two of them cross: <span class="gold">ω</span> leaves, goes round to the other side, and comes back.',
+  formula: '<math><mi>J</mi><mover accent="true"><mi>ω</mi><mo>˙</mo></mover><mo>=</mo><mi>J</mi><mi>ω</mi><mo>×</mo><mi>ω</mi></math>',
   tensors: "space=tumbling%20book",
   control: { label: "spin about the", value: 1, choices: ["long axis", "middle axis", "short axis"] },
   camera: [32, 20],

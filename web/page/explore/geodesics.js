@@ -29,6 +29,7 @@ export default {
   title: "Geodesics of a metric",
   text: 'A metric on the group is an inertia. Its shortest paths, the <span class="violet">geodesics</span>, are the free motions of a body with these moments. Change one moment, and they bend away from the <span class="quiet">one-parameter subgroups</span>.',
   more: "At J₃ = 1 the metric is the same in all directions; geodesics and subgroups agree. For any other J₃ they agree only along the principal axes. Points that started together and travelled equally far form the dotted front.",
+  formula: '<math><mi>J</mi><mover accent="true"><mi>ω</mi><mo>˙</mo></mover><mo>=</mo><mi>J</mi><mi>ω</mi><mo>×</mo><mi>ω</mi></math>',
   tensors: "space=so3&connection=levi-civita&metric=diag(1,1,c)",
   control: { label: "J₃", min: 0.2, max: 3, step: 0.02, value: 2.2, words: (v) => `J₃ = ${v.toFixed(2)}`, ticks: [[0.2, ""], [1, ""], [3, ""]] },
   camera: [-62, 16],

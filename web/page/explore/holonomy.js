@@ -33,6 +33,7 @@ export default {
   title: "Holonomy is area",
   text: 'Carry a <span class="gold">vector</span> around a loop by the <span class="zero">zero</span> connection. It comes back <span class="zero">turned</span>, by a quarter of the area that the loop encloses.',
   more: 'Curvature is this turn per area, measured on ever smaller loops. Here it is the same in every plane: rotations at half their angle are a sphere of radius 2, and a sphere of radius <i>r</i> turns a vector by area / <i>r</i>². Drag <i>p</i>, or shrink the loop.',
+  formula: '<math><mi>turn</mi><mo>=</mo><mfrac><mi>area</mi><msup><mi>r</mi><mn>2</mn></msup></mfrac></math> <math><mi>r</mi><mo>=</mo><mn>2</mn></math>',
   tensors: "space=so3&connection=zero&show=curvature",
   control: { label: "size", min: 0.1, max: 1.15, step: 0.01, value: 1, words: (v) => `${Math.round(100 * v)} %` },
   camera: [52, 26],

@@ -36,7 +36,8 @@ export function mount(services) {
       const [, name = "", state] = /^(?:([a-z]+)(?![^?]))?\??(.*)$/s.exec(rest) ?? ["", "", ""];
       const at = PAGES.findIndex((page) => page.id === name);
       if (stage !== first) stage.pause();
-      queueMicrotask(() => { opened = true; });
+      const again = opened;
+      opened = true;
       by("page").hidden = at < 0;
       for (const part of ["explore", "box", "contents"]) by(part).hidden = at >= 0;
       if (at < 0) {
@@ -57,7 +58,7 @@ export function mount(services) {
         stage = new Stage(/** @type {HTMLElement} */ (by("page").querySelector(".stage")), spec, "page", () => changed());
         scrollTo(0, 0);
         // who comes from another page reads on from the heading; a first visit begins at the top
-        if (opened) /** @type {HTMLElement} */ (by("page").querySelector("h1")).focus({ preventScroll: true });
+        if (again) /** @type {HTMLElement} */ (by("page").querySelector("h1")).focus({ preventScroll: true });
         if (state) stage.load(state);
         else if (!still) stage.toggle();
       } else if (state) stage.load(state);
@@ -66,6 +67,7 @@ export function mount(services) {
     title: named,
     cards: () => [stage.box],
     clock: () => stage,
-    about: () => stage === first ? { title: by("question").innerHTML, words: document.querySelector("#explore .lead")?.innerHTML ?? "" } : { title: stage.spec.title, words: stage.spec.text },
+    about: () => ({ ...(stage === first ? { title: by("question").innerHTML, words: document.querySelector("#explore .lead")?.innerHTML ?? "" } : { title: stage.spec.title, words: stage.spec.text }),
+      formula: stage.spec.formula, readout: stage.spec.readout(stage.state) }),
   };
 }

@@ -25,8 +25,8 @@ const UNTURNED = "<span>returns unturned:</span>";
 export function verdict(lambda, turn) {
   if (lambda === 1) return `${UNTURNED} <span><b>flat</b>, torsion <i title="c: the structure constants of the group">c</i></span>`;
   if (lambda === 0) return `${UNTURNED} <span><b>flat</b>, torsion −<i title="c: the structure constants of the group">c</i></span>`;
-  const torsion = 2 * lambda - 1;
-  const twist = torsion === 0 ? "<b>no torsion</b>" : `torsion ${torsion.toFixed(2).replace("-", "−")} <i title="c: the structure constants of the group">c</i>`;
+  const torsion = Math.round(PARTS * (2 * lambda - 1));
+  const twist = torsion === 0 ? "<b>no torsion</b>" : `torsion ${torsion < 0 ? "−" : ""}${fraction(Math.abs(torsion))} <i title="c: the structure constants of the group">c</i>`;
   return `<span>turned by ${turn.toFixed(1)}°:</span> <span><b>curved</b>, ${twist}</span>`;
 }
 
@@ -45,8 +45,9 @@ export default {
   title: "Three parallelisms",
   text: 'Carry the <span class="gold">vector</span> along the path and keep it parallel to itself: by right translations it is the <span class="plus">plus</span> connection, by left translations <span class="minus">minus</span>, and half of each is <span class="zero">zero</span>.',
   more: "Two of the answers return the vector as it left, for every path: they are flat, and pay with torsion. The symmetric one has no torsion, and pays with curvature. No group prefers one of them: a connection is a choice.",
+  formula: '<math><mi>T</mi><mo stretchy="false">(</mo><mi>x</mi><mo>,</mo><mi>y</mi><mo stretchy="false">)</mo><mo>=</mo><mo stretchy="false">(</mo><mn>2</mn><mi>λ</mi><mo>−</mo><mn>1</mn><mo stretchy="false">)</mo><mo stretchy="false">[</mo><mi>x</mi><mo>,</mo><mi>y</mi><mo stretchy="false">]</mo></math> <math><mi>R</mi><mo stretchy="false">(</mo><mi>x</mi><mo>,</mo><mi>y</mi><mo stretchy="false">)</mo><mi>z</mi><mo>=</mo><mi>λ</mi><mo stretchy="false">(</mo><mi>λ</mi><mo>−</mo><mn>1</mn><mo stretchy="false">)</mo><mo stretchy="false">[</mo><mo stretchy="false">[</mo><mi>x</mi><mo>,</mo><mi>y</mi><mo stretchy="false">]</mo><mo>,</mo><mi>z</mi><mo stretchy="false">]</mo></math>',
   tensors: "space=so3&connection=plus",
-  control: { label: "λ", min: 0, max: PARTS, step: 1, value: PARTS / 2, words: (v) => `λ = ${fraction(PARTS - v)}`,
+  control: { label: "λ of the middle ball", min: 0, max: PARTS, step: 1, value: PARTS / 2, words: (v) => `λ = ${fraction(PARTS - v)}`,
     ticks: [[0, "plus"], [PARTS / 2, "zero"], [PARTS, "minus"]] },
   camera: [38, 24],
   points: { p: [2.1, -0.8, -0.1] },

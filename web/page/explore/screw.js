@@ -27,6 +27,7 @@ export default {
   title: "Screw motions",
   text: 'Turn about a <span class="gold">line</span> and slide along it at the same time: a screw. Every constant motion in space is one, and so any two positions of a body are joined by a screw (Chasles).',
   more: 'The slide per radian is the pitch <i>h</i>. At <i>h</i> = 0 it is a pure rotation and its <span class="plus">paths</span> are circles; a large pitch comes close to a translation. In SE(3) a screw is the exponential of one twist, (ω, v) with h = ω · v / |ω|².',
+  formula: '<math><mi>h</mi><mo>=</mo><mfrac><mrow><mi>ω</mi><mo>·</mo><mi>v</mi></mrow><mrow><mo stretchy="false">|</mo><mi>ω</mi><msup><mo stretchy="false">|</mo><mn>2</mn></msup></mrow></mfrac></math> <math><mi>exp</mi><mo stretchy="false">(</mo><mi>ω</mi><mo>,</mo><mi>v</mi><mo stretchy="false">)</mo></math>',
   tensors: "space=se3&connection=zero",
   control: { label: "pitch h", min: -0.16, max: 0.16, step: 0.01, value: 0.1, words: (v) => `h = ${v.toFixed(2).replace("-", "−")}` },
   camera: [28, 20],

@@ -15,6 +15,7 @@ import { within } from "./ball.js";
  * @property {string} title
  * @property {string} text the idea in one sentence, as HTML
  * @property {string} more what to look for, as HTML
+ * @property {string} formula the law that the picture shows, as MathML
  * @property {string} tensors the state of Compute that shows the tensors
  * @property {Range | Choice} control
  * @property {[number, number]} camera azimuth and elevation in degrees
@@ -49,7 +50,7 @@ export function markup(spec, state, prefix) {
     + `<figcaption>${caption}</figcaption></figure>`).join("");
   const input = "choices" in control
     ? `<fieldset class="choice"><legend>${control.label}</legend>${control.choices.map((name, k) => `<label><input type="radio" name="${prefix}choice" value="${k}"${k === control.value ? " checked" : ""}><span>${name}</span></label>`).join("")}</fieldset>`
-    : `<div class="range"><label for="${prefix}range">${control.label}</label><input id="${prefix}range" type="range" min="${control.min}" max="${control.max}" step="${control.step}" value="${state.v}" aria-valuetext="${control.words(state.v)}"${control.ticks ? ` list="${prefix}ticks"` : ""}><output for="${prefix}range">${control.words(state.v)}</output>`
+    : `<div class="range${control.ticks ? " blend" : ""}"><label for="${prefix}range">${control.label}</label><input id="${prefix}range" type="range" min="${control.min}" max="${control.max}" step="${control.step}" value="${state.v}" aria-valuetext="${control.words(state.v)}"${control.ticks ? ` list="${prefix}ticks"` : ""}><output for="${prefix}range">${control.words(state.v)}</output>`
       + (control.ticks ? `<datalist id="${prefix}ticks">${control.ticks.map(([v, name]) => `<option value="${v}" label="${name}"></option>`).join("")}</datalist>` : "") + "</div>";
   return `<div class="pictures n${(figures.match(/<figure/g) ?? []).length}">${figures}</div><div class="controls"><button type="button" class="play">${spec.play}</button>`
     + `<button type="button" class="turn" title="Arrow keys turn the view">Turn<span class="hidden"> the view; arrow keys turn it</span></button>${input}</div>`;
@@ -174,6 +175,17 @@ export class Stage {
     cancelAnimationFrame(this.#frame);
     this.#frame = 0;
     this.play.textContent = this.spec.play;
+  }
+
+  /** Seconds until the clock stops. */
+  get length() { return this.spec.duration; }
+
+  get time() { return this.state.t; }
+
+  /** Draws a time. @param {number} time */
+  go(time) {
+    this.state.t = time;
+    this.now();
   }
 
   get playing() { return this.#frame !== 0; }

@@ -26,7 +26,8 @@ export default {
   id: "top",
   title: "The heavy top",
   text: 'Let a spinning top go. Its weight should tip it over; instead its <span class="gold">axis</span> moves sideways and nods. The faster the spin, the smaller the nods and the slower the walk around the vertical.',
-  more: 'The torque of the weight turns the angular momentum, and that lies almost along the axis. A fast top walks at the rate of the weight moment over the spin momentum, <i>m g l</i> / (J₃ Ω₃), and its <span class="gold">trace</span> has cusps because it started at rest.',
+  more: 'The torque of the weight turns the angular momentum, and that lies almost along the axis. A fast top walks at the rate of the weight moment over the spin momentum, <span class="unbroken"><i>m g l</i> / (J₃ Ω₃)</span>, and its <span class="gold">trace</span> has cusps because it started at rest.',
+  formula: '<math><mover accent="true"><mi>H</mi><mo>˙</mo></mover><mo>=</mo><mi>r</mi><mo>×</mo><mi>m</mi><mi>g</mi></math> <math><mi>walk</mi><mo>≈</mo><mfrac><mrow><mi>m</mi><mi>g</mi><mi>l</mi></mrow><mrow><msub><mi>J</mi><mn>3</mn></msub><msub><mi>Ω</mi><mn>3</mn></msub></mrow></mfrac></math>',
   tensors: "space=heavy%20top",
   control: { label: "spin", min: 2.5, max: 14, step: 0.1, value: 7, words: (v) => `Ω₃ = ${v.toFixed(1)}` },
   camera: [30, 16],
@@ -57,6 +58,6 @@ export default {
       turned += Math.atan2(a[0] * b[1] - a[1] * b[0], a[0] * b[0] + a[1] * b[1]);
     }
     const time = (run.trail.length - 1) / 60, rate = time > 1 ? (turned / time).toFixed(2) : "…";
-    return `axis <b>${(Math.acos(Math.min(1, axis[2])) * 180 / Math.PI).toFixed(1)}°</b> from the vertical, spin <b>${w[2].toFixed(2)}</b> (constant)<br>walk <b>${first === last ? "…" : rate}</b> rad/s; m g l / (J₃ Ω₃) = <b>${(LOAD / (INERTIA[2] * state.v)).toFixed(2)}</b>`;
+    return `axis <b>${(Math.acos(Math.min(1, axis[2])) * 180 / Math.PI).toFixed(1)}°</b> from the vertical, spin <b>${w[2].toFixed(2)}</b> (constant)<br>walk <b>${first === last ? "…" : rate}</b> rad/s; <span class="unbroken">m g l / (J₃ Ω₃)</span> = <b>${(LOAD / (INERTIA[2] * state.v)).toFixed(2)}</b>`;
   },
 };

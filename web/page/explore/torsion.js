@@ -25,6 +25,7 @@ export default {
   title: "Torsion: the parallelogram that does not close",
   text: 'Walk along <span class="plus">x</span> and then along <span class="gold">y</span>, carried with you; or first <span class="gold">y</span> and then <span class="plus">x</span>. The two walks end apart: the <span class="violet">gap</span> is the torsion.',
   more: "For small sides <i>s</i> the gap is <i>s</i>² (2λ − 1) [x, y], and [x, y] points along the third axis. At λ = 1/2 the parallelogram closes to second order; at the ends it opens, in opposite directions.",
+  formula: '<math><mi>T</mi><mo stretchy="false">(</mo><mi>x</mi><mo>,</mo><mi>y</mi><mo stretchy="false">)</mo><mo>=</mo><mo stretchy="false">(</mo><mn>2</mn><mi>λ</mi><mo>−</mo><mn>1</mn><mo stretchy="false">)</mo><mo stretchy="false">[</mo><mi>x</mi><mo>,</mo><mi>y</mi><mo stretchy="false">]</mo></math>',
   tensors: "space=so3&connection=plus&show=torsion",
   control: { label: "λ", min: 0, max: PARTS, step: 1, value: 2, words: (v) => `λ = ${fraction(PARTS - v)}`, ticks: [[0, "plus"], [PARTS / 2, "zero"], [PARTS, "minus"]] },
   camera: [32, 30],
