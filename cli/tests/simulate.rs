@@ -1,6 +1,7 @@
 //! `affinor simulate`: output, and the handling of errors.
 #![cfg(unix)]
 
+mod charts;
 mod checkpoints;
 mod events;
 mod forces;

@@ -1,7 +1,8 @@
 //! Problems of motion: files that are parsed into motions.
 //!
 //! The class of a problem is one of: Euler-Poincare equations, with or without constraints;
-//! Lie-Poisson equations; a prescribed velocity; an isospectral flow of matrices. All classes have
+//! Lie-Poisson equations; a prescribed velocity; an isospectral flow of matrices; a curve on a
+//! chart. All classes have
 //! parameters, integration settings, output settings and, optionally, an ensemble that varies
 //! parameters. Every number may be a formula in the parameters.
 //! In reading order: `keys` defines the keys of a file, and `reader` evaluates them. Each class has
@@ -19,6 +20,7 @@ mod integrator;
 mod keys;
 mod lie_poisson;
 mod matrix_flow;
+mod on_chart;
 mod on_group;
 mod output;
 mod prescribed_velocity;
@@ -40,6 +42,7 @@ use integrator::{Integrator, Member, method_of, values_of};
 use keys::Keys;
 use lie_poisson::LiePoisson;
 use matrix_flow::MatrixFlow;
+use on_chart::OnChart;
 use on_group::OnGroup;
 use output::{Output, expect_distinct};
 use prescribed_velocity::PrescribedVelocity;
@@ -71,10 +74,11 @@ struct Parameter {
     value: Option<Value>,
 }
 
-/// The classes of problems. All classes except one are defined on a group.
+/// The classes of problems. All classes except two are defined on a group.
 #[derive(Clone, Debug)]
 enum Class {
     MatrixFlow(Box<MatrixFlow>),
+    Chart(Box<OnChart>),
     EulerPoincare(Box<OnGroup>, Box<EulerPoincare>),
     Constrained(Box<OnGroup>, Box<Constrained>),
     LiePoisson(Box<OnGroup>, Box<LiePoisson>),
@@ -87,6 +91,9 @@ impl Class {
             return Ok(Class::MatrixFlow(MatrixFlow::read(flow, reader)?.into()));
         }
         let group = Box::new(OnGroup::read(keys, reader)?);
+        if group.definition().is_on_chart() {
+            return Ok(Class::Chart(OnChart::read(keys, group.into_space(), reader)?.into()));
+        }
         if let Some(prescribed) = &keys.prescribed {
             let class = PrescribedVelocity::read(prescribed, reader)?;
             return Ok(Class::PrescribedVelocity(group, class.into()));
@@ -107,6 +114,7 @@ impl Class {
     fn motion(&self, member: &Member) -> Result<Ready, InputError> {
         match self {
             Class::MatrixFlow(flow) => flow.motion(member),
+            Class::Chart(curve) => curve.motion(member),
             Class::EulerPoincare(group, class) => group.start(member, |start| class.motion(start)),
             Class::Constrained(group, class) => group.start(member, |start| class.motion(start)),
             Class::LiePoisson(group, class) => group.start(member, |start| class.motion(start)),
@@ -389,7 +397,7 @@ impl Problem {
             Class::MatrixFlow(_) => MethodClass::MatrixFlow,
             Class::PrescribedVelocity(..) => MethodClass::PrescribedVelocity,
             Class::Constrained(..) => MethodClass::Constrained,
-            Class::EulerPoincare(..) | Class::LiePoisson(..) => return vec![],
+            Class::EulerPoincare(..) | Class::LiePoisson(..) | Class::Chart(_) => return vec![],
         };
         let own = Method::ALL.iter().copied().filter(|method| method.class() == class);
         let mut own: Vec<Method> = own.collect();

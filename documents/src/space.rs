@@ -17,6 +17,7 @@ mod construction;
 mod definition;
 pub(crate) mod document;
 mod entry;
+pub(crate) mod formulas;
 mod functions;
 mod group;
 mod homogeneous;

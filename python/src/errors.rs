@@ -100,7 +100,9 @@ fn witness<'py>(py: Python<'py>, error: &Error) -> PyResult<Bound<'py, PyDict>> 
             data.set_item("null", null)?;
             data.set_item("components", components.clone())?;
         }
-        Error::Integration { t, .. } => data.set_item("time", t)?,
+        Error::Integration { t, .. } | Error::CurveEnds { parameter: t, .. } => {
+            data.set_item("time", t)?
+        }
         _ => {}
     }
     Ok(data)

@@ -296,10 +296,12 @@ impl PyProblem {
                 let mut ready = problem.motion(member)?;
                 let names: Vec<String> =
                     ready.columns.iter().map(|column| column.name.clone()).collect();
-                let others: Vec<usize> = (0..names.len()).filter(|k| names[*k] != "t").collect();
+                let others: Vec<usize> =
+                    (0..names.len()).filter(|k| names[*k] != ready.parameter).collect();
                 let rows = DenseRows::along(ready.motion.as_mut(), &ready.times, &others)?;
-                let names =
-                    ["t".into()].into_iter().chain(others.iter().map(|k| names[*k].clone()));
+                let names = [ready.parameter.clone()]
+                    .into_iter()
+                    .chain(others.iter().map(|k| names[*k].clone()));
                 Ok::<_, InputError>((names.collect::<Vec<String>>(), rows))
             })()))
         })??;

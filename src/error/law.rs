@@ -169,6 +169,10 @@ laws! {
     IsotropyInvariance(tensor: tensor, direction: direction, component: component; residual) MathematicsError
         "{tensor} must be invariant under h, but the action of {direction} gives the component \
          {component} = {residual}"
+    /// A polynomial in the velocity is constant along the curves of a chart. The residual is the
+    /// coefficient of a monomial in its derivative.
+    Conserved(quantity: name, monomial: monomial; coefficient) MathematicsError
+        "{name} is not conserved: its derivative along a curve has the term ({coefficient})*{monomial}"
     /// The Killing form is not degenerate on a subalgebra `h`.
     KillingOnSubalgebra(null: null; _zero) MathematicsError
         "the Killing form is degenerate on h: {null} is orthogonal to h"

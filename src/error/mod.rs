@@ -118,6 +118,14 @@ pub enum Error {
     /// The operation is not defined in this frame, or the method does not apply to the problem.
     #[error("{0}")]
     Unsupported(String),
+    /// A curve on a chart cannot be continued, because it leaves the chart.
+    #[error("the curve ends at the parameter {parameter}: {reason}")]
+    CurveEnds {
+        /// The parameter that has been reached.
+        parameter: f64,
+        /// The place and the reason.
+        reason: String,
+    },
     /// An integration has failed before its final time.
     #[error("the integration stops at t = {t}: {reason}")]
     Integration {
@@ -155,7 +163,7 @@ impl Error {
             Error::Degenerate { .. } => {
                 ("MetricError", Some("give a metric whose matrix is invertible"))
             }
-            Error::Integration { .. } => ("IntegrationError", None),
+            Error::Integration { .. } | Error::CurveEnds { .. } => ("IntegrationError", None),
             Error::Linear(_)
             | Error::Size { .. }
             | Error::NotFinite { .. }

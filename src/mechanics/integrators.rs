@@ -5,6 +5,7 @@
 //! | [`MuntheKaas`] | 4, 5, 8 | any system | momentum |
 //! | [`Projected`] | 4, 5, 8 | any system on an [embedded](crate::group::Embedded) group | momentum |
 //! | [`Adaptive`] | 5, 8 | any system, to a tolerance | momentum |
+//! | [`ChartSteps`] | 8 | a curve on a chart, to a tolerance | |
 //! | [`CommutatorFree`] | 4 | any system | momentum |
 //! | [`Magnus`] | 4, 6 | `g' = g A(t)` | |
 //! | [`SimoWong`] | 2 | a rigid body, with any torque | momentum; energy if free |
@@ -20,6 +21,7 @@
 //! of a method.
 
 mod adaptive;
+mod chart_steps;
 mod commutator_free;
 mod compensated;
 mod composed;
@@ -39,6 +41,7 @@ mod tolerance;
 mod trajectory;
 
 pub use adaptive::{Adaptive, Pair};
+pub use chart_steps::ChartSteps;
 pub use commutator_free::CommutatorFree;
 pub use composed::Composed;
 pub use generalised_alpha::GeneralisedAlpha;

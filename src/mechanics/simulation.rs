@@ -5,7 +5,7 @@
 //!
 //! - `classes`, with one file for each class of problems: [`EulerPoincareSpec`],
 //!   [`ConstrainedSpec`], [`LiePoissonSpec`], [`PrescribedVelocitySpec`] and [`MatrixFlow`] start
-//!   motions on groups chosen at run time;
+//!   motions on groups chosen at run time, and [`ChartSpec`] starts curves on charts;
 //! - [`Method`]: the table of the methods of integration; [`Integration`]: the settings of the
 //!   integration of a motion;
 //! - [`quantities`]: the names that formulas may use; [`Observables`]: the values of these names at
@@ -27,6 +27,7 @@ pub mod quantities;
 mod stepper;
 mod table;
 
+pub use classes::chart::{ChartColumns, ChartSpec, CurveLength};
 pub use classes::constrained::{ConstrainedSpec, Constraints};
 pub use classes::euler_poincare::{EulerPoincareSpec, cartan_schouten_factor, is_plus};
 pub use classes::lie_poisson::{Hamiltonian, LiePoissonSpec};

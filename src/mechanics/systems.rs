@@ -3,10 +3,12 @@
 //! In reading order, [`cotangent`] is the common interface of systems of an element and its
 //! momentum. [`euler_poincare`] contains the systems of a connection and a metric, and
 //! [`lie_poisson`] contains the systems of a Hamiltonian. [`constrained`] adds holonomic
-//! constraints. [`isospectral`] contains flows of matrices that conserve the spectrum.
+//! constraints. [`isospectral`] contains flows of matrices that conserve the spectrum. [`chart`]
+//! contains curves on charts: autoparallels, with potentials and charges.
 
 mod bilinear;
 mod centred;
+pub mod chart;
 pub mod constrained;
 pub mod cotangent;
 pub mod euler_poincare;

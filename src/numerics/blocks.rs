@@ -85,8 +85,8 @@ trait Value: Copy + Add<Output = Self> + Mul<Output = Self> {
     fn function(self, function: Function) -> Self;
     /// Selects `x` where the size of `self` is at least the size of `other`, otherwise `y`.
     fn select(self, other: Self, x: Self, y: Self) -> Self;
-    /// The numbers that are written to the results.
-    fn result(&self) -> &[f64; LANES];
+    /// The number that is written to the results of a row.
+    fn result(&self, row: usize) -> f64;
 }
 
 impl Value for Lanes {
@@ -111,8 +111,36 @@ impl Value for Lanes {
         other.abs().if_above(self.abs(), y, x)
     }
     #[inline(always)]
-    fn result(&self) -> &[f64; LANES] {
-        &self.0
+    fn result(&self, row: usize) -> f64 {
+        self.0[row]
+    }
+}
+
+/// The values of a single row.
+impl Value for f64 {
+    #[inline(always)]
+    fn constant(value: f64) -> Self {
+        value
+    }
+    #[inline(always)]
+    fn scaled(self, factor: f64) -> Self {
+        factor * self
+    }
+    #[inline(always)]
+    fn reciprocal(self) -> Self {
+        1.0 / self
+    }
+    #[inline(always)]
+    fn function(self, function: Function) -> Self {
+        function.value(self)
+    }
+    #[inline(always)]
+    fn select(self, other: Self, x: Self, y: Self) -> Self {
+        if other.abs() > self.abs() { y } else { x }
+    }
+    #[inline(always)]
+    fn result(&self, _: usize) -> f64 {
+        *self
     }
 }
 
@@ -162,8 +190,8 @@ impl Value for Moving {
         Moving(b.if_above(a, y.0, x.0), b.if_above(a, y.1, x.1))
     }
     #[inline(always)]
-    fn result(&self) -> &[f64; LANES] {
-        &self.1.0
+    fn result(&self, row: usize) -> f64 {
+        self.1.0[row]
     }
 }
 
@@ -305,6 +333,20 @@ impl BlockProgram {
         let mut values = vec![Lanes::splat(0.0); self.slots];
         run(self, &load, &mut values, start, out, width);
         self.write_constants(out, width, false);
+    }
+
+    /// Writes the results of a single row, as [`evaluate`](Self::evaluate) does. The buffer `values`
+    /// is reused from one row to the next.
+    ///
+    /// # Panics
+    /// If there are fewer inputs or results than the program has.
+    pub fn evaluate_row(&self, inputs: &[f64], values: &mut Vec<f64>, out: &mut [f64]) {
+        values.resize(self.slots, 0.0);
+        let width = out.len();
+        if width > 0 {
+            run(self, &|at: usize, _: [usize; LANES]| inputs[at], values, 0, out, width);
+            self.write_constants(out, width, false);
+        }
     }
 
     /// Writes the time derivatives of the results, for inputs whose time derivatives are `rates`,
@@ -463,7 +505,7 @@ fn run<V: Value, L: Fn(usize, [usize; LANES]) -> V>(
                 Instruction::Store(factor, at, place) => {
                     let value = values[*at].scaled(*factor);
                     for (t, row) in out.chunks_exact_mut(width).enumerate() {
-                        row[*place] = value.result()[t];
+                        row[*place] = value.result(t);
                     }
                 }
             }

@@ -103,6 +103,20 @@ fn step(
     h: f64,
     tolerance: f64,
 ) -> (DVector<f64>, f64) {
+    let (reached, errors) = stages(f, t, y, slope, h);
+    let errors = errors.map(|error| norm(&error, y, &reached, tolerance));
+    (reached, combined_error(errors))
+}
+
+/// The value after a step of length `h`, and the differences to the two embedded methods. The
+/// parameter `slope` is the right side at the start of the step.
+pub(crate) fn stages(
+    f: &impl Fn(f64, &DVector<f64>) -> DVector<f64>,
+    t: f64,
+    y: &DVector<f64>,
+    slope: &DVector<f64>,
+    h: f64,
+) -> (DVector<f64>, [DVector<f64>; 2]) {
     let Tableau { a, b, c, errors, .. } = DormandPrince8::TABLEAU;
     let sum = |slopes: &[DVector<f64>], weights: &[f64], start: DVector<f64>| {
         let terms = slopes.iter().zip(weights).filter(|(_, weight)| **weight != 0.0);
@@ -115,11 +129,9 @@ fn step(
     for (row, c) in a.iter().zip(c).skip(1) {
         slopes.push(f(t + c * h, &sum(&slopes, row, y.clone())));
     }
-    let reached = sum(&slopes, &b, y.clone());
     let zero = DVector::zeros(y.len());
-    let errors =
-        errors.map(|weights| norm(&sum(&slopes, &weights, zero.clone()), y, &reached, tolerance));
-    (reached, combined_error(errors))
+    let errors = errors.map(|weights| sum(&slopes, &weights, zero.clone()));
+    (sum(&slopes, &b, y.clone()), errors)
 }
 
 #[cfg(test)]

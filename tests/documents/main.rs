@@ -15,6 +15,7 @@ mod figures;
 mod report;
 
 mod claims {
+    mod curves;
     mod double_double;
     mod equal_functions;
     mod formula_names;

@@ -41,12 +41,12 @@ impl Drift {
         Drift { names, method, least: span.abs() / POINTS, first, largest, pending: None, points }
     }
 
-    /// The drift of columns of a run.
+    /// The drift of columns of a run; `parameter` is the column of the time.
     ///
     /// # Errors
     /// [`Error::Name`] if the run has no column with one of the names.
-    pub fn of_rows(run: &RunRows, names: &[String]) -> Result<Self, Error> {
-        let times = run.column("t")?;
+    pub fn of_rows(run: &RunRows, names: &[String], parameter: &str) -> Result<Self, Error> {
+        let times = run.column(parameter)?;
         let columns = names.iter().map(|name| run.column(name));
         let columns = columns.collect::<Result<Vec<_>, _>>()?;
         let mut drift = Drift::new(names.to_vec(), String::new(), 0.0);

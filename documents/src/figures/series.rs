@@ -7,12 +7,12 @@ use affinor::Error;
 /// The largest ratio of the ranges of two columns that still get equal units.
 const SIMILAR: f64 = 4.0;
 
-/// The diagram of columns over time.
+/// The diagram of columns over time, or over another parameter of a curve.
 ///
 /// # Errors
 /// [`Error::Name`] for an unknown column.
-pub fn over_time(run: &RunRows, names: &[String]) -> Result<Diagram, Error> {
-    let times = run.column("t")?;
+pub fn over_time(run: &RunRows, names: &[String], parameter: &str) -> Result<Diagram, Error> {
+    let times = run.column(parameter)?;
     let line = |name: &String| {
         let points = times.iter().copied().zip(run.column(name)?).map(|(t, value)| [t, value]);
         Ok(Line { caption: name.clone(), points: points.collect(), drawn: Drawn::Line })
@@ -22,10 +22,12 @@ pub fn over_time(run: &RunRows, names: &[String]) -> Result<Diagram, Error> {
     if let [line] = &mut lines[..] {
         line.caption.clear();
     }
-    let (x, y) =
-        (Scale::linear("time t"), Scale::linear(if names.len() > 4 { "" } else { &label }));
+    let is_time = parameter == "t";
+    let axis = if is_time { "time t".to_string() } else { format!("parameter {parameter}") };
+    let (x, y) = (Scale::linear(&axis), Scale::linear(if names.len() > 4 { "" } else { &label }));
+    let over = if is_time { "time" } else { "the parameter" };
     Ok(Diagram {
-        title: format!("{}: over time", run.name),
+        title: format!("{}: over {over}", run.name),
         graphs: vec![Graph { x, y, equal: false, lines }],
     })
 }

@@ -94,6 +94,12 @@ pub(crate) enum PointText {
     Numbers(Vec<Number>),
 }
 
+/// The components of a vector: a list, or a table of names and values.
+pub(crate) enum VectorText {
+    List(Vec<Number>),
+    Named(Entries<Text, Number>),
+}
+
 /// A table, or a list of tables.
 pub(crate) enum OneOrEach<T> {
     One(T),
@@ -396,6 +402,18 @@ impl Form for OneOrMore {
     }
 }
 
+impl Form for VectorText {
+    const EXPECTED: &'static str = "a list of numbers, or a table of names and numbers";
+
+    fn list<'de, A: SeqAccess<'de>>(items: A) -> Result<Self, A::Error> {
+        all(items).map(VectorText::List)
+    }
+
+    fn table<'de, A: MapAccess<'de>>(items: A) -> Result<Self, A::Error> {
+        Entries::deserialize(de::value::MapAccessDeserializer::new(items)).map(VectorText::Named)
+    }
+}
+
 impl Form for PointText {
     const EXPECTED: &'static str = "a point, \"centre\" or [x, y, z]";
 
@@ -473,6 +491,7 @@ deserialize!(
     ConnectionText,
     Number,
     OneOrMore,
+    VectorText,
     PointText,
     MatrixRows
 );

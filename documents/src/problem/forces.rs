@@ -3,7 +3,7 @@
 use super::reader::{Reader, Written};
 use crate::input::{
     InputError, Place,
-    forms::{Formulas, Number, Text},
+    forms::{Entries, Formulas, MetricText, Number, Text},
     read_columns, shown,
 };
 use affinor::Error;
@@ -21,6 +21,12 @@ pub(super) struct ForceKeys {
     pub table_in: Option<Text>,
     pub columns: Option<Formulas>,
     pub interpolation: Option<Text>,
+    pub mass: Option<Number>,
+    pub charge: Option<Number>,
+    #[serde(rename = "A")]
+    pub vector_potential: Option<Entries<Text, Number>>,
+    #[serde(rename = "F")]
+    pub field_strength: Option<MetricText>,
 }
 
 /// The forces of a problem, as formulas.

@@ -2,7 +2,10 @@
 
 use super::reader::{Reader, Value};
 use super::ready::factors;
-use crate::input::{InputError, Place, forms::Number};
+use crate::input::{
+    InputError, Place,
+    forms::{Number, Text, VectorText},
+};
 use affinor::Error;
 use affinor::group::{AnyGroup, LieGroup, MatrixNotation, restored, rotation};
 use affinor::mechanics::simulation::{ForceFrame, Observables, SimulationGroup};
@@ -18,15 +21,31 @@ pub(super) struct InitialKeys {
     pub restore: Option<bool>,
     pub coordinates: Option<Vec<Number>>,
     pub quaternion: Option<Vec<Number>>,
-    pub position: Option<Vec<Number>>,
+    pub position: Option<VectorText>,
     pub parts: Option<Vec<ElementKeys>>,
-    pub velocity: Option<Vec<Number>>,
+    pub velocity: Option<VectorText>,
     pub spatial_velocity: Option<Vec<Number>>,
     pub momentum: Option<Vec<Number>>,
     pub spatial_momentum: Option<Vec<Number>>,
+    pub normalize: Option<Text>,
+    pub solve: Option<Text>,
+    pub root: Option<Text>,
 }
 
 impl InitialKeys {
+    /// Returns an error if a vector is not a list. Only on charts, components have names.
+    pub fn expect_lists(&self, reader: &Reader) -> Result<(), InputError> {
+        let vectors = [("position", &self.position), ("velocity", &self.velocity)];
+        let named =
+            vectors.into_iter().find(|(_, value)| matches!(value, Some(VectorText::Named(_))));
+        named.map_or(Ok(()), |(key, _)| {
+            let message =
+                format!("`{key}` is a table of components, but the space has no coordinates");
+            let error = reader.source.refused(&format!("initial.{key}"), message);
+            Err(error.help("give a list of numbers, or a space that is a chart"))
+        })
+    }
+
     /// The keys of an element that is given directly, and not by its parts.
     fn element(&self) -> ElementKeys {
         let Self { element, restore, coordinates, quaternion, position, .. } = self;
@@ -35,8 +54,16 @@ impl InitialKeys {
             restore: *restore,
             coordinates: coordinates.clone(),
             quaternion: quaternion.clone(),
-            position: position.clone(),
+            position: listed(position).cloned(),
         }
+    }
+}
+
+/// The list of a vector.
+fn listed(vector: &Option<VectorText>) -> Option<&Vec<Number>> {
+    match vector {
+        Some(VectorText::List(list)) => Some(list),
+        _ => None,
     }
 }
 
@@ -219,14 +246,14 @@ impl InitialMomentum {
     pub fn read(keys: &InitialKeys, reader: &Reader) -> Result<Self, InputError> {
         let source = reader.source;
         let given = [
-            ("velocity", true, ForceFrame::Body, &keys.velocity),
-            ("spatial_velocity", true, ForceFrame::Spatial, &keys.spatial_velocity),
-            ("momentum", false, ForceFrame::Body, &keys.momentum),
-            ("spatial_momentum", false, ForceFrame::Spatial, &keys.spatial_momentum),
+            ("velocity", true, ForceFrame::Body, listed(&keys.velocity)),
+            ("spatial_velocity", true, ForceFrame::Spatial, keys.spatial_velocity.as_ref()),
+            ("momentum", false, ForceFrame::Body, keys.momentum.as_ref()),
+            ("spatial_momentum", false, ForceFrame::Spatial, keys.spatial_momentum.as_ref()),
         ];
-        let mut given = given.into_iter().filter_map(|(key, is_velocity, side, list)| {
-            Some((key, is_velocity, side, list.as_ref()?))
-        });
+        let mut given = given
+            .into_iter()
+            .filter_map(|(key, is_velocity, side, list)| Some((key, is_velocity, side, list?)));
         let refused = |message: &str| {
             let help = "give one of velocity, momentum, spatial_velocity, spatial_momentum";
             Err(source.refused("initial", message).help(help))

@@ -40,6 +40,43 @@ pub(super) const OF_DYNAMICS: [&str; 10] = [
     "initial.spatial_momentum",
 ];
 
+/// The dotted paths of the keys that are allowed only in problems on a chart.
+pub(super) const OF_CHARTS: [&str; 9] = [
+    "killing",
+    "embedding",
+    "initial.normalize",
+    "initial.solve",
+    "initial.root",
+    "forces.mass",
+    "forces.charge",
+    "forces.A",
+    "forces.F",
+];
+
+/// The dotted paths of the keys that are not allowed in problems on a chart.
+pub(super) const NOT_ON_CHARTS: [&str; 20] = [
+    "invariance",
+    "inertia",
+    "prescribed",
+    "hamiltonian",
+    "constraints",
+    "initial.element",
+    "initial.restore",
+    "initial.coordinates",
+    "initial.quaternion",
+    "initial.parts",
+    "initial.spatial_velocity",
+    "initial.momentum",
+    "initial.spatial_momentum",
+    "integrator.absolute_tolerance",
+    "forces.body",
+    "forces.spatial",
+    "forces.table",
+    "forces.table_in",
+    "forces.columns",
+    "forces.interpolation",
+];
+
 /// All keys of a file.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -63,6 +100,9 @@ pub(super) struct Keys {
     #[serde(default)]
     pub integrator: IntegratorKeys,
     pub output: OutputKeys,
+    #[serde(default)]
+    pub killing: KillingKeys,
+    pub embedding: Option<Vec<Text>>,
     pub quantities: Option<Formulas>,
     pub events: Option<Formulas>,
     pub ensemble: Option<EnsembleKeys>,
@@ -105,6 +145,14 @@ pub(super) struct OutputKeys {
     pub columns: Option<Vec<Text>>,
     pub stop: Option<Text>,
     pub section: Option<Text>,
+}
+
+/// The table `[killing]`: Killing fields and Killing tensors of a chart.
+#[derive(Deserialize, Default)]
+#[serde(deny_unknown_fields)]
+pub(super) struct KillingKeys {
+    pub fields: Option<Formulas>,
+    pub tensors: Option<Entries<Text, MetricText>>,
 }
 
 /// The table `[prescribed]`: a prescribed velocity.

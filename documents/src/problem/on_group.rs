@@ -2,7 +2,7 @@
 
 use super::initial::InitialElement;
 use super::integrator::Member;
-use super::keys::Keys;
+use super::keys::{Keys, OF_CHARTS};
 use super::reader::Reader;
 use super::ready::{Factor, Ready};
 use crate::input::{InputError, Place, forms::MetricText, shown};
@@ -77,7 +77,16 @@ impl OnGroup {
             Some(MetricText::Word(text)) => source.at(text),
             _ => source.key("metric"),
         };
+        if !space.definition.is_on_chart() {
+            reader.refuse("a motion on a group", &OF_CHARTS)?;
+            keys.initial.expect_lists(reader)?;
+        }
         Ok(OnGroup { space, metric_place, right, element })
+    }
+
+    /// The space.
+    pub fn into_space(self) -> Space {
+        self.space
     }
 
     /// The definition of the space.
@@ -137,7 +146,7 @@ impl OnGroup {
     /// components `mu1`, `mu2`, ... of the momentum. The list is empty if the algebra is large or
     /// has parameters.
     pub fn casimirs(&self) -> Vec<Symbolic> {
-        if self.definition().dimension() > CASIMIRS || self.definition().is_on_chart() {
+        if self.definition().dimension() > CASIMIRS {
             return vec![];
         }
         let algebra: Result<LieAlgebra<Symbolic>, _> =

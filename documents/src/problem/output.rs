@@ -4,21 +4,24 @@ use super::keys::{Keys, OutputKeys};
 use super::reader::{Reader, Value, Written};
 use super::ready::{Column, Kept};
 use crate::input::{InputError, Place, Source, forms::Text, shown};
+use affinor::mechanics::formula::Formula;
 use affinor::mechanics::simulation::ColumnFormulas;
 use affinor::mechanics::simulation::quantities::{FormulaScope, MotionQuantity, SymbolTable};
 use affinor_tensors::Symbolic;
+use affinor_tensors::expression::ExpressionError;
 
 /// The largest number of rows of one motion.
 const MAX_ROWS: f64 = 1e7;
 
-/// The default columns. A motion with a prescribed velocity has only the first three.
+/// The default columns on a group. A motion with a prescribed velocity has only the first three.
 const COLUMNS: [&str; 6] = ["t", "element", "Omega", "H", "h", "energy"];
 
 /// The keys of the table `[output]`, and the named quantities and events.
 #[derive(Clone, Debug)]
 pub(super) struct Output {
     pub times: Times,
-    columns: Vec<Written>,
+    /// The columns; `None` if the file sets none, so that the default of the class is used.
+    columns: Option<Vec<Written>>,
     quantities: Vec<(String, Written)>,
     events: Vec<(String, Written)>,
     /// The terminal event.
@@ -42,11 +45,9 @@ impl Output {
         let source = reader.source;
         let output = &keys.output;
         let times = Times::read(output, reader.optional(&keys.initial.time)?, reader)?;
-        let own = if keys.prescribed.is_some() { &COLUMNS[..3] } else { &COLUMNS[..] };
-        let columns = match &output.columns {
-            Some(columns) => columns.iter().map(|column| reader.written(column)).collect(),
-            None => own.iter().map(|name| Written::beside(source, *name)).collect(),
-        };
+        let columns = output.columns.as_ref();
+        let columns =
+            columns.map(|columns| columns.iter().map(|column| reader.written(column)).collect());
         let quantities = reader.formulas(&keys.quantities)?;
         let events = reader.formulas(&keys.events)?;
         let event = |name: &Option<Text>| {
@@ -71,13 +72,13 @@ impl Output {
     /// same name, the name means the column.
     pub fn with_columns(&self, names: &[&str], source: &Source) -> Self {
         let columns = names.iter().map(|name| Written::beside(source, *name)).collect();
-        let mut output = Output { columns, ..self.clone() };
+        let mut output = Output { columns: Some(columns), ..self.clone() };
         output.quantities.retain(|(name, _)| !names.contains(&name.as_str()));
         output
     }
 
-    /// Reads the formulas of the columns and events with the names of a motion. Formulas may use
-    /// only the quantities for which `allowed` is true. `casimirs` are polynomials in the
+    /// Reads the formulas of the columns and events with the names of a motion on a group. Formulas
+    /// may use only the quantities for which `allowed` is true. `casimirs` are polynomials in the
     /// components `mu1`, `mu2`, ... of the momentum.
     pub fn formulas(
         &self,
@@ -87,21 +88,36 @@ impl Output {
         kept: Kept,
         source: &Source,
     ) -> Result<RowFormulas, InputError> {
-        let help = || format!("the names here are {}", names.all(allowed));
-        let (mut scope, mut columns, mut formulas) = (FormulaScope::default(), vec![], vec![]);
-        let mut add = |text: &str, written: &Written| {
-            let formula = scope.read(text, names, allowed);
-            formulas.push(formula.map_err(|error| written.refused(error, help()))?);
-            Ok::<_, InputError>(())
+        let (scope, formulas) = (FormulaScope::default(), vec![]);
+        let mut on_group = GroupNames { names, allowed, kept, scope, formulas };
+        let (columns, events) = self.read_columns(&mut on_group, casimirs, source)?;
+        let GroupNames { scope, formulas, .. } = on_group;
+        Ok(RowFormulas { columns, events, formulas: ColumnFormulas { scope, formulas } })
+    }
+
+    /// Reads the formulas of the columns and events into `names`, and returns their names.
+    /// `casimirs` are polynomials in the components `mu1`, `mu2`, ... of the momentum.
+    pub fn read_columns(
+        &self,
+        names: &mut dyn RowNames,
+        casimirs: &[Symbolic],
+        source: &Source,
+    ) -> Result<(Vec<Column>, Vec<String>), InputError> {
+        let help = |names: &dyn RowNames| format!("the names here are {}", names.all());
+        let mut columns = vec![];
+        let add = |names: &mut dyn RowNames, text: &str, written: &Written| {
+            let added = names.add(text);
+            added.map_err(|error| written.refused(error, help(names)))
         };
-        // the conserved momentum is in the frame that the equations do not use
-        let conserved = if names.momentum() == "h" { "H" } else { "h" };
-        for stem in &self.columns {
+        let own =
+            || names.defaults().into_iter().map(|name| Written::beside(source, name)).collect();
+        let stems: Vec<Written> = self.columns.clone().unwrap_or_else(own);
+        for stem in &stems {
             let expanded = names.expand(stem.text());
             let named = self.quantities.iter().find(|(name, _)| name == stem.text());
             if let (Some((name, written)), true) = (named, expanded.is_empty()) {
                 expect_new(&columns, &[], name, &stem.place())?;
-                add(written.text(), written)?;
+                add(names, written.text(), written)?;
                 columns.push(Column::named(name, written));
                 continue;
             }
@@ -110,38 +126,101 @@ impl Output {
             }
             if expanded.is_empty() {
                 let message = format!("`{}` is not a quantity of this motion", shown(stem.text()));
-                return Err(InputError::usage(message).at(&stem.place()).help(help()));
+                return Err(InputError::usage(message).at(&stem.place()).help(help(names)));
             }
-            let watched = ["energy", conserved].contains(&stem.text());
-            let is_kept = if stem.text() == "energy" { kept.energy } else { kept.momentum };
             for name in expanded {
                 expect_new(&columns, &[], &name, &stem.place())?;
-                add(&name, stem)?;
-                let conserved = watched && is_kept;
+                add(names, &name, stem)?;
+                let (watched, conserved) = names.watched(stem.text(), &name);
                 columns.push(Column { conserved, ..Column::new(name, watched) });
             }
         }
-        let is_listed = |name: &String| {
-            self.columns.iter().any(|stem| stem.text() == name) && names.expand(name).is_empty()
-        };
-        for (name, written) in self.quantities.iter().filter(|(name, _)| !is_listed(name)) {
+        for (name, written) in &self.quantities {
+            let is_listed = stems.iter().any(|stem| stem.text() == name);
+            if is_listed && names.expand(name).is_empty() {
+                continue;
+            }
             expect_new(&columns, &[], name, &source.key(&format!("quantities.{name}")))?;
-            add(written.text(), written)?;
+            add(names, written.text(), written)?;
             columns.push(Column::named(name, written));
         }
         for (i, casimir) in casimirs.iter().enumerate() {
             let text = casimir.to_string().replace("mu", names.momentum());
             // leaves out a Casimir function with a coefficient beyond the range of floats
-            if add(&text, &Written::beside(source, &*text)).is_ok() {
+            if names.add(&text).is_ok() {
                 let name = format!("casimir{}", i + 1);
                 columns.push(Column { formula: Some(text), ..Column::new(name, true) });
             }
         }
         for (_, written) in &self.events {
-            add(written.text(), written)?;
+            add(names, written.text(), written)?;
         }
         let events = self.events.iter().map(|(name, _)| name.clone()).collect();
-        Ok(RowFormulas { columns, events, formulas: ColumnFormulas { scope, formulas } })
+        Ok((columns, events))
+    }
+}
+
+/// The names that the columns and events of a class of problems may use.
+pub(super) trait RowNames {
+    /// The default columns.
+    fn defaults(&self) -> Vec<&'static str>;
+
+    /// All names with a stem such as `Omega`; empty for an unknown name.
+    fn expand(&self, stem: &str) -> Vec<String>;
+
+    /// All names, as text for messages.
+    fn all(&self) -> String;
+
+    /// Whether the summary of a run reports the change of the column `name`, which belongs to a
+    /// stem, and whether the equations conserve the quantity.
+    fn watched(&self, stem: &str, name: &str) -> (bool, bool);
+
+    /// The name of the momentum in the frame of the equations.
+    fn momentum(&self) -> &'static str;
+
+    /// Adds the formula of the next column or event.
+    fn add(&mut self, text: &str) -> Result<(), ExpressionError>;
+}
+
+/// The names of a motion on a group, and the formulas so far.
+struct GroupNames<'n> {
+    names: &'n SymbolTable,
+    allowed: &'n dyn Fn(MotionQuantity) -> bool,
+    kept: Kept,
+    scope: FormulaScope,
+    formulas: Vec<Formula>,
+}
+
+impl RowNames for GroupNames<'_> {
+    fn defaults(&self) -> Vec<&'static str> {
+        // a motion with a prescribed velocity has no momentum
+        let has_momentum = (self.allowed)(MotionQuantity::Momentum(0));
+        if has_momentum { COLUMNS.to_vec() } else { COLUMNS[..3].to_vec() }
+    }
+
+    fn expand(&self, stem: &str) -> Vec<String> {
+        self.names.expand(stem)
+    }
+
+    fn all(&self) -> String {
+        self.names.all(self.allowed)
+    }
+
+    fn watched(&self, stem: &str, _: &str) -> (bool, bool) {
+        // the conserved momentum is in the frame that the equations do not use
+        let conserved = if self.names.momentum() == "h" { "H" } else { "h" };
+        let watched = ["energy", conserved].contains(&stem);
+        let is_kept = if stem == "energy" { self.kept.energy } else { self.kept.momentum };
+        (watched, watched && is_kept)
+    }
+
+    fn momentum(&self) -> &'static str {
+        self.names.momentum()
+    }
+
+    fn add(&mut self, text: &str) -> Result<(), ExpressionError> {
+        self.formulas.push(self.scope.read(text, self.names, self.allowed)?);
+        Ok(())
     }
 }
 

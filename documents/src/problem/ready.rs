@@ -15,6 +15,8 @@ pub struct Ready {
     pub times: Vec<f64>,
     /// The columns of the rows.
     pub columns: Vec<Column>,
+    /// The name of the column of the time; on a chart, of the parameter of the curve.
+    pub parameter: String,
     /// The names of the events. In a row, the values of their event functions follow the values of
     /// the columns.
     pub events: Vec<String>,
@@ -76,6 +78,7 @@ impl Ready {
             method,
             times,
             columns,
+            parameter: "t".into(),
             events,
             inertia: None,
             factors: vec![],

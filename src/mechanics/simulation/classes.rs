@@ -1,6 +1,7 @@
 //! The classes of problems. Each class has a file with its data, its motion and the values of its
 //! columns.
 
+pub mod chart;
 pub mod constrained;
 mod cotangent;
 pub mod euler_poincare;

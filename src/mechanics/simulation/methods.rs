@@ -35,6 +35,8 @@ pub enum Class {
     PrescribedVelocity,
     /// Isospectral flows of matrices.
     MatrixFlow,
+    /// Curves on charts.
+    Chart,
 }
 
 /// The way in which a method chooses its steps.
@@ -208,6 +210,8 @@ methods! {
         MatrixFlow Fixed IsospectralMidpoint;
     Isospectral4     "isospectral4"      4  "an isospectral flow of matrices"
         MatrixFlow Fixed Composed(IsospectralMidpoint);
+    DormandPrince853 "dop853"            8  "a curve on a chart, to a tolerance"
+        Chart Controlled Pair::Eight;
 }
 
 /// Names of methods in older problem files, with the methods that replace them.

@@ -158,7 +158,7 @@ impl<R: ObservedMotion> Simulation<R> {
         recorded.begin_step(until, until);
         let reached = reached.map_err(|error| match (error, recorded.take_trouble()) {
             (_, Some(reason)) => stopped(time, reason),
-            (error @ Error::Integration { .. }, None) => error,
+            (error @ (Error::Integration { .. } | Error::CurveEnds { .. }), None) => error,
             (error, None) => stopped(time, format!("the step is too long: {error}")),
         })?;
         recorded.set_time(state, reached);

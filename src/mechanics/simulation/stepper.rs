@@ -78,6 +78,16 @@ impl<S: System> Stepper<S> {
         Stepper::Exact { at: Arc::new(at), rate }
     }
 
+    /// Steps that the function `control` makes, which chooses their lengths; `next` is the first
+    /// step size to try.
+    pub(super) fn by(
+        control: impl Fn(&S, &mut S::State, &mut f64, f64) -> Result<(), Error> + Send + Sync + 'static,
+        max_steps: usize,
+        next: f64,
+    ) -> Self {
+        Stepper::Adaptive { control: Arc::new(control), max_steps, next, taken: 0 }
+    }
+
     /// Makes one step towards the time `until`. Returns the time that has been reached. Steps of
     /// free length end no later than `end`, a time on the way to `until`.
     pub(super) fn step(
@@ -136,6 +146,6 @@ impl<S: CotangentSystem + 'static> Stepper<S> {
         let step = move |system: &S, state: &mut State<S::Group>, next: &mut f64, end: f64| {
             control.step(system, state, next, end)
         };
-        Stepper::Adaptive { control: Arc::new(step), max_steps, next, taken: 0 }
+        Stepper::by(step, max_steps, next)
     }
 }

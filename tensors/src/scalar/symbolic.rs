@@ -30,6 +30,7 @@ mod polynomial;
 mod positive;
 mod product;
 mod shape;
+mod square_root;
 mod substitution;
 mod sum;
 mod variable;

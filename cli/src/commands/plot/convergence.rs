@@ -170,9 +170,9 @@ fn end(problem: &Problem) -> Result<(Vec<f64>, f64, f64), InputError> {
         while !ready.motion.step(last)? {}
         seconds = seconds.min(begun.elapsed().as_secs_f64());
     }
-    let Ready { motion, columns, .. } = ready;
+    let Ready { motion, columns, parameter, .. } = ready;
     let row = motion.row().into_iter().zip(&columns);
-    let row = row.filter(|(_, column)| column.name != "t").map(|(value, _)| value);
+    let row = row.filter(|(_, column)| column.name != parameter).map(|(value, _)| value);
     let whole = (last - first).abs();
     Ok((row.collect(), whole / motion.steps().max(1) as f64, seconds))
 }

@@ -42,7 +42,8 @@ impl Comparison {
         let mut drifts = vec![];
         if let Some(file) = &self.rows {
             let run = rows_of_one(&problem, file)?;
-            drifts.push(Drift::of_rows(&run, &watched(&problem)?.0)?);
+            let parameter = problem.motion(0)?.parameter;
+            drifts.push(Drift::of_rows(&run, &watched(&problem)?.0, &parameter)?);
         } else {
             let stages = Stages::new(false, Effort::DEFAULT);
             let methods = self.methods.iter().map(|name| method_of(name));

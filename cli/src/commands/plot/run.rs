@@ -16,6 +16,8 @@ use affinor_tensors::Effort;
 use clap::Args;
 use nalgebra::Matrix3;
 
+/// The names that mean several columns whose names begin differently.
+const STEMS: [&str; 6] = ["element", "position", "velocity", "momentum", "embedding", "conserved"];
 /// The columns of the entries of a rotation.
 const ENTRIES: [&str; 9] = ["g11", "g12", "g13", "g21", "g22", "g23", "g31", "g32", "g33"];
 /// The columns of the entries of a position.
@@ -52,7 +54,8 @@ impl Columns {
     /// The diagram of the columns over time.
     pub fn series(&self) -> Result<Diagram, Failure> {
         let (rows, names) = self.curve()?;
-        Ok(series::over_time(&rows, &names)?)
+        let parameter = self.trajectory.problem()?.motion(0)?.parameter;
+        Ok(series::over_time(&rows, &names, &parameter)?)
     }
 
     /// The diagram of one column against the other, as a curve.
@@ -113,14 +116,16 @@ impl Columns {
                 continue;
             }
             others.push(wanted);
-            let all = problem.with_columns(&[wanted]).motion(0)?.columns;
+            let Ready { columns: all, parameter, .. } =
+                problem.with_columns(&[wanted]).motion(0)?;
             // named quantities and Casimir functions are excluded: they have no numbered
             // components, so their names are never stems
             let all = all.into_iter().filter(|column| column.formula.is_none());
             let all: Vec<String> = all.map(|column| column.name).collect();
             let exactly = |name: &&String| *name == wanted;
+            let is_stem = STEMS.contains(&wanted);
             let stem =
-                |name: &&String| *name != "t" && (name.starts_with(wanted) || wanted == "element");
+                |name: &&String| **name != parameter && (name.starts_with(wanted) || is_stem);
             let mut found: Vec<String> = all.iter().filter(exactly).cloned().collect();
             if found.is_empty() {
                 found = all.iter().filter(stem).cloned().collect();
@@ -175,9 +180,9 @@ fn curve(problem: &Problem, names: &[String]) -> Result<(RunRows, Ready), Failur
     let mut ready = problem.motion(0)?;
     let at = |name: &String| ready.columns.iter().position(|column| column.name == *name);
     let mut columns: Vec<usize> = names.iter().filter_map(at).collect();
-    columns.retain(|column| ready.columns[*column].name != "t");
+    columns.retain(|column| ready.columns[*column].name != ready.parameter);
     let names = columns.iter().map(|column| ready.columns[*column].name.clone());
-    let columns_of_rows = ["t".into()].into_iter().chain(names).collect();
+    let columns_of_rows = [ready.parameter.clone()].into_iter().chain(names).collect();
     let rows = DenseRows::along(ready.motion.as_mut(), &times(problem)?, &columns)?;
     Ok((RunRows { name: problem.name.clone(), columns: columns_of_rows, rows }, ready))
 }

@@ -63,6 +63,11 @@ impl PositiveFactors {
         Ok(())
     }
 
+    /// The irreducible factors that are positive, by the declarations.
+    pub fn factors(&self) -> &[Symbolic] {
+        &self.factors
+    }
+
     /// The declared functions after a substitution of parameters. The resulting functions must
     /// still be positive, as far as the signs of their terms show.
     ///
