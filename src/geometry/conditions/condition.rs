@@ -116,13 +116,13 @@ impl<'a> ParametricGeometry<'a> {
     /// A connection, a metric and an algebra. On a homogeneous space, there is no algebra.
     ///
     /// # Errors
-    /// [`Error::Unsupported`] if the frame is not invariant; [`Error::Shape`].
+    /// [`Error::Unsupported`] if the frame has derivations, as on a chart; [`Error::Shape`].
     pub fn new(
         connection: &'a Connection<Symbolic>,
         metric: Option<&'a Metric<Symbolic>>,
         algebra: Option<&'a LieAlgebra<Symbolic>>,
     ) -> Result<Self, Error> {
-        if !connection.frame().is_invariant() {
+        if !connection.frame().is_homogeneous() {
             let message = "conditions are solved on groups and homogeneous spaces; on a chart, the \
                            components are functions of the coordinates";
             return Err(Error::Unsupported(message.into()));

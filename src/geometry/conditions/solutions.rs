@@ -128,7 +128,8 @@ impl ConditionSolutions {
             .map(|factors| factors.iter().fold(Symbolic::from_i64(1), |p, f| p * f))
             .collect();
         let system = System::new(&letters, &numerators, &nonzero).ok_or_else(|| {
-            let message = "the conditions contain functions of the letters, such as square roots";
+            let message = "the conditions contain functions or square roots; only polynomials in \
+                           the letters are solved";
             Error::Unsupported(message.into())
         })?;
         let system = effort.map_or(system.clone(), |effort| system.with_effort(effort));
