@@ -4,7 +4,7 @@
 //!
 //! - [`systems`]: equations of motion. [`EulerPoincare`] has a connection, a metric and a torque on
 //!   any group, [`LiePoissonSystem`] has a Hamiltonian, and [`Constrained`] has holonomic
-//!   constraints; flows of matrices are for example [`Zeitlin`]; [`systems::chart`] has curves on
+//!   constraints. Flows of matrices are for example [`Zeitlin`]; [`systems::chart`] has curves on
 //!   charts;
 //! - [`integrators`]: methods whose steps stay on the group, from [`MuntheKaas`] to
 //!   [`MoserVeselov`]; [`Adaptive::run`] computes a [`Trajectory`];

@@ -140,7 +140,7 @@ fn examples_of_the_help_succeed() {
         }
         count += 1;
     }
-    assert_eq!(count, 22);
+    assert_eq!(count, 23);
 }
 
 #[test]

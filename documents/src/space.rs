@@ -20,6 +20,7 @@ mod entry;
 pub(crate) mod formulas;
 mod functions;
 mod group;
+#[cfg_attr(not(feature = "homogeneous"), path = "space/homogeneous/absent.rs")]
 mod homogeneous;
 mod invariant_metric;
 mod named;

@@ -26,8 +26,8 @@ use std::sync::{Arc, OnceLock};
 /// Parameters
 /// ----------
 /// space : LieAlgebra, str, path or dict
-///     A LieAlgebra or anything that defines one, a name with a connection (``"so3@plus"``), a homogeneous space
-///     (``"SU(3)/U(2)"``, ``"CP^2"``), or a definition with a chart. ``"M3"`` and ``"SO3"`` are the geometries of Paraskevopoulos and Natsiavas (2013).
+///     A LieAlgebra or anything that defines one, a name with a connection (``"so3@plus"``), or a definition with a
+///     chart. A homogeneous space has names such as ``"SU(3)/U(2)"`` and ``"CP^2"``. ``"M3"`` and ``"SO3"`` are the geometries of Paraskevopoulos and Natsiavas (2013).
 /// connection : str or number, optional
 ///     ``plus``, ``zero``, ``minus``, ``levi-civita``, ``lambda=1/3`` or a number lambda. ``canonical`` and
 ///     ``natural`` are ``minus`` and ``zero`` on a homogeneous space. The default is ``levi-civita`` if there is a

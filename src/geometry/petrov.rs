@@ -1,7 +1,7 @@
 //! The Petrov type of a spacetime, without a null tetrad.
 //!
-//! On bivectors of a spacetime of dimension 4 the Hodge star is a complex structure, `** = -1`, and the Weyl tensor is a
-//! complex linear map `C` of trace zero. Its Jordan form is the Petrov type (A. Z. Petrov, *Gen. Rel. Grav.* 32 (2000)
+//! On bivectors of a spacetime of dimension 4 the Hodge star is a complex structure, `** = -1`. The Weyl tensor is a
+//! complex linear map `C` of these bivectors, with trace zero. Its Jordan form is the Petrov type (A. Z. Petrov, *Gen. Rel. Grav.* 32 (2000)
 //! 1665-1685, a translation of the paper of 1954). The type follows from polynomials in `C`
 //! (H. Stephani and others, *Exact Solutions of Einstein's Field Equations* (2003), chapters 4 and 9):
 //!
@@ -62,16 +62,17 @@ pub struct Petrov<S> {
 }
 
 impl<S: GroundField> Connection<S> {
-    /// The Petrov type of a Levi-Civita connection; `None` unless the dimension is 4 and the metric
-    /// is Lorentzian, `(3,1)` or `(1,3)`, at one of 33 sample points. The type is that at generic
-    /// points and for generic parameters.
+    /// The Petrov type of a Levi-Civita connection; `None` unless the metric is Lorentzian in
+    /// dimension 4. The signature is `(3,1)` or `(1,3)` at one of 33 sample points. The type is that
+    /// at generic points and for generic parameters.
     ///
     /// ```
     /// use affinor::algebra::catalogue;
     /// use affinor::geometry::petrov::PetrovType;
     /// use affinor::{Connection, Metric, Rational};
     /// // the product of a line and the group SU(2) with an invariant metric of two parameters
-    /// let algebra = catalogue::algebra::<Rational>("su(2)+R^1")?;
+    /// let line = catalogue::algebra::<Rational>("R^1")?;
+    /// let algebra = catalogue::algebra::<Rational>("su(2)")?.direct_sum(&line)?;
     /// let metric = Metric::diagonal([1, 1, 2, -1].map(Rational::from))?;
     /// let connection = Connection::levi_civita(algebra.left_frame(), &metric)?;
     /// let petrov = connection.petrov(&metric)?.expect("a Lorentzian metric");

@@ -69,6 +69,7 @@ fn single<S: Coefficient>(quantity: Quantity, tensor: Tensor<S>) -> Table<S> {
         lambda: None,
         frame: "left-invariant",
         chart: None,
+        homogeneous: None,
         tolerance: Tolerance::default(),
         independent: false,
         common_factors: false,

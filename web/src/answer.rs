@@ -2,7 +2,7 @@
 
 use super::words;
 use affinor::Error;
-use affinor_documents::input::{InputError, Place};
+use affinor_documents::input::{self, InputError, Place};
 use affinor_documents::picture::{Picture, svg};
 use affinor_documents::report::{Format, Report};
 use serde_json::{Value, json};
@@ -26,6 +26,8 @@ pub struct Refusal {
     place: Option<Box<Value>>,
     help: Option<String>,
     suggestions: Vec<String>,
+    /// Whether the module with all features may answer.
+    elsewhere: bool,
 }
 
 impl Answer {
@@ -61,6 +63,7 @@ impl Answer {
                         .into(),
                 ),
                 suggestions: vec![],
+                elsewhere: false,
             }),
         }
     }
@@ -81,12 +84,24 @@ impl Answer {
 impl Refusal {
     /// An error with this message.
     pub fn new(message: impl Into<String>) -> Self {
-        Refusal { message: message.into(), place: None, help: None, suggestions: vec![] }
+        Refusal {
+            message: message.into(),
+            place: None,
+            help: None,
+            suggestions: vec![],
+            elsewhere: false,
+        }
     }
 
     pub(super) fn json(&self) -> Value {
-        let Refusal { message, place, help, suggestions } = self;
-        json!({ "message": message, "place": place, "help": help, "suggestions": suggestions })
+        let Refusal { message, place, help, suggestions, elsewhere } = self;
+        json!({
+            "message": message,
+            "place": place,
+            "help": help,
+            "suggestions": suggestions,
+            "elsewhere": elsewhere,
+        })
     }
 }
 
@@ -95,7 +110,8 @@ impl From<InputError> for Refusal {
         let place = error.at.as_deref().map(|at| Box::new(place(at)));
         let help = error.help.as_deref().and_then(words::advice);
         let message = words::message(&error.message);
-        Refusal { place, message, help, suggestions: error.suggestions }
+        let elsewhere = error.refusal == input::Refusal::Absent;
+        Refusal { place, message, help, suggestions: error.suggestions, elsewhere }
     }
 }
 

@@ -166,3 +166,17 @@ for (const [name, options] of [["a phone", { viewport: PHONE }], ["a dark laptop
     assert.deepEqual(await violations(page), []);
   });
 }
+
+test("claims about the structure are those of the Levi subalgebra, and of generic letters, where this is so", async () => {
+  const page = await compute("space=se(3)"), card = page.locator(".card.structure");
+  const shown = async (/** @type {RegExp} */ wanted) => {
+    await card.scrollIntoViewIfNeeded();
+    await card.locator(".facts").filter({ hasText: wanted }).first().waitFor({ timeout: 60000 });
+    return (await card.innerText()).replaceAll("\n", " ");
+  };
+  assert.match(await shown(/Levi/), /simple ideals of the Levi subalgebra/);
+  await type(page, "[x,y]=a z, [y,z]=x, [z,x]=y");
+  assert.match(await shown(/A1/), /for generic values of a/);
+  await type(page, "so(4)");
+  assert.doesNotMatch(await shown(/A1 \+ A1/), /simple ideals of the Levi|generic/);
+});

@@ -53,7 +53,8 @@ impl Failure {
             Failure::Input(error) => Failure::Several(vec![*error]).report(color),
             Failure::Several(errors) => {
                 errors.iter().for_each(|error| show(error, color));
-                let usage = errors.iter().any(|error| matches!(error.refusal, Refusal::Usage));
+                let usage =
+                    errors.iter().any(|error| !matches!(error.refusal, Refusal::Mathematics));
                 if usage { 2 } else { 1 }
             }
         }

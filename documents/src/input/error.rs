@@ -14,6 +14,8 @@ pub enum Refusal {
     Mathematics,
     /// Wrong usage or unreadable input: exit status 2.
     Usage,
+    /// Input that a build with more features reads: exit status 2.
+    Absent,
 }
 
 /// An error of the input.

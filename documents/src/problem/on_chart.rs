@@ -47,6 +47,9 @@ pub(super) struct OnChart {
 
 impl OnChart {
     pub fn read(keys: &Keys, space: Space, reader: &Reader) -> Result<Self, InputError> {
+        if cfg!(not(feature = "curves")) {
+            return Err(absent());
+        }
         let source = reader.source;
         reader.refuse("a curve on a chart", &NOT_ON_CHARTS)?;
         let coordinates = space.definition.coordinates().to_vec();
@@ -139,6 +142,9 @@ impl OnChart {
     }
 
     pub fn motion(&self, member: &Member) -> Result<Ready, InputError> {
+        if cfg!(not(feature = "curves")) {
+            return Err(absent());
+        }
         let exact = self.exact()?;
         let values = member.values();
         let position = Value::all(&self.position, &values)?;
@@ -273,4 +279,9 @@ impl RowNames for ChartNames<'_> {
         self.formulas.push(formula);
         Ok(())
     }
+}
+
+/// The error of a build without the feature `curves`, such as the page.
+fn absent() -> InputError {
+    InputError::usage("curves on charts are computed by the program only")
 }

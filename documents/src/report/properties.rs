@@ -280,6 +280,9 @@ struct List<'a> {
 impl List<'_> {
     /// If the last property fails, adds the values of the letters for which it holds.
     fn only_if(&mut self, condition: Condition) {
+        if cfg!(not(feature = "conditions")) {
+            return;
+        }
         let fails = self.json.last().is_some_and(|entry| entry["holds"] == false);
         let Some(geometry) = self.symbolic.filter(|_| fails) else { return };
         let Some(alternatives) = alternatives(geometry, condition) else { return };

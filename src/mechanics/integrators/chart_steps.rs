@@ -13,7 +13,7 @@ const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
 /// The method of order 8 of Dormand and Prince for curves on charts, with step-size control.
 ///
-/// Errors are compared by the metric, in the sizes `sqrt|g_ii|` of the coordinate vectors, so steps
+/// Errors are compared by the metric, in the sizes `sqrt|g_ii|` of the coordinate vectors. So steps
 /// do not depend on the units of the coordinates and of the parameter, or on the origin. Let `r` be
 /// the tolerance. The error of the position is at most `r` of the path in the step, and the error
 /// of the velocity at most `r` of the velocity. Coordinates with negative `g_ii` are compared apart

@@ -115,11 +115,13 @@ fn every_table_of_the_catalogue_is_read_back() {
 #[test]
 fn every_table_of_the_examples_is_read_back() {
     let mut files = 0;
-    for entry in std::fs::read_dir(root().join("examples/definitions")).unwrap() {
+    let folders = ["examples/definitions", "documents/charts"];
+    let entries = folders.iter().flat_map(|folder| std::fs::read_dir(root().join(folder)).unwrap());
+    for entry in entries {
         let path = entry.unwrap().path().to_str().unwrap().to_string();
         let request = Request { space: Some(path), ..Request::default() };
         assert!(read_back(&request, &Quantity::ALL) > 0, "{request:?}");
         files += 1;
     }
-    assert!(files > 20, "{files}");
+    assert!(files > 80, "{files}");
 }

@@ -176,7 +176,10 @@ export class Card {
     // the diagrams of rank 1 are a point and a line
     const rank = Number(/rank (\d+)/.exec([...table.querySelectorAll("dt")].find((term) => term.textContent === "root system")?.nextElementSibling?.textContent ?? "")?.[1] ?? 0);
     const rest = folded("all of its structure", table);
-    this.body.replaceChildren(badges, ...short(table), element("div", { class: "drawings" }, ...(rank > 1 ? pictures.map(drawn) : [])), rest);
+    const letters = this.#context?.reading.parameters ?? [];
+    const generic = letters.length ? [element("p", { class: "quiet", text: `for generic values of ${letters.join(", ")}` })] : [];
+    const semisimple = [...badges.querySelectorAll(".yes")].some(({ textContent }) => textContent === "semisimple");
+    this.body.replaceChildren(badges, ...generic, ...short(table, semisimple), element("div", { class: "drawings" }, ...(rank > 1 ? pictures.map(drawn) : [])), rest);
     this.#feet("", FORMATS.filter(([, format]) => format !== "csv"));
     if (rank > 1 && pictures.length) this.foot.querySelector(".copies")?.append(button("SVG", () => copy(pictures[0].svg), { class: "small" }));
   }
@@ -251,8 +254,10 @@ const folded = (summary, facts) => element("details", { toggle: () => {
   for (const fact of facts.querySelectorAll("dd")) if (fact.scrollWidth > fact.clientWidth) fact.tabIndex = 0;
 } }, element("summary", { text: summary }), facts);
 
-/** The first facts of a structure: its type, its Killing form and its name. @param {HTMLElement} facts */
-function short(facts) {
+/** The first facts of a structure: its type, its Killing form and its name. @param {HTMLElement} facts @param {boolean} semisimple */
+function short(facts, semisimple) {
+  /** Facts about the Levi subalgebra, which is the whole algebra only if that is semisimple. */
+  const levi = ["Dynkin type", "simple ideals"];
   const wanted = ["identification", "Killing form", "Dynkin type", "simple ideals", "Betti numbers"];
   /** Longer facts are not for the first look. */
   const longest = 90;
@@ -263,7 +268,9 @@ function short(facts) {
     value.querySelector(".remark")?.remove();
     // a determinant that is too long for a line
     for (const part of value.childNodes) if (part.nodeType === Node.TEXT_NODE) part.textContent = (part.textContent ?? "").replace(/, determinant a number of \d+ characters/, "");
-    if ((value.textContent ?? "").length <= longest) box.append(term, value);
+    if ((value.textContent ?? "").length > longest) continue;
+    if (!semisimple && levi.includes(term.textContent ?? "")) term.append(" of the Levi subalgebra");
+    box.append(term, value);
   }
   return box.children.length ? [box] : [];
 }

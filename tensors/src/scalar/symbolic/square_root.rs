@@ -13,9 +13,9 @@ impl Symbolic {
     /// function show one. Unlike a root, it changes its sign where the function touches zero.
     ///
     /// ```
-    /// use affinor_tensors::Symbolic;
+    /// use affinor_tensors::{Notation, Symbolic};
     /// let r: Symbolic = "r".parse()?;
-    /// let sine = Symbolic::function("sin", &"theta".parse()?)?;
+    /// let sine = <Symbolic as Notation>::call("sin", &["theta".parse()?])?;
     /// let volume = r.clone() * &r * &sine;
     /// assert_eq!((-(volume.clone() * &volume)).root_up_to_factor(), Some(volume));
     /// assert_eq!(r.root_up_to_factor(), None);

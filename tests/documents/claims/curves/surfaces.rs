@@ -111,7 +111,7 @@ fn geodesics_of_flat_space_are_straight_lines() {
 }
 
 /// The connection for which the frame `d_r`, `d_phi/r` is parallel has logarithmic spirals as
-/// autoparallels, and torsion. Its curves are no geodesics.
+/// autoparallels, and torsion. Its curves differ from geodesics.
 #[test]
 fn autoparallels_of_a_parallel_frame_have_constant_components() {
     let frame = "[definition.frame]\ne1 = \"d_r\"\ne2 = \"1/r*d_phi\"";
@@ -137,8 +137,8 @@ fn autoparallels_of_a_parallel_frame_have_constant_components() {
     rows.keeps_all(1e-11);
 }
 
-/// The left-invariant frame of SO(3) in Euler angles, parallel by the connection `minus`: the
-/// components of the velocity are constant, and the curves are those of the connection `zero`,
+/// The left-invariant frame of SO(3) in Euler angles, parallel by the connection `minus`. The
+/// components of the velocity are constant. The curves are those of the connection `zero`,
 /// because the torsion does not matter.
 #[test]
 fn autoparallels_do_not_depend_on_torsion() {

@@ -1,0 +1,114 @@
+//! The errors for homogeneous spaces in a build without the feature `homogeneous`. The first module of the
+//! page is such a build; its worker then asks the module that has everything.
+
+use super::{Definition, Origin};
+use crate::Coefficient;
+use crate::input::forms::{Part, Text};
+use crate::input::{InputError, Refusal, Source};
+use affinor::LieAlgebra;
+use affinor::geometry::homogeneous::{HomogeneousSpace, has_form};
+use affinor_tensors::{Symbolic, Tolerance};
+use serde::de::DeserializeOwned;
+use std::collections::BTreeSet;
+use std::convert::Infallible;
+
+/// A homogeneous space, of which there are none in this build.
+#[derive(Clone, Debug)]
+pub(super) struct CosetSpace {
+    pub algebra: String,
+    never: Infallible,
+}
+
+/// The key `homogeneous` of a definition file.
+#[derive(serde::Deserialize)]
+#[serde(deny_unknown_fields, bound = "D: DeserializeOwned")]
+#[allow(dead_code, reason = "the other fields are read in the full build")]
+pub(crate) struct HomogeneousText<D> {
+    pub(super) of: Part<D>,
+    by: Vec<Text>,
+    complement: Option<Vec<Text>>,
+}
+
+impl<D> HomogeneousText<D> {
+    /// Refuses the key.
+    pub(super) fn read(
+        &self,
+        _: &str,
+        _: &LieAlgebra<Symbolic>,
+        _: &BTreeSet<String>,
+        source: &Source,
+    ) -> Result<CosetSpace, InputError> {
+        Err(absent().at(&source.key("homogeneous")))
+    }
+}
+
+impl CosetSpace {
+    pub fn labels(&self) -> Vec<String> {
+        match self.never {}
+    }
+
+    pub fn space<S: Coefficient>(
+        &self,
+        _: &str,
+        _: &[String],
+        _: Tolerance,
+    ) -> Result<HomogeneousSpace<S>, InputError> {
+        match self.never {}
+    }
+
+    pub fn is_rational(&self) -> bool {
+        match self.never {}
+    }
+
+    pub fn values_mut(&mut self) -> impl Iterator<Item = &mut Symbolic> {
+        match self.never {}
+        #[allow(unreachable_code, reason = "it names the type")]
+        std::iter::empty()
+    }
+}
+
+impl Definition {
+    /// The homogeneous space, if the definition is one.
+    pub(super) fn coset_space(&self) -> Option<&CosetSpace> {
+        match &self.origin {
+            Origin::Homogeneous(coset) => match coset.never {},
+            _ => None,
+        }
+    }
+
+    /// Whether the definition is a homogeneous space.
+    pub fn is_homogeneous(&self) -> bool {
+        false
+    }
+
+    /// The name of the algebra of G, if the definition is a homogeneous space G/H.
+    pub fn algebra_of_group(&self) -> Option<&str> {
+        None
+    }
+
+    /// The homogeneous space over a scalar type; `None` for other definitions.
+    ///
+    /// # Errors
+    /// None in this build.
+    pub fn homogeneous<S: Coefficient>(
+        &self,
+        _: Tolerance,
+    ) -> Result<Option<HomogeneousSpace<S>>, InputError> {
+        Ok(None)
+    }
+}
+
+/// Refuses a text that has the form of a name of a homogeneous space.
+pub(super) fn named(source: &Source) -> Option<Result<Definition, InputError>> {
+    has_form(source.content().trim()).then(|| Err(absent().at(&source.whole(source.content()))))
+}
+
+/// The error as it is, because the names of homogeneous spaces are absent from this build.
+pub(super) fn with_nearest(error: InputError, _: &str) -> InputError {
+    error
+}
+
+fn absent() -> InputError {
+    let error = InputError::usage("this build contains no homogeneous spaces");
+    InputError { refusal: Refusal::Absent, ..error }
+}
