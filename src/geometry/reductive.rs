@@ -302,8 +302,7 @@ fn escaping<S: Scalar>(algebra: &LieAlgebra<S>, r: usize) -> Option<(Law, [usize
     ];
     conditions.into_iter().find_map(|(law, of_h)| {
         let escaped = part(algebra.structure_constants(), r, of_h);
-        let found = escaped.components().next().map(|(at, _)| (law, [at[1], at[2]]));
-        found
+        escaped.components().next().map(|(at, _)| (law, [at[1], at[2]]))
     })
 }
 

@@ -88,7 +88,7 @@ test("a worker that panics is started anew, and the input is kept", async () => 
   await page.route("**/worker.js", async (route) => {
     const answer = await route.fetch();
     const died = 'console.error("panicked at src/lib.rs: a test"); throw new WebAssembly.RuntimeError("unreachable");';
-    await route.fulfill({ response: answer, body: (await answer.text()).replace("const answer = answering(", `if (request.input === "sl(2)") { ${died} }\n    const answer = answering(`) });
+    await route.fulfill({ response: answer, body: (await answer.text()).replace("      answer();", `      if (request.input === "sl(2)") { ${died} }\n      answer();`) });
   });
   await page.goto(page.url().replace(/#.*/, "?again#compute?space=sl(2)"));
   await livesOn(page, "sl(2)", /panicked at/);

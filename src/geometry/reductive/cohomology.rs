@@ -137,7 +137,7 @@ fn acted<S: Field + Scalar>(
                     .sum();
                 let passed = if odd { position as u32 } else { 0 };
                 let term = value.clone() * factor;
-                let term = if (exchanges + passed) % 2 == 0 { term } else { -term };
+                let term = if (exchanges + passed).is_multiple_of(2) { term } else { -term };
                 if let Some(at) = target.get(&(rest | image)) {
                     let entry = sum.entry(*at).or_insert_with(S::zero);
                     *entry = entry.clone() + &term;

@@ -1,5 +1,7 @@
 //! Geodesics of Schwarzschild and Kerr.
 
+#![allow(clippy::excessive_precision, reason = "reference values have 25 digits")]
+
 use super::{Curve, Rows, near, rows};
 
 const METRIC: &str = "metric = [\"-(1 - 2*M/r)\", \"1/(1 - 2*M/r)\", \"r^2\", \"r^2*sin(theta)^2\"]\nparameters = [\"M\"]";

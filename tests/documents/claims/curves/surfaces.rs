@@ -1,5 +1,7 @@
 //! Geodesics of surfaces and of flat space, and autoparallels of other connections.
 
+#![allow(clippy::excessive_precision, reason = "reference values have 20 to 25 digits")]
+
 use super::{Curve, near};
 
 const SPHERE: Curve = Curve {

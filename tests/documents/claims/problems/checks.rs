@@ -1,5 +1,7 @@
 //! Checks that hold for each problem.
 
+#![allow(clippy::excessive_precision, reason = "reference values have 20 to 25 digits")]
+
 use super::references::*;
 use super::run::{Run, open};
 use affinor::mechanics::MassProperties;
