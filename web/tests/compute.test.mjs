@@ -182,3 +182,14 @@ test("claims about the structure are those of the Levi subalgebra, and of generi
   await type(page, "sl(3)");
   assert.doesNotMatch(await shown(/A2/), /simple ideals of the Levi|generic/);
 });
+
+test("a homogeneous space is read by the second module", async () => {
+  const page = await compute("space=so(3)");
+  await type(page, "CP^2");
+  assert.match(await text(page, "#read-as"), /^SU\(3\)\/S\(U\(2\)xU\(1\)\)/);
+  await type(page, "S^7 = Sp(2)/Sp(1)");
+  assert.match(await text(page, "#read-as"), /dimension 7/);
+  await type(page, "sl(2)");
+  assert.match(await text(page, "#read-as"), /^sl\(2/);
+  await sound(page);
+});

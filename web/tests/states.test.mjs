@@ -154,7 +154,7 @@ test("a message that points to a list has the list, and notations to write, amon
     await page.fill("#space-input", bad);
     await refusal(page);
     await page.click(".refusal summary");
-    assert.ok(await page.locator(".refusal details .chip:text-is('Kerr')").isVisible());
+    assert.ok(await page.locator(".refusal details .chip:text-is('kerr')").isVisible());
     await sound(page);
     await page.click(".refusal .chip:has-text('metric in coordinates')");
     await settled(page);
