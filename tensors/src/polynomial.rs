@@ -5,7 +5,7 @@
 //!   a [`SolutionSet`] of [`Point`]s and [`Family`]s;
 //! - `groebner`: Groebner bases that split at factors; `factors`, `reality`: factors of polynomials,
 //!   and consequences of sums of squares;
-//! - `quotient`: the quotient algebra of finitely many points;
+//! - `quotient`: the quotient algebra of finitely many points; `minimal`: minimal polynomials in it;
 //! - `real_roots`: isolating intervals; [`RealNumber`]: real algebraic numbers.
 //!
 //! All steps are exact. Floats occur only where a value is printed.
@@ -13,6 +13,7 @@
 mod algebraic;
 mod factors;
 mod groebner;
+mod minimal;
 mod point;
 mod quotient;
 mod real_roots;

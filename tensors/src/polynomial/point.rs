@@ -1,7 +1,7 @@
 //! Isolated real solutions, and exact signs of polynomials at them.
 
 use super::algebraic::RealNumber;
-use super::quotient::minimal_polynomial_of;
+use super::minimal::minimal_polynomial_of;
 use super::real_roots::{Interval, sign};
 use super::{Budget, Polynomial, Univariate};
 use crate::Rational;
