@@ -130,6 +130,19 @@ pub(crate) enum Part<D> {
     Nested(Box<D>),
 }
 
+/// The key `homogeneous` of a definition file.
+#[derive(serde::Deserialize)]
+#[serde(deny_unknown_fields, bound = "D: de::DeserializeOwned")]
+#[cfg_attr(not(feature = "homogeneous"), allow(dead_code, reason = "only its presence matters"))]
+pub(crate) struct HomogeneousText<D> {
+    /// The algebra of G.
+    pub of: Part<D>,
+    /// A basis of the isotropy algebra.
+    pub by: Vec<Text>,
+    /// A basis of the complement.
+    pub complement: Option<Vec<Text>>,
+}
+
 /// How a scalar value is written in the file.
 #[derive(Clone, Copy, PartialEq)]
 enum Kind {

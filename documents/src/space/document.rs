@@ -3,8 +3,8 @@
 use crate::input::{
     InputError, Place, Source,
     forms::{
-        Block, Cell, ChartText, ConnectionText, Entries, Formulas, MatrixRows, MetricText, Part,
-        Row, Text, canonical_names, optional_names,
+        Block, Cell, ChartText, ConnectionText, Entries, Formulas, HomogeneousText, MatrixRows,
+        MetricText, Part, Row, Text, canonical_names, optional_names,
     },
     shown,
 };
@@ -17,7 +17,7 @@ use crate::space::{
         TensorProduct, Truncated, pairs,
     },
     functions::Functions,
-    homogeneous::{CosetSpace, HomogeneousText},
+    homogeneous::CosetSpace,
     named,
     notation::{
         Names, basis, check_name, connection, lines, metric, metric_rows, shape, statement,

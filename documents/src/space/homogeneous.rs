@@ -2,7 +2,7 @@
 
 use super::{Definition, Origin};
 use crate::Coefficient;
-use crate::input::forms::{Part, Text};
+use crate::input::forms::{HomogeneousText, Text};
 use crate::input::{InputError, Place, Source};
 use crate::space::notation::Names;
 use affinor::algebra::structure::GroundField;
@@ -12,7 +12,6 @@ use affinor_tensors::linear::Matrix;
 use affinor_tensors::text::combination;
 use affinor_tensors::{Rational, Symbolic, Tolerance};
 use num_traits::Zero;
-use serde::de::DeserializeOwned;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A homogeneous space: the algebra of G in a basis that begins with a complement of the isotropy
@@ -32,18 +31,6 @@ pub(super) struct CosetSpace {
     pub dimension: usize,
     /// A sentence about the embedding; `None` for a subalgebra that is given by its vectors.
     sentence: Option<String>,
-}
-
-/// The key `homogeneous` of a definition file.
-#[derive(serde::Deserialize)]
-#[serde(deny_unknown_fields, bound = "D: DeserializeOwned")]
-pub(crate) struct HomogeneousText<D> {
-    /// The algebra of G.
-    pub(super) of: Part<D>,
-    /// A basis of the isotropy algebra.
-    by: Vec<Text>,
-    /// A basis of the complement.
-    complement: Option<Vec<Text>>,
 }
 
 impl<D> HomogeneousText<D> {

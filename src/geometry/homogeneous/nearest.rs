@@ -1,12 +1,10 @@
 //! Names that a misspelt name of a homogeneous space may mean.
 
-use super::name::{Name, compact};
+use super::name::{FAMILIES, Name, compact};
 
 /// The letters with which names of groups begin.
 const GROUPS: [&str; 13] =
     ["SO", "SU", "U", "Sp", "Spin", "SL", "SE", "T", "G", "F", "E", "S", "O"];
-/// The letters with which names of families begin.
-const FAMILIES: [&str; 9] = ["S", "H", "CP", "CH", "HP", "OP", "V", "Gr", "Fl"];
 /// The longest text that may be a misspelt name, and the largest number of names.
 const LONGEST: usize = 64;
 const MOST: usize = 3;
@@ -17,14 +15,17 @@ pub(super) fn nearest(text: &str) -> Vec<String> {
     if named.len() > LONGEST || !named.is_ascii() {
         return vec![];
     }
-    let heads = if named.contains('/') { &GROUPS[..] } else { &FAMILIES[..] };
+    // the letters with which names of families begin
+    let families = FAMILIES.iter().map(|family| family.pattern).filter(|p| !p.contains('/'));
+    let families = families.filter_map(|p| p.split(|c: char| !c.is_ascii_alphabetic()).next());
+    let heads = if named.contains('/') { GROUPS.to_vec() } else { families.collect() };
     let words = words(&named);
     // a name with capitals only is nearer than one with another letter
     for distance in 0..=1 {
         let mut found = vec![String::new()];
         for (word, is_head) in &words {
             let choices = match is_head {
-                true => choices(word, heads, distance),
+                true => choices(word, &heads, distance),
                 false => vec![(*word).to_string()],
             };
             let longer = found

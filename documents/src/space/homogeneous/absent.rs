@@ -3,12 +3,11 @@
 
 use super::{Definition, Origin};
 use crate::Coefficient;
-use crate::input::forms::{Part, Text};
+use crate::input::forms::HomogeneousText;
 use crate::input::{InputError, Refusal, Source};
 use affinor::LieAlgebra;
 use affinor::geometry::homogeneous::{HomogeneousSpace, has_form};
 use affinor_tensors::{Symbolic, Tolerance};
-use serde::de::DeserializeOwned;
 use std::collections::BTreeSet;
 use std::convert::Infallible;
 
@@ -17,16 +16,6 @@ use std::convert::Infallible;
 pub(super) struct CosetSpace {
     pub algebra: String,
     never: Infallible,
-}
-
-/// The key `homogeneous` of a definition file.
-#[derive(serde::Deserialize)]
-#[serde(deny_unknown_fields, bound = "D: DeserializeOwned")]
-#[allow(dead_code, reason = "the other fields are read in the full build")]
-pub(crate) struct HomogeneousText<D> {
-    pub(super) of: Part<D>,
-    by: Vec<Text>,
-    complement: Option<Vec<Text>>,
 }
 
 impl<D> HomogeneousText<D> {
