@@ -38,8 +38,8 @@ impl PyGeometry {
     /// 'affinor.properties/1'
     fn properties<'py>(&self, py: Python<'py>) -> New<'py> {
         let written = run(py, || match &self.values {
-            Geometries::Exact(geometry) => all_formats(&Properties::of_geometry(geometry)?),
-            Geometries::Symbolic(geometry) => all_formats(&Properties::of_geometry(geometry)?),
+            Geometries::Exact(geometry) => all_formats(&Properties::of_rational(geometry)?),
+            Geometries::Symbolic(geometry) => all_formats(&Properties::of_symbolic(geometry)?),
             Geometries::Float(_) => Err(in_floats("the list of properties")),
         })?;
         python(py, "structure", "Report")?.call1((written,))

@@ -19,7 +19,6 @@ use affinor::{
 use affinor_tensors::text::{combination, exact_decimal, rounded};
 use affinor_tensors::{Down, Rational, Ring, Symbolic, Tensor, Tolerance, Up};
 use serde_json::{Value, json};
-use std::any::Any;
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::{self, Write};
 
@@ -58,34 +57,35 @@ impl Properties {
     /// metric.
     pub fn with_planes(definition: &Definition, planes: &[String]) -> Result<Self, InputError> {
         if definition.is_rational() {
-            return Self::read::<Rational>(definition, planes);
+            let geometry = definition.geometry::<Rational>(Tolerance::default())?;
+            return Self::new(&geometry, None, &read(definition, planes)?);
         }
-        Self::read::<Symbolic>(definition, planes)
+        let geometry = definition.geometry::<Symbolic>(Tolerance::default())?;
+        Self::new(&geometry, with_letters(&geometry), &read(definition, planes)?)
     }
 
     /// The properties of a geometry.
     ///
     /// # Errors
     /// Those of the properties of [`Geometry`], such as a missing metric.
-    pub fn of_geometry<S: GroundField + Coefficient>(
-        geometry: &Geometry<S>,
-    ) -> Result<Self, InputError> {
-        Self::new(geometry, &[])
+    pub fn of_rational(geometry: &Geometry<Rational>) -> Result<Self, InputError> {
+        Self::new(geometry, None, &[])
     }
 
-    fn read<S: GroundField + Coefficient>(
-        definition: &Definition,
-        planes: &[String],
-    ) -> Result<Self, InputError> {
-        let geometry = definition.geometry::<S>(Tolerance::default())?;
-        let plane = |text: &String| Ok((text.clone(), definition.plane(text)?));
-        let planes = planes.iter().map(plane).collect::<Result<Vec<_>, InputError>>()?;
-        Self::new(&geometry, &planes)
+    /// The properties of a geometry, with the values of letters for which a property that fails
+    /// would hold.
+    ///
+    /// # Errors
+    /// Those of the properties of [`Geometry`], such as a missing metric.
+    pub fn of_symbolic(geometry: &Geometry<Symbolic>) -> Result<Self, InputError> {
+        Self::new(geometry, with_letters(geometry), &[])
     }
 
-    /// Computes the properties of a geometry, and the sectional curvatures of planes.
+    /// Computes the properties of a geometry, and the sectional curvatures of planes. `symbolic` is
+    /// the geometry if it contains letters.
     fn new<S: GroundField + Coefficient>(
         geometry: &Geometry<S>,
+        symbolic: Option<&Geometry<Symbolic>>,
         planes: &[Plane<S>],
     ) -> Result<Self, InputError> {
         let connection = geometry.connection();
@@ -94,7 +94,7 @@ impl Properties {
             true => format!("the constant is {value}"),
             false => format!("{name} = {value}"),
         };
-        let mut list = List { symbolic: with_letters(geometry), ..List::default() };
+        let mut list = List { symbolic, ..List::default() };
         list.plain("torsion-free", connection.torsion_free());
         list.only_if(Condition::TorsionFree);
         list.plain("flat", connection.flat());
@@ -260,13 +260,18 @@ fn covariant_derivatives(labels: &[String], components: &BTreeMap<Vec<usize>, St
     by_pair.into_iter().map(line).collect::<Vec<_>>().join(", ")
 }
 
-/// The geometry as a symbolic one, if its components contain letters. On a chart, they are functions.
-fn with_letters<S: GroundField + Coefficient>(
-    geometry: &Geometry<S>,
-) -> Option<&Geometry<Symbolic>> {
-    let symbolic = (geometry as &dyn Any).downcast_ref::<Geometry<Symbolic>>()?;
-    let letters = ParametricGeometry::of(symbolic).ok()?.letters();
-    (!letters.is_empty()).then_some(symbolic)
+/// The planes that texts describe.
+fn read<S: Coefficient>(
+    definition: &Definition,
+    planes: &[String],
+) -> Result<Vec<Plane<S>>, InputError> {
+    planes.iter().map(|text| Ok((text.clone(), definition.plane(text)?))).collect()
+}
+
+/// The geometry, if its components contain letters. On a chart, they are functions.
+fn with_letters(geometry: &Geometry<Symbolic>) -> Option<&Geometry<Symbolic>> {
+    let letters = ParametricGeometry::of(geometry).ok()?.letters();
+    (!letters.is_empty()).then_some(geometry)
 }
 
 #[derive(Default)]
