@@ -12,6 +12,7 @@ use affinor::geometry::petrov::PetrovType;
 use affinor_tensors::stop::checkpoint;
 use affinor_tensors::{Symbolic, Tolerance};
 use serde_json::json;
+use std::cell::OnceCell;
 
 /// The properties of charts that a condition may name.
 pub(super) const PROPERTIES: [&str; 12] = [
@@ -38,17 +39,33 @@ pub(super) struct Wanted<'a> {
     pub properties: &'a [(String, bool)],
 }
 
-/// A chart of the catalogue with its computed properties.
+/// A chart of the catalogue. Its properties are computed when they are asked for.
 struct Facts {
     geometry: Geometry<Symbolic>,
     spacetime: bool,
     /// `None` without a metric, and where no sample point is rational.
-    isometries: Option<IsometryAlgebra>,
-    /// `None` except for Lorentzian metrics in dimension 4.
-    petrov: Option<PetrovType>,
+    isometries: OnceCell<Option<IsometryAlgebra>>,
+    /// `None` except for spacetimes of dimension 4.
+    petrov: OnceCell<Option<PetrovType>>,
 }
 
 impl Facts {
+    fn new(geometry: Geometry<Symbolic>, spacetime: bool) -> Self {
+        Facts { geometry, spacetime, isometries: OnceCell::new(), petrov: OnceCell::new() }
+    }
+
+    fn isometries(&self) -> Option<&IsometryAlgebra> {
+        let found = || IsometryAlgebra::of(&self.geometry, Symmetry::Killing).ok();
+        self.isometries.get_or_init(found).as_ref()
+    }
+
+    fn petrov(&self) -> Option<PetrovType> {
+        *self.petrov.get_or_init(|| {
+            let metric = self.geometry.metric().filter(|_| self.spacetime)?;
+            Some(self.geometry.connection().petrov(metric).ok()??.kind)
+        })
+    }
+
     fn holds(&self, property: &str) -> Result<bool, Error> {
         let connection = self.geometry.connection();
         Ok(match property {
@@ -59,12 +76,23 @@ impl Facts {
                 Some(metric) => connection.einstein_constant(metric)?.holds().is_some(),
                 None => false,
             },
-            "homogeneous" => self.isometries.as_ref().is_some_and(IsometryAlgebra::is_transitive),
+            "homogeneous" => self.isometries().is_some_and(IsometryAlgebra::is_transitive),
             _ => match property.strip_prefix("Petrov ") {
-                Some(name) => self.petrov.is_some_and(|kind| kind.to_string() == name),
+                Some(name) => self.petrov().is_some_and(|kind| kind.to_string() == name),
                 None => true,
             },
         })
+    }
+
+    /// Whether the chart has all properties that a condition requires.
+    fn fit(&self, wanted: &Wanted) -> Result<bool, Error> {
+        for (property, required) in wanted.properties {
+            if self.holds(property)? != *required {
+                return Ok(false);
+            }
+        }
+        let dimension = || self.isometries().map(IsometryAlgebra::dimension);
+        Ok(wanted.isometries.is_none_or(|n| dimension() == Some(n)))
     }
 }
 
@@ -82,20 +110,11 @@ pub(super) fn charts_where(
             continue;
         }
         let geometry = definition.geometry::<Symbolic>(Tolerance::default())?;
-        let isometries = IsometryAlgebra::of(&geometry, Symmetry::Killing).ok();
-        let petrov = match geometry.metric().filter(|_| chart.is_spacetime()) {
-            Some(metric) => geometry.connection().petrov(metric)?.map(|petrov| petrov.kind),
-            None => None,
-        };
-        let facts = Facts { geometry, spacetime: chart.is_spacetime(), isometries, petrov };
-        let isometries = facts.isometries.as_ref().map(IsometryAlgebra::dimension);
-        let mut fits = wanted.isometries.is_none_or(|n| isometries == Some(n));
-        for (property, required) in wanted.properties {
-            fits = fits && facts.holds(property)? == *required;
-        }
-        if !fits {
+        let facts = Facts::new(geometry, chart.is_spacetime());
+        if !facts.fit(wanted)? {
             continue;
         }
+        let isometries = facts.isometries().map(IsometryAlgebra::dimension);
         let mut words = vec![];
         for property in &PROPERTIES[1..] {
             if facts.holds(property)? {

@@ -116,7 +116,7 @@ struct Conditions {
     properties: Vec<(String, bool)>,
 }
 
-/// Parses a condition. The properties are those of algebras or those of charts.
+/// Parses a condition. All properties of a condition belong to algebras, or all to charts.
 fn conditions(text: &str) -> Result<Conditions, InputError> {
     let (low, high) = (SEARCHED.start(), SEARCHED.end());
     let refuse = |part: &str| {
