@@ -233,7 +233,7 @@ impl PyProblem {
         let watched: Vec<bool> = ready.columns.iter().map(|column| column.watched).collect();
         let conserved: Vec<bool> = ready.columns.iter().map(|column| column.conserved).collect();
         let (method, why) = (ready.method.name(), ready.method.why());
-        let notes = ready.notes.clone();
+        let (notes, parameter) = (ready.notes.clone(), ready.parameter.clone());
         // runs in the threads too, because the values of events at the start may call forces
         let mut integration =
             threads.run(py, || Ok(checked(Ok::<_, InputError>(problem.integrate(ready)))))??;
@@ -271,6 +271,7 @@ impl PyProblem {
         let width = names.len();
         found.set_item("name", &problem.name)?;
         found.set_item("columns", names)?;
+        found.set_item("parameter", parameter)?;
         found.set_item("watched", watched)?;
         found.set_item("conserved", conserved)?;
         found.set_item("rows", table(py, rows, width)?)?;

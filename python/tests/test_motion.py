@@ -358,3 +358,16 @@ def test_functions_act_on_constrained_motions():
     function = af.simulate(**pendulum, forces={"body": lambda t, g, omega: [0, 0, -omega[2], 0, 0, 0]})
     assert np.allclose(formula["Omega"], function["Omega"], atol=1e-9)
     assert abs(formula["Omega3"][-1] - np.exp(-1)) < 1e-4
+
+
+def test_curves_on_charts_have_their_parameter_in_place_of_the_time():
+    sphere = {"metric": [1, "sin(theta)^2"], "chart": {"coordinates": ["theta", "phi"]}}
+    start = {"position": {"theta": "pi/2", "phi": 0}, "velocity": {"theta": 0, "phi": 1}}
+    equator = af.simulate(definition=sphere, initial=start, output={"end": 1, "every": 0.5})
+    assert equator.parameter == "s"
+    assert equator.t.tolist() == [0, 0.5, 1]
+    assert equator["phi"] == pytest.approx([0, 0.5, 1], abs=1e-9)
+    assert equator([0.25, 0.75])["phi"] == pytest.approx([0.25, 0.75], abs=1e-9)
+    columns, rows = equator.curve()
+    assert columns[0] == "s" and len(rows) >= 3
+    assert equator.plot("series", columns=["phi"]).get_xlabel() == "s"

@@ -257,6 +257,7 @@ enum End {
 
 /// Integrates one motion and stores its rows.
 fn one(problem: &Problem, ready: Ready, store: &mut Store, watch: &Watch) -> Result<End, Failure> {
+    let parameter = ready.parameter.clone();
     let mut integration = problem.integrate(ready);
     let progress = Progress::from(integration.progress());
     follow(&mut integration, watch, |integration, step| {
@@ -264,7 +265,7 @@ fn one(problem: &Problem, ready: Ready, store: &mut Store, watch: &Watch) -> Res
             store.spool.push(row).map_err(spool::failed)?;
         }
         for (event, time) in &step.events {
-            progress.beside(|| line(&format!("{event} at t = {time}")));
+            progress.beside(|| line(&format!("{event} at {parameter} = {time}")));
         }
         progress.reach(integration.progress());
         Ok::<_, Failure>(())

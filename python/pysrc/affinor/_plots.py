@@ -20,6 +20,8 @@ class Columns(Protocol):
     @property
     def t(self) -> NDArray[np.float64]: ...
     @property
+    def parameter(self) -> str: ...
+    @property
     def columns(self) -> list[str]: ...
     @property
     def conserved(self) -> list[str]: ...
@@ -63,11 +65,11 @@ def plot(trajectory: Columns, kind: str, columns: Sequence[str] | None, ax: Any)
     if ax is None:
         ax = plt.figure().add_subplot(projection="3d" if space else None)
     if kind == "series":
-        shown = list(columns) if columns is not None else [name for name in trajectory.columns if name != "t"][:6]
+        shown = list(columns) if columns is not None else [name for name in trajectory.columns if name != trajectory.parameter][:6]
         smooth = _smooth(trajectory)
         for name in shown:
             trajectory[name]  # raises the error for an unknown column
-            ax.plot(smooth["t"], smooth[name], label=name)
+            ax.plot(smooth[trajectory.parameter], smooth[name], label=name)
         ax.set_ylabel("value")
     elif kind == "conserved":
         shown = list(columns) if columns is not None else trajectory.conserved
@@ -93,7 +95,7 @@ def plot(trajectory: Columns, kind: str, columns: Sequence[str] | None, ax: Any)
         for name, letter in zip(("set_xlabel", "set_ylabel", "set_zlabel"), "123", strict=True):
             getattr(ax, name)(f"H{letter}")
     if not space:
-        ax.set_xlabel("time")
+        ax.set_xlabel("time" if trajectory.parameter == "t" else trajectory.parameter)
     ax.set_title(trajectory.name)
     if ax.get_legend_handles_labels()[0]:
         ax.legend()

@@ -341,7 +341,7 @@ class Trajectory:
     """
 
     __slots__ = (
-        "_motion", "columns", "conserved", "error", "events", "interrupted", "method", "name", "notes", "rows", "watched",
+        "_motion", "columns", "conserved", "error", "events", "interrupted", "method", "name", "notes", "parameter", "rows", "watched",
     )  # fmt: skip
 
     def __init__(self, found: Mapping[str, Any], motion: tuple[_engine.Problem, int] | None = None) -> None:
@@ -349,6 +349,8 @@ class Trajectory:
         self.name: str = found["name"]
         self.rows: Floats = found["rows"]
         self.columns: list[str] = list(found["columns"])
+        self.parameter: str = found["parameter"]
+        """The column of the time, ``t``, or of the parameter of a curve on a chart, ``s``."""
         self.watched: list[str] = [
             name for name, watched in zip(self.columns, found["watched"], strict=True) if watched
         ]
@@ -381,8 +383,8 @@ class Trajectory:
 
     @property
     def t(self) -> Floats:
-        """Times of the rows."""
-        return self["t"]
+        """Times of the rows; for a curve on a chart, its parameters."""
+        return self[self.parameter]
 
     def __getstate__(self) -> Any:
         # leaves out the motion, because it may contain functions that cannot be pickled
@@ -438,7 +440,7 @@ class Trajectory:
         found, at = _rows_at(problem, member, wanted.tolist())
         place = {time: row for row, time in enumerate(found["rows"][:, at].tolist())}
         if beyond := [time for time in wanted.tolist() if time not in place]:
-            raise ValueError(f"the run ends at t = {found['rows'][-1, at]:g}, before the requested time {beyond[0]:g}")
+            raise ValueError(f"the run ends at {self.parameter} = {found['rows'][-1, at]:g}, before the requested time {beyond[0]:g}")
         found["rows"] = found["rows"][[place[time] for time in times.tolist()]]
         return Trajectory(found, self._motion)
 
@@ -560,10 +562,10 @@ def _rows_at(problem: _engine.Problem, member: int, times: list[float]) -> tuple
     for failed in (found["interrupt"], found["failed"]):
         if failed is not None:
             raise failed
-    columns = list(found["columns"])
-    if "t" not in columns:
-        raise ValueError("the columns of the trajectory have no t: add t to output.columns")
-    return found, columns.index("t")
+    columns, parameter = list(found["columns"]), found["parameter"]
+    if parameter not in columns:
+        raise ValueError(f"the columns of the trajectory have no {parameter}: add {parameter} to output.columns")
+    return found, columns.index(parameter)
 
 
 @spelled_out
