@@ -3,7 +3,7 @@
     python3 tests/references/line_elements.py [NAME ...]        (Python 3.11, mpmath 1.3)
 
 The claims are read from the tables in the Rust sources, the definition files from the folders of tests/data/ with their names,
-or from examples/definitions/.
+or from examples/definitions/ and documents/charts/.
 """
 import random
 import re
@@ -28,7 +28,7 @@ RANGES = {"line_elements/khan_penrose": (mpf(1) / 20, mpf(3) / 5)}
 def claims():
     for folder in TABLES:
         text = (ROOT / f"tests/documents/claims/{folder}.rs").read_text()
-        for name, claim in re.findall(r'\("(\w+)", "([^"]* = [^"]*)"\),', text):
+        for name, claim in re.findall(r'\("([\w-]+)", "([^"]* = [^"]*)"\),', text):
             yield f"{folder}/{name}", claim
 
 
@@ -78,7 +78,8 @@ def main():
         if chosen and name.split("/")[1] not in chosen:
             continue
         if name not in geometries:
-            paths = [ROOT / f"tests/data/{name}.toml", ROOT / f"examples/definitions/{Path(name).name}.toml"]
+            folders = [f"tests/data/{Path(name).parent}", "examples/definitions", "documents/charts"]
+            paths = [ROOT / folder / f"{Path(name).name}.toml" for folder in folders]
             definition = Definition.read(next(filter(Path.exists, paths)))
             rng = random.Random(zlib.crc32(name.encode()))
             low, high = RANGES.get(name, (mpf(1) / 5, 3))

@@ -25,6 +25,17 @@ pub struct Curve<'c> {
     pub every: f64,
 }
 
+/// A great circle of the unit sphere.
+const SPHERE: Curve = Curve {
+    coordinates: "\"theta\", \"phi\"",
+    geometry: "metric = [1, \"sin(theta)^2\"]",
+    position: "theta = 1.1, phi = 0.4",
+    velocity: "theta = -0.5, phi = 0.9",
+    more: "",
+    end: 6.0,
+    every: 0.5,
+};
+
 impl Curve<'_> {
     pub fn text(&self) -> String {
         let Curve { coordinates, geometry, position, velocity, more, end, every } = self;

@@ -111,7 +111,6 @@ const CLAIMS: &[(&str, &str)] = &[
     ("ellis", "ricci[2,2] = -2/cosh(x)^2"),
     ("btz", "sectional = -1/L^2"),
     ("btz_proper", "sectional = -1/L^2"),
-    ("petrov", "ricci = 0"),
     ("stephani", "weyl = 0"),
     ("stephani", "einstein[1,2] = 0"),
     ("mcvittie", "einstein[1,2] = 0"),
@@ -167,6 +166,7 @@ const EXAMPLES: &[(&str, &str)] = &[
 const CHARTS: &[(&str, &str)] = &[
     ("hyperbolic-space", "sectional = -1/R^2"),
     ("3-sphere", "sectional = 1/R^2"),
+    ("petrov", "ricci = 0"),
     ("kerr", "ricci = 0"),
     ("kerr", "kretschmann = 48*M^2*(r^2 - a^2*cos(theta)^2)*((r^2 + a^2*cos(theta)^2)^2 - 16*r^2*a^2*cos(theta)^2)/(r^2 + a^2*cos(theta)^2)^6"),
 ];

@@ -1,16 +1,6 @@
 //! Conserved quantities are exact, and wrong ones are errors with a witness.
 
-use super::{Curve, near, refused};
-
-const SPHERE: Curve = Curve {
-    coordinates: "\"theta\", \"phi\"",
-    geometry: "metric = [1, \"sin(theta)^2\"]",
-    position: "theta = 1.1, phi = 0.4",
-    velocity: "theta = -0.5, phi = 0.9",
-    more: "",
-    end: 6.0,
-    every: 0.5,
-};
+use super::{Curve, SPHERE, near, refused};
 
 #[test]
 fn the_rotations_of_the_sphere_are_conserved() {

@@ -2,17 +2,7 @@
 
 #![allow(clippy::excessive_precision, reason = "reference values have 20 to 25 digits")]
 
-use super::{Curve, near};
-
-const SPHERE: Curve = Curve {
-    coordinates: "\"theta\", \"phi\"",
-    geometry: "metric = [1, \"sin(theta)^2\"]",
-    position: "theta = 1.1, phi = 0.4",
-    velocity: "theta = -0.5, phi = 0.9",
-    more: "",
-    end: 6.0,
-    every: 0.5,
-};
+use super::{Curve, SPHERE, near};
 
 /// The point of the unit sphere, and the derivatives along the coordinates.
 fn sphere(theta: f64, phi: f64) -> [[f64; 3]; 3] {
