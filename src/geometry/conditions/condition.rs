@@ -113,7 +113,7 @@ impl<'a> ParametricGeometry<'a> {
         Self::new(geometry.connection(), geometry.metric(), algebra)
     }
 
-    /// A connection, a metric and an algebra. On a homogeneous space, there is no algebra.
+    /// A connection, a metric and an algebra; `None` for the algebra on a homogeneous space.
     ///
     /// # Errors
     /// [`Error::Unsupported`] if the frame has derivations, as on a chart; [`Error::Shape`].

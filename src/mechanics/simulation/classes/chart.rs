@@ -36,7 +36,7 @@ pub struct ChartSpec {
 /// How the length of a curve, or its proper time, is computed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum CurveLength {
-    /// The length is unknown, because there is no metric.
+    /// The chart has no metric, so curves have no length.
     None,
     /// The speed `sqrt|g(v, v)|` is constant, and has this value.
     Speed(f64),
