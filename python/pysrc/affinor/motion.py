@@ -316,6 +316,8 @@ class Trajectory:
         All values. Angles are in radians; other quantities are in the units of the problem.
     columns : list of str
         Names of the columns.
+    parameter : str
+        Column of the time, ``t``; for a curve on a chart, of its parameter, ``s``.
     watched : list of str
         Columns whose changes :meth:`drift` reports: energy, momentum, Casimir functions and named quantities.
     conserved : list of str
@@ -350,7 +352,6 @@ class Trajectory:
         self.rows: Floats = found["rows"]
         self.columns: list[str] = list(found["columns"])
         self.parameter: str = found["parameter"]
-        """The column of the time, ``t``, or of the parameter of a curve on a chart, ``s``."""
         self.watched: list[str] = [
             name for name, watched in zip(self.columns, found["watched"], strict=True) if watched
         ]
