@@ -3,6 +3,7 @@
 A file of constants has a line `i j k value` for every nonzero c^i_jk, j < k, indices from 1.
 """
 import time
+from fractions import Fraction
 
 
 def constants(path):
@@ -10,7 +11,7 @@ def constants(path):
     lines = open(path).read().split("\n")
     n = int(lines[0])
     rows = (line.split() for line in lines[1:] if line)
-    return n, {(int(i) - 1, int(j) - 1, int(k) - 1): int(v) for i, j, k, v in rows}
+    return n, {(int(i) - 1, int(j) - 1, int(k) - 1): Fraction(v) if "/" in v else int(v) for i, j, k, v in rows}
 
 
 def both_orders(c):

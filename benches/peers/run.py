@@ -1,11 +1,12 @@
 """affinor beside other programs: curvature of Levi-Civita, by size (`numbers`) and by symbols (`symbols`), and
-where symbols become too many (`limits`); and of metrics over charts (`charts`).
+where symbols become too many (`limits`); of metrics over charts (`charts`), and of homogeneous spaces (`homogeneous`).
 
     python3 benches/peers/run.py numbers --affinor target/release/affinor > numbers.md
     cargo bench -p affinor-benches --bench table_calls --no-run
     python3 benches/peers/run.py symbols --affinor target/release/affinor --calls target/release/deps/table_calls-* > symbols.md
     python3 benches/peers/run.py limits  --affinor target/release/affinor > limits.md
     python3 benches/peers/run.py charts  --affinor target/release/affinor --calls target/release/deps/table_calls-* > charts.md
+    python3 benches/peers/run.py homogeneous --affinor target/release/affinor --calls target/release/deps/table_calls-* > homogeneous.md
 
 Each is one run that writes one Markdown document; progress goes to standard error. What is not installed has a
 column of dashes. The peers, on Debian:
@@ -33,7 +34,7 @@ How it is measured
 - One thread each (OPENBLAS_NUM_THREADS=1) unless the column says otherwise.
 - Results are compared: the number of nonzero components always; values as the caption says.
 
-Beside this file: `peer.py`, what the Python ones share; `numbers_*.py`, `symbols_*.py`, `charts_*.py` with `chart_metrics.py`, and `symbols_ginac.cpp`, which is compiled here.
+Beside this file: `peer.py`, what the Python ones share; `numbers_*.py`, `symbols_*.py`, `charts_*.py` with `chart_metrics.py`, `homogeneous_*.py`, and `symbols_ginac.cpp`, which is compiled here.
 """
 import argparse
 import csv
@@ -52,6 +53,7 @@ from concurrent.futures import ThreadPoolExecutor
 from fractions import Fraction
 
 import chart_metrics
+import homogeneous_spaces
 
 csv.field_size_limit(1 << 30)
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -63,7 +65,7 @@ PRIME = 2**61 - 1
 MINUTE = 60
 
 arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-arguments.add_argument("table", choices=["numbers", "symbols", "limits", "charts"])
+arguments.add_argument("table", choices=["numbers", "symbols", "limits", "charts", "homogeneous"])
 arguments.add_argument("--affinor", default="target/release/affinor", help="the program")
 arguments.add_argument("--calls", help="the program of benches/table_calls.rs")
 arguments.add_argument("--python", default=sys.executable, help="Python with numpy, scipy, sympy")
@@ -274,8 +276,9 @@ def about():
     if options.table == "numbers":
         parts += ["SciPy " + version([python, "-c", module("scipy")]),
                   "GAP " + version(["gap", "-q", "-c", 'Print(GAPInfo.Version, "\\n"); QUIT;'])]
-        if options.sage:
-            parts.append("SageManifolds in passagemath " + version([options.sage, "-c", module("passagemath-modules")]))
+    if options.sage and options.table in ("numbers", "charts", "homogeneous"):
+        parts.append("SageManifolds in passagemath " + version([options.sage, "-c", module("passagemath-modules")]))
+    if options.table == "numbers":
         if options.geomstats:
             parts.append("geomstats " + version([options.geomstats, "-c", module("geomstats")]))
     print("; ".join(parts) + ".\n", flush=True)
@@ -554,7 +557,9 @@ def limits():
 
 def charts():
     tensors, python = ["affinities", "curvature", "ricci"], [options.python]
-    peers = {"Maxima": "charts_maxima.py", "SymPy": "charts_sympy.py"}
+    peers = {"Maxima": ("charts_maxima.py", python), "SymPy": ("charts_sympy.py", python)}
+    if options.sage:
+        peers["SageManifolds"] = ("charts_sage.py", [options.sage])
     about()
     print("CPU time from the metric to the tensor, each component simplified. affinor: connection and tensor, as a call; whole process. "
           "Peers: each row includes the rows above it\n")
@@ -564,7 +569,7 @@ def charts():
         path = os.path.join(FOLDER, "chart.toml")
         with open(path, "w") as file:
             file.write(chart_metrics.definition(coordinates, parameters, functions, rows))
-        theirs = {label: peer(script, python, coordinates, ";".join(rows), parameters, functions) for label, script in peers.items()}
+        theirs = {label: peer(*how, coordinates, ";".join(rows), parameters, functions) for label, how in peers.items()}
         names = chart_metrics.Names(coordinates, parameters, functions)
         for tensor in tensors:
             table = os.path.join(FOLDER, "chart.csv")
@@ -587,7 +592,37 @@ def charts():
             row(name, tensor, len(expected) or "", ours, *cells)
     print(f"\nIn all {agreed} cells in which both a peer and affinor ended, the values agreed at a random point.")
 
+
+def homogeneous():
+    python = [options.python]
+    peers = {"Maxima": ("homogeneous_maxima.py", python), "SymPy": ("homogeneous_python.py", python, "sympy")}
+    if options.sage:
+        peers["Sage, fraction field"] = ("homogeneous_python.py", [options.sage], "sage")
+    about()
+    print("CPU time from the structure constants and the metric to the curvature of Levi-Civita. affinor: as a call; whole process\n")
+    head("space", "metric", "nonzero R^i_jkl, k < l", "affinor", *peers)
+    for name, (algebra, tangent, isotropy, diagonal) in homogeneous_spaces.SPACES.items():
+        path, table = (os.path.join(FOLDER, file) for file in ("space.toml", "space.csv"))
+        with open(path, "w") as file:
+            file.write(homogeneous_spaces.definition(algebra, tangent, isotropy, diagonal))
+        done = affinor(path, None, "curvature", "--threads", "1", path=table)
+        if done.why:
+            sys.exit(f"{name}: {done.why}")
+        expected = components(table)
+        names = chart_metrics.Names("", ",".join(sorted(set(diagonal.split(",")))), "")
+        listed = [",".join(map(str, part)) for part in (tangent, isotropy)]
+        _, numbers_file = constants(algebra)
+        cells = []
+        for label, (script, program, *more) in peers.items():
+            theirs = peer(script, program, numbers_file, *listed, diagonal, *more)
+            cells.append(theirs.why or seconds(theirs.reports["curvature"][0]))
+            for at in theirs.values.keys() | (expected.keys() if theirs.values else set()):
+                if not names.agree(theirs.values.get(at, "0"), expected.get(at, "0")):
+                    sys.exit(f"{name} {at}: {label} has {theirs.values.get(at)}, affinor {expected.get(at)}")
+        row(name, f"diag({diagonal})", len(expected), called(path, "", "curvature", done), *cells)
+
+
 try:
-    {"numbers": numbers, "symbols": symbols, "limits": limits, "charts": charts}[options.table]()
+    {"numbers": numbers, "symbols": symbols, "limits": limits, "charts": charts, "homogeneous": homogeneous}[options.table]()
 finally:
     shutil.rmtree(FOLDER)

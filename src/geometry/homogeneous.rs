@@ -6,6 +6,7 @@ mod blocks;
 mod exceptional;
 mod name;
 mod nearest;
+mod octonions;
 
 pub use name::{FAMILIES, Family};
 
@@ -107,15 +108,20 @@ impl HomogeneousSpace {
     /// |---|---|
     /// | `S^n`, `H^n` | `SO(n+1)/SO(n)`, `SO(n,1)/SO(n)` |
     /// | `CP^n`, `CH^n` | `SU(n+1)/S(U(n)xU(1))`, `SU(n,1)/S(U(n)xU(1))` |
-    /// | `HP^n`, `OP^2` | `Sp(n+1)/Sp(n)xSp(1)`, `F4/Spin(9)` |
+    /// | `HP^n`, `HH^n` | `Sp(n+1)/Sp(n)xSp(1)`, `Sp(n,1)/Sp(n)xSp(1)` |
+    /// | `OP^2` | `F4/Spin(9)` |
+    /// | `dS^n`, `AdS^n` | `SO(n,1)/SO(n-1,1)`, `SO(n-1,2)/SO(n-1,1)` |
     /// | `V(k,R^n)`, `V(k,C^n)`, `V(k,H^n)` | Stiefel manifolds, as `SO(n)/SO(n-k)` |
     /// | `Gr(k,R^n)`, `Gr(k,C^n)`, `Gr(k,H^n)` | Grassmann manifolds, as `SO(n)/SO(k)xSO(n-k)` |
     /// | `Fl(n)` | the full flags `SU(n)/T` |
+    /// | `T^{p,q}` | `SU(2)xSU(2)/U(1)_{q,-p}`, a circle bundle over `S^2 x S^2` |
     ///
     /// Factors of H are blocks along the diagonal of the defining matrices of G, in their order.
     /// `U(n)` in `SO(2n)` and `Sp(n)` in `SU(2n)` are the complex and the quaternionic matrices in
     /// real and complex form. `T` is the diagonal maximal torus, `U(1)_{k,l}` the circle
-    /// `diag(k, l, -k-l)` of `SU(3)`. One factor in a product of equal factors is the diagonal. A
+    /// `diag(k, l, -k-l)` of `SU(3)`, in `SU(2)xSU(2)` the circle of the weights `k` and `l`. `Spin(7)` in
+    /// `Spin(9)` fixes a spinor, `SO(3)_irr` acts on `R^5` irreducibly, `SU(2)_long` in `G2` belongs to a
+    /// long root. One factor in a product of equal factors is the diagonal. A
     /// text before `=` is ignored, as in `S^7 = Sp(2)/Sp(1)`.
     ///
     /// The complement is orthogonal under the Killing form of G.
@@ -183,13 +189,27 @@ impl<S> HomogeneousSpace<S> {
 fn embed(name: &Name) -> Result<Embedded, Error> {
     match (name.group.as_slice(), name.isotropy.as_slice()) {
         ([Factor::Exceptional(group)], isotropy) => exceptional::embed(group, isotropy, name),
-        ([Factor::Orthogonal(7)], [Factor::Exceptional("G2")]) => exceptional::octonions(),
+        ([Factor::Orthogonal(7)], [Factor::Exceptional("G2")]) => octonions::automorphisms(),
+        ([Factor::Orthogonal(9)], [Factor::OfSpinor]) => octonions::of_spinor(),
+        ([Factor::Orthogonal(5)], [Factor::Irreducible]) => blocks::irreducible(),
+        ([Factor::SpecialUnitary(2), Factor::SpecialUnitary(2)], [Factor::Circle(k, l)]) => {
+            circle(*k, *l)
+        }
         ([group], isotropy) => blocks::embed(*group, isotropy, name),
         ([first, ..], [one]) if name.group.iter().all(|factor| factor == one) => {
             diagonal(*first, name.group.len())
         }
         _ => Err(name.without_embedding()),
     }
+}
+
+/// The circle `diag(e^(ikt), e^(-ikt))`, `diag(e^(ilt), e^(-ilt))` of two factors `SU(2)`.
+fn circle(k: i64, l: i64) -> Result<Embedded, Error> {
+    let one = catalogue::algebra::<Rational>("su(2)")?;
+    // the last vector of su(2) is diagonal
+    let vector = [0, 0, k, 0, 0, l].map(Rational::from).to_vec();
+    let sentence = format!("the circle of diagonal matrices with the weights {k} and {l}");
+    Ok(Embedded { algebra: one.direct_sum(&one)?, vectors: vec![vector], sentence })
 }
 
 /// The diagonal of a product of equal factors.

@@ -9,7 +9,7 @@ use affinor_tensors::{Down, Rational, Tensor};
 /// summands gives `k(k+1)/2` (real type), `k^2` (complex type) or `k(2k-1)` (quaternionic type). Isotropy
 /// representations: A. L. Besse, *Einstein Manifolds* (1987), 7.H and 9.K; M. Wang, W. Ziller, *J. Diff.
 /// Geom.* 31 (1990) 215-248.
-const SPACES: [(&str, usize, bool, usize); 50] = [
+const SPACES: [(&str, usize, bool, usize); 76] = [
     ("S^2", 2, true, 1),
     ("S^3", 3, true, 1),
     ("S^7", 7, true, 1),
@@ -62,6 +62,36 @@ const SPACES: [(&str, usize, bool, usize); 50] = [
     ("SU(3)/U(1)_{1,1}", 7, false, 10),
     ("SU(2)xSU(2)xSU(2)/SU(2)", 6, false, 3),
     ("SU(4)/S(U(2)xU(1)xU(1))", 10, false, 3),
+    ("dS^4", 4, true, 1),
+    ("AdS^4", 4, true, 1),
+    ("AdS^2", 2, true, 1),
+    ("HH^1", 4, true, 1),
+    ("HH^2", 8, true, 1),
+    ("E6/SO(10)xU(1)", 32, true, 1),
+    ("E6/SU(6)xSU(2)", 40, true, 1),
+    ("E7/E6xU(1)", 54, true, 1),
+    ("E7/SO(12)xSU(2)", 64, true, 1),
+    ("E7/SU(8)", 70, true, 1),
+    ("F4/Spin(8)", 24, false, 3),
+    ("S^15 = Spin(9)/Spin(7)", 15, false, 2),
+    // isotropy irreducible, but not symmetric
+    ("SO(5)/SO(3)_irr", 7, false, 1),
+    // one of the two planes has the weight p, the other has q
+    ("T^{1,1}", 5, false, 5),
+    ("T^{1,2}", 5, false, 3),
+    ("T^{1,0}", 5, false, 4),
+    // the summands of a flag manifold with one circle are the values of the coefficient of its simple root
+    ("G2/U(2)_long", 10, false, 3),
+    ("G2/U(2)_short", 10, false, 2),
+    ("G2/T", 12, false, 6),
+    // fixed vectors of dimension 3, and the four-dimensional representation twice; or the one of dimension 8
+    ("G2/SU(2)_long", 11, false, 12),
+    ("G2/SU(2)_short", 11, false, 7),
+    ("Sp(3)/Sp(1)xSp(1)xSp(1)", 12, false, 3),
+    ("SO(7)/U(3)", 12, false, 2),
+    ("V(3,R^5)", 9, false, 15),
+    ("V(2,C^4)", 12, false, 8),
+    ("SU(3)/U(1)_{2,3}", 7, false, 4),
 ];
 
 fn invariant_metrics(pair: &ReductivePair<Rational>) -> Vec<Tensor<Rational>> {
@@ -97,6 +127,70 @@ fn dimensions_isotropy_and_invariant_metrics() {
     }
 }
 
+/// The Ricci tensor of an invariant metric of a unimodular group over a compact subgroup, in a basis `e_a` of `m`:
+/// `Ric(x, y) = -1/2 g^ab <[x,e_a]_m, [y,e_b]_m> - 1/2 tr(pr ad_x pr ad_y) - tr_m(ad_x pr_h ad_y)
+/// + 1/4 g^ab g^cd <[e_a,e_c], x> <[e_b,e_d], y>`, symmetrised (A. L. Besse, *Einstein Manifolds* (1987), 7.38).
+fn ricci_of_besse(pair: &ReductivePair<Rational>, metric: &Metric<Rational>) -> Tensor<Rational> {
+    let (r, n) = (pair.dimension(), pair.algebra().dimension());
+    let c = |i: usize, j: usize, k: usize| pair.algebra().structure_constants().get(&[i, j, k]);
+    let (g, inverse) = (metric.components(), metric.inverse());
+    let sum = |terms: &mut dyn Iterator<Item = Rational>| {
+        terms.filter(|term| *term != Rational::from(0)).fold(Rational::from(0), |sum, term| sum + &term)
+    };
+    let at = |x: usize, a: usize, b: usize| (x * r + a) * r + b;
+    let indices = || (0..r * r * r).map(|key| (key / (r * r), key / r % r, key % r));
+    let lower: Vec<_> = indices()
+        .map(|(x, a, b)| sum(&mut (0..r).map(|m| g.get(&[x, m]) * &c(m, a, b))))
+        .collect();
+    let half: Vec<_> = indices()
+        .map(|(x, a, b)| sum(&mut (0..r).map(|d| lower[at(x, a, d)].clone() * &inverse.get(&[d, b]))))
+        .collect();
+    let upper: Vec<_> = indices()
+        .map(|(x, a, b)| sum(&mut (0..r).map(|d| half[at(x, d, b)].clone() * &inverse.get(&[d, a]))))
+        .collect();
+    // <[x,e_a]_m, e_d> g^ab c^d_yb
+    let first: Vec<_> = indices()
+        .map(|(d, x, b)| sum(&mut (0..r).map(|a| lower[at(d, x, a)].clone() * &inverse.get(&[a, b]))))
+        .collect();
+    let value = |x: usize, y: usize| {
+        let pairs = || (0..r * r).map(|key| (key / r, key % r));
+        let products = sum(&mut pairs().map(|(d, b)| first[at(d, x, b)].clone() * &c(d, y, b)));
+        let inner = sum(&mut pairs().map(|(a, b)| c(a, x, b) * &c(b, y, a)));
+        let outer = (r..n).flat_map(|h| (0..r).map(move |a| (a, h)));
+        let vertical = sum(&mut outer.map(|(a, h)| c(a, x, h) * &c(h, y, a)));
+        let last = sum(&mut pairs().map(|(a, b)| lower[at(x, a, b)].clone() * &upper[at(y, a, b)]));
+        let quarter = Rational::new(1, 4);
+        (last - &((products + &inner) * &Rational::from(2)) - &(vertical * &Rational::from(4))) * &quarter
+    };
+    let symmetric = |[x, y]: [usize; 2]| (value(x, y) + &value(y, x)) * &Rational::new(1, 2);
+    Tensor::from_fn(r, [Down, Down], symmetric).unwrap()
+}
+
+/// Each space has the Ricci tensor of the second formula, for a metric that is no multiple of the
+/// Killing form where there are others.
+#[test]
+fn the_ricci_tensor_by_a_second_formula() {
+    for (name, dimension, ..) in SPACES {
+        if dimension > 12 {
+            continue;
+        }
+        let space = HomogeneousSpace::find(name).unwrap();
+        let pair = space.pair();
+        let factors = [7, 5, 1, 2, -1, 1, 0, 3].map(Rational::from);
+        let forms = invariant_metrics(pair);
+        let terms = forms.iter().zip(factors.iter().cycle());
+        let mut form = forms[0].scale(&Rational::from(0));
+        for (term, factor) in terms {
+            let operands = [("a", &form), ("b", &term.scale(factor))];
+            form = affinor_tensors::contract("a_ij + b_ij -> _ij", &operands).unwrap();
+        }
+        let metric = Metric::new(pair.frame().labels(), form)
+            .unwrap_or_else(|error| panic!("{name}: {error}"));
+        let found = pair.levi_civita(&metric).unwrap().ricci();
+        assert_eq!(found, ricci_of_besse(pair, &metric), "{name}");
+    }
+}
+
 /// Irreducible isotropy makes the metric Einstein; spheres and projective spaces have their curvatures.
 #[test]
 fn irreducible_spaces_are_einstein() {
@@ -111,8 +205,9 @@ fn irreducible_spaces_are_einstein() {
         assert!(connection.einstein_constant(&metric).unwrap().holds().is_some(), "{name}");
         let constant = connection.constant_curvature(&metric).unwrap().holds().is_some();
         let sphere = name.starts_with(['S', 'H']) && name[1..].starts_with('^')
+            || name.contains("dS^")
             || space.pair().dimension() <= 3
-            || ["SU(4)/Sp(2)", "Gr(1,H^2)"].contains(&name);
+            || ["SU(4)/Sp(2)", "Gr(1,H^2)", "HH^1"].contains(&name);
         assert_eq!(constant, sphere, "{name}");
     }
 }

@@ -37,10 +37,16 @@ pub(super) fn embed(group: Factor, isotropy: &[Factor], name: &Name) -> Result<E
     for factor in isotropy {
         let (from, n, basis) = match factor {
             Factor::Torus => (Field::Complex, torus_size(field, size), torus(field, size)),
-            Factor::Circle(k, l) => {
+            Factor::Circle(k, l) if field == Field::Complex && size == 3 => {
                 let weights = [*k, *l, -k - l].into_iter().enumerate();
                 let circle = weights.map(|(at, weight)| (at, at, I.map(|x| x * weight)));
                 (Field::Complex, 3, vec![circle.collect()])
+            }
+            Factor::IndefiniteOrthogonal(p, q) => {
+                // the block lies where the signs of the form change
+                let signature = signature(group).ok_or_else(unknown)?;
+                used = signature.0.checked_sub(*p).filter(|_| isotropy.len() == 1).ok_or_else(unknown)?;
+                (Field::Real, p + q, indefinite(*p, *q))
             }
             factor => generators_of(*factor).ok_or_else(unknown)?,
         };
@@ -101,7 +107,8 @@ fn defining(group: Factor) -> Option<(Field, usize)> {
         Factor::SpecialUnitary(n) | Factor::Unitary(n) => (Field::Complex, n),
         Factor::IndefiniteUnitary(p, q) => (Field::Complex, p + q),
         Factor::Symplectic(n) => (Field::Quaternion, n),
-        Factor::Torus | Factor::Circle(..) | Factor::Exceptional(_) => return None,
+        Factor::IndefiniteSymplectic(p, q) => (Field::Quaternion, p + q),
+        _ => return None,
     })
 }
 
@@ -127,6 +134,74 @@ fn generators_of(factor: Factor) -> Option<(Field, usize, Vec<Entries>)> {
         (true, false) => None,
     });
     Some((field, n, off.chain(on).collect()))
+}
+
+/// The numbers of positive and negative signs of the form of `SO(p,q)`.
+fn signature(group: Factor) -> Option<(usize, usize)> {
+    match group {
+        Factor::IndefiniteOrthogonal(p, q) => Some((p, q)),
+        _ => None,
+    }
+}
+
+/// A basis of so(p,q): `E_ij - eta_i eta_j E_ji` for `i < j`.
+fn indefinite(p: usize, q: usize) -> Vec<Entries> {
+    let pairs = (0..p + q).flat_map(|i| (i + 1..p + q).map(move |j| (i, j)));
+    let mixed = |i: usize, j: usize| (i < p) != (j < p);
+    let one = |i, j| vec![(i, j, ONE), (j, i, if mixed(i, j) { ONE } else { minus(ONE) })];
+    pairs.map(|(i, j)| one(i, j)).collect()
+}
+
+/// so(3) in so(5), by `x -> [a, x]` on symmetric 3 x 3 matrices without trace.
+///
+/// The matrices `E_12 + E_21`, `E_13 + E_31`, `E_23 + E_32`, `E_11 - E_22` and `E_11 + E_22 - 2 E_33` are orthogonal, of the
+/// squared lengths 2, 2, 2, 2 and 6. The rows of a 4 x 4 matrix `M` with `M M^T = 3` combine the first four to vectors of
+/// the squared length 6, so that the images are antisymmetric matrices of rational numbers.
+pub(super) fn irreducible() -> Result<Embedded, Error> {
+    type Symmetric = [[i64; 3]; 3];
+    const BASIS: [Symmetric; 5] = [
+        [[0, 1, 0], [1, 0, 0], [0, 0, 0]],
+        [[0, 0, 1], [0, 0, 0], [1, 0, 0]],
+        [[0, 0, 0], [0, 0, 1], [0, 1, 0]],
+        [[1, 0, 0], [0, -1, 0], [0, 0, 0]],
+        [[1, 0, 0], [0, 1, 0], [0, 0, -2]],
+    ];
+    const M: [[i64; 5]; 5] = [
+        [1, 1, 1, 0, 0],
+        [-1, 1, 0, 1, 0],
+        [-1, 0, 1, -1, 0],
+        [0, -1, 1, 1, 0],
+        [0, 0, 0, 0, 1],
+    ];
+    let vectors = M.map(|row| {
+        let mut sum: Symmetric = [[0; 3]; 3];
+        for (weight, matrix) in row.iter().zip(BASIS) {
+            (0..9).for_each(|at| sum[at / 3][at % 3] += weight * matrix[at / 3][at % 3]);
+        }
+        sum
+    });
+    let entry = catalogue::find("so(5)")?;
+    let unknown = || Error::Name("so(5) has no matrices".into());
+    let matrices = entry.matrices.as_ref().ok_or_else(unknown)?;
+    let image = |(i, j): (usize, usize)| {
+        // a = E_ij - E_ji; the component of a x - x a along y is its inner product with y, by 6
+        let a = |r: usize, c: usize| (r == i && c == j) as i64 - (r == j && c == i) as i64;
+        let acted = |x: &Symmetric, r: usize, c: usize| -> i64 {
+            (0..3).map(|k| a(r, k) * x[k][c] - x[r][k] * a(k, c)).sum()
+        };
+        let component = |y: &Symmetric, x: &Symmetric| -> i64 {
+            (0..9).map(|at| acted(x, at / 3, at % 3) * y[at / 3][at % 3]).sum()
+        };
+        let places = (0..25).map(|at| (at / 5, at % 5));
+        let entries = places.map(|(r, c)| {
+            let value = Rational::from(component(&vectors[r], &vectors[c])) / Rational::from(6);
+            (r, c, Complex { re: value, im: Rational::from(0) })
+        });
+        matrices.coordinates(entries.collect())?.ok_or_else(unknown)
+    };
+    let vectors = [(0, 1), (0, 2), (1, 2)].into_iter().map(image).collect::<Result<_, Error>>()?;
+    let sentence = "SO(3) acts on the symmetric 3 x 3 matrices without trace".into();
+    Ok(Embedded { algebra: catalogue::algebra("so(5)")?, vectors, sentence })
 }
 
 /// The number of complex rows that the maximal torus occupies.

@@ -15,14 +15,27 @@ pub(super) enum Factor {
     Unitary(usize),
     /// The compact group of quaternionic matrices.
     Symplectic(usize),
+    /// `Sp(p,q)`.
+    IndefiniteSymplectic(usize, usize),
     /// `SL(n,R)`.
     SpecialLinear(usize),
     /// The rigid motions `SE(n)`.
     Motions(usize),
     /// The maximal torus of G.
     Torus,
-    /// The circle `diag(k, l, -k-l)`.
+    /// The circle `diag(k, l, -k-l)` of `SU(3)`, or the circle of weights `k` and `l` in two factors `SU(2)`.
     Circle(i64, i64),
+    /// The stabilizer of a spinor, `Spin(7)` in `Spin(9)`.
+    OfSpinor,
+    /// The irreducible `SO(3)`, as in `SO(5)/SO(3)_irr`.
+    Irreducible,
+    /// `SU(2)` or `U(2)` of a long or short root.
+    OfRoot {
+        /// Whether the torus belongs to the group.
+        torus: bool,
+        /// Whether the root is long.
+        long: bool,
+    },
     /// A compact exceptional group, such as `G2`.
     Exceptional(&'static str),
 }
@@ -56,12 +69,19 @@ pub const FAMILIES: &[Family] = &[
     of("G/H", "homogeneous space: blocks, U(n) in SO(2n), Sp(n) in SU(2n)", "SU(3)/U(2)"),
     of("G/T", "G by its diagonal maximal torus", "Sp(2)/T"),
     of("SU(3)/U(1)_{k,l}", "Aloff-Wallach space, circle diag(k, l, -k-l)", "SU(3)/U(1)_{1,1}"),
+    of("T^{p,q}", "SU(2)xSU(2)/U(1)_{q,-p}, a circle bundle over S^2 x S^2", "T^{1,1}"),
+    of("SO(5)/SO(3)_irr", "Berger space, SO(3) acts on R^5 irreducibly", "SO(5)/SO(3)_irr"),
+    of("SO(9)/Spin(7)", "sphere of the spinors of SO(9)", "S^15 = Spin(9)/Spin(7)"),
+    of("G2/U(2)_long", "the torus and one long root; also short, SU(2)", "G2/SU(2)_short"),
     of("GxGxG/G", "products of equal groups by the diagonal", "SU(2)xSU(2)xSU(2)/SU(2)"),
     of("S^n", "sphere SO(n+1)/SO(n)", "S^4"),
     of("H^n", "hyperbolic space SO(n,1)/SO(n)", "H^3"),
+    of("dS^n", "de Sitter space SO(n,1)/SO(n-1,1)", "dS^4"),
+    of("AdS^n", "anti-de Sitter space SO(n-1,2)/SO(n-1,1)", "AdS^4"),
     of("CP^n", "complex projective space SU(n+1)/S(U(n)xU(1))", "CP^2"),
     of("CH^n", "complex hyperbolic space SU(n,1)/S(U(n)xU(1))", "CH^2"),
     of("HP^n", "quaternionic projective space Sp(n+1)/Sp(n)xSp(1)", "HP^2"),
+    of("HH^n", "quaternionic hyperbolic space Sp(n,1)/Sp(n)xSp(1)", "HH^2"),
     of("OP^2", "octonionic projective plane F4/Spin(9)", "OP^2"),
     of("V(k,R^n)", "Stiefel manifold SO(n)/SO(n-k), also C^n, H^n", "V(2,R^5)"),
     of("Gr(k,R^n)", "oriented Grassmannian SO(n)/SO(k)xSO(n-k), also C^n, H^n", "Gr(2,C^4)"),
@@ -89,11 +109,14 @@ impl Name {
         let (group, isotropy) = named.split_once('/').ok_or_else(unknown)?;
         let special = isotropy.strip_prefix("S(").and_then(|rest| rest.strip_suffix(')'));
         let read = |text: &str| factors(text).ok_or_else(unknown);
-        Ok(Name {
-            group: read(group)?,
-            isotropy: read(special.unwrap_or(isotropy))?,
-            special: special.is_some(),
-        })
+        let group = read(group)?;
+        // the block SO(7) is written as such; the group that covers it acts on spinors
+        let of_spinor = isotropy == "Spin(7)" && group == [Factor::Orthogonal(9)];
+        let isotropy = match of_spinor {
+            true => vec![Factor::OfSpinor],
+            false => read(special.unwrap_or(isotropy))?,
+        };
+        Ok(Name { group, isotropy, special: special.is_some() })
     }
 
     /// The error for groups of which no embedding is known.
@@ -143,16 +166,29 @@ fn family(text: &str) -> Option<Name> {
     let of = |group, isotropy: &[Factor], special| {
         Some(Name { group: vec![group], isotropy: isotropy.to_vec(), special })
     };
-    use Factor::{IndefiniteOrthogonal, IndefiniteUnitary, Orthogonal, SpecialUnitary};
-    use Factor::{Symplectic, Torus, Unitary};
+    use Factor::{IndefiniteOrthogonal, IndefiniteSymplectic, IndefiniteUnitary, Orthogonal};
+    use Factor::{SpecialUnitary, Symplectic, Torus, Unitary};
+    if let Some(weights) = text.strip_prefix("T^{").and_then(|rest| rest.strip_suffix('}')) {
+        let (p, q) = weights.split_once(',')?;
+        let circle = circle(q.parse().ok()?, p.parse::<i64>().ok()?.checked_neg()?)?;
+        let group = vec![SpecialUnitary(2); 2];
+        return Some(Name { group, isotropy: vec![circle], special: false });
+    }
     if let Some((head, n)) = text.split_once('^').filter(|(head, _)| !head.contains('(')) {
         let n: usize = n.parse().ok().filter(|n| (1..=MAX_SIZE).contains(n))?;
         return match head {
             "S" if n >= 2 => of(Orthogonal(n + 1), &[Orthogonal(n)], false),
             "H" if n >= 2 => of(IndefiniteOrthogonal(n, 1), &[Orthogonal(n)], false),
+            "dS" if n >= 2 => {
+                of(IndefiniteOrthogonal(n, 1), &[IndefiniteOrthogonal(n - 1, 1)], false)
+            }
+            "AdS" if n >= 2 => {
+                of(IndefiniteOrthogonal(n - 1, 2), &[IndefiniteOrthogonal(n - 1, 1)], false)
+            }
             "CP" => of(SpecialUnitary(n + 1), &[Unitary(n), Unitary(1)], true),
             "CH" => of(IndefiniteUnitary(n, 1), &[Unitary(n), Unitary(1)], true),
             "HP" => of(Symplectic(n + 1), &[Symplectic(n), Symplectic(1)], false),
+            "HH" => of(IndefiniteSymplectic(n, 1), &[Symplectic(n), Symplectic(1)], false),
             "OP" if n == 2 => of(Factor::Exceptional("F4"), &[Orthogonal(9)], false),
             _ => None,
         };
@@ -190,6 +226,12 @@ fn factors(text: &str) -> Option<Vec<Factor>> {
     text.split(['x', '*']).map(factor).collect()
 }
 
+/// A circle with two weights of moderate size, which are not both zero.
+fn circle(k: i64, l: i64) -> Option<Factor> {
+    let moderate = [k, l].iter().all(|weight| weight.unsigned_abs() <= 1_000_000);
+    (moderate && (k, l) != (0, 0)).then_some(Factor::Circle(k, l))
+}
+
 fn factor(text: &str) -> Option<Factor> {
     if let Some(name) = EXCEPTIONAL.iter().find(|name| **name == text) {
         return Some(Factor::Exceptional(name));
@@ -200,9 +242,15 @@ fn factor(text: &str) -> Option<Factor> {
     if let Some(weights) = text.strip_prefix("U(1)_") {
         let weights = weights.trim_matches(['{', '}']);
         let (k, l) = weights.split_once(',')?;
-        let small = |text: &str| text.parse().ok().filter(|k: &i64| k.abs() <= 1_000_000);
-        let (k, l) = (small(k)?, small(l)?);
-        return ((k, l) != (0, 0)).then_some(Factor::Circle(k, l));
+        return circle(k.parse().ok()?, l.parse().ok()?);
+    }
+    if text == "SO(3)_irr" {
+        return Some(Factor::Irreducible);
+    }
+    if let Some((head, root)) = text.split_once('_') {
+        let torus = ["SU(2)", "U(2)"].iter().position(|name| *name == head)? == 1;
+        let long = ["short", "long"].iter().position(|name| *name == root)? == 1;
+        return Some(Factor::OfRoot { torus, long });
     }
     let at = text.find(|c: char| !c.is_ascii_alphabetic())?;
     let (head, arguments) = text.split_at(at);
@@ -226,6 +274,7 @@ fn factor(text: &str) -> Option<Factor> {
         ("SU", [p, q]) => Factor::IndefiniteUnitary(*p, *q),
         ("U", [n]) => Factor::Unitary(*n),
         ("Sp", [n]) => Factor::Symplectic(*n),
+        ("Sp", [p, q]) => Factor::IndefiniteSymplectic(*p, *q),
         ("SL", [n]) if *n >= 2 => Factor::SpecialLinear(*n),
         ("SE", [n]) if *n >= 2 => Factor::Motions(*n),
         _ => return None,
@@ -244,7 +293,12 @@ impl Factor {
             Factor::Symplectic(n) => format!("usp({})", 2 * n),
             Factor::SpecialLinear(n) => format!("sl({n})"),
             Factor::Motions(n) => format!("se({n})"),
+            Factor::IndefiniteSymplectic(p, q) => format!("sp({p},{q})"),
             Factor::Torus | Factor::Circle(..) => "R^1".into(),
+            Factor::OfSpinor => "so(7)".into(),
+            Factor::Irreducible => "so(3)".into(),
+            Factor::OfRoot { torus: false, .. } => "su(2)".into(),
+            Factor::OfRoot { torus: true, .. } => "u(2)".into(),
             Factor::Exceptional(name) => format!("compact({name})"),
         }
     }
@@ -262,7 +316,14 @@ impl fmt::Display for Factor {
             Factor::SpecialLinear(n) => write!(f, "SL({n},R)"),
             Factor::Motions(n) => write!(f, "SE({n})"),
             Factor::Torus => write!(f, "T"),
+            Factor::IndefiniteSymplectic(p, q) => write!(f, "Sp({p},{q})"),
             Factor::Circle(k, l) => write!(f, "U(1)_{{{k},{l}}}"),
+            Factor::OfSpinor => write!(f, "Spin(7)"),
+            Factor::Irreducible => write!(f, "SO(3)_irr"),
+            Factor::OfRoot { torus, long } => {
+                let group = if *torus { "U(2)" } else { "SU(2)" };
+                write!(f, "{group}_{}", if *long { "long" } else { "short" })
+            }
             Factor::Exceptional(name) => write!(f, "{name}"),
         }
     }
