@@ -6,8 +6,10 @@
 //! - [`Character`]: the dominant weights of a representation with their multiplicities;
 //! - [`Decomposition`]: multiplicities of irreducible representations; `products`, `powers`: tensor
 //!   products, symmetric and exterior powers, Schur functors;
-//! - [`Subalgebra`]: branching rules, by a projection of weights, by simple roots or by a
-//!   representation.
+//! - [`Subalgebra`]: branching rules, by a projection of weights, by simple roots, by a
+//!   representation or by vectors;
+//! - [`MatrixRepresentation`]: the matrices of an irreducible representation, with invariant forms;
+//! - [`clebsch_gordan`], [`wigner_3j`], [`wigner_6j`], [`real_coupling`]: coupling of spins.
 //!
 //! Weights are lists of integers: the Dynkin labels `<λ, α_i^∨>` of each simple factor, whose
 //! simple roots are numbered as in Bourbaki, then one charge for each abelian factor.
@@ -25,24 +27,31 @@
 mod algebra;
 mod character;
 mod class;
+mod clebsch_gordan;
 mod decomposition;
 pub mod diagram;
 mod embeddings;
 mod error;
 mod exceptional;
 mod highest_weight;
+mod matrices;
 mod named;
 pub mod names;
 mod powers;
 mod products;
 mod regular;
+mod spanned;
 mod subalgebra;
 mod weyl;
 
 pub use algebra::ReductiveAlgebra;
 pub use character::Character;
 pub use class::Indicator;
+pub use clebsch_gordan::{
+    MAX_SPIN, SignedRoot, Spin, clebsch_gordan, real_coupling, wigner_3j, wigner_6j,
+};
 pub use decomposition::Decomposition;
 pub use error::RepresentationError;
 pub use highest_weight::{HighestWeight, MAX_LABEL};
+pub use matrices::{MAX_MATRIX_DIMENSION, MatrixRepresentation, Monomial};
 pub use subalgebra::Subalgebra;

@@ -29,16 +29,19 @@ mod representation {
     mod algebra;
     mod character;
     mod class;
+    mod clebsch_gordan;
     mod common;
     mod decomposition;
     mod diagram;
     mod embeddings;
     mod highest_weight;
+    mod matrices;
     mod named;
     mod names;
     mod powers;
     mod products;
     mod regular;
+    mod spanned;
     mod subalgebra;
 }
 

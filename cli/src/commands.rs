@@ -10,6 +10,7 @@ mod compare;
 mod completions;
 mod conventions;
 mod convert;
+mod coupling;
 mod equations;
 mod examples;
 mod failure;
@@ -80,8 +81,10 @@ enum Command {
     Isometries(isometries::Arguments),
     /// Find all values of the letters of a space for which it has a property, such as Einstein
     Solve(solve::Arguments),
-    /// Representations of a reductive algebra: products, powers, branching
+    /// Representations of a reductive algebra: products, powers, branching, matrices
     Rep(rep::Arguments),
+    /// Couple spins: Clebsch-Gordan coefficients, 3j and 6j symbols, as exact square roots
+    Coupling(coupling::Arguments),
     /// Print the equations of motion of a space
     Equations(equations::Arguments),
     /// Map coordinates x to the group element exp(x)
@@ -155,6 +158,7 @@ fn run(command: Command, watch: &Watch) -> Result<(), Failure> {
         Command::Isometries(arguments) => arguments.run(),
         Command::Solve(arguments) => arguments.run(),
         Command::Rep(arguments) => arguments.run(),
+        Command::Coupling(arguments) => arguments.run(),
         Command::Equations(arguments) => arguments.run(),
         Command::Exp(arguments) => arguments.run(Operation::Exp),
         Command::Log(arguments) => arguments.run(),

@@ -192,6 +192,8 @@ fn formats_names_every_key_of_every_schema() -> Outcome {
         ("affinor.solve/1", "affinor solve se2 --metric \"diag(a,b,c)\" --for flat".into()),
         ("affinor.rep/1", "affinor rep G2 7 --power 2 --tensor 7 --weights".into()),
         ("affinor.rep/1", "affinor rep \"SU(5)\" 10 --branch \"SU(3)xSU(2)xU(1)\"".into()),
+        ("affinor.matrices/1", "affinor rep G2 7 --matrices".into()),
+        ("affinor.coupling/1", "affinor coupling 1 1/2".into()),
         ("affinor.conventions/1", "affinor conventions".into()),
     ];
     for (schema, command) in commands {

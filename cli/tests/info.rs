@@ -46,6 +46,22 @@ fn has_the_keys_of_its_schema() {
 }
 
 #[test]
+fn cartan_decompositions() {
+    let unitary = info("su(2,1)");
+    let expected = json!([{
+        "name": "su(2,1)", "compact_type": "A1 + T1", "compact_dimension": 4, "character": 0,
+        "real_rank": 1, "restricted_type": "BC1", "multiplicities": [2, 1], "black": [],
+        "arrows": [[1, 2]],
+    }]);
+    assert_eq!(unitary["real_forms"], expected);
+    let lorentz = info("so(4,1)+so(3)");
+    let ranks: Vec<_> = lorentz["real_forms"].as_array().unwrap().iter().collect();
+    assert_eq!((&ranks[0]["real_rank"], &ranks[1]["real_rank"]), (&json!(0), &json!(1)));
+    assert_eq!(info("sl(2,C)")["real_forms"], json!([null]));
+    assert_eq!(info("heisenberg(3)")["real_forms"], json!([]));
+}
+
+#[test]
 fn root_systems() {
     let e8 = info("E8");
     assert_eq!(e8["betti"].as_array().unwrap().len(), 249);

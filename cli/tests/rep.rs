@@ -85,6 +85,44 @@ fn spaces_have_the_representations_of_their_type() {
 }
 
 #[test]
+fn matrices_are_written_in_every_format() {
+    let report = rep(&["SU(2)", "2", "--matrices"]);
+    assert_eq!(report["schema"], "affinor.matrices/1");
+    assert_eq!(report["matrices"][0], json!({ "name": "e1", "entries": [[1, 2, "1"]] }));
+    assert_eq!(report["matrices"][2]["entries"], json!([[1, 1, "1"], [2, 2, "-1"]]));
+    assert_eq!(report["basis"][1], json!({ "monomial": "f1", "weight": [-1] }));
+    assert_eq!(report["bilinear_form"]["symmetry"], "antisymmetric");
+    assert_eq!(rep(&["SU(3)", "3", "--matrices"])["bilinear_form"], Value::Null);
+    let all = rep(&["A1 + G2", "[1,1,0]", "--matrices=all"]);
+    let matrices = all["matrices"].as_array().unwrap();
+    assert_eq!(matrices.len(), 17);
+    assert_eq!(matrices[3]["name"], "e1_2");
+    for (name, dimension) in [("SU(3)", "8"), ("G2", "14")] {
+        for format in ["text", "markdown", "latex", "csv", "html"] {
+            let arguments = ["rep", name, dimension, "--matrices", "--format", format];
+            assert!(stdout(root(), &arguments).contains("e1"), "{format}");
+        }
+    }
+    let latex = stdout(root(), &["rep", "SU(2)", "2", "--matrices", "--format", "latex"]);
+    assert!(latex.contains(r"\begin{pmatrix} 0 & 1 \\ 0 & 0 \end{pmatrix}"), "{latex}");
+    for line in stdout(root(), &["rep", "SU(3)", "8", "--matrices"]).lines() {
+        assert!(line.chars().count() <= 80, "{line}");
+    }
+}
+
+#[test]
+fn vectors_span_subalgebras() {
+    let report = rep(&["A2", "8", "--branch", "span e1-f1, e2-f2, e3-f3"]);
+    assert_eq!(components(&report), ["3", "5"]);
+    assert_eq!(report["operations"][0]["projection"], json!([[2, 2]]));
+    assert_eq!(report["certificate"]["ok"], true);
+    // a space in its own basis
+    let space = "[x,y]=z, [y,z]=x, [z,x]=y";
+    let report = rep(&[space, "3", "--branch", "span x + 2*y"]);
+    assert_eq!(components(&report).len(), 3);
+}
+
+#[test]
 fn every_format_is_written() {
     for operations in [&[][..], &["--tensor", "7"], &["--branch", "principal"], &["--weights"]] {
         for format in ["text", "markdown", "latex", "csv", "json", "html"] {
@@ -116,6 +154,13 @@ fn invalid_input_is_rejected_with_the_reason() {
         (&["SU(3)", "3", "--power", "65"], 1, "the degree 65 exceeds the limit of 64"),
         (&["SU(3)", "3", "--kind", "exterior"], 2, "--power"),
         (&["SU(3)", "3", "--power", "-1"], 2, "-1"),
+        (&["E8", "[1,0,0,0,0,0,0,1]", "--matrices"], 1, "exceeds the limit of 16384"),
+        (&["E6", "[1,0,0,0,0,1]", "--matrices=all"], 2, "write --format csv"),
+        (&["SU(3)", "3", "--matrices", "--tensor", "3"], 2, "--tensor"),
+        (&["A2", "3", "--branch", "span e1, e2"], 2, "[e1, e2] = e3"),
+        (&["A2", "3", "--branch", "span e1, h1"], 2, "e1 is orthogonal"),
+        (&["A2", "3", "--branch", "span e9"], 2, "e9"),
+        (&["U(3)", "3(0)", "--branch", "span e1"], 2, "centre"),
         (&["E8", "[9,9,9,9,9,9,9,9]", "--tensor", "248", "--weights"], 1, "exceeds the limit"),
         (&["A1", "[1073741824]", "--tensor", "[1073741824]"], 1, "exceeds the limit"),
     ] {

@@ -7,7 +7,8 @@
 //! equations of motion, also as source code. [`StoredTable`] compares a table with a stored table.
 //! [`Statements`] are claims about a geometry, each of which is tested. [`Info`] is the structure
 //! of an algebra, [`Properties`] are the properties of a geometry, and [`Isometries`] are its
-//! Killing fields. A [`RepresentationReport`] is about a representation of a reductive algebra.
+//! Killing fields. A [`RepresentationReport`] is about a representation of a reductive algebra,
+//! and a [`MatrixReport`] contains its matrices. A [`CouplingReport`] lists coupling coefficients.
 //!
 //! Each of these types is a [`Report`]. Short lists are [`conventions`], the [`catalogue`], a
 //! [`certificate`] and any other [`listing`]. A [`Computation`] creates the reports of a space,
@@ -20,6 +21,7 @@ mod code;
 mod comparison;
 mod components;
 mod computation;
+mod coupling;
 mod csv;
 mod equations;
 mod factors;
@@ -51,6 +53,7 @@ pub use code::{Language, Programmed, tensors_as_code};
 pub use comparison::{ComparedSide, Comparison};
 pub use components::{GROUPED, Group, groups, independent};
 pub use computation::{Compared, Computation, SIMPLIFIED_AT_POINTS, Selection, TableReport};
+pub use coupling::{CouplingKind, CouplingReport};
 pub use equations::EquationReport;
 pub use info::{Info, dynkin_type};
 pub use isometries::Isometries;
@@ -60,7 +63,7 @@ pub use points::TensorProgram;
 pub use program::Program;
 pub use properties::Properties;
 pub use quantity::Quantity;
-pub use representation::{Operations, Power, RepresentationReport};
+pub use representation::{MatrixReport, Operations, Power, RepresentationReport};
 pub use solve::Solutions;
 pub use statements::{Statements, Verdict, Verdicts};
 pub use stored::{Convention, Differences, StoredTable, Verification};

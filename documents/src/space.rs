@@ -40,6 +40,7 @@ pub use definition::Definition;
 use definition::{
     ConnectionChoice, Given, MatrixEntries, MetricChoice, Origin, Pairs, add, check_dimension,
 };
+pub use plane::vectors;
 pub use point::Point;
 pub use request::{Request, ScalarChoice, Space};
 pub use spelling::proper_names;

@@ -10,6 +10,7 @@
 //!   `certificates`: dimensions proved over the rationals; `index`;
 //! - [`dynkin`], `root_spaces`, `ideals`, [`real_forms`], `orthogonal_forms`: Dynkin types, roots,
 //!   simple ideals over the reals and their names;
+//! - `satake`: Cartan decompositions and Satake diagrams; `embedding`: weights of subalgebras;
 //! - `quadratic`: quadratic Casimir functions of reductive algebras;
 //! - `cocycles`, `symplectic`, `complex_structures`: closed forms of low degree, symplectic and
 //!   contact forms, Casimir functions;
@@ -40,6 +41,7 @@
 //! | `index`: form and primes | centre, abelian ideals, parity, or vanishing Pfaffians; otherwise "modulo two primes" |
 //! | `symplectic`: symplectic, contact and regular forms | full rank modulo a prime; "none" by Pfaffian, index theorem or common kernel; otherwise "modulo two primes" |
 //! | `orthogonal_forms`: regular element and primes | bounds of the coefficients, and intervals; otherwise the answer has two possible names |
+//! | `embedding`: primes that split the roots | integers from their residues; the adjoint representation must restrict with multiplicities that are not negative |
 //! | `root_spaces`: prime | the prime only excludes Cartan subalgebras that do not split; root vectors are exact |
 //! | `identification`: names of nilpotent algebras | proved dimensions, or an isomorphism verified by exact multiplication; otherwise "modulo two primes" |
 //! | `identification`: isomorphisms | verified by exact multiplication; otherwise "by invariants", or the root that is needed |
@@ -57,6 +59,7 @@ mod constructions;
 mod decomposition;
 mod derivations;
 pub mod dynkin;
+mod embedding;
 pub mod exceptional;
 mod ground;
 mod ideals;
@@ -72,6 +75,7 @@ mod radical;
 pub mod real_forms;
 pub mod reduction;
 mod root_spaces;
+mod satake;
 mod series;
 mod subspace;
 mod symplectic;
@@ -82,11 +86,13 @@ pub use cohomology::MAX_DIMENSION as MAX_BETTI;
 pub use complex_structures::ComplexStructure;
 pub use decomposition::{Indecomposable, MAX_DIMENSION as MAX_DECOMPOSED};
 pub use derivations::MAX_DIMENSION as MAX_DERIVATIONS;
+pub use embedding::{Embedding, Numbering};
 pub use ground::GroundField;
 pub use ideals::{RealIdeal, SimpleIdeals};
 pub use identification::Identification;
 pub use killing::Killing;
 pub use root_spaces::{RootSpace, RootSpaces};
+pub use satake::RealForm;
 pub use subspace::Subspace;
 pub(in crate::algebra) use subspace::denominator;
 pub use symplectic::Existence;

@@ -84,4 +84,12 @@ pub enum RepresentationError {
         /// The reason.
         reason: String,
     },
+    /// The text or the number is not a spin that the function accepts.
+    #[error("the spin `{}` is invalid: {reason}", .text.escape_debug())]
+    NotASpin {
+        /// The text or the number.
+        text: String,
+        /// The reason.
+        reason: String,
+    },
 }

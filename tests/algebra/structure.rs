@@ -11,6 +11,7 @@ mod identification;
 mod orthogonal_forms;
 mod real_forms;
 mod root_spaces;
+mod satake;
 mod symplectic;
 
 use crate::common::algebras::catalogued;

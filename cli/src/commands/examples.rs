@@ -3,7 +3,7 @@
 use clap::Command;
 
 /// For each command, two examples, which run in the root folder of the project.
-const EXAMPLES: [(&str, [&str; 2]); 23] = [
+const EXAMPLES: [(&str, [&str; 2]); 24] = [
     ("compare", ["affinor compare", "affinor compare so3@plus aff1@plus --format markdown"]),
     (
         "table",
@@ -56,6 +56,7 @@ const EXAMPLES: [(&str, [&str; 2]); 23] = [
             "affinor rep \"SU(5)\" 10 --branch \"SU(3)xSU(2)xU(1)\" --format json",
         ],
     ),
+    ("coupling", ["affinor coupling 1 1/2", "affinor coupling 1 1 1 --real --format json"]),
     (
         "equations",
         [

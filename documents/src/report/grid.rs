@@ -71,7 +71,7 @@ impl Cell {
 
     /// The lines in LaTeX.
     fn in_latex(&self) -> Vec<String> {
-        if self.is_drawn {
+        if self.is_drawn && self.latex.is_none() {
             return self.lines(verbatim);
         }
         let escape = if self.is_prose { prose::latex } else { tex::escaped };

@@ -7,6 +7,8 @@ mod forms;
 mod homogeneous;
 mod ideals;
 mod notes;
+#[cfg(feature = "real-forms")]
+mod real_forms;
 mod roots;
 mod rows;
 

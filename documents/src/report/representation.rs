@@ -1,13 +1,19 @@
 //! Representations: properties of a highest weight, products, powers and branching rules.
 
+mod matrices;
+
+pub use matrices::MatrixReport;
+
 use super::grid::{Cell, Grid};
 use super::{Format, Report};
 use crate::input::InputError;
+use crate::space::vectors;
 use affinor::representation::diagram::labelled;
 use affinor::representation::names::name;
 use affinor::representation::{
     Decomposition, HighestWeight, ReductiveAlgebra, RepresentationError, Subalgebra,
 };
+use affinor::{LieAlgebra, Rational};
 use num_bigint::BigInt;
 use serde_json::{Map, Value, json};
 use std::io::{self, Write};
@@ -32,6 +38,9 @@ pub struct Operations {
     pub branch: Option<String>,
     /// Whether to list the dominant weights of the result, and not its components.
     pub weights: bool,
+    /// The brackets of the algebra in the basis of vectors that span a subalgebra; by default the
+    /// brackets of its Chevalley basis.
+    pub brackets: Option<LieAlgebra<Rational>>,
 }
 
 /// A representation and the result of operations on it. JSON has the schema `affinor.rep/1`.
@@ -72,7 +81,7 @@ impl RepresentationReport {
             state.tensor(&factor)?;
         }
         if let Some(text) = &operations.branch {
-            state.branch(text)?;
+            state.branch(text, operations.brackets.as_ref())?;
         }
         Ok(RepresentationReport { grid: state.finish(operations.weights)? })
     }
@@ -151,8 +160,15 @@ impl State {
         Ok(())
     }
 
-    fn branch(&mut self, text: &str) -> Result<(), InputError> {
-        let subalgebra = Subalgebra::parse(self.value.algebra(), text).map_err(failure)?;
+    fn branch(
+        &mut self,
+        text: &str,
+        brackets: Option<&LieAlgebra<Rational>>,
+    ) -> Result<(), InputError> {
+        let subalgebra = match text.trim().strip_prefix("span ") {
+            Some(vectors) => spanned(self.value.algebra(), vectors, brackets)?,
+            None => Subalgebra::parse(self.value.algebra(), text).map_err(failure)?,
+        };
         self.value = subalgebra.restrict(&self.value).map_err(failure)?;
         let embedding = subalgebra.embedding_index();
         let products = embedding.iter().map(|row| {
@@ -263,6 +279,28 @@ impl State {
             .collect();
         Ok(Grid::new(title, &["property", "value"], rows, Value::Object(json)))
     }
+}
+
+/// The subalgebra that vectors span, such as `e1 - f1, e2 - f2, e3 - f3`.
+fn spanned(
+    algebra: &ReductiveAlgebra,
+    text: &str,
+    brackets: Option<&LieAlgebra<Rational>>,
+) -> Result<Subalgebra, InputError> {
+    let chevalley = match brackets {
+        Some(_) => None,
+        None => algebra.chevalley_algebra(),
+    };
+    let Some(basis) = brackets.or(chevalley.as_ref()) else {
+        let message = format!("vectors cannot span a subalgebra of {algebra}, which has a centre");
+        return Err(InputError::usage(message));
+    };
+    let vectors = vectors(basis.labels(), text)?;
+    let found = match brackets {
+        Some(brackets) => Subalgebra::spanned_in_basis(algebra, brackets, vectors),
+        None => Subalgebra::spanned(algebra, vectors),
+    };
+    found.map_err(failure)
 }
 
 /// The numbering of the nodes.

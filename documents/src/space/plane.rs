@@ -1,9 +1,38 @@
-//! Planes of tangent vectors, given in the basis of a definition.
+//! Lists of vectors in a basis, and planes of tangent vectors in the basis of a definition.
 
 use crate::Coefficient;
 use crate::input::{InputError, Source, shown};
 use crate::space::{Definition, notation::Names};
+use affinor_tensors::linear::Row;
+use affinor_tensors::{Rational, Ring};
 use std::collections::{BTreeMap, BTreeSet};
+
+/// Parses rational combinations of basis vectors, separated by commas, as in `e1 - f1, 2 e2`.
+///
+/// # Errors
+/// An error for a text that is not a combination of the basis vectors with rational factors.
+///
+/// ```
+/// use affinor::Rational;
+/// let labels = ["x", "y"].map(String::from);
+/// let vectors = affinor_documents::space::vectors(&labels, "x - y, 2*y")?;
+/// assert_eq!(vectors[1], [(1, Rational::from(2))]);
+/// # Ok::<(), affinor_documents::input::InputError>(())
+/// ```
+pub fn vectors(labels: &[String], text: &str) -> Result<Vec<Row<Rational>>, InputError> {
+    let labels: BTreeMap<String, usize> = labels.iter().cloned().zip(0..).collect();
+    let parameters = BTreeSet::new();
+    let names =
+        Names { labels: &labels, parameters: Some(&parameters), functions: None, bare: false };
+    let vector = |text: &str| {
+        let terms = names.vector(text, &Source::new("the vectors", text));
+        let terms = terms.map_err(|error| error.help(names.basis()))?;
+        let entry = |(at, value)| Ok((at, Rational::read(&value)?));
+        let terms = terms.into_iter().filter(|(_, value)| !value.vanishes());
+        terms.map(entry).collect::<Result<Row<Rational>, InputError>>()
+    };
+    text.split(',').map(vector).collect()
+}
 
 impl Definition {
     /// Parses the two vectors that span a plane: combinations of the basis, separated by a comma,

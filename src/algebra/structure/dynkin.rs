@@ -95,6 +95,20 @@ pub fn diagram(cartan_type: CartanType) -> String {
     }
 }
 
+/// The Cartan matrix `<α_i, α_j^v>` of a sum of simple types.
+pub(super) fn block_cartan_matrix(types: &[CartanType]) -> Vec<Vec<i64>> {
+    let rank = types.iter().map(|one| one.rank()).sum();
+    let mut all = vec![vec![0; rank]; rank];
+    let mut start = 0;
+    for one in types {
+        for (i, row) in one.cartan_matrix().into_iter().enumerate() {
+            all[start + i][start..start + row.len()].copy_from_slice(&row);
+        }
+        start += one.rank();
+    }
+    all
+}
+
 /// The exponents of a type: the degrees of the invariants of its Weyl group, each minus one.
 pub fn exponents(cartan_type: CartanType) -> Vec<usize> {
     let r = cartan_type.rank();

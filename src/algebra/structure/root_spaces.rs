@@ -1,9 +1,10 @@
 //! Root spaces of a semisimple algebra whose Cartan subalgebra splits over the rationals (de Graaf
 //! 4.9, 5.11).
 
-use super::dynkin::relation_of;
+use super::dynkin::{block_cartan_matrix, relation_of};
 use super::products::Ad;
 use super::reduction::ModularAlgebra;
+use super::satake::place;
 use super::subspace::combination;
 use super::{StructureTheory, Subspace};
 use crate::algebra::irreducible_factors;
@@ -131,6 +132,30 @@ impl StructureTheory<Rational> {
 }
 
 impl RootSpaces {
+    /// The positions of simple roots among all roots, which are given by integers that determine
+    /// them linearly. The simple roots are in the order of the types, and numbered as in Bourbaki.
+    /// `None` if the roots have other types.
+    pub(super) fn simple_roots(roots: Vec<Vec<i64>>, types: &[CartanType]) -> Option<Vec<usize>> {
+        let rational = |root: &Vec<i64>| root.iter().map(|v| Rational::from(*v)).collect();
+        let values: Vec<Vec<Rational>> = roots.iter().map(rational).collect();
+        let zero = vec![Rational::from(0); values.first().map_or(0, Vec::len)];
+        let mut order: Vec<usize> = (0..values.len()).collect();
+        order.sort_by(|a, b| values[*a].cmp(&values[*b]));
+        order.retain(|at| values[*at] > zero);
+        let space = |at: &usize| RootSpace { values: values[*at].clone(), vector: vec![] };
+        let positive: Vec<RootSpace> = order.iter().map(space).collect();
+        let opposite = positive.iter().map(|root| {
+            let values = root.values.iter().map(|v| -v.clone()).collect();
+            RootSpace { values, vector: vec![] }
+        });
+        let opposite: Vec<RootSpace> = opposite.collect();
+        let (cartan, types) = (Subspace::zero(0), types.to_vec());
+        let mut found = RootSpaces { cartan, roots: positive, simple: vec![], types };
+        let simple = found.indecomposable();
+        found.roots.extend(opposite);
+        Some(found.numbered(&simple)?.into_iter().map(|at| order[at]).collect())
+    }
+
     /// The Cartan matrix `a_ij = <a_i, a_j^v>` of the simple roots, computed from root strings.
     /// `a_i - a_j` is not a root, and `-a_ij` is the largest `k` such that `a_i + k a_j` is a root.
     pub fn cartan_matrix(&self) -> Vec<Vec<i64>> {
@@ -175,39 +200,13 @@ impl RootSpaces {
     /// The simple roots, ordered so that their Cartan matrix is the Cartan matrix of the types.
     fn numbered(&self, simple: &[usize]) -> Option<Vec<usize>> {
         let matrix = self.matrix(simple);
-        let mut wanted = vec![vec![0; simple.len()]; simple.len()];
-        let mut start = 0;
-        for one in &self.types {
-            for (i, row) in one.cartan_matrix().into_iter().enumerate() {
-                wanted.get_mut(start + i)?.get_mut(start..start + row.len())?.copy_from_slice(&row);
-            }
-            start += one.rank();
+        let wanted = block_cartan_matrix(&self.types);
+        if wanted.len() != simple.len() {
+            return None;
         }
         let mut order = vec![];
         place(&matrix, &wanted, &mut order).then(|| order.iter().map(|&at| simple[at]).collect())
     }
-}
-
-/// Completes the order of the rows by a search, which rejects a partial order at the first wrong
-/// entry.
-fn place(matrix: &[Vec<i64>], wanted: &[Vec<i64>], order: &mut Vec<usize>) -> bool {
-    let at = order.len();
-    if at == matrix.len() {
-        return true;
-    }
-    for next in 0..matrix.len() {
-        let fits = |(k, &other): (usize, &usize)| {
-            matrix[next][other] == wanted[at][k] && matrix[other][next] == wanted[k][at]
-        };
-        if !order.contains(&next) && order.iter().enumerate().all(fits) {
-            order.push(next);
-            if place(matrix, wanted, order) {
-                return true;
-            }
-            order.pop();
-        }
-    }
-    false
 }
 
 fn sum(a: &[Rational], b: &[Rational]) -> Vec<Rational> {

@@ -23,6 +23,8 @@ impl Notes {
     ) {
         let Some(SimpleIdeals { rational, real }) = ideals else {
             self.absent("simple ideals", "simple_ideals", "-", "not found");
+            #[cfg(feature = "real-forms")]
+            self.no_real_forms("-", "not found", Value::Null);
             return;
         };
         let entry = |ideal: &RealIdeal| {
@@ -38,6 +40,8 @@ impl Notes {
         self.json.insert("simple_ideals".into(), json!(all));
         if solvable {
             self.row("simple ideals", "none", SOLVABLE);
+            #[cfg(feature = "real-forms")]
+            self.no_real_forms("none", SOLVABLE, json!([]));
             return;
         }
         let over_q = rational.len();
@@ -63,6 +67,8 @@ impl Notes {
             false => format!("of the Levi subalgebra, over the reals; {over_q} over the rationals"),
         };
         self.row("simple ideals", lines.join("\n"), &witness);
+        #[cfg(feature = "real-forms")]
+        self.real_forms(real);
     }
 
     pub(super) fn decomposition(

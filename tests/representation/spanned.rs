@@ -1,0 +1,219 @@
+//! Subalgebras by vectors agree with those by names, and others are rejected with a witness.
+
+use crate::representation::common::{algebra, representation};
+use affinor::Rational;
+use affinor::algebra::structure::StructureTheory;
+use affinor::representation::{
+    HighestWeight, MatrixRepresentation, ReductiveAlgebra, RepresentationError, Subalgebra,
+};
+use std::collections::BTreeSet;
+
+type Vector = Vec<(usize, Rational)>;
+
+/// A vector such as `e1 + 2 f3`, as pairs of a label and a factor.
+fn vector(algebra: &ReductiveAlgebra, terms: &[(&str, i64)]) -> Vector {
+    let brackets = algebra.chevalley_algebra().unwrap();
+    let at = |label: &str| brackets.labels().iter().position(|own| own == label).unwrap();
+    terms.iter().map(|(label, factor)| (at(label), Rational::from(*factor))).collect()
+}
+
+/// The subalgebra that vectors generate.
+fn generated(algebra: &ReductiveAlgebra, generators: &[&[(&str, i64)]]) -> Vec<Vector> {
+    let brackets = algebra.chevalley_algebra().unwrap();
+    let n = brackets.dimension();
+    let structure = brackets.structure_constants();
+    let mut span = affinor::algebra::structure::Subspace::zero(n);
+    let mut open: Vec<Vector> = generators.iter().map(|terms| vector(algebra, terms)).collect();
+    let first = open.clone();
+    while let Some(x) = open.pop() {
+        if !span.add(x.clone()) {
+            continue;
+        }
+        for y in &first {
+            let mut image = vec![Rational::from(0); n];
+            for (at, value) in structure.components() {
+                let factor = |v: &Vector, k| {
+                    v.iter().filter(|(at, _)| *at == k).map(|(_, value)| value.clone()).next()
+                };
+                if let (Some(a), Some(b)) = (factor(&x, at[1]), factor(y, at[2])) {
+                    image[at[0]] = image[at[0]].clone() + &(a * &b * value);
+                }
+            }
+            let zero = Rational::from(0);
+            let row = image.into_iter().enumerate().filter(|(_, value)| *value != zero);
+            open.push(row.collect());
+        }
+    }
+    span.basis().to_vec()
+}
+
+/// The components with their multiplicities, up to the order of equal factors.
+fn branched(subalgebra: &Subalgebra, weight: &str) -> BTreeSet<String> {
+    let ambient = subalgebra.ambient();
+    let weight = HighestWeight::parse(ambient, weight).unwrap();
+    let sum = subalgebra.branch(&weight).unwrap();
+    sum.to_string().split(" + ").map(str::to_string).collect()
+}
+
+fn of(texts: &[&str]) -> BTreeSet<String> {
+    texts.iter().map(|text| text.to_string()).collect()
+}
+
+#[test]
+fn levi_subalgebras_are_found_from_their_generators() {
+    let su5 = algebra("SU(5)");
+    let generators: [&[(&str, i64)]; 8] = [
+        &[("e1", 1)],
+        &[("e2", 1)],
+        &[("f1", 1)],
+        &[("f2", 1)],
+        &[("e4", 1)],
+        &[("f4", 1)],
+        &[("h3", 1)],
+        &[("h1", 1)],
+    ];
+    let vectors = generated(&su5, &generators);
+    assert_eq!(vectors.len(), 12);
+    let found = Subalgebra::spanned(&su5, vectors).unwrap();
+    let levi = Subalgebra::levi(&su5, &[3]).unwrap();
+    // the numbering of the factors and the sign of the charge are free
+    for weight in ["5", "10", "24", "45"] {
+        let weight = HighestWeight::parse(&su5, weight).unwrap();
+        let [own, other] = [&found, &levi].map(|sub| sub.branch(&weight).unwrap());
+        assert_eq!(own.dimension(), other.dimension());
+        assert_eq!(own.components().count(), other.components().count());
+        let dimensions = |sum: &affinor::representation::Decomposition| {
+            let mut all: Vec<_> =
+                sum.components().map(|(w, m)| (w.dimension().to_string(), m)).collect();
+            all.sort();
+            all
+        };
+        assert_eq!(dimensions(&own), dimensions(&other));
+    }
+    assert_eq!(found.algebra().to_string(), "A1 + A2 + T1");
+}
+
+/// Compact subalgebras contain no element with real eigenvalues.
+#[test]
+fn maximal_compact_subalgebras_of_split_forms() {
+    for (name, count, compact, weight, expected) in [
+        ("A2", 3, "A1", "3", &["3"][..]),
+        ("A3", 6, "A1 + A1", "4", &["(2,2)"]),
+        ("A4", 10, "B2", "5", &["5"]),
+        ("G2", 6, "A1 + A1", "7", &["(3,1)", "(2,2)"]),
+        ("B3", 9, "A1 + A1 + A1", "7", &["(1,1,3)", "(2,2,1)"]),
+        ("C2", 4, "A1 + T1", "4", &["2(1)", "2(-1)"]),
+        ("F4", 24, "A1 + C3", "26", &["(1,14)", "(2,6)"]),
+        ("E6", 36, "C4", "27", &["27"]),
+    ] {
+        let ambient = algebra(name);
+        let vectors =
+            (0..count).map(|i| vec![(i, Rational::from(1)), (i + count, Rational::from(-1))]);
+        let found = Subalgebra::spanned(&ambient, vectors).unwrap();
+        assert_eq!(found.algebra().to_string(), compact, "{name}");
+        let branched = branched(&found, weight);
+        let multiset = |all: &BTreeSet<String>| {
+            let mut digits: Vec<Vec<char>> = all
+                .iter()
+                .map(|text| {
+                    let mut all: Vec<char> = text.chars().collect();
+                    all.sort_unstable();
+                    all
+                })
+                .collect();
+            digits.sort();
+            digits
+        };
+        assert_eq!(multiset(&branched), multiset(&of(expected)), "{name}: {branched:?}");
+    }
+}
+
+/// The principal sl(2), and so(3) and g2 in so(7) by representations.
+#[test]
+fn images_of_representations_are_found() {
+    let g2 = algebra("G2");
+    // e = e1 + e2, h = 2 rho^v, f = the partner of e
+    let rows = g2.chevalley_algebra().unwrap();
+    assert_eq!(rows.dimension(), 14);
+    let e = vector(&g2, &[("e1", 1), ("e2", 1)]);
+    // h = 6 h1 + 10 h2 has the value 2 on both simple roots, in the order short, long
+    let f = vector(&g2, &[("f1", 6), ("f2", 10)]);
+    let h = vector(&g2, &[("h1", 6), ("h2", 10)]);
+    let found = Subalgebra::spanned(&g2, [e, f, h]).unwrap();
+    assert_eq!(found.projection(), Subalgebra::principal_sl2(&g2).unwrap().projection());
+    assert_eq!(found.embedding_index(), [[28]]);
+
+    // the image of so(7) in so(8) by the spinor: the fixed vector is a spinor, not a vector
+    let so8 = algebra("D4");
+    let spin7 = spin7_in_so8(&so8, 2);
+    let found = Subalgebra::spanned(&so8, spin7).unwrap();
+    assert_eq!(found.algebra().to_string(), "B3");
+    let eight = |labels: [i64; 4]| {
+        let weight = HighestWeight::new(&so8, labels).unwrap();
+        found.branch(&weight).unwrap().to_string()
+    };
+    assert_eq!(eight([0, 0, 1, 0]), "1 + 7");
+    assert_eq!(eight([1, 0, 0, 0]), "8");
+    assert_eq!(eight([0, 0, 0, 1]), "8");
+    for (node, labels) in [(0, [1, 0, 0, 0]), (3, [0, 0, 0, 1])] {
+        let found = Subalgebra::spanned(&so8, spin7_in_so8(&so8, node)).unwrap();
+        let weight = HighestWeight::new(&so8, labels).unwrap();
+        assert_eq!(found.branch(&weight).unwrap().to_string(), "1 + 7", "{node}");
+    }
+}
+
+/// The stabilizer in D4 of a vector of one of the representations with dimension 8 whose square is
+/// not zero.
+fn spin7_in_so8(so8: &ReductiveAlgebra, node: usize) -> Vec<Vector> {
+    let mut labels = vec![0; 4];
+    labels[node] = 1;
+    let module = MatrixRepresentation::new(&HighestWeight::new(so8, labels).unwrap()).unwrap();
+    // the sum of a highest and a lowest weight vector
+    let columns = module
+        .chevalley_basis()
+        .into_iter()
+        .map(|matrix| (0..8).map(|i| matrix.get(i, 0) + &matrix.get(i, 7)).collect::<Vec<_>>());
+    let columns: Vec<Vec<Rational>> = columns.collect();
+    let rows: Vec<Vec<Rational>> =
+        (0..8).map(|i| columns.iter().map(|column| column[i].clone()).collect()).collect();
+    let matrix = affinor::tensors::linear::Matrix::from_dense(&rows).unwrap();
+    let null = matrix.nullspace().unwrap();
+    (0..null.rows()).map(|i| null.row(i).to_vec()).collect()
+}
+
+/// In another basis of the algebra the restriction is the same up to an outer automorphism.
+#[test]
+fn any_basis_of_the_algebra_is_accepted() {
+    let brackets = affinor::algebra::catalogue::algebra::<Rational>("sl(3)").unwrap();
+    let a2 = algebra("A2");
+    let theory = StructureTheory::new(brackets.clone());
+    let sub = theory.cartan_subalgebra();
+    let found = Subalgebra::spanned_in_basis(&a2, &brackets, sub.basis().to_vec()).unwrap();
+    assert_eq!(found.algebra().to_string(), "T2");
+    let eight = found.restrict(&representation("A2", "8")).unwrap();
+    assert_eq!(eight.components().map(|(_, m)| m).max(), Some(2));
+    assert_eq!(eight.components().count(), 7);
+}
+
+#[test]
+fn other_spans_are_rejected_with_a_witness() {
+    let a2 = algebra("A2");
+    let reason = |vectors: Vec<Vector>| match Subalgebra::spanned(&a2, vectors).unwrap_err() {
+        RepresentationError::NotASubalgebra { reason, .. } => reason,
+        other => panic!("{other}"),
+    };
+    let v = |terms: &[(&str, i64)]| vector(&a2, terms);
+    let text = reason(vec![v(&[("e1", 1)]), v(&[("e2", 1)])]);
+    assert!(text.contains("[e1, e2] = e3"), "{text}");
+    let text = reason(vec![v(&[("e1", 1)]), v(&[("h1", 1)])]);
+    assert!(text.contains("e1 is orthogonal"), "{text}");
+    let text = reason(vec![vec![(9, Rational::from(1))]]);
+    assert!(text.contains("no basis vector 9"), "{text}");
+    let torus = algebra("A1 + T1");
+    assert!(Subalgebra::spanned(&torus, [vec![(0, Rational::from(1))]]).is_err());
+    // the whole algebra and the zero subalgebra
+    let whole = Subalgebra::spanned(&a2, (0..8).map(|i| vec![(i, Rational::from(1))])).unwrap();
+    assert_eq!(branched(&whole, "8"), of(&["8"]));
+    let zero = Subalgebra::spanned(&a2, []).unwrap();
+    assert_eq!(zero.algebra().to_string(), "T0");
+}
