@@ -18,6 +18,7 @@ mod limits;
 mod motion;
 mod operations;
 mod report;
+mod representation;
 mod rows;
 mod run;
 mod source;
@@ -46,6 +47,8 @@ mod _engine {
     use crate::limits::PyBudget;
     #[pymodule_export]
     use crate::motion::{PyProblem, methods};
+    #[pymodule_export]
+    use crate::representation::{_coupling, _representation, _representation_matrices};
     #[pymodule_export]
     use crate::run::{_panic, clear_caches, set_threads, threads};
     #[pymodule_export]

@@ -31,6 +31,7 @@ from affinor.errors import (
 from affinor.geometry import Geodesic, Geometry, Property, check, compare, conventions
 from affinor.group import SE2, SE3, SE2_3, SL2, SO2, SO3, Group, RigidMotionGroup, RotationGroup, Spline, groups
 from affinor.motion import Convergence, Problem, Trajectory, convergence, methods, simulate
+from affinor.representation import Representation, clebsch_gordan, wigner_3j, wigner_6j
 from affinor.structure import Report
 from affinor.tensor import Tensor, contract
 
@@ -68,6 +69,7 @@ __all__ = [
     "Problem",
     "Property",
     "Report",
+    "Representation",
     "RigidMotionGroup",
     "RotationGroup",
     "ShapeError",
@@ -79,6 +81,7 @@ __all__ = [
     "catalogue",
     "check",
     "clear_caches",
+    "clebsch_gordan",
     "compare",
     "contract",
     "convergence",
@@ -90,4 +93,6 @@ __all__ = [
     "simulate",
     "sweep",
     "threads",
+    "wigner_3j",
+    "wigner_6j",
 ]
