@@ -4,9 +4,12 @@
 //! - [`metric_affine`]: nonmetricity, Levi-Civita, contorsion and disformation;
 //! - [`curvature`]: torsion, curvature, Bianchi identities, Ricci, Weyl and further tensors;
 //! - [`properties`]: parallel curvature, Einstein, bi-invariance, with witnesses; [`holonomy`];
-//! - [`chart`]: coordinates and moving frames; [`forms`]: differential forms;
-//! - [`reductive`]: homogeneous spaces G/H; [`homogeneous`]: the same by name; [`equations`]: equations of motion;
+//! - [`chart`]: coordinates and moving frames; [`forms`]: differential forms; [`hodge`]: their star
+//!   and Laplacian;
+//! - [`hypersurface`]: extrinsic curvature; [`equations`]: equations of motion;
+//! - [`reductive`]: homogeneous spaces G/H; [`homogeneous`]: the same by name;
 //! - [`isometry`]: Killing and homothetic fields as Lie algebras; [`petrov`]: the type of a spacetime;
+//!   [`null_tetrad`]: Weyl scalars;
 //! - [`Geometry`]: frame, connection and metric together;
 //! - [`conditions`]: the conditions on parameters under which a tensor vanishes.
 
@@ -16,14 +19,18 @@ pub mod connection;
 pub mod curvature;
 pub mod equations;
 pub mod forms;
+pub mod hodge;
 pub mod holonomy;
 pub mod homogeneous;
+pub mod hypersurface;
 pub mod isometry;
 pub mod metric;
 pub mod metric_affine;
+pub mod null_tetrad;
 pub mod petrov;
 pub mod properties;
 pub mod reductive;
+mod roots;
 
 use crate::algebra::frame::Frame;
 use crate::algebra::{Bracket, LieAlgebra};

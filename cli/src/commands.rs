@@ -14,6 +14,8 @@ mod coupling;
 mod equations;
 mod examples;
 mod failure;
+mod forms;
+mod hypersurface;
 mod info;
 mod isometries;
 mod list;
@@ -29,6 +31,7 @@ mod restore;
 mod rows;
 mod simulate;
 mod solve;
+mod spacetime;
 mod stages;
 mod table;
 mod transport;
@@ -79,6 +82,12 @@ enum Command {
     Properties(properties::Arguments),
     /// Print the Lie algebra of the Killing fields of a metric: dimension, isotropy, name, brackets
     Isometries(isometries::Arguments),
+    /// Print the Weyl tensor of a spacetime: Petrov type, null tetrad, Newman-Penrose scalars
+    Spacetime(spacetime::Arguments),
+    /// Print the derivative, Hodge star, codifferential and Laplacian of a differential form
+    Forms(forms::Arguments),
+    /// Print the extrinsic curvature of the hypersurfaces on which a function is constant
+    Hypersurface(hypersurface::Arguments),
     /// Find all values of the letters of a space for which it has a property, such as Einstein
     Solve(solve::Arguments),
     /// Representations of a reductive algebra: products, powers, branching, matrices
@@ -156,6 +165,9 @@ fn run(command: Command, watch: &Watch) -> Result<(), Failure> {
         Command::Info(arguments) => arguments.run(),
         Command::Properties(arguments) => arguments.run(),
         Command::Isometries(arguments) => arguments.run(),
+        Command::Spacetime(arguments) => arguments.run(),
+        Command::Forms(arguments) => arguments.run(),
+        Command::Hypersurface(arguments) => arguments.run(),
         Command::Solve(arguments) => arguments.run(),
         Command::Rep(arguments) => arguments.run(),
         Command::Coupling(arguments) => arguments.run(),

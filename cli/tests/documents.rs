@@ -185,6 +185,10 @@ fn formats_names_every_key_of_every_schema() -> Outcome {
         ("affinor.properties/1", "affinor properties M3".into()),
         ("affinor.properties/1", "affinor properties SO3".into()),
         ("affinor.isometries/1", "affinor isometries so3 --metric \"diag(a,a,b)\"".into()),
+        ("affinor.isometries/1", "affinor isometries sphere --fields".into()),
+        ("affinor.spacetime/1", "affinor spacetime schwarzschild".into()),
+        ("affinor.hypersurface/1", "affinor hypersurface schwarzschild --function r".into()),
+        ("affinor.forms/1", "affinor forms sphere --form \"cos(theta)*dphi\"".into()),
         (
             "affinor.solve/1",
             "affinor solve so3 --metric \"diag(1,p^3-1,q^2-1)\" --for einstein".into(),

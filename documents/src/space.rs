@@ -17,6 +17,7 @@ mod construction;
 mod definition;
 pub(crate) mod document;
 mod entry;
+mod form_notation;
 pub(crate) mod formulas;
 mod functions;
 mod group;

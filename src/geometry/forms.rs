@@ -35,6 +35,25 @@ impl<S: Scalar> Form<S> {
         Ok(Form(components))
     }
 
+    /// The form of degree `degree` with these components at increasing indices. The other components
+    /// follow by antisymmetry.
+    ///
+    /// # Errors
+    /// [`Error::Tensor`] for indices outside the dimension, and beyond degree 8.
+    pub fn from_increasing(
+        dimension: usize,
+        degree: usize,
+        entries: impl IntoIterator<Item = (Vec<usize>, S)>,
+    ) -> Result<Self, Error> {
+        let mut all = vec![];
+        for (at, value) in entries {
+            for (permuted, odd) in permutations(&at) {
+                all.push((permuted, if odd { -value.clone() } else { value.clone() }));
+            }
+        }
+        Ok(Form(Tensor::from_components(dimension, &vec![Down; degree], all)?))
+    }
+
     /// The components `w_{i1...ip}`.
     pub fn components(&self) -> &Tensor<S> {
         &self.0
@@ -227,6 +246,19 @@ impl<S: Scalar> Connection<S> {
         };
         (0..n).map(|i| (0..n).map(|j| equation(i, j)).collect()).collect()
     }
+}
+
+/// All orders of the indices, each with whether it is odd.
+fn permutations(at: &[usize]) -> Vec<(Vec<usize>, bool)> {
+    let Some((first, rest)) = at.split_first() else { return vec![(vec![], false)] };
+    let inserted = |(order, odd): (Vec<usize>, bool)| {
+        (0..=order.len()).map(move |place| {
+            let mut next = order.clone();
+            next.insert(place, *first);
+            (next, odd ^ (place % 2 == 1))
+        })
+    };
+    permutations(rest).into_iter().flat_map(inserted).collect()
 }
 
 /// The sum of several 2-forms.

@@ -2,7 +2,9 @@
 //!
 //! - [`IsometryAlgebra`]: the algebra of Killing fields, or of homothetic fields;
 //! - `jets`: the linear equations on a jet `(K, A)` at a point, and the bracket of jets;
-//! - `point`, `power_series`, `residue`: metrics on charts around a rational point;
+//! - `conformal`: the same for conformal Killing fields;
+//! - `fields`, `translations`: symmetry fields in the functions of a chart;
+//! - `sample`, `point`, `power_series`, `residue`: metrics on charts around a rational point;
 //! - `name`: names of the algebras that occur.
 //!
 //! # Method
@@ -30,33 +32,41 @@
 //! On a chart the dimensions are computed at random points, where they are constant unless the point
 //! is special: the set of special points has no interior.
 
+mod conformal;
+mod fields;
 mod jets;
+mod modular_point;
 mod name;
 mod point;
 mod power_series;
 mod residue;
+mod sample;
+mod translations;
 
 use crate::Error;
 use crate::algebra::frame::Frame;
-use crate::algebra::structure::{GroundField, Killing, StructureTheory};
-use crate::algebra::{Bracket, LieAlgebra, to_matrix};
+use crate::algebra::structure::StructureTheory;
 use crate::geometry::Geometry;
 use crate::geometry::chart::Fields;
 use crate::geometry::connection::Connection;
 use crate::geometry::metric::Metric;
 use affinor_tensors::stop::stage;
 use affinor_tensors::{Field, Notation, Rational, Ring, Scalar, Symbolic, Tensor};
+use conformal::Prolonged;
 use jets::{AtPoint, Columns, Jets};
-use point::{Expansion, Point, Unfit};
-use power_series::PowerSeries;
+use point::{Point, Unfit};
 use residue::Residue;
-use std::cmp::Ordering;
-use std::sync::Arc;
+pub(crate) use sample::is_positive_at_sample;
+pub use sample::signature_at_sample;
+use sample::{algebra, at_point, conformal_at, lift, series_at, signature};
+use translations::{Translation, translations};
 
 /// The largest number of points that are tried until all roots in the metric are rational there.
 const POINTS: u64 = 20_000;
 /// The number of points at which the dimension is computed, unless two of the first points agree.
 const SAMPLES: usize = 5;
+/// The order to which conformal Killing equations are differentiated first.
+const FIRST_ORDERS: usize = 2;
 /// The number of sample points at which a sign is computed.
 const SIGNS: usize = 32;
 
@@ -67,6 +77,8 @@ pub enum Symmetry {
     Killing,
     /// Homothetic fields: `L_K g = 2 c g` with a constant `c`.
     Homothetic,
+    /// Conformal Killing fields: `L_K g = 2 phi g` with a function `phi`, in dimension 3 and more.
+    Conformal,
 }
 
 /// The certainty of the dimension of a symmetry algebra.
@@ -116,6 +128,7 @@ struct Found<S> {
     columns: Columns,
     jets: Jets<S>,
     structure: Vec<(usize, usize, usize, S)>,
+    is_conformal: bool,
 }
 
 impl<S: Field + Scalar> Found<S> {
@@ -129,7 +142,26 @@ impl<S: Field + Scalar> Found<S> {
         // the brackets close if the dimension is stable at a point that is not special
         let structure = jets::structure(columns, &jets.space, &point);
         let jets = Jets { is_stable: jets.is_stable && structure.is_some(), ..jets };
-        Ok(Found { columns, jets, structure: structure.unwrap_or_default() })
+        let structure = structure.unwrap_or_default();
+        Ok(Found { columns, jets, structure, is_conformal: false })
+    }
+
+    /// The algebra of conformal Killing fields, whose dimension is at least `least`. The function
+    /// `value` evaluates a scalar of the connection at the point.
+    fn conformal<T: Field + Scalar>(
+        connection: &Connection<T>,
+        metric: &Metric<T>,
+        value: impl Fn(&T) -> S,
+        orders: usize,
+        least: usize,
+    ) -> Result<Self, Error> {
+        let prolonged = Prolonged::new(connection, metric)?;
+        let jets = prolonged.solve(connection, &value, orders, least)?;
+        let structure = prolonged.at(&value).structure(&jets.space);
+        let jets = Jets { is_stable: jets.is_stable && structure.is_some(), ..jets };
+        let columns = columns_of(connection.frame().dimension(), Symmetry::Conformal);
+        let structure = structure.unwrap_or_default();
+        Ok(Found { columns, jets, structure, is_conformal: true })
     }
 
     fn dimension(&self) -> usize {
@@ -187,10 +219,16 @@ impl IsometryAlgebra {
         let connection = Connection::levi_civita(frame, metric)?;
         let mut known = vec![];
         let columns = columns_of(frame.dimension(), symmetry);
-        let found = Found::new(columns, 0, |count| {
-            jets::derivatives(&connection, metric, &mut known, count)?;
-            Ok(AtPoint { metric: metric.clone(), derivatives: known.clone() })
-        })?;
+        expect_conformal_dimension(columns.n, symmetry)?;
+        let found = match symmetry {
+            Symmetry::Conformal => {
+                Found::conformal(&connection, metric, Rational::clone, conformal::MAX_ORDER, 0)?
+            }
+            _ => Found::new(columns, 0, |count| {
+                jets::derivatives(&connection, metric, &mut known, count)?;
+                Ok(AtPoint { metric: metric.clone(), derivatives: known.clone() })
+            })?,
+        };
         let certainty = match found.jets.is_stable {
             true => Certainty::Proved,
             false => Certainty::UpperBound,
@@ -262,6 +300,52 @@ impl IsometryAlgebra {
         metric: &Metric<Symbolic>,
         symmetry: Symmetry,
     ) -> Result<Self, Error> {
+        Ok(Self::search(fields, metric, symmetry, false)?.0)
+    }
+
+    /// The symmetry algebra as in [`on_chart`](Self::on_chart), and its fields as far as their
+    /// components are found in the functions of the chart. The components refer to the coordinate
+    /// frame, slot `^i`. Each field satisfies its equation identically, and the fields are linearly
+    /// independent. They are a basis if they are as many as the [`dimension`](Self::dimension).
+    ///
+    /// ```
+    /// use affinor::geometry::isometry::{IsometryAlgebra, Symmetry};
+    /// use affinor::{Chart, Down, Metric, Symbolic, Tensor};
+    /// // the hyperbolic plane: (dx^2 + dy^2)/y^2
+    /// let chart = Chart::new(["x", "y"])?;
+    /// let scale: Symbolic = "1/y^2".parse()?;
+    /// let g = Tensor::from_components(2, &[Down, Down], [([0, 0], scale.clone()), ([1, 1], scale)])?;
+    /// let frame = chart.fields(chart.labels(), Tensor::identity(2))?;
+    /// let metric = Metric::new(chart.labels(), g)?;
+    /// let (algebra, fields) =
+    ///     IsometryAlgebra::with_fields(&frame, &metric, Symmetry::Killing)?;
+    /// assert_eq!((algebra.dimension(), fields.len()), (3, 3));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// Those of [`on_chart`](Self::on_chart).
+    #[doc(alias("Killing vectors"))]
+    pub fn with_fields(
+        fields: &Fields<Symbolic>,
+        metric: &Metric<Symbolic>,
+        symmetry: Symmetry,
+    ) -> Result<(Self, Vec<Tensor<Symbolic>>), Error> {
+        let (algebra, translations) = Self::search(fields, metric, symmetry, true)?;
+        let components = fields.change().inverted().apply(metric.components())?;
+        let metric = Metric::new(fields.chart().labels(), components)?;
+        let (coordinates, dimension) = (fields.chart().coordinates(), algebra.dimension());
+        let found = fields::find(coordinates, &metric, symmetry, dimension, &translations)?;
+        Ok((algebra, found))
+    }
+
+    /// The symmetry algebra on a chart, and the translations in it if they are needed.
+    fn search(
+        fields: &Fields<Symbolic>,
+        metric: &Metric<Symbolic>,
+        symmetry: Symmetry,
+        with_translations: bool,
+    ) -> Result<(Self, Vec<Translation>), Error> {
         let _stage = stage("isometries");
         let components = match fields.are_coordinates() {
             true => metric.components().clone(),
@@ -274,6 +358,7 @@ impl IsometryAlgebra {
         };
         let least = coordinates.iter().filter(ignorable).count();
         let columns = columns_of(coordinates.len(), symmetry);
+        expect_conformal_dimension(columns.n, symmetry)?;
         let mut found: Vec<(Found<Residue>, Point, [usize; 2])> = vec![];
         let (mut reason, mut failures) = (String::new(), 0);
         for seed in 1..POINTS {
@@ -290,9 +375,12 @@ impl IsometryAlgebra {
             if signature.iter().sum::<usize>() < coordinates.len() {
                 continue;
             }
-            let next = Found::new(columns, least, |count| {
-                series_at(fields, &components, &mut point, count)
-            });
+            let next = match symmetry {
+                Symmetry::Conformal => conformal_at(fields, &components, &mut point, least),
+                _ => Found::new(columns, least, |count| {
+                    series_at(fields, &components, &mut point, count)
+                }),
+            };
             let next = match next {
                 Ok(next) => next,
                 // a pole of the inverse metric, which the values do not show
@@ -313,7 +401,11 @@ impl IsometryAlgebra {
         let dimension = dimension.ok_or_else(|| unsupported(&reason))?;
         found.retain(|(found, ..)| found.dimension() == dimension);
         let lifted = found.iter().position(|(found, ..)| lift(&found.structure).is_some());
-        let (found, point, signature) = found.swap_remove(lifted.unwrap_or(0));
+        let (found, mut point, signature) = found.swap_remove(lifted.unwrap_or(0));
+        let translations = match with_translations {
+            true => translations(&found, fields, &components, &mut point)?,
+            false => vec![],
+        };
         let certainty = match found.jets.is_stable {
             true if dimension == least => Certainty::Proved,
             true => Certainty::Generic,
@@ -323,7 +415,7 @@ impl IsometryAlgebra {
         let algebra = constants.map(|constants| algebra(dimension, constants)).transpose()?;
         let structure = algebra.map(StructureTheory::new);
         let isometries = Self::assembled(&found, symmetry, certainty, signature, structure);
-        Ok(IsometryAlgebra { values: point.values(), ..isometries })
+        Ok((IsometryAlgebra { values: point.values(), ..isometries }, translations))
     }
 
     fn assembled<S: Field + Scalar>(
@@ -420,78 +512,18 @@ fn columns_of(n: usize, symmetry: Symmetry) -> Columns {
     Columns { n, homothetic: symmetry == Symmetry::Homothetic }
 }
 
+/// Checks that the conformal Killing fields have a finite dimension.
+fn expect_conformal_dimension(n: usize, symmetry: Symmetry) -> Result<(), Error> {
+    if symmetry == Symmetry::Conformal && n < 3 {
+        return Err(Error::Unsupported(format!(
+            "in dimension {n}, the conformal Killing fields have infinite dimension; they have \
+             finite dimension from 3 on"
+        )));
+    }
+    Ok(())
+}
+
 fn unsupported(reason: &str) -> Error {
     let reason = if reason.is_empty() { "the metric is degenerate" } else { reason };
     Error::Unsupported(format!("no rational sample point was found: {reason}"))
-}
-
-/// The components at a point.
-fn at_point(tensor: &Tensor<Symbolic>, point: &mut Point) -> Result<Tensor<Rational>, Unfit> {
-    let entries = tensor.components().map(|(at, value)| Ok((at, point.value(value)?)));
-    let entries = entries.collect::<Result<Vec<_>, Unfit>>()?;
-    let values = Tensor::from_components(tensor.dimension(), tensor.slots(), entries);
-    values.map_err(|error| Unfit::Never(error.to_string()))
-}
-
-/// The metric and `count` derivatives of the curvature at a point, in the coordinate frame.
-fn series_at(
-    fields: &Fields<Symbolic>,
-    components: &Tensor<Symbolic>,
-    point: &mut Point,
-    count: usize,
-) -> Result<AtPoint<Residue>, Error> {
-    let degree = count + 1;
-    let labels = fields.chart().labels();
-    let mut expansion = Expansion::new(point, fields.chart().coordinates(), degree);
-    let series = components.components().map(|(at, value)| {
-        let series = expansion.series(value, degree);
-        Ok((at, series.map_err(|unfit| unsupported(&unfit.reason()))?))
-    });
-    let series = series.collect::<Result<Vec<_>, Error>>()?;
-    let series = Tensor::from_components(labels.len(), components.slots(), series)?;
-    let frame = Frame::holonomic(&labels, Arc::new(|k, f: &PowerSeries| f.derivative(k)))?;
-    let metric = Metric::new(&labels, series)?;
-    let connection = Connection::levi_civita(&frame, &metric)?;
-    let mut known = vec![];
-    jets::derivatives(&connection, &metric, &mut known, count)?;
-    let derivatives = known.iter().map(|tensor| tensor.map(PowerSeries::value)).collect();
-    let metric = Metric::new(&labels, metric.components().map(PowerSeries::value))?;
-    Ok(AtPoint { metric, derivatives })
-}
-
-/// Rational structure constants with these residues; `None` if one is too long.
-fn lift(
-    constants: &[(usize, usize, usize, Residue)],
-) -> Option<Vec<(usize, usize, usize, Rational)>> {
-    let lifted = constants.iter().map(|(j, k, i, value)| Some((*j, *k, *i, value.rational()?)));
-    lifted.collect()
-}
-
-/// The algebra with these structure constants; the Jacobi identity is checked.
-fn algebra(
-    dimension: usize,
-    constants: Vec<(usize, usize, usize, Rational)>,
-) -> Result<LieAlgebra<Rational>, Error> {
-    let labels = (1..=dimension).map(|at| format!("k{at}"));
-    Bracket::from_constants(labels, constants)?.try_into()
-}
-
-/// The numbers of positive and negative squares of a symmetric form.
-fn signature(form: &Tensor<Rational>) -> [usize; 2] {
-    let [plus, minus, _] = Killing::new(to_matrix(form)).signature().unwrap_or_default();
-    [plus, minus]
-}
-
-/// Whether a function is positive at one of the sample points.
-pub(crate) fn is_positive_at_sample(function: &Symbolic) -> bool {
-    let mut tried = 0;
-    for seed in 1..POINTS {
-        match Point::new(seed).value(function) {
-            Ok(value) if value.sign() == Some(Ordering::Greater) => return true,
-            Ok(_) if tried < SIGNS => tried += 1,
-            Err(Unfit::Retry(_)) => {}
-            Ok(_) | Err(Unfit::Never(_)) => return false,
-        }
-    }
-    false
 }

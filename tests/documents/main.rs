@@ -20,6 +20,8 @@ mod claims {
     mod equal_functions;
     mod formula_names;
     mod fuzz;
+    mod hodge;
+    mod hypersurfaces;
     mod line_elements;
     mod mass_properties;
     mod parameters;
@@ -30,4 +32,5 @@ mod claims {
     mod random_charts;
     mod right_invariant;
     mod statement;
+    mod weyl_scalars;
 }

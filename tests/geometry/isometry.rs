@@ -1,6 +1,8 @@
 //! Isometry algebras of metrics on charts: published dimensions and names, other coordinates, and the
 //! Killing equation solved by polynomials.
 
+mod conformal;
+mod fields;
 mod jets;
 
 use affinor::geometry::isometry::{Certainty, IsometryAlgebra, Symmetry};

@@ -3,7 +3,7 @@
 use clap::Command;
 
 /// For each command, two examples, which run in the root folder of the project.
-const EXAMPLES: [(&str, [&str; 2]); 24] = [
+const EXAMPLES: [(&str, [&str; 2]); 27] = [
     ("compare", ["affinor compare", "affinor compare so3@plus aff1@plus --format markdown"]),
     (
         "table",
@@ -40,6 +40,27 @@ const EXAMPLES: [(&str, [&str; 2]); 24] = [
         [
             "affinor isometries examples/definitions/schwarzschild.toml",
             "affinor isometries \"heisenberg(3)\" --metric \"diag(a,b,c)\" --homothetic",
+        ],
+    ),
+    (
+        "spacetime",
+        [
+            "affinor spacetime schwarzschild",
+            "affinor spacetime kerr --tetrad \"(r^2+a^2)*d_t+a*d_phi, d_r\"",
+        ],
+    ),
+    (
+        "forms",
+        [
+            "affinor forms reissner-nordstrom --form \"Q/r^2*dt^dr\"",
+            "affinor forms sphere --form \"cos(theta)\"",
+        ],
+    ),
+    (
+        "hypersurface",
+        [
+            "affinor hypersurface schwarzschild --function r",
+            "affinor hypersurface friedmann --function t",
         ],
     ),
     (

@@ -18,6 +18,13 @@ pub struct Arguments {
     /// Find the homothetic fields, which scale the metric by a constant
     #[arg(long)]
     pub homothetic: bool,
+    /// Find the conformal Killing fields, which scale the metric by a function, in dimension 3 and
+    /// more
+    #[arg(long, conflicts_with = "homothetic")]
+    pub conformal: bool,
+    /// Write the fields in the functions of the chart, as far as they are found
+    #[arg(long)]
+    pub fields: bool,
     #[command(flatten)]
     pub output: Output,
 }
@@ -26,8 +33,15 @@ impl Arguments {
     pub fn run(&self) -> Result<(), Failure> {
         let settings = Settings { set: self.set.clone(), tolerance: None, threads: None };
         let space = settings.open(self.space.as_deref(), &self.options)?;
-        let symmetry = if self.homothetic { Symmetry::Homothetic } else { Symmetry::Killing };
-        let isometries = Isometries::of(&space.definition, symmetry)?;
+        let symmetry = match (self.homothetic, self.conformal) {
+            (true, _) => Symmetry::Homothetic,
+            (_, true) => Symmetry::Conformal,
+            _ => Symmetry::Killing,
+        };
+        let isometries = match self.fields {
+            true => Isometries::with_fields(&space.definition, symmetry)?,
+            false => Isometries::of(&space.definition, symmetry)?,
+        };
         self.output.print(space.file.as_slice(), &isometries)
     }
 }

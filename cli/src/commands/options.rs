@@ -38,6 +38,9 @@ pub struct GeometryOptions {
     /// "[[1,0],[0,2]]", or on a homogeneous space "summands(1,2)"
     #[arg(long, value_name = "METRIC", allow_hyphen_values = true)]
     pub metric: Option<String>,
+    /// Multiply the metric by the square of this function, as in "1/r"
+    #[arg(long, value_name = "FUNCTION", allow_hyphen_values = true)]
+    pub conformal_factor: Option<String>,
 }
 
 /// Parameters, threads, and the tolerance of floating-point results.
@@ -160,6 +163,7 @@ impl Settings {
             brackets: options.bracket.clone(),
             connection: options.geometry.connection.clone(),
             metric: options.geometry.metric.clone(),
+            conformal_factor: options.geometry.conformal_factor.clone(),
             set: self.set(),
             ..Request::default()
         })?;

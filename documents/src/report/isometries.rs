@@ -5,8 +5,10 @@ use super::head::{printable, printable_list};
 use super::{Format, Report};
 use crate::input::InputError;
 use crate::space::Definition;
+use affinor::geometry::chart::field_of;
 use affinor::geometry::isometry::{Certainty, IsometryAlgebra, Symmetry};
-use affinor_tensors::{Rational, Symbolic, Tolerance};
+use affinor_tensors::text::combination;
+use affinor_tensors::{Rational, Symbolic, Tensor, Tolerance};
 use serde_json::{Value, json};
 use std::io::{self, Write};
 
@@ -20,8 +22,8 @@ const LONGEST: usize = 400;
 pub struct Isometries(Grid);
 
 impl Isometries {
-    /// The algebra of the Killing fields, or of the homothetic fields, of the metric of a
-    /// definition.
+    /// The algebra of the Killing fields, or of the homothetic or conformal Killing fields, of the
+    /// metric of a definition.
     ///
     /// # Errors
     /// Those of [`Definition::geometry`] and [`IsometryAlgebra::of`].
@@ -34,13 +36,35 @@ impl Isometries {
         } else {
             IsometryAlgebra::of(&definition.geometry::<Symbolic>(tolerance)?, symmetry)?
         };
-        Ok(Self::new(definition, &found))
+        Ok(Self::new(definition, &found, None))
     }
 
-    fn new(definition: &Definition, found: &IsometryAlgebra) -> Self {
+    /// The algebra, and its fields in the functions of the chart, as far as they are found.
+    ///
+    /// # Errors
+    /// Those of [`Definition::geometry`] and [`IsometryAlgebra::with_fields`]; an error without a
+    /// chart.
+    pub fn with_fields(definition: &Definition, symmetry: Symmetry) -> Result<Self, InputError> {
+        let geometry = definition.geometry::<Symbolic>(Tolerance::default())?;
+        let metric = geometry.metric().ok_or(affinor::Error::NoMetric)?;
+        let Some(fields) = geometry.frame_origin().fields() else {
+            let message = format!("the fields of {} have no components", definition.name);
+            let error = InputError::usage(format!("{message}: it is not a chart"));
+            return Err(error.help("leave --fields out, or give a chart"));
+        };
+        let (found, fields) = IsometryAlgebra::with_fields(fields, metric, symmetry)?;
+        Ok(Self::new(definition, &found, Some(&fields)))
+    }
+
+    fn new(
+        definition: &Definition,
+        found: &IsometryAlgebra,
+        components: Option<&[Tensor<Symbolic>]>,
+    ) -> Self {
         let fields = match found.symmetry() {
             Symmetry::Killing => "Killing fields",
             Symmetry::Homothetic => "homothetic fields",
+            Symmetry::Conformal => "conformal Killing fields",
         };
         let (name, description) = (found.name(), found.description());
         let brackets = found.structure().map(|structure| structure.algebra().to_string());
@@ -69,8 +93,22 @@ impl Isometries {
             row("brackets", "", if long { "in --format json" } else { &brackets });
         }
         let dimensions: Vec<String> = found.dimensions().iter().map(usize::to_string).collect();
-        let orders = "jets that preserve R, nabla R, ...";
+        let orders = match found.symmetry() {
+            Symmetry::Conformal => "jets that preserve the conformal curvature, to each order",
+            _ => "jets that preserve R, nabla R, ...",
+        };
         row("dimensions by order", &dimensions.join(", "), orders);
+        if let Some(components) = components {
+            let all = found.dimension();
+            let remark = match components.len() == all {
+                true => "a basis; each satisfies the equation identically",
+                false => "the others are not in the span of the functions that were tried",
+            };
+            row("fields", &format!("{} of {all}", components.len()), remark);
+            for (at, field) in components.iter().enumerate() {
+                row(&format!("X{}", at + 1), &written(definition, field), "");
+            }
+        }
         let [plus, minus] = found.signature();
         row("signature", &format!("({plus}, {minus})"), "positive and negative squares");
         if !found.values().is_empty() {
@@ -81,10 +119,20 @@ impl Isometries {
         }
         let title = format!("Algebra of {fields} of {}", printable(&definition.name));
         let head = vec![("basis", printable_list(&definition.labels).into())];
-        let grid =
-            Grid::new(title, &["notion", "answer", "remark"], rows, document(definition, found));
+        let grid = Grid::new(
+            title,
+            &["notion", "answer", "remark"],
+            rows,
+            document(definition, found, components),
+        );
         Isometries(grid.with_head(head))
     }
+}
+
+/// A field as a sum of multiples of the coordinate fields.
+fn written(definition: &Definition, field: &Tensor<Symbolic>) -> String {
+    let label = |at: usize| field_of(&definition.coordinates()[at]);
+    combination(field.components().map(|(at, value)| (value.to_string(), label(at[0]))))
 }
 
 /// The certainty in words.
@@ -99,7 +147,11 @@ fn certainty(certainty: Certainty) -> &'static str {
 }
 
 /// The report in JSON.
-fn document(definition: &Definition, found: &IsometryAlgebra) -> Value {
+fn document(
+    definition: &Definition,
+    found: &IsometryAlgebra,
+    fields: Option<&[Tensor<Symbolic>]>,
+) -> Value {
     let algebra = found.structure().map(|structure| {
         let constants = structure.algebra().structure_constants().components();
         let constants = constants
@@ -119,6 +171,7 @@ fn document(definition: &Definition, found: &IsometryAlgebra) -> Value {
         "symmetry": match found.symmetry() {
             Symmetry::Killing => "killing",
             Symmetry::Homothetic => "homothetic",
+            Symmetry::Conformal => "conformal",
         },
         "dimension": found.dimension(),
         "certainty": match found.certainty() {
@@ -133,6 +186,12 @@ fn document(definition: &Definition, found: &IsometryAlgebra) -> Value {
         "signature": found.signature(),
         "sample": values.collect::<Vec<_>>(),
         "algebra": algebra,
+        "fields": fields.map(|fields| {
+            let field = |field: &Tensor<Symbolic>| {
+                (0..found.space()).map(|i| field.get(&[i]).to_string()).collect::<Vec<_>>()
+            };
+            fields.iter().map(field).collect::<Vec<_>>()
+        }),
     })
 }
 

@@ -56,6 +56,7 @@ pub(crate) struct Document {
     chart: Option<ChartText>,
     frame: Option<Formulas>,
     metric: Option<MetricText>,
+    conformal: Option<Text>,
     connection: Option<ConnectionText>,
     affinities: Option<Block>,
 }
@@ -122,6 +123,11 @@ impl Document {
         };
         let metric = self.metric.as_ref().map(|text| text.read(labels.len(), &names, source));
         let metric = metric.transpose()?;
+        let factor = self.conformal.as_ref().map(|text| {
+            let source = source.excerpt(text);
+            names.scalar(source.content(), &source)
+        });
+        let factor = factor.transpose()?;
         let table = self.connection.as_ref();
         let kind = table.and_then(|table| table.kind.as_ref());
         let within = table.and_then(|table| table.affinities.as_ref());
@@ -155,6 +161,11 @@ impl Document {
         let mut definition = Definition { connection, declared, source, ..definition };
         if let Some(metric) = metric {
             definition.set_metric(metric)?;
+        }
+        if let Some((factor, text)) = factor.zip(self.conformal.as_ref()) {
+            let source = definition.source.clone();
+            let rescaled = definition.rescale_metric(&factor);
+            rescaled.map_err(|error| source.map_or(error.clone(), |s| error.at(&s.at(text))))?;
         }
         Ok(definition)
     }

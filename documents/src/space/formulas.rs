@@ -6,6 +6,7 @@ use crate::input::{
     InputError, Source,
     forms::{Cell, MetricText},
 };
+use affinor_tensors::scalar::PositiveFactors;
 use affinor_tensors::{Symbolic, Tensor, Up, Variance};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -25,15 +26,19 @@ impl Definition {
         ChartFormulas { definition: self, labels, declared: declared.collect() }
     }
 
+    /// The functions that the chart declares to be positive, and the bases of powers.
+    pub(crate) fn positive_factors(&self) -> PositiveFactors {
+        self.functions().map(|functions| functions.positive.known()).unwrap_or_default()
+    }
+
     /// The functions that the chart declares to be positive.
     pub(crate) fn positive(&self) -> Vec<Symbolic> {
-        let known = self.functions().map(|functions| functions.positive.known());
-        known.map_or(vec![], |known| known.factors().to_vec())
+        self.positive_factors().factors().to_vec()
     }
 }
 
 impl ChartFormulas<'_> {
-    fn names(&self) -> Names<'_> {
+    pub(super) fn names(&self) -> Names<'_> {
         let functions = self.definition.functions();
         Names { parameters: Some(&self.declared), ..Names::open(&self.labels, functions) }
     }

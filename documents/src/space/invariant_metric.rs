@@ -17,6 +17,40 @@ const METRIC: &str = "metric: ";
 type Components = Vec<([usize; 2], Symbolic)>;
 
 impl Definition {
+    /// Multiplies the metric by the square of a conformal factor.
+    ///
+    /// # Errors
+    /// An error without a metric, for the Killing form, for a factor that is zero, and for one that
+    /// is not constant on a homogeneous space.
+    pub(super) fn rescale_metric(&mut self, factor: &Symbolic) -> Result<(), InputError> {
+        let refuse = |message: &str, help: &str| Err(InputError::usage(message).help(help));
+        if factor.vanishes() {
+            return refuse("the conformal factor is zero", "give a function that is not zero");
+        }
+        let square = factor.clone() * factor;
+        let n = self.dimension();
+        match &mut self.metric {
+            Some(MetricChoice::Components(entries, _)) => {
+                for (_, value) in entries {
+                    *value = value.clone() * &square;
+                }
+            }
+            Some(metric @ MetricChoice::Identity) => {
+                let entries = (0..n).map(|i| ([i, i], square.clone())).collect();
+                *metric = MetricChoice::Components(entries, None);
+            }
+            Some(_) => {
+                let help = "give the metric in components, as in diag(1, 1, 2)";
+                return refuse("this metric cannot be rescaled", help);
+            }
+            None => {
+                let help = "give a metric, as in --metric identity";
+                return refuse("a conformal factor needs a metric", help);
+            }
+        }
+        Ok(())
+    }
+
     /// Sets the metric. Words that depend on the space become components.
     ///
     /// # Errors

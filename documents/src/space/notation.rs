@@ -67,7 +67,7 @@ impl<'n> Names<'n> {
     }
 
     /// Evaluates a function of coordinates, or the square root of a square.
-    fn call(&self, name: &str, arguments: &[Symbolic]) -> Result<Symbolic, String> {
+    pub(super) fn call(&self, name: &str, arguments: &[Symbolic]) -> Result<Symbolic, String> {
         self.functions.map_or_else(
             || functions::without_chart(name, arguments),
             |functions| functions.call(name, arguments),
@@ -105,7 +105,7 @@ impl<'n> Names<'n> {
         format!("the basis is {}{more}", first.join(", "))
     }
 
-    fn parameter(&self, name: &str) -> Result<Symbolic, String> {
+    pub(super) fn parameter(&self, name: &str) -> Result<Symbolic, String> {
         if is_no_number(name) {
             return Err(format!("`{name}` is not a number"));
         }
@@ -370,7 +370,7 @@ impl Element {
 }
 
 /// Evaluates the arithmetic of scalars, within the limits on their size.
-fn scalars() -> impl Evaluator<Value = Symbolic> {
+pub(super) fn scalars() -> impl Evaluator<Value = Symbolic> {
     Scalars(|name: &str| -> Result<Symbolic, String> { Err(name.into()) }, no_function)
 }
 

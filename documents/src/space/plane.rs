@@ -2,9 +2,12 @@
 
 use crate::Coefficient;
 use crate::input::{InputError, Source, shown};
-use crate::space::{Definition, notation::Names};
+use crate::space::{
+    Definition,
+    notation::{Names, split},
+};
 use affinor_tensors::linear::Row;
-use affinor_tensors::{Rational, Ring};
+use affinor_tensors::{Rational, Ring, Symbolic, Tensor};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Parses rational combinations of basis vectors, separated by commas, as in `e1 - f1, 2 e2`.
@@ -35,6 +38,21 @@ pub fn vectors(labels: &[String], text: &str) -> Result<Vec<Row<Rational>>, Inpu
 }
 
 impl Definition {
+    /// Parses vectors whose components are functions of the coordinates: combinations of the basis,
+    /// separated by commas. The option `origin` contains the text.
+    ///
+    /// # Errors
+    /// An error with its location if an expression cannot be parsed.
+    pub(crate) fn vector_list(
+        &self,
+        origin: &str,
+        text: &str,
+    ) -> Result<Vec<Tensor<Symbolic>>, InputError> {
+        let formulas = self.formulas(&[]);
+        let parts = split(text).into_iter();
+        parts.map(|part| formulas.field(&Source::new(origin, part))).collect()
+    }
+
     /// Parses the two vectors that span a plane: combinations of the basis, separated by a comma,
     /// as in `x1, y1 + 2*z`.
     ///

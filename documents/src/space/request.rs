@@ -32,6 +32,8 @@ pub struct Request {
     pub connection: Option<String>,
     /// The option `--metric`.
     pub metric: Option<String>,
+    /// The option `--conformal-factor`: a function whose square multiplies the metric.
+    pub conformal_factor: Option<String>,
     /// The option `--set`, of the form `name=value,...`.
     pub set: Option<String>,
     /// The cache of files.
@@ -94,6 +96,13 @@ impl Space {
                 let (source, n) = (Source::new(origin, text), space.definition.dimension());
                 space.set_metric(|names| metric(n, names, &source))?;
             }
+        }
+        if let Some(text) = &request.conformal_factor {
+            let source = Source::new("--conformal-factor", text);
+            let labels = space.labels();
+            let names = Names::open(&labels, space.definition.functions());
+            let factor = names.scalar(source.content(), &source)?;
+            space.definition.rescale_metric(&factor)?;
         }
         let given = [(&inside.connection, "@connection"), (&request.connection, "--connection")];
         for (text, origin) in given {

@@ -25,7 +25,7 @@ pub(super) fn name(structure: &StructureTheory<Rational>) -> Option<String> {
 }
 
 /// Names of isometry algebras in the literature, for names of the catalogue.
-const USUAL: [(&str, &str); 8] = [
+const USUAL: [(&str, &str); 10] = [
     ("su(2)", "so(3)"),
     ("bianchi(IX)", "so(3)"),
     ("bianchi(VIII)", "sl(2,R)"),
@@ -34,6 +34,8 @@ const USUAL: [(&str, &str); 8] = [
     ("bianchi(II)", "heisenberg(3)"),
     ("degraaf(5,4)", "heisenberg(5)"),
     ("sl(2,C)", "so(3,1)"),
+    ("su(2,2)", "so(4,2)"),
+    ("su*(4)", "so(5,1)"),
 ];
 
 /// A sum with the usual names of its summands.

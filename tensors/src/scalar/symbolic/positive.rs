@@ -212,15 +212,52 @@ impl PositiveFactors {
         if exponent.as_constant().is_some() {
             return Err(refused);
         }
+        self.assuming(base, refused, |assumed| assumed.power(base, exponent))
+    }
+
+    /// The square root. Squares are taken out first; they may contain any functions. If the signs
+    /// of the other factors and their variables are unknown, they are assumed to be positive, and are
+    /// declared positive for later calls.
+    ///
+    /// ```
+    /// use affinor_tensors::scalar::PositiveFactors;
+    /// let mut positive = PositiveFactors::default();
+    /// assert_eq!(positive.assumed_root(&"1 - 2*m/r".parse()?)?.to_string(), "sqrt(-2*m + r)/sqrt(r)");
+    /// // now 2*m - r is negative
+    /// assert!(positive.assumed_root(&"2*m - r".parse()?).is_err());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// A message if the signs of several sums are unknown, or if the argument is negative.
+    pub fn assumed_root(&mut self, argument: &Symbolic) -> Result<Symbolic, String> {
+        let square = argument.square_factor();
+        let rest = square.recip().map(|inverse| argument.clone() * &inverse * &inverse);
+        let rest = rest.unwrap_or_default();
+        let root = match self.root(&rest, 2) {
+            Ok(root) => root,
+            Err(refused) => self.assuming(&rest, refused, |assumed| assumed.root(&rest, 2))?,
+        };
+        Ok(square * &root)
+    }
+
+    /// Evaluates a function of a base that is declared positive together with its variables. If
+    /// this fails, the declarations remain as they were.
+    fn assuming(
+        &mut self,
+        base: &Symbolic,
+        refused: String,
+        value: impl Fn(&Self) -> Result<Symbolic, String>,
+    ) -> Result<Symbolic, String> {
         let mut assumed = self.clone();
         let Ok((_, factors)) = factors("a base", base) else { return Err(refused) };
         for (factor, _) in factors.iter().filter(|(factor, _)| factor.as_variable().is_some()) {
             assumed.declare(factor).map_err(|_| refused.clone())?;
         }
         assumed.declare(base).map_err(|_| refused.clone())?;
-        let power = assumed.power(base, exponent).map_err(|_| refused)?;
+        let value = value(&assumed).map_err(|_| refused)?;
         *self = assumed;
-        Ok(power)
+        Ok(value)
     }
 
     /// The root `argument^(1/n)`.
