@@ -5,9 +5,10 @@
 //! - [`systems`]: equations of motion. [`EulerPoincare`] has a connection, a metric and a torque on
 //!   any group, [`LiePoissonSystem`] has a Hamiltonian, and [`Constrained`] has holonomic
 //!   constraints. Flows of matrices are for example [`Zeitlin`]; [`systems::chart`] has curves on
-//!   charts;
+//!   charts, and [`systems::homogeneous`] curves on homogeneous spaces;
 //! - [`integrators`]: methods whose steps stay on the group, from [`MuntheKaas`] to
 //!   [`MoserVeselov`]; [`Adaptive::run`] computes a [`Trajectory`];
+//! - [`geodesics`]: geodesics between two points;
 //! - [`events`]: sign changes of functions along a trajectory;
 //! - [`formula`] and [`simulation`]: systems, forces and columns that are given as formulas and
 //!   chosen at run time.
@@ -20,6 +21,7 @@
 pub mod bodies;
 pub mod events;
 pub mod formula;
+pub mod geodesics;
 pub mod integrators;
 pub mod simulation;
 

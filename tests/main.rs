@@ -85,6 +85,7 @@ mod mechanics {
     mod systems {
         mod constrained;
         mod euler_poincare;
+        mod homogeneous;
         mod isospectral;
     }
 }

@@ -15,6 +15,7 @@ mod equations;
 mod examples;
 mod failure;
 mod forms;
+mod geodesic;
 mod hypersurface;
 mod info;
 mod isometries;
@@ -106,6 +107,8 @@ enum Command {
     Adjoint(on_group::Arguments),
     /// Parallel-transport vectors along arcs of a group
     Transport(transport::Arguments),
+    /// Compute geodesics between two points of a chart, a group or a homogeneous space
+    Geodesic(geodesic::Arguments),
     /// Convert rotations: vectors, quaternions, matrices, Euler angles
     Convert(convert::Arguments),
     /// Integrate a problem of mechanics, or an ensemble of problems
@@ -177,6 +180,7 @@ fn run(command: Command, watch: &Watch) -> Result<(), Failure> {
         Command::Compose(arguments) => arguments.run(Operation::Compose),
         Command::Adjoint(arguments) => arguments.run(Operation::Adjoint),
         Command::Transport(arguments) => arguments.run(),
+        Command::Geodesic(arguments) => arguments.run(),
         Command::Convert(arguments) => arguments.run(),
         Command::Simulate(arguments) => arguments.run(watch),
         Command::Plot(arguments) => arguments.run(),

@@ -190,6 +190,10 @@ fn formats_names_every_key_of_every_schema() -> Outcome {
         ("affinor.hypersurface/1", "affinor hypersurface schwarzschild --function r".into()),
         ("affinor.forms/1", "affinor forms sphere --form \"cos(theta)*dphi\"".into()),
         (
+            "affinor.geodesic/1",
+            "affinor geodesic so3 --metric \"diag(1,2,3)\" --from 0,0,0 --to 0.3,1,-0.5".into(),
+        ),
+        (
             "affinor.solve/1",
             "affinor solve so3 --metric \"diag(1,p^3-1,q^2-1)\" --for einstein".into(),
         ),

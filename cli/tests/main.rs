@@ -20,6 +20,7 @@ mod equations;
 mod examples;
 mod first_mistakes;
 mod float_tables;
+mod geodesic;
 mod group_commands;
 mod guide;
 mod heads;

@@ -5,6 +5,7 @@ mod charts;
 mod checkpoints;
 mod events;
 mod forces;
+mod homogeneous;
 mod messages;
 mod options;
 pub mod running;

@@ -1,19 +1,20 @@
 //! Problems of motion: files that are parsed into motions.
 //!
 //! The class of a problem is one of: Euler-Poincare equations, with or without constraints;
-//! Lie-Poisson equations; a prescribed velocity; an isospectral flow of matrices; a curve on a
-//! chart. All classes have
+//! Lie-Poisson equations; a prescribed velocity; an isospectral flow of matrices. There are also
+//! curves on charts and on homogeneous spaces. All classes have
 //! parameters, integration settings, output settings and, optionally, an ensemble that varies
 //! parameters. Every number may be a formula in the parameters.
 //! In reading order: `keys` defines the keys of a file, and `reader` evaluates them. Each class has
 //! its own file, which builds the part of a [`Problem`] for this class. A problem starts motions
-//! ([`Ready`]), which an [`Integration`] integrates.
+//! ([`Ready`]), which an [`Integration`] integrates. [`geodesics`] joins two points.
 
 mod body;
 mod constrained;
 mod ensemble;
 mod euler_poincare;
 mod forces;
+mod geodesic;
 mod initial;
 mod integration;
 mod integrator;
@@ -22,12 +23,14 @@ mod lie_poisson;
 mod matrix_flow;
 mod on_chart;
 mod on_group;
+mod on_homogeneous;
 mod output;
 mod prescribed_velocity;
 mod reader;
 mod ready;
 mod solid;
 
+pub use geodesic::{Connecting, geodesics};
 pub use integration::{Integration, Progress};
 pub use ready::{Column, Factor, Ready};
 pub use solid::Solid;
@@ -44,6 +47,7 @@ use lie_poisson::LiePoisson;
 use matrix_flow::MatrixFlow;
 use on_chart::OnChart;
 use on_group::OnGroup;
+use on_homogeneous::OnHomogeneous;
 use output::{Output, expect_distinct};
 use prescribed_velocity::PrescribedVelocity;
 use reader::{Reader, Value};
@@ -79,6 +83,7 @@ struct Parameter {
 enum Class {
     MatrixFlow(Box<MatrixFlow>),
     Chart(Box<OnChart>),
+    Homogeneous(Box<OnHomogeneous>),
     EulerPoincare(Box<OnGroup>, Box<EulerPoincare>),
     Constrained(Box<OnGroup>, Box<Constrained>),
     LiePoisson(Box<OnGroup>, Box<LiePoisson>),
@@ -93,6 +98,9 @@ impl Class {
         let group = Box::new(OnGroup::read(keys, reader)?);
         if group.definition().is_on_chart() {
             return Ok(Class::Chart(OnChart::read(keys, group.into_space(), reader)?.into()));
+        }
+        if group.definition().is_homogeneous() {
+            return Ok(Class::Homogeneous(OnHomogeneous::read(keys, *group, reader)?.into()));
         }
         if let Some(prescribed) = &keys.prescribed {
             let class = PrescribedVelocity::read(prescribed, reader)?;
@@ -115,6 +123,7 @@ impl Class {
         match self {
             Class::MatrixFlow(flow) => flow.motion(member),
             Class::Chart(curve) => curve.motion(member),
+            Class::Homogeneous(curve) => curve.motion(member),
             Class::EulerPoincare(group, class) => group.start(member, |start| class.motion(start)),
             Class::Constrained(group, class) => group.start(member, |start| class.motion(start)),
             Class::LiePoisson(group, class) => group.start(member, |start| class.motion(start)),
@@ -397,7 +406,10 @@ impl Problem {
             Class::MatrixFlow(_) => MethodClass::MatrixFlow,
             Class::PrescribedVelocity(..) => MethodClass::PrescribedVelocity,
             Class::Constrained(..) => MethodClass::Constrained,
-            Class::EulerPoincare(..) | Class::LiePoisson(..) | Class::Chart(_) => return vec![],
+            Class::EulerPoincare(..)
+            | Class::LiePoisson(..)
+            | Class::Chart(_)
+            | Class::Homogeneous(_) => return vec![],
         };
         let own = Method::ALL.iter().copied().filter(|method| method.class() == class);
         let mut own: Vec<Method> = own.collect();

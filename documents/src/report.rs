@@ -6,9 +6,10 @@
 //! the [`Claim`]s of Paraskevopoulos and Natsiavas (2013) about them. [`EquationReport`] writes
 //! equations of motion, also as source code. [`StoredTable`] compares a table with a stored table.
 //! [`Statements`] are claims about a geometry, each of which is tested. [`Info`] is the structure
-//! of an algebra, [`Properties`] are the properties of a geometry, and [`Isometries`] are its
-//! Killing fields. A [`RepresentationReport`] is about a representation of a reductive algebra,
-//! and a [`MatrixReport`] contains its matrices. A [`CouplingReport`] lists coupling coefficients.
+//! of an algebra, [`Properties`] are the properties of a geometry, [`Isometries`] are its
+//! Killing fields, and [`Geodesics`] join two points. A [`RepresentationReport`] is about a
+//! representation of a reductive algebra, and a [`MatrixReport`] contains its matrices. A
+//! [`CouplingReport`] lists coupling coefficients.
 //!
 //! Each of these types is a [`Report`]. Short lists are [`conventions`], the [`catalogue`], a
 //! [`certificate`] and any other [`listing`]. A [`Computation`] creates the reports of a space,
@@ -26,6 +27,7 @@ mod csv;
 mod equations;
 mod factors;
 mod forms;
+mod geodesics;
 mod grid;
 mod head;
 mod html;
@@ -59,6 +61,7 @@ pub use computation::{Compared, Computation, SIMPLIFIED_AT_POINTS, Selection, Ta
 pub use coupling::{CouplingKind, CouplingReport};
 pub use equations::EquationReport;
 pub use forms::FormReport;
+pub use geodesics::Geodesics;
 pub use hypersurface::HypersurfaceReport;
 pub use info::{Info, dynkin_type};
 pub use isometries::Isometries;

@@ -126,6 +126,12 @@ pub enum Error {
         /// The place and the reason.
         reason: String,
     },
+    /// No geodesic between two points was found.
+    #[error("no geodesic between the points was found: {reason}")]
+    NoGeodesic {
+        /// How far the nearest curve ends from the point, or why no curve reached its end.
+        reason: String,
+    },
     /// An integration has failed before its final time.
     #[error("the integration stops at t = {t}: {reason}")]
     Integration {
@@ -164,6 +170,10 @@ impl Error {
                 ("MetricError", Some("give a metric whose matrix is invertible"))
             }
             Error::Integration { .. } | Error::CurveEnds { .. } => ("IntegrationError", None),
+            Error::NoGeodesic { .. } => (
+                "MathematicsError",
+                Some("try more starts, or check that the points can be joined in this chart"),
+            ),
             Error::Linear(_)
             | Error::Size { .. }
             | Error::NotFinite { .. }

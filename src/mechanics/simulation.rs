@@ -5,7 +5,8 @@
 //!
 //! - `classes`, with one file for each class of problems: [`EulerPoincareSpec`],
 //!   [`ConstrainedSpec`], [`LiePoissonSpec`], [`PrescribedVelocitySpec`] and [`MatrixFlow`] start
-//!   motions on groups chosen at run time, and [`ChartSpec`] starts curves on charts;
+//!   motions on groups chosen at run time. [`ChartSpec`] starts curves on charts, and
+//!   [`HomogeneousSpec`] curves on homogeneous spaces;
 //! - [`Method`]: the table of the methods of integration; [`Integration`]: the settings of the
 //!   integration of a motion;
 //! - [`quantities`]: the names that formulas may use; [`Observables`]: the values of these names at
@@ -30,6 +31,7 @@ mod table;
 pub use classes::chart::{ChartColumns, ChartSpec, CurveLength};
 pub use classes::constrained::{ConstrainedSpec, Constraints};
 pub use classes::euler_poincare::{EulerPoincareSpec, cartan_schouten_factor, is_plus};
+pub use classes::homogeneous::{HomogeneousColumns, HomogeneousSpec};
 pub use classes::lie_poisson::{Hamiltonian, LiePoissonSpec};
 pub use classes::matrix_flow::{MatrixFlow, StartedFlow};
 pub use classes::prescribed_velocity::{PrescribedVelocitySpec, VelocityFormulas};

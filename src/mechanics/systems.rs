@@ -4,7 +4,8 @@
 //! momentum. [`euler_poincare`] contains the systems of a connection and a metric, and
 //! [`lie_poisson`] contains the systems of a Hamiltonian. [`constrained`] adds holonomic
 //! constraints. [`isospectral`] contains flows of matrices that conserve the spectrum. [`chart`]
-//! contains curves on charts: autoparallels, with potentials and charges.
+//! contains curves on charts: autoparallels, with potentials and charges. [`homogeneous`] contains
+//! autoparallels on homogeneous spaces.
 
 mod bilinear;
 mod centred;
@@ -12,6 +13,7 @@ pub mod chart;
 pub mod constrained;
 pub mod cotangent;
 pub mod euler_poincare;
+pub mod homogeneous;
 pub mod isospectral;
 pub mod lie_poisson;
 mod matrix;
@@ -20,6 +22,7 @@ pub(in crate::mechanics) mod saddle;
 pub use constrained::{Constrained, ConstrainedState, Constraint};
 pub use cotangent::{CotangentSystem, State};
 pub use euler_poincare::EulerPoincare;
+pub use homogeneous::HomogeneousSystem;
 pub use isospectral::{Isospectral, Manakov, MatrixState, Toda, Zeitlin};
 pub use lie_poisson::LiePoissonSystem;
 

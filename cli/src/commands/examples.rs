@@ -3,7 +3,7 @@
 use clap::Command;
 
 /// For each command, two examples, which run in the root folder of the project.
-const EXAMPLES: [(&str, [&str; 2]); 27] = [
+const EXAMPLES: [(&str, [&str; 2]); 28] = [
     ("compare", ["affinor compare", "affinor compare so3@plus aff1@plus --format markdown"]),
     (
         "table",
@@ -103,6 +103,13 @@ const EXAMPLES: [(&str, [&str; 2]); 27] = [
         [
             "affinor transport so3 --along 0,0,pi --connection zero",
             "affinor transport so3 --along 0,0,180 --degrees 1,0,0",
+        ],
+    ),
+    (
+        "geodesic",
+        [
+            "affinor geodesic sphere --set R=1 --from pi/2,0 --to pi/3,1",
+            "affinor geodesic so3 --metric \"diag(1,2,3)\" --from 0,0,0 --to 0.3,1,-0.5",
         ],
     ),
     (

@@ -5,6 +5,7 @@ use super::ready::factors;
 use crate::input::{
     InputError, Place,
     forms::{Number, Text, VectorText},
+    shown,
 };
 use affinor::Error;
 use affinor::group::{AnyGroup, LieGroup, MatrixNotation, restored, rotation};
@@ -64,6 +65,56 @@ fn listed(vector: &Option<VectorText>) -> Option<&Vec<Number>> {
     match vector {
         Some(VectorText::List(list)) => Some(list),
         _ => None,
+    }
+}
+
+/// The names of the components of a vector, with words for messages.
+pub(super) struct NamedBasis<'n> {
+    pub names: &'n [String],
+    /// The kind of space, as in "chart".
+    pub of: &'n str,
+    /// The kind of names, as in "coordinate".
+    pub what: &'n str,
+}
+
+impl NamedBasis<'_> {
+    /// The components of a vector by name, or all of them in a list; `path` is the key of the
+    /// vector.
+    pub fn components(
+        &self,
+        path: &str,
+        vector: Option<&VectorText>,
+        reader: &Reader,
+    ) -> Result<Vec<Option<Value>>, InputError> {
+        let (mut components, Self { names, of, what }) = (vec![None; self.names.len()], self);
+        let mut set = |i: usize, number: &Number| {
+            components[i] = Some(reader.value(number)?);
+            Ok::<_, InputError>(())
+        };
+        match vector {
+            None => {}
+            Some(VectorText::List(list)) if list.len() == names.len() => {
+                list.iter().enumerate().try_for_each(|(i, number)| set(i, number))?;
+            }
+            Some(VectorText::List(list)) => {
+                let (found, needed) = (list.len(), names.len());
+                let key = path.rsplit('.').next().unwrap_or(path);
+                let message =
+                    format!("the {key} has {found} components, but the {of} has {needed} {what}s");
+                return Err(reader.source.refused(path, message));
+            }
+            Some(VectorText::Named(table)) => {
+                for (name, number) in &table.0 {
+                    let Some(i) = names.iter().position(|own| *own == name.content) else {
+                        let message = format!("`{}` is not a {what}", shown(name));
+                        let error = InputError::usage(message).at(&reader.source.at(name));
+                        return Err(error.help(format!("the {what}s are {}", names.join(", "))));
+                    };
+                    set(i, number)?;
+                }
+            }
+        }
+        Ok(components)
     }
 }
 

@@ -4,7 +4,9 @@ use super::body::InertiaKeys;
 use super::ensemble::EnsembleKeys;
 use super::forces::ForceKeys;
 use super::initial::InitialKeys;
-use crate::input::forms::{Entries, Formulas, MetricText, Number, OneOrEach, OneOrMore, Text};
+use crate::input::forms::{
+    Entries, Formulas, MetricText, Number, OneOrEach, OneOrMore, Text, VectorText,
+};
 use crate::space::document::Document;
 use serde::Deserialize;
 
@@ -54,7 +56,8 @@ pub(super) const OF_CHARTS: [&str; 9] = [
 ];
 
 /// The dotted paths of the keys that are not allowed in problems on a chart.
-pub(super) const NOT_ON_CHARTS: [&str; 20] = [
+pub(super) const NOT_ON_CHARTS: [&str; 21] = [
+    "transport",
     "invariance",
     "inertia",
     "prescribed",
@@ -75,6 +78,24 @@ pub(super) const NOT_ON_CHARTS: [&str; 20] = [
     "forces.table_in",
     "forces.columns",
     "forces.interpolation",
+];
+
+/// The dotted paths of the keys that are allowed only in problems on a homogeneous space.
+pub(super) const OF_HOMOGENEOUS: [&str; 1] = ["transport"];
+
+/// The dotted paths of the keys that are not allowed in problems on a homogeneous space.
+pub(super) const NOT_ON_HOMOGENEOUS: [&str; 11] = [
+    "invariance",
+    "inertia",
+    "prescribed",
+    "hamiltonian",
+    "constraints",
+    "forces",
+    "killing",
+    "embedding",
+    "initial.spatial_velocity",
+    "initial.momentum",
+    "initial.spatial_momentum",
 ];
 
 /// All keys of a file.
@@ -103,6 +124,7 @@ pub(super) struct Keys {
     #[serde(default)]
     pub killing: KillingKeys,
     pub embedding: Option<Vec<Text>>,
+    pub transport: Option<Entries<Text, VectorText>>,
     pub quantities: Option<Formulas>,
     pub events: Option<Formulas>,
     pub ensemble: Option<EnsembleKeys>,

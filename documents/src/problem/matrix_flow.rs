@@ -1,7 +1,7 @@
 //! Problems with isospectral flows of matrices.
 
 use super::integrator::Member;
-use super::keys::{FlowKeys, OF_CHARTS, OF_DYNAMICS, OF_GROUPS};
+use super::keys::{FlowKeys, OF_CHARTS, OF_DYNAMICS, OF_GROUPS, OF_HOMOGENEOUS};
 use super::reader::{Reader, Value};
 use super::ready::{Column, Ready};
 use crate::input::{InputError, Place, shown};
@@ -36,8 +36,10 @@ const KINDS: [(&str, &[&str], &str); 3] = [
 
 impl MatrixFlow {
     pub fn read(flow: &FlowKeys, reader: &Reader) -> Result<Self, InputError> {
-        reader
-            .refuse("a flow of matrices", &[&OF_GROUPS[..], &OF_DYNAMICS, &OF_CHARTS].concat())?;
+        reader.refuse(
+            "a flow of matrices",
+            &[&OF_GROUPS[..], &OF_DYNAMICS, &OF_CHARTS, &OF_HOMOGENEOUS].concat(),
+        )?;
         Ok(MatrixFlow { flow: Flow::read(flow, reader)?, place: reader.source.key("flow") })
     }
 

@@ -5,22 +5,20 @@
 //! initial velocity.
 
 mod exact;
-mod velocity;
+pub(super) mod velocity;
 
+use super::initial::NamedBasis;
 use super::integrator::Member;
 use super::keys::{Keys, NOT_ON_CHARTS};
 use super::output::RowNames;
 use super::reader::{Reader, Value, Written};
 use super::ready::Ready;
-use crate::input::{
-    InputError, Place,
-    forms::{Number, VectorText},
-    shown,
-};
-use crate::space::Space;
+use crate::input::{InputError, Place};
+use crate::space::{Definition, Space};
 use affinor::Error;
 use affinor::mechanics::formula::{Formula, Symbol};
 use affinor::mechanics::simulation::{ChartColumns, ChartSpec, CurveLength};
+use affinor::mechanics::systems::chart::{ChartEquations, ChartProgram};
 use affinor_tensors::expression::ExpressionError;
 use exact::{Exact, Laws};
 use std::sync::{Arc, OnceLock};
@@ -54,7 +52,9 @@ impl OnChart {
         reader.refuse("a curve on a chart", &NOT_ON_CHARTS)?;
         let coordinates = space.definition.coordinates().to_vec();
         let position_place = source.key("initial.position");
-        let position = Self::components("position", &keys.initial.position, &coordinates, reader)?;
+        let basis = NamedBasis { names: &coordinates, of: "chart", what: "coordinate" };
+        let position =
+            basis.components("initial.position", keys.initial.position.as_ref(), reader)?;
         let missing = position.iter().zip(&coordinates).find(|(value, _)| value.is_none());
         if let Some((_, name)) = missing {
             let message = format!("the initial coordinate `{name}` is missing");
@@ -64,7 +64,8 @@ impl OnChart {
                 coordinates.join(", ")
             )));
         }
-        let velocity = Self::components("velocity", &keys.initial.velocity, &coordinates, reader)?;
+        let velocity =
+            basis.components("initial.velocity", keys.initial.velocity.as_ref(), reader)?;
         let normalization = Normalization::read(&keys.initial, &coordinates, &velocity, reader)?;
         if normalization.is_none() && keys.initial.velocity.is_none() {
             let error = source.refused("initial", "the initial velocity is missing");
@@ -88,46 +89,6 @@ impl OnChart {
             parameters: reader.names.clone(),
             shared: OnceLock::new(),
         })
-    }
-
-    /// The components of a vector by the names of the coordinates, or all of them in a list.
-    fn components(
-        key: &str,
-        vector: &Option<VectorText>,
-        coordinates: &[String],
-        reader: &Reader,
-    ) -> Result<Vec<Option<Value>>, InputError> {
-        let mut components = vec![None; coordinates.len()];
-        let mut set = |i: usize, number: &Number| {
-            components[i] = Some(reader.value(number)?);
-            Ok::<_, InputError>(())
-        };
-        match vector {
-            None => {}
-            Some(VectorText::List(list)) if list.len() == coordinates.len() => {
-                list.iter().enumerate().try_for_each(|(i, number)| set(i, number))?;
-            }
-            Some(VectorText::List(list)) => {
-                let (found, needed) = (list.len(), coordinates.len());
-                let message = format!(
-                    "the {key} has {found} components, but the chart has {needed} coordinates"
-                );
-                return Err(reader.source.refused(&format!("initial.{key}"), message));
-            }
-            Some(VectorText::Named(table)) => {
-                for (name, number) in &table.0 {
-                    let Some(i) = coordinates.iter().position(|own| *own == name.content) else {
-                        let message = format!("`{}` is not a coordinate", shown(name));
-                        let error = InputError::usage(message).at(&reader.source.at(name));
-                        return Err(
-                            error.help(format!("the coordinates are {}", coordinates.join(", ")))
-                        );
-                    };
-                    set(i, number)?;
-                }
-            }
-        }
-        Ok(components)
     }
 
     /// The exact equations, computed once.
@@ -201,6 +162,14 @@ impl OnChart {
         let ready = Ready::new(started, &member.times, columns, events);
         Ok(Ready { notes, parameter: exact.parameter().into(), ..ready })
     }
+}
+
+/// The program of equations without parameters.
+pub(super) fn program(
+    definition: &Definition,
+    equations: &ChartEquations,
+) -> Result<ChartProgram, InputError> {
+    Exact::program(definition, equations, &[], &[])
 }
 
 /// The names of the quantities of a curve, and the formulas so far.

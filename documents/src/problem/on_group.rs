@@ -2,7 +2,7 @@
 
 use super::initial::InitialElement;
 use super::integrator::Member;
-use super::keys::{Keys, OF_CHARTS};
+use super::keys::{Keys, OF_CHARTS, OF_HOMOGENEOUS};
 use super::reader::Reader;
 use super::ready::{Factor, Ready};
 use crate::input::{InputError, Place, forms::MetricText, shown};
@@ -77,8 +77,8 @@ impl OnGroup {
             Some(MetricText::Word(text)) => source.at(text),
             _ => source.key("metric"),
         };
-        if !space.definition.is_on_chart() {
-            reader.refuse("a motion on a group", &OF_CHARTS)?;
+        if !space.definition.is_on_chart() && !space.definition.is_homogeneous() {
+            reader.refuse("a motion on a group", &[&OF_CHARTS[..], &OF_HOMOGENEOUS].concat())?;
             keys.initial.expect_lists(reader)?;
         }
         Ok(OnGroup { space, metric_place, right, element })
@@ -100,7 +100,7 @@ impl OnGroup {
     }
 
     /// The space, with the parameter values of a member.
-    fn valued(&self, member: &Member) -> Result<Cow<'_, Space>, InputError> {
+    pub fn valued(&self, member: &Member) -> Result<Cow<'_, Space>, InputError> {
         let mut values = BTreeMap::new();
         for name in self.space.definition.parameters() {
             let Some((_, value)) = member.parameters.iter().find(|(own, _)| *own == name) else {

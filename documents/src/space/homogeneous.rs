@@ -7,10 +7,12 @@ use crate::input::{InputError, Place, Source};
 use crate::space::notation::Names;
 use affinor::algebra::structure::GroundField;
 use affinor::geometry::homogeneous::{Embedding, HomogeneousSpace, has_form, nearest};
+use affinor::group::{AnyGroup, LieGroup, registry};
 use affinor::{Bracket, Error, Law, LieAlgebra, ReductivePair};
 use affinor_tensors::linear::Matrix;
 use affinor_tensors::text::combination;
 use affinor_tensors::{Rational, Symbolic, Tolerance};
+use nalgebra::{DMatrix, DVector};
 use num_traits::Zero;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -165,14 +167,7 @@ impl CosetSpace {
         labels: &[String],
         tolerance: Tolerance,
     ) -> Result<HomogeneousSpace<S>, InputError> {
-        let isotropy = self.vectors.len() - self.dimension;
-        let isotropy: Vec<_> = (1..=isotropy).map(|at| format!("h{at}")).collect();
-        let all = affinor::algebra::join_labels(labels, &isotropy);
-        let constants =
-            self.constants.iter().map(|([i, j, k], value)| Ok((*j, *k, *i, S::read(value)?)));
-        let constants = constants.collect::<Result<Vec<_>, InputError>>()?;
-        let bracket = Bracket::from_constants(&all, constants)?.with_tolerance(tolerance);
-        let pair = ReductivePair::adapted(LieAlgebra::try_from(bracket)?, self.dimension)?;
+        let pair = ReductivePair::adapted(self.adapted(labels, tolerance)?, self.dimension)?;
         let complement = self.vectors[..self.dimension].iter().map(|x| self.written(x)).collect();
         Ok(HomogeneousSpace::of_pair(name, self.embedding(), complement, pair))
     }
@@ -187,6 +182,51 @@ impl CosetSpace {
             none if none.is_empty() => format!("h = 0 in {}", self.algebra),
             vectors => format!("h is the span of {} in {}", vectors.join(", "), self.algebra),
         }
+    }
+
+    /// The adapted basis in floats, as columns of components in the given basis.
+    fn basis(&self) -> Result<DMatrix<f64>, InputError> {
+        let n = self.vectors.len();
+        let mut basis = DMatrix::zeros(n, n);
+        for (column, vector) in self.vectors.iter().enumerate() {
+            for (row, value) in vector {
+                basis[(*row, column)] = f64::read(value)?;
+            }
+        }
+        Ok(basis)
+    }
+
+    /// The algebra of G in the adapted basis.
+    fn adapted<S: Coefficient>(
+        &self,
+        labels: &[String],
+        tolerance: Tolerance,
+    ) -> Result<LieAlgebra<S>, InputError> {
+        let isotropy = self.vectors.len() - self.dimension;
+        let isotropy: Vec<_> = (1..=isotropy).map(|at| format!("h{at}")).collect();
+        let all = affinor::algebra::join_labels(labels, &isotropy);
+        let constants =
+            self.constants.iter().map(|([i, j, k], value)| Ok((*j, *k, *i, S::read(value)?)));
+        let constants = constants.collect::<Result<Vec<_>, InputError>>()?;
+        let bracket = Bracket::from_constants(&all, constants)?.with_tolerance(tolerance);
+        Ok(LieAlgebra::try_from(bracket)?)
+    }
+
+    /// A group G and the adapted basis in the basis of the group, as columns. The group comes from
+    /// the registry if the name of the algebra is there, with the same brackets. Otherwise, it is
+    /// the group of the brackets in the adapted basis.
+    fn group(
+        &self,
+        labels: &[String],
+        tolerance: Tolerance,
+    ) -> Result<(AnyGroup, DMatrix<f64>), InputError> {
+        let (algebra, basis) = (self.adapted::<f64>(labels, tolerance)?, self.basis()?);
+        let named = registry::find(&self.algebra).ok();
+        if let Some(group) = named.filter(|group| has_brackets(group, &basis, &algebra)) {
+            return Ok((group, basis));
+        }
+        let group = registry::of_algebra(&algebra)?;
+        Ok((group, DMatrix::identity(basis.nrows(), basis.nrows())))
     }
 
     fn written(&self, vector: &[(usize, Symbolic)]) -> String {
@@ -207,7 +247,33 @@ impl CosetSpace {
     }
 }
 
+/// Whether the vectors in the columns of `basis` have the brackets of an algebra in a group.
+fn has_brackets(group: &AnyGroup, basis: &DMatrix<f64>, algebra: &LieAlgebra<f64>) -> bool {
+    let n = algebra.dimension();
+    let constants = algebra.structure_constants();
+    let bracket = |j: usize, k: usize| {
+        let expected = DVector::from_fn(n, |i, _| constants.get(&[i, j, k]));
+        let found = group.bracket(&basis.column(j).into(), &basis.column(k).into());
+        (found - basis * &expected).amax() <= 1e-12 * (1.0 + expected.amax())
+    };
+    group.dimension() == n && (0..n).all(|j| (0..j).all(|k| bracket(j, k)))
+}
+
 impl Definition {
+    /// The group G of a homogeneous space G/H and an adapted basis of its algebra, which begins with
+    /// the basis of the space. The columns of the matrix are components in the basis of the group.
+    /// Returns `None` for other definitions.
+    ///
+    /// # Errors
+    /// An error if a value is not a number, and if the algebra has no group of matrices.
+    pub fn transitive_group(
+        &self,
+        tolerance: Tolerance,
+    ) -> Result<Option<(AnyGroup, DMatrix<f64>)>, InputError> {
+        let group = self.coset_space().map(|coset| coset.group(&self.labels, tolerance));
+        group.transpose()
+    }
+
     /// The homogeneous space, if the definition is one.
     pub(super) fn coset_space(&self) -> Option<&CosetSpace> {
         match &self.origin {

@@ -107,6 +107,66 @@ impl Space {
     }
 }
 
+impl Space {
+    /// The numbers of an option: values for all `names`, as `name=value,...` or as a list in this
+    /// order; or, if `others` is given, a list of so many values.
+    ///
+    /// # Errors
+    /// An error for a wrong number of values, for an unknown name, and for a value that is not a
+    /// number.
+    pub fn numbers(
+        &self,
+        option: &str,
+        text: &str,
+        names: &[String],
+        others: Option<usize>,
+    ) -> Result<Vec<f64>, InputError> {
+        let source = Source::new(option, text);
+        let labels = self.labels();
+        let scope = Names::open(&labels, self.definition.functions());
+        let parts = split(&source.text);
+        let all = || names.iter().map(|name| shown(name)).collect::<Vec<_>>().join(", ");
+        let value = |part: &str| {
+            number(&scope.scalar(part, &source)?).map(|value| value.value()).ok_or_else(|| {
+                let message = format!("`{}` is not a finite number", shown(part.trim()));
+                InputError::usage(message).at(&source.whole(part))
+            })
+        };
+        let mut values: Vec<Option<f64>> = vec![];
+        for part in &parts {
+            let Some((name, text)) = part.split_once('=') else {
+                values.push(Some(value(part)?));
+                continue;
+            };
+            values.resize(names.len(), None);
+            let place = source.whole(name);
+            let Some(at) = names.iter().position(|own| own == name.trim()) else {
+                let message = format!("`{}` is not a name of a component", shown(name.trim()));
+                return Err(InputError::usage(message).at(&place).help(format!("give {}", all())));
+            };
+            if values[at].replace(value(text)?).is_some() {
+                let message = format!("{} is given twice", shown(name.trim()));
+                return Err(InputError::usage(message).at(&place));
+            }
+        }
+        let known: Option<Vec<f64>> = values.iter().copied().collect();
+        if let Some(known) = known
+            && (known.len() == names.len() || Some(known.len()) == others)
+        {
+            return Ok(known);
+        }
+        let found = values.iter().flatten().count();
+        let count = if found == 1 { "value".into() } else { format!("{found} values") };
+        let count = if found == 1 { format!("1 {count}") } else { count };
+        let message = format!("{option} has {count}, but a point has {}", names.len());
+        let error = InputError::usage(message).at(&source.whole(&source.text));
+        Err(error.help(match others {
+            Some(others) => format!("give {}, or the {others} entries of a matrix", all()),
+            None => format!("give {}", all()),
+        }))
+    }
+}
+
 /// The value of an expression without parameters.
 fn number(value: &Symbolic) -> Option<TrackedFloat> {
     let exact = || TrackedFloat::from_symbolic(value);

@@ -6,6 +6,7 @@ pub mod constrained;
 mod cotangent;
 pub mod euler_poincare;
 pub mod free_body;
+pub mod homogeneous;
 pub mod lie_poisson;
 pub mod matrix_flow;
 pub mod prescribed_velocity;

@@ -217,7 +217,8 @@ impl Exact {
         })
     }
 
-    fn program(
+    /// Compiles the equations with the edges of the chart.
+    pub fn program(
         definition: &Definition,
         equations: &ChartEquations,
         parameters: &[String],

@@ -8,7 +8,7 @@ use nalgebra::DMatrix;
 /// The condition on the square `g(v, v)` of the initial velocity, and the component that it
 /// determines.
 #[derive(Clone, Debug)]
-pub(super) struct Normalization {
+pub(in crate::problem) struct Normalization {
     kind: Kind,
     /// The component that is solved for; `None` if the velocity is scaled.
     solve: Option<usize>,

@@ -7,7 +7,9 @@ use crate::input::forms::HomogeneousText;
 use crate::input::{InputError, Refusal, Source};
 use affinor::LieAlgebra;
 use affinor::geometry::homogeneous::{HomogeneousSpace, has_form};
+use affinor::group::AnyGroup;
 use affinor_tensors::{Symbolic, Tolerance};
+use nalgebra::DMatrix;
 use std::collections::BTreeSet;
 use std::convert::Infallible;
 
@@ -68,6 +70,17 @@ impl Definition {
     /// Whether the definition is a homogeneous space.
     pub fn is_homogeneous(&self) -> bool {
         false
+    }
+
+    /// The group G of a homogeneous space and its adapted basis; `None` for other definitions.
+    ///
+    /// # Errors
+    /// None in this build.
+    pub fn transitive_group(
+        &self,
+        _: Tolerance,
+    ) -> Result<Option<(AnyGroup, DMatrix<f64>)>, InputError> {
+        Ok(None)
     }
 
     /// The name of the algebra of G, if the definition is a homogeneous space G/H.

@@ -2,7 +2,7 @@
 //! Lie-Poisson systems.
 
 use crate::Error;
-use crate::group::{Coordinates, Embedded as _, LieGroup as _};
+use crate::group::{Coordinates, Embedded as _, LieGroup};
 use crate::mechanics::Adaptive;
 use crate::mechanics::simulation::forces::ForcesOn;
 use crate::mechanics::simulation::group::SimulationGroup;
@@ -88,10 +88,7 @@ impl<S: ObservedSystem> ObservedMotion for CotangentMotion<S> {
         let group = self.system.group();
         let velocity = self.system.velocity_of(&state.momentum(group));
         let [matrix, power] = &mut *self.matrices.borrow_mut();
-        for (k, mut column) in matrix.column_iter_mut().enumerate() {
-            let image = group.bracket(&velocity, &group.basis_vector(k));
-            column.copy_from_slice(image.components());
-        }
+        adjoint_operator(group, &velocity, matrix);
         spectral_radius(matrix, power)
     }
 
@@ -123,6 +120,22 @@ pub(super) fn any_system<S: CotangentSystem<Group: SimulationGroup> + 'static>(
         return Err(method.refused(NO_PROJECTION));
     }
     Ok(method.any_system(step, control))
+}
+
+/// Replaces a matrix by the matrix of `ad_Omega`.
+fn adjoint_operator<G: LieGroup>(group: &G, velocity: &G::Vector, matrix: &mut DMatrix<f64>) {
+    for (k, mut column) in matrix.column_iter_mut().enumerate() {
+        let image = group.bracket(velocity, &group.basis_vector(k));
+        column.copy_from_slice(image.components());
+    }
+}
+
+/// The spectral radius of `ad_Omega`.
+pub(super) fn spectral_radius_of<G: LieGroup>(group: &G, velocity: &G::Vector) -> f64 {
+    let n = group.dimension();
+    let (mut matrix, mut power) = (DMatrix::zeros(n, n), DMatrix::zeros(n, n));
+    adjoint_operator(group, velocity, &mut matrix);
+    spectral_radius(&mut matrix, &mut power)
 }
 
 /// The spectral radius, computed by Gelfand's formula `|A^k|^(1/k)`. The result is an upper bound
