@@ -8,11 +8,14 @@ use crate::report::{all_formats, format, written};
 use crate::run::run;
 use crate::values::python;
 use affinor::Geometry;
+use affinor::geometry::conditions::Condition;
 use affinor::geometry::equations::{EquationKind, Equations};
+use affinor::geometry::isometry::Symmetry;
 use affinor_documents::Coefficient;
 use affinor_documents::input::InputError;
 use affinor_documents::report::{
-    ComparedSide, Comparison, EquationReport, Properties, Quantity, Report, Table,
+    ComparedSide, Comparison, EquationReport, Isometries, Properties, Quantity, Report, Solutions,
+    Table,
 };
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
@@ -41,6 +44,93 @@ impl PyGeometry {
             Geometries::Exact(geometry) => all_formats(&Properties::of_rational(geometry)?),
             Geometries::Symbolic(geometry) => all_formats(&Properties::of_symbolic(geometry)?),
             Geometries::Float(_) => Err(in_floats("the list of properties")),
+        })?;
+        python(py, "structure", "Report")?.call1((written,))
+    }
+
+    /// All real values of the letters for which a condition holds.
+    ///
+    /// The report is the JSON document ``affinor.solve/1`` as a dict; ``print`` shows the table of ``affinor solve``.
+    ///
+    /// Parameters
+    /// ----------
+    /// condition : str
+    ///     ``"einstein"``, ``"ricci-flat"``, ``"flat"``, ``"locally-symmetric"``, ``"ricci-soliton"`` or another condition that
+    ///     ``affinor solve --help`` lists.
+    ///
+    /// Returns
+    /// -------
+    /// Report
+    ///
+    /// Raises
+    /// ------
+    /// InputError
+    ///     The condition is unknown, or the geometry has no letters.
+    ///
+    /// Examples
+    /// --------
+    /// >>> flags = Geometry("Fl(3)", metric="invariant").solve("einstein")
+    /// >>> len(flags["points"]), flags["complete"]
+    /// (4, True)
+    fn solve<'py>(&self, py: Python<'py>, condition: &str) -> New<'py> {
+        let written = run(py, || {
+            let condition = Condition::from_name(condition).ok_or_else(|| {
+                let names = Condition::ALL.map(Condition::name).join(", ");
+                InputError::usage(format!("the conditions are {names}, not {condition:?}"))
+            })?;
+            match &self.values {
+                Geometries::Symbolic(geometry) => {
+                    all_formats(&Solutions::of_geometry(geometry, condition)?)
+                }
+                Geometries::Float(_) => Err(in_floats("solving for letters")),
+                Geometries::Exact(_) => {
+                    let error = InputError::usage("the geometry has no letters to solve for");
+                    Err(error.help("give the metric with letters, as in metric='diag(a,b,c)'"))
+                }
+            }
+        })?;
+        python(py, "structure", "Report")?.call1((written,))
+    }
+
+    /// Lie algebra of the Killing fields of the metric.
+    ///
+    /// The report is the JSON document ``affinor.isometries/1`` as a dict; ``print`` shows the table of ``affinor isometries``.
+    ///
+    /// Parameters
+    /// ----------
+    /// symmetry : str
+    ///     ``"killing"``, ``"homothetic"`` or ``"conformal"``.
+    ///
+    /// Returns
+    /// -------
+    /// Report
+    ///
+    /// Raises
+    /// ------
+    /// InputError
+    ///     There is no metric, or its components are floats.
+    ///
+    /// Examples
+    /// --------
+    /// >>> report = Geometry("schwarzschild").isometries()
+    /// >>> report["dimension"], report["algebra"]["name"]
+    /// (4, 'so(3) + R^1')
+    #[pyo3(signature = (symmetry="killing"))]
+    fn isometries<'py>(&self, py: Python<'py>, symmetry: &str) -> New<'py> {
+        let written = run(py, || {
+            let symmetry = Symmetry::from_name(symmetry).ok_or_else(|| {
+                let names = Symmetry::ALL.map(Symmetry::name).join(", ");
+                InputError::usage(format!("the symmetries are {names}, not {symmetry:?}"))
+            })?;
+            match &self.values {
+                Geometries::Exact(geometry) => {
+                    all_formats(&Isometries::of_rational(geometry, symmetry)?)
+                }
+                Geometries::Symbolic(geometry) => {
+                    all_formats(&Isometries::of_symbolic(geometry, symmetry)?)
+                }
+                Geometries::Float(_) => Err(in_floats("the isometry algebra")),
+            }
         })?;
         python(py, "structure", "Report")?.call1((written,))
     }

@@ -81,6 +81,30 @@ pub enum Symmetry {
     Conformal,
 }
 
+impl Symmetry {
+    /// All symmetries.
+    pub const ALL: [Symmetry; 3] = [Symmetry::Killing, Symmetry::Homothetic, Symmetry::Conformal];
+
+    /// The name: `killing`, `homothetic` or `conformal`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Symmetry::Killing => "killing",
+            Symmetry::Homothetic => "homothetic",
+            Symmetry::Conformal => "conformal",
+        }
+    }
+
+    /// The symmetry with this name.
+    ///
+    /// ```
+    /// use affinor::geometry::isometry::Symmetry;
+    /// assert_eq!(Symmetry::from_name("conformal"), Some(Symmetry::Conformal));
+    /// ```
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|symmetry| symmetry.name() == name)
+    }
+}
+
 /// The certainty of the dimension of a symmetry algebra.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Certainty {

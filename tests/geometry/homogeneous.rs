@@ -135,22 +135,29 @@ fn ricci_of_besse(pair: &ReductivePair<Rational>, metric: &Metric<Rational>) -> 
     let c = |i: usize, j: usize, k: usize| pair.algebra().structure_constants().get(&[i, j, k]);
     let (g, inverse) = (metric.components(), metric.inverse());
     let sum = |terms: &mut dyn Iterator<Item = Rational>| {
-        terms.filter(|term| *term != Rational::from(0)).fold(Rational::from(0), |sum, term| sum + &term)
+        terms
+            .filter(|term| *term != Rational::from(0))
+            .fold(Rational::from(0), |sum, term| sum + &term)
     };
     let at = |x: usize, a: usize, b: usize| (x * r + a) * r + b;
     let indices = || (0..r * r * r).map(|key| (key / (r * r), key / r % r, key % r));
-    let lower: Vec<_> = indices()
-        .map(|(x, a, b)| sum(&mut (0..r).map(|m| g.get(&[x, m]) * &c(m, a, b))))
-        .collect();
+    let lower: Vec<_> =
+        indices().map(|(x, a, b)| sum(&mut (0..r).map(|m| g.get(&[x, m]) * &c(m, a, b)))).collect();
     let half: Vec<_> = indices()
-        .map(|(x, a, b)| sum(&mut (0..r).map(|d| lower[at(x, a, d)].clone() * &inverse.get(&[d, b]))))
+        .map(|(x, a, b)| {
+            sum(&mut (0..r).map(|d| lower[at(x, a, d)].clone() * &inverse.get(&[d, b])))
+        })
         .collect();
     let upper: Vec<_> = indices()
-        .map(|(x, a, b)| sum(&mut (0..r).map(|d| half[at(x, d, b)].clone() * &inverse.get(&[d, a]))))
+        .map(
+            |(x, a, b)| sum(&mut (0..r).map(|d| half[at(x, d, b)].clone() * &inverse.get(&[d, a]))),
+        )
         .collect();
     // <[x,e_a]_m, e_d> g^ab c^d_yb
     let first: Vec<_> = indices()
-        .map(|(d, x, b)| sum(&mut (0..r).map(|a| lower[at(d, x, a)].clone() * &inverse.get(&[a, b]))))
+        .map(|(d, x, b)| {
+            sum(&mut (0..r).map(|a| lower[at(d, x, a)].clone() * &inverse.get(&[a, b])))
+        })
         .collect();
     let value = |x: usize, y: usize| {
         let pairs = || (0..r * r).map(|key| (key / r, key % r));
@@ -159,10 +166,12 @@ fn ricci_of_besse(pair: &ReductivePair<Rational>, metric: &Metric<Rational>) -> 
         let outer = (r..n).flat_map(|h| (0..r).map(move |a| (a, h)));
         let vertical = sum(&mut outer.map(|(a, h)| c(a, x, h) * &c(h, y, a)));
         let last = sum(&mut pairs().map(|(a, b)| lower[at(x, a, b)].clone() * &upper[at(y, a, b)]));
-        let quarter = Rational::new(1, 4);
-        (last - &((products + &inner) * &Rational::from(2)) - &(vertical * &Rational::from(4))) * &quarter
+        let quarter = Rational::new(1, 4).unwrap();
+        (last - &((products + &inner) * &Rational::from(2)) - &(vertical * &Rational::from(4)))
+            * &quarter
     };
-    let symmetric = |[x, y]: [usize; 2]| (value(x, y) + &value(y, x)) * &Rational::new(1, 2);
+    let symmetric =
+        |[x, y]: [usize; 2]| (value(x, y) + &value(y, x)) * &Rational::new(1, 2).unwrap();
     Tensor::from_fn(r, [Down, Down], symmetric).unwrap()
 }
 

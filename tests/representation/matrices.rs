@@ -10,7 +10,6 @@ use affinor::representation::{
 use affinor::tensors::Ring;
 use affinor::tensors::linear::Matrix;
 use num_bigint::BigInt;
-use proptest::prelude::*;
 use std::collections::BTreeMap;
 
 type M = Matrix<Rational>;

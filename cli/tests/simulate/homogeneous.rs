@@ -205,8 +205,8 @@ fn a_geodesic_of_the_stiefel_manifold() {
         assert_near(run.last(&format!("v_m{}", i + 1)), velocity[i], 1e-11, "v");
         assert_near(run.last(&format!("u_m{}", i + 1)), vector[i], 1e-11, "u");
     }
-    for i in 0..5 {
-        assert_near(run.last(&format!("g5{}", i + 1)), last_row[i], 1e-11, "g");
+    for (i, expected) in last_row.into_iter().enumerate() {
+        assert_near(run.last(&format!("g5{}", i + 1)), expected, 1e-11, "g");
     }
     assert!(run.drift("energy") < 1e-11 && run.drift("norm_u") < 1e-11);
     assert!((1..=10).all(|i| run.drift(&format!("h{i}")) < 1e-12));

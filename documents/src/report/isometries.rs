@@ -5,6 +5,7 @@ use super::head::{printable, printable_list};
 use super::{Format, Report};
 use crate::input::InputError;
 use crate::space::Definition;
+use affinor::Geometry;
 use affinor::geometry::chart::field_of;
 use affinor::geometry::isometry::{Certainty, IsometryAlgebra, Symmetry};
 use affinor_tensors::text::combination;
@@ -29,14 +30,35 @@ impl Isometries {
     /// Those of [`Definition::geometry`] and [`IsometryAlgebra::of`].
     pub fn of(definition: &Definition, symmetry: Symmetry) -> Result<Self, InputError> {
         let tolerance = Tolerance::default();
-        let found = if definition.is_rational() {
-            let geometry = definition.geometry::<Rational>(tolerance)?;
-            let metric = geometry.metric().ok_or(affinor::Error::NoMetric)?;
-            IsometryAlgebra::invariant(geometry.frame(), metric, symmetry)?
-        } else {
-            IsometryAlgebra::of(&definition.geometry::<Symbolic>(tolerance)?, symmetry)?
-        };
-        Ok(Self::new(definition, &found, None))
+        match definition.is_rational() {
+            true => Self::of_rational(&definition.geometry(tolerance)?, symmetry),
+            false => Self::of_symbolic(&definition.geometry(tolerance)?, symmetry),
+        }
+    }
+
+    /// The algebra for an invariant metric of rational numbers.
+    ///
+    /// # Errors
+    /// [`affinor::Error::NoMetric`], and those of [`IsometryAlgebra::invariant`].
+    pub fn of_rational(
+        geometry: &Geometry<Rational>,
+        symmetry: Symmetry,
+    ) -> Result<Self, InputError> {
+        let metric = geometry.metric().ok_or(affinor::Error::NoMetric)?;
+        let found = IsometryAlgebra::invariant(geometry.frame(), metric, symmetry)?;
+        Ok(Self::new(geometry.name(), geometry.frame().labels(), &found, None))
+    }
+
+    /// The algebra for a metric with letters, or on a chart.
+    ///
+    /// # Errors
+    /// Those of [`IsometryAlgebra::of`].
+    pub fn of_symbolic(
+        geometry: &Geometry<Symbolic>,
+        symmetry: Symmetry,
+    ) -> Result<Self, InputError> {
+        let found = IsometryAlgebra::of(geometry, symmetry)?;
+        Ok(Self::new(geometry.name(), geometry.frame().labels(), &found, None))
     }
 
     /// The algebra, and its fields in the functions of the chart, as far as they are found.
@@ -53,13 +75,15 @@ impl Isometries {
             return Err(error.help("leave --fields out, or give a chart"));
         };
         let (found, fields) = IsometryAlgebra::with_fields(fields, metric, symmetry)?;
-        Ok(Self::new(definition, &found, Some(&fields)))
+        let components = Components { coordinates: definition.coordinates(), fields: &fields };
+        Ok(Self::new(&definition.name, &definition.labels, &found, Some(components)))
     }
 
     fn new(
-        definition: &Definition,
+        space: &str,
+        basis: &[String],
         found: &IsometryAlgebra,
-        components: Option<&[Tensor<Symbolic>]>,
+        components: Option<Components<'_>>,
     ) -> Self {
         let fields = match found.symmetry() {
             Symmetry::Killing => "Killing fields",
@@ -98,15 +122,15 @@ impl Isometries {
             _ => "jets that preserve R, nabla R, ...",
         };
         row("dimensions by order", &dimensions.join(", "), orders);
-        if let Some(components) = components {
+        if let Some(components) = &components {
             let all = found.dimension();
-            let remark = match components.len() == all {
+            let remark = match components.fields.len() == all {
                 true => "a basis; each satisfies the equation identically",
                 false => "the others are not in the span of the functions that were tried",
             };
-            row("fields", &format!("{} of {all}", components.len()), remark);
-            for (at, field) in components.iter().enumerate() {
-                row(&format!("X{}", at + 1), &written(definition, field), "");
+            row("fields", &format!("{} of {all}", components.fields.len()), remark);
+            for (at, field) in components.fields.iter().enumerate() {
+                row(&format!("X{}", at + 1), &components.written(field), "");
             }
         }
         let [plus, minus] = found.signature();
@@ -117,22 +141,30 @@ impl Isometries {
                 values.map(|(name, v)| format!("{} = {v}", printable(name))).collect();
             row("sample values", "", &values.join(", "));
         }
-        let title = format!("Algebra of {fields} of {}", printable(&definition.name));
-        let head = vec![("basis", printable_list(&definition.labels).into())];
+        let title = format!("Algebra of {fields} of {}", printable(space));
+        let head = vec![("basis", printable_list(basis).into())];
         let grid = Grid::new(
             title,
             &["notion", "answer", "remark"],
             rows,
-            document(definition, found, components),
+            document(space, found, components.map(|components| components.fields)),
         );
         Isometries(grid.with_head(head))
     }
 }
 
-/// A field as a sum of multiples of the coordinate fields.
-fn written(definition: &Definition, field: &Tensor<Symbolic>) -> String {
-    let label = |at: usize| field_of(&definition.coordinates()[at]);
-    combination(field.components().map(|(at, value)| (value.to_string(), label(at[0]))))
+/// Fields in the functions of a chart.
+struct Components<'a> {
+    coordinates: &'a [String],
+    fields: &'a [Tensor<Symbolic>],
+}
+
+impl Components<'_> {
+    /// A field as a sum of multiples of the coordinate fields.
+    fn written(&self, field: &Tensor<Symbolic>) -> String {
+        let label = |at: usize| field_of(&self.coordinates[at]);
+        combination(field.components().map(|(at, value)| (value.to_string(), label(at[0]))))
+    }
 }
 
 /// The certainty in words.
@@ -147,11 +179,7 @@ fn certainty(certainty: Certainty) -> &'static str {
 }
 
 /// The report in JSON.
-fn document(
-    definition: &Definition,
-    found: &IsometryAlgebra,
-    fields: Option<&[Tensor<Symbolic>]>,
-) -> Value {
+fn document(space: &str, found: &IsometryAlgebra, fields: Option<&[Tensor<Symbolic>]>) -> Value {
     let algebra = found.structure().map(|structure| {
         let constants = structure.algebra().structure_constants().components();
         let constants = constants
@@ -167,12 +195,8 @@ fn document(
     let values = found.values().iter().map(|(name, value)| json!([name, value.to_string()]));
     json!({
         "schema": SCHEMA,
-        "name": definition.name,
-        "symmetry": match found.symmetry() {
-            Symmetry::Killing => "killing",
-            Symmetry::Homothetic => "homothetic",
-            Symmetry::Conformal => "conformal",
-        },
+        "name": space,
+        "symmetry": found.symmetry().name(),
         "dimension": found.dimension(),
         "certainty": match found.certainty() {
             Certainty::Proved => "proved",

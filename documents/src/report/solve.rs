@@ -36,9 +36,19 @@ impl Solutions {
     /// # Errors
     /// Those of [`Definition::geometry`] and [`ConditionSolutions::of`].
     pub fn of(definition: &Definition, condition: Condition) -> Result<Self, InputError> {
-        let geometry = definition.geometry::<Symbolic>(Tolerance::default())?;
-        let found = ConditionSolutions::of(ParametricGeometry::of(&geometry)?, condition)?;
-        Ok(Self::new(&geometry, &found))
+        Self::of_geometry(&definition.geometry(Tolerance::default())?, condition)
+    }
+
+    /// The solutions of a condition on the letters of a geometry.
+    ///
+    /// # Errors
+    /// Those of [`ParametricGeometry::of`] and [`ConditionSolutions::of`].
+    pub fn of_geometry(
+        geometry: &Geometry<Symbolic>,
+        condition: Condition,
+    ) -> Result<Self, InputError> {
+        let found = ConditionSolutions::of(ParametricGeometry::of(geometry)?, condition)?;
+        Ok(Self::new(geometry, &found))
     }
 
     fn new(geometry: &Geometry<Symbolic>, found: &ConditionSolutions) -> Self {

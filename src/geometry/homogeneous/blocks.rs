@@ -45,7 +45,11 @@ pub(super) fn embed(group: Factor, isotropy: &[Factor], name: &Name) -> Result<E
             Factor::IndefiniteOrthogonal(p, q) => {
                 // the block lies where the signs of the form change
                 let signature = signature(group).ok_or_else(unknown)?;
-                used = signature.0.checked_sub(*p).filter(|_| isotropy.len() == 1).ok_or_else(unknown)?;
+                used = signature
+                    .0
+                    .checked_sub(*p)
+                    .filter(|_| isotropy.len() == 1)
+                    .ok_or_else(unknown)?;
                 (Field::Real, p + q, indefinite(*p, *q))
             }
             factor => generators_of(*factor).ok_or_else(unknown)?,
@@ -166,13 +170,8 @@ pub(super) fn irreducible() -> Result<Embedded, Error> {
         [[1, 0, 0], [0, -1, 0], [0, 0, 0]],
         [[1, 0, 0], [0, 1, 0], [0, 0, -2]],
     ];
-    const M: [[i64; 5]; 5] = [
-        [1, 1, 1, 0, 0],
-        [-1, 1, 0, 1, 0],
-        [-1, 0, 1, -1, 0],
-        [0, -1, 1, 1, 0],
-        [0, 0, 0, 0, 1],
-    ];
+    const M: [[i64; 5]; 5] =
+        [[1, 1, 1, 0, 0], [-1, 1, 0, 1, 0], [-1, 0, 1, -1, 0], [0, -1, 1, 1, 0], [0, 0, 0, 0, 1]];
     let vectors = M.map(|row| {
         let mut sum: Symmetric = [[0; 3]; 3];
         for (weight, matrix) in row.iter().zip(BASIS) {

@@ -14,9 +14,7 @@ enum Subsystem {
     /// The roots whose coefficient of this simple root, from 0, is even: fixed by an involution.
     Even(usize),
     /// A simple root, long or short.
-    One {
-        long: bool,
-    },
+    One { long: bool },
     /// No roots: the torus.
     None,
 }
