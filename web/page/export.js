@@ -49,11 +49,51 @@ async function paint(picture, canvas) {
 /** A canvas for a picture. @param {{width: number, height: number}} picture @param {number} scale */
 const canvasOf = (picture, scale) => Object.assign(document.createElement("canvas"), { width: Math.round(picture.width * scale), height: Math.round(picture.height * scale) });
 
+/** @param {HTMLCanvasElement} canvas @returns {Promise<Blob>} */
+const blobOf = (canvas) => new Promise((resolve, reject) => canvas.toBlob((blob) => blob ? resolve(blob) : reject(new Error("the browser made no image"))));
+
 /** @param {{text: string, width: number, height: number}} picture @returns {Promise<Blob>} */
 export async function png(picture) {
   const canvas = canvasOf(picture, 3);
   await paint(picture, canvas);
-  return new Promise((resolve, reject) => canvas.toBlob((blob) => blob ? resolve(blob) : reject(new Error("the browser made no image"))));
+  return blobOf(canvas);
+}
+
+/** A file as an address of data. @param {string} address */
+const inlined = async (address) => {
+  const reader = new FileReader(), blob = await (await fetch(address)).blob();
+  return new Promise((resolve) => {
+    reader.onload = () => resolve(String(reader.result));
+    reader.readAsDataURL(blob);
+  });
+};
+
+/** The styles of the page with their fonts, as a picture needs them. */
+async function styles() {
+  const rules = [...document.styleSheets].flatMap((sheet) => [...sheet.cssRules].map((rule) => ({ text: rule.cssText, base: sheet.href ?? location.href })));
+  const written = await Promise.all(rules.map(async ({ text, base }) => {
+    const [whole, name] = text.startsWith("@font-face") && /url\("([^"]+)"\)/.exec(text) || [];
+    return name ? text.replace(String(whole), `url("${await inlined(new URL(name, base).href)}")`) : text;
+  }));
+  return written.join("\n").replace(/&/g, "&amp;").replace(/</g, "&lt;");
+}
+
+/** A part of a box as a PNG of three times its size, with formulas and text. A canvas takes HTML only from an address of data.
+ * @param {HTMLElement} box as large as the window @param {{x: number, y: number, width: number, height: number}} part @returns {Promise<Blob>} */
+export async function photo(box, part) {
+  const root = document.documentElement, whole = /** @type {HTMLElement} */ (root.cloneNode(false)), body = document.body.cloneNode(false);
+  const { fontSize, colorScheme } = getComputedStyle(root);
+  Object.assign(whole.style, { fontSize, colorScheme });
+  body.appendChild(box.cloneNode(true));
+  whole.append(body);
+  // units of the screen are those of the window
+  const size = `width="${innerWidth}" height="${innerHeight}"`;
+  const text = `<svg xmlns="http://www.w3.org/2000/svg" ${size}><style>${await styles()} .components, .matrix { background: none !important }</style><foreignObject ${size}>${new XMLSerializer().serializeToString(whole)}</foreignObject></svg>`;
+  const image = new Image(), canvas = canvasOf(part, 3);
+  image.src = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(text)}`;
+  await image.decode();
+  canvas.getContext("2d")?.drawImage(image, -3 * part.x, -3 * part.y, 3 * innerWidth, 3 * innerHeight);
+  return blobOf(canvas);
 }
 
 /** A film of a clock: calls `frame` with seconds and records what it draws. @param {(time: number) => ({text: string, width: number, height: number} | null)} frame @param {number} seconds @returns {Promise<Blob>} */

@@ -116,7 +116,8 @@ document.querySelector(".skip")?.addEventListener("click", (event) => {
 by("box").addEventListener("submit", (/** @type {Event} */ event) => {
   event.preventDefault();
   const space = by("space-input")?.value.trim();
-  if (space && !mounted.compute) location.hash = `#compute?space=${encodeURIComponent(space)}`;
+  // the field of Compute, which replaces this one when it is mounted, computes by itself
+  if (space && by("space-input").localName === "input") location.hash = `#compute?space=${encodeURIComponent(space)}`;
 });
 by("share").addEventListener("click", async () => {
   try {

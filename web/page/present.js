@@ -1,6 +1,6 @@
 // @ts-check
 // Present: one card over the whole screen, on white or black, with arrow keys from card to card; and pictures and films out of it.
-import { download, drawing, film, png } from "./export.js";
+import { download, drawing, film, photo, png } from "./export.js";
 
 /** @typedef {{box: Element, time: number, length: number, pause(): void, go(time: number): void}} Clock the clock of a picture, in seconds */
 /** @typedef {{title?: string, words?: string, formula?: string, readout?: string, of?: string}} About title, sentence, formula and numbers of a picture, as HTML; or the space of all cards, as text */
@@ -60,9 +60,24 @@ const grown = new MutationObserver(() => settle());
 function settle() {
   fit();
   const drawn = Boolean(cards[at].querySelector("svg"));
-  button("svg").hidden = button("png").hidden = !drawn;
+  button("svg").hidden = !drawn;
+  button("png").hidden = !drawn && !printed();
   button("film").hidden = clock()?.box !== cards[at];
   button("latex").hidden = !latex();
+}
+
+/** White space around formulas in a picture, in pixels of the screen. */
+const MARGIN = 8;
+
+/** The part of the screen with the formulas of a card that has no drawing. */
+function printed() {
+  const parts = [cards[at], ...cards[at].querySelectorAll(".body")].flatMap(({ children }) => [...children])
+    .filter((part) => part.matches(".components, .matrix, .findings, .report, p")).filter((part) => part.checkVisibility() && part.textContent?.trim());
+  if (!parts.some((part) => part.querySelector("math"))) return null;
+  const all = parts.flatMap((part) => [part, ...part.querySelectorAll("math")]).map((part) => part.getBoundingClientRect()), shown = slide.getBoundingClientRect();
+  const x = Math.max(0, Math.min(...all.map(({ left }) => left)) - MARGIN), right = Math.min(innerWidth, Math.max(...all.map(({ right }) => right)) + MARGIN);
+  const y = Math.max(shown.top, Math.min(...all.map(({ top }) => top)) - MARGIN), bottom = Math.min(shown.bottom, Math.max(...all.map(({ bottom }) => bottom)) + MARGIN);
+  return { x, y, width: right - x, height: bottom - y };
 }
 
 /** The button of a card that copies it as LaTeX. */
@@ -122,7 +137,7 @@ const ACTIONS = {
   },
   async png() {
     const picture = drawing(cards[at], ground());
-    if (picture) download(await png(picture), `${name}.png`);
+    download(await (picture ? png(picture) : photo(dialog, printed() ?? slide.getBoundingClientRect())), `${name}.png`);
   },
   async film() {
     const stage = clock();

@@ -30,6 +30,59 @@ test("what is typed on the first screen opens Compute and keeps the cursor", asy
   assert.match(page.url(), /#compute\?space=SU\(2\)/);
 });
 
+test("a text that is entered while Compute loads is computed, and one that is only typed as well", async () => {
+  for (const enter of [true, false]) {
+    const page = await visit();
+    await page.route("**/compute/main.js", async (route) => {
+      await new Promise((resolve) => setTimeout(resolve, 1500));
+      await route.continue();
+    });
+    await page.reload();
+    const loading = page.waitForRequest("**/compute/main.js");
+    await page.waitForFunction(() => document.querySelector("#contents li"));
+    await loading;
+    await page.focus("#space-input");
+    await page.keyboard.type("su(2)");
+    if (enter) await page.keyboard.press("Enter");
+    assert.equal(await page.locator("#space-input").evaluate((field) => field.localName), "input");
+    await page.waitForFunction(() => document.querySelector("#read-as")?.textContent.startsWith("su(2)"));
+    await settled(page);
+    assert.match(page.url(), /#compute\?space=su\(2\)$/);
+    assert.equal(await page.locator("#space-input").inputValue(), "su(2)");
+    await sound(page);
+    await page.context().close();
+  }
+});
+
+test("names that complete a text go when it is entered", async () => {
+  const page = await compute("space=so(3)");
+  await page.fill("#space-input", "su(2");
+  await page.locator(".matches .chip").first().waitFor();
+  await page.keyboard.type(")");
+  await page.keyboard.press("Enter");
+  await settled(page);
+  assert.ok(await page.locator(".matches").isHidden());
+  assert.ok(await page.locator("#box .chips:has-text('Schwarzschild')").isVisible());
+});
+
+test("facts about a structure are whole on a phone, and letters of the metric are not taken for its letters", async () => {
+  const page = await compute("space=[e1,e2]=e3, [e1,e3]=-e2&metric=diag(a,b,c)", { viewport: PHONE });
+  await page.locator(".card.structure").scrollIntoViewIfNeeded();
+  await page.waitForSelector(".card.structure .facts", { timeout: 60000 });
+  const cut = await page.locator(".card.structure .facts.first dd").evaluateAll((all) => all.filter((fact) => fact.scrollWidth > fact.clientWidth + 1).map(({ textContent }) => textContent));
+  assert.deepEqual(cut, []);
+  assert.doesNotMatch(await text(page, ".card.structure .body"), /for generic values/);
+});
+
+test("the name of a matrix and the matrix are one formula, and A1 + A1 has no diagram", async () => {
+  const page = await compute("space=so(4)&metric=identity");
+  assert.equal((await formulas(page, "metric")).length, 1);
+  assert.match((await formulas(page, "metric"))[0], /^g_ij = \[1, 0/);
+  await page.locator(".card.structure").scrollIntoViewIfNeeded();
+  await page.waitForSelector(".card.structure .facts", { timeout: 60000 });
+  assert.equal(await page.locator(".card.structure .drawn").count(), 0);
+});
+
 test("a message stands under the letters, and goes when they are right", async () => {
   const page = await compute("space=so(3)");
   await page.fill("#space-input", "[x,y]=z; [y,z]=q^2");

@@ -126,7 +126,7 @@ for (const [width, height] of [[1366, 768], [3840, 2160]]) {
       assert.ok(cut <= 1 && wide === 0, `${title}: ${cut} px are cut, ${wide} parts are wider than their place`);
       assert.ok(least >= (title === "Motions" ? 25 : 27.9) * width / 1366, `${title} ${least}`);
       assert.match(await page.locator("dialog .of").innerText(), /^se\(3\), connection zero/);
-      assert.deepEqual(exports, title === "Motions" ? ["SVG", "PNG", "Film"] : title === "Equations of motion" ? [] : ["LaTeX"], title);
+      assert.deepEqual(exports, title === "Motions" ? ["SVG", "PNG", "Film"] : title === "Equations of motion" ? ["PNG"] : /^(Structure|Properties)$/.test(title) ? ["LaTeX"] : ["PNG", "LaTeX"], title);
     }
     // the last slide has a picture and formulas, and a film of its clock
     const [picture, law] = [await page.locator("dialog .ball").boundingBox(), await page.locator("dialog .law math").first().boundingBox()];
@@ -164,6 +164,46 @@ test("a formula is copied as LaTeX from its slide", async () => {
   await page.waitForFunction(() => document.querySelector("dialog .where").textContent.includes("copied as LaTeX"), undefined, { timeout: 60000 });
   assert.match(await page.evaluate(() => navigator.clipboard.readText()), /\\tau/);
   await sound(page);
+});
+
+test("formulas leave a slide as PNG in its colours, with the font of the page and nothing beside them", async () => {
+  const page = await compute("space=so(3)&metric=diag(a,b,c)");
+  await page.locator(".card.ricci .copies button").first().focus();
+  await open(page);
+  /** Size of the picture, the colour of its corner and the fractions of its pixels that differ from it. */
+  const look = async () => {
+    const { bytes } = await file(page, "png");
+    return page.evaluate(async (address) => {
+      const image = new Image();
+      image.src = address;
+      await image.decode();
+      const canvas = Object.assign(document.createElement("canvas"), { width: image.width, height: image.height }), context = canvas.getContext("2d");
+      context.drawImage(image, 0, 0);
+      const { data } = context.getImageData(0, 0, image.width, image.height), pixels = new Uint32Array(data.buffer);
+      const inked = (from, to) => pixels.slice(from * image.width, to * image.width).filter((pixel) => pixel !== pixels[0]).length / pixels.length;
+      return { width: image.width, height: image.height, corner: [...data.slice(0, 3)], ink: inked(0, image.height), edge: inked(0, 6) + inked(image.height - 6, image.height) };
+    }, `data:image/png;base64,${bytes.toString("base64")}`);
+  };
+  const white = await look();
+  assert.deepEqual(white.corner, [255, 255, 255]);
+  assert.ok(white.width > 1500 && white.ink > 0.01 && white.ink < 0.3, JSON.stringify(white));
+  assert.equal(white.edge, 0);
+  await page.locator("dialog [data-do=scheme]").click();
+  const black = await look();
+  assert.deepEqual(black.corner, [0, 0, 0]);
+  assert.deepEqual([black.width, black.height], [white.width, white.height]);
+  await sound(page);
+});
+
+test("the values of a summary are in the order of their size, apart on a slide", async () => {
+  const page = await compute("space=so(8)&connection=zero&card=curvature");
+  const values = () => page.locator(".card.curvature .body > p.prose math").evaluateAll((all) => all.map((math) => math.getAttribute("alttext")));
+  const sizes = (await values()).map((value) => value.split("/").map(Number)).map(([above, below = 1]) => above / below);
+  assert.deepEqual(sizes, [...sizes].sort((a, b) => a - b));
+  await page.locator(".card.curvature .copies button").first().focus();
+  await open(page);
+  const { math, words } = await page.locator("dialog .prose").first().evaluate((prose) => ({ math: parseFloat(getComputedStyle(prose.querySelector("math") ?? prose).fontSize), words: parseFloat(getComputedStyle(prose).fontSize) }));
+  assert.ok(words >= 27 && math < 1.2 * words, `${math} in ${words}`);
 });
 
 test("the buttons of a slide are readable before they are used", async () => {
@@ -232,6 +272,10 @@ test("the paper lists the 24 refuted statements, names its entries, and finds wo
     assert.equal(await count("#paper .entry > .findings .fails"), 24);
     await page.locator("#paper [value=all]").check({ force: true });
     assert.equal(await count("#paper .entry"), 83);
+    // a right formula with a refuted statement says which of them is right
+    const marks = await page.locator("#paper .entry:has(> .findings .fails) h2").evaluateAll((all) => all.map((heading) => [...heading.querySelectorAll(".standing")].map(({ textContent }) => textContent)));
+    assert.ok(marks.length === 24 && marks.every(([first]) => first !== "right"), JSON.stringify(marks));
+    assert.ok(marks.filter(([first]) => first === "formula right").every(([, other]) => /^\d statements? refuted$/.test(other)));
     const names = await page.locator("#paper h2 .name").allInnerTexts();
     assert.equal(new Set(names).size, 83);
     await page.locator("#paper [name=find]").fill("rodrigues");

@@ -162,6 +162,11 @@ test("a message that points to a list has the list, and notations to write, amon
     assert.match((await formulas(page, "scalar_curvature"))[0], /= 2$/);
     await page.context().close();
   }
+  // the names come after the message of a link
+  const link = await compute("space=foo");
+  await link.waitForFunction(() => /all \d{3} names/.test(document.querySelector(".refusal summary")?.textContent));
+  assert.equal(await link.locator(".chip:text-is('kerr')").count(), 1);
+  assert.ok(await link.locator(".guide").isHidden());
   const page = await visit("#compute");
   await page.click(".guide .chip:has-text('metric in coordinates')");
   await settled(page);

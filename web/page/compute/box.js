@@ -12,6 +12,7 @@ const LINES = 12;
 export class Box {
   /** Names for completion, and the text that each one means. @type {[string, string][]} */ #names = [];
   /** Names of notations, and an example of each one. @type {[string, string][]} */ #notations = [];
+  /** The message that is shown. @type {Refusal | null} */ #refusal = null;
   /** Whether the computation was stopped. */
   #halted = false;
 
@@ -39,14 +40,16 @@ export class Box {
     this.field.after(this.line, this.error, this.waiting);
     this.examples.after(this.matches);
     this.chosen = acts.chosen;
+    // a text that is entered is not the beginning of another one
+    const enter = () => { this.#offer([]); acts.entered(); };
     this.field.addEventListener("input", () => { this.#fit(); this.#complete(); acts.typed(); });
     this.field.addEventListener("keydown", (event) => {
       // a text of several lines has line ends
       if (event.key !== "Enter" || event.shiftKey || event.isComposing || this.field.value.includes("\n") && !event.ctrlKey) return;
       event.preventDefault();
-      acts.entered();
+      enter();
     });
-    form.addEventListener("submit", (event) => { event.preventDefault(); acts.entered(); });
+    form.addEventListener("submit", (event) => { event.preventDefault(); enter(); });
     form.addEventListener("dragover", (event) => event.preventDefault());
     form.addEventListener("drop", async (event) => {
       const [file] = event.dataTransfer?.files ?? [];
@@ -76,6 +79,8 @@ export class Box {
     this.#names = [...new Set(names)].map((name) => /** @type {[string, string]} */ ([name, name])).concat(notations);
     this.#notations = notations;
     this.#complete();
+    // a message that came before the names has no list
+    if (this.#refusal) this.refuse(this.#refusal);
   }
 
   /** Buttons that write an example of each notation. */
@@ -100,6 +105,11 @@ export class Box {
     const typed = this.field.value.trim().toLowerCase(), plain = (/** @type {string} */ name) => name.toLowerCase().replace(/[^a-z0-9]/g, "");
     const found = typed && /^[\w\s(),*^-]{1,24}$/.test(typed) && document.activeElement === this.field
       ? this.#names.filter(([name]) => plain(name).startsWith(plain(typed)) && name.toLowerCase() !== typed).slice(0, SHOWN) : [];
+    this.#offer(found);
+  }
+
+  /** Shows names that complete the text, or else the examples. @param {[string, string][]} found */
+  #offer(found) {
     this.matches.replaceChildren(...this.#chips(found));
     this.matches.hidden = !found.length;
     this.examples.hidden = Boolean(found.length);
@@ -116,7 +126,10 @@ export class Box {
   outdate() { this.line.classList.add("stale"); }
 
   /** No message. */
-  clear() { this.error.replaceChildren(); }
+  clear() {
+    this.#refusal = null;
+    this.error.replaceChildren();
+  }
 
   /** No message; what was read is what is in the field. */
   accept() {
@@ -125,7 +138,8 @@ export class Box {
   }
 
   /** A message under the letters it is about. @param {Refusal} refusal */
-  refuse({ message, place, help, suggestions = [] }) {
+  refuse(refusal) {
+    const { message, place, help, suggestions = [] } = this.#refusal = refusal;
     // the names that the message lists are buttons
     /** @type {HTMLElement[]} */
     const parts = [element("p", { text: capital(suggestions.length ? message.replace(/; the nearest is .*$/s, "") : message) })];
@@ -145,7 +159,7 @@ export class Box {
       this.matches.hidden = true;
       this.examples.hidden = false;
     }
-    if (help?.includes("list below")) {
+    if (this.#names.length && help?.includes("list below")) {
       const names = this.#names.filter(([name, text]) => name === text);
       parts.push(this.notations(), element("details", {}, element("summary", { text: `all ${names.length} names` }), element("p", { class: "chips" }, ...this.#chips(names))));
     }

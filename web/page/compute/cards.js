@@ -49,7 +49,7 @@ export class Card {
     this.foot = element("div", { class: "foot" });
     this.heading = element("h2", { text: kind.title, id: `card-${kind.name}` });
     this.element = element("article", { class: `card ${kind.name}`, tabindex: "-1", "aria-labelledby": `card-${kind.name}` }, this.heading, this.body, this.foot);
-    this.body.append(element("p", { class: "quiet", text: kind.second ? "Computed when it is in view." : "…" }));
+    this.body.append(element("p", { class: `quiet${kind.second ? " later" : ""}`, text: kind.second ? "Computed when it is in view." : "…" }));
   }
 
   /** The request of the card. @param {Context} context */
@@ -131,6 +131,10 @@ export class Card {
     this.count = Math.max(card.count, this.#filter ? this.count : 0);
     if (this.kind.name !== "connection") this.heading.textContent = card.title;
     this.body.replaceChildren(...fragment(card.html));
+    for (const paragraph of this.body.querySelectorAll(":scope > p")) {
+      if (card.summarized) sort(paragraph);
+      if ([...paragraph.childNodes].some(({ nodeType, textContent }) => nodeType === Node.TEXT_NODE && textContent?.trim())) paragraph.classList.add("prose");
+    }
     if (card.summarized || this.#filter) this.body.prepend(this.#filters([...card.letters]));
     if (card.summarized && this.#filter) this.body.append(element("p", { class: "help", text: "Too many components have these indices: choose one more index." }));
     this.#feet(card.definition, FORMATS);
@@ -173,15 +177,19 @@ export class Card {
       const remark = witness.childNodes.length ? [element("span", { class: "remark" }, ...witness.childNodes)] : [];
       table.append(element("dt", {}, ...notion.childNodes), element("dd", {}, ...answer.childNodes, " ", ...remark));
     }
-    // the diagrams of rank 1 are a point and a line
-    const rank = Number(/rank (\d+)/.exec([...table.querySelectorAll("dt")].find((term) => term.textContent === "root system")?.nextElementSibling?.textContent ?? "")?.[1] ?? 0);
+    // the diagrams of A1 are a point and a line
+    const type = [...table.querySelectorAll("dt")].find((term) => term.textContent === "Dynkin type")?.nextElementSibling?.textContent ?? "";
+    const draws = [...type.matchAll(/([A-G])[^\w]*(\d+)/gu)].some(([, letter, rank]) => letter + rank !== "A1");
     const rest = folded("all of its structure", table);
-    const letters = this.#context?.reading.parameters ?? [];
+    // letters of the metric only, and those with a value, are not in the brackets
+    const { state = null, reading = null } = this.#context ?? {}, words = (/** @type {string} */ text) => new Set(text.match(/[A-Za-z]\w*/g));
+    const outside = (/** @type {string} */ name) => words(state?.metric ?? "").has(name) && !words(state?.space ?? "").has(name);
+    const letters = (reading?.parameters ?? []).filter((name) => !outside(name) && !(name in (state?.set ?? {})));
     const generic = letters.length ? [element("p", { class: "quiet", text: `for generic values of ${letters.join(", ")}` })] : [];
     const semisimple = [...badges.querySelectorAll(".yes")].some(({ textContent }) => textContent === "semisimple");
-    this.body.replaceChildren(badges, ...generic, ...short(table, semisimple), element("div", { class: "drawings" }, ...(rank > 1 ? pictures.map(drawn) : [])), rest);
+    this.body.replaceChildren(badges, ...generic, ...short(table, semisimple), element("div", { class: "drawings" }, ...(draws ? pictures.map(drawn) : [])), rest);
     this.#feet("", FORMATS.filter(([, format]) => format !== "csv"));
-    if (rank > 1 && pictures.length) this.foot.querySelector(".copies")?.append(button("SVG", () => copy(pictures[0].svg), { class: "small" }));
+    if (draws && pictures.length) this.foot.querySelector(".copies")?.append(button("SVG", () => copy(pictures[0].svg), { class: "small" }));
   }
 
   /** @param {string} text */
@@ -241,6 +249,21 @@ export class Card {
       say(`${kind.title} could not be copied: ${refusal?.message ?? message ?? problem}`);
     }
   }
+}
+
+/** Sorts the values of a summary by size, if all of them are numbers. @param {Element} paragraph */
+function sort(paragraph) {
+  const values = [...paragraph.querySelectorAll("math")].map((math) => {
+    const [, above, below = "1"] = /^(-?[\d.]+)(?:\/(\d+))?$/.exec(math.getAttribute("alttext") ?? "") ?? [];
+    return { math, value: Number(above) / Number(below) };
+  });
+  if (values.some(({ value }) => Number.isNaN(value))) return;
+  const places = values.map(({ math }) => {
+    const place = document.createComment("");
+    math.replaceWith(place);
+    return place;
+  });
+  values.sort((a, b) => a.value - b.value).forEach(({ math }, k) => places[k].replaceWith(math));
 }
 
 /** The name of a control. @param {Element | null} control */

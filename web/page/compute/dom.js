@@ -26,8 +26,20 @@ export const button = (text, act, attributes = {}) => element("button", { type: 
 /** Elements of a fragment of HTML that the engine wrote. @param {string} html */
 export function fragment(html) {
   const { body } = new DOMParser().parseFromString(html, "text/html");
+  labelled(body);
   chained(body);
   return [...body.childNodes];
+}
+
+/** Joins the name of a matrix and the matrix into one formula, so that they have one axis. @param {Element} box */
+function labelled(box) {
+  for (const matrix of box.querySelectorAll(".matrix")) {
+    const [name, value, ...more] = matrix.children, row = value?.firstElementChild;
+    if (name?.localName !== "math" || value?.localName !== "math" || row?.firstElementChild?.textContent !== "=" || more.length) continue;
+    row.prepend(...name.childNodes);
+    value.setAttribute("alttext", `${name.getAttribute("alttext")} = ${value.getAttribute("alttext")}`);
+    name.remove();
+  }
 }
 
 /** Groups the sides of equations with several sides, so that lines can break between them. @param {Element} box */

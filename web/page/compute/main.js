@@ -84,6 +84,8 @@ class Compute {
       if (!this.#halted && entries.some(({ isIntersecting }) => isIntersecting)) this.#run();
     }, { rootMargin: "200px" });
     this.#names();
+    // a text that was typed before the field was replaced
+    if (this.box.text) this.#typed();
   }
 
   view() {
@@ -196,14 +198,14 @@ class Compute {
   #title() {
     if (!this.#reading) return "Compute";
     const { metric, connection, card } = this.#state, kind = KINDS.find(({ name }) => name === card);
-    const space = [this.#reading.name, metric, connection].filter(Boolean).join(", ");
+    const space = [this.#reading.name, metric, connection === "levi-civita" ? "Levi-Civita" : connection].filter(Boolean).join(", ");
     return kind ? `${kind.title} of ${space}` : space;
   }
 
   /** The space with its connection and its metric, in words. */
   #of() {
     const { name, connection } = /** @type {Reading} */ (this.#reading), { metric } = this.#state;
-    return [name, connection && `connection ${connection}`, metric && `metric ${metric}`].filter(Boolean).join(", ");
+    return [name, connection && `connection ${connection === "levi-civita" ? "Levi-Civita" : connection}`, metric && `metric ${metric}`].filter(Boolean).join(", ");
   }
 
   /** Computes the state. While one runs, only the newest state waits. @param {boolean} [typing] */
@@ -332,6 +334,7 @@ class Compute {
     const context = { state, reading, engine: this.services.engine, link, say: this.services.say };
     let computed = 0;
     const first = shown.filter(({ kind }) => !kind.second), second = shown.filter(({ kind }) => kind.second);
+    for (const { element: box } of second) if (this.#seen.has(box)) box.querySelector(".body > .later")?.replaceChildren("…");
     for (const card of first.concat(second)) {
       const { element: box, kind } = card;
       if (box.dataset.key === key) {

@@ -70,6 +70,14 @@ export function mount(section, services) {
       const findings = article.querySelectorAll(".findings li").length;
       summary.textContent = counted(findings, "finding");
       whole.append(summary, ...rest.map((part) => part.cloneNode(true)));
+      // the formula of the entry, not the statement that fails
+      if (fails.length && standing?.classList.contains("right")) {
+        const other = document.createElement("span");
+        other.className = "standing corrected";
+        other.textContent = `${counted(fails.length, "statement")} refuted`;
+        standing.textContent = "formula right";
+        standing.after(" ", other);
+      }
       const refuted = document.createElement("ul");
       refuted.className = "findings";
       refuted.append(...fails);
