@@ -88,7 +88,7 @@ export async function photo(box, part) {
   whole.append(body);
   // units of the screen are those of the window
   const size = `width="${innerWidth}" height="${innerHeight}"`;
-  const text = `<svg xmlns="http://www.w3.org/2000/svg" ${size}><style>${await styles()} .components, .matrix { background: none !important }</style><foreignObject ${size}>${new XMLSerializer().serializeToString(whole)}</foreignObject></svg>`;
+  const text = `<svg xmlns="http://www.w3.org/2000/svg" ${size}><style>${await styles()} .components, .matrix { background: none !important } .controls, .buttons { visibility: hidden }</style><foreignObject ${size}>${new XMLSerializer().serializeToString(whole)}</foreignObject></svg>`;
   const image = new Image(), canvas = canvasOf(part, 3);
   image.src = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(text)}`;
   await image.decode();

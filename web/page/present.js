@@ -10,7 +10,7 @@ dialog.className = "presenting";
 dialog.setAttribute("aria-label", "Presentation");
 dialog.tabIndex = -1;
 dialog.innerHTML = '<div class="slide"></div><p class="bar"><button type="button" data-do="before" aria-label="previous card">←</button><span class="where" role="status"></span><button type="button" data-do="next" aria-label="next card">→</button>'
-  + '<button type="button" data-do="scheme">Black</button><button type="button" data-do="svg">SVG</button><button type="button" data-do="png">PNG</button><button type="button" data-do="film">Film</button><button type="button" data-do="latex">LaTeX</button><button type="button" data-do="close">Close</button></p>';
+  + '<button type="button" data-do="scheme">Black</button><button type="button" data-do="svg">SVG</button><button type="button" data-do="png">PNG</button><button type="button" data-do="whole" title="The slide with its words and formulas, as PNG">Slide</button><button type="button" data-do="film">Film</button><button type="button" data-do="latex">LaTeX</button><button type="button" data-do="close">Close</button></p>';
 const slide = /** @type {HTMLElement} */ (dialog.querySelector(".slide")), where = /** @type {HTMLElement} */ (dialog.querySelector(".where"));
 const button = (/** @type {string} */ name) => /** @type {HTMLButtonElement} */ (dialog.querySelector(`[data-do="${name}"]`));
 
@@ -62,6 +62,7 @@ function settle() {
   const drawn = Boolean(cards[at].querySelector("svg"));
   button("svg").hidden = !drawn;
   button("png").hidden = !drawn && !printed();
+  button("whole").hidden = !drawn || !about.words;
   button("film").hidden = clock()?.box !== cards[at];
   button("latex").hidden = !latex();
 }
@@ -139,6 +140,8 @@ const ACTIONS = {
     const picture = drawing(cards[at], ground());
     download(await (picture ? png(picture) : photo(dialog, printed() ?? slide.getBoundingClientRect())), `${name}.png`);
   },
+  // without its controls, which do nothing in a picture
+  async whole() { download(await photo(dialog, { x: 0, y: 0, width: innerWidth, height: slide.getBoundingClientRect().bottom }), `${name}-slide.png`); },
   async film() {
     const stage = clock();
     if (!stage) return;

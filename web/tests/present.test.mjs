@@ -195,6 +195,30 @@ test("formulas leave a slide as PNG in its colours, with the font of the page an
   await sound(page);
 });
 
+test("a slide of Explore leaves the page as one PNG, with its picture, its sentence and its formula", async () => {
+  const page = await visit("#explore/holonomy");
+  await page.locator("#page .pictures").waitFor();
+  await open(page);
+  const { name, bytes } = await file(page, "whole"), { y, height } = await page.locator("dialog .slide").boundingBox();
+  assert.equal(name, "holonomy-is-area-slide.png");
+  assert.deepEqual([bytes.readUInt32BE(16), bytes.readUInt32BE(20)], [3 * LAPTOP.width, Math.round(3 * (y + height))]);
+  /** Whether each part of the slide is drawn in the picture. */
+  const parts = await page.evaluate(async (address) => {
+    const image = new Image();
+    image.src = address;
+    await image.decode();
+    const canvas = Object.assign(document.createElement("canvas"), { width: image.width, height: image.height }), context = canvas.getContext("2d");
+    context.drawImage(image, 0, 0);
+    return [".heading", ".view", ".words", ".formula", ".controls"].map((part) => {
+      const { x, y, width, height } = document.querySelector(`dialog ${part}`).getBoundingClientRect();
+      const pixels = new Uint32Array(context.getImageData(3 * x, 3 * y, 3 * width, 3 * height).data.buffer);
+      return [part, pixels.some((pixel) => pixel !== 0xffffffff)];
+    });
+  }, `data:image/png;base64,${bytes.toString("base64")}`);
+  assert.deepEqual(parts, [[".heading", true], [".view", true], [".words", true], [".formula", true], [".controls", false]]);
+  await sound(page);
+});
+
 test("the values of a summary are in the order of their size, apart on a slide", async () => {
   const page = await compute("space=so(8)&connection=zero&card=curvature");
   const values = () => page.locator(".card.curvature .body > p.prose math").evaluateAll((all) => all.map((math) => math.getAttribute("alttext")));
