@@ -242,7 +242,20 @@ test("a homogeneous space is read by the second module", async () => {
   assert.match(await text(page, "#read-as"), /^SU\(3\)\/S\(U\(2\)xU\(1\)\)/);
   await type(page, "S^7 = Sp(2)/Sp(1)");
   assert.match(await text(page, "#read-as"), /dimension 7/);
+  // its canonical connections have names of their own, and a diagonal metric is invariant
+  const pressed = () => page.locator("[aria-label=Connection] [aria-pressed=true]").allTextContents();
+  assert.deepEqual(await pressed(), ["natural"]);
+  await page.click("[aria-label=Connection] button:text-is('canonical')");
+  await settled(page);
+  assert.deepEqual(await pressed(), ["canonical"]);
+  assert.equal(await text(page, ".lambda output"), "λ = 0");
+  assert.ok(await page.locator("[aria-label=Connection] button:text-is('plus')").isHidden());
+  await page.click("[aria-label=Metric] button:text-is('diagonal')");
+  await settled(page);
+  assert.equal(await text(page, ".refusal"), "");
+  assert.equal(await page.locator(".letter").count(), 1);
   await type(page, "sl(2)");
+  assert.ok(await page.locator("[aria-label=Connection] button:text-is('zero')").isVisible());
   assert.match(await text(page, "#read-as"), /^sl\(2/);
   await sound(page);
 });

@@ -8,7 +8,9 @@ const LETTERS = 12;
 /** Parts of one of the slider of lambda: it has all fractions with denominators up to 4, and 1/6, 1/8, 1/12. */
 const PARTS = 24;
 /** The values of lambda of the canonical connections. @type {Record<string, string>} */
-const LAMBDA = { plus: "1", zero: "1/2", minus: "0" };
+const LAMBDA = { plus: "1", zero: "1/2", minus: "0", natural: "1/2", canonical: "0" };
+/** The names of zero and minus on a homogeneous space. @type {Record<string, string>} */
+const HOMOGENEOUS = { zero: "natural", minus: "canonical" };
 
 /** @typedef {{name: string, basis: string[], coordinates: string[], parameters: string[], dimension: number, kind: string, connection: string, metric: string[][] | null, has_metric: boolean, killing: boolean, connection_is_default: boolean, frame: string}} Reading */
 
@@ -25,8 +27,8 @@ export class Chips {
     this.changed = changed;
     const chip = (/** @type {string} */ text, /** @type {() => void} */ act, /** @type {string} */ kind = "") => button(text, act, { class: `chip ${kind}`, "aria-pressed": "false" });
     this.#connections = {
-      plus: chip("plus", () => changed.connection("plus", false), "plus"), zero: chip("zero", () => changed.connection("zero", false), "zero"),
-      minus: chip("minus", () => changed.connection("minus", false), "minus"), lambda: chip("λ", () => this.#lambda(false)),
+      plus: chip("plus", () => changed.connection("plus", false), "plus"), zero: chip("zero", () => changed.connection(this.#named("zero"), false), "zero"),
+      minus: chip("minus", () => changed.connection(this.#named("minus"), false), "minus"), lambda: chip("λ", () => this.#lambda(false)),
       "levi-civita": chip("Levi-Civita", () => changed.connection("levi-civita", false)),
     };
     this.range = element("input", { type: "range", min: "0", max: String(PARTS), step: "1", "aria-label": "lambda" });
@@ -51,10 +53,11 @@ export class Chips {
     this.#metric = metric;
     const n = reading.dimension, chart = reading.kind === "chart";
     const held = /^lambda/.test(reading.connection) ? "lambda" : reading.connection;
-    for (const [name, chip] of Object.entries(this.#connections)) press(chip, name === held);
+    for (const [name, chip] of Object.entries(this.#connections)) press(chip, name === held || this.#named(name) === held);
+    for (const name of ["zero", "minus"]) this.#connections[name].textContent = this.#named(name);
     const levi = this.#connections["levi-civita"];
     levi.title = reading.has_metric ? "" : "chooses the metric identity too";
-    for (const name of ["plus", "zero", "minus", "lambda"]) this.#connections[name].hidden = chart;
+    for (const name of ["plus", "zero", "minus", "lambda"]) this.#connections[name].hidden = chart || name === "plus" && this.#homogeneous;
     // the slider shows a value only where one holds
     const lambda = LAMBDA[reading.connection] ?? /^lambda\s*=\s*(\S+)$/.exec(connection)?.[1];
     this.slider.hidden = chart || lambda === undefined;
@@ -70,7 +73,7 @@ export class Chips {
     this.#metrics.killing.disabled = !reading.killing;
     this.#metrics.killing.title = reading.killing ? "" : "its Killing form is degenerate, or the dimension is above 80";
     this.#metrics.diagonal.disabled = n > LETTERS;
-    this.#metrics.diagonal.title = n > LETTERS ? `with letters up to dimension ${LETTERS}` : "";
+    this.#metrics.diagonal.title = n > LETTERS ? `with letters up to dimension ${LETTERS}` : this.#homogeneous ? "one letter, so that it is invariant" : "";
     this.#metrics.full.disabled = n > LARGEST;
     this.#metrics.full.title = n > LARGEST ? `a grid up to dimension ${LARGEST}` : "";
     const kind = !metric ? "none" : metric === "identity" || metric === "killing" ? metric : /^diag/.test(metric) && this.box.hidden ? "diagonal" : "full";
@@ -78,6 +81,12 @@ export class Chips {
     if (kind === "full" && n <= LARGEST && (this.box.hidden || other)) this.#open(false);
     if (chart || kind !== "full" || n > LARGEST) this.box.hidden = true;
   }
+
+  /** Whether the space is a quotient of groups. */
+  get #homogeneous() { return this.#reading?.frame === "reductive"; }
+
+  /** The name of a canonical connection in this space. @param {string} name */
+  #named(name) { return this.#homogeneous && HOMOGENEOUS[name] || name; }
 
   /** @param {boolean} moving */
   #lambda(moving) {
@@ -96,6 +105,8 @@ export class Chips {
   #letters() {
     const { basis, parameters, dimension: n } = /** @type {Reading} */ (this.#reading);
     const used = [...basis, ...parameters], free = "abcdefghpqrsuvw".split("").filter((letter) => !used.includes(letter));
+    // different letters are rarely invariant under the isotropy group
+    if (this.#homogeneous) return `diag(${Array(n).fill(free[0]).join(", ")})`;
     const letters = n <= free.length ? free.slice(0, n) : basis.map((_, at) => `g${at + 1}`);
     return `diag(${letters.join(", ")})`;
   }
