@@ -202,6 +202,12 @@ test("a link opens the same state, and back and forward lead through states", as
   await page.goBack();
   await settled(page);
   assert.match(await text(page, "#read-as"), /^sl\(2\)/);
+  // the title names the card of a link, until the state changes
+  const card = await compute("space=so(3)&card=torsion");
+  assert.equal(await card.title(), "Torsion of so(3) - affinor");
+  await card.click("[aria-label=Connection] button:text-is('plus')");
+  await settled(card);
+  assert.equal(await card.title(), "so(3), plus - affinor");
 });
 
 test("a spacetime, and its letter", async () => {

@@ -42,6 +42,8 @@ class Compute {
   #note = "";
   /** The cards of each column that is laid. */
   #laid = "";
+  /** The card of the link that was opened, which the title names. */
+  #opened = "";
   /** The letter whose value changed last, while nothing else has. */
   #letter = "";
   /** Whether the space was read, so that a message is about the values of its letters. */
@@ -93,6 +95,7 @@ class Compute {
       /** @param {string} text */
       open: async (text) => {
         const state = read(text);
+        this.#opened = state.card;
         if (!state.space && this.#state.space && this.#reading) {
           // the link to the view leads back to its last state
           this.services.address.set(write(this.#state), "replace");
@@ -150,7 +153,7 @@ class Compute {
       return this.#empty(history);
     }
     // a new space has its own connection, metric and letters
-    if (space !== this.#state.space) [this.#letter, this.#state] = ["", stated(space)];
+    if (space !== this.#state.space) [this.#letter, this.#opened, this.#state] = ["", "", stated(space)];
     this.#tell(history);
     this.#run(typing);
   }
@@ -172,7 +175,7 @@ class Compute {
   /** @param {Partial<State>} part @param {boolean} moving a slider that moves makes no entry of the history */
   #change(part, moving) {
     this.#state = { ...this.#state, card: "", ...part };
-    this.#letter = "";
+    [this.#letter, this.#opened] = ["", ""];
     this.#tell(moving ? "replace" : "push");
     this.#run(true);
   }
@@ -197,7 +200,7 @@ class Compute {
 
   #title() {
     if (!this.#reading) return "Compute";
-    const { metric, connection, card } = this.#state, kind = KINDS.find(({ name }) => name === card);
+    const { metric, connection } = this.#state, kind = KINDS.find(({ name }) => name === this.#opened);
     const space = [this.#reading.name, metric, connection === "levi-civita" ? "Levi-Civita" : connection].filter(Boolean).join(", ");
     return kind ? `${kind.title} of ${space}` : space;
   }

@@ -15,7 +15,7 @@ export function mount(section, services) {
 <form class="filter" role="search" aria-label="Entries">
 <fieldset class="choice"><legend class="hidden">Show</legend>
 <label><input type="radio" name="show" value="refuted" checked><span>refuted</span></label><label><input type="radio" name="show" value="corrected"><span>corrected</span></label><label><input type="radio" name="show" value="all"><span>all entries</span></label></fieldset>
-<label class="find">Find <input type="search" name="find" placeholder="torsion, (57), Rodrigues" autocomplete="off"></label></form>
+<label class="find">Find <input type="search" name="find" placeholder="Rodrigues, (57)" autocomplete="off"></label></form>
 <p class="found" role="status">Loading the document…</p><div class="entries"></div>`;
   const form = /** @type {HTMLFormElement} */ (section.querySelector("form")), found = /** @type {HTMLElement} */ (section.querySelector(".found"));
   const list = /** @type {HTMLElement} */ (section.querySelector(".entries"));
