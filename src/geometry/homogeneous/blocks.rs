@@ -43,7 +43,7 @@ pub(super) fn embed(group: Factor, isotropy: &[Factor], name: &Name) -> Result<E
                 (Field::Complex, 3, vec![circle.collect()])
             }
             Factor::IndefiniteOrthogonal(p, q) => {
-                // the block lies where the signs of the form change
+                // the block contains the change of signs of the form
                 let signature = signature(group).ok_or_else(unknown)?;
                 used = signature
                     .0
@@ -160,7 +160,7 @@ fn indefinite(p: usize, q: usize) -> Vec<Entries> {
 ///
 /// The matrices `E_12 + E_21`, `E_13 + E_31`, `E_23 + E_32`, `E_11 - E_22` and `E_11 + E_22 - 2 E_33` are orthogonal, of the
 /// squared lengths 2, 2, 2, 2 and 6. The rows of a 4 x 4 matrix `M` with `M M^T = 3` combine the first four to vectors of
-/// the squared length 6, so that the images are antisymmetric matrices of rational numbers.
+/// the squared length 6. So the images are antisymmetric matrices of rational numbers.
 pub(super) fn irreducible() -> Result<Embedded, Error> {
     type Symmetric = [[i64; 3]; 3];
     const BASIS: [Symmetric; 5] = [
