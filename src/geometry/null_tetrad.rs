@@ -333,7 +333,8 @@ impl NullTetrad {
     /// let wave = Connection::levi_civita(&chart.coordinate_frame()?, &metric)?;
     /// let mut tetrad = NullTetrad::new(&metric, &[], PositiveFactors::default())?;
     /// let scalars = tetrad.weyl_scalars(&wave, &metric)?;
-    /// assert_eq!(scalars.psi[4].im.to_string(), "1/2");
+    /// // e4 = -d_y, because the frame has the orientation of the basis
+    /// assert_eq!(scalars.psi[4].im.to_string(), "-1/2");
     /// assert_eq!(scalars.psi[2].re.to_string(), "0");
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```

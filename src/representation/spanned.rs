@@ -67,7 +67,7 @@ impl Subalgebra {
     /// let compact = Subalgebra::spanned(&g2, (0..6).map(vector))?;
     /// let seven = compact.branch(&HighestWeight::parse(&g2, "7")?)?;
     /// assert_eq!(compact.algebra().to_string(), "A1 + A1");
-    /// assert_eq!(seven.to_string(), "(3,1) + (2,2)");
+    /// assert_eq!(seven.to_string(), "(1,3) + (2,2)");
     /// # Ok::<(), affinor::representation::RepresentationError>(())
     /// ```
     pub fn spanned(

@@ -198,11 +198,11 @@ fn the_contravariant_form_is_positive_definite() {
             let pivot = rows[k][k].clone();
             assert!(!pivot.vanishes() && !pivot.is_negative(), "{name} {k}");
             let unit = Rational::from(1) / &pivot;
-            for i in k + 1..rows.len() {
-                let factor = rows[i][k].clone() * &unit;
-                for j in k..rows.len() {
-                    let term = factor.clone() * &rows[k][j];
-                    rows[i][j] = rows[i][j].clone() + &-term;
+            let (above, below) = rows.split_at_mut(k + 1);
+            for row in below {
+                let factor = row[k].clone() * &unit;
+                for (entry, of_pivot) in row.iter_mut().zip(&above[k]).skip(k) {
+                    *entry = entry.clone() - &(factor.clone() * of_pivot);
                 }
             }
         }

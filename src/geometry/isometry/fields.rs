@@ -304,10 +304,10 @@ impl<'a> Search<'a> {
             checkpoint();
             let mut sum = Symbolic::zero();
             for (m, component) in components.iter().enumerate() {
-                sum = sum + &(component.clone() * &self.slopes[m].get(&[i, j]));
+                sum += &(component.clone() * &self.slopes[m].get(&[i, j]));
                 let along = |x: &String| Notation::derivative(component, x);
-                sum = sum + &(g.get(&[m, j]) * &along(&self.coordinates[i]));
-                sum = sum + &(g.get(&[i, m]) * &along(&self.coordinates[j]));
+                sum += &(g.get(&[m, j]) * &along(&self.coordinates[i]));
+                sum += &(g.get(&[i, m]) * &along(&self.coordinates[j]));
             }
             equations.insert((i, j), sum - &(factor.clone() * &g.get(&[i, j])));
         }
@@ -315,7 +315,7 @@ impl<'a> Search<'a> {
             let mut trace = Symbolic::zero();
             for (at, inverse) in self.metric.inverse().components() {
                 let pair = (at[0].min(at[1]), at[0].max(at[1]));
-                trace = trace + &(equations[&pair].clone() * inverse);
+                trace += &(equations[&pair].clone() * inverse);
             }
             let share = trace * &Symbolic::from(n as i64).recip().unwrap_or_default();
             for ((i, j), equation) in &mut equations {
@@ -358,7 +358,7 @@ impl<'a> Search<'a> {
                 } else if own.parameters().iter().any(|name| self.coordinates.contains(name)) {
                     monomial.push((variable.text(), power));
                 } else {
-                    value = value * &num_traits::pow(own, power as usize);
+                    value *= &num_traits::pow(own, power as usize);
                 }
             }
             monomial.sort_unstable();

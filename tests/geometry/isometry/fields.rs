@@ -49,7 +49,10 @@ fn check(name: &str, space: &OnChart, symmetry: Symmetry, found: &[Tensor<Symbol
             }
         }
     }
-    // the values at some points on a curve; letters that are no coordinates have one value
+    if found.is_empty() {
+        return;
+    }
+    // the values at some points on a curve, where other letters have one value
     let points = [0.31, 0.42, 0.55, 0.67, 0.83_f64];
     let row = |field: &Tensor<Symbolic>| {
         let at = |point: f64| {

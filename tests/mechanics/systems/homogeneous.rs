@@ -17,7 +17,7 @@ fn flags() -> ReductivePair<f64> {
 fn metric(factors: [f64; 3]) -> Metric<f64> {
     let entries = (0..6).map(|i| ([i, i], factors[i / 2]));
     let components = Tensor::from_components(6, &[Down, Down], entries).unwrap();
-    Metric::new(&flags().frame().labels().to_vec(), components).unwrap()
+    Metric::new(flags().frame().labels(), components).unwrap()
 }
 
 fn group() -> (AnyGroup, DMatrix<f64>) {
@@ -56,7 +56,7 @@ fn curves_of_the_natural_connection() {
     let velocity = DVector::from_column_slice(&[0.3, -0.5, 0.7, 0.2, 0.4, -0.1]);
     let start = system.state(0.0, &group.identity(), &velocity, std::slice::from_ref(&velocity));
     let end = Adaptive::of_order_8(1e-12).states(&system, &start, &[2.0]).unwrap().remove(0);
-    let tangent = &basis.columns(0, 6) * &velocity;
+    let tangent = basis.columns(0, 6) * &velocity;
     assert!((&*system.element(&end) - group.exp(&(tangent * 2.0))).amax() < 1e-10);
     // the velocity is parallel along the curve
     assert!((system.velocity(&end) - &velocity).amax() < 1e-10);
