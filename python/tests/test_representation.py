@@ -18,14 +18,15 @@ def test_matrices_satisfy_their_brackets(algebra, weight):
     for i in range(1, rank + 1):
         for j in range(1, rank + 1):
             e, f = m[f"e{i}"], m[f"f{j}"]
-            assert np.array_equal(e @ f - f @ e, m[f"h{i}"] if i == j else 0 * e)
+            # entries such as 1/3 are rounded
+            assert np.allclose(e @ f - f @ e, m[f"h{i}"] if i == j else 0 * e, rtol=0, atol=1e-12)
     form, hermitian = representation.bilinear_form(), representation.hermitian_form()
     assert (form is None) == (representation.reality == "complex")
     for i in range(1, rank + 1):
         e, f = m[f"e{i}"], m[f"f{i}"]
-        assert np.array_equal(f.T @ hermitian, hermitian @ e)
+        assert np.allclose(f.T @ hermitian, hermitian @ e, rtol=1e-14, atol=1e-11)
         if form is not None:
-            assert np.array_equal(e.T @ form, -form @ e)
+            assert np.allclose(e.T @ form, -form @ e, rtol=1e-14, atol=1e-11)
     assert len(representation.matrices("all")) > 3 * rank
     exact = representation.matrices(dtype=object)["e1"]
     assert isinstance(exact[0, 0], Fraction)
