@@ -23,7 +23,7 @@ rows = [[SR(eval(text.replace("^", "**"), {}, letters)) for text in entries(row)
 spent = 0
 
 
-def stage(name, work):
+def stage(work):
     global spent
     start = time.process_time()
     result = work()
@@ -48,10 +48,9 @@ def written(value):
 
 def told(name, tensor):
     """Reports the nonzero components; the curvature with k < l."""
-    indices = [at for at in manifold.index_generator(tensor.tensor_rank())] if name != "affinities" else [
-        at for at in manifold.index_generator(3)]
-    get = (lambda at: tensor[at].expr()) if name != "affinities" else (lambda at: tensor[at].expr())
-    found = [(at, get(at)) for at in indices if name != "curvature" or at[2] < at[3]]
+    rank = {"affinities": 3, "curvature": 4, "ricci": 2}[name]
+    indices = (at for at in manifold.index_generator(rank) if name != "curvature" or at[2] < at[3])
+    found = [(at, tensor[at].expr()) for at in indices]
     found = [(at, value) for at, value in found if not value.is_trivial_zero()]
     report(name, spent, len(found))
     values(sys.argv[2], name, ((at, written(value)) for at, value in found))
@@ -67,7 +66,12 @@ def connection():
     return metric, nabla
 
 
-metric, nabla = stage("affinities", connection)
+def computed(tensor):
+    tensor.comp()
+    return tensor
+
+
+metric, nabla = stage(connection)
 told("affinities", nabla.coef())
-told("curvature", stage("curvature", lambda: (lambda r: (r.comp(), r)[1])(nabla.riemann())))
-told("ricci", stage("ricci", lambda: (lambda r: (r.comp(), r)[1])(nabla.ricci())))
+told("curvature", stage(lambda: computed(nabla.riemann())))
+told("ricci", stage(lambda: computed(nabla.ricci())))

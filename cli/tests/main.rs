@@ -12,6 +12,7 @@ mod claims;
 mod cli;
 mod code;
 mod compare;
+mod constructions;
 mod coupling;
 mod documents;
 mod e8;

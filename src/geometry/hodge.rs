@@ -170,10 +170,10 @@ impl Metric<Symbolic> {
     /// [`Error::Unsupported`] if the root has factors of unknown sign, or if the sign of the
     /// determinant is not found at a rational point.
     #[doc(alias("volume form", "Levi-Civita symbol"))]
-    pub fn volume(&self, positive: PositiveFactors) -> Result<(Symbolic, PositiveFactors), Error> {
+    pub fn volume(&self, positive: PositiveFactors) -> Result<(Symbolic, Vec<Symbolic>), Error> {
         let g = self.components();
         let determinant = to_matrix(g).determinant()?;
-        let Some([_, minus]) = signature_at_sample(g) else {
+        let Some([_, minus]) = signature_at_sample(g, positive.factors()) else {
             return Err(Error::Unsupported(
                 "the sign of the determinant is unknown: no sample point is rational".into(),
             ));
@@ -182,6 +182,6 @@ impl Metric<Symbolic> {
         let mut roots = Roots::new(positive);
         roots.sample(std::slice::from_ref(&determinant));
         let volume = roots.root(&determinant)?;
-        Ok((volume, roots.into_positive()))
+        Ok((volume, roots.assumed()))
     }
 }

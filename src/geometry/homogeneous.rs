@@ -57,6 +57,13 @@ struct Embedded {
     sentence: String,
 }
 
+impl Embedded {
+    /// The dimension of G/H.
+    fn dimension(&self) -> usize {
+        self.algebra.dimension() - self.vectors.len()
+    }
+}
+
 impl Embedding {
     /// The embedding of H in G for the name of a homogeneous space; see [`HomogeneousSpace::find`].
     ///
@@ -68,10 +75,23 @@ impl Embedding {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Name`] for a name that cannot be read, and for groups without a known embedding.
+    /// [`Error::Name`] for a name that cannot be read, for groups without a known embedding, and if the
+    /// name before `=` has another dimension.
     pub fn find(name: &str) -> Result<Self, Error> {
         let read = Name::read(name)?;
-        let Embedded { algebra, vectors, sentence } = embed(&read)?;
+        let found = embed(&read)?;
+        // a family before `=` has the dimension of the space
+        if let Some((label, _)) = name.rsplit_once('=')
+            && let Ok(label) = Name::read(label)
+        {
+            let [own, other] = [found.dimension(), embed(&label)?.dimension()];
+            if own != other {
+                return Err(Error::Name(format!(
+                    "{read} has dimension {own}, but {label} before `=` has dimension {other}"
+                )));
+            }
+        }
+        let Embedded { algebra, vectors, sentence } = found;
         let factors: Vec<_> = read.group.iter().map(|factor| factor.algebra()).collect();
         let algebra_name = factors.join(" + ");
         Ok(Embedding { name: read.to_string(), algebra, algebra_name, vectors, sentence })
@@ -122,7 +142,7 @@ impl HomogeneousSpace {
     /// `diag(k, l, -k-l)` of `SU(3)`, in `SU(2)xSU(2)` the circle of the weights `k` and `l`. `Spin(7)` in
     /// `Spin(9)` fixes a spinor, `SO(3)_irr` acts on `R^5` irreducibly, `SU(2)_long` in `G2` belongs to a
     /// long root. One factor in a product of equal factors is the diagonal. A
-    /// text before `=` is ignored, as in `S^7 = Sp(2)/Sp(1)`.
+    /// name before `=`, as in `S^7 = Sp(2)/Sp(1)`, must have the same dimension; another text is ignored.
     ///
     /// The complement is orthogonal under the Killing form of G.
     ///

@@ -92,12 +92,14 @@ impl Hypersurface {
             )));
         }
         let mut roots = Roots::new(positive);
-        let time = timelike(metric);
+        let time = timelike(metric, roots.given());
         let is_positive = match &time {
             Some(time) if roots.sample(std::slice::from_ref(time)) => roots.is_positive(&norm),
             _ => None,
         };
-        let sign = if is_positive.unwrap_or_else(|| is_positive_at_sample(&norm)) { 1 } else { -1 };
+        let is_positive =
+            is_positive.unwrap_or_else(|| is_positive_at_sample(&norm, roots.given()));
+        let sign = if is_positive { 1 } else { -1 };
         let eps = Symbolic::from_i64(sign);
         let size = norm.clone() * &eps;
         let both: Vec<Symbolic> = std::iter::once(size.clone()).chain(time).collect();
@@ -143,7 +145,7 @@ impl Hypersurface {
             mean_curvature,
             square,
             scalar_curvature,
-            assumed: roots.assumed().to_vec(),
+            assumed: roots.assumed(),
         })
     }
 
@@ -157,10 +159,10 @@ impl Hypersurface {
 }
 
 /// A function that is positive where the first vector of the basis of an indefinite metric is
-/// timelike: its norm has the less frequent sign there. `None` if there is no such point.
-fn timelike(metric: &Metric<Symbolic>) -> Option<Symbolic> {
-    let [plus, minus] = signature_at_sample(metric.components())?;
+/// timelike: its norm has the less frequent sign there. A definite metric has no such function.
+fn timelike(metric: &Metric<Symbolic>, positive: &[Symbolic]) -> Option<Symbolic> {
+    let [plus, minus] = signature_at_sample(metric.components(), positive)?;
     let norm = metric.components().get(&[0, 0]);
     let time = if plus >= minus { -norm } else { norm };
-    (plus > 0 && minus > 0 && is_positive_at_sample(&time)).then_some(time)
+    (plus > 0 && minus > 0).then_some(time)
 }

@@ -109,10 +109,13 @@ impl NullTetrad {
         if n != 4 {
             return refuse(&format!("a null tetrad needs dimension 4, but this is dimension {n}"));
         }
+        if given.len() > n {
+            return refuse(&format!("a frame has 4 vectors, but {} are given", given.len()));
+        }
         for vector in given {
             expect_slots("the vector", vector, n, &[Up])?;
         }
-        let sign = match signature_at_sample(metric.components()) {
+        let sign = match signature_at_sample(metric.components(), positive.factors()) {
             Some([3, 1]) => Symbolic::one(),
             Some([1, 3]) => -Symbolic::one(),
             Some([p, q]) => {
@@ -173,7 +176,7 @@ impl NullTetrad {
             if rest.is_empty() && is_given {
                 return refuse("the vectors are linearly dependent");
             }
-            if norm.is_zero() || !is_positive_at_sample(&norm) {
+            if norm.is_zero() || !tetrad.is_positive(&norm) {
                 if is_given {
                     return refuse(&format!(
                         "a vector orthogonal to the ones before it is not spacelike: its norm is {norm}"
@@ -224,8 +227,8 @@ impl NullTetrad {
     fn first_of(&self, basis: &[Tensor<Symbolic>]) -> Option<Tensor<Symbolic>> {
         let norms: Vec<_> = basis.iter().map(|v| self.product(v, v)).collect();
         let null = norms.iter().position(Zero::is_zero);
-        let always = || norms.iter().position(|norm| !is_positive_at_sample(norm));
-        let somewhere = || norms.iter().position(|norm| is_positive_at_sample(&-norm.clone()));
+        let always = || norms.iter().position(|norm| !self.is_positive(norm));
+        let somewhere = || norms.iter().position(|norm| self.is_positive(&-norm.clone()));
         null.or_else(always).or_else(somewhere).map(|at| basis[at].clone())
     }
 
@@ -240,7 +243,7 @@ impl NullTetrad {
         let norm = self.product(&first, &first);
         if !norm.is_zero() {
             let positive = -norm;
-            if !is_positive_at_sample(&positive) {
+            if !self.is_positive(&positive) {
                 let norm = self.sign.clone() * &-positive;
                 return refuse(format!(
                     "the first vector is not timelike or null: its norm is {norm}"
@@ -297,6 +300,17 @@ impl NullTetrad {
         terms.fold(Symbolic::zero(), |sum, term| sum + &term)
     }
 
+    /// Whether a function is positive at a sample point.
+    fn is_positive(&self, function: &Symbolic) -> bool {
+        is_positive_at_sample(function, self.roots.given())
+    }
+
+    /// The numbers of positive and negative squares of the metric, where the given functions are
+    /// positive: `[3, 1]` or `[1, 3]`.
+    pub fn signature(&self) -> [usize; 2] {
+        if self.sign.is_one() { [3, 1] } else { [1, 3] }
+    }
+
     /// Whether the frame is orthonormal. Otherwise, its first two vectors are `l` and `n`.
     pub fn is_orthonormal(&self) -> bool {
         self.is_orthonormal
@@ -315,7 +329,7 @@ impl NullTetrad {
     }
 
     /// The functions that are assumed to be positive.
-    pub fn assumed(&self) -> &[Symbolic] {
+    pub fn assumed(&self) -> Vec<Symbolic> {
         self.roots.assumed()
     }
 

@@ -98,7 +98,7 @@ impl<S: GroundField> Connection<S> {
         // star star = -1 / s^2 on the six bivectors
         let inverse = trace(&product(&star, &star)) * &-share(6)?;
         let Some(d) = inverse.recip() else { return Ok(None) };
-        if !is_positive_at_sample(&d.symbolic()) {
+        if !is_positive_at_sample(&d.symbolic(), &[]) {
             return Ok(None);
         }
         let weyl = self.weyl(metric)?.raise(1, metric.inverse())?;

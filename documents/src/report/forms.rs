@@ -43,7 +43,7 @@ impl FormReport {
         let mut assumed = vec![];
         if let Some(metric) = geometry.metric() {
             match metric.volume(definition.positive_factors()) {
-                Ok((volume, positive)) => {
+                Ok((volume, functions)) => {
                     rows.form(
                         "star",
                         "star",
@@ -53,7 +53,7 @@ impl FormReport {
                     let volume_of_frame =
                         format!("vol({}) > 0", printable_list(&definition.labels));
                     rows.plain("volume", "volume", &volume.to_string(), &volume_of_frame);
-                    assumed = positive.factors().to_vec();
+                    assumed = functions;
                 }
                 Err(error) => rows.plain("star", "star", "-", &error.to_string()),
             }

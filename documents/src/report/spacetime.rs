@@ -7,7 +7,6 @@ use super::{Format, Report};
 use crate::input::InputError;
 use crate::space::Definition;
 use affinor::algebra::Complex;
-use affinor::geometry::isometry::signature_at_sample;
 use affinor::geometry::null_tetrad::{NullTetrad, WeylScalars};
 use affinor::geometry::petrov::PetrovType;
 use affinor::{Connection, Error};
@@ -45,19 +44,14 @@ impl Spacetime {
         let advise = |error: Error| {
             let help =
                 "the first vector of --tetrad is timelike or null, the others complete a basis";
-            match &error {
-                Error::Unsupported(text) if text.contains("vector") => {
-                    InputError::from(error).help(help)
-                }
-                _ => error.into(),
-            }
+            let error = InputError::from(error);
+            if definition.dimension() == 4 { error.help(help) } else { error }
         };
         let mut tetrad = tetrad.map_err(advise)?;
         let connection = Connection::levi_civita(geometry.frame(), metric)?;
         let scalars = tetrad.weyl_scalars(&connection, metric).map_err(advise)?;
         let kind = connection.petrov(metric)?.map(|petrov| petrov.kind);
-        let signature = signature_at_sample(metric.components()).unwrap_or_default();
-        Ok(Self::new(definition, &tetrad, &scalars, kind, signature))
+        Ok(Self::new(definition, &tetrad, &scalars, kind))
     }
 
     fn new(
@@ -65,7 +59,6 @@ impl Spacetime {
         tetrad: &NullTetrad,
         scalars: &WeylScalars,
         kind: Option<PetrovType>,
-        signature: [usize; 2],
     ) -> Self {
         let mut rows: Vec<Vec<Cell>> = vec![];
         let mut row = |notion: &str, value: &str, remark: &str| {
@@ -96,15 +89,15 @@ impl Spacetime {
             let name = if *letter == "E" { "electric part" } else { "magnetic part" };
             row(name, &text, formula);
         }
-        let [plus, minus] = signature;
+        let [plus, minus] = tetrad.signature();
         row("signature", &format!("({plus}, {minus})"), "positive and negative squares");
-        if !tetrad.assumed().is_empty() {
-            let assumed: Vec<String> = tetrad.assumed().iter().map(Symbolic::to_string).collect();
+        let assumed: Vec<String> = tetrad.assumed().iter().map(Symbolic::to_string).collect();
+        if !assumed.is_empty() {
             row("assumed positive", &assumed.join(", "), "in the roots of the frame");
         }
         let title = format!("Weyl tensor of {}", printable(&definition.name));
         let head = vec![("basis", printable_list(&definition.labels).into())];
-        let json = document(definition, tetrad, scalars, kind.as_deref(), signature);
+        let json = document(definition, tetrad, scalars, kind.as_deref(), &assumed);
         let grid = Grid::new(title, &["notion", "value", "remark"], rows, json);
         Spacetime(grid.with_head(head))
     }
@@ -180,7 +173,7 @@ fn document(
     tetrad: &NullTetrad,
     scalars: &WeylScalars,
     kind: Option<&str>,
-    signature: [usize; 2],
+    assumed: &[String],
 ) -> Value {
     let pair = |value: &Complex<Symbolic>| json!([value.re.to_string(), value.im.to_string()]);
     let vectors = named_vectors(tetrad).map(|(name, vector, norm)| {
@@ -193,11 +186,10 @@ fn document(
             rows.map(|row| row.iter().map(Symbolic::to_string).collect()).collect::<Vec<Vec<_>>>()
         })
     };
-    let assumed: Vec<String> = tetrad.assumed().iter().map(Symbolic::to_string).collect();
     json!({
         "schema": SCHEMA,
         "name": definition.name,
-        "signature": signature,
+        "signature": tetrad.signature(),
         "petrov": kind,
         "vectors": vectors.collect::<Vec<_>>(),
         "psi": scalars.psi.iter().map(pair).collect::<Vec<_>>(),

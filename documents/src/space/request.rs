@@ -103,6 +103,8 @@ impl Space {
             let names = Names::open(&labels, space.definition.functions());
             let factor = names.scalar(source.content(), &source)?;
             space.definition.rescale_metric(&factor)?;
+            // the result is about another metric than the one of this name
+            space.definition.name += &format!(", metric times ({factor})^2");
         }
         let given = [(&inside.connection, "@connection"), (&request.connection, "--connection")];
         for (text, origin) in given {

@@ -17,7 +17,8 @@ _Names: TypeAlias = str | Sequence[str] | None
 _Shape: TypeAlias = int | tuple[int, ...]
 _Random: TypeAlias = np.random.Generator | int | None
 
-__all__ = ["Budget", "Family", "Geometry", "Group", "LieAlgebra", "Problem", "Source", "Tensor", "_panic", "_restore_tensor", "catalogue"]
+__all__ = ["Budget", "Family", "Geometry", "Group", "LieAlgebra", "Problem", "Source", "Tensor", "_coupling", "_panic", "_representation"]
+__all__ += ["_representation_matrices", "_restore_tensor", "catalogue"]
 __all__ += ["clear_caches", "compare", "contract", "conventions", "evaluate", "groups", "knows", "methods", "run_command", "set_threads", "threads"]
 
 def _panic() -> None: ...

@@ -15,8 +15,7 @@ from affinor.structure import Report
 
 __all__ = ["Representation", "clebsch_gordan", "wigner_3j", "wigner_6j"]
 
-Weight: TypeAlias = "str | Sequence[int] | Representation"
-Spin: TypeAlias = "int | float | str | Fraction"
+Spin: TypeAlias = int | float | str | Fraction
 
 
 class Representation:
@@ -298,6 +297,9 @@ class Representation:
         result = self._operations(**operations)["result"]
         algebra = result["algebra"]["name"]
         return {Representation(algebra, one["labels"]): int(one["multiplicity"]) for one in result["components"]}
+
+
+Weight: TypeAlias = str | Sequence[int] | Representation
 
 
 def clebsch_gordan(j1: Spin, j2: Spin, j: Spin, *, real: bool = False, squares: bool = False) -> NDArray[Any]:

@@ -43,13 +43,12 @@ pub(super) fn embed(group: Factor, isotropy: &[Factor], name: &Name) -> Result<E
                 (Field::Complex, 3, vec![circle.collect()])
             }
             Factor::IndefiniteOrthogonal(p, q) => {
+                let Factor::IndefiniteOrthogonal(positive, _) = group else {
+                    return Err(unknown());
+                };
                 // the block contains the change of signs of the form
-                let signature = signature(group).ok_or_else(unknown)?;
-                used = signature
-                    .0
-                    .checked_sub(*p)
-                    .filter(|_| isotropy.len() == 1)
-                    .ok_or_else(unknown)?;
+                let before = positive.checked_sub(*p).filter(|_| isotropy.len() == 1);
+                used = before.ok_or_else(unknown)?;
                 (Field::Real, p + q, indefinite(*p, *q))
             }
             factor => generators_of(*factor).ok_or_else(unknown)?,
@@ -138,14 +137,6 @@ fn generators_of(factor: Factor) -> Option<(Field, usize, Vec<Entries>)> {
         (true, false) => None,
     });
     Some((field, n, off.chain(on).collect()))
-}
-
-/// The numbers of positive and negative signs of the form of `SO(p,q)`.
-fn signature(group: Factor) -> Option<(usize, usize)> {
-    match group {
-        Factor::IndefiniteOrthogonal(p, q) => Some((p, q)),
-        _ => None,
-    }
 }
 
 /// A basis of so(p,q): `E_ij - eta_i eta_j E_ji` for `i < j`.

@@ -21,6 +21,8 @@ use std::sync::Arc;
 #[derive(Clone, Debug)]
 pub(super) struct Point {
     random: u64,
+    /// Whether parameters and coordinates may be negative.
+    is_signed: bool,
     values: HashMap<Variable, Rational>,
     /// The parameters in the order in which they were drawn.
     drawn: Vec<(Variable, Rational)>,
@@ -48,7 +50,12 @@ impl Point {
     /// The point with a number; equal numbers give equal points.
     pub fn new(seed: u64) -> Self {
         let random = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1;
-        Point { random, values: HashMap::new(), drawn: vec![] }
+        Point { random, is_signed: false, values: HashMap::new(), drawn: vec![] }
+    }
+
+    /// The point with a number, whose parameters and coordinates have random signs.
+    pub fn signed(seed: u64) -> Self {
+        Point { is_signed: true, ..Self::new(seed) }
     }
 
     /// The values of the parameters and free functions that were used, by name.
@@ -71,11 +78,12 @@ impl Point {
         (self.random >> 33) % limit
     }
 
-    /// A random positive number with a short numerator and denominator.
+    /// A random number, positive unless the point is signed, with a short numerator and denominator.
     fn number(&mut self) -> Rational {
         let numerator = 1 + self.draw(24) as i64;
         let denominator = [1, 1, 2, 3, 4, 5, 9][self.draw(7) as usize];
-        Rational::new(numerator, denominator).unwrap_or_else(Rational::one)
+        let sign = if self.is_signed && self.draw(2) == 1 { -1 } else { 1 };
+        Rational::new(sign * numerator, denominator).unwrap_or_else(Rational::one)
     }
 
     /// The value of a variable.

@@ -102,34 +102,41 @@ pub(super) fn signature(form: &Tensor<Rational>) -> [usize; 2] {
     [plus, minus]
 }
 
-/// The signature of a metric at the first sample point where it is not degenerate; `None` if no
-/// sample point is rational.
-pub fn signature_at_sample(metric: &Tensor<Symbolic>) -> Option<[usize; 2]> {
-    for seed in 1..POINTS {
-        match at_point(metric, &mut Point::new(seed)) {
-            Ok(values) => {
-                let signature = signature(&values);
-                if signature.iter().sum::<usize>() == metric.dimension() {
-                    return Some(signature);
-                }
-            }
-            Err(Unfit::Retry(_)) => {}
-            Err(Unfit::Never(_)) => return None,
-        }
-    }
-    None
+/// The values of functions at sample points where other functions are positive. The values end
+/// where a root is irrational at every point.
+fn samples<'a, T>(
+    positive: &'a [Symbolic],
+    value: impl Fn(&mut Point) -> Result<T, Unfit> + 'a,
+) -> impl Iterator<Item = T> + 'a {
+    let fits = |point: &mut Point| {
+        let mut signs = positive.iter().map(|function| Ok(point.value(function)?.sign()));
+        signs.try_fold(true, |all, sign| Ok(all && sign? == Some(Ordering::Greater)))
+    };
+    let at = move |seed: u64| {
+        // a region may need negative coordinates
+        let signed = !positive.is_empty() && seed.is_multiple_of(2);
+        let mut point = if signed { Point::signed(seed) } else { Point::new(seed) };
+        if fits(&mut point)? { value(&mut point).map(Some) } else { Ok(None) }
+    };
+    let values = (1..POINTS).map(at);
+    values
+        .map_while(|value| match value {
+            Ok(value) => Some(value),
+            Err(Unfit::Retry(_)) => Some(None),
+            Err(Unfit::Never(_)) => None,
+        })
+        .flatten()
 }
 
-/// Whether a function is positive at one of the sample points.
-pub(crate) fn is_positive_at_sample(function: &Symbolic) -> bool {
-    let mut tried = 0;
-    for seed in 1..POINTS {
-        match Point::new(seed).value(function) {
-            Ok(value) if value.sign() == Some(Ordering::Greater) => return true,
-            Ok(_) if tried < SIGNS => tried += 1,
-            Err(Unfit::Retry(_)) => {}
-            Ok(_) | Err(Unfit::Never(_)) => return false,
-        }
-    }
-    false
+/// The signature of a metric at the first sample point where it is not degenerate, and where given
+/// functions are positive. `None` if no such point is rational.
+pub fn signature_at_sample(metric: &Tensor<Symbolic>, positive: &[Symbolic]) -> Option<[usize; 2]> {
+    let mut signatures = samples(positive, |point| Ok(signature(&at_point(metric, point)?)));
+    signatures.find(|signature| signature.iter().sum::<usize>() == metric.dimension())
+}
+
+/// Whether a function is positive at one of the sample points where given functions are positive.
+pub(crate) fn is_positive_at_sample(function: &Symbolic, positive: &[Symbolic]) -> bool {
+    let signs = samples(positive, |point| Ok(point.value(function)?.sign()));
+    signs.take(SIGNS + 1).any(|sign| sign == Some(Ordering::Greater))
 }

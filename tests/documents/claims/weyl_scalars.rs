@@ -9,6 +9,7 @@ use affinor::geometry::isometry::signature_at_sample;
 use affinor::geometry::null_tetrad::{NullTetrad, WeylScalars};
 use affinor::geometry::petrov::PetrovType;
 use affinor::{Connection, Geometry, Tensor, Up};
+use affinor_documents::report::{Format, Report, Spacetime};
 use affinor_documents::space::{Request, Space};
 use affinor_tensors::expression::{Expression, Scalars};
 use affinor_tensors::scalar::PositiveFactors;
@@ -234,12 +235,37 @@ fn invariants_agree_with_the_petrov_type() {
         let is_special = cube == by(&times(&j, &j), 27);
         assert_eq!(is_special, petrov.kind != PetrovType::I, "{name}");
         // the map of bivectors changes its sign with the metric, the scalars do not
-        let [_, minus] = signature_at_sample(metric.components()).unwrap();
+        let [_, minus] = signature_at_sample(metric.components(), &[]).unwrap();
         let sign = Symbolic::from(if minus == 3 { -1 } else { 1 });
         let cubic = petrov.cubic[0].clone() * &sign;
         assert_eq!([&i[0], &j[0]], [&petrov.quadratic[0], &cubic], "{name}");
         let square = |x: &Symbolic| x.clone() * x;
         assert_eq!(square(&i[1]), square(&petrov.quadratic[1]) * &petrov.volume_squared, "{name}");
+    }
+}
+
+/// The C-metric has `Psi2 = -m A^3 (x - y)^3` in the frame of the region that its chart declares. There
+/// its signature is `(3,1)`. The sign is the same with values of the parameters.
+#[test]
+fn signs_are_those_of_the_declared_region() {
+    for set in [None, Some("m=1/10,A=1/2".to_string())] {
+        let request = Request { space: Some("c-metric".into()), set, ..Request::default() };
+        let space = Space::open(&request).unwrap();
+        let mut text = vec![];
+        let report = Spacetime::of(&space.definition, None).unwrap();
+        report.write(Format::Json, &mut text).unwrap();
+        let json: serde_json::Value = serde_json::from_slice(&text).unwrap();
+        assert_eq!(json["signature"], serde_json::json!([3, 1]));
+        let found = value(json["psi"][2][0].as_str().unwrap());
+        let at = |name: &str| match name {
+            "m" => Some(0.1),
+            "A" => Some(0.5),
+            "x" => Some(1.0 / 3.0),
+            "y" => Some(-1.5),
+            _ => None,
+        };
+        let expected = -(11.0_f64 / 6.0).powi(3) / 80.0;
+        assert!((found.evaluate(at).unwrap() - expected).abs() < 1e-14, "{found}");
     }
 }
 

@@ -68,6 +68,20 @@ impl PositiveFactors {
         &self.factors
     }
 
+    /// Whether the signs of the terms and the declarations show that a function is positive.
+    ///
+    /// ```
+    /// use affinor_tensors::scalar::PositiveFactors;
+    /// let mut positive = PositiveFactors::default();
+    /// assert!(positive.show(&"1 + r^2".parse()?) && !positive.show(&"r".parse()?));
+    /// positive.declare(&"r".parse()?)?;
+    /// assert!(positive.show(&"r + r^3".parse()?));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn show(&self, function: &Symbolic) -> bool {
+        self.is_positive(&function.numerator()) && self.is_positive(&function.denominator())
+    }
+
     /// The declared functions after a substitution of parameters. The resulting functions must
     /// still be positive, as far as the signs of their terms show.
     ///
@@ -235,7 +249,12 @@ impl PositiveFactors {
         let rest = square.recip().map(|inverse| argument.clone() * &inverse * &inverse);
         let rest = rest.unwrap_or_default();
         let root = match self.root(&rest, 2) {
-            Ok(root) => root,
+            Ok(root) => {
+                // a root of one factor of unknown sign assumes that the factor is positive; roots of
+                // functions without factors assume nothing
+                let _ = self.declare(&rest);
+                root
+            }
             Err(refused) => self.assuming(&rest, refused, |assumed| assumed.root(&rest, 2))?,
         };
         Ok(square * &root)
