@@ -2,7 +2,8 @@
 //!
 //! A [`Picture`] is a list of [`Shape`]s. [`draw()`] draws a [`Figure`](crate::figures::Figure),
 //! [`diagram()`] draws a [`Diagram`](crate::figures::diagram::Diagram), [`dynkin()`] and
-//! [`roots()`] draw Cartan types, and [`heat()`] draws a tensor. [`svg()`] writes the picture.
+//! [`roots()`] draw Cartan types, [`weights()`] draws a representation, and [`heat()`] draws a
+//! tensor. [`svg()`] writes the picture.
 
 mod arrow;
 mod axis;
@@ -18,6 +19,7 @@ mod still;
 mod style;
 mod svg;
 mod view;
+mod weights;
 
 pub use diagram::diagram;
 pub use draw::draw;
@@ -26,6 +28,7 @@ pub use heat::heat;
 pub use roots::roots;
 pub use svg::svg;
 pub use view::View;
+pub use weights::weights;
 
 /// The colour of lines and words.
 const BLACK: Ink = Ink::opaque(0x111111);

@@ -63,7 +63,16 @@ impl Character {
     }
 
     /// Visits all weights with their multiplicities, without storing them.
-    pub(super) fn for_each_weight(&self, mut visit: impl FnMut(&[i64], i128)) {
+    ///
+    /// ```
+    /// use affinor::representation::HighestWeight;
+    /// let triplet = HighestWeight::parse(&"SU(3)".parse()?, "3")?.character()?;
+    /// let mut weights = vec![];
+    /// triplet.for_each_weight(|weight, _| weights.push(weight.to_vec()));
+    /// assert_eq!(weights, [[1, 0], [-1, 1], [0, -1]]);
+    /// # Ok::<(), affinor::representation::RepresentationError>(())
+    /// ```
+    pub fn for_each_weight(&self, mut visit: impl FnMut(&[i64], i128)) {
         for (weight, multiplicity) in &self.weights {
             self.algebra.for_each_in_orbit(weight, |weight| visit(weight, *multiplicity));
         }

@@ -17,8 +17,8 @@ const memories = [];
 const LIMIT = 2 ** 30;
 /** The identifier of the request that runs. */
 let running = 0;
-/** The second module, once it is asked for. @type {Promise<(request: string) => string> | undefined} */
-let second;
+/** The other modules, once they are asked for. @type {Record<string, Promise<(request: string) => string> | undefined>} */
+const others = {};
 
 const stage = (/** @type {string} */ name) => postMessage({ kind: "stage", id: running, name });
 // the engine calls it
@@ -45,12 +45,16 @@ const first = init({ module_or_path: fetched(new URL("../engine/tables_bg.wasm",
 });
 first.then(() => postMessage({ kind: "ready" }), (/** @type {unknown} */ error) => postMessage({ kind: "failed", message: String(error) }));
 
-/** Loads the second module. */
-async function loaded() {
-  stage("loading the second part of the engine");
+/** Another module: `engine` has all reports but those of `representations`. @param {"engine" | "representations"} name */
+const other = (name) => others[name] ??= loaded(name);
+
+/** Loads a module. @param {"engine" | "representations"} name */
+async function loaded(name) {
+  stage(name === "engine" ? "loading the second part of the engine" : "loading the part of the engine for representations");
   // @ts-ignore the build writes the modules
-  const engine = await import("../engine/engine.js");
-  memories.push((await engine.default({ module_or_path: fetched(new URL("../engine/engine_bg.wasm", import.meta.url)) })).memory);
+  const engine = await (name === "engine" ? import("../engine/engine.js") : import("../engine/representations.js"));
+  const address = name === "engine" ? new URL("../engine/engine_bg.wasm", import.meta.url) : new URL("../engine/representations_bg.wasm", import.meta.url);
+  memories.push((await engine.default({ module_or_path: fetched(address) })).memory);
   return engine.call;
 }
 
@@ -59,10 +63,11 @@ onmessage = async ({ data: { id, request } }) => {
   running = id;
   /** @type {(request: string) => string} */
   let answering;
+  const name = request.report === "rep" ? "representations" : "engine";
   try {
-    answering = FIRST.includes(request.report) ? await first : await (second ??= loaded());
+    answering = FIRST.includes(request.report) ? await first : await other(name);
   } catch (error) {
-    second = undefined;
+    others[name] = undefined;
     return postMessage({ kind: "unloaded", id, message: String(error) });
   }
   const answer = () => postMessage({ kind: "answer", id, answer: JSON.parse(answering(JSON.stringify(request))), ms: performance.now() - start });
@@ -72,7 +77,7 @@ onmessage = async ({ data: { id, request } }) => {
     } catch (error) {
       // the first module refuses spaces that only the second one has
       if (typeof error !== "string" || !JSON.parse(error).elsewhere) throw error;
-      answering = await (second ??= loaded());
+      answering = await other("engine");
       answer();
     }
   } catch (error) {

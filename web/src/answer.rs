@@ -2,6 +2,7 @@
 
 use super::words;
 use affinor::Error;
+use affinor::algebra::roots::CartanType;
 use affinor_documents::input::{self, InputError, Place};
 use affinor_documents::picture::{Picture, svg};
 use affinor_documents::report::{Format, Report};
@@ -17,6 +18,8 @@ pub struct Answer {
     text: String,
     notes: Vec<String>,
     pictures: Vec<Picture>,
+    /// The types of simple factors, of which the page offers representations.
+    types: Vec<CartanType>,
 }
 
 /// An error message for the page.
@@ -53,6 +56,7 @@ impl Answer {
                 text: String::from_utf8_lossy(&out.0).into_owned(),
                 notes,
                 pictures: vec![],
+                types: vec![],
             }),
             Err(error) => Err(Refusal {
                 message: format!("the report cannot be written: {error}"),
@@ -68,16 +72,17 @@ impl Answer {
         }
     }
 
-    /// The same answer with pictures.
+    /// The same answer with pictures, and with the types of the simple factors of an algebra.
     #[must_use]
-    pub fn with(self, pictures: Vec<Picture>) -> Self {
-        Answer { pictures, ..self }
+    pub fn with(self, pictures: Vec<Picture>, types: &[CartanType]) -> Self {
+        Answer { pictures, types: types.to_vec(), ..self }
     }
 
     pub(super) fn json(&self) -> Value {
         let drawn = |picture: &Picture| json!({ "title": picture.title, "svg": svg(picture, picture.width.ceil() as u32) });
         let pictures: Vec<Value> = self.pictures.iter().map(drawn).collect();
-        json!({ "text": self.text, "notes": self.notes, "pictures": pictures })
+        let types: Vec<String> = self.types.iter().map(CartanType::to_string).collect();
+        json!({ "text": self.text, "notes": self.notes, "pictures": pictures, "types": types })
     }
 }
 

@@ -3,19 +3,25 @@
 //! Requests and answers are JSON. A request has the options of the command line; an answer is the
 //! report in a format, or an error message. The page restarts the module after a panic.
 //!
-//! The crate is built twice. Without features it reads inputs and makes the cards of tensors; the
-//! page loads this module first. The feature `reports` adds reports in all formats, the structure
-//! theory of algebras, properties, equations and motions.
+//! The crate is built three times. With the feature `tables` it reads inputs and makes the cards of
+//! tensors; the page loads this module first. The feature `reports` adds reports in all formats, the
+//! structure theory of algebras, properties, equations and motions. A third module contains only
+//! `representations`.
 
 mod answer;
 #[cfg(feature = "reports")]
 mod motion;
+#[cfg(feature = "tables")]
 mod reading;
 #[cfg(feature = "reports")]
 mod reports;
+#[cfg(feature = "representations")]
+mod representations;
 mod request;
 #[cfg(feature = "reports")]
 mod source;
+#[cfg(feature = "tables")]
+mod tables;
 #[cfg(feature = "reports")]
 mod transport;
 mod words;

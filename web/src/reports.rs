@@ -1,8 +1,9 @@
 //! Reports of the page other than readings and cards: pages, copies, structure and motions.
 
-use super::request::{Request, computation};
 use super::source::{self, Copy};
-use super::{Answer, Refusal, motion, transport};
+use super::tables::computation;
+use super::{Answer, Refusal, Request, motion, transport};
+use affinor::algebra::roots::CartanType;
 use affinor::geometry::equations::EquationKind;
 use affinor_documents::input::InputError;
 use affinor_documents::over_kind;
@@ -69,7 +70,10 @@ impl Request {
         };
         let answer = Answer::new(&*report, format, notes)?;
         Ok(match format {
-            Format::Html => answer.with(self.pictures()),
+            Format::Html => {
+                let types = self.types();
+                answer.with(self.pictures(&types), &types)
+            }
             _ => answer,
         })
     }
@@ -82,17 +86,26 @@ impl Request {
         }
     }
 
+    /// The types of the simple factors, for the structure of an algebra.
+    fn types(&self) -> Vec<CartanType> {
+        let found = || Ok::<_, Refusal>(dynkin_type(&self.open()?.definition)?);
+        // errors are ignored, because the report is complete without the types
+        if self.report == "info" { found().unwrap_or_default() } else { vec![] }
+    }
+
     /// Heat maps of a table; the diagrams of an algebra with roots.
-    fn pictures(&self) -> Vec<Picture> {
+    fn pictures(&self, types: &[CartanType]) -> Vec<Picture> {
         let drawn = || -> Result<Vec<Picture>, Refusal> {
             match self.report.as_str() {
                 "table" => Ok(heat_maps(&self.open()?, &self.quantities()?)?),
                 "info" => {
-                    let definition = self.open()?.definition;
-                    let types = dynkin_type(&definition)?;
+                    // the diagrams of A1 are a point and a line
+                    if types.iter().all(|one| one.rank() == 1) {
+                        return Ok(vec![]);
+                    }
+                    let name = self.open()?.definition.name;
                     let made = [picture::dynkin, picture::roots];
-                    let drawn = made.map(|make| make(&definition.name, &types));
-                    Ok(if types.is_empty() { vec![] } else { drawn.into() })
+                    Ok(made.map(|make| make(&name, types)).into())
                 }
                 _ => Ok(vec![]),
             }

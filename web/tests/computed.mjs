@@ -21,7 +21,7 @@ export async function settled(page, timeout = 60000) {
   await page.waitForFunction(() => {
     const state = /** @type {any} */ (window);
     const answered = document.querySelector(".card:not([hidden]) .body :is(math, .badge, .components)") || document.querySelector(".refusal")?.textContent;
-    const first = [...document.querySelectorAll(".card:not([hidden])")].filter((card) => !card.matches(".structure, .properties, .equations, .motions"));
+    const first = [...document.querySelectorAll(".card:not([hidden])")].filter((card) => !card.matches(".structure, .properties, .equations, .motions, .representations"));
     const stale = !document.querySelector(".refusal")?.textContent && first.some((card) => card.matches(".stale") || !card.dataset.key);
     const idle = answered && !stale && document.querySelector("#box .waiting")?.hidden !== false;
     state.idleSince = idle ? state.idleSince ?? performance.now() : undefined;

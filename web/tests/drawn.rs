@@ -143,3 +143,29 @@ fn reports_have_pictures() {
         pictures(json!({ "report": "table", "space": "so3@zero", "format": "json" })).is_empty()
     );
 }
+
+/// The octet of SU(3): a product with its components, and the diagram of the octet. Six weights have
+/// multiplicity 1, and one has multiplicity 2. The weights of the 7 of G2 are a hexagon and its
+/// centre.
+#[test]
+fn representations_have_weight_diagrams() {
+    let answer = |request: Value| -> Value {
+        serde_json::from_str(&affinor_web::call(&request.to_string()).unwrap()).unwrap()
+    };
+    let circles = |answer: &Value| answer["pictures"][0]["svg"].as_str().unwrap().matches("<circle").count();
+    let octets = answer(json!({ "report": "rep", "space": "A2", "weight": "8", "factors": "8; 3" }));
+    assert!(octets["text"].as_str().unwrap().contains("192"), "8 x 8 x 3 has dimension 192");
+    assert_eq!(circles(&octets), 7);
+    assert_eq!(circles(&answer(json!({ "report": "rep", "space": "G2", "weight": "7" }))), 7);
+    // the vectors of so(7) are six axes and the centre, in three dimensions
+    assert_eq!(circles(&answer(json!({ "report": "rep", "space": "B3", "weight": "7" }))), 7);
+    let line = answer(json!({ "report": "rep", "space": "A1", "weight": "3" }));
+    assert_eq!(line["pictures"], json!([]));
+    let restricted = json!({ "report": "rep", "space": "G2", "weight": "7", "subalgebra": "SU(3)", "format": "csv" });
+    assert!(answer(restricted)["text"].as_str().unwrap().contains("3bar"));
+    for (space, weight) in [("A2", "9"), ("A2", "[1]"), ("", "8"), ("so3", "")] {
+        let request = json!({ "report": "rep", "space": space, "weight": weight });
+        let refused = affinor_web::call(&request.to_string()).unwrap_err();
+        assert!(refused.len() > 40, "{refused}");
+    }
+}

@@ -8,17 +8,18 @@ use wasm_bindgen_cli_support::Bindgen;
 
 const TARGET: &str = "wasm32-unknown-unknown";
 
-/// The modules, by name, with the features of the package: the page loads the tables of tensors first, and
-/// everything else on demand.
-const MODULES: [(&str, &[&str]); 2] = [("tables", &["--no-default-features"]), ("engine", &[])];
+/// The modules, by name, with a feature of the package: the page loads the tables of tensors first, and
+/// the others on demand.
+const MODULES: [(&str, &str); 3] =
+    [("tables", "tables"), ("engine", "reports"), ("representations", "representations")];
 
 /// Builds the modules of the package in `folder` and writes them and their bindings into the folder `out`.
 pub(crate) fn build(folder: &Path, out: &Path) -> Result<()> {
     add_target()?;
-    MODULES.iter().try_for_each(|(name, features)| module(folder, out, name, features))
+    MODULES.iter().try_for_each(|(name, feature)| module(folder, out, name, feature))
 }
 
-fn module(folder: &Path, out: &Path, name: &str, features: &[&str]) -> Result<()> {
+fn module(folder: &Path, out: &Path, name: &str, feature: &str) -> Result<()> {
     let cargo = env::var("CARGO").unwrap_or("cargo".into());
     let profile = env::var("PROFILE").unwrap_or("page".into());
     let arguments = [
@@ -36,7 +37,7 @@ fn module(folder: &Path, out: &Path, name: &str, features: &[&str]) -> Result<()
     let link = ["--", "-Clink-arg=--max-memory=1073741824"];
     let done = Command::new(cargo)
         .args(arguments)
-        .args(features)
+        .args(["--no-default-features", "--features", feature])
         .args(link)
         .current_dir(folder)
         .status()?;

@@ -41,6 +41,8 @@ export class Card {
   #whole = false;
   /** Whether the reader wants a result that takes long. */
   asked = false;
+  /** The types of the simple factors of the algebra, and whether they are all of it. */
+  factors = { types: /** @type {string[]} */ ([]), semisimple: false };
 
   /** @param {Kind} kind */
   constructor(kind) {
@@ -163,7 +165,7 @@ export class Card {
   }
 
   /** @param {any} answer */
-  #structure({ text, pictures }) {
+  #structure({ text, pictures, types }) {
     const box = report(text), rows = [...box.querySelectorAll("tbody tr")].map((row) => [...row.children]);
     const badges = element("p", { class: "badges" }), table = element("dl", { class: "facts" });
     for (const [notion, answer, witness] of rows) {
@@ -177,9 +179,6 @@ export class Card {
       const remark = witness.childNodes.length ? [element("span", { class: "remark" }, ...witness.childNodes)] : [];
       table.append(element("dt", {}, ...notion.childNodes), element("dd", {}, ...answer.childNodes, " ", ...remark));
     }
-    // the diagrams of A1 are a point and a line
-    const type = [...table.querySelectorAll("dt")].find((term) => term.textContent === "Dynkin type")?.nextElementSibling?.textContent ?? "";
-    const draws = [...type.matchAll(/([A-G])[^\w]*(\d+)/gu)].some(([, letter, rank]) => letter + rank !== "A1");
     const rest = folded("all of its structure", table);
     // letters of the metric only, and those with a value, are not in the brackets
     const { state = null, reading = null } = this.#context ?? {}, words = (/** @type {string} */ text) => new Set(text.match(/[A-Za-z]\w*/g));
@@ -187,9 +186,10 @@ export class Card {
     const letters = (reading?.parameters ?? []).filter((name) => !outside(name) && !(name in (state?.set ?? {})));
     const generic = letters.length ? [element("p", { class: "quiet", text: `for generic values of ${letters.join(", ")}` })] : [];
     const semisimple = [...badges.querySelectorAll(".yes")].some(({ textContent }) => textContent === "semisimple");
-    this.body.replaceChildren(badges, ...generic, ...short(table, semisimple), element("div", { class: "drawings" }, ...(draws ? pictures.map(drawn) : [])), rest);
+    this.factors = { types, semisimple };
+    this.body.replaceChildren(badges, ...generic, ...short(table, semisimple), element("div", { class: "drawings" }, ...pictures.map(drawn)), rest);
     this.#feet("", FORMATS.filter(([, format]) => format !== "csv"));
-    if (draws && pictures.length) this.foot.querySelector(".copies")?.append(button("SVG", () => copy(pictures[0].svg), { class: "small" }));
+    if (pictures.length) this.foot.querySelector(".copies")?.append(button("SVG", () => copy(pictures[0].svg), { class: "small" }));
   }
 
   /** @param {string} text */

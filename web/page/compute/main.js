@@ -6,9 +6,12 @@ import { Chips } from "./chips.js";
 import { button, element } from "./dom.js";
 import { Letters } from "./letters.js";
 import { MotionCard } from "./motions.js";
+import { RepresentationCard } from "./representations.js";
 import { LONGEST, empty, read, write } from "./state.js";
 
 /** @typedef {import("./state.js").State} State @typedef {import("./chips.js").Reading} Reading */
+
+/** @typedef {Card | MotionCard | RepresentationCard} AnyCard */
 
 /** Milliseconds after the last key until a text is read. */
 const PAUSE = 250;
@@ -48,7 +51,12 @@ class Compute {
   #letter = "";
   /** Whether the space was read, so that a message is about the values of its letters. */
   #valued = false;
-  /** @type {(Card | MotionCard)[]} */ #cards = [];
+  /** @type {AnyCard[]} */ #cards = [];
+  #representations = new RepresentationCard((part) => {
+    this.#state = { ...this.#state, ...part };
+    this.#tell("push");
+    this.#run();
+  });
   /** @type {ReturnType<typeof setTimeout> | undefined} */ #pause;
   /** Cards of the second module that are in view. @type {Set<Element>} */ #seen = new Set();
 
@@ -113,7 +121,7 @@ class Compute {
       // in an order that does not depend on the number of columns
       cards: () => {
         const shown = this.list.hidden ? [] : this.#cards.filter(({ element: { hidden } }) => !hidden);
-        const begins = (/** @type {Card | MotionCard} */ { kind }) => kind.name === "motions" && Boolean(this.#state.motion);
+        const begins = (/** @type {AnyCard} */ { kind }) => kind.name === "motions" && Boolean(this.#state.motion);
         return [...shown.filter(begins), ...shown.filter((card) => !begins(card))].map(({ element }) => element);
       },
     };
@@ -200,7 +208,7 @@ class Compute {
 
   #title() {
     if (!this.#reading) return "Compute";
-    const { metric, connection } = this.#state, kind = KINDS.find(({ name }) => name === this.#opened);
+    const { metric, connection } = this.#state, kind = [...KINDS, this.#representations.kind].find(({ name }) => name === this.#opened);
     const space = [this.#reading.name, metric, connection === "levi-civita" ? "Levi-Civita" : connection].filter(Boolean).join(", ");
     return kind ? `${kind.title} of ${space}` : space;
   }
@@ -293,7 +301,7 @@ class Compute {
   /** The cards of a reading: those that stay are kept. @param {Reading} reading */
   #lay(reading) {
     if (!this.#cards.length) {
-      this.#cards = KINDS.map((kind) => new Card(kind));
+      this.#cards = [...KINDS.map((kind) => new Card(kind)), this.#representations];
       // a letter that the space and its motion share has one value
       this.#cards.push(new MotionCard(this.services.engine, (name, value, moving) => {
         if (this.#reading?.parameters.includes(name)) this.#assign(name, value, moving);
@@ -301,6 +309,7 @@ class Compute {
       for (const card of this.#cards) if (card.kind.second) this.watcher.observe(card.element);
       new ResizeObserver(() => this.#columnize()).observe(this.list);
     }
+    this.#representations.space = this.#taken;
     for (const card of this.#cards) card.element.hidden = !card.kind.when(reading);
     this.#columnize();
   }
@@ -309,7 +318,7 @@ class Compute {
    * when its result grows. */
   #columnize() {
     const count = Math.max(1, Math.min(3, Math.floor(this.list.clientWidth / (COLUMN * parseFloat(getComputedStyle(document.documentElement).fontSize)))));
-    const columns = Array.from({ length: count }, () => ({ size: 0, cards: /** @type {(Card | MotionCard)[]} */ ([]) }));
+    const columns = Array.from({ length: count }, () => ({ size: 0, cards: /** @type {AnyCard[]} */ ([]) }));
     const wide = this.#cards.filter(({ kind }) => kind.name === "motions");
     for (const card of this.#cards) {
       if (wide.includes(card)) continue;
@@ -323,7 +332,7 @@ class Compute {
     // elements that are moved, even to their own place, lose the focus
     if (laid === this.#laid) return;
     this.#laid = laid;
-    const elements = (/** @type {(Card | MotionCard)[]} */ cards) => cards.map(({ element }) => element);
+    const elements = (/** @type {AnyCard[]} */ cards) => cards.map(({ element }) => element);
     this.list.replaceChildren(...elements(before), ...columns.map(({ cards }) => element("div", { class: "column" }, ...elements(cards))), ...elements(after));
   }
 
@@ -338,14 +347,18 @@ class Compute {
     let computed = 0;
     const first = shown.filter(({ kind }) => !kind.second), second = shown.filter(({ kind }) => kind.second);
     for (const { element: box } of second) if (this.#seen.has(box)) box.querySelector(".body > .later")?.replaceChildren("…");
-    for (const card of first.concat(second)) {
+    const cards = first.concat(second), representations = this.#representations;
+    for (const card of cards) {
       const { element: box, kind } = card;
-      if (box.dataset.key === key) {
+      const own = card === representations ? key + representations.key(state) : key;
+      if (box.dataset.key === own) {
         box.classList.remove("stale");
         continue;
       }
       card.outdate();
-      if (kind.second && !this.#seen.has(box) && state.card !== kind.name) continue;
+      // the factors of the algebra are known by its structure
+      const asked = state.card === kind.name || state.card === "representations" && kind.name === "structure";
+      if (kind.second && !this.#seen.has(box) && !asked) continue;
       const most = "most" in kind ? kind.most : undefined;
       if (card instanceof Card && most && reading.dimension > most && !card.asked) {
         card.tell(`Above dimension ${most} this takes minutes.`, button("Compute", () => { card.asked = true; this.#run(); }));
@@ -354,8 +367,14 @@ class Compute {
       try {
         told(kind.title);
         await card.compute(context, (name) => told(`${kind.title}: ${name}`));
-        box.dataset.key = key;
+        box.dataset.key = own;
         computed++;
+        if (card instanceof Card && kind.name === "structure") {
+          representations.offer(card.factors);
+          representations.element.hidden = !representations.kind.when();
+          this.#columnize();
+          if (!representations.element.hidden && !cards.includes(representations)) cards.push(representations);
+        }
       } catch (problem) {
         const { kind: what, refusal, message } = /** @type {any} */ (problem);
         if (what === "refused" && !first.includes(card)) card.tell(refusal.message);

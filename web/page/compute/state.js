@@ -1,7 +1,7 @@
 // @ts-check
 // The state of the view: the text of the box, the connection, the metric, the values of letters, and a card.
 
-/** @typedef {{space: string, connection: string, metric: string, set: Record<string, string>, card: string, motion: string}} State */
+/** @typedef {{space: string, connection: string, metric: string, set: Record<string, string>, card: string, motion: string, weight: string, factors: string, subalgebra: string}} State */
 
 /** Longer texts are not put into the address. */
 export const LONGEST = 30000;
@@ -12,14 +12,14 @@ const EXAMPLES = {
 };
 
 /** @returns {State} */
-export const empty = () => ({ space: "", connection: "", metric: "", set: {}, card: "", motion: "" });
+export const empty = () => ({ space: "", connection: "", metric: "", set: {}, card: "", motion: "", weight: "", factors: "", subalgebra: "" });
 
 /** The state of an address. @param {string} text @returns {State} */
 export function read(text) {
   // in a space a plus is one, as in so3+R^3, and not a blank
   const fields = new URLSearchParams(text.replaceAll("+", "%2B"));
   const state = { ...empty(), ...EXAMPLES[fields.get("space")?.trim().toLowerCase() ?? ""] };
-  for (const name of /** @type {const} */ (["space", "connection", "metric", "card"])) {
+  for (const name of /** @type {const} */ (["space", "connection", "metric", "card", "weight", "factors", "subalgebra"])) {
     const value = fields.get(name);
     if (value && !(name === "space" && state.space)) state[name] = value;
   }
