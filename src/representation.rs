@@ -37,6 +37,7 @@ mod highest_weight;
 mod matrices;
 mod named;
 pub mod names;
+mod packed;
 mod powers;
 mod products;
 mod regular;

@@ -1,5 +1,6 @@
 """affinor beside other programs: curvature of Levi-Civita, by size (`numbers`) and by symbols (`symbols`), and
-where symbols become too many (`limits`); of metrics over charts (`charts`), and of homogeneous spaces (`homogeneous`).
+where symbols become too many (`limits`); of metrics over charts (`charts`), and of homogeneous spaces (`homogeneous`);
+products, weights and restrictions of representations (`representations`).
 
     python3 benches/peers/run.py numbers --affinor target/release/affinor > numbers.md
     cargo bench -p affinor-benches --bench table_calls --no-run
@@ -7,11 +8,12 @@ where symbols become too many (`limits`); of metrics over charts (`charts`), and
     python3 benches/peers/run.py limits  --affinor target/release/affinor > limits.md
     python3 benches/peers/run.py charts  --affinor target/release/affinor --calls target/release/deps/table_calls-* > charts.md
     python3 benches/peers/run.py homogeneous --affinor target/release/affinor --calls target/release/deps/table_calls-* > homogeneous.md
+    python3 benches/peers/run.py representations --affinor target/release/affinor > representations.md
 
 Each is one run that writes one Markdown document; progress goes to standard error. What is not installed has a
 column of dashes. The peers, on Debian:
 
-    apt-get install maxima maxima-share gap-core g++ libginac-dev
+    apt-get install maxima maxima-share gap-core lie g++ libginac-dev
     pip install python-flint symengine                      # likewise
     pip install numpy scipy sympy                           # for the python3 that runs this, or --python
     pip install geomstats==2.8.0 'numpy<2'                  # in an environment of its own: --geomstats
@@ -34,10 +36,11 @@ How it is measured
 - One thread each (OPENBLAS_NUM_THREADS=1) unless the column says otherwise.
 - Results are compared: the number of nonzero components always; values as the caption says.
 
-Beside this file: `peer.py`, what the Python ones share; `numbers_*.py`, `symbols_*.py`, `charts_*.py` with `chart_metrics.py`, `homogeneous_*.py`, and `symbols_ginac.cpp`, which is compiled here.
+Beside this file: `peer.py`, what the Python ones share; `numbers_*.py`, `symbols_*.py`, `charts_*.py` with `chart_metrics.py`, `homogeneous_*.py`, `representation_tasks.py` with `representations_*.py`, and `symbols_ginac.cpp`, which is compiled here.
 """
 import argparse
 import csv
+import json
 import os
 import random
 import re
@@ -54,6 +57,7 @@ from fractions import Fraction
 
 import chart_metrics
 import homogeneous_spaces
+import representation_tasks
 
 csv.field_size_limit(1 << 30)
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -65,7 +69,7 @@ PRIME = 2**61 - 1
 MINUTE = 60
 
 arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-arguments.add_argument("table", choices=["numbers", "symbols", "limits", "charts", "homogeneous"])
+arguments.add_argument("table", choices=["numbers", "symbols", "limits", "charts", "homogeneous", "representations"])
 arguments.add_argument("--affinor", default="target/release/affinor", help="the program")
 arguments.add_argument("--calls", help="the program of benches/table_calls.rs")
 arguments.add_argument("--python", default=sys.executable, help="Python with numpy, scipy, sympy")
@@ -622,7 +626,42 @@ def homogeneous():
         row(name, f"diag({diagonal})", len(expected), called(path, "", "curvature", done), *cells)
 
 
+def representations():
+    python = [options.python]
+    peers = {"LiE": ("representations_lie.py", python), "GAP": ("representations_gap.py", python)}
+    if options.sage:
+        peers["Sage"] = ("representations_sage.py", [options.sage])
+    about()
+    print("CPU time. affinor: the whole process, with starting and printing. LiE: the whole process without an empty one. "
+          "GAP, Sage: the call\n")
+    head("task", "components", "affinor", *peers)
+    flags = {"product": "--tensor", "weights": "--weights", "restriction": "--branch"}
+    for name, (cartan, operation, first, second) in representation_tasks.TASKS.items():
+        given = {"product": [f"[{second}]"], "weights": [], "restriction": [f"extended {second}"]}[operation]
+        command = [options.affinor, "rep", cartan, f"[{first}]", flags[operation], *given, "--format", "json"]
+        runs = [run(command) for _ in range(5)]
+        if runs[0].why or not runs[0].output:
+            sys.exit(f"{name}: {runs[0].why or runs[0].errors}")
+        result = json.loads(runs[0].output)["result"]
+        listed = result.get("components") or result["weights"]
+        expected = {tuple(one.get("labels") or one["weight"]): int(one["multiplicity"]) for one in listed}
+        cells = []
+        for label, (script, program) in peers.items():
+            if label == "GAP" and operation == "restriction":
+                cells.append("-")
+                continue
+            theirs = peer(script, program, cartan, operation, first, second)
+            cells.append(theirs.why or seconds(theirs.reports[operation][0]))
+            found = {at: int(m) for (_, at), m in theirs.values.items()}
+            # the nodes of a subalgebra may be numbered in another order
+            same = found == expected or operation == "restriction" and sorted(found.values()) == sorted(expected.values())
+            if found and not same:
+                sys.exit(f"{name}: {label} differs in {found.items() ^ expected.items()}")
+        row(name, len(expected), seconds(statistics.median(one.cpu for one in runs)), *cells)
+
+
 try:
-    {"numbers": numbers, "symbols": symbols, "limits": limits, "charts": charts, "homogeneous": homogeneous}[options.table]()
+    {"numbers": numbers, "symbols": symbols, "limits": limits, "charts": charts, "homogeneous": homogeneous,
+     "representations": representations}[options.table]()
 finally:
     shutil.rmtree(FOLDER)

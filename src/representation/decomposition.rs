@@ -1,9 +1,11 @@
 //! Decompositions into irreducible representations.
 
+use super::packed::Packing;
 use super::{Character, HighestWeight, ReductiveAlgebra, RepresentationError};
 use affinor_tensors::stop::{checkpoint, stage};
 use num_bigint::{BigInt, BigUint};
 use num_traits::Zero;
+use rustc_hash::FxHashMap;
 use std::collections::HashMap;
 use std::fmt;
 
@@ -199,7 +201,8 @@ impl Sum {
     /// the formula of Brauer and Klimyk. Each weight `ν` contributes to the representation
     /// `w(λ + ν + ρ) - ρ` its multiplicity, times the sign of `w`.
     ///
-    /// `project` maps the weights of the character to weights of the algebra.
+    /// The rows of `projection` map the weights of the character to labels of weights of the
+    /// algebra; by default both algebras are the same.
     ///
     /// # Errors
     /// [`RepresentationError::TooLarge`] if the multiplicities may exceed 128 bits, or if the
@@ -209,7 +212,7 @@ impl Sum {
         base: &HighestWeight,
         factor: i128,
         character: &Character,
-        mut project: impl FnMut(&[i64], &mut [i64]),
+        projection: Option<&[Vec<i64>]>,
     ) -> Result<(), RepresentationError> {
         let absolute = |m: i128| BigInt::from(m.unsigned_abs());
         let sizes = character
@@ -222,22 +225,73 @@ impl Sum {
                 limit: "the 128-bit integers".into(),
             });
         }
+        let done = match Packed::new(base, character, projection) {
+            Some(packed) => self.add_packed(&packed, base, factor, character),
+            None => self.add_listed(base, factor, character, projection),
+        };
+        done.ok_or_else(|| RepresentationError::TooLarge {
+            what: "the number of components".into(),
+            limit: MAX_COMPONENTS.to_string(),
+        })
+    }
+
+    /// [`add_product`](Self::add_product) for labels of any size; `None` for too many components.
+    fn add_listed(
+        &mut self,
+        base: &HighestWeight,
+        factor: i128,
+        character: &Character,
+        projection: Option<&[Vec<i64>]>,
+    ) -> Option<()> {
         let mut image = vec![0; self.algebra.rank()];
         for (weight, multiplicity) in character.dominant_weights() {
             character.algebra().for_each_in_orbit(weight, |weight| {
                 if !self.full {
-                    project(weight, &mut image);
+                    project(projection, weight, &mut image);
                     self.add_straightened(base.labels(), &image, multiplicity * factor);
                 }
             });
-            if self.full {
-                return Err(RepresentationError::TooLarge {
-                    what: "the number of components".into(),
-                    limit: MAX_COMPONENTS.to_string(),
-                });
-            }
         }
-        Ok(())
+        (!self.full).then_some(())
+    }
+
+    /// The same for packed weights.
+    fn add_packed(
+        &mut self,
+        packed: &Packed,
+        base: &HighestWeight,
+        factor: i128,
+        character: &Character,
+    ) -> Option<()> {
+        let Packed { source, target, projection, steps } = packed;
+        let rank = self.algebra.semisimple_rank();
+        let mut sums: FxHashMap<u128, i128> = FxHashMap::default();
+        let mut image = vec![0; self.algebra.rank()];
+        for (weight, multiplicity) in character.dominant_weights() {
+            project(*projection, weight, &mut image);
+            image.iter_mut().zip(base.labels()).for_each(|(label, base)| *label += base);
+            image[..rank].iter_mut().for_each(|label| *label += 1);
+            let multiplicity = multiplicity * factor;
+            let mut visited = 0u32;
+            source.for_each_image(source.weight(weight), target.weight(&image), steps, |image| {
+                visited = visited.wrapping_add(1);
+                if visited % 1024 == 0 {
+                    checkpoint();
+                }
+                if let Some((weight, odd)) = target.straighten(image)
+                    && sums.len() <= MAX_COMPONENTS
+                {
+                    *sums.entry(weight).or_default() +=
+                        if odd { -multiplicity } else { multiplicity };
+                }
+            });
+            checkpoint();
+        }
+        for (weight, sum) in sums {
+            *self.multiplicities.entry(target.labels(weight)).or_default() += sum;
+        }
+        self.full |= self.multiplicities.len() > MAX_COMPONENTS;
+        (!self.full).then_some(())
     }
 
     #[inline]
@@ -284,5 +338,132 @@ impl Sum {
         }
         components.sort_by(|a, b| b.0.labels().cmp(a.0.labels()));
         Ok(Decomposition::of(&self.algebra, components))
+    }
+}
+
+/// A product of a representation with a character whose weights fit into packed integers.
+struct Packed<'p> {
+    /// The algebra of the character.
+    source: Packing,
+    /// The algebra of the sum.
+    target: Packing,
+    projection: Option<&'p [Vec<i64>]>,
+    /// The images of the simple roots.
+    steps: Vec<u128>,
+}
+
+impl<'p> Packed<'p> {
+    /// The layouts, if all labels fit.
+    fn new(
+        base: &HighestWeight,
+        character: &Character,
+        projection: Option<&'p [Vec<i64>]>,
+    ) -> Option<Self> {
+        let (from, to) = (character.algebra(), base.algebra());
+        let highest = |weight: &[i64]| from.largest_label(weight);
+        let largest = character.dominant_weights().map(|(weight, _)| highest(weight)).max()?;
+        let source = Packing::new(from, largest)?;
+        let shift = base.labels().iter().map(|label| label.abs() + 1).collect::<Vec<_>>();
+        let image: Vec<i64> = match projection {
+            None => vec![largest; to.rank()],
+            Some(rows) => rows
+                .iter()
+                .map(|row| row.iter().map(|entry| entry.abs()).sum::<i64>().checked_mul(largest))
+                .collect::<Option<_>>()?,
+        };
+        // without a projection the labels are those of the sum of the highest weights
+        let bound = match projection {
+            None => to.largest_label(&shift).checked_add(largest)?,
+            Some(_) => {
+                let sum: Vec<i64> =
+                    image.iter().zip(&shift).map(|(i, s)| i.saturating_add(*s)).collect();
+                to.largest_label(&sum)
+            }
+        };
+        let target = Packing::new(to, bound)?;
+        let mut steps = vec![];
+        let (mut root, mut image) = (vec![0; from.rank()], vec![0; to.rank()]);
+        for i in 0..from.semisimple_rank() {
+            root.fill(0);
+            root[i] = 2;
+            from.neighbours(i).iter().for_each(|&(j, entry)| root[j] = entry);
+            project(projection, &root, &mut image);
+            steps.push(target.vector(&image));
+        }
+        Some(Packed { source, target, projection, steps })
+    }
+}
+
+/// The image of a weight: the weight itself, or a product with the rows of a projection.
+fn project(projection: Option<&[Vec<i64>]>, weight: &[i64], image: &mut [i64]) {
+    match projection {
+        None => image.copy_from_slice(weight),
+        Some(rows) => {
+            for (label, row) in image.iter_mut().zip(rows) {
+                *label = row.iter().zip(weight).map(|(entry, w)| entry * w).sum();
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Packed, Sum};
+    use crate::representation::{HighestWeight, ReductiveAlgebra, Subalgebra};
+
+    /// Packed and listed weights have the same sums: products, with charges as well, and
+    /// restrictions, in lanes of 62 bits (rank 1) to 8 bits (rank 16).
+    #[test]
+    fn packed_sums_are_those_of_lists() -> Result<(), Box<dyn std::error::Error>> {
+        let both = |base: &HighestWeight, weight: &HighestWeight, rows: Option<&[Vec<i64>]>| {
+            let character = weight.character().unwrap();
+            let packed = Packed::new(base, &character, rows).expect("small labels");
+            let (mut one, mut other) = (Sum::new(base.algebra()), Sum::new(base.algebra()));
+            one.add_packed(&packed, base, -3, &character).unwrap();
+            other.add_listed(base, -3, &character, rows).unwrap();
+            one.multiplicities.retain(|_, m| *m != 0);
+            other.multiplicities.retain(|_, m| *m != 0);
+            assert_eq!(one.multiplicities, other.multiplicities, "{base} x {weight}");
+            assert!(!one.multiplicities.is_empty());
+        };
+        for (name, one, other) in [
+            ("A1", "[7]", "[12]"),
+            ("G2", "[3,1]", "[1,2]"),
+            ("B3", "[0,2,1]", "[2,0,1]"),
+            ("C4", "[1,0,0,2]", "[0,1,0,1]"),
+            ("D5", "[1,1,0,1,0]", "[0,0,1,0,2]"),
+            ("F4", "[1,0,0,1]", "[0,1,0,1]"),
+            ("E6", "[1,1,0,0,0,0]", "[0,0,0,1,0,0]"),
+            ("A9", "[1,0,1,0,0,0,0,0,1]", "[0,2,0,0,0,0,0,1,0]"),
+            ("A2 + A1 + T1", "[1,1,2,-5]", "[2,0,1,7]"),
+            ("D8 + E8", "[0,1,0,0,0,0,0,0,0,0,0,0,0,0,0,0]", "[0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,1]"),
+        ] {
+            let algebra: ReductiveAlgebra = name.parse()?;
+            let weight = |text| HighestWeight::parse(&algebra, text);
+            both(&weight(one)?, &weight(other)?, None);
+        }
+        for (name, weight, subalgebra) in [
+            ("E6", "[1,1,0,0,0,1]", "levi 4"),
+            ("E7", "[1,0,0,0,0,0,1]", "extended 2"),
+            ("F4", "[1,0,1,0]", "principal"),
+            ("A4", "[2,1,0,1]", "levi 2,3"),
+        ] {
+            let algebra: ReductiveAlgebra = name.parse()?;
+            let subalgebra = Subalgebra::parse(&algebra, subalgebra)?;
+            let origin = HighestWeight::trivial(subalgebra.algebra());
+            both(&origin, &HighestWeight::parse(&algebra, weight)?, Some(subalgebra.projection()));
+        }
+        // labels that do not fit into 7 bits
+        let large: ReductiveAlgebra = "D8 + D8".parse()?;
+        let mut labels = vec![0; 16];
+        labels[0] = 130;
+        let large = HighestWeight::new(&large, labels)?;
+        let trivial = HighestWeight::trivial(large.algebra()).character()?;
+        assert!(Packed::new(&large, &trivial, None).is_none());
+        assert_eq!(
+            large.tensor(&HighestWeight::trivial(large.algebra()))?.to_string(),
+            large.to_string()
+        );
+        Ok(())
     }
 }

@@ -17,8 +17,8 @@
 
 use super::{HighestWeight, ReductiveAlgebra, RepresentationError};
 use crate::algebra::roots::{CartanType, Series};
-use num_bigint::BigUint;
 use num_traits::ToPrimitive;
+use std::cmp::Ordering;
 
 /// The largest dimension of a representation with a name.
 pub const MAX_NAMED: u64 = 1_000_000;
@@ -156,8 +156,11 @@ fn parse_name(algebra: &ReductiveAlgebra, text: &str) -> Result<HighestWeight, S
 fn of_dimension(factor: CartanType, dimension: u64) -> Vec<HighestWeight> {
     let algebra = ReductiveAlgebra::new([factor], 0);
     let mut found = vec![];
-    let mut labels = vec![0; factor.rank()];
-    collect(&algebra, &BigUint::from(dimension), &mut labels, 0, &mut found);
+    Search { factors: weyl_factors(&algebra), dimension: dimension as f64 }.collect(
+        &mut vec![0; factor.rank()],
+        0,
+        &mut |labels| found.push(HighestWeight::of(&algebra, labels.to_vec())),
+    );
     found
 }
 
@@ -206,40 +209,57 @@ fn without_bar(weight: &HighestWeight) -> bool {
     }
 }
 
-/// Collects the representations of a dimension. The dimension grows with each label, so the last
-/// label is found by bisection, and the other labels end when the dimension is exceeded.
-fn collect(
-    algebra: &ReductiveAlgebra,
-    dimension: &BigUint,
-    labels: &mut Vec<i64>,
-    at: usize,
-    found: &mut Vec<HighestWeight>,
-) {
-    affinor_tensors::stop::checkpoint();
-    let last = at + 1 == labels.len();
-    let value = |labels: &mut Vec<i64>, label: i64| {
-        labels[at] = label;
-        HighestWeight::of(algebra, labels.clone()).dimension()
-    };
-    if last {
-        let (mut low, mut high) = (0, i64::try_from(MAX_NAMED).unwrap_or(i64::MAX));
-        while low < high {
-            let middle = (low + high) / 2;
-            if value(labels, middle) < *dimension {
-                low = middle + 1;
-            } else {
-                high = middle;
+/// The coefficients of the factors of Weyl's formula: `1 + sum_i c_i λ_i` for each positive root.
+fn weyl_factors(algebra: &ReductiveAlgebra) -> Vec<Vec<f64>> {
+    let factors = algebra.positive_roots().iter().map(|root| {
+        let height: i64 = root.coroot.iter().sum();
+        root.coroot.iter().map(|c| *c as f64 / height as f64).collect()
+    });
+    factors.collect()
+}
+
+/// A search for the representations of a dimension. Dimensions are floats, whose error is below
+/// `1e-13` of them for the 120 roots of E8, so they are exact after rounding up to [`MAX_NAMED`].
+struct Search {
+    factors: Vec<Vec<f64>>,
+    dimension: f64,
+}
+
+impl Search {
+    /// The order of the dimension of a representation and the dimension that is sought.
+    fn compare(&self, labels: &[i64]) -> Ordering {
+        let factor = |row: &Vec<f64>| {
+            1.0 + row.iter().zip(labels).map(|(c, label)| c * *label as f64).sum::<f64>()
+        };
+        let dimension: f64 = self.factors.iter().map(factor).product();
+        dimension.round().total_cmp(&self.dimension)
+    }
+
+    /// Collects the representations. The dimension grows with each label, so the last label is
+    /// found by bisection, and the other labels end when the dimension is exceeded.
+    fn collect(&self, labels: &mut Vec<i64>, at: usize, found: &mut dyn FnMut(&[i64])) {
+        affinor_tensors::stop::checkpoint();
+        if at + 1 == labels.len() {
+            let (mut low, mut high) = (0, MAX_NAMED as i64);
+            while low < high {
+                let middle = (low + high) / 2;
+                labels[at] = middle;
+                if self.compare(labels).is_lt() {
+                    low = middle + 1;
+                } else {
+                    high = middle;
+                }
+            }
+            labels[at] = low;
+            if self.compare(labels).is_eq() {
+                found(labels);
+            }
+        } else {
+            while self.compare(labels).is_le() {
+                self.collect(labels, at + 1, found);
+                labels[at] += 1;
             }
         }
-        if value(labels, low) == *dimension {
-            found.push(HighestWeight::of(algebra, labels.clone()));
-        }
-    } else {
-        let mut label = 0;
-        while value(labels, label) <= *dimension {
-            collect(algebra, dimension, labels, at + 1, found);
-            label += 1;
-        }
+        labels[at] = 0;
     }
-    labels[at] = 0;
 }

@@ -113,8 +113,7 @@ impl Schur {
             self.find(&rest)?;
             let adams = self.character.adams(length as i64);
             for (weight, multiplicity) in self.known[&rest].components() {
-                let copy = |w: &[i64], image: &mut [i64]| image.copy_from_slice(w);
-                sum.add_product(weight, sign * multiplicity, &adams, copy)?;
+                sum.add_product(weight, sign * multiplicity, &adams, None)?;
             }
         }
         self.known.insert(partition.clone(), sum.divided(degree as i128)?);

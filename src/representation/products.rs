@@ -54,7 +54,7 @@ impl Decomposition {
         let _stage = stage("product");
         let mut sum = Sum::new(self.algebra());
         for (weight, multiplicity) in large.components() {
-            sum.add_product(weight, multiplicity, &character, |w, image| image.copy_from_slice(w))?;
+            sum.add_product(weight, multiplicity, &character, None)?;
         }
         sum.finish()
     }

@@ -155,11 +155,7 @@ impl Subalgebra {
         for (weight, multiplicity) in representation.components() {
             let character = weight.character()?;
             let _stage = stage("branching");
-            sum.add_product(&origin, multiplicity, &character, |weight, image| {
-                for (label, row) in image.iter_mut().zip(&self.projection) {
-                    *label = row.iter().zip(weight).map(|(entry, w)| entry * w).sum();
-                }
-            })?;
+            sum.add_product(&origin, multiplicity, &character, Some(&self.projection))?;
         }
         sum.finish()
     }

@@ -16,6 +16,18 @@ impl ReductiveAlgebra {
         }
     }
 
+    /// The largest `|<w ν, α_i^∨>|` over the Weyl group elements `w`, and the largest charge, for
+    /// labels that are not negative.
+    pub(super) fn largest_label(&self, dominant: &[i64]) -> i64 {
+        let roots = self.positive_roots().iter();
+        let values = roots.map(|root| {
+            let terms = root.coroot.iter().zip(dominant).map(|(c, label)| c.saturating_mul(*label));
+            terms.fold(0, i64::saturating_add)
+        });
+        let charges = dominant[self.semisimple_rank()..].iter().map(|charge| charge.abs());
+        values.chain(charges).max().unwrap_or(0)
+    }
+
     /// Reflects a weight into the dominant chamber.
     pub(super) fn make_dominant(&self, weight: &mut [i64]) {
         let mut i = 0;

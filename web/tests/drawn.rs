@@ -152,8 +152,10 @@ fn representations_have_weight_diagrams() {
     let answer = |request: Value| -> Value {
         serde_json::from_str(&affinor_web::call(&request.to_string()).unwrap()).unwrap()
     };
-    let circles = |answer: &Value| answer["pictures"][0]["svg"].as_str().unwrap().matches("<circle").count();
-    let octets = answer(json!({ "report": "rep", "space": "A2", "weight": "8", "factors": "8; 3" }));
+    let circles =
+        |answer: &Value| answer["pictures"][0]["svg"].as_str().unwrap().matches("<circle").count();
+    let octets =
+        answer(json!({ "report": "rep", "space": "A2", "weight": "8", "factors": "8; 3" }));
     assert!(octets["text"].as_str().unwrap().contains("192"), "8 x 8 x 3 has dimension 192");
     assert_eq!(circles(&octets), 7);
     assert_eq!(circles(&answer(json!({ "report": "rep", "space": "G2", "weight": "7" }))), 7);

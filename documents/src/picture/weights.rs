@@ -80,7 +80,8 @@ pub fn weights(highest: &HighestWeight) -> Result<Option<Picture>, Representatio
             let depth = 0.5 * (near(at) + near(other));
             let ink = Ink { opacity: 0.25 + 0.5 * depth, ..colour };
             let stroke = Stroke { ink, width: 1.0 + depth, dash: SOLID };
-            drawn.push((depth - 1.0, Shape::Line { points: vec![place(at), place(other)], stroke }));
+            drawn
+                .push((depth - 1.0, Shape::Line { points: vec![place(at), place(other)], stroke }));
         }
     }
     for (at, multiplicity) in places.values() {
@@ -136,7 +137,8 @@ fn turned(at: Vector3<f64>, rank: usize) -> Vector3<f64> {
         return at;
     }
     let [around, up] = VIEW;
-    let (x, y) = (at.x * around.cos() - at.y * around.sin(), at.x * around.sin() + at.y * around.cos());
+    let (x, y) =
+        (at.x * around.cos() - at.y * around.sin(), at.x * around.sin() + at.y * around.cos());
     Vector3::new(x, at.z * up.cos() + y * up.sin(), at.z * up.sin() - y * up.cos())
 }
 
