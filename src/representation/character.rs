@@ -4,6 +4,7 @@ use super::{HighestWeight, ReductiveAlgebra, RepresentationError};
 use affinor_tensors::stop::{checkpoint, stage};
 use num_bigint::{BigInt, BigUint};
 use num_traits::Zero;
+use rustc_hash::FxHashMap;
 use std::collections::HashMap;
 
 /// The maximum number of dominant weights of a character.
@@ -106,7 +107,7 @@ struct Freudenthal<'a> {
     weights: Vec<Vec<i64>>,
     /// For each weight `μ` the coefficients of `λ - μ` over the simple roots.
     differences: Vec<Vec<i64>>,
-    index: HashMap<Vec<i64>, usize>,
+    index: FxHashMap<Vec<i64>, usize>,
     /// Representatives of the orbits of a stabilizer on the roots, with the sizes of the orbits, for
     /// each set of labels that are zero.
     orbits: HashMap<Vec<bool>, Vec<(usize, i64)>>,
@@ -129,7 +130,7 @@ impl<'a> Freudenthal<'a> {
         let rank = algebra.semisimple_rank();
         let mut weights = vec![highest.labels().to_vec()];
         let mut differences = vec![vec![0; rank]];
-        let mut index = HashMap::from([(highest.labels().to_vec(), 0)]);
+        let mut index = FxHashMap::from_iter([(highest.labels().to_vec(), 0)]);
         let mut at = 0;
         // subtracting positive roots from dominant weights reaches all dominant weights (Stembridge)
         while at < weights.len() {
