@@ -4,7 +4,7 @@
 //!   functions of angles;
 //! - [`tableaux`] of Runge-Kutta methods, `ode` for initial value problems in R^n;
 //! - [`blocks`] for recorded programs on many rows; `lanes` for several floats in one vector
-//!   register; `least_squares`; `rounding`, which rejects results without correct digits.
+//!   register; `least_squares`; `shooting` for ends of curves; `rounding`, which rejects results without correct digits.
 
 pub mod blocks;
 pub(crate) mod double;
@@ -14,5 +14,6 @@ pub(crate) mod least_squares;
 pub(crate) mod logarithm;
 pub(crate) mod ode;
 pub(crate) mod rounding;
+pub(crate) mod shooting;
 pub(crate) mod stumpff;
 pub mod tableaux;

@@ -56,6 +56,9 @@ fn the_hyperbolic_plane() {
         let found = lengths(&report);
         assert_near(found[0], length, 1e-11);
         assert_eq!(found.len(), 1, "a geodesic of the hyperbolic plane is unique");
+        // the search does not depend on the unit of length
+        let large = json(&["hyperbolic-plane", "--set", "R=1e15", "--from", from, "--to", to]);
+        assert_near(lengths(&large)[0], 1e15 * length, 1e-11);
     }
 }
 
@@ -115,6 +118,18 @@ fn rotations() {
     assert_near(lengths(&json(&[&["so3"][..], &from].concat()))[0], 1.0, 1e-12);
 }
 
+/// The entries of the rotation `exp(x)`, row by row, by the formula of Rodrigues.
+fn rotation(x: [f64; 3]) -> [f64; 9] {
+    let angle = x.iter().map(|x| x * x).sum::<f64>().sqrt();
+    let n = x.map(|x| x / angle);
+    let cross = [[0.0, -n[2], n[1]], [n[2], 0.0, -n[0]], [-n[1], n[0], 0.0]];
+    std::array::from_fn(|at| {
+        let (i, j) = (at / 3, at % 3);
+        let unit = f64::from(u8::from(i == j));
+        unit * angle.cos() + cross[i][j] * angle.sin() + n[i] * n[j] * (1.0 - angle.cos())
+    })
+}
+
 /// A rigid body: the curve from the velocity that was found is computed again as a motion.
 #[test]
 fn a_metric_that_is_not_bi_invariant() {
@@ -129,15 +144,8 @@ fn a_metric_that_is_not_bi_invariant() {
     let rows = run(folder.path(), &["simulate", "body.toml"], b"").out;
     let last: Vec<f64> =
         rows.lines().last().unwrap().split(',').map(|value| value.parse().unwrap()).collect();
-    let wanted = run(root(), &["exp", "so3", "0.3,1,-0.5", "--format", "json"], b"").out;
-    let wanted: Value = serde_json::from_str(&wanted).unwrap();
-    let wanted = wanted.to_string();
-    let entries: Vec<f64> = wanted
-        .split(|c: char| !(c.is_ascii_digit() || ".-e".contains(c)))
-        .filter_map(|text| text.parse().ok())
-        .collect();
-    for (i, value) in last[..9].iter().enumerate() {
-        assert!(entries.iter().any(|entry| (entry - value).abs() < 1e-9), "entry {i}: {value}");
+    for (i, (value, entry)) in last[..9].iter().zip(rotation([0.3, 1.0, -0.5])).enumerate() {
+        assert!((entry - value).abs() < 1e-9, "entry {i}: {value} is not {entry}");
     }
     assert_near(lengths(&report)[0], (2.0 * last[9]).sqrt(), 1e-10);
 }
@@ -154,6 +162,19 @@ fn spheres_as_homogeneous_spaces() {
     // between points other than the origin: cos d = cos a cos b for orthogonal directions
     let report = json(&["S^2", "--metric", "identity", "--from", "0.7,0", "--to", "0,1.1"]);
     assert_near(lengths(&report)[0], (0.7_f64.cos() * 1.1_f64.cos()).acos(), 1e-11);
+}
+
+/// The connection of the report is the connection of the homogeneous space.
+#[test]
+fn the_default_connection_of_a_homogeneous_space() {
+    let ends = ["S^2", "--from", "0,0", "--to", "0.3,0.4"];
+    assert_eq!(json(&ends)["connection"], "natural");
+    let text = outcome(&ends).out;
+    assert!(text.contains("natural (lambda=1/2)") || text.contains("natural ("), "{text}");
+    assert!(text.contains("by entries of the matrix"), "{text}");
+    // numbers of any size are short
+    let tiny = outcome(&["S^2", "--from", "0,0", "--to", "1e-50,1"]).out;
+    assert!(tiny.contains("1e-50, 1"), "{tiny}");
 }
 
 /// Antipodal points of the sphere are conjugate.
@@ -176,12 +197,13 @@ fn messages() {
     for (from, to, message) in [
         ("1", "1,1", "--from has 1 value, but a point has 2"),
         ("1,1", "1,1,1", "--to has 3 values, but a point has 2"),
-        ("1,1", "1,1", "it is the start point"),
+        ("1,1", "1,1", "the end point is the start point"),
         ("theta=1,psi=1", "1,1", "`psi` is not a name"),
         ("theta=1,theta=1", "1,1", "theta is given twice"),
+        ("theta=1,1", "1,1", "the value `1` has no name"),
         ("1,x", "1,1", "`x`"),
         ("0,0", "1,1", "the metric degenerates"),
-        ("1,1", "4,1", "invalid the end point"),
+        ("1,1", "4,1", "the end point is not in the chart"),
     ] {
         let found = sphere(from, to);
         assert!(found.contains(message), "{from} to {to}: {found}");

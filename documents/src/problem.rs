@@ -399,17 +399,17 @@ impl Problem {
         problem
     }
 
-    /// The methods of a class without step-size control, the most accurate method last. The list is
-    /// empty for other classes.
+    /// The methods of a class that has methods of its own, the most accurate method last. The list
+    /// is empty for other classes.
     pub fn own_methods(&self) -> Vec<Method> {
         let class = match &self.class {
             Class::MatrixFlow(_) => MethodClass::MatrixFlow,
             Class::PrescribedVelocity(..) => MethodClass::PrescribedVelocity,
             Class::Constrained(..) => MethodClass::Constrained,
-            Class::EulerPoincare(..)
-            | Class::LiePoisson(..)
-            | Class::Chart(_)
-            | Class::Homogeneous(_) => return vec![],
+            Class::Chart(_) => MethodClass::Chart,
+            Class::EulerPoincare(..) | Class::LiePoisson(..) | Class::Homogeneous(_) => {
+                return vec![];
+            }
         };
         let own = Method::ALL.iter().copied().filter(|method| method.class() == class);
         let mut own: Vec<Method> = own.collect();

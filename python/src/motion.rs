@@ -402,7 +402,7 @@ fn text(py: Python<'_>, text: &str) -> PyResult<Py<PyAny>> {
 /// Examples
 /// --------
 /// >>> methods()["rkmk853"]
-/// 'any group and any forces, to a tolerance'
+/// 'any motion on a group or a homogeneous space, to a tolerance'
 #[pyfunction]
 pub fn methods() -> BTreeMap<&'static str, &'static str> {
     Method::ALL.iter().map(|method| (method.name(), method.why())).collect()

@@ -13,15 +13,42 @@ use affinor::geometry::equations::{EquationKind, Equations};
 use affinor::geometry::isometry::Symmetry;
 use affinor_documents::Coefficient;
 use affinor_documents::input::InputError;
+use affinor_documents::problem::{Connecting, geodesics};
 use affinor_documents::report::{
-    ComparedSide, Comparison, EquationReport, Isometries, Properties, Quantity, Report, Solutions,
-    Table,
+    ComparedSide, Comparison, EquationReport, Geodesics, Isometries, Properties, Quantity, Report,
+    Solutions, Table,
 };
-use pyo3::exceptions::PyTypeError;
+use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 
 #[pymethods]
 impl PyGeometry {
+    #[pyo3(signature = (start, end, starts=None))]
+    fn _geodesics<'py>(
+        &self,
+        py: Python<'py>,
+        start: &str,
+        end: &str,
+        starts: Option<usize>,
+    ) -> New<'py> {
+        if starts == Some(0) {
+            return Err(PyValueError::new_err("starts is 0: give a positive number"));
+        }
+        let space = self.source.get().space(py)?;
+        let is_plain = self.has_named_connection();
+        let written = run(py, || {
+            if !is_plain {
+                let message =
+                    "geodesics need a connection with a name, in the left-invariant frame";
+                return Err(InputError::usage(message));
+            }
+            let found = geodesics(&space, start, end, starts)?;
+            let Connecting { space, connection, names, points, measure, geodesics } = &found;
+            all_formats(&Geodesics::new(space, connection, names, points, measure, geodesics))
+        })?;
+        python(py, "structure", "Report")?.call1((written,))
+    }
+
     /// Report of all properties: flat, Einstein, naturally reductive, Ricci soliton and more, with constants or witnesses.
     ///
     /// The report is the JSON document ``affinor.properties/1`` as a dict; ``print`` shows the table of ``affinor properties``.

@@ -126,6 +126,12 @@ pub enum Error {
         /// The place and the reason.
         reason: String,
     },
+    /// A point cannot be the end of a geodesic.
+    #[error("the end point {reason}")]
+    EndPoint {
+        /// The predicate of the sentence, as in `is not in the chart`.
+        reason: String,
+    },
     /// No geodesic between two points was found.
     #[error("no geodesic between the points was found: {reason}")]
     NoGeodesic {
@@ -172,13 +178,16 @@ impl Error {
             Error::Integration { .. } | Error::CurveEnds { .. } => ("IntegrationError", None),
             Error::NoGeodesic { .. } => (
                 "MathematicsError",
-                Some("try more starts, or check that the points can be joined in this chart"),
+                Some(
+                    "search from more initial velocities, or check that a geodesic joins the points",
+                ),
             ),
             Error::Linear(_)
             | Error::Size { .. }
             | Error::NotFinite { .. }
             | Error::Overflow { .. }
             | Error::SingularBasis
+            | Error::EndPoint { .. }
             | Error::Invalid { .. }
             | Error::Unsupported(_) => ("MathematicsError", None),
         }

@@ -110,6 +110,17 @@ pub fn has_form(text: &str) -> bool {
     name::has_form(text)
 }
 
+/// The fault of a name that has the form of a family, but numbers of no space.
+///
+/// ```
+/// use affinor::geometry::homogeneous::fault;
+/// assert_eq!(fault("dS^1").as_deref(), Some("dS^n needs a number n from 2 to 40"));
+/// assert_eq!(fault("dS^4"), None);
+/// ```
+pub fn fault(text: &str) -> Option<String> {
+    name::fault(text)
+}
+
 /// The names of homogeneous spaces that a misspelt name may mean; none for other texts.
 ///
 /// ```
@@ -130,7 +141,7 @@ impl HomogeneousSpace {
     /// | `CP^n`, `CH^n` | `SU(n+1)/S(U(n)xU(1))`, `SU(n,1)/S(U(n)xU(1))` |
     /// | `HP^n`, `HH^n` | `Sp(n+1)/Sp(n)xSp(1)`, `Sp(n,1)/Sp(n)xSp(1)` |
     /// | `OP^2` | `F4/Spin(9)` |
-    /// | `dS^n`, `AdS^n` | `SO(n,1)/SO(n-1,1)`, `SO(n-1,2)/SO(n-1,1)` |
+    /// | `dS^n`, `AdS^n` | `SO(n,1)/SO(n-1,1)`, `SO(n-1,2)/SO(n-1,1)`; the signature of a multiple `c > 0` of the Killing form is `(n-1,1)` and `(1,n-1)`, of `c < 0` the opposite |
     /// | `V(k,R^n)`, `V(k,C^n)`, `V(k,H^n)` | Stiefel manifolds, as `SO(n)/SO(n-k)` |
     /// | `Gr(k,R^n)`, `Gr(k,C^n)`, `Gr(k,H^n)` | Grassmann manifolds, as `SO(n)/SO(k)xSO(n-k)` |
     /// | `Fl(n)` | the full flags `SU(n)/T` |

@@ -24,6 +24,7 @@ use affinor_tensors::scalar::PositiveFactors;
 use affinor_tensors::stop::stage;
 use affinor_tensors::{Down, Field, Ring, Symbolic, Tensor};
 use num_traits::{One, Zero};
+use std::collections::BTreeSet;
 
 /// The geometry of the hypersurfaces on which a function is constant, in the frame of the space.
 ///
@@ -59,6 +60,10 @@ pub struct Hypersurface {
     pub square: Symbolic,
     /// The scalar curvature `S_h` of the hypersurfaces.
     pub scalar_curvature: Symbolic,
+    /// A name for the length `N = |grad f|`, and its square `N^2`, which is assumed to be positive.
+    /// It is `None` if the length is a function of its own. Otherwise the name occurs in the
+    /// normal, the second form and the mean curvature.
+    pub length: Option<(String, Symbolic)>,
     /// The functions that are assumed to be positive.
     pub assumed: Vec<Symbolic>,
 }
@@ -68,9 +73,11 @@ impl Hypersurface {
     /// both signs, a region is chosen in which the first vector of the basis is timelike. Without
     /// a region of this kind, the norm is positive.
     ///
+    /// If the length `N` of the gradient is not a function of the engine, as the root of a sum of
+    /// sines, a new name stands for it; see [`Hypersurface::length`].
+    ///
     /// # Errors
-    /// [`Error::Unsupported`] if the gradient is null, or if its norm has no root;
-    /// [`Error::Shape`] if the dimensions differ.
+    /// [`Error::Unsupported`] if the gradient is null; [`Error::Shape`] if the dimensions differ.
     pub fn new(
         connection: &Connection<Symbolic>,
         metric: &Metric<Symbolic>,
@@ -106,7 +113,14 @@ impl Hypersurface {
         if !roots.sample(&both) {
             roots.sample(&both[..1]);
         }
-        let length = roots.root(&size)?;
+        // without a root, the equations below hold for a name N with N^2 = size
+        let (length, named) = match roots.root(&size) {
+            Ok(length) => (length, None),
+            Err(_) => {
+                let name = new_name(metric, function);
+                (Symbolic::parameter(&name), Some((name, size.clone())))
+            }
+        };
         // eps/|grad f|
         let over_length = length.recip().unwrap_or_default() * &eps;
         let over_norm = norm.recip().unwrap_or_default();
@@ -123,17 +137,20 @@ impl Hypersurface {
             "g_ij - s_i f_j -> _ij",
             &[("g", metric.components()), ("s", &gradient.scale(&over_norm)), ("f", &gradient)],
         );
-        let mean_curvature = metric.trace(&projected)? * &over_length;
+        let trace = metric.trace(&projected)?;
+        let mean_curvature = trace.clone() * &over_length;
         let mixed = projected.raise(0, inverse)?;
         let square = formula("A^i_j A^j_i ->", &[("A", &mixed)]).get(&[]);
-        let square = square * &(over_norm.clone() * &eps);
+        // 1/N^2 contains no root
+        let over_size = over_norm.clone() * &eps;
+        let square = square * &over_size;
         let normal_ricci = formula(
             "R_ij f^i f^j ->",
             &[("R", &connection.ricci()), ("f", &gradient.raise(0, inverse)?)],
         );
         // eps Ric(n,n) = Ric(grad f, grad f)/g(grad f, grad f)
         let normal_ricci = normal_ricci.get(&[]) * &over_norm;
-        let extrinsic = mean_curvature.clone() * &mean_curvature - &square;
+        let extrinsic = trace.clone() * &trace * &over_size - &square;
         let scalar_curvature = connection.scalar_curvature(metric)?
             - &(normal_ricci * &Symbolic::from_i64(2))
             + &(extrinsic * &eps);
@@ -145,6 +162,7 @@ impl Hypersurface {
             mean_curvature,
             square,
             scalar_curvature,
+            length: named,
             assumed: roots.assumed(),
         })
     }
@@ -156,6 +174,16 @@ impl Hypersurface {
         let multiple = self.first.scale(&(self.mean_curvature.clone() * &share));
         formula("K_ij - h_ij -> _ij", &[("K", &self.second), ("h", &multiple)]).is_empty()
     }
+}
+
+/// A name for the length of the gradient that does not occur in the metric and the function.
+fn new_name(metric: &Metric<Symbolic>, function: &Symbolic) -> String {
+    let components = metric.components().components().map(|(_, value)| value);
+    let taken: BTreeSet<String> =
+        components.chain([function]).flat_map(|value| value.parameters()).collect();
+    let numbered = (1..).map(|at| format!("N{at}"));
+    let mut names = std::iter::once("N".to_string()).chain(numbered);
+    names.find(|name| !taken.contains(name)).unwrap_or_default()
 }
 
 /// A function that is positive where the first vector of the basis of an indefinite metric is

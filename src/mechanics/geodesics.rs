@@ -2,7 +2,7 @@
 //!
 //! The unknown is the initial velocity `v` of a curve with the parameter from 0 to 1. Newton's
 //! method with damping makes the end of the curve the given point. The derivative of the end is
-//! computed by central differences of the velocity. [`chart`] has curves on charts, and
+//! computed by differences of the velocity. [`chart`] has curves on charts, and
 //! [`homogeneous`] curves on groups and homogeneous spaces.
 
 pub mod chart;
@@ -12,23 +12,16 @@ pub use chart::ChartShooting;
 pub use homogeneous::HomogeneousShooting;
 
 use crate::Error;
-use affinor_tensors::stop::checkpoint;
-use nalgebra::{DMatrix, DVector};
+use crate::numerics::shooting::{Equations, newton};
+use nalgebra::DVector;
 
 /// The rounding error of an end, relative to the size of its numbers.
 const ROUNDING: f64 = 1e-13;
 /// The tolerance of a step of the curves: near a geodesic, and before.
 const TOLERANCE: f64 = 1e-13;
 const COARSE: f64 = 1e-9;
-/// If the miss is smaller than this multiple of the velocity, the fine tolerance is used.
-const NEAR: f64 = 1e-4;
-/// The change of the unknowns in central differences, relative to their size.
-const DIFFERENCE: f64 = 1e-4;
 /// The largest miss of a geodesic that counts as found, relative to the size of its velocity.
 const FOUND: f64 = 1e-9;
-/// The largest number of iterations from one start, and of halvings in one iteration.
-const ITERATIONS: usize = 25;
-const HALVINGS: usize = 12;
 /// If the ratio of the smallest to the largest singular value of the derivative is smaller, the
 /// points count as conjugate.
 const SINGULAR: f64 = 1e-6;
@@ -42,9 +35,10 @@ pub struct Geodesic {
     pub velocity: DVector<f64>,
     /// The velocity at the end.
     pub end_velocity: DVector<f64>,
-    /// The square `g(v, v)` of the initial velocity; `None` without a metric.
+    /// The square `g(v, v)` of the initial velocity; `None` if there is no length.
     pub square: Option<f64>,
-    /// The length, the integral of `sqrt|g(v, v)|`; `None` without a metric.
+    /// The length, the integral of `sqrt|g(v, v)|`. On a group or a homogeneous space it is `None`
+    /// unless `g(v, v)` is constant along all curves. Without a metric, it is `None`.
     pub length: Option<f64>,
     /// The distance between the computed and the given end.
     pub residual: f64,
@@ -84,11 +78,6 @@ pub trait Shooting {
 
     /// The unknowns from which the search begins, the most promising ones first.
     fn starts(&self, count: usize) -> Vec<DVector<f64>>;
-
-    /// The size of the velocity.
-    fn size(&self, unknowns: &DVector<f64>) -> f64 {
-        unknowns.component_mul(&self.sizes()).norm()
-    }
 
     /// The sizes of the unknowns at the start, in which singular values are measured.
     fn sizes(&self) -> DVector<f64>;
@@ -146,84 +135,39 @@ enum Solution {
 
 /// Newton's method from one start.
 fn solve(problem: &impl Shooting, start: DVector<f64>) -> Result<Solution, Error> {
-    let (mut unknowns, mut tolerance) = (start, COARSE);
-    let mut miss = problem.miss(&unknowns, tolerance)?;
-    let mut regularity = None;
-    for _ in 0..ITERATIONS {
-        checkpoint();
-        if tolerance > TOLERANCE && miss.norm() < NEAR * problem.size(&unknowns) {
-            tolerance = TOLERANCE;
-            miss = problem.miss(&unknowns, tolerance)?;
-        }
-        let derivative = derivative(problem, &unknowns, tolerance)?;
-        let (correction, ratio) = correction(&derivative, &miss, &problem.sizes());
-        regularity = Some(ratio);
-        let mut step = None;
-        for halving in 0..HALVINGS {
-            let next = &unknowns - &correction * 0.5_f64.powi(halving as i32);
-            let Ok(other) = problem.miss(&next, tolerance) else { continue };
-            if other.norm() < miss.norm() {
-                step = Some((next, other));
-                break;
-            }
-        }
-        // stops where rounding prevents a smaller miss
-        let Some((next, other)) = step else { break };
-        let is_slow = other.norm() > 0.5 * miss.norm() && miss.norm() < allowed(problem, &unknowns);
-        (unknowns, miss) = (next, other);
-        if is_slow || miss.norm() == 0.0 {
-            break;
-        }
-    }
-    let ratio = regularity.unwrap_or(0.0);
-    let geodesic = problem.geodesic(&unknowns, &miss, ratio)?;
-    Ok(match geodesic.residual <= allowed(problem, &unknowns) {
+    let end = Ends(problem);
+    let reached = newton(&end, start)?;
+    let geodesic = problem.geodesic(&reached.unknowns, &reached.miss, reached.regularity)?;
+    Ok(match geodesic.residual <= end.allowed(&reached.unknowns) {
         true => Solution::Found(geodesic),
         false => Solution::Missed(geodesic.residual),
     })
 }
 
-/// The largest miss that counts as found.
-fn allowed(problem: &impl Shooting, unknowns: &DVector<f64>) -> f64 {
-    (FOUND * problem.size(unknowns)).max(problem.resolution())
+/// The equations for the end of a curve.
+struct Ends<'p, P>(&'p P);
+
+impl<P: Shooting> Equations for Ends<'_, P> {
+    fn miss(&self, unknowns: &DVector<f64>, tolerance: f64) -> Result<DVector<f64>, Error> {
+        self.0.miss(unknowns, tolerance)
+    }
+
+    fn sizes(&self) -> DVector<f64> {
+        self.0.sizes()
+    }
+
+    fn allowed(&self, unknowns: &DVector<f64>) -> f64 {
+        (FOUND * self.size(unknowns)).max(self.0.resolution())
+    }
+
+    fn tolerances(&self) -> [f64; 2] {
+        [COARSE, TOLERANCE]
+    }
 }
 
-/// The derivative of the miss by the unknowns.
-fn derivative(
-    problem: &impl Shooting,
-    unknowns: &DVector<f64>,
-    tolerance: f64,
-) -> Result<DMatrix<f64>, Error> {
-    let sizes = problem.sizes();
-    let whole = problem.size(unknowns);
-    let columns = (0..unknowns.len()).map(|i| {
-        let h = DIFFERENCE * if whole > 0.0 { whole } else { 1.0 } / sizes[i];
-        let moved = |by: f64| {
-            let mut moved = unknowns.clone();
-            moved[i] += by;
-            problem.miss(&moved, tolerance)
-        };
-        Ok((moved(h)? - moved(-h)?) / (2.0 * h))
-    });
-    Ok(DMatrix::from_columns(&columns.collect::<Result<Vec<_>, Error>>()?))
-}
-
-/// The correction that makes the linear approximation of the miss smallest, and the ratio of the
-/// singular values.
-fn correction(
-    derivative: &DMatrix<f64>,
-    miss: &DVector<f64>,
-    sizes: &DVector<f64>,
-) -> (DVector<f64>, f64) {
-    // columns in units of the sizes, so that singular values do not depend on units
-    let scaled = DMatrix::from_fn(derivative.nrows(), derivative.ncols(), |i, j| {
-        derivative[(i, j)] / sizes[j]
-    });
-    let svd = scaled.svd(true, true);
-    let (largest, smallest) = (svd.singular_values.max(), svd.singular_values.min());
-    let solved = svd.solve(miss, 1e-9 * largest).unwrap_or_else(|_| miss.clone() * 0.0);
-    let ratio = if largest > 0.0 { smallest / largest } else { 0.0 };
-    (solved.component_div(sizes), ratio)
+/// The error for two equal points.
+fn equal_points() -> Error {
+    Error::EndPoint { reason: "is the start point, so the geodesic is constant".into() }
 }
 
 /// Numbers between -1 and 1 that fill the cube evenly: multiples of the powers of the root of

@@ -23,13 +23,7 @@ pub fn counted(count: u64, noun: &str) -> String {
 
 /// Prints a note on the default connection if the definition names no connection.
 pub fn note_default_connection(definition: &Definition) {
-    if !definition.connection_is_default() {
-        return;
-    }
-    if definition.has_metric() {
-        note("no connection given: using levi-civita, the connection of the metric");
-    } else if !definition.is_on_chart() {
-        let default = if definition.is_homogeneous() { "natural" } else { "zero" };
-        note(&format!("no connection and no metric given: using the connection {default}"));
+    if let Some(text) = definition.default_connection_note() {
+        note(&text);
     }
 }

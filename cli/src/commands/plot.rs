@@ -74,6 +74,8 @@ enum Kind {
     Attitude(OnTrajectory),
     /// Problem of mechanics: path of the body momentum on its sphere, and the energy ellipsoid
     Momentum(OnTrajectory),
+    /// Problem of mechanics: curve on a chart in space, by the three functions of its `embedding`
+    Orbit(OnTrajectory),
     /// Problem of mechanics: animated SVG of the body, drawn as a box with its axes of inertia
     Animation {
         #[command(flatten)]
@@ -218,6 +220,7 @@ impl Arguments {
             }
             Kind::Attitude(on) => on.scene.print(&on.trajectory.attitude()?),
             Kind::Momentum(on) => on.scene.print(&on.trajectory.momentum()?),
+            Kind::Orbit(on) => on.scene.print(&on.trajectory.orbit()?),
             Kind::Animation { on, seconds } => {
                 if !(LEAST_SECONDS..=MOST_SECONDS).contains(&seconds) {
                     let message = format!(

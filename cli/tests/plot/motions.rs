@@ -464,6 +464,7 @@ fn convergence_in_every_class() {
         ("coning", "1", "magnus6"),
         ("toda", "1", "isospectral2 isospectral4"),
         ("free_body", "1", "rkmk4 cf4"),
+        ("clairaut", "1", "dop853"),
     ] {
         let text = fs::read_to_string(example(name)).unwrap();
         let shorter = |line: &str| match line.split('=').next().map(str::trim) {
@@ -483,11 +484,33 @@ fn convergence_in_every_class() {
             .collect();
         assert_eq!(found.join(" "), methods, "{name}: {}", outcome.err);
     }
+    // a geodesic of a homogeneous space
+    let flags = "space = 'Fl(3)'\nmetric = 'summands(1,2,3)'\noutput.end = 1\n\
+                 initial.velocity = [0.1, 0.2, -0.3, 0.5, 0.4, 0.2]\n";
+    let folder = folder(&[("flags.toml", flags)]);
+    let outcome = affinor(&folder, &["convergence", "flags.toml", "--halvings", "3"]);
+    let slopes = ["rkmk4, slope 4.0", "cf4, slope 4.0"];
+    assert!(slopes.iter().all(|slope| outcome.out.contains(slope)), "{}", outcome.err);
     let outcome = affinor(
         &TempDir::new().unwrap(),
         &["convergence", &example("double_pendulum"), "--method", "rkmk853"],
     );
     assert!(outcome.err.contains("generalised-alpha"), "{}", outcome.err);
+}
+
+/// The picture of an orbit is the projection of its embedding: the geodesic of a torus begins at
+/// the distance `a + b` from the axis.
+#[test]
+fn an_orbit_in_space() {
+    let folder = folder(&[]);
+    let torus = example("clairaut");
+    let svg = drawn(&folder, &["orbit", &torus, "--view", "0,90"]);
+    assert!(svg.contains("curve in space"), "{svg}");
+    let longest = lines(&svg, "").into_iter().max_by_key(Vec::len).unwrap();
+    assert!(longest.len() > 20, "{}", longest.len());
+    assert_ne!(svg, drawn(&folder, &["orbit", &torus, "--view", "28,20"]));
+    let plain = affinor(&folder, &["orbit", &example("free_body")]);
+    assert!(plain.err.contains("embedding"), "{}", plain.err);
 }
 
 /// Rows with gaps are read, and rows of different members are not joined by a line.

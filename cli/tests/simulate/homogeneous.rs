@@ -325,6 +325,26 @@ fn the_default_columns_and_the_notes() {
     }
 }
 
+/// A transported vector may have a name that begins as a norm, with and without a metric.
+#[test]
+fn a_vector_with_the_name_of_a_norm() {
+    let motion = |metric: &str, columns: &str| {
+        let text = format!(
+            "space = 'S^2'\n{metric}initial.velocity = [1, 0]\n\
+             transport = {{ norm_a = [0, 2] }}\noutput = {{ end = 1, columns = [{columns}] }}\n"
+        );
+        run(&text)
+    };
+    let without = motion("", "'t', 'norm_a_m1', 'norm_a_m2'");
+    assert_near(without.last("norm_a_m2"), 2.0, 1e-12, "the component");
+    let with = motion("metric = 'identity'\n", "'norm_a', 'norm_norm_a'");
+    assert_near(with.last("norm_norm_a"), 4.0, 1e-12, "the square");
+    // without a connection and a metric, the run says which connection it uses
+    let folder = folder("space = 'S^2'\ninitial.velocity = [1, 0]\noutput.end = 1\n");
+    let notes = String::from_utf8(done(&mut simulate(folder.path())).stderr).unwrap();
+    assert!(notes.contains("using the connection natural"), "{notes}");
+}
+
 #[test]
 fn messages_name_the_key() {
     let folder = folder("");

@@ -35,6 +35,20 @@ pub fn attitude(run: &RunRows, factors: &[Option<usize>]) -> Result<Figure, Erro
     Ok(Figure { title: format!("{}: body axes in space", run.name), panels })
 }
 
+/// Draws a curve on a chart in space, by the functions of its embedding. The axes have the length
+/// of the largest distance from the origin.
+///
+/// # Errors
+/// [`Error::Name`] for a trajectory without `X1`, `X2`, `X3`.
+pub fn orbit(run: &RunRows) -> Result<Figure, Error> {
+    let points = run.vectors(["X1", "X2", "X3"])?;
+    let longest = points.iter().map(|x| x.norm()).fold(0.0, f64::max);
+    let radius = if longest > 0.0 { longest } else { 1.0 };
+    let mut panel = Panel { sphere: false, ..Panel::new("", radius, ["X₁", "X₂", "X₃"]) };
+    panel.path(Role::Motion, "curve", points);
+    Ok(Figure { title: format!("{}: curve in space", run.name), panels: vec![panel] })
+}
+
 /// Draws the body momentum `H` on the sphere of its norm, and the energy ellipsoid. A free motion
 /// follows the intersection of both surfaces, the polhode.
 ///

@@ -16,8 +16,7 @@ use nalgebra::{DMatrix, DVector};
 pub struct Connecting {
     /// The name of the space.
     pub space: String,
-    /// The connection, as [`ConnectionKind::describe`](affinor::geometry::ConnectionKind::describe)
-    /// writes it, and its name.
+    /// The connection, as [`Geometry::describe_connection`] writes it, and its name.
     pub connection: [String; 2],
     /// The names of the components of velocities: coordinates, or basis vectors.
     pub names: Vec<String>,
@@ -76,7 +75,7 @@ type Ends<'t> = [(&'static str, &'t str); 2];
 
 /// The connection in words, and its name.
 fn connection<S: Scalar + Notation>(geometry: &Geometry<S>) -> [String; 2] {
-    [geometry.kind().describe().to_string(), geometry.kind().name().to_string()]
+    [geometry.describe_connection(), geometry.connection_name().into()]
 }
 
 fn on_chart(space: &Space, texts: Ends, starts: Option<usize>) -> Result<Connecting, InputError> {
@@ -95,7 +94,10 @@ fn on_chart(space: &Space, texts: Ends, starts: Option<usize>) -> Result<Connect
         names,
         geodesics: find(&problem, starts)?,
         points: [from, to],
-        measure: "distance of the end from the point, by coordinates in the sizes sqrt|g_ii|",
+        measure: match geometry.metric() {
+            Some(_) => "distance of the end from the point, by coordinates in the sizes sqrt|g_ii|",
+            None => "distance of the end from the point, by coordinates",
+        },
     })
 }
 
@@ -123,7 +125,11 @@ fn on_group(space: &Space, texts: Ends, starts: Option<usize>) -> Result<Connect
     let (from, to) = (element(&first, &texts[0])?, element(&last, &texts[1])?);
     let (connecting, metric) = (geometry.connection(), geometry.metric());
     let system = HomogeneousSystem::new(&group, &basis, connecting, metric, 0)?;
-    let problem = HomogeneousShooting::new(system, &basis, from, to);
+    // from the identity, the coordinates of the end are the logarithm
+    let is_identity = first.len() == names.len() && first.iter().all(|x| *x == 0.0);
+    let is_logarithm = is_identity && last.len() == names.len();
+    let x = is_logarithm.then(|| &complement * DVector::from_column_slice(&last));
+    let problem = HomogeneousShooting::new(system, from, to, x);
     let problem = problem.map_err(|error| at_option(error, &texts))?;
     Ok(Connecting {
         space: definition.name.clone(),
@@ -162,7 +168,7 @@ fn element(
 
 /// An error with the location of the option that it is about.
 fn at_option(error: affinor::Error, texts: &Ends) -> InputError {
-    let of_end = matches!(error, affinor::Error::Invalid { what: "the end point", .. });
+    let of_end = matches!(error, affinor::Error::EndPoint { .. });
     let (option, text) = texts[usize::from(of_end)];
     let source = Source::new(option, text);
     InputError::from(error).or_at(&source.whole(text))

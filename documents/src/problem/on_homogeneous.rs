@@ -75,7 +75,8 @@ impl OnHomogeneous {
         let count = self.transport.len();
         let system = HomogeneousSystem::new(&group, &basis, connection, metric, count)?;
         let element = self.space.element();
-        let mut notes: Vec<String> = element.note(&group, &values).into_iter().collect();
+        let mut notes: Vec<String> = definition.default_connection_note().into_iter().collect();
+        notes.extend(element.note(&group, &values));
         let element = element.at(&group, &values)?;
         let numbers = |vector: &[Option<Value>]| {
             let value =
@@ -186,10 +187,15 @@ impl<'n> CurveNames<'n> {
         found.filter(|own| matches!(own, MotionQuantity::Entry(..) | MotionQuantity::Named(_)))
     }
 
+    /// The index of the first norm of a transported vector. The norms are the last names.
+    fn norms(&self) -> usize {
+        self.names.len() - self.vectors.len()
+    }
+
     /// The index of the quantity with a name, other than a coordinate of the element.
     fn find(&self, name: &str) -> Option<usize> {
         let (n, at) = (self.labels.len(), self.names.iter().position(|own| own == name)?);
-        let needs_metric = (n + 1..n + 3 + self.momenta).contains(&at) || name.starts_with("norm_");
+        let needs_metric = (n + 1..n + 3 + self.momenta).contains(&at) || at >= self.norms();
         (self.has_metric || !needs_metric).then_some(at)
     }
 }
@@ -239,8 +245,10 @@ impl RowNames for CurveNames<'_> {
         match name {
             "norm" | "energy" => (true, self.conserves_energy),
             _ if is_momentum => (true, self.is_geodesic),
-            _ if name.starts_with("norm_") => (true, self.is_metric),
-            _ => (false, false),
+            _ => match self.find(name) {
+                Some(at) if at >= self.norms() => (true, self.is_metric),
+                _ => (false, false),
+            },
         }
     }
 

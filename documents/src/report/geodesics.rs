@@ -4,6 +4,7 @@ use super::grid::{Cell, Grid};
 use super::head::{printable, printable_list};
 use super::{Format, Report};
 use affinor::mechanics::geodesics::Geodesic;
+use affinor_tensors::text::written;
 use serde_json::{Value, json};
 use std::io::{self, Write};
 
@@ -28,9 +29,10 @@ impl Geodesics {
     ) -> Self {
         let rows = geodesics.iter().map(|geodesic| {
             let velocity = names.iter().zip(geodesic.velocity.iter());
-            let velocity = velocity.map(|(name, v)| format!("v_{} = {v}", printable(name)));
+            let velocity =
+                velocity.map(|(name, v)| format!("v_{} = {}", printable(name), number(*v)));
             let velocity: Vec<String> = velocity.collect();
-            let length = geodesic.length.map_or("-".into(), |length| length.to_string());
+            let length = geodesic.length.map_or("-".into(), number);
             let residual = format!("{:.1e}", geodesic.residual);
             let velocity = Cell::from(velocity.join("\n").as_str());
             vec![
@@ -42,7 +44,7 @@ impl Geodesics {
         });
         let title = format!("Geodesics of {} between two points", printable(space));
         let list =
-            |numbers: &Vec<f64>| numbers.iter().map(f64::to_string).collect::<Vec<_>>().join(", ");
+            |numbers: &Vec<f64>| numbers.iter().map(|x| number(*x)).collect::<Vec<_>>().join(", ");
         let head: Vec<(&'static str, Cell)> = vec![
             ("connection", printable(&connection[0]).into()),
             ("components", printable_list(names).into()),
@@ -56,6 +58,11 @@ impl Geodesics {
         let grid = Grid::new(title, &header, rows.collect(), document);
         Geodesics(grid.with_head(head))
     }
+}
+
+/// The text of a number. A very large or very small number has an exponent.
+fn number(x: f64) -> String {
+    if x.abs() >= 1e16 { format!("{x:e}") } else { written(&x) }
 }
 
 /// The causal type, if the square of the velocity is not positive, and whether the points are

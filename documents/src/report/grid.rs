@@ -5,7 +5,7 @@ mod html;
 use super::head::{conventions, float};
 use super::latex::{self, verbatim};
 use super::markdown;
-use super::text::head_line;
+use super::text::{fill, head_line};
 use super::{Format, Report};
 use crate::formula::{prose, tex};
 use crate::rows::failed;
@@ -139,7 +139,7 @@ impl Grid {
         for row in &self.rows {
             table.add_row(row.iter().map(|cell| cell.text.join("\n")));
         }
-        writeln!(out, "{}", self.title)?;
+        fill(out, "", std::slice::from_ref(&self.title))?;
         self.head.iter().try_for_each(|(title, cell)| head_line(title, &cell.text, out))?;
         writeln!(out, "{table}")
     }

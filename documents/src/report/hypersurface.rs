@@ -5,8 +5,8 @@ use super::head::{printable, printable_list};
 use super::{Format, Report};
 use crate::input::{InputError, Source};
 use crate::space::Definition;
+use affinor::Connection;
 use affinor::geometry::hypersurface::Hypersurface;
-use affinor::{Connection, Error};
 use affinor_tensors::{Symbolic, Tensor, Tolerance};
 use num_traits::Zero;
 use serde_json::{Value, json};
@@ -29,7 +29,7 @@ impl HypersurfaceReport {
     /// [`Definition::geometry`] and [`Hypersurface::new`].
     pub fn of(definition: &Definition, function: &str) -> Result<Self, InputError> {
         let geometry = definition.geometry::<Symbolic>(Tolerance::default())?;
-        let metric = geometry.metric().ok_or(Error::NoMetric)?;
+        let metric = geometry.metric().ok_or_else(|| definition.without_metric())?;
         let value = definition.formulas(&[]).scalar(&Source::new("--function", function))?;
         let connection = Connection::levi_civita(geometry.frame(), metric)?;
         let positive = definition.positive_factors();
@@ -61,6 +61,13 @@ impl HypersurfaceReport {
             _ => "none of: totally geodesic, umbilic, minimal",
         };
         row("kind", kind, "for all constants");
+        if let Some((name, square)) = &found.length {
+            row(
+                &format!("{name}^2"),
+                &square.to_string(),
+                &format!("{name} > 0 is the length of the gradient"),
+            );
+        }
         let assumed: Vec<String> = found.assumed.iter().map(Symbolic::to_string).collect();
         if !assumed.is_empty() {
             row("assumed positive", &assumed.join(", "), "in the length of the normal");
@@ -82,6 +89,9 @@ impl HypersurfaceReport {
             "square": found.square.to_string(),
             "scalar_curvature": found.scalar_curvature.to_string(),
             "kind": kind,
+            "length": found.length.as_ref().map(|(name, square)| {
+                json!({ "name": name, "square": square.to_string() })
+            }),
             "assumed_positive": assumed,
         });
         HypersurfaceReport(

@@ -68,7 +68,7 @@ impl Isometries {
     /// chart.
     pub fn with_fields(definition: &Definition, symmetry: Symmetry) -> Result<Self, InputError> {
         let geometry = definition.geometry::<Symbolic>(Tolerance::default())?;
-        let metric = geometry.metric().ok_or(affinor::Error::NoMetric)?;
+        let metric = geometry.metric().ok_or_else(|| definition.without_metric())?;
         let Some(fields) = geometry.frame_origin().fields() else {
             let message = format!("the fields of {} have no components", definition.name);
             let error = InputError::usage(format!("{message}: it is not a chart"));

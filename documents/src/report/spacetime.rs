@@ -34,7 +34,7 @@ impl Spacetime {
     /// [`Definition::geometry`] and [`NullTetrad::new`].
     pub fn of(definition: &Definition, vectors: Option<&str>) -> Result<Self, InputError> {
         let geometry = definition.geometry::<Symbolic>(Tolerance::default())?;
-        let metric = geometry.metric().ok_or(Error::NoMetric)?;
+        let metric = geometry.metric().ok_or_else(|| definition.without_metric())?;
         let given = vectors.map(|text| definition.vector_list("--tetrad", text)).transpose()?;
         let tetrad = NullTetrad::new(
             metric,

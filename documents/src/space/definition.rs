@@ -344,6 +344,31 @@ impl Definition {
         self.connection.is_none()
     }
 
+    /// The error for a metric that is missing. On a homogeneous space, the advice names an invariant
+    /// metric.
+    pub(crate) fn without_metric(&self) -> InputError {
+        let error = InputError::from(affinor::Error::NoMetric);
+        match self.is_homogeneous() {
+            true => error.help("give a metric, for instance --metric \"summands(1)\""),
+            false => error,
+        }
+    }
+
+    /// A note on the default connection; `None` if the definition names a connection, and on a chart
+    /// without a metric.
+    pub fn default_connection_note(&self) -> Option<String> {
+        if !self.connection_is_default() {
+            return None;
+        }
+        if self.has_metric() {
+            let text = "no connection given: using levi-civita, the connection of the metric";
+            return Some(text.into());
+        }
+        let default = if self.is_homogeneous() { "natural" } else { "zero" };
+        let text = format!("no connection and no metric given: using the connection {default}");
+        (!self.is_on_chart()).then_some(text)
+    }
+
     /// Replaces the connection by a canonical connection.
     pub fn set_canonical(&mut self, which: CanonicalConnection) {
         let place = Place::within(Source::new(which.name(), ""));

@@ -41,7 +41,12 @@ impl Definition {
             Some(_) => error,
         })?;
         let n = self.dimension();
-        Ok(Form::from_increasing(n, found.degree.unwrap_or(0), found.entries)?)
+        if found.degree > n {
+            let degree = found.degree;
+            let message = format!("a form of degree {degree} in dimension {n} is zero");
+            return Err(InputError::usage(message).at(&source.whole(text)));
+        }
+        Ok(Form::from_increasing(n, found.degree, found.entries)?)
     }
 
     /// The 1-forms that formulas may name, by their components in the frame.
@@ -62,15 +67,15 @@ impl Definition {
 /// A sum of products of 1-forms, by increasing indices.
 #[derive(Clone, Debug)]
 struct Exterior {
-    /// The degree; `None` for zero.
-    degree: Option<usize>,
+    /// The degree. The zero of degree 0 is also the zero of every other degree.
+    degree: usize,
     entries: BTreeMap<Vec<usize>, Symbolic>,
 }
 
 impl Exterior {
     fn new(degree: usize, entries: BTreeMap<Vec<usize>, Symbolic>) -> Self {
         let entries: BTreeMap<_, _> = entries.into_iter().filter(|(_, v)| !v.vanishes()).collect();
-        Exterior { degree: (!entries.is_empty()).then_some(degree), entries }
+        Exterior { degree, entries }
     }
 
     fn function(value: Symbolic) -> Self {
@@ -79,11 +84,8 @@ impl Exterior {
 
     /// The function; `None` for a form of positive degree.
     fn as_function(&self) -> Option<Symbolic> {
-        match self.degree {
-            None => Some(Symbolic::from_i64(0)),
-            Some(0) => self.entries.values().next().cloned(),
-            Some(_) => None,
-        }
+        let value = || self.entries.values().next().cloned();
+        (self.degree == 0).then(|| value().unwrap_or_else(|| Symbolic::from_i64(0)))
     }
 
     fn wedge(&self, other: &Self) -> Result<Self, String> {
@@ -106,8 +108,7 @@ impl Exterior {
                 }
             }
         }
-        let degree = self.degree.unwrap_or(0) + other.degree.unwrap_or(0);
-        Ok(Exterior::new(degree, entries))
+        Ok(Exterior::new(self.degree + other.degree, entries))
     }
 }
 
@@ -138,11 +139,13 @@ impl Evaluator for Forms<'_> {
         }
     }
     fn add(&self, a: Exterior, b: Exterior) -> Result<Exterior, String> {
+        let is_zero = |form: &Exterior| form.degree == 0 && form.entries.is_empty();
         let degree = match (a.degree, b.degree) {
-            (Some(p), Some(q)) if p != q => {
+            (p, q) if p == q || is_zero(&b) => p,
+            (_, q) if is_zero(&a) => q,
+            (p, q) => {
                 return Err(format!("a form of degree {p} and one of degree {q} have no sum"));
             }
-            (p, q) => p.or(q).unwrap_or(0),
         };
         let mut entries = a.entries;
         for (at, value) in b.entries {

@@ -3,9 +3,9 @@
 
 use super::charts::{self, NamedChart};
 use super::{Definition, check_dimension, homogeneous, paper, spelling, tables};
-use crate::input::{InputError, Source};
+use crate::input::{InputError, Source, shown};
 use affinor::algebra::catalogue::CatalogueError;
-use affinor::geometry::homogeneous::has_form;
+use affinor::geometry::homogeneous::{fault, has_form};
 use affinor_tensors::{Rational, Symbolic};
 use std::path::Path;
 
@@ -68,6 +68,14 @@ fn named(source: &Source) -> Result<Definition, InputError> {
     parts.try_fold(first, Definition::direct_sum)
 }
 
+/// The exceptional algebra of a real form that is written with its index, such as `E6(-14)`.
+fn with_index(name: &str) -> Option<String> {
+    let (algebra, index) = name.strip_suffix(')')?.split_once('(')?;
+    index.parse::<i32>().ok()?;
+    let exceptional = ["E6", "E7", "E8", "F4", "G2"];
+    exceptional.into_iter().find(|own| own.eq_ignore_ascii_case(algebra)).map(Into::into)
+}
+
 /// The catalogue entry with the name `part`, which is a piece of `source`.
 fn entry(part: &str, source: &Source) -> Result<Definition, InputError> {
     const NAMES: &str =
@@ -86,6 +94,16 @@ fn entry(part: &str, source: &Source) -> Result<Definition, InputError> {
         Ok(entry) => return Ok(Definition::from_entry(entry)),
         Err(error) => error,
     };
+    if let Some(fault) = fault(name) {
+        let message = format!("unknown space `{}`: {fault}", shown(name));
+        return Err(InputError::usage(message).at(&source.whole(part)));
+    }
+    if let Some(algebra) = with_index(name) {
+        let message = format!("the catalogue has no real form `{}`", shown(name));
+        let help =
+            format!("{algebra} is the split form, and compact({algebra}) is the compact form");
+        return Err(InputError::usage(message).at(&source.whole(part)).help(help));
+    }
     if matches!(error, CatalogueError::Unknown { .. })
         && let Some(chart) = charts::nearest(name)
     {

@@ -47,11 +47,21 @@ impl<'n> Names<'n> {
         expression.evaluate(meaning).map_err(|error| {
             let name = text.get(error.span.clone()).map(canonical_name);
             match name.filter(|name| self.parameters.is_some() && self.is_unknown(name)) {
-                Some(name) => refused(error)
-                    .help(format!("declare a parameter: parameters = [\"{}\"]", shown(&name))),
+                Some(name) => refused(error).help(self.allowed(&name, source)),
                 None => refused(error),
             }
         })
+    }
+
+    /// Advice for an unknown name. In an option, the declared names are allowed; a file may declare
+    /// others.
+    fn allowed(&self, name: &str, source: &Source) -> String {
+        let declared = self.parameters.into_iter().flatten();
+        let all: Vec<String> = declared.map(|name| shown(name)).collect();
+        if source.name.starts_with("--") && !all.is_empty() {
+            return format!("the names are {}", all.join(", "));
+        }
+        format!("declare a parameter: parameters = [\"{}\"]", shown(name))
     }
 
     /// Whether a name is neither declared nor a basis vector.

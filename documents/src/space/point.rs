@@ -132,13 +132,18 @@ impl Space {
                 InputError::usage(message).at(&source.whole(part))
             })
         };
-        let mut values: Vec<Option<f64>> = vec![];
+        let has_names = parts.iter().any(|part| part.contains('='));
+        let mut values: Vec<Option<f64>> = vec![None; if has_names { names.len() } else { 0 }];
         for part in &parts {
             let Some((name, text)) = part.split_once('=') else {
+                if has_names {
+                    let message = format!("the value `{}` has no name", shown(part.trim()));
+                    let help = "give all values with their names, or none";
+                    return Err(InputError::usage(message).at(&source.whole(part)).help(help));
+                }
                 values.push(Some(value(part)?));
                 continue;
             };
-            values.resize(names.len(), None);
             let place = source.whole(name);
             let Some(at) = names.iter().position(|own| own == name.trim()) else {
                 let message = format!("`{}` is not a name of a component", shown(name.trim()));
@@ -156,8 +161,7 @@ impl Space {
             return Ok(known);
         }
         let found = values.iter().flatten().count();
-        let count = if found == 1 { "value".into() } else { format!("{found} values") };
-        let count = if found == 1 { format!("1 {count}") } else { count };
+        let count = if found == 1 { "1 value".into() } else { format!("{found} values") };
         let message = format!("{option} has {count}, but a point has {}", names.len());
         let error = InputError::usage(message).at(&source.whole(&source.text));
         Err(error.help(match others {

@@ -8,7 +8,7 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Iterable, Mapping, Sequence
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,6 +18,9 @@ from affinor._scalars import Scalar, Symbols, free_functions, is_matrix, is_symp
 from affinor._source import Names, from_structure, source_of
 from affinor.algebra import Check
 from affinor.errors import MathematicsError
+
+if TYPE_CHECKING:
+    from affinor.structure import Report
 
 __all__ = ["Geodesic", "Geometry", "Property", "check", "compare", "conventions"]
 
@@ -171,6 +174,22 @@ class Geodesic(NamedTuple):
 Geodesic.times.__doc__ = "Times of the points of the curve."
 Geodesic.elements.__doc__ = "Elements of the group at these times."
 Geodesic.tangents.__doc__ = "Velocities at these times, in the left-invariant frame."
+
+
+def geodesics(geometry: Geometry, start: Any, end: Any, starts: int | None = None) -> Report:
+    """The geodesics between two points."""
+    return geometry._geodesics(_point(start), _point(end), starts)
+
+
+def _point(point: Any) -> str:
+    """Writes a point in the notation of the command line. The point is a text, a sequence of values, or values by name."""
+    if isinstance(point, str):
+        return point
+    symbols: Symbols = {}
+    if isinstance(point, Mapping):
+        named = [(text_of(name, symbols), text_of(value, symbols, floats=True)) for name, value in point.items()]
+        return ", ".join(f"{name}={value}" for name, value in named)
+    return ", ".join(text_of(value, symbols, floats=True) for value in np.asarray(point).ravel().tolist())
 
 
 def parts(

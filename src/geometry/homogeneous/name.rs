@@ -161,6 +161,27 @@ pub(super) fn has_form(text: &str) -> bool {
     }
 }
 
+/// The fault of a name that has the form of a family, but numbers of no space, such as `dS^1`.
+pub(super) fn fault(text: &str) -> Option<String> {
+    let named = &compact(text);
+    if family(named).is_some() {
+        return None;
+    }
+    if named.starts_with("T^{") {
+        let wanted = "two whole numbers p and q of moderate size, not both zero";
+        return Some(format!("T^{{p,q}} needs {wanted}"));
+    }
+    let (head, n) = named.split_once('^')?;
+    let least = match head {
+        "S" | "H" | "dS" | "AdS" => 2,
+        "CP" | "CH" | "HP" | "HH" => 1,
+        "OP" => return Some("OP^n exists for n = 2 only".into()),
+        _ => return None,
+    };
+    let is_number = !n.is_empty() && n.chars().all(|c| c.is_ascii_digit());
+    is_number.then(|| format!("{head}^n needs a number n from {least} to {MAX_SIZE}"))
+}
+
 /// A name of a family, such as `S^5` or `Gr(2,C^4)`.
 fn family(text: &str) -> Option<Name> {
     let of = |group, isotropy: &[Factor], special| {

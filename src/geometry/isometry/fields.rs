@@ -216,6 +216,44 @@ impl<'a> Search<'a> {
                 all.extend([(weight + 1, square), (weight + 1, below.clone() * &below)]);
             }
         }
+        all.extend(self.roots(coordinate));
+        all
+    }
+
+    /// Roots of the functions `f` of one coordinate `x` that the metric contains, as in `f dt^2 +
+    /// dx^2/f`, and their products with powers of `x`. Each has a weight.
+    fn roots(&self, coordinate: &str) -> Vec<(usize, Symbolic)> {
+        let x = Symbolic::parameter(coordinate);
+        let mut arguments: Vec<Symbolic> = vec![];
+        for (_, value) in self.metric.components().components() {
+            for part in [value.numerator(), value.denominator()] {
+                let names = part.parameters();
+                let is_own = names.iter().any(|name| name == coordinate)
+                    && !names
+                        .iter()
+                        .any(|name| name != coordinate && self.coordinates.contains(name))
+                    && part.terms().iter().all(|(powers, _)| {
+                        powers.iter().all(|(variable, _)| variable.is_parameter())
+                    });
+                if !is_own || part.terms().len() < 2 {
+                    continue;
+                }
+                // the root of -f is a constant multiple; f is positive near the origin
+                let is_negative = part.evaluate(|_: &str| Some(0.3)).is_some_and(|v| v < 0.0);
+                let part = if is_negative { -part } else { part };
+                if !arguments.contains(&part) {
+                    arguments.push(part);
+                }
+            }
+        }
+        let mut all = vec![];
+        for argument in arguments {
+            let Ok(root) = <Symbolic as Notation>::function("sqrt", &argument) else { continue };
+            let Some(below) = root.recip() else { continue };
+            let over = x.recip().unwrap_or_default();
+            all.extend([(1, root.clone()), (1, below.clone())]);
+            all.extend([(1, below * &x), (1, root * &over)]);
+        }
         all
     }
 

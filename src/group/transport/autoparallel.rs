@@ -4,12 +4,11 @@ use super::ParallelTranslation;
 use crate::Error;
 use crate::group::{Coordinates, LieGroup};
 use crate::numerics::ode;
-use nalgebra::{DMatrix, DVector};
+use crate::numerics::shooting::{Equations, newton};
+use nalgebra::DVector;
 
 /// The largest number of charts between two output times.
 const MAX_CHARTS: f64 = 1e5;
-/// The largest number of Newton steps for an autoparallel between two points.
-const MAX_STEPS: usize = 50;
 
 /// A tangent vector of a group with its base point.
 #[derive(Clone, Debug)]
@@ -68,41 +67,15 @@ impl<G: LieGroup> ParallelTranslation<G> {
         tolerance: f64,
     ) -> Result<G::Vector, Error> {
         let group = self.group();
-        let there = group.inverse(to);
-        // uses a smaller tolerance, because differences of end points are computed
-        let fine = (1e-3 * tolerance).clamp(1e-14, 1e-9);
-        let miss = |n: &G::Vector| -> Result<DVector<f64>, Error> {
-            let end = self.autoparallel(from, n, &[1.0], fine)?;
-            let x = group.log(&group.compose(&there, &end[0].base))?;
-            Ok(DVector::from_column_slice(x.components()))
-        };
-        let mut n = group.log(&group.compose(&group.inverse(from), to))?;
-        let mut residual = miss(&n)?;
-        for _ in 0..MAX_STEPS {
-            if residual.amax() <= tolerance {
-                return Ok(n);
-            }
-            let h = 1e-5 * (1.0 + DVector::from_column_slice(n.components()).amax());
-            let mut jacobian = DMatrix::zeros(group.dimension(), group.dimension());
-            for (k, e) in group.basis().iter().enumerate() {
-                let (ahead, behind) =
-                    (miss(&(n.clone() + e.clone() * h))?, miss(&(n.clone() - e.clone() * h))?);
-                jacobian.set_column(k, &((ahead - behind) / (2.0 * h)));
-            }
-            let Some(step) = jacobian.lu().solve(&residual) else { break };
-            let step = G::Vector::from_components(step.as_slice());
-            // halves a step until it reduces the residual
-            let better = (0..20).find_map(|halvings| {
-                let next = n.clone() - step.clone() * 0.5f64.powi(halvings);
-                let missed = miss(&next).ok()?;
-                (missed.norm() < residual.norm()).then_some((next, missed))
-            });
-            let Some((next, missed)) = better else { break };
-            (n, residual) = (next, missed);
+        let start = group.log(&group.compose(&group.inverse(from), to))?;
+        let problem = Between { translation: self, from, there: group.inverse(to), tolerance };
+        let reached = newton(&problem, DVector::from_column_slice(start.components()))?;
+        if reached.miss.amax() <= tolerance {
+            return Ok(G::Vector::from_components(reached.unknowns.as_slice()));
         }
         let reason = format!(
             "no autoparallel found: the nearest one misses the end point by {:e}",
-            residual.amax()
+            reached.miss.amax()
         );
         Err(Error::Integration { t: 1.0, reason })
     }
@@ -148,5 +121,42 @@ impl<G: LieGroup> ParallelTranslation<G> {
         let y = ode::solve(f, t, DVector::from_iterator(2 * d, y0), &[end], tolerance)?;
         let (x, n) = y[0].as_slice().split_at(d);
         Ok((G::Vector::from_components(x), G::Vector::from_components(n)))
+    }
+}
+
+/// The equations for an autoparallel between two elements. The unknowns are the tangent at the
+/// start, and the miss is the logarithm of the end in the frame of the given end.
+struct Between<'t, G: LieGroup> {
+    translation: &'t ParallelTranslation<G>,
+    from: &'t G::Element,
+    /// The inverse of the given end.
+    there: G::Element,
+    tolerance: f64,
+}
+
+impl<G: LieGroup> Equations for Between<'_, G> {
+    fn miss(&self, unknowns: &DVector<f64>, tolerance: f64) -> Result<DVector<f64>, Error> {
+        let group = self.translation.group();
+        let n = G::Vector::from_components(unknowns.as_slice());
+        let end = self.translation.autoparallel(self.from, &n, &[1.0], tolerance)?;
+        let x = group.log(&group.compose(&self.there, &end[0].base))?;
+        Ok(DVector::from_column_slice(x.components()))
+    }
+
+    fn sizes(&self) -> DVector<f64> {
+        DVector::from_element(self.translation.group().dimension(), 1.0)
+    }
+
+    fn allowed(&self, _: &DVector<f64>) -> f64 {
+        self.tolerance
+    }
+
+    fn is_solved(&self, miss: &DVector<f64>) -> bool {
+        miss.amax() <= self.tolerance
+    }
+
+    fn tolerances(&self) -> [f64; 2] {
+        // uses a smaller tolerance, because differences of end points are computed
+        [(1e-3 * self.tolerance).clamp(1e-14, 1e-9); 2]
     }
 }

@@ -11,9 +11,9 @@ use std::sync::Arc;
 
 /// The largest number of steps of one curve.
 const STEPS: usize = 2_000;
-/// The distance, in units of curvature, of the first point of a continued start, and the largest
-/// number of points.
-const FIRST: f64 = 0.5;
+/// The part of the segment up to the first point of a continued start, and the largest number of
+/// points.
+const FIRST: f64 = 1.0 / 16.0;
 const POINTS: usize = 60;
 
 /// A curve between two points of a chart. Coordinates are compared as numbers: a curve around an
@@ -36,7 +36,7 @@ impl ChartShooting {
     /// The problem of two points, for these values of the parameters of the program.
     ///
     /// # Errors
-    /// [`Error::CurveEnds`] if the start is not in the chart; [`Error::Invalid`] if the end is not
+    /// [`Error::CurveEnds`] if the start is not in the chart; [`Error::EndPoint`] if the end is not
     /// in the same part of the chart, or if the points are equal.
     pub fn new(
         program: Arc<ChartProgram>,
@@ -44,11 +44,10 @@ impl ChartShooting {
         from: &[f64],
         to: &[f64],
     ) -> Result<Self, Error> {
-        let invalid =
-            |reason: &str| Error::Invalid { what: "the end point", reason: reason.into() };
+        let outside = |reason: &str| Error::EndPoint { reason: reason.into() };
         let (from, to) = (DVector::from_column_slice(from), DVector::from_column_slice(to));
         if from == to {
-            return Err(invalid("it is the start point, so the geodesic is constant"));
+            return Err(super::equal_points());
         }
         let has_metric = program.metric(from.as_slice(), &parameters).is_some();
         let at = |position: &DVector<f64>| {
@@ -59,9 +58,9 @@ impl ChartShooting {
         let system = ChartSystem::new(program.clone(), parameters.clone(), &at(&from), false)?;
         if !system.slope(&at(&to).numbers).iter().all(|value| value.is_finite()) {
             let Error::CurveEnds { reason, .. } = system.ends(&at(&to)) else {
-                return Err(invalid("it is not in the chart"));
+                return Err(outside("is not in the chart"));
             };
-            return Err(invalid(&reason));
+            return Err(outside(&format!("is not in the chart: {reason}")));
         }
         let sizes = [&from, &to].map(|position| match has_metric {
             true => system.sizes(&at(position).numbers).abs(),
@@ -93,7 +92,7 @@ impl ChartShooting {
     /// predicts the next one, by linear extrapolation.
     fn continued(&self) -> Option<DVector<f64>> {
         let whole = &self.to - &self.from;
-        let mut step = (FIRST / whole.component_mul(&self.sizes[0]).norm()).min(1.0);
+        let mut step = FIRST;
         let mut before = (0.0, DVector::zeros(whole.len()));
         let mut reached = before.clone();
         for _ in 0..POINTS {
@@ -146,7 +145,7 @@ impl Shooting for ChartShooting {
     fn starts(&self, count: usize) -> Vec<DVector<f64>> {
         let direct = &self.to - &self.from;
         let size = direct.component_mul(&self.sizes[0]).norm();
-        let others = (1..count.max(1)).map(|index| {
+        let others = (1..count).map(|index| {
             let spread = spread(index, direct.len()) * size;
             &direct + spread.component_div(&self.sizes[0])
         });

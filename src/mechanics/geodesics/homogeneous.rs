@@ -6,7 +6,11 @@ use crate::group::{LieGroup, MatrixNotation};
 use crate::mechanics::Adaptive;
 use crate::mechanics::systems::HomogeneousSystem;
 use nalgebra::{DMatrix, DVector};
+use std::cell::RefCell;
 
+/// The largest product of the sizes of `g_0^-1` and `g_1` at which the product of these matrices is
+/// computed: its rounding error is about `1e-16` times this number.
+const LARGEST: f64 = 1e12;
 /// The largest number of steps of one curve.
 const STEPS: usize = 2_000;
 
@@ -19,55 +23,67 @@ const STEPS: usize = 2_000;
 pub struct HomogeneousShooting {
     system: HomogeneousSystem,
     from: DVector<f64>,
-    to: DVector<f64>,
     /// The matrix of the end, as a column.
     written: DVector<f64>,
-    /// A basis of the isotropy algebra, as columns.
-    isotropy: DMatrix<f64>,
+    /// The logarithm of `g_0^-1 g_1` in the adapted basis; `None` if there is no logarithm.
+    direct: Option<DVector<f64>>,
+    /// The last curve: its initial velocity, its tolerance and its end.
+    last: RefCell<Option<(DVector<f64>, f64, End)>>,
 }
 
+/// The element and the velocity at the end of a curve.
+type End = [DVector<f64>; 2];
+
 impl HomogeneousShooting {
-    /// The problem of two elements of G, given by their embedding coordinates. The columns of
-    /// `basis` are the adapted basis of the system.
+    /// The problem of two elements of G, given by their embedding coordinates. If a vector `x` of
+    /// the algebra with `g_1 = g_0 exp(x)` is known, it is given, in the basis of the group.
     ///
     /// # Errors
-    /// [`Error::Invalid`] if the points are equal.
+    /// [`Error::EndPoint`] if the points are equal, or if they are so far from each other that
+    /// their matrices do not determine `x`.
     pub fn new(
         system: HomogeneousSystem,
-        basis: &DMatrix<f64>,
         from: DVector<f64>,
         to: DVector<f64>,
+        x: Option<DVector<f64>>,
     ) -> Result<Self, Error> {
-        let (n, all) = (system.dimension(), system.base().dimension());
-        let isotropy = basis.columns(n, all - n).into();
-        let written = column(&system.base().write(&to));
-        let problem = HomogeneousShooting { system, from, to, written, isotropy };
-        if let Some(start) = problem.logarithm()
-            && start.rows(0, n).amax() <= 1e-14
-        {
-            let reason = "it is the start point, so the geodesic is constant".into();
-            return Err(Error::Invalid { what: "the end point", reason });
+        let (n, group) = (system.dimension(), system.base());
+        let written = column(&group.write(&to));
+        let back = group.inverse(&from);
+        let size = column(&group.write(&back)).amax() * written.amax();
+        if x.is_none() && size > LARGEST {
+            return Err(Error::EndPoint {
+                reason: format!(
+                    "is too far from the start: entries of matrices of the size {size:.0e} do not \
+                     determine the way between them"
+                ),
+            });
         }
-        Ok(problem)
-    }
-
-    /// The components of the logarithm of `g_0^-1 g_1` in the adapted basis; `None` if there is no
-    /// logarithm.
-    fn logarithm(&self) -> Option<DVector<f64>> {
-        let group = self.system.base();
-        let relative = group.compose(&group.inverse(&self.from), &self.to);
-        let x = group.log(&relative).ok()?;
-        Some(self.system.adapted(&x))
+        let direct = x.or_else(|| group.log(&group.compose(&back, &to)).ok());
+        let direct = direct.map(|x| system.adapted(&x));
+        if direct.as_ref().is_some_and(|x| x.rows(0, n).amax() <= 1e-14) {
+            return Err(super::equal_points());
+        }
+        Ok(HomogeneousShooting { system, from, written, direct, last: RefCell::default() })
     }
 
     /// The end of the curve with an initial velocity.
-    fn end(&self, velocity: &DVector<f64>, tolerance: f64) -> Result<[DVector<f64>; 2], Error> {
+    fn end(&self, velocity: &DVector<f64>, tolerance: f64) -> Result<End, Error> {
+        // a derivative by the vector of the isotropy algebra needs the same curve many times
+        if let Some((own, to, end)) = &*self.last.borrow()
+            && own == velocity
+            && *to == tolerance
+        {
+            return Ok(end.clone());
+        }
         let start = self.system.state(0.0, &self.from, velocity, &[]);
         let control = Adaptive::of_order_8(tolerance);
         let control = Adaptive { span: 1.0, max_steps: STEPS, ..control };
         let end = control.states(&self.system, &start, &[1.0])?.remove(0);
         let reached = self.system.velocity(&end);
-        Ok([end.element, reached])
+        let end = [end.element, reached];
+        *self.last.borrow_mut() = Some((velocity.clone(), tolerance, end.clone()));
+        Ok(end)
     }
 }
 
@@ -80,7 +96,7 @@ impl Shooting for HomogeneousShooting {
     fn miss(&self, unknowns: &DVector<f64>, tolerance: f64) -> Result<DVector<f64>, Error> {
         let (n, group) = (self.system.dimension(), self.system.base());
         let [element, _] = self.end(&unknowns.rows(0, n).into(), tolerance)?;
-        let turn = &self.isotropy * unknowns.rows(n, unknowns.len() - n);
+        let turn = self.system.isotropy() * unknowns.rows(n, unknowns.len() - n);
         let reached = group.compose(&element, &group.exp(&turn));
         Ok(column(&group.write(&reached)) - &self.written)
     }
@@ -106,16 +122,16 @@ impl Shooting for HomogeneousShooting {
     }
 
     fn starts(&self, count: usize) -> Vec<DVector<f64>> {
-        let direct = self.logarithm();
+        let direct = &self.direct;
         let n = self.system.base().dimension();
         let size = direct.as_ref().map_or(1.0, |x| x.amax().max(1.0));
         // the logarithm, curves in the opposite direction, and velocities in a cube
         let around = direct.iter().flat_map(|x| [1.0, -1.0, -2.0, -4.0].map(|factor| x * factor));
-        let others = (1..=count.max(1)).map(|index| {
+        let others = (1..=count).map(|index| {
             let spread = spread(index, n) * (4.0 * size);
             direct.as_ref().map_or(spread.clone(), |x| x + spread)
         });
-        around.chain(others).take(count.max(1)).collect()
+        around.chain(others).take(count).collect()
     }
 
     fn sizes(&self) -> DVector<f64> {

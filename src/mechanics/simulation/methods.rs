@@ -180,11 +180,11 @@ methods! {
     // method        name                order     problems
     Exact            "exact"              0     "a free rigid body"
         FreeBody Exact free_body::exact;
-    MuntheKaas54     "rkmk54"            5  "any group and any forces, to a tolerance"
+    MuntheKaas54     "rkmk54"            5  "any motion on a group or a homogeneous space, to a tolerance"
         AnySystem Controlled Pair::Five;
-    MuntheKaas853    "rkmk853"           8  "any group and any forces, to a tolerance"
+    MuntheKaas853    "rkmk853"           8  "any motion on a group or a homogeneous space, to a tolerance"
         AnySystem Controlled Pair::Eight;
-    MuntheKaas4      "rkmk4"             4  "any group and any forces, with a step"
+    MuntheKaas4      "rkmk4"             4  "any motion on a group or a homogeneous space, with a step"
         AnySystem Fixed MuntheKaas::RK4;
     Projected4       "projected4"        4  "a group with a projection and any forces, with a step"
         Projection Fixed Projected::RK4;
@@ -192,7 +192,7 @@ methods! {
         Projection Controlled Pair::Five;
     Projected853     "projected853"      8  "a group with a projection and any forces, to a tolerance"
         Projection Controlled Pair::Eight;
-    CommutatorFree4  "cf4"               4  "any group and any forces, with a step"
+    CommutatorFree4  "cf4"               4  "any motion on a group or a homogeneous space, with a step"
         AnySystem Fixed CommutatorFree;
     MoserVeselov10   "dmv10"             10  "a free rigid body, with a step"
         FreeBody Fixed |inertia: &Inertia| MoserVeselov::new(inertia, MoserVeselovOrder::Ten);

@@ -4,7 +4,7 @@ use super::System;
 use super::cotangent::{CotangentSystem, State};
 use crate::group::{AnyGroup, LieGroup, Product, Translations};
 use crate::{Connection, Error, Metric};
-use nalgebra::{DMatrix, DVector, Dyn};
+use nalgebra::{DMatrix, DMatrixView, DVector, Dyn};
 use std::borrow::Cow;
 
 /// If a coefficient is at most this multiple of the sizes of its terms, it is a rounding error.
@@ -52,8 +52,9 @@ pub struct HomogeneousSystem {
     base: AnyGroup,
     /// The group of the equations: G, times `R^n` for each vector `u`.
     group: AnyGroup,
-    /// The basis of `m`, as columns of components in the basis of the algebra of G.
-    complement: DMatrix<f64>,
+    /// The adapted basis, first of `m` and then of the isotropy algebra, as columns of components in
+    /// the basis of the algebra of G.
+    basis: DMatrix<f64>,
     /// The coordinates in the adapted basis: the inverse of the matrix of the adapted basis.
     coordinates: DMatrix<f64>,
     metric: DMatrix<f64>,
@@ -130,7 +131,7 @@ impl HomogeneousSystem {
         Ok(HomogeneousSystem {
             base: group.clone(),
             group: whole,
-            complement: basis.columns(0, n).into(),
+            basis: basis.clone(),
             coordinates,
             metric,
             inverse,
@@ -161,6 +162,17 @@ impl HomogeneousSystem {
     /// The components of a vector of the algebra of G in the adapted basis.
     pub fn adapted(&self, x: &DVector<f64>) -> DVector<f64> {
         &self.coordinates * x
+    }
+
+    /// The basis of `m`, as columns of components in the basis of the algebra of G.
+    fn complement(&self) -> DMatrixView<'_, f64> {
+        self.basis.columns(0, self.dimension())
+    }
+
+    /// The basis of the isotropy algebra, in the same form.
+    pub(crate) fn isotropy(&self) -> DMatrixView<'_, f64> {
+        let n = self.dimension();
+        self.basis.columns(n, self.basis.ncols() - n)
     }
 
     /// Whether the curves are the geodesics of the metric, so that the spatial momentum is
@@ -232,7 +244,7 @@ impl HomogeneousSystem {
     /// The velocity in `m` for a momentum.
     fn along(&self, momentum: &DVector<f64>) -> DVector<f64> {
         let momentum = momentum.rows(0, self.base.dimension());
-        &self.inverse * self.complement.tr_mul(&momentum)
+        &self.inverse * self.complement().tr_mul(&momentum)
     }
 
     /// Subtracts `Lambda(v) u` from `out`.
@@ -325,7 +337,7 @@ impl CotangentSystem for HomogeneousSystem {
 
     fn velocity_of(&self, momentum: &DVector<f64>) -> DVector<f64> {
         let mut velocity = DVector::zeros(momentum.len());
-        let along = &self.complement * self.along(momentum);
+        let along = self.complement() * self.along(momentum);
         velocity.rows_mut(0, self.base.dimension()).copy_from(&along);
         velocity
     }

@@ -73,6 +73,56 @@ fn hypersurfaces_have_their_published_curvature() {
     assert!(refused.unwrap_err().to_string().contains("null gradient"));
 }
 
+/// Without a root of the squared length of the gradient, a name N stands for the length. The
+/// intrinsic curvature of the slices, computed from their own metric, satisfies the equation of
+/// Gauss; the ellipsoid has its closed form. M. P. do Carmo, *Differential Geometry of Curves and
+/// Surfaces* (1976), section 3.3.
+#[test]
+fn lengths_without_a_root_have_a_name() {
+    let definition = |text: &str| {
+        let definition = Definition::parse("space.toml", text).unwrap();
+        definition.geometry::<Symbolic>(Tolerance::default()).unwrap()
+    };
+    let intrinsic = |text: &str| {
+        let geometry = definition(text);
+        let metric = geometry.metric().unwrap();
+        geometry.connection().scalar_curvature(metric).unwrap()
+    };
+    let square = |x: &Symbolic| x.clone() * x;
+    // the slices t = const of a rotating mass: maximal, with S_h = K_ij K^ij
+    let slice = hypersurface("kerr", "t");
+    let (name, length) = slice.length.clone().unwrap();
+    assert_eq!((name.as_str(), slice.sign), ("N", -1));
+    assert!(slice.mean_curvature.is_zero() && !slice.second.is_empty());
+    assert_eq!(slice.scalar_curvature, slice.square);
+    let sigma = "(r^2 + a^2*cos(theta)^2)";
+    let text = format!(
+        "parameters = [\"M\", \"a\"]\nmetric = \"diag({sigma}/(r^2 - 2*M*r + a^2), {sigma}, \
+         (r^2 + a^2 + 2*M*r*a^2*sin(theta)^2/{sigma})*sin(theta)^2)\"\n\
+         [chart]\ncoordinates = [\"r\", \"theta\", \"phi\"]\n"
+    );
+    assert_eq!(slice.scalar_curvature, intrinsic(&text));
+    // K_r phi of the published form: N K = -g_phi phi/2 d_r omega, times N^2 = -g^tt
+    let n = square(&Symbolic::parameter(&name));
+    let k = square(&slice.second.get(&[1, 3])) * &n;
+    assert!(!k.is_zero() && !k.parameters().contains(&name), "{k}");
+    assert!(length.parameters().contains("theta"));
+    // an ellipsoid of revolution in spherical coordinates, at f = s: K = s/(a^4 c^2 w^2)
+    let flat = definition(
+        "parameters = [\"a\", \"c\"]\nmetric = \"diag(1, r^2, r^2*sin(theta)^2)\"\n\
+         [chart]\ncoordinates = [\"r\", \"theta\", \"phi\"]\n",
+    );
+    let metric = flat.metric().unwrap();
+    let connection = Connection::levi_civita(flat.frame(), metric).unwrap();
+    let f = value("r^2*(sin(theta)^2/a^2 + cos(theta)^2/c^2)");
+    let ellipsoids = Hypersurface::new(&connection, metric, &f, PositiveFactors::default());
+    let ellipsoids = ellipsoids.unwrap();
+    let w = value("r^2*(sin(theta)^2/a^4 + cos(theta)^2/c^4)");
+    let curvature = f / &(value("a^4*c^2") * &w * &w);
+    assert_eq!(ellipsoids.scalar_curvature, curvature * &Symbolic::from(2));
+    assert_eq!(ellipsoids.length.unwrap().1, w * &Symbolic::from(4));
+}
+
 /// `W^i_jkl` does not depend on a conformal factor; anti-de Sitter space and the hyperbolic plane are
 /// conformal to flat spaces.
 #[test]

@@ -35,12 +35,13 @@ impl Trials {
         let pair = |pair: &[Trial]| {
             (pair[0].error / pair[1].error).ln() / (pair[0].step / pair[1].step).ln()
         };
-        self.trials.windows(2).map(pair)
+        // runs with the same mean step have no order
+        self.trials.windows(2).map(pair).filter(|order| order.is_finite())
     }
 
     /// The slope of the error over the step size: the median of the observed orders.
     fn slope(&self) -> Option<f64> {
-        let mut orders: Vec<f64> = self.orders().filter(|order| order.is_finite()).collect();
+        let mut orders: Vec<f64> = self.orders().collect();
         orders.sort_by(f64::total_cmp);
         let above = orders.get(orders.len() / 2)?;
         let below = orders.get((orders.len() - 1) / 2)?;
@@ -55,7 +56,7 @@ pub struct Comparison {
     #[arg(value_name = "FILE")]
     problem: String,
     /// A method to compare; may be repeated, or may be a list separated by commas [default:
-    /// rkmk4,cf4, or all methods for constraints, matrix flows and prescribed velocities]
+    /// rkmk4,cf4, or all methods for constraints, matrix flows, prescribed velocities and charts]
     #[arg(long = "method", value_name = "NAME", value_delimiter = ',')]
     methods: Vec<String>,
     /// The largest step size [default: 1/16 of the time span]
@@ -153,7 +154,9 @@ fn trials(
 fn reference(problem: &Problem, step: f64, halvings: u32) -> Problem {
     let fine = step * 0.5_f64.powi(halvings as i32 + 2);
     match problem.own_methods().last() {
-        Some(&method) => problem.with_method(method, Some(fine), Some(1e-13)),
+        Some(&method) => {
+            problem.with_method(method, method.has_steps().then_some(fine), Some(1e-13))
+        }
         None => problem.with_method(Method::to(1e-13), None, Some(1e-13)),
     }
 }

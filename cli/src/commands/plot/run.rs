@@ -230,6 +230,21 @@ impl Trajectory {
         figures::run::attitude(&rows, &factors).map_err(|error| no_attitude(error).into())
     }
 
+    /// The figure of a curve on a chart in space, by its embedding.
+    pub fn orbit(&self) -> Result<Figure, Failure> {
+        let columns = ["X1", "X2", "X3"];
+        let reason = "a plot of an orbit needs a curve on a chart with an `embedding` in space";
+        let error = || {
+            let help = "give the key embedding = [X1, X2, X3], three functions of the coordinates";
+            InputError::mathematics(reason).help(help)
+        };
+        let problem = self.problem()?;
+        problem.motion(0)?;
+        let problem = self.with_columns(&columns, reason).map_err(|_| error())?;
+        let (rows, _) = self.rows(&problem, &columns)?;
+        figures::run::orbit(&rows).map_err(|_| error().into())
+    }
+
     pub fn momentum(&self) -> Result<Figure, Failure> {
         let reason = "a plot of the momentum sphere needs a rotating body: space = \"so3\"";
         // requests a column of the quaternion, because only rotations have it
