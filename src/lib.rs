@@ -111,6 +111,7 @@ pub use geometry::forms::Form;
 pub use geometry::metric::Metric;
 pub use geometry::reductive::ReductivePair;
 pub use geometry::{ConnectionKind, FrameOrigin, Geometry};
+pub use mechanics::mechanism;
 /// The crate whose vectors and matrices represent group elements.
 pub use nalgebra;
 

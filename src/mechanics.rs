@@ -9,6 +9,7 @@
 //! - [`integrators`]: methods whose steps stay on the group, from [`MuntheKaas`] to
 //!   [`MoserVeselov`]; [`Adaptive::run`] computes a [`Trajectory`];
 //! - [`geodesics`]: geodesics between two points;
+//! - [`mechanism`]: bodies and joints, with an exact account of mobility;
 //! - [`events`]: sign changes of functions along a trajectory;
 //! - [`formula`] and [`simulation`]: systems, forces and columns that are given as formulas and
 //!   chosen at run time.
@@ -23,6 +24,7 @@ pub mod events;
 pub mod formula;
 pub mod geodesics;
 pub mod integrators;
+pub mod mechanism;
 pub mod simulation;
 
 pub mod systems;

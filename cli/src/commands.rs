@@ -20,6 +20,7 @@ mod hypersurface;
 mod info;
 mod isometries;
 mod list;
+mod mobility;
 mod note;
 mod on_group;
 mod options;
@@ -109,6 +110,8 @@ enum Command {
     Transport(transport::Arguments),
     /// Compute geodesics between two points of a chart, a group or a homogeneous space
     Geodesic(geodesic::Arguments),
+    /// Print the degrees of freedom of a mechanism of bodies and joints, with proofs
+    Mobility(mobility::Arguments),
     /// Convert rotations: vectors, quaternions, matrices, Euler angles
     Convert(convert::Arguments),
     /// Integrate a problem of mechanics, or an ensemble of problems
@@ -181,6 +184,7 @@ fn run(command: Command, watch: &Watch) -> Result<(), Failure> {
         Command::Adjoint(arguments) => arguments.run(Operation::Adjoint),
         Command::Transport(arguments) => arguments.run(),
         Command::Geodesic(arguments) => arguments.run(),
+        Command::Mobility(arguments) => arguments.run(),
         Command::Convert(arguments) => arguments.run(),
         Command::Simulate(arguments) => arguments.run(watch),
         Command::Plot(arguments) => arguments.run(),

@@ -5,6 +5,7 @@
 //! - [`input`]: texts with source locations, errors, numbers; [`space`]: spaces, on the command
 //!   line and in TOML or JSON files;
 //! - [`problem`]: problems of motion in such files, and the motions that they define;
+//! - `mechanism`: bodies and joints in such files;
 //! - [`certificate`]: checks of a definition, with a witness for each failed check;
 //! - [`report`]: tables of tensors, comparisons and equations in every format;
 //! - [`formula`]: formulas as trees, written as text, LaTeX and MathML; [`page`]: pages of HTML;
@@ -23,6 +24,8 @@ mod coefficient;
 pub mod figures;
 pub mod formula;
 pub mod input;
+#[cfg(feature = "mechanisms")]
+pub mod mechanism;
 pub mod page;
 pub mod picture;
 pub mod problem;

@@ -40,6 +40,8 @@ mod json;
 mod latex;
 mod lists;
 mod markdown;
+#[cfg(feature = "mechanisms")]
+mod mobility;
 mod points;
 mod program;
 mod properties;
@@ -67,6 +69,8 @@ pub use info::{Info, dynkin_type};
 pub use isometries::Isometries;
 pub use latex::{components_in_latex, labelled_in_latex};
 pub use lists::{catalogue, catalogue_where, certificate, conventions, listing};
+#[cfg(feature = "mechanisms")]
+pub use mobility::MobilityReport;
 pub use points::TensorProgram;
 pub use program::Program;
 pub use properties::Properties;

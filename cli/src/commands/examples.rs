@@ -3,7 +3,7 @@
 use clap::Command;
 
 /// For each command, two examples, which run in the root folder of the project.
-const EXAMPLES: [(&str, [&str; 2]); 28] = [
+const EXAMPLES: [(&str, [&str; 2]); 29] = [
     ("compare", ["affinor compare", "affinor compare so3@plus aff1@plus --format markdown"]),
     (
         "table",
@@ -110,6 +110,13 @@ const EXAMPLES: [(&str, [&str; 2]); 28] = [
         [
             "affinor geodesic sphere --set R=1 --from pi/2,0 --to pi/3,1",
             "affinor geodesic so3 --metric \"diag(1,2,3)\" --from 0,0,0 --to 0.3,1,-0.5",
+        ],
+    ),
+    (
+        "mobility",
+        [
+            "affinor mobility examples/mechanisms/bricard_orthogonal.toml",
+            "affinor mobility examples/mechanisms/bennett.toml --format json",
         ],
     ),
     (

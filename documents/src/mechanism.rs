@@ -1,0 +1,438 @@
+//! Files of mechanisms: bodies, and joints between them in the frame of the ground.
+//!
+//! Every number may be an expression with roots and letters. Letters without a value in the table
+//! `[parameters]` remain letters.
+
+use crate::input::{
+    InputError, Place, Source, file,
+    forms::{Entries, Number, Text},
+    parse_keys, shown,
+};
+use crate::space::notation::Names;
+use affinor::Error;
+use affinor::mechanism::denavit_hartenberg::{Link, closed_chain};
+use affinor::mechanism::{Joint, JointKind, Mechanism, Twist};
+use affinor_tensors::{Kind, Rational, Symbolic};
+use num_traits::One;
+use serde::Deserialize;
+use std::collections::BTreeMap;
+use std::path::Path;
+
+/// The keys of a file.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Keys {
+    name: Option<String>,
+    parameters: Option<Entries<Text, Number>>,
+    #[serde(default)]
+    bodies: Vec<BodyKeys>,
+    #[serde(default)]
+    joints: Vec<JointKeys>,
+    #[serde(default)]
+    links: Vec<LinkKeys>,
+}
+
+/// A table `[[bodies]]`.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct BodyKeys {
+    name: Text,
+    #[serde(default)]
+    fixed: bool,
+}
+
+/// A table `[[joints]]`.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct JointKeys {
+    name: Option<Text>,
+    #[serde(rename = "type")]
+    kind: Text,
+    bodies: Vec<Text>,
+    at: Option<Vec<Number>>,
+    axis: Option<Vec<Number>>,
+    second_axis: Option<Vec<Number>>,
+    pitch: Option<Number>,
+    twists: Option<Vec<Vec<Number>>>,
+}
+
+/// A table `[[links]]`: a link of a closed chain of revolute joints.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct LinkKeys {
+    length: Option<Number>,
+    offset: Option<Number>,
+    twist: Option<Number>,
+    half_twist: Option<Number>,
+    angle: Option<Number>,
+    half_angle: Option<Number>,
+}
+
+/// A mechanism that was read from a file.
+#[derive(Clone, Debug)]
+pub struct MechanismFile {
+    /// The name.
+    pub name: String,
+    /// The mechanism at its position.
+    pub mechanism: Mechanism<Symbolic>,
+    /// The letters without a value.
+    pub parameters: Vec<String>,
+}
+
+impl MechanismFile {
+    /// Reads a mechanism from a file, or from standard input for `-`. The text `set` overrides
+    /// parameters, as in `a=1/2,b=3`.
+    ///
+    /// # Errors
+    /// An error with its location if the file cannot be read, or if its content is invalid.
+    pub fn read(path: &str, set: &[String]) -> Result<Self, InputError> {
+        Self::of_source(&file::read(path)?, set)
+    }
+
+    /// Reads a mechanism from the text of a file.
+    ///
+    /// ```
+    /// use affinor_documents::mechanism::MechanismFile;
+    /// let text = r#"
+    /// bodies = [{ name = "ground" }, { name = "slider" }]
+    /// joints = [{ type = "prismatic", bodies = ["ground", "slider"], axis = [1, 0, 0] }]
+    /// "#;
+    /// let file = MechanismFile::parse("slider.toml", text)?;
+    /// assert_eq!(file.mechanism.mobility()?.verdict.exact(), Some(1));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// Those of [`read`](Self::read).
+    pub fn parse(name: &str, text: &str) -> Result<Self, InputError> {
+        Self::of_source(&Source::new(name.escape_debug().to_string(), text), &[])
+    }
+
+    fn of_source(source: &Source, set: &[String]) -> Result<Self, InputError> {
+        let content = "give bodies and joints, as in [[bodies]] and [[joints]]";
+        let (keys, source): (Keys, Source) = parse_keys(source, content)?;
+        let mut reader = Reader { source: &source, values: BTreeMap::new() };
+        reader.set(set, keys.parameters.as_ref())?;
+        let mechanism = match (keys.joints.is_empty(), keys.links.is_empty()) {
+            (_, true) => reader.joined(&keys.bodies, &keys.joints)?,
+            (true, false) => reader.chain(&keys)?,
+            (false, false) => {
+                let error = source.refused("links", "the file has both joints and links");
+                return Err(error.help("give the joints, or the links of a closed chain"));
+            }
+        };
+        let mut parameters: Vec<String> = mechanism
+            .joints()
+            .iter()
+            .flat_map(|joint| joint.twists().iter().flatten())
+            .flat_map(Symbolic::parameters)
+            .collect();
+        parameters.sort();
+        parameters.dedup();
+        let stem = Path::new(&source.name).file_stem();
+        let stem = stem.map_or(source.name.clone(), |stem| stem.to_string_lossy().into_owned());
+        Ok(MechanismFile { name: keys.name.unwrap_or(stem), mechanism, parameters })
+    }
+
+    /// The kind of scalars that the mechanism needs: rational numbers if all components are
+    /// rational, and otherwise expressions.
+    pub fn kind(&self) -> Kind {
+        let mut components =
+            self.mechanism.joints().iter().flat_map(|joint| joint.twists().iter().flatten());
+        match components.all(|value| value.as_constant().is_some()) {
+            true => Kind::Exact,
+            false => Kind::Symbolic,
+        }
+    }
+}
+
+struct Reader<'s> {
+    source: &'s Source,
+    values: BTreeMap<String, Symbolic>,
+}
+
+impl Reader<'_> {
+    /// Reads the values of parameters, first of the options `--set`, then of the file.
+    fn set(
+        &mut self,
+        set: &[String],
+        table: Option<&Entries<Text, Number>>,
+    ) -> Result<(), InputError> {
+        let mut given = vec![];
+        for text in set {
+            let source = Source::new("--set", text);
+            for part in source.text.split(',').filter(|part| !part.trim().is_empty()) {
+                let Some((name, value)) = part.split_once('=') else {
+                    let error = InputError::usage("this is not of the form name=value");
+                    return Err(error.at(&source.whole(part)));
+                };
+                let names = BTreeMap::new();
+                let value = Names::open(&names, None).scalar(value, &source)?;
+                given.push((name.trim().to_string(), value));
+            }
+        }
+        for (name, number) in table.iter().flat_map(|table| &table.0) {
+            let value = self.scalar(number)?;
+            self.values.insert(name.content.clone(), value);
+        }
+        self.values.extend(given);
+        Ok(())
+    }
+
+    fn scalar(&self, Number(text): &Number) -> Result<Symbolic, InputError> {
+        let source = self.source.excerpt(text);
+        let labels = BTreeMap::new();
+        let value = Names::open(&labels, None).scalar(source.content(), &source)?;
+        value.substitute(&self.values).ok_or_else(|| {
+            let message = format!("`{}` has no value for these parameters", shown(text));
+            InputError::mathematics(message).at(&self.source.at(text))
+        })
+    }
+
+    fn vector<const N: usize>(
+        &self,
+        list: &[Number],
+        place: &Place,
+    ) -> Result<[Symbolic; N], InputError> {
+        let found = list.len();
+        let values: Vec<Symbolic> =
+            list.iter().map(|number| self.scalar(number)).collect::<Result<_, _>>()?;
+        values.try_into().map_err(|_| {
+            let message = format!("the list has {found} components instead of {N}");
+            InputError::usage(message).at(place)
+        })
+    }
+
+    /// The mechanism of a list of bodies and a list of joints.
+    fn joined(
+        &self,
+        bodies: &[BodyKeys],
+        joints: &[JointKeys],
+    ) -> Result<Mechanism<Symbolic>, InputError> {
+        if bodies.is_empty() {
+            let error = InputError::usage("the file has no bodies").at(&self.source.key("joints"));
+            return Err(error.help("name the bodies, as in bodies = [{ name = \"ground\" }, ...]"));
+        }
+        let mut names: Vec<String> = vec![];
+        for body in bodies {
+            if names.contains(&body.name.content) {
+                let message = format!("two bodies have the name `{}`", shown(&body.name));
+                let error = InputError::usage(message).at(&self.source.at(&body.name));
+                return Err(error.help("choose another name"));
+            }
+            names.push(body.name.content.clone());
+        }
+        let mut all: Vec<Joint<Symbolic>> = vec![];
+        for (at, keys) in joints.iter().enumerate() {
+            let name = match &keys.name {
+                Some(name) => name.content.clone(),
+                None => format!("J{}", at + 1),
+            };
+            let place = self.source.key(&format!("joints.{at}"));
+            if all.iter().any(|joint| joint.name == name) {
+                let message = format!("two joints have the name `{}`", shown(&name));
+                let own = keys.name.as_ref().map_or(place, |name| self.source.at(name));
+                return Err(InputError::usage(message).at(&own).help("choose another name"));
+            }
+            let mut ends = vec![];
+            for body in &keys.bodies {
+                let found = names.iter().position(|name| *name == body.content);
+                ends.push(found.ok_or_else(|| self.no_body(body, &names))?);
+            }
+            let Ok(ends) = <[usize; 2]>::try_from(ends) else {
+                let found = keys.bodies.len();
+                let message = format!("joint `{}` connects {found} bodies", shown(&name));
+                let error = InputError::usage(message).at(&place);
+                return Err(error.help("a joint connects two bodies: bodies = [\"a\", \"b\"]"));
+            };
+            if ends[0] == ends[1] {
+                let body = shown(&names[ends[0]]);
+                let message = format!("joint `{}` connects `{body}` with itself", shown(&name));
+                let error = InputError::usage(message).at(&self.source.at(&keys.bodies[1]));
+                return Err(error.help("name two different bodies"));
+            }
+            all.push(self.joint(at, keys)?.between(name, ends));
+        }
+        let fixed: Vec<usize> =
+            (0..bodies.len()).filter(|at| bodies[*at].fixed).collect();
+        let place = self.source.key("bodies");
+        Mechanism::new(names, &fixed, all).map_err(|error| {
+            let help = "connect every body by a joint, directly or through other bodies";
+            InputError::from(error).or_at(&place).help(help)
+        })
+    }
+
+    fn no_body(&self, body: &Text, names: &[String]) -> InputError {
+        let message = format!("there is no body `{}`", shown(body));
+        let error = InputError::usage(message).at(&self.source.at(body));
+        let distance = |name: &&String| strsim::damerau_levenshtein(name, body);
+        let near = names.iter().filter(|name| body.len() < 32 && distance(name) < 3);
+        error.help(match near.min_by_key(distance) {
+            Some(name) => format!("did you mean `{name}`?"),
+            None => format!("the bodies are {}", names.join(", ")),
+        })
+    }
+
+    fn joint(&self, at: usize, keys: &JointKeys) -> Result<Joint<Symbolic>, InputError> {
+        let place = self.source.at(&keys.kind);
+        let Some(kind) = JointKind::from_name(&keys.kind) else {
+            let message = format!("there is no joint of the type `{}`", shown(&keys.kind));
+            let names = JointKind::ALL.map(JointKind::name);
+            let distance = |name: &&str| strsim::damerau_levenshtein(name, &keys.kind);
+            let near = names.into_iter().filter(|name| distance(name) < 4);
+            let help = match near.min_by_key(distance) {
+                Some(name) => format!("did you mean `{name}`?"),
+                None => format!("the types are {}", names.join(", ")),
+            };
+            return Err(InputError::usage(message).at(&place).help(help));
+        };
+        let [needed, optional]: [&[&str]; 2] = match kind {
+            JointKind::Revolute | JointKind::Cylindrical => [&["at", "axis"], &[]],
+            JointKind::Helical => [&["at", "axis", "pitch"], &[]],
+            JointKind::Prismatic | JointKind::Planar => [&["axis"], &["at"]],
+            JointKind::Spherical => [&["at"], &[]],
+            JointKind::Universal => [&["at", "axis", "second_axis"], &[]],
+            JointKind::Fixed => [&[], &["at"]],
+            JointKind::Subgroup => [&["twists"], &[]],
+        };
+        let own = |key: &str| format!("joints.{at}.{key}");
+        for key in ["at", "axis", "second_axis", "pitch", "twists"] {
+            let given = self.source.has_key(&own(key));
+            let name = kind.name();
+            if needed.contains(&key) && !given {
+                let message = format!("a {name} joint needs the key `{key}`");
+                return Err(InputError::usage(message).at(&place).help(example(key)));
+            }
+            if given && !needed.contains(&key) && !optional.contains(&key) {
+                let message = format!("a {name} joint does not use the key `{key}`");
+                let error = InputError::usage(message).at(&self.source.key(&own(key)));
+                return Err(error.help("leave the key out"));
+            }
+        }
+        let list = |key: &str, list: &Option<Vec<Number>>| match list {
+            Some(list) => self.vector::<3>(list, &self.source.key(&own(key))),
+            None => Ok(std::array::from_fn(|_| Symbolic::default())),
+        };
+        let (point, axis) = (list("at", &keys.at)?, list("axis", &keys.axis)?);
+        let (joint, key) = match kind {
+            JointKind::Revolute => (Joint::revolute(&point, &axis), "axis"),
+            JointKind::Prismatic => (Joint::prismatic(&axis), "axis"),
+            JointKind::Cylindrical => (Joint::cylindrical(&point, &axis), "axis"),
+            JointKind::Planar => (Joint::planar(&point, &axis), "axis"),
+            JointKind::Spherical => (Joint::spherical(&point), "at"),
+            JointKind::Fixed => (Ok(Joint::fixed()), "type"),
+            JointKind::Helical => {
+                let pitch = keys.pitch.as_ref().map(|pitch| self.scalar(pitch)).transpose()?;
+                (Joint::helical(&point, &axis, &pitch.unwrap_or_default()), "axis")
+            }
+            JointKind::Universal => {
+                let second = list("second_axis", &keys.second_axis)?;
+                (Joint::universal(&point, [&axis, &second]), "axis")
+            }
+            JointKind::Subgroup => {
+                let twists = keys.twists.iter().flatten();
+                let place = self.source.key(&own("twists"));
+                let twists: Result<Vec<Twist<Symbolic>>, _> =
+                    twists.map(|list| self.vector::<6>(list, &place)).collect();
+                (Joint::subgroup(twists?), "twists")
+            }
+        };
+        joint.map_err(|error| {
+            let help = match key {
+                "twists" => "add the bracket, or use a product of several joints",
+                _ => "give a vector that is not zero, and axes that are not parallel",
+            };
+            InputError::from(error).help(help).or_at(&self.source.key(&own(key)))
+        })
+    }
+
+    /// The closed chain of the tables `[[links]]`.
+    fn chain(&self, keys: &Keys) -> Result<Mechanism<Symbolic>, InputError> {
+        if !keys.bodies.is_empty() {
+            let error = self.source.refused("bodies", "links name no bodies");
+            return Err(error.help("leave the key out: the bodies are ground, link1, link2, ..."));
+        }
+        let mut links = vec![];
+        for (at, link) in keys.links.iter().enumerate() {
+            let number = |number: &Option<Number>| match number {
+                Some(number) => self.scalar(number),
+                None => Ok(Symbolic::default()),
+            };
+            let angle = |name: &str, angle: &Option<Number>, half: &Option<Number>| {
+                let place = self.source.key(&format!("links.{at}.{name}"));
+                match (angle, half) {
+                    (Some(_), Some(_)) => {
+                        let message = format!("the {name} is given twice");
+                        let error = InputError::usage(message).at(&place);
+                        Err(error.help(format!("give one of {name}, half_{name}")))
+                    }
+                    (_, Some(half)) => self.half(half),
+                    (Some(angle), None) => self.right_angle(name, angle),
+                    (None, None) => Ok([Symbolic::one(), Symbolic::default()]),
+                }
+            };
+            links.push(Link {
+                length: number(&link.length)?,
+                offset: number(&link.offset)?,
+                twist: angle("twist", &link.twist, &link.half_twist)?,
+                angle: angle("angle", &link.angle, &link.half_angle)?,
+            });
+        }
+        let place = self.source.key("links");
+        let closed = |error: Error| {
+            let help = "change a length, a twist or an angle until the last frame is the first";
+            InputError::from(error).or_at(&place).help(help)
+        };
+        let joints = closed_chain(&links).map_err(closed)?;
+        let name = |at: usize| if at == 0 { "ground".into() } else { format!("link{at}") };
+        Ok(Mechanism::new((0..links.len()).map(name).collect(), &[0], joints)?)
+    }
+
+    /// Cosine and sine of an angle, from the tangent of its half.
+    fn half(&self, number: &Number) -> Result<[Symbolic; 2], InputError> {
+        use affinor_tensors::Field;
+        let t = self.scalar(number)?;
+        let square = t.clone() * &t;
+        let inverse = (Symbolic::one() + &square).recip().ok_or_else(|| {
+            InputError::mathematics("1 + t^2 has no inverse").at(&self.source.at(&number.0))
+        })?;
+        let cos = (Symbolic::one() - &square) * &inverse;
+        Ok([cos, (t.clone() + &t) * &inverse])
+    }
+
+    /// Cosine and sine of a multiple of 90 degrees.
+    fn right_angle(&self, name: &str, number: &Number) -> Result<[Symbolic; 2], InputError> {
+        let value = self.scalar(number)?;
+        let turns = value.as_constant().map(|value| value.clone() * &ninetieth());
+        let quarter = turns.as_ref().and_then(Rational::to_i64);
+        let [one, zero] = [Symbolic::one(), Symbolic::default()];
+        match quarter.map(|quarter| quarter.rem_euclid(4)) {
+            Some(0) => Ok([one, zero]),
+            Some(1) => Ok([zero, one]),
+            Some(2) => Ok([-one, zero]),
+            Some(_) => Ok([zero, -one]),
+            None => {
+                let message = format!("the {name} {value} is not a multiple of 90 degrees");
+                let error = InputError::usage(message).at(&self.source.at(&number.0));
+                let help = format!("give the tangent of half the angle: half_{name} = \"1/2\"");
+                Err(error.help(help))
+            }
+        }
+    }
+}
+
+fn ninetieth() -> Rational {
+    Rational::new(1, 90).unwrap_or_else(Rational::one)
+}
+
+/// An example of a key.
+fn example(key: &str) -> String {
+    match key {
+        "at" => "give a point in ground coordinates, as in at = [0, 0, 1]".into(),
+        "pitch" => "give the translation per radian, as in pitch = \"1/10\"".into(),
+        "twists" => {
+            "give a basis of the subalgebra, as in twists = [[0, 0, 1, 0, 0, 0]]".into()
+        }
+        key => format!("give a vector in ground coordinates, as in {key} = [0, 0, 1]"),
+    }
+}
