@@ -16,6 +16,14 @@ impl ReductiveAlgebra {
         }
     }
 
+    /// The labels of a simple root, and charges 0.
+    pub(super) fn simple_root(&self, i: usize) -> Vec<i64> {
+        let mut labels = vec![0; self.rank()];
+        labels[i] = 2;
+        self.neighbours(i).iter().for_each(|&(j, entry)| labels[j] = entry);
+        labels
+    }
+
     /// The largest `|<w ν, α_i^∨>|` over the Weyl group elements `w`, and the largest charge, for
     /// labels that are not negative.
     pub(super) fn largest_label(&self, dominant: &[i64]) -> i64 {
