@@ -187,6 +187,40 @@ fn conjugate_points() {
     assert!(text.contains("conjugate"), "{text}");
 }
 
+/// On a product, the square of the length is the sum of the squares: of an angle on the sphere and a
+/// distance on the line, or of two angles.
+#[test]
+fn products_of_spaces() {
+    for (space, from, to, length) in [
+        ("S^2+R^1", "0,0,0", "0.3,0.4,1.2", 1.3),
+        ("S^2+so(3)", "0,0,0,0,0", "0.3,0.4,0,1.2,0", 1.3),
+        ("SO(3)/SO(2)+S^3", "0,0,0,0,0", "0.3,0.4,0,1.2,0", 1.3),
+    ] {
+        let report = json(&[space, "--metric", "identity", "--from", from, "--to", to]);
+        assert_near(lengths(&report)[0], length, 1e-11);
+    }
+    // the scalar curvatures add up: 2 of the sphere, and 3/2 of so(3), for unit metrics
+    let table = ["table", "S^2+so(3)", "--metric", "identity", "--show", "scalar"];
+    let table = run(root(), &table, b"").out;
+    assert!(table.contains("7/2"), "{table}");
+    let isometries = ["isometries", "S^2+R^1", "--metric", "identity", "--format", "json"];
+    let report: Value = serde_json::from_str(&run(root(), &isometries, b"").out).unwrap();
+    assert_eq!(report["dimension"], 4);
+    let wrong = run(root(), &["info", "S^2+so(x)"], b"");
+    assert!(wrong.err.contains("so(x)") && wrong.status != 0, "{}", wrong.err);
+}
+
+/// Coordinates from the identity are the logarithm of the end, however large its matrix is. Matrices
+/// of points that are far from each other do not determine the way.
+#[test]
+fn points_far_apart() {
+    let plane = ["H^2", "--metric", "summands(1)", "--to", "40,0"];
+    let report = json(&[&plane[..], &["--from", "0,0"]].concat());
+    assert_near(lengths(&report)[0], 40.0 * 2_f64.sqrt(), 1e-9);
+    let apart = outcome(&[&plane[..], &["--from", "0,1"]].concat());
+    assert!(apart.err.contains("the end point is too far from the start"), "{}", apart.err);
+}
+
 #[test]
 fn messages() {
     let sphere = |from: &str, to: &str| {

@@ -559,37 +559,6 @@ in_python! { PyGeometry, "geometry":
     /// >>> Geometry("so3", metric="diag(a,a,b)").subs({"a": 1, "b": 2}).scalar_curvature
     /// Fraction(1, 1)
     subs (values) [values];
-    /// Geodesics (autoparallel curves) between two points of a chart, a group or a homogeneous space.
-    ///
-    /// The report is the JSON document ``affinor.geodesic/1`` as a dict; ``print`` shows the table of ``affinor geodesic``.
-    /// Each entry of ``"geodesics"`` has the ``"length"``, the initial ``"velocity"`` for a parameter from 0 to 1, the
-    /// ``"residual"`` at the end point, and ``"conjugate"``: whether the points are conjugate along the curve.
-    ///
-    /// Parameters
-    /// ----------
-    /// start, end : sequence of float, dict or str
-    ///     Points: coordinates of a chart, coordinates ``x`` of ``exp(x)`` on a group or in the complement on a homogeneous
-    ///     space, or the entries of a matrix. A dict has the names of the components.
-    /// starts : int, optional
-    ///     Number of initial velocities of the search. By default, the search ends at the first geodesic.
-    ///
-    /// Returns
-    /// -------
-    /// Report
-    ///
-    /// Raises
-    /// ------
-    /// MathematicsError
-    ///     No geodesic was found, or the end is not in the chart.
-    /// InputError
-    ///     A point is invalid, or a parameter has no value.
-    ///
-    /// Examples
-    /// --------
-    /// >>> found = Geometry("S^2", metric="identity").geodesics([0, 0], {"m1": 0.3, "m2": 0.4})
-    /// >>> round(found["geodesics"][0]["length"], 9)
-    /// 0.5
-    geodesics (start, end, *, starts=None) [start, end, starts];
 }
 
 impl PyGeometry {

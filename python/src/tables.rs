@@ -1,6 +1,6 @@
 //! Reports of geometries: properties, equations, tables and comparisons.
 
-use crate::class::{New, Optional};
+use crate::class::{New, Optional, in_python};
 use crate::errors::refused;
 use crate::geometries::{Geometries, each, in_floats};
 use crate::geometry::{PyGeometry, quantity};
@@ -338,4 +338,38 @@ pub fn conventions(py: Python<'_>, format: &str) -> PyResult<String> {
     let format = self::format(format)?;
     let report = affinor_documents::report::conventions();
     written(&report, format).map_err(|error| refused(py, error))
+}
+
+in_python! { PyGeometry, "geometry":
+    /// Geodesics (autoparallel curves) between two points of a chart, a group or a homogeneous space.
+    ///
+    /// The report is the JSON document ``affinor.geodesic/1`` as a dict; ``print`` shows the table of ``affinor geodesic``.
+    /// Each entry of ``"geodesics"`` has the ``"length"``, the initial ``"velocity"`` for a parameter from 0 to 1, and the
+    /// ``"residual"`` at the end. ``"conjugate"`` tells whether the points are conjugate along the curve.
+    ///
+    /// Parameters
+    /// ----------
+    /// start, end : sequence of float, dict or str
+    ///     Points: coordinates of a chart, or coordinates ``x`` of ``exp(x)`` on a group. On a homogeneous space, ``x`` is in
+    ///     the complement. Elements may also be matrices. A dict has names of components.
+    /// starts : int, optional
+    ///     Number of initial velocities of the search. By default, the search ends at the first geodesic.
+    ///
+    /// Returns
+    /// -------
+    /// Report
+    ///
+    /// Raises
+    /// ------
+    /// MathematicsError
+    ///     No geodesic was found, or the end is not in the chart.
+    /// InputError
+    ///     A point is invalid, or a parameter has no value.
+    ///
+    /// Examples
+    /// --------
+    /// >>> found = Geometry("S^2", metric="identity").geodesics([0, 0], {"m1": 0.3, "m2": 0.4})
+    /// >>> round(found["geodesics"][0]["length"], 9)
+    /// 0.5
+    geodesics (start, end, *, starts=None) [start, end, starts];
 }

@@ -192,6 +192,41 @@ def test_affine_maps_are_known_by_their_matrices():
             group.act(group.identity(), points)
 
 
+def test_geodesics_between_points():
+    # a chart: the great-circle distance, and antipodal points
+    sphere = af.Geometry.on_chart("theta phi", [1, "sin(theta)^2"])
+    found = sphere.geodesics([1, 0.5], {"phi": 2.5, "theta": 2})
+    assert found["schema"] == "affinor.geodesic/1" and found["components"] == ["theta", "phi"]
+    curve = found["geodesics"][0]
+    assert curve["length"] == pytest.approx(2.145110075517188557751268, rel=1e-11)
+    assert curve["residual"] < 1e-10 and not curve["conjugate"]
+    antipodal = sphere.geodesics("pi/2, 0", "pi/2, pi")["geodesics"][0]
+    assert antipodal["conjugate"] and antipodal["length"] == pytest.approx(np.pi)
+    # a group: the angle of a rotation, also by its matrix, and the way around
+    rotations = af.Geometry("so3", metric="identity")
+    ways = rotations.geodesics(np.zeros(3), [0.3, 1.0, -0.5], starts=12)["geodesics"]
+    assert ways[0]["length"] == pytest.approx(np.sqrt(1.34)) and len(ways) > 1
+    same = rotations.geodesics([0, 0, 1], np.eye(3))["geodesics"][0]
+    np.testing.assert_allclose(same["velocity"], [0, 0, -1], atol=1e-10)
+    np.testing.assert_allclose(rotations.geodesic_between(SO3.identity(), SO3.exp([0.3, 1, -0.5])), ways[0]["velocity"], atol=1e-8)
+    # a homogeneous space, with and without a metric
+    assert af.Geometry("S^2", metric="identity").geodesics([0.7, 0], [0, 1.1])["geodesics"][0]["length"] == pytest.approx(
+        np.arccos(np.cos(0.7) * np.cos(1.1))
+    )
+    natural = af.Geometry("S^2").geodesics([0, 0], [0.3, 0.4])
+    assert natural["connection"] == "natural" and natural["geodesics"][0]["length"] is None
+    for wrong, message in [
+        (lambda: sphere.geodesics([1, 1], [1, 1]), "the end point is the start point"),
+        (lambda: sphere.geodesics([1], [1, 1]), "has 1 value"),
+        (lambda: sphere.geodesics({"psi": 1, "theta": 1}, [1, 1]), "psi"),
+        (lambda: af.Geometry("so3", metric="diag(a,1,1)").geodesics([0, 0, 0], [1, 0, 0]), "numbers for a"),
+        (lambda: af.Geometry("so3", affinities=af.LieAlgebra("so3").structure / 2).geodesics([0, 0, 0], [1, 0, 0]), "with a name"),
+        (lambda: sphere.geodesics([1, 1], [2, 2], starts=0), "positive"),
+    ]:
+        with pytest.raises(ValueError, match=message):
+            wrong()
+
+
 def test_transport_and_geodesics():
     turn = [0, 0, 2 * np.pi]
     np.testing.assert_allclose(af.Geometry("M3").subs({f"J{k}": int(k in ("11", "22", "33")) for k in ("11", "12", "13", "22", "23", "33")}).transport(turn), np.eye(3), atol=1e-13)

@@ -100,6 +100,7 @@ OTHERS = [
     ("forms", "reissner-nordstrom", "--form", "Q/r^2*dt^dr"),
     ("forms", "so3", "--form", "e1"),
     ("hypersurface", "friedmann", "--function", "t"),
+    ("hypersurface", "kerr", "--function", "t"),
     ("properties", "so3", "--metric", "diag(a,a,b)"),
     ("solve", "so3", "--metric", "diag(a,b,c)", "--for", "einstein"),
     ("solve", "so3", "--metric", "diag(1,p^3-1,q^2-1)", "--for", "einstein"),

@@ -141,7 +141,7 @@ impl HomogeneousSpace {
     /// | `CP^n`, `CH^n` | `SU(n+1)/S(U(n)xU(1))`, `SU(n,1)/S(U(n)xU(1))` |
     /// | `HP^n`, `HH^n` | `Sp(n+1)/Sp(n)xSp(1)`, `Sp(n,1)/Sp(n)xSp(1)` |
     /// | `OP^2` | `F4/Spin(9)` |
-    /// | `dS^n`, `AdS^n` | `SO(n,1)/SO(n-1,1)`, `SO(n-1,2)/SO(n-1,1)`; the signature of a multiple `c > 0` of the Killing form is `(n-1,1)` and `(1,n-1)`, of `c < 0` the opposite |
+    /// | `dS^n`, `AdS^n` | `SO(n,1)/SO(n-1,1)`, `SO(n-1,2)/SO(n-1,1)`; minus the Killing form has the signatures `(n-1,1)` and `(1,n-1)` |
     /// | `V(k,R^n)`, `V(k,C^n)`, `V(k,H^n)` | Stiefel manifolds, as `SO(n)/SO(n-k)` |
     /// | `Gr(k,R^n)`, `Gr(k,C^n)`, `Gr(k,H^n)` | Grassmann manifolds, as `SO(n)/SO(k)xSO(n-k)` |
     /// | `Fl(n)` | the full flags `SU(n)/T` |

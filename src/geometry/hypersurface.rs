@@ -74,7 +74,7 @@ impl Hypersurface {
     /// a region of this kind, the norm is positive.
     ///
     /// If the length `N` of the gradient is not a function of the engine, as the root of a sum of
-    /// sines, a new name stands for it; see [`Hypersurface::length`].
+    /// sines, a new name denotes it; see [`Hypersurface::length`].
     ///
     /// # Errors
     /// [`Error::Unsupported`] if the gradient is null; [`Error::Shape`] if the dimensions differ.

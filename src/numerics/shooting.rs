@@ -6,9 +6,8 @@ use crate::Error;
 use affinor_tensors::stop::checkpoint;
 use nalgebra::{DMatrix, DVector};
 
-/// If the miss is smaller than this multiple of the size of the unknowns, the fine tolerance is
-/// used.
-const NEAR: f64 = 1e-4;
+/// If the miss is smaller than this multiple of the largest allowed miss, the fine tolerance is used.
+const NEAR: f64 = 1e5;
 /// The change of the unknowns in central differences, relative to their size.
 const DIFFERENCE: f64 = 1e-4;
 /// The largest number of iterations from one start, and of halvings in one iteration.
@@ -68,7 +67,7 @@ pub(crate) fn newton(problem: &impl Equations, start: DVector<f64>) -> Result<Re
         if problem.is_solved(&miss) {
             break;
         }
-        if tolerance > fine && miss.norm() < NEAR * problem.size(&unknowns) {
+        if tolerance > fine && miss.norm() < NEAR * problem.allowed(&unknowns) {
             tolerance = fine;
             miss = problem.miss(&unknowns, tolerance)?;
         }

@@ -361,8 +361,8 @@ impl Definition {
             return None;
         }
         if self.has_metric() {
-            let text = "no connection given: using levi-civita, the connection of the metric";
-            return Some(text.into());
+            let missing = "no connection given";
+            return Some(format!("{missing}: using levi-civita, the connection of the metric"));
         }
         let default = if self.is_homogeneous() { "natural" } else { "zero" };
         let text = format!("no connection and no metric given: using the connection {default}");

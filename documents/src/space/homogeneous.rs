@@ -1,5 +1,7 @@
 //! Homogeneous spaces G/H in definitions, by name or by the vectors of a subalgebra.
 
+mod sum;
+
 use super::{Definition, Origin};
 use crate::Coefficient;
 use crate::input::forms::{HomogeneousText, Text};
@@ -308,32 +310,46 @@ impl Definition {
     }
 }
 
-/// The homogeneous space that a text names, if the text has the form of such a name.
+/// The homogeneous space that a text names, if the text has the form of such a name, or of a sum
+/// in which such a name occurs.
 pub(super) fn named(source: &Source) -> Option<Result<Definition, InputError>> {
     let text = source.content().trim();
+    let parts = registry::summands(text);
+    if parts.len() > 1 && parts.iter().any(|part| has_form(part.trim())) {
+        return Some(sum::of(&parts, source));
+    }
     has_form(text).then(|| {
-        let read = Embedding::find(text).and_then(|embedding| {
-            let Embedding { name, algebra, algebra_name, vectors, sentence } = embedding;
-            let coset = CosetSpace::new::<Rational>(&algebra_name, &algebra, &vectors, None)?;
-            let coset = CosetSpace { sentence: Some(sentence), ..coset };
-            let (labels, compact) = (coset.labels(), text.replace(' ', ""));
-            let origin = Origin::Homogeneous(Box::new(coset));
-            let mut definition = Definition::new(name, labels, origin);
-            if compact != definition.name {
-                definition.notes.push(format!("{text} is read as {}", definition.name));
-            }
-            Ok(definition)
-        });
-        read.map_err(|error| {
-            let help = "`affinor list` shows the families; a file accepts every subalgebra, \
-                        homogeneous = { of = \"su(3)\", by = [\"e1\"] }";
-            let error = match error {
-                Error::Name(message) => InputError::usage(message).help(help),
-                error => InputError::from(error),
-            };
-            with_nearest(error.at(&source.whole(text)), text)
-        })
+        let Embedding { name, algebra, algebra_name, vectors, sentence } = embedding(text, source)?;
+        let coset = CosetSpace::new::<Rational>(&algebra_name, &algebra, &vectors, None);
+        let coset = coset.map_err(|error| InputError::from(error).at(&source.whole(text)))?;
+        let coset = CosetSpace { sentence: Some(sentence), ..coset };
+        Ok(coset.read_as(name, text))
     })
+}
+
+/// The embedding that the name `text` means, which is a piece of `source`.
+fn embedding(text: &str, source: &Source) -> Result<Embedding, InputError> {
+    Embedding::find(text).map_err(|error| {
+        let help = "`affinor list` shows the families; a file accepts every subalgebra, \
+                    homogeneous = { of = \"su(3)\", by = [\"e1\"] }";
+        let error = match error {
+            Error::Name(message) => InputError::usage(message).help(help),
+            error => InputError::from(error),
+        };
+        with_nearest(error.at(&source.whole(text)), text)
+    })
+}
+
+impl CosetSpace {
+    /// The definition of the space with this name, which was read from a text.
+    fn read_as(self, name: String, text: &str) -> Definition {
+        let labels = self.labels();
+        let mut definition = Definition::new(name, labels, Origin::Homogeneous(Box::new(self)));
+        if text.replace(' ', "") != definition.name.replace(' ', "") {
+            definition.notes.push(format!("{text} is read as {}", definition.name));
+        }
+        definition
+    }
 }
 
 /// Adds the names of homogeneous spaces that a misspelt name may mean.

@@ -77,7 +77,7 @@ fn with_index(name: &str) -> Option<String> {
 }
 
 /// The catalogue entry with the name `part`, which is a piece of `source`.
-fn entry(part: &str, source: &Source) -> Result<Definition, InputError> {
+pub(super) fn entry(part: &str, source: &Source) -> Result<Definition, InputError> {
     const NAMES: &str =
         "`affinor list` shows the names; a file has an ending, such as .toml or .csv";
     let name = part.trim();
@@ -87,7 +87,7 @@ fn entry(part: &str, source: &Source) -> Result<Definition, InputError> {
     }
     if has_form(name) {
         let message = format!("{name} is a homogeneous space, not a Lie algebra");
-        let help = "sums and constructions consist of Lie algebras, such as so(3) + R^2";
+        let help = "this construction consists of Lie algebras, such as so(3) + R^2";
         return Err(InputError::usage(message).at(&source.whole(part)).help(help));
     }
     let error = match affinor::algebra::catalogue::find(name) {
@@ -165,7 +165,8 @@ fn suggestions(error: &CatalogueError) -> Vec<String> {
 /// with a `/` outside parentheses. The name of a homogeneous space is a path only if there is such a
 /// file.
 pub(super) fn is_path(name: &str) -> bool {
-    let has_form = has_form(&spelling::folded(name));
+    let folded = spelling::folded(name);
+    let has_form = affinor::group::registry::summands(&folded).iter().any(|part| has_form(part));
     if tables::is_inline(name) || has_form && !Path::new(name).exists() {
         return false;
     }

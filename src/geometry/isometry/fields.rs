@@ -10,7 +10,8 @@
 //!   `exp(k x)` and `exp(-k x)`. The numbers `k` that are tried are 1, the parameters of the metric and their
 //!   inverses.
 //! - For another coordinate, the candidates are Laurent monomials in the coordinate, and in the
-//!   sines, cosines, exponentials, roots and free functions that the metric contains.
+//!   sines, cosines, exponentials, roots and free functions that the metric contains. Roots of
+//!   polynomials of the metric, such as `sqrt(1 - H^2 r^2)`, are tried in a second search.
 //!
 //! The equations are first solved modulo a prime at random points, which shows the few candidates of
 //! each field. Then they are solved exactly, as identities of functions, so that every field is
@@ -46,7 +47,25 @@ pub(super) fn find(
     translations: &[Translation],
 ) -> Result<Vec<Tensor<Symbolic>>, Error> {
     let _stage = stage("fields");
-    Search::new(coordinates, metric, symmetry, translations).best(dimension)
+    let mut search = Search::new(coordinates, metric, symmetry, translations);
+    let mut fields = search.best(dimension)?;
+    // a root that the metric does not contain may change its sign, so the fields that are odd in it
+    // are sought alone
+    for (at, coordinate) in coordinates.iter().enumerate() {
+        if translations.iter().any(|translation| translation.coordinate == *coordinate) {
+            continue;
+        }
+        for functions in search.roots(coordinate) {
+            if fields.len() >= dimension {
+                return Ok(fields);
+            }
+            let own = search.with_slopes(coordinate, functions);
+            let even = std::mem::replace(&mut search.factors[at], own);
+            fields.extend(search.best(dimension - fields.len())?);
+            search.factors[at] = even;
+        }
+    }
+    Ok(fields)
 }
 
 /// A product of functions, by the index of the function of each coordinate.
@@ -88,13 +107,19 @@ impl<'a> Search<'a> {
                 Some(translation) => translation.functions(),
                 None => search.functions(coordinate),
             };
-            let factor = |(weight, function): (usize, Symbolic)| {
-                let slope = Notation::derivative(&function, coordinate);
-                Factor { weight, function, slope }
-            };
-            search.factors.push(functions.into_iter().map(factor).collect());
+            let own = search.with_slopes(coordinate, functions);
+            search.factors.push(own);
         }
         search
+    }
+
+    /// The functions of a coordinate with their derivatives.
+    fn with_slopes(&self, coordinate: &str, functions: Vec<(usize, Symbolic)>) -> Vec<Factor> {
+        let factor = |(weight, function): (usize, Symbolic)| {
+            let slope = Notation::derivative(&function, coordinate);
+            Factor { weight, function, slope }
+        };
+        functions.into_iter().map(factor).collect()
     }
 
     /// The fields of the lightest candidates that have the largest number of fields.
@@ -216,26 +241,23 @@ impl<'a> Search<'a> {
                 all.extend([(weight + 1, square), (weight + 1, below.clone() * &below)]);
             }
         }
-        all.extend(self.roots(coordinate));
         all
     }
 
-    /// Roots of the functions `f` of one coordinate `x` that the metric contains, as in `f dt^2 +
-    /// dx^2/f`, and their products with powers of `x`. Each has a weight.
-    fn roots(&self, coordinate: &str) -> Vec<(usize, Symbolic)> {
+    /// Roots of functions `f` of one coordinate `x` that the metric contains, as in `f dt^2 + dx^2/f`,
+    /// and their products with powers of `x`: a list for each `f`, with weights.
+    fn roots(&self, coordinate: &str) -> Vec<Vec<(usize, Symbolic)>> {
         let x = Symbolic::parameter(coordinate);
+        let is_other = |name: &String| name != coordinate && self.coordinates.contains(name);
         let mut arguments: Vec<Symbolic> = vec![];
         for (_, value) in self.metric.components().components() {
             for part in [value.numerator(), value.denominator()] {
-                let names = part.parameters();
+                let (names, terms) = (part.parameters(), part.terms());
+                let mut variables = terms.iter().flat_map(|(powers, _)| powers);
                 let is_own = names.iter().any(|name| name == coordinate)
-                    && !names
-                        .iter()
-                        .any(|name| name != coordinate && self.coordinates.contains(name))
-                    && part.terms().iter().all(|(powers, _)| {
-                        powers.iter().all(|(variable, _)| variable.is_parameter())
-                    });
-                if !is_own || part.terms().len() < 2 {
+                    && !names.iter().any(is_other)
+                    && variables.all(|(variable, _)| variable.is_parameter());
+                if !is_own || terms.len() < 2 {
                     continue;
                 }
                 // the root of -f is a constant multiple; f is positive near the origin
@@ -246,15 +268,14 @@ impl<'a> Search<'a> {
                 }
             }
         }
-        let mut all = vec![];
-        for argument in arguments {
-            let Ok(root) = <Symbolic as Notation>::function("sqrt", &argument) else { continue };
-            let Some(below) = root.recip() else { continue };
-            let over = x.recip().unwrap_or_default();
-            all.extend([(1, root.clone()), (1, below.clone())]);
-            all.extend([(1, below * &x), (1, root * &over)]);
-        }
-        all
+        let over = x.recip().unwrap_or_default();
+        let functions = |argument: &Symbolic| {
+            let root = <Symbolic as Notation>::function("sqrt", argument).ok()?;
+            let below = root.recip()?;
+            let others = [(1, below.clone() * &x), (1, root.clone() * &over)];
+            Some([(0, root), (1, below)].into_iter().chain(others).collect())
+        };
+        arguments.iter().filter_map(functions).collect()
     }
 
     /// The number of unknowns besides the coefficients of the candidates.

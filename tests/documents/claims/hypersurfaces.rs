@@ -73,7 +73,7 @@ fn hypersurfaces_have_their_published_curvature() {
     assert!(refused.unwrap_err().to_string().contains("null gradient"));
 }
 
-/// Without a root of the squared length of the gradient, a name N stands for the length. The
+/// Without a root of the squared length of the gradient, N is a name of the length. The
 /// intrinsic curvature of the slices, computed from their own metric, satisfies the equation of
 /// Gauss; the ellipsoid has its closed form. M. P. do Carmo, *Differential Geometry of Curves and
 /// Surfaces* (1976), section 3.3.
