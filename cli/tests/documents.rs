@@ -197,6 +197,8 @@ fn formats_names_every_key_of_every_schema() -> Outcome {
             "affinor.solve/1",
             "affinor solve so3 --metric \"diag(1,p^3-1,q^2-1)\" --for einstein".into(),
         ),
+        ("affinor.mobility/1", "affinor mobility examples/mechanisms/bennett.toml".into()),
+        ("affinor.mobility/1", "affinor mobility examples/mechanisms/bricard.toml".into()),
         ("affinor.solve/1", "affinor solve se2 --metric \"diag(a,b,c)\" --for flat".into()),
         ("affinor.rep/1", "affinor rep G2 7 --power 2 --tensor 7 --weights".into()),
         ("affinor.rep/1", "affinor rep \"SU(5)\" 10 --branch \"SU(3)xSU(2)xU(1)\"".into()),

@@ -28,6 +28,7 @@ mod heads;
 mod homogeneous;
 mod info;
 mod limits;
+mod mobility;
 mod notations;
 mod paper;
 mod plot;

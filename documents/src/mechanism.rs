@@ -8,13 +8,16 @@ use crate::input::{
     forms::{Entries, Number, Text},
     parse_keys, shown,
 };
+use crate::problem::InertiaKeys;
 use crate::space::notation::Names;
 use affinor::Error;
 use affinor::mechanism::denavit_hartenberg::{Link, closed_chain};
 use affinor::mechanism::{Joint, JointKind, Mechanism, Twist};
+use affinor_tensors::expression::Scalars;
 use affinor_tensors::{Kind, Rational, Symbolic};
 use num_traits::One;
 use serde::Deserialize;
+use serde::de::IgnoredAny;
 use std::collections::BTreeMap;
 use std::path::Path;
 
@@ -30,30 +33,48 @@ struct Keys {
     joints: Vec<JointKeys>,
     #[serde(default)]
     links: Vec<LinkKeys>,
+    // keys of problems of motion, which the mobility does not use
+    #[serde(rename = "gravity")]
+    _gravity: Option<IgnoredAny>,
+    #[serde(rename = "initial")]
+    _initial: Option<IgnoredAny>,
+    #[serde(rename = "forces")]
+    _forces: Option<IgnoredAny>,
+    #[serde(rename = "integrator")]
+    _integrator: Option<IgnoredAny>,
+    #[serde(rename = "output")]
+    _output: Option<IgnoredAny>,
+    #[serde(rename = "quantities")]
+    _quantities: Option<IgnoredAny>,
+    #[serde(rename = "events")]
+    _events: Option<IgnoredAny>,
 }
 
 /// A table `[[bodies]]`.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct BodyKeys {
-    name: Text,
+pub(crate) struct BodyKeys {
+    pub name: Text,
     #[serde(default)]
-    fixed: bool,
+    pub fixed: bool,
+    pub inertia: Option<InertiaKeys>,
 }
 
 /// A table `[[joints]]`.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct JointKeys {
-    name: Option<Text>,
+pub(crate) struct JointKeys {
+    pub name: Option<Text>,
     #[serde(rename = "type")]
-    kind: Text,
-    bodies: Vec<Text>,
-    at: Option<Vec<Number>>,
-    axis: Option<Vec<Number>>,
-    second_axis: Option<Vec<Number>>,
-    pitch: Option<Number>,
-    twists: Option<Vec<Vec<Number>>>,
+    pub kind: Text,
+    pub bodies: Vec<Text>,
+    pub at: Option<Vec<Number>>,
+    pub axis: Option<Vec<Number>>,
+    pub second_axis: Option<Vec<Number>>,
+    pub pitch: Option<Number>,
+    pub twists: Option<Vec<Vec<Number>>>,
+    /// The initial rate, about or along an axis of length 1.
+    pub rate: Option<Number>,
 }
 
 /// A table `[[links]]`: a link of a closed chain of revolute joints.
@@ -172,7 +193,12 @@ impl Reader<'_> {
             }
         }
         for (name, number) in table.iter().flat_map(|table| &table.0) {
-            let value = self.scalar(number)?;
+            // later values may depend on this one, so an option replaces it at once
+            let own = given.iter().position(|(given, _)| *given == name.content);
+            let value = match own {
+                Some(at) => given.remove(at).1,
+                None => self.scalar(number)?,
+            };
             self.values.insert(name.content.clone(), value);
         }
         self.values.extend(given);
@@ -182,11 +208,13 @@ impl Reader<'_> {
     fn scalar(&self, Number(text): &Number) -> Result<Symbolic, InputError> {
         let source = self.source.excerpt(text);
         let labels = BTreeMap::new();
-        let value = Names::open(&labels, None).scalar(source.content(), &source)?;
-        value.substitute(&self.values).ok_or_else(|| {
-            let message = format!("`{}` has no value for these parameters", shown(text));
-            InputError::mathematics(message).at(&self.source.at(text))
-        })
+        let names = Names::open(&labels, None);
+        let name = |name: &str| match self.values.get(name) {
+            Some(value) => Ok(value.clone()),
+            None => names.parameter(name),
+        };
+        let function = |name: &str, arguments: &[Symbolic]| names.call(name, arguments);
+        names.read(source.content(), &source, &Scalars(name, function))
     }
 
     fn vector<const N: usize>(
@@ -234,27 +262,10 @@ impl Reader<'_> {
                 let own = keys.name.as_ref().map_or(place, |name| self.source.at(name));
                 return Err(InputError::usage(message).at(&own).help("choose another name"));
             }
-            let mut ends = vec![];
-            for body in &keys.bodies {
-                let found = names.iter().position(|name| *name == body.content);
-                ends.push(found.ok_or_else(|| self.no_body(body, &names))?);
-            }
-            let Ok(ends) = <[usize; 2]>::try_from(ends) else {
-                let found = keys.bodies.len();
-                let message = format!("joint `{}` connects {found} bodies", shown(&name));
-                let error = InputError::usage(message).at(&place);
-                return Err(error.help("a joint connects two bodies: bodies = [\"a\", \"b\"]"));
-            };
-            if ends[0] == ends[1] {
-                let body = shown(&names[ends[0]]);
-                let message = format!("joint `{}` connects `{body}` with itself", shown(&name));
-                let error = InputError::usage(message).at(&self.source.at(&keys.bodies[1]));
-                return Err(error.help("name two different bodies"));
-            }
+            let ends = ends(keys, &name, &names, self.source, at)?;
             all.push(self.joint(at, keys)?.between(name, ends));
         }
-        let fixed: Vec<usize> =
-            (0..bodies.len()).filter(|at| bodies[*at].fixed).collect();
+        let fixed: Vec<usize> = (0..bodies.len()).filter(|at| bodies[*at].fixed).collect();
         let place = self.source.key("bodies");
         Mechanism::new(names, &fixed, all).map_err(|error| {
             let help = "connect every body by a joint, directly or through other bodies";
@@ -262,53 +273,9 @@ impl Reader<'_> {
         })
     }
 
-    fn no_body(&self, body: &Text, names: &[String]) -> InputError {
-        let message = format!("there is no body `{}`", shown(body));
-        let error = InputError::usage(message).at(&self.source.at(body));
-        let distance = |name: &&String| strsim::damerau_levenshtein(name, body);
-        let near = names.iter().filter(|name| body.len() < 32 && distance(name) < 3);
-        error.help(match near.min_by_key(distance) {
-            Some(name) => format!("did you mean `{name}`?"),
-            None => format!("the bodies are {}", names.join(", ")),
-        })
-    }
-
     fn joint(&self, at: usize, keys: &JointKeys) -> Result<Joint<Symbolic>, InputError> {
-        let place = self.source.at(&keys.kind);
-        let Some(kind) = JointKind::from_name(&keys.kind) else {
-            let message = format!("there is no joint of the type `{}`", shown(&keys.kind));
-            let names = JointKind::ALL.map(JointKind::name);
-            let distance = |name: &&str| strsim::damerau_levenshtein(name, &keys.kind);
-            let near = names.into_iter().filter(|name| distance(name) < 4);
-            let help = match near.min_by_key(distance) {
-                Some(name) => format!("did you mean `{name}`?"),
-                None => format!("the types are {}", names.join(", ")),
-            };
-            return Err(InputError::usage(message).at(&place).help(help));
-        };
-        let [needed, optional]: [&[&str]; 2] = match kind {
-            JointKind::Revolute | JointKind::Cylindrical => [&["at", "axis"], &[]],
-            JointKind::Helical => [&["at", "axis", "pitch"], &[]],
-            JointKind::Prismatic | JointKind::Planar => [&["axis"], &["at"]],
-            JointKind::Spherical => [&["at"], &[]],
-            JointKind::Universal => [&["at", "axis", "second_axis"], &[]],
-            JointKind::Fixed => [&[], &["at"]],
-            JointKind::Subgroup => [&["twists"], &[]],
-        };
+        let kind = kind(keys, self.source, at)?;
         let own = |key: &str| format!("joints.{at}.{key}");
-        for key in ["at", "axis", "second_axis", "pitch", "twists"] {
-            let given = self.source.has_key(&own(key));
-            let name = kind.name();
-            if needed.contains(&key) && !given {
-                let message = format!("a {name} joint needs the key `{key}`");
-                return Err(InputError::usage(message).at(&place).help(example(key)));
-            }
-            if given && !needed.contains(&key) && !optional.contains(&key) {
-                let message = format!("a {name} joint does not use the key `{key}`");
-                let error = InputError::usage(message).at(&self.source.key(&own(key)));
-                return Err(error.help("leave the key out"));
-            }
-        }
         let list = |key: &str, list: &Option<Vec<Number>>| match list {
             Some(list) => self.vector::<3>(list, &self.source.key(&own(key))),
             None => Ok(std::array::from_fn(|_| Symbolic::default())),
@@ -430,9 +397,86 @@ fn example(key: &str) -> String {
     match key {
         "at" => "give a point in ground coordinates, as in at = [0, 0, 1]".into(),
         "pitch" => "give the translation per radian, as in pitch = \"1/10\"".into(),
-        "twists" => {
-            "give a basis of the subalgebra, as in twists = [[0, 0, 1, 0, 0, 0]]".into()
-        }
+        "twists" => "give a basis of the subalgebra, as in twists = [[0, 0, 1, 0, 0, 0]]".into(),
         key => format!("give a vector in ground coordinates, as in {key} = [0, 0, 1]"),
     }
+}
+
+/// The indices of the two bodies of a joint.
+pub(crate) fn ends(
+    keys: &JointKeys,
+    name: &str,
+    names: &[String],
+    source: &Source,
+    at: usize,
+) -> Result<[usize; 2], InputError> {
+    let mut ends = vec![];
+    for body in &keys.bodies {
+        let found = names.iter().position(|own| *own == body.content);
+        ends.push(found.ok_or_else(|| no_body(body, names, source))?);
+    }
+    let Ok(ends) = <[usize; 2]>::try_from(ends) else {
+        let found = keys.bodies.len();
+        let message = format!("joint `{}` connects {found} bodies", shown(name));
+        let error = InputError::usage(message).at(&source.key(&format!("joints.{at}.bodies")));
+        return Err(error.help("a joint connects two bodies: bodies = [\"a\", \"b\"]"));
+    };
+    if ends[0] == ends[1] {
+        let body = shown(&names[ends[0]]);
+        let message = format!("joint `{}` connects `{body}` with itself", shown(name));
+        let error = InputError::usage(message).at(&source.at(&keys.bodies[1]));
+        return Err(error.help("name two different bodies"));
+    }
+    Ok(ends)
+}
+
+fn no_body(body: &Text, names: &[String], source: &Source) -> InputError {
+    let message = format!("there is no body `{}`", shown(body));
+    let error = InputError::usage(message).at(&source.at(body));
+    let distance = |name: &&String| strsim::damerau_levenshtein(name, body);
+    let near = names.iter().filter(|name| body.len() < 32 && distance(name) < 3);
+    error.help(match near.min_by_key(distance) {
+        Some(name) => format!("did you mean `{name}`?"),
+        None => format!("the bodies are {}", names.join(", ")),
+    })
+}
+
+/// The type of a joint, whose keys are checked.
+pub(crate) fn kind(keys: &JointKeys, source: &Source, at: usize) -> Result<JointKind, InputError> {
+    let place = source.at(&keys.kind);
+    let Some(kind) = JointKind::from_name(&keys.kind) else {
+        let message = format!("there is no joint of the type `{}`", shown(&keys.kind));
+        let names = JointKind::ALL.map(JointKind::name);
+        let distance = |name: &&str| strsim::damerau_levenshtein(name, &keys.kind);
+        let near = names.into_iter().filter(|name| distance(name) < 4);
+        let help = match near.min_by_key(distance) {
+            Some(name) => format!("did you mean `{name}`?"),
+            None => format!("the types are {}", names.join(", ")),
+        };
+        return Err(InputError::usage(message).at(&place).help(help));
+    };
+    let [needed, optional]: [&[&str]; 2] = match kind {
+        JointKind::Revolute | JointKind::Cylindrical => [&["at", "axis"], &[]],
+        JointKind::Helical => [&["at", "axis", "pitch"], &[]],
+        JointKind::Prismatic | JointKind::Planar => [&["axis"], &["at"]],
+        JointKind::Spherical => [&["at"], &[]],
+        JointKind::Universal => [&["at", "axis", "second_axis"], &[]],
+        JointKind::Fixed => [&[], &["at"]],
+        JointKind::Subgroup => [&["twists"], &[]],
+    };
+    let own = |key: &str| format!("joints.{at}.{key}");
+    for key in ["at", "axis", "second_axis", "pitch", "twists"] {
+        let given = source.has_key(&own(key));
+        let name = kind.name();
+        if needed.contains(&key) && !given {
+            let message = format!("a {name} joint needs the key `{key}`");
+            return Err(InputError::usage(message).at(&place).help(example(key)));
+        }
+        if given && !needed.contains(&key) && !optional.contains(&key) {
+            let message = format!("a {name} joint does not use the key `{key}`");
+            let error = InputError::usage(message).at(&source.key(&own(key)));
+            return Err(error.help("leave the key out"));
+        }
+    }
+    Ok(kind)
 }

@@ -18,6 +18,8 @@ mod geodesic;
 mod initial;
 mod integration;
 mod integrator;
+#[cfg(feature = "mechanisms")]
+mod joined;
 mod keys;
 mod lie_poisson;
 mod matrix_flow;
@@ -30,6 +32,8 @@ mod reader;
 mod ready;
 mod solid;
 
+#[cfg(feature = "mechanisms")]
+pub(crate) use body::InertiaKeys;
 pub use geodesic::{Connecting, geodesics};
 pub use integration::{Integration, Progress};
 pub use ready::{Column, Factor, Ready};
@@ -68,6 +72,8 @@ pub struct Problem {
     integrator: Integrator,
     output: Output,
     ensemble: Option<Ensemble>,
+    /// Warnings about the joints of bodies.
+    notes: Vec<String>,
 }
 
 #[derive(Clone, Debug)]
@@ -190,6 +196,13 @@ impl Problem {
         }
         let ensemble = keys.ensemble.as_ref();
         let ensemble = ensemble.map(|keys| Ensemble::read(keys, &mut reader)).transpose()?;
+        #[cfg(feature = "mechanisms")]
+        let (keys, notes) = match keys.bodies.is_some() || keys.joints.is_some() {
+            true => joined::on_product(keys, &reader, &values)?,
+            false => (keys, vec![]),
+        };
+        #[cfg(not(feature = "mechanisms"))]
+        let notes = vec![];
         let values = values.into_iter().chain(std::iter::repeat(None));
         let parameters = reader.names.iter().cloned().zip(values);
         let stem = Path::new(&source.name).file_stem();
@@ -202,6 +215,7 @@ impl Problem {
             output: Output::read(&keys, &reader)?,
             class: Class::read(&keys, &reader)?,
             ensemble,
+            notes,
             files: reader.into_files(),
             source,
         })
@@ -463,7 +477,8 @@ impl Problem {
         let times = self.output.times.at(&self.source, &values_of(&parameters))?;
         let (source, integrator, output) = (&self.source, &self.integrator, &self.output);
         let member = Member { source, parameters, times, integrator, output };
-        let ready = self.class.motion(&member)?;
+        let mut ready = self.class.motion(&member)?;
+        ready.notes.extend(self.notes.iter().cloned());
         integrator.expect_no_ignored_keys(ready.method, source)?;
         let of_ensemble =
             self.ensemble.as_ref().map_or(vec![], |_| [vec!["member"], self.varied()].concat());

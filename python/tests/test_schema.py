@@ -99,6 +99,7 @@ OTHERS = [
     ("spacetime", "pp-wave"),
     ("forms", "reissner-nordstrom", "--form", "Q/r^2*dt^dr"),
     ("forms", "so3", "--form", "e1"),
+    ("mobility", "examples/mechanisms/bricard.toml"),
     ("hypersurface", "friedmann", "--function", "t"),
     ("hypersurface", "kerr", "--function", "t"),
     ("properties", "so3", "--metric", "diag(a,a,b)"),

@@ -115,7 +115,7 @@ const EXAMPLES: [(&str, [&str; 2]); 29] = [
     (
         "mobility",
         [
-            "affinor mobility examples/mechanisms/bricard_orthogonal.toml",
+            "affinor mobility examples/mechanisms/bricard.toml",
             "affinor mobility examples/mechanisms/bennett.toml --format json",
         ],
     ),

@@ -18,7 +18,7 @@ use serde::Deserialize;
 /// The table `[inertia]`: a rigid body, or the body of one factor of a group.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(super) struct InertiaKeys {
+pub(crate) struct InertiaKeys {
     pub about: Option<PointText>,
     pub parts: Option<Vec<PartKeys>>,
     pub moments: Option<Vec<Number>>,
@@ -29,7 +29,7 @@ pub(super) struct InertiaKeys {
 /// A part of a body.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(super) struct PartKeys {
+pub(crate) struct PartKeys {
     pub shape: Option<Text>,
     pub mesh: Option<Text>,
     pub edges: Option<Vec<Number>>,

@@ -7,6 +7,8 @@ use super::initial::InitialKeys;
 use crate::input::forms::{
     Entries, Formulas, MetricText, Number, OneOrEach, OneOrMore, Text, VectorText,
 };
+#[cfg(feature = "mechanisms")]
+use crate::mechanism::{BodyKeys, JointKeys};
 use crate::space::document::Document;
 use serde::Deserialize;
 
@@ -105,6 +107,12 @@ pub(super) struct Keys {
     pub name: Option<String>,
     pub space: Option<Text>,
     pub definition: Option<Document>,
+    #[cfg(feature = "mechanisms")]
+    pub bodies: Option<Vec<BodyKeys>>,
+    #[cfg(feature = "mechanisms")]
+    pub joints: Option<Vec<JointKeys>>,
+    #[cfg(feature = "mechanisms")]
+    pub gravity: Option<Vec<Number>>,
     pub metric: Option<MetricText>,
     pub inertia: Option<OneOrEach<InertiaKeys>>,
     pub connection: Option<Text>,

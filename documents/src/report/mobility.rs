@@ -152,7 +152,10 @@ fn grid<S: Coefficient>(
     let redundant = mobility.equations - mobility.rank;
     row("redundant", redundant.to_string(), "equations that follow from the others".into());
     let determined = mobility.determined(mechanism);
-    let undetermined: Vec<String> = mechanism.joints().iter().zip(&determined)
+    let undetermined: Vec<String> = mechanism
+        .joints()
+        .iter()
+        .zip(&determined)
         .filter(|(_, determined)| !**determined)
         .map(|(joint, _)| printable(&joint.name))
         .collect();

@@ -77,7 +77,7 @@ impl<'n> Names<'n> {
     }
 
     /// Evaluates a function of coordinates, or the square root of a square.
-    pub(super) fn call(&self, name: &str, arguments: &[Symbolic]) -> Result<Symbolic, String> {
+    pub(crate) fn call(&self, name: &str, arguments: &[Symbolic]) -> Result<Symbolic, String> {
         self.functions.map_or_else(
             || functions::without_chart(name, arguments),
             |functions| functions.call(name, arguments),
@@ -115,7 +115,7 @@ impl<'n> Names<'n> {
         format!("the basis is {}{more}", first.join(", "))
     }
 
-    pub(super) fn parameter(&self, name: &str) -> Result<Symbolic, String> {
+    pub(crate) fn parameter(&self, name: &str) -> Result<Symbolic, String> {
         if is_no_number(name) {
             return Err(format!("`{name}` is not a number"));
         }

@@ -48,11 +48,7 @@ impl<S: Ring> Mechanism<S> {
     /// # Errors
     /// [`Error::Invalid`] if a joint has a body that does not exist, or connects a body with
     /// itself, or if a body is not connected to the ground.
-    pub fn new(
-        bodies: Vec<String>,
-        fixed: &[usize],
-        joints: Vec<Joint<S>>,
-    ) -> Result<Self, Error> {
+    pub fn new(bodies: Vec<String>, fixed: &[usize], joints: Vec<Joint<S>>) -> Result<Self, Error> {
         let invalid = |reason: String| Error::Invalid { what: "mechanism", reason };
         if bodies.is_empty() {
             return Err(invalid("it has no bodies".into()));
@@ -73,8 +69,7 @@ impl<S: Ring> Mechanism<S> {
                 return Err(invalid(reason));
             }
             if a == b || (is_fixed[a] && is_fixed[b]) {
-                let reason =
-                    format!("joint `{}` connects `{}` with itself", joint.name, bodies[a]);
+                let reason = format!("joint `{}` connects `{}` with itself", joint.name, bodies[a]);
                 return Err(invalid(reason));
             }
         }

@@ -6,9 +6,9 @@ use super::joint::rigid_motions;
 use super::subgroups::{Division, division, generated};
 use super::symmetry::{Symmetry, symmetry};
 use super::twist::Twist;
+use crate::tensors::Kind;
 use crate::tensors::linear::Matrix;
 use crate::{Error, Field, Notation, Scalar};
-use crate::tensors::Kind;
 
 /// The order of expansions over numbers.
 const ORDER: usize = 10;
@@ -174,7 +174,9 @@ impl<S: Field + Scalar + Notation> Mobility<S> {
         self.verdict = match (bent, count) {
             (true, 1) => exact(0, Reason::Obstructed(2)),
             // the zeros of a form that does not vanish have a smaller dimension
-            (true, _) => Verdict { lower: 0, upper: count - 1, reasons: vec![Reason::Obstructed(2)] },
+            (true, _) => {
+                Verdict { lower: 0, upper: count - 1, reasons: vec![Reason::Obstructed(2)] }
+            }
             _ => Verdict { lower: 0, upper: count, reasons: vec![Reason::Rates(count)] },
         };
         if self.verdict.upper == 0 {
@@ -198,8 +200,7 @@ impl<S: Field + Scalar + Notation> Mobility<S> {
         let expansion = Expansion::new(mechanism, jacobian, &self.rates[0], order)?;
         self.tested = expansion.obstructed.map_or(order, |order| order - 1);
         if let Some(order) = expansion.obstructed {
-            self.verdict =
-                Verdict { lower: 0, upper: 0, reasons: vec![Reason::Obstructed(order)] };
+            self.verdict = Verdict { lower: 0, upper: 0, reasons: vec![Reason::Obstructed(order)] };
         } else if S::KIND != Kind::Float {
             for degree in 1..=DEGREE {
                 if let Some(curve) = expansion.rational_curve(mechanism, degree)? {

@@ -133,8 +133,7 @@ fn isometry<S: Field + Scalar>(
     // R a_k = sign b_k, where the rows of `from` are a_k: from R^T = sign to
     let Some(inverse) = from.inverse() else { return Ok(None) };
     let dense = inverse.mul(&to)?.transpose().to_dense();
-    let proper: [[S; 3]; 3] =
-        std::array::from_fn(|i| std::array::from_fn(|k| dense[i][k].clone()));
+    let proper: [[S; 3]; 3] = std::array::from_fn(|i| std::array::from_fn(|k| dense[i][k].clone()));
     let determinant = Matrix::from_dense(&dense)?.determinant()?;
     // w is an axial vector: an isometry R maps it by det(R) R, whose determinant is 1
     if !(determinant - &S::one()).vanishes() {
