@@ -149,11 +149,11 @@ impl<W: Word> Packing<W> {
         while let Some((weight, image)) = open.pop() {
             visit(image);
             let first = self.first_negative(weight);
-            for i in 0..first {
+            for (i, step) in steps.iter().enumerate().take(first) {
                 let label = self.label(weight, i);
                 if label > 0 {
                     let child = minus(weight, label, self.roots[i]);
-                    open.push((child, minus(image, label, steps[i])));
+                    open.push((child, minus(image, label, *step)));
                 }
             }
             for &i in self.later.get(first).into_iter().flatten() {
