@@ -9,7 +9,7 @@
 //! - [`Subalgebra`]: branching rules, by a projection of weights, by simple roots, by a
 //!   representation or by vectors;
 //! - [`MatrixRepresentation`]: the matrices of an irreducible representation, with invariant forms;
-//! - [`clebsch_gordan`], [`wigner_3j`], [`wigner_6j`], [`real_coupling`]: coupling of spins.
+//! - [`Coupling`], [`clebsch_gordan`], [`wigner_3j`], [`wigner_6j`], [`real_coupling`]: coupling of spins.
 //!
 //! Weights are lists of integers: the Dynkin labels `<λ, α_i^∨>` of each simple factor, whose
 //! simple roots are numbered as in Bourbaki, then one charge for each abelian factor.
@@ -48,7 +48,7 @@ pub use algebra::ReductiveAlgebra;
 pub use character::Character;
 pub use class::Indicator;
 pub use clebsch_gordan::{
-    MAX_SPIN, SignedRoot, Spin, clebsch_gordan, real_coupling, wigner_3j, wigner_6j,
+    Coupling, MAX_SPIN, SignedRoot, Spin, clebsch_gordan, real_coupling, wigner_3j, wigner_6j,
 };
 pub use decomposition::Decomposition;
 pub use error::RepresentationError;

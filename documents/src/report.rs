@@ -58,7 +58,7 @@ pub use code::{Language, Programmed, tensors_as_code};
 pub use comparison::{ComparedSide, Comparison};
 pub use components::{GROUPED, Group, groups, independent};
 pub use computation::{Compared, Computation, SIMPLIFIED_AT_POINTS, Selection, TableReport};
-pub use coupling::{CouplingKind, CouplingReport};
+pub use coupling::{CouplingCoefficient, CouplingKind, CouplingReport, MAX_COEFFICIENTS};
 pub use equations::EquationReport;
 pub use forms::FormReport;
 pub use geodesics::Geodesics;

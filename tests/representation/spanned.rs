@@ -217,3 +217,36 @@ fn other_spans_are_rejected_with_a_witness() {
     let zero = Subalgebra::spanned(&a2, []).unwrap();
     assert_eq!(zero.algebra().to_string(), "T0");
 }
+
+/// Each of eight equal factors is found: the diagonal of the last two in the sum of eight algebras.
+#[test]
+fn many_equal_factors_are_numbered() {
+    let eight = algebra(&["A1"; 8].join(" + "));
+    let brackets = eight.chevalley_algebra().unwrap();
+    let at = |label: &str| brackets.labels().iter().position(|own| own == label).unwrap();
+    let one = || Rational::from(1);
+    for (first, second) in [(6, 7), (0, 3)] {
+        let vectors = ["e1", "f1", "h1"].map(|name| {
+            let [a, b] = [first, second].map(|k| at(&format!("{name}_{}", k + 1)));
+            vec![(a, one()), (b, one())]
+        });
+        let found = Subalgebra::spanned(&eight, vectors).unwrap();
+        let expected: Vec<i64> = (0..8).map(|k| i64::from(k == first || k == second)).collect();
+        assert_eq!(found.projection(), [expected]);
+    }
+}
+
+/// The half-spin representations of large orthogonal algebras are not distinguished, and the
+/// description states this.
+#[test]
+fn undetermined_numberings_are_stated() {
+    for (name, is_determined) in [("D5", true), ("D11", false)] {
+        let ambient = algebra(name);
+        let e1 = vector(&ambient, &[("e1", 1)]);
+        let f1 = vector(&ambient, &[("f1", 1)]);
+        let h1 = vector(&ambient, &[("h1", 1)]);
+        let found = Subalgebra::spanned(&ambient, [e1, f1, h1]).unwrap();
+        assert_eq!(found.description().contains("exchange"), !is_determined, "{name}");
+        assert_eq!(found.embedding_index(), [[1]]);
+    }
+}

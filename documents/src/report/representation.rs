@@ -94,7 +94,7 @@ impl Report for RepresentationReport {
 }
 
 /// Errors of limits and of restrictions are mathematical; all others are errors of usage.
-fn failure(error: RepresentationError) -> InputError {
+pub(super) fn failure(error: RepresentationError) -> InputError {
     match error {
         RepresentationError::TooLarge { .. } | RepresentationError::NotACharacter { .. } => {
             InputError::mathematics(error.to_string())
@@ -165,7 +165,16 @@ impl State {
         text: &str,
         brackets: Option<&LieAlgebra<Rational>>,
     ) -> Result<(), InputError> {
-        let subalgebra = match text.trim().strip_prefix("span ") {
+        let text = text.trim();
+        let span =
+            text.strip_prefix("span").filter(|rest| !rest.starts_with(char::is_alphanumeric));
+        let subalgebra = match span.map(str::trim) {
+            Some("") => {
+                let error = InputError::usage("`span` is not followed by vectors");
+                return Err(
+                    error.help("write vectors of the basis, such as `span e1 - f1, e2 - f2`")
+                );
+            }
             Some(vectors) => spanned(self.value.algebra(), vectors, brackets)?,
             None => Subalgebra::parse(self.value.algebra(), text).map_err(failure)?,
         };
