@@ -2,7 +2,7 @@
 //!
 //! - [`ReductiveAlgebra`]: a sum of simple types and abelian factors; [`diagram`]: Dynkin diagrams;
 //! - [`HighestWeight`]: an irreducible representation by its Dynkin labels, with its dimension, its
-//!   dual, its indicator, its index and its Casimir eigenvalue; [`names`]: `10` and `5bar`;
+//!   dual, its indicator, its index and its Casimir eigenvalues; [`names`]: `10` and `5bar`;
 //! - [`Character`]: the dominant weights of a representation with their multiplicities;
 //! - [`Decomposition`]: multiplicities of irreducible representations; `products`, `powers`: tensor
 //!   products, symmetric and exterior powers, Schur functors;
@@ -25,6 +25,7 @@
 //! ```
 
 mod algebra;
+mod casimirs;
 mod character;
 mod class;
 mod clebsch_gordan;
@@ -45,6 +46,7 @@ mod subalgebra;
 mod weyl;
 
 pub use algebra::ReductiveAlgebra;
+pub use casimirs::CasimirElement;
 pub use character::Character;
 pub use class::Indicator;
 pub use clebsch_gordan::{

@@ -63,7 +63,7 @@ pub use equations::EquationReport;
 pub use forms::FormReport;
 pub use geodesics::Geodesics;
 pub use hypersurface::HypersurfaceReport;
-pub use info::{Info, dynkin_type};
+pub use info::{Coefficients, Info, dynkin_type};
 pub use isometries::Isometries;
 pub use latex::{components_in_latex, labelled_in_latex};
 pub use lists::{catalogue, catalogue_where, certificate, conventions, listing};
