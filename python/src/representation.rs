@@ -52,8 +52,8 @@ pub fn _representation_matrices(
     run(py, || written(&MatrixReport::new(&algebra(name)?, weight, all)?, Format::Json))
 }
 
-/// Coupling coefficients of two spins with a third one, or a 6j symbol: the positions in an array with the indices
-/// `m1 + j1`, `m2 + j2`, `m + j`, in row-major order, and the values: floats, or squares with the signs of the coefficients.
+/// Coupling coefficients of two spins with a third one, or a 6j symbol. Returns positions in an array with the indices
+/// `m1 + j1`, `m2 + j2`, `m + j`, in row-major order, and values. The values are floats, or signed squares.
 #[pyfunction]
 pub fn _coupling<'py>(
     py: Python<'py>,

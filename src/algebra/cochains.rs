@@ -115,26 +115,24 @@ pub(crate) fn relative_cohomology<S: Field + Scalar>(
         let mut inside: Vec<Row<S>> = vec![];
         let mut outside: Vec<Vec<Row<S>>> = vec![vec![]; n - r];
         let columns: HashMap<Indices, usize> = own.iter().copied().zip(0..).collect();
-        for &set in &own {
+        for (set, v) in own.iter().flat_map(|set| (0..m).map(move |v| (*set, v))) {
             checkpoint();
-            for v in 0..m {
-                let terms = differential(n, |j| products.of(j), |j| &images[j][v][..], set, v);
-                let mut row = vec![];
-                let mut rest: Vec<Row<S>> = vec![vec![]; n - r];
-                for (to, w, minus, value) in terms {
-                    let value = if minus { -value.clone() } else { value.clone() };
-                    match to & !inner {
-                        0 => row.extend(places.get(&to).map(|at| (at * m + w, value))),
-                        x => {
-                            let remaining = columns.get(&(to & inner));
-                            let x = x.trailing_zeros() as usize - r;
-                            rest[x].extend(remaining.map(|at| (at * m + w, value)));
-                        }
+            let terms = differential(n, |j| products.of(j), |j| &images[j][v][..], set, v);
+            let mut row = vec![];
+            let mut rest: Vec<Row<S>> = vec![vec![]; n - r];
+            for (to, w, minus, value) in terms {
+                let value = if minus { -value.clone() } else { value.clone() };
+                match to & !inner {
+                    0 => row.extend(places.get(&to).map(|at| (at * m + w, value))),
+                    x => {
+                        let remaining = columns.get(&(to & inner));
+                        let x = x.trailing_zeros() as usize - r;
+                        rest[x].extend(remaining.map(|at| (at * m + w, value)));
                     }
                 }
-                inside.push(collected(row));
-                outside.iter_mut().zip(rest).for_each(|(all, row)| all.push(collected(row)));
             }
+            inside.push(collected(row));
+            outside.iter_mut().zip(rest).for_each(|(all, row)| all.push(collected(row)));
         }
         let image = |rows: &Vec<Row<S>>, form: &[(usize, S)]| Ok(applied(rows, form));
         let preserved =

@@ -22,9 +22,9 @@ pub enum CasimirElement {
 
 impl HighestWeight {
     /// The eigenvalue of `tr_U(A^p)`, where `A` is the sum of `x_a ⊗ x^a` over dual bases of a simple
-    /// factor, and the trace is taken in its defining representation `U`: of dimension `n + 1` for
-    /// `A_n`, `2n + 1` for `B_n`, `2n` for `C_n` and `D_n`, and 7, 26, 27, 56, 248 for G2, F4, E6, E7,
-    /// E8. Long roots have squared length 2. For `p = 2` it is the Casimir eigenvalue times the
+    /// factor. The trace is taken in its defining representation `U`. The dimension of `U` is `n + 1`
+    /// for `A_n`, `2n + 1` for `B_n`, and `2n` for `C_n` and `D_n`. It is 7 for G2, 26 for F4, and 27, 56,
+    /// 248 for E6, E7, E8. Long roots have squared length 2. For `p = 2` it is the Casimir eigenvalue times the
     /// Dynkin index of `U`.
     ///
     /// On a component `V_μ` of `V ⊗ U`, the operator `A` is the number `(C(μ) - C(λ) - C(U))/2`, with
@@ -86,8 +86,8 @@ impl HighestWeight {
         Some(BigRational::new(product, BigInt::one() << labels.len()).into())
     }
 
-    /// The Casimir elements of each simple factor with their eigenvalues: traces in the degrees of the
-    /// algebra, which are the exponents plus 1, and for series D the Pfaffian instead of the trace of
+    /// The Casimir elements of each simple factor with their eigenvalues. They are traces in the degrees
+    /// of the algebra, which are the exponents plus 1. For series D, the Pfaffian replaces the trace of
     /// degree `n`.
     ///
     /// # Errors

@@ -122,7 +122,9 @@ impl SignedRoot {
 
     /// The number `sum sqrt(above/below)`.
     fn product(sum: BigInt, above: BigInt, below: BigInt) -> Self {
-        let square = Rational::from(BigRational::new(above * &sum * &sum, below));
+        // both factors are in lowest terms, so that only the faster product of `Rational` reduces
+        let inverse = Rational::from(BigRational::new_raw(BigInt::one(), below));
+        let square = Rational::from(BigRational::from_integer(above * &sum * &sum)) * &inverse;
         SignedRoot(if sum.is_negative() { -square } else { square })
     }
 
@@ -165,7 +167,7 @@ pub fn clebsch_gordan(first: [Spin; 2], second: [Spin; 2], total: [Spin; 2]) -> 
         .map_or_else(SignedRoot::zero, |coupling| coupling.coefficient(m1, m2))
 }
 
-/// The coefficients `<j1 m1 j2 m2 | j m1+m2>` of three spins. A value of this type keeps the binomial
+/// The coefficients `<j1 m1 j2 m2 | j m1+m2>` of three spins. A value of this type contains the binomial
 /// coefficients that all coefficients share.
 ///
 /// With `a = j1+j2-j`, `p = j1-m1` and `q = j2+m2`, the coefficient is the product of the integer

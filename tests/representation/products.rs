@@ -131,7 +131,8 @@ fn irreducible(algebra: &ReductiveAlgebra, most: u32) -> Vec<HighestWeight> {
 }
 
 /// Prints the seconds for the tensor squares of all irreducible representations up to dimension
-/// 100,000 (1000 for rank 1 and 2, whose squares have as many components) of all types of rank at most 8.
+/// 100,000, of all types of rank at most 8. The limit for rank 1 and 2 is 1000, because their squares
+/// have many components.
 #[test]
 #[ignore = "a measurement, for release builds: run with --ignored --nocapture"]
 fn squares_of_all_representations() {

@@ -61,9 +61,8 @@ fn of(texts: &[&str]) -> BTreeSet<String> {
     texts.iter().map(|text| text.to_string()).collect()
 }
 
-/// Whether the components are the expected ones up to the choices of a subalgebra by vectors: a
-/// permutation of equal simple factors, the dual numbering of factors of series A, and the signs of the
-/// charges.
+/// Whether the components are the expected ones up to the choices of a subalgebra by vectors. These
+/// are the order of equal simple factors, the dual numbering of series A, and the signs of charges.
 fn is_renumbered(sum: &Decomposition, expected: &BTreeMap<Vec<i64>, i128>) -> bool {
     let algebra = sum.algebra();
     let factors = algebra.simple_factors();

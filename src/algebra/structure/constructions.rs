@@ -106,7 +106,7 @@ impl<S: GroundField> StructureTheory<S> {
         let minus =
             |row: Row<S>| row.into_iter().map(|(at, value)| (at, -value)).collect::<Row<S>>();
         let labels = self.algebra.labels();
-        for at in 0..n {
+        for (at, label) in labels.iter().enumerate() {
             let d = |j: usize| module.image(at, j);
             for j in 0..m {
                 let ad = on.products.ad(&[(j, S::one())]);
@@ -117,7 +117,7 @@ impl<S: GroundField> StructureTheory<S> {
                     let residual = collected([left, minus(right)].concat());
                     if !residual.is_empty() {
                         let [x, y] = [j, k].map(|at| on.algebra.labels()[at].clone());
-                        let at = [labels[at].clone(), x, y];
+                        let at = [label.clone(), x, y];
                         return Err(Law::Derivation.broken(at, on.write(&residual)));
                     }
                 }

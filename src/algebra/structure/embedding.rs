@@ -42,8 +42,8 @@ pub struct Embedding {
 }
 
 /// A test of the numbering of the simple roots of one factor. Its arguments are a prime, the position
-/// of the factor, an element of the algebra modulo the prime, and the values of the fundamental
-/// weights of the factor on this element.
+/// of the factor, an element of the algebra modulo the prime, and labels. The labels are the values of
+/// the fundamental weights of the factor on the element.
 pub type Numbering<'t> = &'t dyn Fn(Prime, usize, &[u64], &[u64]) -> bool;
 
 impl StructureTheory<Rational> {

@@ -42,7 +42,7 @@ pub(super) fn candidates(cartan_type: CartanType, compact: usize) -> Vec<Candida
     // omits su*(2), which is isomorphic to su(2), and so*(8), which is isomorphic to so(6,2)
     let quaternionic = match series {
         Series::A if r > 1 && r % 2 == 1 => {
-            Some(((r + 1) / 2 * (r + 2), format!("su*({})", r + 1)))
+            Some((r.div_ceil(2) * (r + 2), format!("su*({})", r + 1)))
         }
         Series::D if r != 4 => Some((r * r, format!("so*({})", 2 * r))),
         _ => None,

@@ -20,9 +20,9 @@ impl ReductivePair<Rational> {
     /// Spaces*, V.6). It has the least dimension among the centralizers of vectors.
     ///
     /// First, the vector is a combination of basis vectors that commute, so that its centralizer is
-    /// computed from few numbers. If the centralizer is abelian, and the Killing form is not
-    /// degenerate on it, then the vector is semisimple and general, because `m` is the sum of the
-    /// centralizer and of the image of `ad_x^2`.
+    /// computed from few numbers. The centralizer is accepted if it is abelian and the Killing form is
+    /// not degenerate on it. Then `m` is the sum of the centralizer and of the image of `ad_x^2`, so
+    /// the vector is semisimple and general.
     ///
     /// ```
     /// use affinor::geometry::homogeneous::HomogeneousSpace;
