@@ -6,6 +6,7 @@
 //! - [`BasisChange`], [`MatrixBasis`]: other bases, and structure constants from matrices;
 //! - [`RationalBasis`]: a basis in which the structure constants have no square roots;
 //! - [`roots`]: root systems and Chevalley bases; [`catalogue`]: Lie algebras by name;
+//! - [`Module`]: modules by matrices; `cochains`: the complex of Chevalley and Eilenberg;
 //! - [`structure`]: series, radicals, Levi subalgebras, types, simple ideals;
 //! - [`lie_derivative`]: Lie derivatives of tensors; [`invariants`]: invariant tensors;
 //! - [`lie_poisson`]: the dual space, its Poisson bracket, Casimir functions, coadjoint orbits.
@@ -16,6 +17,7 @@ mod basis;
 mod bch;
 mod bracket;
 pub mod catalogue;
+mod cochains;
 mod factors;
 pub mod frame;
 mod generators;
@@ -24,6 +26,7 @@ pub mod lie_derivative;
 pub mod lie_poisson;
 mod matrices;
 pub(crate) mod matrix_polynomials;
+mod module;
 mod rational_basis;
 pub mod roots;
 mod sparse_bracket;
@@ -32,8 +35,11 @@ pub mod structure;
 pub use basis::BasisChange;
 pub(crate) use basis::{LETTERS, indices, inverse, to_matrix};
 pub use bracket::Bracket;
+pub use cochains::Dimensions;
+pub(crate) use cochains::relative_cohomology;
 pub(crate) use factors::irreducible_factors;
 pub use matrices::{Complex, MatrixBasis};
+pub use module::{MAX_DIMENSION as MAX_MODULE, Module};
 pub use rational_basis::RationalBasis;
 pub(crate) use sparse_bracket::SparseBracket;
 

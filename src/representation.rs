@@ -2,14 +2,14 @@
 //!
 //! - [`ReductiveAlgebra`]: a sum of simple types and abelian factors; [`diagram`]: Dynkin diagrams;
 //! - [`HighestWeight`]: an irreducible representation by its Dynkin labels, with its dimension, its
-//!   dual, its indicator, its index and its Casimir eigenvalue; [`names`]: `10` and `5bar`;
+//!   dual, its indicator, its index and its Casimir eigenvalues; [`names`]: `10` and `5bar`;
 //! - [`Character`]: the dominant weights of a representation with their multiplicities;
 //! - [`Decomposition`]: multiplicities of irreducible representations; `products`, `powers`: tensor
 //!   products, symmetric and exterior powers, Schur functors;
 //! - [`Subalgebra`]: branching rules, by a projection of weights, by simple roots, by a
 //!   representation or by vectors;
 //! - [`MatrixRepresentation`]: the matrices of an irreducible representation, with invariant forms;
-//! - [`clebsch_gordan`], [`wigner_3j`], [`wigner_6j`], [`real_coupling`]: coupling of spins.
+//! - [`Coupling`], [`clebsch_gordan`], [`wigner_3j`], [`wigner_6j`], [`real_coupling`]: coupling of spins.
 //!
 //! Weights are lists of integers: the Dynkin labels `<λ, α_i^∨>` of each simple factor, whose
 //! simple roots are numbered as in Bourbaki, then one charge for each abelian factor.
@@ -25,6 +25,7 @@
 //! ```
 
 mod algebra;
+mod casimirs;
 mod character;
 mod class;
 mod clebsch_gordan;
@@ -46,10 +47,11 @@ mod subalgebra;
 mod weyl;
 
 pub use algebra::ReductiveAlgebra;
+pub use casimirs::CasimirElement;
 pub use character::Character;
 pub use class::Indicator;
 pub use clebsch_gordan::{
-    MAX_SPIN, SignedRoot, Spin, clebsch_gordan, real_coupling, wigner_3j, wigner_6j,
+    Coupling, MAX_SPIN, SignedRoot, Spin, clebsch_gordan, real_coupling, wigner_3j, wigner_6j,
 };
 pub use decomposition::Decomposition;
 pub use error::RepresentationError;

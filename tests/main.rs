@@ -20,6 +20,7 @@ mod algebra {
     mod invariants;
     mod lie_derivative;
     mod lie_poisson;
+    mod module;
     mod rational_basis;
     mod roots;
     pub mod structure;
@@ -27,6 +28,7 @@ mod algebra {
 
 mod representation {
     mod algebra;
+    mod casimirs;
     mod character;
     mod class;
     mod clebsch_gordan;

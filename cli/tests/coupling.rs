@@ -46,3 +46,16 @@ fn invalid_spins_are_rejected() {
         assert!(outcome.err.contains(reason), "{arguments:?}: {}", outcome.err);
     }
 }
+
+/// Large spins: the squares of the coefficients are below the least float, and the number of
+/// coefficients is limited before the computation begins.
+#[test]
+fn large_spins() {
+    let large = coupling(&["300", "300", "600", "--symbol", "3j"]);
+    let all = large["coefficients"].as_array().unwrap();
+    assert!(all.iter().all(|one| one["decimal"].as_f64().unwrap() != 0.0));
+    let outcome = run(root(), &["coupling", "100", "100"], b"");
+    assert_ne!(outcome.status, 0);
+    assert!(outcome.err.contains("exceeds the limit of 1048576"), "{}", outcome.err);
+    assert!(outcome.err.contains("third spin"), "{}", outcome.err);
+}

@@ -52,6 +52,34 @@ fn cartan_decompositions() {
     assert_eq!(info("heisenberg(3)")["real_forms"], json!([]));
 }
 
+/// Cohomology with coefficients: the algebra and its relative version on a homogeneous space.
+#[test]
+fn coefficients() {
+    let with = |space: &str, module: &str| -> Value {
+        let all = ["info", space, "--coefficients", module, "--format", "json"];
+        serde_json::from_str(&stdout(root(), &all)).unwrap()
+    };
+    let motions = with("se(3)", "adjoint");
+    let expected = json!({
+        "coefficients": "adjoint", "dimension": 6, "numbers": [0, 1, 1, 0, 1, 1, 0], "proved": true,
+    });
+    assert_eq!(motions["cohomology"], expected);
+    assert!(info("se(3)").get("cohomology").is_none());
+    let plane = with("aff(1)", "[[1,0],[0,0]], [[0,1],[0,0]]");
+    assert_eq!(plane["cohomology"]["dimension"], 2);
+    assert_eq!(with("S^2", "adjoint")["cohomology"]["numbers"], json!([0, 0, 0]));
+    for (space, module, reason) in [
+        ("se(3)", "adjiont", "unknown coefficients"),
+        ("aff(1)", "[[1,0],[0,0]], [[1,1],[0,0]]", "the matrices are not an action"),
+        ("aff(1)", "[[1,0],[0,0]]", "2 matrices"),
+        ("S^2", "[[1]]", "only for an algebra"),
+    ] {
+        let outcome = run(root(), &["info", space, "--coefficients", module], b"");
+        assert_ne!(outcome.status, 0);
+        assert!(outcome.err.contains(reason), "{}", outcome.err);
+    }
+}
+
 #[test]
 fn root_systems() {
     let e8 = info("E8");

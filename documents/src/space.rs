@@ -33,7 +33,7 @@ mod read;
 mod request;
 pub(crate) mod setting;
 mod spelling;
-mod tables;
+pub(crate) mod tables;
 mod typed;
 
 pub use charts::NamedChart;

@@ -1,13 +1,17 @@
-//! Representations of reductive algebras, and coupling coefficients of spins, as JSON documents.
+//! Representations of reductive algebras as JSON documents, and coupling coefficients of spins.
 
 use crate::report::{Written, all_formats, written};
 use crate::run::run;
-use affinor::representation::ReductiveAlgebra;
+use crate::values::fraction;
+use affinor::representation::{ReductiveAlgebra, Spin};
 use affinor_documents::input::InputError;
 use affinor_documents::report::{
-    CouplingKind, CouplingReport, Format, MatrixReport, Operations, Power, RepresentationReport,
+    CouplingCoefficient, CouplingKind, CouplingReport, Format, MatrixReport, Operations, Power,
+    RepresentationReport,
 };
+use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
+use pyo3::types::PyList;
 
 fn algebra(name: &str) -> Result<ReductiveAlgebra, InputError> {
     name.parse().map_err(|error| InputError::usage(format!("{error}")))
@@ -48,14 +52,30 @@ pub fn _representation_matrices(
     run(py, || written(&MatrixReport::new(&algebra(name)?, weight, all)?, Format::Json))
 }
 
-/// Coupling coefficients as JSON.
+/// Coupling coefficients of two spins with a third one, or a 6j symbol. Returns positions in an array with the indices
+/// `m1 + j1`, `m2 + j2`, `m + j`, in row-major order, and values. The values are floats, or signed squares.
 #[pyfunction]
-pub fn _coupling(py: Python<'_>, spins: Vec<String>, kind: &str) -> PyResult<String> {
-    let kind = match kind {
-        "3j" => CouplingKind::ThreeJ,
-        "6j" => CouplingKind::SixJ,
-        "real" => CouplingKind::Real,
-        _ => CouplingKind::ClebschGordan,
+pub fn _coupling<'py>(
+    py: Python<'py>,
+    spins: Vec<String>,
+    kind: &str,
+    squares: bool,
+) -> PyResult<(Vec<i64>, Bound<'py, PyList>)> {
+    let Some(kind) = CouplingKind::from_name(kind) else {
+        return Err(PyValueError::new_err(format!("unknown kind of coefficients {kind:?}")));
     };
-    run(py, || written(&CouplingReport::new(&spins, kind)?, Format::Json))
+    let report = run(py, || CouplingReport::new(&spins, kind))?;
+    let position = |numbers: &[Spin]| {
+        let pairs = report.spins().iter().zip(numbers.iter().skip(1));
+        pairs.fold(0, |at, (j, m)| at * (j.twice() + 1) + (m.twice() + j.twice()) / 2)
+    };
+    let positions = report.coefficients().iter().map(|one| position(&one.numbers)).collect();
+    let values = PyList::empty(py);
+    for CouplingCoefficient { value, .. } in report.coefficients() {
+        match squares {
+            true => values.append(fraction(py, value.signed_square())?)?,
+            false => values.append(value.to_f64())?,
+        }
+    }
+    Ok((positions, values))
 }

@@ -7,7 +7,7 @@ use crate::report::{Written, all_formats};
 use crate::run::run;
 use crate::values::python;
 use affinor_documents::input::InputError;
-use affinor_documents::report::{Info, Program};
+use affinor_documents::report::{Coefficients, Info, Program};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyList;
@@ -129,17 +129,21 @@ impl PyAlgebra {
     fn answers<'a>(slf: &'a Bound<'_, Self>) -> PyResult<&'a (Written, Py<PyAny>)> {
         let (py, algebra) = (slf.py(), slf.get());
         algebra.found.get_or_try_init(py, || -> PyResult<_> {
-            let written = run(py, || {
-                if matches!(algebra.values, Geometries::Float(_)) {
-                    let error = "structure theory needs exact numbers, but the structure constants are floats";
-                    let help = "give exact numbers (int, Fraction, SymPy or texts) and leave out scalar='float'";
-                    return Err(InputError::usage(error).help(help));
-                }
-                all_formats(&Info::of(&algebra.space.definition, &|_| ())?)
-            })?;
+            let written = run(py, || algebra.written(&Coefficients::Trivial))?;
             let report = python(py, "structure", "Report")?.call1((written.clone(),))?;
             Ok((written, report.unbind()))
         })
+    }
+
+    fn written(&self, coefficients: &Coefficients) -> Result<Written, InputError> {
+        if matches!(self.values, Geometries::Float(_)) {
+            let error =
+                "structure theory needs exact numbers, but the structure constants are floats";
+            let help =
+                "give exact numbers (int, Fraction, SymPy or texts) and leave out scalar='float'";
+            return Err(InputError::usage(error).help(help));
+        }
+        all_formats(&Info::with_coefficients(&self.space.definition, coefficients, &|_| ())?)
     }
 
     /// An entry of the report; None if one of the keys leads to None.
@@ -162,6 +166,12 @@ impl PyAlgebra {
     /// answers are exact. If there are parameters, the answers hold for generic values. The report is computed once for
     /// each algebra.
     ///
+    /// Parameters
+    /// ----------
+    /// coefficients : str, optional
+    ///     Adds the dimensions of the cohomology with coefficients in a module, under the key ``cohomology``:
+    ///     ``"adjoint"``, ``"coadjoint"``, or a matrix for each basis vector as text.
+    ///
     /// Returns
     /// -------
     /// Report
@@ -175,8 +185,15 @@ impl PyAlgebra {
     /// --------
     /// >>> LieAlgebra("so(4)").info()["dynkin_type"]
     /// 'A1 + A1'
-    fn info<'py>(slf: &Bound<'py, Self>) -> New<'py> {
-        let written = Self::answers(slf)?.0.clone();
+    /// >>> LieAlgebra("se(3)").info(coefficients="adjoint")["cohomology"]["numbers"]
+    /// [0, 1, 1, 0, 1, 1, 0]
+    #[pyo3(signature = (*, coefficients = None))]
+    fn info<'py>(slf: &Bound<'py, Self>, coefficients: Option<&str>) -> New<'py> {
+        let algebra = slf.get();
+        let written = match coefficients {
+            Some(text) => run(slf.py(), || algebra.written(&text.parse()?))?,
+            None => Self::answers(slf)?.0.clone(),
+        };
         python(slf.py(), "structure", "Report")?.call1((written,))
     }
 

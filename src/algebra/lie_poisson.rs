@@ -6,7 +6,6 @@
 
 mod casimirs;
 
-pub(in crate::algebra) use casimirs::primitive_factor;
 pub use casimirs::{MAX_DEGREE, MAX_MONOMIALS};
 
 use crate::Error;

@@ -1,7 +1,8 @@
 //! Root systems of the simple Lie algebras over the complex numbers.
 //!
 //! [`CartanType`] is the name of a root system, and [`RootSystem`] lists its roots. The function
-//! [`chevalley_constants`] computes the integer structure constants of the split real form.
+//! [`chevalley_constants`] computes the integer structure constants of the split real form, and
+//! [`identify`] finds the types of a Cartan matrix.
 //!
 //! Simple roots are numbered as in Bourbaki, *Groupes et algèbres de Lie*, ch. VI, plates I-IX.
 //! Every vector in this module is a list of `rank` integers. Roots have coefficients in the simple
@@ -9,12 +10,15 @@
 
 mod cartan;
 mod chevalley;
+mod diagrams;
 
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, HashMap};
 
 pub use cartan::{CartanType, MAX_DIMENSION, RootError, Series};
 pub use chevalley::{basis_names, chevalley_constants};
+pub use diagrams::identify;
+pub(crate) use diagrams::{automorphisms, numbering};
 
 /// The reduced irreducible root system of a Cartan type.
 ///

@@ -92,9 +92,10 @@ pub use ideals::{RealIdeal, SimpleIdeals};
 pub use identification::Identification;
 pub use killing::Killing;
 pub use root_spaces::{RootSpace, RootSpaces};
-pub use satake::RealForm;
+pub use satake::{RealForm, RestrictedType};
 pub use subspace::Subspace;
-pub(in crate::algebra) use subspace::denominator;
+pub(in crate::algebra) use subspace::primitive_factor;
+pub(crate) use subspace::{collected, combination, coprime};
 pub use symplectic::Existence;
 
 use crate::algebra::SparseBracket;

@@ -128,6 +128,11 @@ laws! {
     /// The law `(D_x D_y - D_y D_x - D_[x,y]) v = 0` for the matrices by which an algebra acts.
     Action(pair: x y, vector: v; residual) ConstructionError
         "the matrices are not an action: (D_{x} D_{y} - D_{y} D_{x} - D_[{x},{y}]) {v} = {residual}"
+    /// A subspace of a module contains the images of its vectors `v` under any basis vector `x` of
+    /// the algebra.
+    Submodule(pair: x v; image) ConstructionError
+        "the subspace is not a submodule: {x} {v} = {image} is not in it"
+        "add the image to the vectors"
     /// The structure constants of a contraction have a limit. The residual is a constant without a
     /// limit.
     Limit(pair: x y, component: component; value) ConstructionError

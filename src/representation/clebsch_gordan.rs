@@ -5,7 +5,7 @@ use affinor_tensors::stop::checkpoint;
 use affinor_tensors::{Rational, Ring};
 use num_bigint::BigInt;
 use num_rational::BigRational;
-use num_traits::{One, Zero};
+use num_traits::{One, Signed, Zero};
 use std::fmt;
 use std::str::FromStr;
 
@@ -27,6 +27,12 @@ impl Spin {
     /// The number `n/2`; `None` if its magnitude exceeds [`MAX_SPIN`].
     pub fn from_twice(n: i64) -> Option<Self> {
         (n.unsigned_abs() <= 2 * MAX_SPIN.unsigned_abs()).then_some(Spin(n))
+    }
+
+    /// The position of a magnetic quantum number, given twice, in the order `j, j - 1, ...`.
+    fn position(self, m: i64) -> Option<usize> {
+        let steps = self.0 - m;
+        usize::try_from(steps / 2).ok().filter(|_| steps % 2 == 0)
     }
 
     /// Twice the number.
@@ -102,13 +108,24 @@ impl SignedRoot {
 
     /// The nearest float of the square root of the nearest float of the square.
     pub fn to_f64(&self) -> f64 {
-        let square = self.0.to_f64();
-        square.abs().sqrt().copysign(square)
+        // the square is scaled by a power of 4, because it can be smaller than the least float
+        let square = BigRational::from(&self.0);
+        let shift = (square.denom().bits().saturating_sub(square.numer().bits()) / 2) as usize;
+        let scaled = Rational::from(square * (BigInt::one() << (2 * shift))).to_f64();
+        let root = scaled.abs().sqrt() * 0.5_f64.powi(shift as i32);
+        root.copysign(scaled)
     }
 
-    fn with_sign(square: BigRational, negative: bool) -> Self {
-        let square = Rational::from(square);
-        SignedRoot(if negative { -square } else { square })
+    fn zero() -> Self {
+        SignedRoot(Rational::from(0))
+    }
+
+    /// The number `sum sqrt(above/below)`.
+    fn product(sum: BigInt, above: BigInt, below: BigInt) -> Self {
+        // both factors are in lowest terms, so that only the faster product of `Rational` reduces
+        let inverse = Rational::from(BigRational::new_raw(BigInt::one(), below));
+        let square = Rational::from(BigRational::from_integer(above * &sum * &sum)) * &inverse;
+        SignedRoot(if sum.is_negative() { -square } else { square })
     }
 
     /// The number times `±sqrt(q)`.
@@ -132,7 +149,7 @@ impl fmt::Display for SignedRoot {
 
 /// The Clebsch-Gordan coefficient `<j1 m1 j2 m2 | j m>` in the convention of Condon and Shortley:
 /// all coefficients are real, and `<j1 j1 j2 (j-j1) | j j>` is positive. Zero if the spins do not
-/// couple. The formula is Racah's (Edmonds, *Angular Momentum in Quantum Mechanics*, 3.6).
+/// couple. [`Coupling`] computes many coefficients of the same spins.
 ///
 /// ```
 /// use affinor::representation::{Spin, clebsch_gordan};
@@ -144,25 +161,84 @@ impl fmt::Display for SignedRoot {
 /// ```
 #[doc(alias("Clebsch-Gordan", "vector coupling coefficient"))]
 pub fn clebsch_gordan(first: [Spin; 2], second: [Spin; 2], total: [Spin; 2]) -> SignedRoot {
-    let [[Spin(j1), Spin(m1)], [Spin(j2), Spin(m2)], [Spin(j), Spin(m)]] = [first, second, total];
-    let allowed = |j: i64, m: i64| m.abs() <= j && (j - m) % 2 == 0;
-    let fits = allowed(j1, m1) && allowed(j2, m2) && allowed(j, m);
-    if !fits || m1 + m2 != m || !triangle(j1, j2, j) {
-        return SignedRoot::new(Rational::from(0));
+    let [[j1, m1], [j2, m2], [j, m]] = [first, second, total];
+    Coupling::new(j1, j2, j)
+        .filter(|_| m1.0 + m2.0 == m.0)
+        .map_or_else(SignedRoot::zero, |coupling| coupling.coefficient(m1, m2))
+}
+
+/// The coefficients `<j1 m1 j2 m2 | j m1+m2>` of three spins. A value of this type contains the binomial
+/// coefficients that all coefficients share.
+///
+/// With `a = j1+j2-j`, `p = j1-m1` and `q = j2+m2`, the coefficient is the product of the integer
+/// `sum over k of (-1)^k C(a,k) C(2 j1-a,p-k) C(2 j2-a,q-k)` and the square root of
+/// `C(2 j1,a) C(2 j2,a) / (C(j1+j2+j+1,a) C(2 j1,p) C(2 j2,q) C(2 j,j-m))`. This is the formula of
+/// Racah (Edmonds, *Angular Momentum in Quantum Mechanics*, 3.6), in binomial coefficients.
+///
+/// ```
+/// use affinor::representation::{Coupling, Spin};
+/// let [half, one] = [1, 2].map(|twice| Spin::from_twice(twice).unwrap());
+/// let coupling = Coupling::new(one, half, half).expect("the spins couple");
+/// let values = coupling.pairs().map(|(m1, m2)| coupling.coefficient(m1, m2).to_string());
+/// assert_eq!(values.collect::<Vec<_>>(), ["-sqrt(2/3)", "sqrt(1/3)", "-sqrt(1/3)", "sqrt(2/3)"]);
+/// assert!(Coupling::new(half, half, half).is_none());
+/// ```
+#[derive(Clone, Debug)]
+pub struct Coupling {
+    spins: [Spin; 3],
+    /// The binomial coefficients of `a`, `2 j1 - a` and `2 j2 - a`.
+    terms: [Vec<BigInt>; 3],
+    /// The binomial coefficients of `2 j1`, `2 j2` and `2 j`.
+    norms: [Vec<BigInt>; 3],
+    above: BigInt,
+    below: BigInt,
+}
+
+impl Coupling {
+    /// The coupling of two spins to a total spin; `None` if they do not couple to it.
+    pub fn new(j1: Spin, j2: Spin, j: Spin) -> Option<Self> {
+        let [a, b, c] = differences(j1.0, j2.0, j.0)?;
+        let norms = [j1.0, j2.0, j.0].map(binomials);
+        let above = binomial(j1.0, a) * binomial(j2.0, a);
+        let below = binomial(a + j.0 + 1, a);
+        Some(Coupling { spins: [j1, j2, j], terms: [a, b, c].map(binomials), norms, above, below })
     }
-    // all arguments below are twice an integer
-    let denominators = |k: i64| {
-        let factors =
-            [j1 + j2 - j - k, j1 - m1 - k, j2 + m2 - k, j - j2 + m1 + k, j - j1 - m2 + k, k];
-        let least = factors.iter().min().copied().unwrap_or(0);
-        (least >= 0).then(|| product(factors))
-    };
-    let range = (0..=j1 + j2 - j).step_by(2);
-    let terms = range.filter_map(|k| Some((k % 4 != 0, denominators(k)?)));
-    let sum = alternating(terms.map(|(negative, below)| (negative, BigInt::one(), below)));
-    let above = product([j + m, j - m, j1 - m1, j1 + m1, j2 - m2, j2 + m2]) * BigInt::from(j + 1);
-    let square = delta(j1, j2, j) * BigRational::from(above) * &sum * &sum;
-    SignedRoot::with_sign(square, sum < BigRational::zero())
+
+    /// The coefficient of two magnetic quantum numbers. Zero if one of them, or their sum, does not
+    /// belong to its spin.
+    pub fn coefficient(&self, m1: Spin, m2: Spin) -> SignedRoot {
+        checkpoint();
+        self.racah(m1, m2).unwrap_or_else(SignedRoot::zero)
+    }
+
+    /// The 3j symbol `(j1 j2 j; m1 m2 -m1-m2)`, see [`wigner_3j`].
+    pub fn three_j(&self, m1: Spin, m2: Spin) -> SignedRoot {
+        let [j1, j2, j] = self.spins;
+        let odd = (j1.0 - j2.0 + m1.0 + m2.0) % 4 != 0;
+        let factor = Rational::new(if odd { -1 } else { 1 }, j.0 + 1);
+        self.coefficient(m1, m2).times(&factor.unwrap_or_default())
+    }
+
+    /// The pairs `(m1, m2)` with `|m1+m2| <= j`, in increasing order. The other coefficients vanish.
+    pub fn pairs(&self) -> impl Iterator<Item = (Spin, Spin)> + use<> {
+        let [j1, j2, j] = self.spins;
+        let pairs = j1.projections().flat_map(move |m1| j2.projections().map(move |m2| (m1, m2)));
+        pairs.filter(move |(m1, m2)| (m1.0 + m2.0).abs() <= j.0)
+    }
+
+    /// `None` if a magnetic quantum number does not belong to its spin.
+    fn racah(&self, m1: Spin, m2: Spin) -> Option<SignedRoot> {
+        let [j1, j2, j] = self.spins;
+        let (p, q, r) = (j1.position(m1.0)?, j2.position(-m2.0)?, j.position(m1.0 + m2.0)?);
+        let [x, y, z] = &self.norms;
+        let below = &self.below * x.get(p)? * y.get(q)? * z.get(r)?;
+        let [a, b, c] = &self.terms;
+        let terms = a.iter().enumerate().filter_map(|(k, a)| {
+            let term = a * b.get(p.checked_sub(k)?)? * c.get(q.checked_sub(k)?)?;
+            Some(if k % 2 == 0 { term } else { -term })
+        });
+        Some(SignedRoot::product(terms.sum(), self.above.clone(), below))
+    }
 }
 
 /// The 3j symbol of Wigner,
@@ -175,11 +251,10 @@ pub fn clebsch_gordan(first: [Spin; 2], second: [Spin; 2], total: [Spin; 2]) -> 
 /// ```
 #[doc(alias("3j symbol", "three-j"))]
 pub fn wigner_3j(first: [Spin; 2], second: [Spin; 2], third: [Spin; 2]) -> SignedRoot {
-    let [Spin(j3), Spin(m3)] = third;
-    let value = clebsch_gordan(first, second, [Spin(j3), Spin(-m3)]);
-    let odd = (first[0].0 - second[0].0 - m3) % 4 != 0;
-    let factor = Rational::new(if odd { -1 } else { 1 }, j3 + 1);
-    value.times(&factor.unwrap_or_default())
+    let [[j1, m1], [j2, m2], [j3, m3]] = [first, second, third];
+    Coupling::new(j1, j2, j3)
+        .filter(|_| m1.0 + m2.0 + m3.0 == 0)
+        .map_or_else(SignedRoot::zero, |coupling| coupling.three_j(m1, m2))
 }
 
 /// The 6j symbol `{j1 j2 j3; j4 j5 j6}` by the formula of Racah. Zero if one of the triples
@@ -195,20 +270,29 @@ pub fn wigner_6j(upper: [Spin; 3], lower: [Spin; 3]) -> SignedRoot {
     let [a, b, c] = upper.map(Spin::twice);
     let [d, e, f] = lower.map(Spin::twice);
     let triples = [(a, b, c), (a, e, f), (d, b, f), (d, e, c)];
-    if triples.iter().any(|&(x, y, z)| !triangle(x, y, z)) {
-        return SignedRoot::new(Rational::from(0));
+    let counts = triples.map(|(x, y, z)| ways(x, y, z));
+    let (Some([z, y, x]), [Some(above), Some(n1), Some(n2), Some(n3)]) =
+        (differences(a, b, c), counts)
+    else {
+        return SignedRoot::zero();
+    };
+    // sum over t of (-1)^t C(t+1, whole+1) times one binomial coefficient for each start
+    let [whole, starts @ ..] = triples.map(|(x, y, z)| (x + y + z) / 2);
+    let rows = [x, y, z].map(binomials);
+    let least = starts.into_iter().fold(whole, i64::max);
+    let mut first = binomial(least + 1, whole + 1);
+    let mut sum = BigInt::zero();
+    for t in least.. {
+        checkpoint();
+        let factors = rows.iter().zip(starts).map(|(row, start)| row.get((t - start) as usize));
+        let Some(term) = factors.into_iter().try_fold(first.clone(), |all, one| Some(all * one?))
+        else {
+            break;
+        };
+        sum += if t % 2 == 0 { term } else { -term };
+        first = first * (t + 2) / (t + 1 - whole);
     }
-    let least = triples.iter().map(|&(x, y, z)| x + y + z);
-    let greatest = [a + b + d + e, b + c + e + f, c + a + f + d];
-    let (from, to) = (least.max().unwrap_or(0), greatest.into_iter().min().unwrap_or(-1));
-    let terms = (from..=to).step_by(2).map(|t| {
-        let below = product(triples.map(|(x, y, z)| t - x - y - z));
-        (t % 4 != 0, factorial(t + 2), below * product(greatest.map(|sum| sum - t)))
-    });
-    let sum = alternating(terms);
-    let deltas = triples.map(|(x, y, z)| delta(x, y, z));
-    let square = deltas.into_iter().fold(&sum * &sum, |all, one| all * one);
-    SignedRoot::with_sign(square, sum < BigRational::zero())
+    SignedRoot::product(sum, above, n1 * n2 * n3)
 }
 
 /// The coupling tensor of three integer spins in a basis of real spherical harmonics, normalized so
@@ -247,25 +331,22 @@ pub fn real_coupling(l1: Spin, l2: Spin, l3: Spin) -> Result<Vec<SignedRoot>, Re
             });
         }
     }
-    if !triangle(l1.0, l2.0, l3.0) {
+    let Some(coupling) = Coupling::new(l1, l2, l3) else {
         return Err(RepresentationError::NotASpin {
             text: l3.to_string(),
             reason: format!("the spins {l1} and {l2} do not couple to it"),
         });
-    }
-    let table: Vec<SignedRoot> = l1
-        .projections()
-        .flat_map(|i| l2.projections().map(move |k| (i, k)))
-        .map(|(i, k)| clebsch_gordan([l1, i], [l2, k], [l3, Spin(i.0 + k.0)]))
-        .collect();
+    };
+    let pairs = || l1.projections().flat_map(|i| l2.projections().map(move |k| (i, k)));
+    let table: Vec<SignedRoot> = pairs().map(|(i, k)| coupling.coefficient(i, k)).collect();
     let mut tensor = vec![];
-    for a in l1.projections() {
-        for b in l2.projections() {
-            checkpoint();
-            for c in l3.projections() {
-                tensor.push(real_entry(&table, [l1, l2, l3], [a, b, c]));
-            }
-        }
+    for (a, b) in pairs() {
+        checkpoint();
+        let sizes = [(a.0 + b.0).abs(), (a.0 - b.0).abs()];
+        tensor.extend(l3.projections().map(|c| match sizes.contains(&c.0.abs()) {
+            true => real_entry(&table, [l1, l2, l3], [a, b, c]),
+            false => SignedRoot::zero(),
+        }));
     }
     Ok(tensor)
 }
@@ -317,31 +398,29 @@ fn in_standard_basis(l: Spin, m: Spin) -> Vec<(Spin, i64, u32)> {
     }
 }
 
-/// Whether three spins, given twice, satisfy the triangle condition.
-fn triangle(a: i64, b: i64, c: i64) -> bool {
-    (a + b + c) % 2 == 0 && (a - b).abs() <= c && c <= a + b
+/// The integers `a+b-c`, `a-b+c`, `b+c-a` of spins that are given twice; `None` if the spins do not
+/// satisfy the triangle condition.
+fn differences(a: i64, b: i64, c: i64) -> Option<[i64; 3]> {
+    let all = [a + b - c, a - b + c, b + c - a];
+    all.iter().all(|n| *n >= 0 && n % 2 == 0).then(|| all.map(|n| n / 2))
 }
 
-/// `(a+b-c)! (a-b+c)! (-a+b+c)! / (a+b+c+1)!` for spins that are given twice.
-fn delta(a: i64, b: i64, c: i64) -> BigRational {
-    BigRational::new(product([a + b - c, a - b + c, b + c - a]), factorial(a + b + c + 2))
+/// The integer `(a+b+c+1)! / ((a+b-c)! (a-b+c)! (b+c-a)!)` for spins that are given twice.
+fn ways(a: i64, b: i64, c: i64) -> Option<BigInt> {
+    let [x, _, z] = differences(a, b, c)?;
+    Some(binomial(z + a + 1, z) * binomial(a, x) * (a + 1))
 }
 
-/// The product of the factorials of numbers that are given twice.
-fn product<const N: usize>(twice: [i64; N]) -> BigInt {
-    twice.into_iter().fold(BigInt::one(), |all, n| all * factorial(n))
+/// The binomial coefficient `C(n, k)`.
+fn binomial(n: i64, k: i64) -> BigInt {
+    (0..k.min(n - k)).fold(BigInt::one(), |value, i| value * (n - i) / (i + 1))
 }
 
-/// The factorial of a number that is given twice.
-fn factorial(twice: i64) -> BigInt {
-    (2..=twice / 2).fold(BigInt::one(), |all, n| all * n)
-}
-
-/// The sum of fractions `(negative, numerator, denominator)`.
-fn alternating(terms: impl Iterator<Item = (bool, BigInt, BigInt)>) -> BigRational {
-    terms.fold(BigRational::zero(), |sum, (negative, above, below)| {
-        checkpoint();
-        let term = BigRational::new(above, below);
-        if negative { sum - term } else { sum + term }
-    })
+/// The binomial coefficients `C(n, 0), ..., C(n, n)`.
+fn binomials(n: i64) -> Vec<BigInt> {
+    let mut row = vec![BigInt::one()];
+    for i in 0..n {
+        row.push(&row[row.len() - 1] * (n - i) / (i + 1));
+    }
+    row
 }

@@ -20,7 +20,7 @@ pub const MAX_MATRIX_DIMENSION: u32 = 1 << 14;
 /// number of simple roots that are subtracted from the highest weight. Within a weight space, the
 /// first linearly independent monomials are chosen, by increasing `i`.
 ///
-/// The relations `[e_i, f_j] = δ_ij h_i` are multiplied out before the value is returned. Together
+/// The relations `[e_i, f_j] = δ_ij h_i`, `[h_i, e_j] = a_ji e_j` and `[h_i, f_j] = -a_ji f_j` are multiplied out before the value is returned. Together
 /// with the weights of the basis vectors and the dimension of Weyl's formula they prove that the
 /// representation is the irreducible one.
 ///
@@ -131,19 +131,34 @@ impl MatrixRepresentation {
         Matrix::diagonal(self.basis.iter().map(|vector| Rational::from(label(vector))))
     }
 
-    /// Whether `[e_i, f_j] = δ_ij h_i` for all `i`, `j`.
+    /// Whether `[e_i, f_j] = δ_ij h_i`, `[h_i, e_j] = a_ji e_j` and `[h_i, f_j] = -a_ji f_j` for all
+    /// `i`, `j`, and whether the charges commute with the matrices.
     ///
     /// The relations of Serre follow. Under the subalgebra sl(2) of the root `i`, the matrix `e_j` is
     /// a lowest weight vector of weight `a_ij`, so `ad(e_i)^(1 - a_ij)` annihilates it.
     fn satisfies_relations(&self) -> bool {
-        let rank = self.algebra().semisimple_rank();
-        (0..rank).all(|i| {
-            (0..rank).all(|j| {
-                let bracket = commutator(&self.raising[i], &self.lowering[j]);
-                let n = self.dimension();
-                bracket == if i == j { self.diagonal(i) } else { Matrix::zero(n, n) }
+        let algebra = self.algebra();
+        let rank = algebra.semisimple_rank();
+        // the matrices h_i are diagonal, so the brackets multiply each entry by a difference of weights
+        let shifts = |matrix: &Matrix<Rational>, j: usize, sign: i64| {
+            let mut root = vec![0; algebra.rank()];
+            root[j] = 2 * sign;
+            algebra.neighbours(j).iter().for_each(|&(k, entry)| root[k] = sign * entry);
+            matrix.entries().all(|(row, column, _)| {
+                let [to, from] = [row, column].map(|at| &self.basis[at].weight);
+                (0..root.len()).all(|i| to[i] - from[i] == root[i])
             })
-        })
+        };
+        let homogeneous =
+            (0..rank).all(|j| shifts(&self.raising[j], j, 1) && shifts(&self.lowering[j], j, -1));
+        homogeneous
+            && (0..rank).all(|i| {
+                (0..rank).all(|j| {
+                    let bracket = commutator(&self.raising[i], &self.lowering[j]);
+                    let n = self.dimension();
+                    bracket == if i == j { self.diagonal(i) } else { Matrix::zero(n, n) }
+                })
+            })
     }
 }
 

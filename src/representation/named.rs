@@ -1,10 +1,9 @@
 //! Subalgebras by a text: a name, nodes of a diagram, a representation or a projection.
 
 use super::names::irreducible;
-use super::regular::matched;
 use super::subalgebra::not_a_subalgebra;
 use super::{Decomposition, HighestWeight, ReductiveAlgebra, RepresentationError, Subalgebra};
-use crate::algebra::roots::CartanType;
+use crate::algebra::roots::{CartanType, numbering};
 use crate::representation::embeddings::defining_dimension;
 use affinor_tensors::stop::checkpoint;
 
@@ -217,13 +216,11 @@ impl Subalgebra {
         for factor in wanted.simple_factors() {
             let at = open.iter().position(|&found| {
                 let component: Vec<usize> = own.positions(found).collect();
-                let mut nodes = vec![];
-                let fits = component.len() == factor.rank()
-                    && matched(&cartan, &factor.cartan_matrix(), &component, &mut nodes);
-                if fits {
-                    rows.extend(nodes);
-                }
-                fits
+                let fits = component.len() == factor.rank();
+                let nodes = fits.then(|| numbering(&cartan, &factor.cartan_matrix(), &component));
+                let nodes = nodes.flatten();
+                rows.extend(nodes.iter().flatten());
+                nodes.is_some()
             })?;
             open.remove(at);
         }

@@ -3,12 +3,10 @@
 use super::algebra::PositiveRoot;
 use super::subalgebra::not_a_subalgebra;
 use super::{ReductiveAlgebra, RepresentationError, Subalgebra};
-use crate::algebra::roots::{CartanType, Series};
+use crate::algebra::roots::{CartanType, Series, identify};
+use crate::algebra::structure::coprime;
 use affinor_tensors::Rational;
 use affinor_tensors::linear::Matrix;
-use num_bigint::BigInt;
-use num_rational::BigRational;
-use num_traits::{One, ToPrimitive, Zero};
 
 impl Subalgebra {
     /// The Levi subalgebra whose Dynkin diagram is the diagram of the algebra without some nodes,
@@ -191,10 +189,12 @@ fn by_base(
         .iter()
         .map(|left| base.iter().map(|right| right.pair(&left.labels)).collect())
         .collect();
-    let Some(factors) = identify(&cartan) else {
+    let Some(mut factors) = identify(&cartan) else {
         let reason = "the differences of its simple roots are roots";
         return Err(not_a_subalgebra(ambient, "the regular subalgebra", reason));
     };
+    // large factors first; equal factors in the order of their nodes
+    factors.sort_by_key(|(factor, _)| std::cmp::Reverse((factor.dimension(), factor.rank())));
     let (rank, own) = (ambient.semisimple_rank(), ambient.abelian_dimension());
     let extended = |mut row: Vec<i64>| {
         row.resize(rank + own, 0);
@@ -222,93 +222,5 @@ fn functionals<'a>(rank: usize, labels: impl Iterator<Item = &'a [i64]>) -> Vec<
     });
     let Ok(matrix) = Matrix::from_rows(rank, rows) else { return vec![] };
     let Ok(space) = matrix.nullspace() else { return vec![] };
-    let vectors = space.to_dense().into_iter().map(|vector| {
-        let vector: Vec<BigRational> = vector.iter().map(BigRational::from).collect();
-        let lcm = |a: BigInt, b: &BigInt| &a * b / gcd(a.clone(), b.clone());
-        let multiple = vector.iter().fold(BigInt::one(), |all, value| lcm(all, value.denom()));
-        let whole: Vec<BigInt> =
-            vector.iter().map(|value| value.numer() * (&multiple / value.denom())).collect();
-        let common = whole.iter().fold(BigInt::zero(), |all, value| gcd(all, value.clone()));
-        let negative =
-            whole.iter().find(|value| !value.is_zero()).is_some_and(|v| *v < Zero::zero());
-        let common = if negative { -common } else { common };
-        whole.iter().map(|value| (value / &common).to_i64().unwrap_or(0)).collect()
-    });
-    vectors.collect()
-}
-
-fn gcd(mut a: BigInt, mut b: BigInt) -> BigInt {
-    while !b.is_zero() {
-        (a, b) = (b.clone(), a % b);
-    }
-    if a < BigInt::zero() { -a } else { a }
-}
-
-/// The simple factors of a Cartan matrix, each with its nodes in the numbering of Bourbaki. `None`
-/// if the matrix is not a Cartan matrix of finite type.
-fn identify(cartan: &[Vec<i64>]) -> Option<Vec<(CartanType, Vec<usize>)>> {
-    let n = cartan.len();
-    let mut open: Vec<usize> = (0..n).collect();
-    let mut factors = vec![];
-    while let Some(&first) = open.first() {
-        let mut component = vec![first];
-        let mut at = 0;
-        while at < component.len() {
-            let node = component[at];
-            let joined = (0..n).filter(|&j| j != node && cartan[node][j] != 0);
-            for j in joined {
-                if !component.contains(&j) {
-                    component.push(j);
-                }
-            }
-            at += 1;
-        }
-        open.retain(|node| !component.contains(node));
-        factors.push(identify_simple(cartan, component)?);
-    }
-    // large factors first; equal factors in the order of their nodes
-    factors.sort_by_key(|(factor, _)| std::cmp::Reverse((factor.dimension(), factor.rank())));
-    Some(factors)
-}
-
-fn identify_simple(
-    cartan: &[Vec<i64>],
-    mut component: Vec<usize>,
-) -> Option<(CartanType, Vec<usize>)> {
-    component.sort_unstable();
-    let series =
-        [Series::A, Series::B, Series::C, Series::D, Series::E, Series::F, Series::G].into_iter();
-    let types = series.filter_map(|series| CartanType::new(series, component.len()).ok());
-    types.into_iter().find_map(|factor| {
-        let wanted = factor.cartan_matrix();
-        let mut nodes = vec![];
-        matched(cartan, &wanted, &component, &mut nodes).then_some((factor, nodes))
-    })
-}
-
-/// Extends a list of nodes to one whose Cartan matrix is the wanted one.
-pub(super) fn matched(
-    cartan: &[Vec<i64>],
-    wanted: &[Vec<i64>],
-    component: &[usize],
-    nodes: &mut Vec<usize>,
-) -> bool {
-    let at = nodes.len();
-    if at == wanted.len() {
-        return true;
-    }
-    for &node in component {
-        let fits = !nodes.contains(&node)
-            && nodes.iter().enumerate().all(|(i, &other)| {
-                cartan[node][other] == wanted[at][i] && cartan[other][node] == wanted[i][at]
-            });
-        if fits {
-            nodes.push(node);
-            if matched(cartan, wanted, component, nodes) {
-                return true;
-            }
-            nodes.pop();
-        }
-    }
-    false
+    space.to_dense().iter().filter_map(|vector| coprime(vector)).collect()
 }

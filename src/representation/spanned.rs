@@ -79,12 +79,22 @@ impl Subalgebra {
             let reason = "vectors are accepted only for semisimple algebras";
             return Err(not_a_subalgebra(ambient, "the span of the vectors", reason));
         };
-        let tests = distinguishing(ambient)?;
+        let (tests, omitted) = distinguishing(ambient)?;
         let n = ambient.dimension();
-        let fits = |p: Prime, element: &[u64], labels: &[u64]| {
-            tests.iter().all(|test| test.fits(p, element, labels))
+        let fits = |p: Prime, factor: usize, element: &[u64], labels: &[u64]| {
+            let mut tests = tests.iter().filter(|test| test.factor == factor);
+            tests.all(|test| test.fits(p, element, labels))
         };
-        Self::spanned_in(&StructureTheory::new(algebra), ambient, n, vectors, &fits)
+        let found = Self::spanned_in(&StructureTheory::new(algebra), ambient, n, vectors, &fits)?;
+        if omitted.is_empty() {
+            return Ok(found);
+        }
+        let omitted = omitted.join(", ");
+        let description = format!(
+            "{}, up to the exchange of the half-spin representations of {omitted}",
+            found.description()
+        );
+        Ok(found.described(description))
     }
 
     /// The subalgebra that vectors span in a semisimple algebra with any basis. Its type must be the
@@ -101,7 +111,7 @@ impl Subalgebra {
     ) -> Result<Self, RepresentationError> {
         let (n, vectors) = (algebra.dimension(), vectors.into_iter().collect());
         let theory = StructureTheory::new(algebra.clone());
-        Self::spanned_in(&theory, ambient, n, vectors, &|_, _, _| true)
+        Self::spanned_in(&theory, ambient, n, vectors, &|_, _, _, _| true)
     }
 
     fn spanned_in(
@@ -133,16 +143,21 @@ impl Subalgebra {
 
 /// A representation that is not invariant under the automorphisms of the Dynkin diagram.
 struct Test {
+    factor: usize,
     matrices: Vec<Matrix<Rational>>,
+    /// The labels of the factor.
     weights: Vec<Vec<i64>>,
 }
 
 /// The smallest representations that determine the numbering of the simple roots. They are
 /// fundamental representations at the ends of the diagrams that have automorphisms, and one
-/// representation for each of several equal factors.
-fn distinguishing(algebra: &ReductiveAlgebra) -> Result<Vec<Test>, RepresentationError> {
+/// representation for each of several equal factors. Also the types whose half-spin representations
+/// are too large.
+fn distinguishing(
+    algebra: &ReductiveAlgebra,
+) -> Result<(Vec<Test>, Vec<String>), RepresentationError> {
     let factors = algebra.simple_factors();
-    let mut tests = vec![];
+    let (mut tests, mut omitted) = (vec![], vec![]);
     for (at, factor) in factors.iter().enumerate() {
         let equal = factors.iter().filter(|other| *other == factor).count() > 1;
         let rank = factor.rank();
@@ -157,18 +172,23 @@ fn distinguishing(algebra: &ReductiveAlgebra) -> Result<Vec<Test>, Representatio
         for node in nodes {
             checkpoint();
             let mut labels = vec![0; algebra.rank()];
-            labels[algebra.positions(at).start + node] = 1;
+            let positions = algebra.positions(at);
+            labels[positions.start + node] = 1;
             let weight = HighestWeight::new(algebra, labels)?;
-            if weight.dimension() <= LARGEST.into() {
-                let module = MatrixRepresentation::new(&weight)?;
-                tests.push(Test {
-                    matrices: module.chevalley_basis(),
-                    weights: module.basis().iter().map(|v| v.weight().to_vec()).collect(),
-                });
+            if weight.dimension() > LARGEST.into() {
+                let name = factor.to_string();
+                if !omitted.contains(&name) {
+                    omitted.push(name);
+                }
+                continue;
             }
+            let module = MatrixRepresentation::new(&weight)?;
+            let labels = module.basis().iter().map(|v| v.weight()[positions.clone()].to_vec());
+            let weights = labels.collect();
+            tests.push(Test { factor: at, matrices: module.chevalley_basis(), weights });
         }
     }
-    Ok(tests)
+    Ok((tests, omitted))
 }
 
 impl Test {

@@ -3,7 +3,7 @@
 use crate::common::root;
 use affinor::Rational;
 use affinor::representation::{
-    HighestWeight, MatrixRepresentation, SignedRoot, Spin, clebsch_gordan, real_coupling,
+    Coupling, HighestWeight, MatrixRepresentation, SignedRoot, Spin, clebsch_gordan, real_coupling,
     wigner_3j, wigner_6j,
 };
 use affinor::tensors::Ring;
@@ -248,4 +248,41 @@ fn invalid_spins_are_rejected() {
     assert!(real_coupling(twice(2), twice(2), twice(6)).is_err());
     assert!(clebsch_gordan([twice(1), twice(3)], [twice(1), twice(1)], [twice(2); 2]).is_zero());
     assert!(wigner_6j([twice(2); 3], [twice(2), twice(2), twice(1)]).is_zero());
+}
+
+/// `<j1 j1 j2 j2 | j1+j2 j1+j2> = 1`, and the least coefficient of the singlet and of the largest spin,
+/// whose squares have closed forms.
+#[test]
+fn large_spins_do_not_underflow() {
+    let j = twice(600);
+    let coupling = Coupling::new(j, j, twice(1200)).unwrap();
+    // the square of <j j j -j | 2j 0> is (2j)!^4/(4j)!/(2j)!^2 = 1/C(4j, 2j)
+    let value = coupling.coefficient(j, twice(-600));
+    let mut logarithm = 0.0;
+    for k in 1..=600 {
+        logarithm += (f64::from(600 + k) / f64::from(k)).ln();
+    }
+    assert!((value.to_f64().ln() + logarithm / 2.0).abs() < 1e-10, "{}", value.to_f64());
+    assert!(value.to_f64() > 0.0 && value.signed_square().to_f64() < 1e-300);
+    // the coefficient of extreme spins in a 3j symbol: (2j)! (2j)!/(4j+1)! under the root
+    let symbol = wigner_3j([j, j], [j, twice(-600)], [twice(1200), twice(0)]);
+    let expected = -(logarithm + 1201.0_f64.ln()) / 2.0;
+    assert!((symbol.to_f64().abs().ln() - expected).abs() < 1e-10);
+}
+
+/// A table of coefficients is the same as single coefficients, and its squares have the sum `2j+1`.
+#[test]
+fn tables_of_coefficients() {
+    for (j1, j2, j) in [(3, 4, 5), (6, 6, 4), (40, 40, 40), (31, 8, 25)] {
+        let spins = [j1, j2, j].map(twice);
+        let coupling = Coupling::new(spins[0], spins[1], spins[2]).unwrap();
+        let mut sum = Rational::from(0);
+        for (m1, m2) in coupling.pairs() {
+            let value = coupling.coefficient(m1, m2);
+            let total = [spins[2], twice(m1.twice() + m2.twice())];
+            assert_eq!(value, clebsch_gordan([spins[0], m1], [spins[1], m2], total));
+            sum = sum + &value.signed_square().clone().abs();
+        }
+        assert_eq!(sum, Rational::from(j + 1));
+    }
 }

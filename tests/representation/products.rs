@@ -4,7 +4,10 @@ use crate::common::property::properties;
 use crate::representation::common::{
     PRIME, character_at, gap_table, pairs, representation, torus, weight,
 };
-use affinor::representation::{Decomposition, RepresentationError};
+use affinor::algebra::roots::{CartanType, Series};
+use affinor::representation::{
+    Decomposition, HighestWeight, ReductiveAlgebra, RepresentationError,
+};
 use num_bigint::BigInt;
 use std::collections::BTreeMap;
 
@@ -106,4 +109,51 @@ properties! {
         proptest::prop_assert_eq!(product.index(), expected);
         proptest::prop_assert_eq!(product.dimension(), d * e);
     }
+}
+
+/// The irreducible representations of a type up to a dimension.
+fn irreducible(algebra: &ReductiveAlgebra, most: u32) -> Vec<HighestWeight> {
+    let mut found = vec![HighestWeight::trivial(algebra)];
+    // the dimension grows with each label, so each label is raised from the position of the last one
+    let mut open = vec![(vec![0; algebra.rank()], 0)];
+    while let Some((labels, from)) = open.pop() {
+        for at in from..labels.len() {
+            let mut larger = labels.clone();
+            larger[at] += 1;
+            let weight = HighestWeight::new(algebra, larger.clone()).unwrap();
+            if weight.dimension() <= most.into() {
+                found.push(weight);
+                open.push((larger, at));
+            }
+        }
+    }
+    found
+}
+
+/// Prints the seconds for the tensor squares of all irreducible representations up to dimension
+/// 100,000, of all types of rank at most 8. The limit for rank 1 and 2 is 1000, because their squares
+/// have many components.
+#[test]
+#[ignore = "a measurement, for release builds: run with --ignored --nocapture"]
+fn squares_of_all_representations() {
+    let begin = std::time::Instant::now();
+    let mut count = 0;
+    for series in [Series::A, Series::B, Series::C, Series::D, Series::E, Series::F, Series::G] {
+        for rank in 1..=8 {
+            let Ok(one) = CartanType::new(series, rank) else { continue };
+            let algebra = ReductiveAlgebra::new([one], 0);
+            let all = irreducible(&algebra, if rank < 3 { 1000 } else { 100_000 });
+            let start = std::time::Instant::now();
+            let mut components = 0;
+            for weight in &all {
+                let square = weight.tensor(weight).unwrap();
+                assert_eq!(square.dimension(), BigInt::from(weight.dimension().pow(2)));
+                components += square.components().len();
+            }
+            count += all.len();
+            let seconds = start.elapsed().as_secs_f64();
+            println!("{one}: {} squares, {components} components, {seconds:.2} s", all.len());
+        }
+    }
+    println!("{count} squares in {:.1} s", begin.elapsed().as_secs_f64());
 }

@@ -2,11 +2,13 @@
 
 use crate::representation::common::{algebra, representation};
 use affinor::Rational;
+use affinor::algebra::roots::Series;
 use affinor::algebra::structure::StructureTheory;
 use affinor::representation::{
-    HighestWeight, MatrixRepresentation, ReductiveAlgebra, RepresentationError, Subalgebra,
+    Decomposition, HighestWeight, MatrixRepresentation, ReductiveAlgebra, RepresentationError,
+    Subalgebra,
 };
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 type Vector = Vec<(usize, Rational)>;
 
@@ -59,6 +61,50 @@ fn of(texts: &[&str]) -> BTreeSet<String> {
     texts.iter().map(|text| text.to_string()).collect()
 }
 
+/// Whether the components are the expected ones up to the choices of a subalgebra by vectors. These
+/// are the order of equal simple factors, the dual numbering of series A, and the signs of charges.
+fn is_renumbered(sum: &Decomposition, expected: &BTreeMap<Vec<i64>, i128>) -> bool {
+    let algebra = sum.algebra();
+    let factors = algebra.simple_factors();
+    let blocks: Vec<Vec<usize>> =
+        (0..factors.len()).map(|at| algebra.positions(at).collect()).collect();
+    // the positions of labels, and their signs
+    let mut choices: Vec<(Vec<usize>, Vec<Vec<usize>>)> = vec![(vec![], vec![])];
+    for factor in factors {
+        choices = choices
+            .into_iter()
+            .flat_map(|(used, orders)| {
+                let free = (0..factors.len()).filter(|at| !used.contains(at));
+                let free: Vec<usize> = free.filter(|at| factors[*at] == *factor).collect();
+                free.into_iter()
+                    .flat_map(move |at| [false, true].map(|dual| (at, dual)))
+                    .filter(|(_, dual)| !dual || factor.series() == Series::A)
+                    .map(|(at, dual)| {
+                        let mut block = blocks[at].clone();
+                        if dual {
+                            block.reverse();
+                        }
+                        ([&used[..], &[at]].concat(), [&orders[..], &[block]].concat())
+                    })
+                    .collect::<Vec<_>>()
+            })
+            .collect();
+    }
+    let rank = algebra.semisimple_rank();
+    choices.into_iter().any(|(_, orders)| {
+        let order = orders.concat();
+        [1, -1].into_iter().any(|sign| {
+            let renumbered = |(weight, multiplicity): (&HighestWeight, i128)| {
+                let labels = weight.labels();
+                let charges = labels[rank..].iter().map(|charge| sign * charge);
+                let all = order.iter().map(|at| labels[*at]).chain(charges);
+                (all.collect::<Vec<i64>>(), multiplicity)
+            };
+            sum.components().map(renumbered).collect::<BTreeMap<_, _>>() == *expected
+        })
+    })
+}
+
 #[test]
 fn levi_subalgebras_are_found_from_their_generators() {
     let su5 = algebra("SU(5)");
@@ -76,19 +122,16 @@ fn levi_subalgebras_are_found_from_their_generators() {
     assert_eq!(vectors.len(), 12);
     let found = Subalgebra::spanned(&su5, vectors).unwrap();
     let levi = Subalgebra::levi(&su5, &[3]).unwrap();
-    // the numbering of the factors and the sign of the charge are free
+    // the algebras list the factors in another order: A1 + A2 + T1 and A2 + A1 + T1
+    let reordered = |weight: &HighestWeight| {
+        let [b1, b2, a, charge] = weight.labels()[..] else { panic!("{weight}") };
+        vec![a, b1, b2, charge]
+    };
     for weight in ["5", "10", "24", "45"] {
         let weight = HighestWeight::parse(&su5, weight).unwrap();
         let [own, other] = [&found, &levi].map(|sub| sub.branch(&weight).unwrap());
-        assert_eq!(own.dimension(), other.dimension());
-        assert_eq!(own.components().count(), other.components().count());
-        let dimensions = |sum: &affinor::representation::Decomposition| {
-            let mut all: Vec<_> =
-                sum.components().map(|(w, m)| (w.dimension().to_string(), m)).collect();
-            all.sort();
-            all
-        };
-        assert_eq!(dimensions(&own), dimensions(&other));
+        let expected = other.components().map(|(w, m)| (reordered(w), m)).collect();
+        assert!(is_renumbered(&own, &expected), "{weight}: {own} and {other}");
     }
     assert_eq!(found.algebra().to_string(), "A1 + A2 + T1");
 }
@@ -111,20 +154,13 @@ fn maximal_compact_subalgebras_of_split_forms() {
             (0..count).map(|i| vec![(i, Rational::from(1)), (i + count, Rational::from(-1))]);
         let found = Subalgebra::spanned(&ambient, vectors).unwrap();
         assert_eq!(found.algebra().to_string(), compact, "{name}");
-        let branched = branched(&found, weight);
-        let multiset = |all: &BTreeSet<String>| {
-            let mut digits: Vec<Vec<char>> = all
-                .iter()
-                .map(|text| {
-                    let mut all: Vec<char> = text.chars().collect();
-                    all.sort_unstable();
-                    all
-                })
-                .collect();
-            digits.sort();
-            digits
+        let weight = HighestWeight::parse(&ambient, weight).unwrap();
+        let sum = found.branch(&weight).unwrap();
+        let labels = |text: &&str| {
+            (HighestWeight::parse(found.algebra(), text).unwrap().labels().to_vec(), 1)
         };
-        assert_eq!(multiset(&branched), multiset(&of(expected)), "{name}: {branched:?}");
+        let expected = expected.iter().map(labels).collect();
+        assert!(is_renumbered(&sum, &expected), "{name}: {sum}");
     }
 }
 
@@ -216,4 +252,37 @@ fn other_spans_are_rejected_with_a_witness() {
     assert_eq!(branched(&whole, "8"), of(&["8"]));
     let zero = Subalgebra::spanned(&a2, []).unwrap();
     assert_eq!(zero.algebra().to_string(), "T0");
+}
+
+/// Each of eight equal factors is found: the diagonal of the last two in the sum of eight algebras.
+#[test]
+fn many_equal_factors_are_numbered() {
+    let eight = algebra(&["A1"; 8].join(" + "));
+    let brackets = eight.chevalley_algebra().unwrap();
+    let at = |label: &str| brackets.labels().iter().position(|own| own == label).unwrap();
+    let one = || Rational::from(1);
+    for (first, second) in [(6, 7), (0, 3)] {
+        let vectors = ["e1", "f1", "h1"].map(|name| {
+            let [a, b] = [first, second].map(|k| at(&format!("{name}_{}", k + 1)));
+            vec![(a, one()), (b, one())]
+        });
+        let found = Subalgebra::spanned(&eight, vectors).unwrap();
+        let expected: Vec<i64> = (0..8).map(|k| i64::from(k == first || k == second)).collect();
+        assert_eq!(found.projection(), [expected]);
+    }
+}
+
+/// The half-spin representations of large orthogonal algebras are not distinguished, and the
+/// description states this.
+#[test]
+fn undetermined_numberings_are_stated() {
+    for (name, is_determined) in [("D5", true), ("D11", false)] {
+        let ambient = algebra(name);
+        let e1 = vector(&ambient, &[("e1", 1)]);
+        let f1 = vector(&ambient, &[("f1", 1)]);
+        let h1 = vector(&ambient, &[("h1", 1)]);
+        let found = Subalgebra::spanned(&ambient, [e1, f1, h1]).unwrap();
+        assert_eq!(found.description().contains("exchange"), !is_determined, "{name}");
+        assert_eq!(found.embedding_index(), [[1]]);
+    }
 }

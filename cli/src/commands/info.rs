@@ -3,7 +3,7 @@
 use super::failure::Failure;
 use super::options::{Output, Settings, SpaceOptions};
 use super::stages::Stages;
-use affinor_documents::report::Info;
+use affinor_documents::report::{Coefficients, Info};
 use affinor_tensors::Effort;
 use clap::Args;
 
@@ -20,6 +20,10 @@ pub struct Arguments {
     /// Values of parameters, as in "h=-1"; may be repeated
     #[arg(long, value_name = "NAME=VALUE,...")]
     pub set: Vec<String>,
+    /// Add the cohomology with coefficients in a module: adjoint, coadjoint, trivial, or a matrix for
+    /// each basis vector, as in "[[0,1],[0,0]], [[1,0],[0,-1]]"
+    #[arg(long, value_name = "MODULE")]
+    pub coefficients: Option<String>,
     /// Print the seconds of each stage to standard error
     #[arg(long)]
     pub timings: bool,
@@ -34,8 +38,13 @@ impl Arguments {
         let (basis, bracket) = (self.basis.clone(), self.bracket.clone());
         let options = SpaceOptions { basis, bracket, ..SpaceOptions::default() };
         let settings = Settings { set: self.set.clone(), tolerance: None, threads: None };
+        let coefficients = match &self.coefficients {
+            Some(text) => text.parse()?,
+            None => Coefficients::Trivial,
+        };
         let space = settings.open(self.space.as_deref(), &options)?;
-        let info = Info::of(&space.definition, &|name| stages.begin(name))?;
+        let begin = |name: &str| stages.begin(name);
+        let info = Info::with_coefficients(&space.definition, &coefficients, &begin)?;
         stages.begin_output();
         self.output.print(space.file.as_slice(), &info)
     }

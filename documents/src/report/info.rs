@@ -2,6 +2,7 @@
 
 mod basis;
 mod casimirs;
+mod coefficients;
 mod exceptional;
 mod forms;
 mod homogeneous;
@@ -12,6 +13,7 @@ mod real_forms;
 mod roots;
 mod rows;
 
+pub use coefficients::Coefficients;
 pub use roots::dynkin_type;
 
 use super::grid::{Cell, Grid};
@@ -61,6 +63,19 @@ impl Info {
     /// An error if the brackets do not define a Lie algebra, or if the definition is on a chart. Also
     /// if dividing basis vectors by square roots cannot make the structure constants rational.
     pub fn of(definition: &Definition, stage: &dyn Fn(&str)) -> Result<Self, InputError> {
+        Self::with_coefficients(definition, &Coefficients::Trivial, stage)
+    }
+
+    /// As [`Info::of`], with the cohomology for these coefficients. Trivial coefficients add no row,
+    /// because the Betti numbers are in every report.
+    ///
+    /// # Errors
+    /// As [`Info::of`]; also if matrices are not a module of the algebra.
+    pub fn with_coefficients(
+        definition: &Definition,
+        coefficients: &Coefficients,
+        stage: &dyn Fn(&str),
+    ) -> Result<Self, InputError> {
         let definition = definition.algebra_alone();
         let tolerance = Tolerance::default();
         stage("jacobi");
@@ -72,24 +87,27 @@ impl Info {
             let space = definition.homogeneous::<Rational>(tolerance)?;
             return space.map_or_else(
                 || Err(InputError::usage("the definition is not a homogeneous space")),
-                |space| Self::of_homogeneous(&space, algebra, stage),
+                |space| Self::of_homogeneous(&space, algebra, coefficients, stage),
             );
         }
         if definition.is_rational() {
             let algebra = definition.algebra::<Rational>(tolerance)?;
-            return Self::new(&definition.name, &StructureTheory::new(algebra), &[], stage);
+            let structure = StructureTheory::new(algebra);
+            return Self::new(&definition.name, &structure, &[], coefficients, stage);
         }
         let (bases, parameters) = (InBases::of(&definition)?, definition.parameters());
         let numbers = bases.rational.over_the_rationals().filter(|_| parameters.is_empty());
         let mut divisors = vec![];
         let mut info = match numbers {
             Some(algebra) => {
-                Self::new(&definition.name, &StructureTheory::new(algebra), &[], stage)?
+                let structure = StructureTheory::new(algebra);
+                Self::new(&definition.name, &structure, &[], coefficients, stage)?
             }
             None => {
                 let structure = StructureTheory::new(bases.rational.algebra().clone());
-                let (info, pivots) =
-                    divisors_of(|| Self::new(&definition.name, &structure, &parameters, stage));
+                let (info, pivots) = divisors_of(|| {
+                    Self::new(&definition.name, &structure, &parameters, coefficients, stage)
+                });
                 divisors = pivots;
                 if parameters.len() == 1 {
                     divisors.extend(structure.deciding_expressions());
@@ -106,14 +124,15 @@ impl Info {
     }
 
     /// Computes the structure of an algebra with this name, whose structure constants depend on
-    /// `parameters`.
+    /// `parameters`, with the cohomology for these coefficients.
     ///
     /// # Errors
-    /// No errors occur for a Lie algebra.
+    /// An error of usage if matrices of coefficients are not a module of the algebra.
     pub fn new<S: GroundField + Coefficient>(
         name: &str,
         structure: &StructureTheory<S>,
         parameters: &[String],
+        coefficients: &Coefficients,
         stage: &dyn Fn(&str),
     ) -> Result<Self, InputError> {
         let mut notes = Notes::new(structure.algebra().labels());
@@ -202,6 +221,10 @@ impl Info {
         notes.derivations(counted, inner);
         let betti = betti.as_ref().map(|(numbers, proved)| (&numbers[..], *proved));
         notes.betti(betti, structure.is_reductive());
+        #[cfg(feature = "modules")]
+        notes.cohomology(structure, coefficients)?;
+        #[cfg(not(feature = "modules"))]
+        debug_assert!(*coefficients == Coefficients::Trivial, "the feature `modules` is missing");
         let why = "dimension minus the generic rank of f([x,y])";
         notes.count("index", "index", Some(index), why);
         let why = "dimension of B([x,y],z) = B(x,[y,z])";

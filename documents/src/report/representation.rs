@@ -11,7 +11,7 @@ use crate::space::vectors;
 use affinor::representation::diagram::labelled;
 use affinor::representation::names::name;
 use affinor::representation::{
-    Decomposition, HighestWeight, ReductiveAlgebra, RepresentationError, Subalgebra,
+    CasimirElement, Decomposition, HighestWeight, ReductiveAlgebra, RepresentationError, Subalgebra,
 };
 use affinor::{LieAlgebra, Rational};
 use num_bigint::BigInt;
@@ -94,7 +94,7 @@ impl Report for RepresentationReport {
 }
 
 /// Errors of limits and of restrictions are mathematical; all others are errors of usage.
-fn failure(error: RepresentationError) -> InputError {
+pub(super) fn failure(error: RepresentationError) -> InputError {
     match error {
         RepresentationError::TooLarge { .. } | RepresentationError::NotACharacter { .. } => {
             InputError::mathematics(error.to_string())
@@ -165,7 +165,16 @@ impl State {
         text: &str,
         brackets: Option<&LieAlgebra<Rational>>,
     ) -> Result<(), InputError> {
-        let subalgebra = match text.trim().strip_prefix("span ") {
+        let text = text.trim();
+        let span =
+            text.strip_prefix("span").filter(|rest| !rest.starts_with(char::is_alphanumeric));
+        let subalgebra = match span.map(str::trim) {
+            Some("") => {
+                let error = InputError::usage("`span` is not followed by vectors");
+                return Err(
+                    error.help("write vectors of the basis, such as `span e1 - f1, e2 - f2`")
+                );
+            }
             Some(vectors) => spanned(self.value.algebra(), vectors, brackets)?,
             None => Subalgebra::parse(self.value.algebra(), text).map_err(failure)?,
         };
@@ -308,12 +317,17 @@ const ROOTS: &str = "numbered as in Bourbaki";
 /// The normalization of the Casimir eigenvalue.
 const LENGTHS: &str = "(w, w + 2 rho), where long roots have squared length 2";
 
+/// The normalization of the Casimir elements of higher degree.
+const TRACES: &str = "traces of powers in the defining representation";
+/// The largest degree of a Casimir element in the rows; JSON contains all.
+const SHOWN_DEGREE: usize = 6;
+
 /// The properties of an irreducible representation.
 fn properties(weight: &HighestWeight) -> Vec<(&'static str, Cell)> {
     let algebra = weight.algebra();
     let index: Vec<BigInt> = weight.index().into_iter().map(BigInt::from).collect();
     let casimir: Vec<String> = weight.casimir().iter().map(ToString::to_string).collect();
-    vec![
+    let mut rows: Vec<(&'static str, Cell)> = vec![
         ("highest weight", with_name(weight).into()),
         ("diagram", Cell::drawn(&labelled(weight))),
         ("dimension", weight.dimension().to_string().into()),
@@ -323,7 +337,35 @@ fn properties(weight: &HighestWeight) -> Vec<(&'static str, Cell)> {
         ("congruency class", class(weight).into()),
         ("Dynkin index", numbers(&index).into()),
         ("Casimir eigenvalue", format!("{}: {LENGTHS}", casimir.join(", ")).into()),
-    ]
+    ];
+    let higher = higher_casimirs(weight).unwrap_or_default().into_iter().flatten();
+    let shown = higher.filter(|(element, degree, _)| {
+        *degree <= SHOWN_DEGREE || *element == CasimirElement::Pfaffian
+    });
+    let shown: Vec<String> = shown
+        .map(|(element, degree, value)| match element {
+            CasimirElement::Trace { .. } => format!("degree {degree}: {value}"),
+            CasimirElement::Pfaffian => format!("Pfaffian: {value}"),
+        })
+        .collect();
+    if !shown.is_empty() {
+        rows.push(("higher Casimirs", format!("{}; {TRACES}", shown.join(", ")).into()));
+    }
+    rows
+}
+
+/// The Casimir elements of degree 3 and more of each simple factor, with their degrees and
+/// eigenvalues; `None` if they are too large to compute.
+fn higher_casimirs(weight: &HighestWeight) -> Option<Vec<Vec<(CasimirElement, usize, Rational)>>> {
+    let ranks = weight.algebra().simple_factors().iter().map(|factor| factor.rank());
+    let of_factor = |(rank, all): (usize, Vec<(CasimirElement, Rational)>)| {
+        let with_degree = all.into_iter().map(|(element, value)| match element {
+            CasimirElement::Trace { degree } => (element, degree as usize, value),
+            CasimirElement::Pfaffian => (element, rank, value),
+        });
+        with_degree.filter(|(_, degree, _)| *degree > 2).collect()
+    };
+    Some(ranks.zip(weight.casimirs().ok()?).map(of_factor).collect())
 }
 
 fn class(weight: &HighestWeight) -> String {
@@ -403,6 +445,17 @@ fn described(weight: &HighestWeight) -> Value {
     object["frobenius_schur"] = json!(weight.indicator().value());
     object["congruency_class"] = json!(weight.congruency_class());
     object["casimir"] = json!(casimir);
+    let higher = higher_casimirs(weight).map(|factors| {
+        let entry = |(element, degree, value): &(CasimirElement, usize, Rational)| {
+            let element = match element {
+                CasimirElement::Trace { .. } => "trace",
+                CasimirElement::Pfaffian => "pfaffian",
+            };
+            json!({ "element": element, "degree": degree, "value": value.to_string() })
+        };
+        factors.iter().map(|all| all.iter().map(entry).collect::<Vec<_>>()).collect::<Vec<_>>()
+    });
+    object["higher_casimirs"] = json!(higher);
     object["diagram"] = json!(labelled(weight));
     object
 }

@@ -10,7 +10,7 @@ mod gap;
 mod json;
 mod maple;
 mod marks;
-mod matrices;
+pub(crate) mod matrices;
 mod rows;
 mod sage;
 mod salamon;

@@ -372,24 +372,17 @@ def wigner_6j(*spins: Spin, squares: bool = False) -> Any:
     >>> wigner_6j(1, 1, 1, 1, 1, 1)
     0.16666666666666666
     """
-    document = json.loads(_coupling([_spin(spin) for spin in spins], "6j"))
-    return _value(document["coefficients"][0], squares)
+    _, values = _coupling([_spin(spin) for spin in spins], "6j", squares)
+    return values[0]
 
 
 def _array(spins: list[Spin], kind: str, squares: bool) -> NDArray[Any]:
     texts = [_spin(spin) for spin in spins]
-    document = json.loads(_coupling(texts, kind))
+    positions, values = _coupling(texts, kind, squares)
     shape = [int(2 * Fraction(text)) + 1 for text in texts]
     array = np.full(shape, Fraction(0), dtype=object) if squares else np.zeros(shape)
-    names = ["m1", "m2", "m" if kind == "clebsch-gordan" else "m3"]
-    for one in document["coefficients"]:
-        at = tuple(int(Fraction(one[name]) + Fraction(text)) for name, text in zip(names, texts, strict=True))
-        array[at] = _value(one, squares)
+    array.flat[positions] = values
     return array
-
-
-def _value(coefficient: dict[str, Any], squares: bool) -> Any:
-    return Fraction(coefficient["signed_square"]) if squares else coefficient["decimal"]
 
 
 def _spin(spin: Spin) -> str:

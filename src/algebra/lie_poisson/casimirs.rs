@@ -8,13 +8,11 @@
 use super::LiePoisson;
 use crate::Error;
 use crate::algebra::invariants::common_kernel;
-use crate::algebra::structure::denominator;
+use crate::algebra::structure::primitive_factor;
 use affinor_tensors::linear::{Echelon, Row};
 use affinor_tensors::stop::stage;
 use affinor_tensors::{Field, Rational, Scalar, Symbolic, Tolerance};
-use num_bigint::BigInt;
-use num_rational::BigRational;
-use num_traits::{One, Signed, Zero};
+use num_traits::{One, Zero};
 use std::collections::BTreeMap;
 
 /// The largest number of monomials of one degree in a search for Casimir functions. In a dense
@@ -138,20 +136,6 @@ impl LiePoisson {
             })
         })
     }
-}
-
-/// The positive factor that turns the numbers into coprime integers.
-pub(in crate::algebra) fn primitive_factor(numbers: &[Rational]) -> Rational {
-    let above = denominator(numbers.iter());
-    let divisor = numbers.iter().fold(BigInt::zero(), |mut divisor, number| {
-        let mut rest = BigRational::from(&(number.clone() * &above)).to_integer();
-        while !rest.is_zero() {
-            (divisor, rest) = (rest.clone(), divisor % rest);
-        }
-        divisor
-    });
-    let below = Rational::from(BigRational::from_integer(divisor.abs()));
-    below.recip().map_or(above.clone(), |unit| above * &unit)
 }
 
 const MONOMIALS: &str = "monomials";

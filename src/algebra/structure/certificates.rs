@@ -36,12 +36,12 @@ impl Certified {
 
 impl<S: GroundField> StructureTheory<S> {
     /// The dimension of the solution space of linear equations. The function `kernel` computes a
-    /// basis in reduced echelon form modulo a prime; `holds` checks whether a rational vector
+    /// basis in reduced echelon form modulo a prime, or returns `None` for an unsuitable prime; `holds` checks whether a rational vector
     /// satisfies the equations.
     pub(super) fn counted(
         &self,
         length: usize,
-        kernel: impl Fn(&ModularAlgebra) -> Vec<Vec<u64>>,
+        kernel: impl Fn(&ModularAlgebra) -> Option<Vec<Vec<u64>>>,
         holds: impl Fn(&StructureTheory<Rational>, &Row<Rational>) -> bool,
     ) -> Certified {
         let rational = self.over_the_rationals();
@@ -50,9 +50,11 @@ impl<S: GroundField> StructureTheory<S> {
             None => 2,
         };
         let mut found: Option<(usize, RationalReconstruction)> = None;
-        let reductions = primes().filter_map(|prime| ModularAlgebra::new(self, prime));
-        for reduction in reductions.take(most) {
-            let vectors = kernel(&reduction);
+        let reductions = primes().filter_map(|prime| {
+            let reduction = ModularAlgebra::new(self, prime)?;
+            Some((kernel(&reduction)?, reduction.prime()))
+        });
+        for (vectors, prime) in reductions.take(most) {
             let dimension = vectors.len();
             if dimension == 0 {
                 return Certified::theorem(0);
@@ -64,7 +66,7 @@ impl<S: GroundField> StructureTheory<S> {
                 _ => (dimension, RationalReconstruction::new(dimension * length)),
             };
             if known == dimension {
-                images.add(reduction.prime(), &vectors.concat());
+                images.add(prime, &vectors.concat());
                 let lifted = rational.as_ref().zip(images.rationals());
                 let multiplied_out = |(structure, numbers): (_, Vec<Rational>)| {
                     numbers.chunks(length).all(|vector| holds(structure, &sparse(vector)))

@@ -7,7 +7,7 @@
 
 use super::subspace::{collected, combination};
 use super::{GroundField, StructureTheory, Subspace};
-use crate::algebra::{Bracket, LieAlgebra, join_labels};
+use crate::algebra::{Bracket, LieAlgebra, Module, join_labels};
 use crate::{Error, Law};
 use affinor_tensors::linear::{Matrix, Row};
 use affinor_tensors::{Down, Tensor, Up};
@@ -102,64 +102,33 @@ impl<S: GroundField> StructureTheory<S> {
         by: &[Matrix<S>],
     ) -> Result<LieAlgebra<S>, Error> {
         let (n, m) = (self.dimension(), on.dimension());
-        let expected = format!("{n} matrices of size {m} x {m}");
-        if by.len() != n || by.iter().any(|d| d.rows() != m || d.columns() != m) {
-            let sizes: Vec<String> =
-                by.iter().map(|d| format!("{} x {}", d.rows(), d.columns())).collect();
-            let found = format!("{} of {}", by.len(), sizes.first().map_or("none", |s| s));
-            return Err(Error::Shape { what: "the action", expected, found });
-        }
-        let columns = |d: &Matrix<S>| -> Vec<Row<S>> {
-            let transposed = d.transpose();
-            (0..m).map(|k| transposed.row(k).to_vec()).collect()
-        };
-        let actions: Vec<Vec<Row<S>>> = by.iter().map(columns).collect();
-        let apply = |d: &[Row<S>], v: &[(usize, S)]| combination(d, v);
+        let module = Module::unchecked(&self.algebra, on.algebra.labels(), by.to_vec())?;
         let minus =
             |row: Row<S>| row.into_iter().map(|(at, value)| (at, -value)).collect::<Row<S>>();
         let labels = self.algebra.labels();
-        for (at, d) in actions.iter().enumerate() {
+        for (at, label) in labels.iter().enumerate() {
+            let d = |j: usize| module.image(at, j);
             for j in 0..m {
                 let ad = on.products.ad(&[(j, S::one())]);
-                let moved = on.products.ad(&d[j]);
+                let moved = on.products.ad(d(j));
                 for k in j + 1..m {
-                    let right = [moved.column(k).to_vec(), ad.image(&d[k])].concat();
-                    let left = apply(d, ad.column(k));
+                    let right = [moved.column(k).to_vec(), ad.image(d(k))].concat();
+                    let left = module.act(at, ad.column(k));
                     let residual = collected([left, minus(right)].concat());
                     if !residual.is_empty() {
                         let [x, y] = [j, k].map(|at| on.algebra.labels()[at].clone());
-                        let at = [labels[at].clone(), x, y];
+                        let at = [label.clone(), x, y];
                         return Err(Law::Derivation.broken(at, on.write(&residual)));
                     }
                 }
             }
         }
-        for j in 0..n {
-            let ad = self.products.ad(&[(j, S::one())]);
-            for k in j + 1..n {
-                for v in 0..m {
-                    let first = apply(&actions[j], &actions[k][v]);
-                    let second = apply(&actions[k], &actions[j][v]);
-                    let whole = ad.column(k).iter().flat_map(|(i, factor)| {
-                        actions[*i][v]
-                            .iter()
-                            .map(move |(at, value)| (*at, -(value.clone() * factor)))
-                    });
-                    let whole = whole.collect::<Row<S>>();
-                    let residual = collected([first, minus(second), whole].concat());
-                    if !residual.is_empty() {
-                        let [x, y] = [j, k].map(|at| labels[at].clone());
-                        let at = [x, y, on.algebra.labels()[v].clone()];
-                        return Err(Law::Action.broken(at, on.write(&residual)));
-                    }
-                }
-            }
-        }
+        module.expect_action()?;
         let shifted = on.constants().into_iter().map(|(j, k, i, v)| (j + n, k + n, i + n, v));
-        let acted = actions.iter().enumerate().flat_map(|(j, d)| {
-            d.iter().enumerate().flat_map(move |(k, column)| {
-                column.iter().map(move |(i, value)| (j, n + k, n + i, value.clone()))
-            })
+        let pairs = (0..n).flat_map(|j| (0..m).map(move |k| (j, k)));
+        let acted = pairs.flat_map(|(j, k)| {
+            let image = module.image(j, k).iter();
+            image.map(move |(i, value)| (j, n + k, n + i, value.clone()))
         });
         let constants = self.constants().into_iter().chain(shifted).chain(acted);
         let labels = join_labels(labels, on.algebra.labels());

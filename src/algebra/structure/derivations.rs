@@ -29,7 +29,7 @@ impl<S: GroundField> StructureTheory<S> {
             let z = self.radical().dimension();
             return self.is_reductive().then(|| Certified::theorem(n - z + z * z));
         }
-        let kernel = |reduction: &ModularAlgebra| reduction.derivation_equations().kernel();
+        let kernel = |reduction: &ModularAlgebra| Some(reduction.derivation_equations().kernel());
         let counted = self.counted(n * n, kernel, StructureTheory::is_derivation_row);
         // the dimension is proved if it equals the number of inner derivations, which is a lower
         // bound
@@ -48,7 +48,7 @@ impl<S: GroundField> StructureTheory<S> {
             let factors = self.is_reductive().then(|| self.dynkin_type())??;
             return Some(Certified::theorem(factors.len() + z * (z + 1) / 2));
         }
-        let kernel = |reduction: &ModularAlgebra| reduction.form_equations().kernel();
+        let kernel = |reduction: &ModularAlgebra| Some(reduction.form_equations().kernel());
         Some(self.counted(n * (n + 1) / 2, kernel, StructureTheory::is_invariant_row))
     }
 }

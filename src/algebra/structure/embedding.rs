@@ -10,8 +10,9 @@
 
 use super::dynkin::{Split, block_cartan_matrix};
 use super::reduction::{ModularAlgebra, PseudoRandom};
+use super::subspace::coprime;
 use super::{RootSpaces, StructureTheory, Subspace};
-use crate::algebra::roots::{CartanType, RootSystem};
+use crate::algebra::roots::{CartanType, RootSystem, automorphisms};
 use crate::{Error, Law};
 use affinor_tensors::Rational;
 use affinor_tensors::linear::modular::{Prime, RationalReconstruction, ResidueMatrix, primes};
@@ -23,8 +24,6 @@ use std::collections::HashSet;
 /// The number of primes that are tried. For a random Cartan subalgebra of a simple algebra, one in
 /// the order of its Weyl group is suitable.
 const PRIMES: usize = 2000;
-/// The largest number of partial automorphisms of a Dynkin diagram.
-const MAX_AUTOMORPHISMS: usize = 10_000;
 /// The largest entry of a projection.
 const LARGEST: i64 = 1 << 16;
 
@@ -42,15 +41,16 @@ pub struct Embedding {
     pub projection: Vec<Vec<i64>>,
 }
 
-/// A test of the numbering of simple roots. Its arguments are a prime, an element of the algebra
-/// modulo the prime, and the values of the fundamental weights on this element.
-pub type Numbering<'t> = &'t dyn Fn(Prime, &[u64], &[u64]) -> bool;
+/// A test of the numbering of the simple roots of one factor. Its arguments are a prime, the position
+/// of the factor, an element of the algebra modulo the prime, and labels. The labels are the values of
+/// the fundamental weights of the factor on the element.
+pub type Numbering<'t> = &'t dyn Fn(Prime, usize, &[u64], &[u64]) -> bool;
 
 impl StructureTheory<Rational> {
     /// The restriction of weights to the subalgebra on a subspace of a semisimple algebra. The types
-    /// are those of the algebra, in the order of the columns of the projection. The first numbering
-    /// of the simple roots that passes the test `fits` is chosen; two numberings differ by an
-    /// automorphism of the Dynkin diagram.
+    /// are those of the algebra, in the order of the columns of the projection. Two numberings of the
+    /// simple roots differ by an automorphism of the Dynkin diagram. For each factor, the first
+    /// numbering that passes the test `fits` is chosen.
     ///
     /// Returns `None` if the types or a suitable prime are not found.
     ///
@@ -67,7 +67,7 @@ impl StructureTheory<Rational> {
     /// let types = algebra.dynkin_type().unwrap_or_default();
     /// let vector = |i: usize| vec![(i, Rational::from(1)), (i + 3, Rational::from(-1))];
     /// let rotations = Subspace::span(8, (0..3).map(vector));
-    /// let found = algebra.embedding(&rotations, &types, &|_, _, _| true)?;
+    /// let found = algebra.embedding(&rotations, &types, &|_, _, _, _| true)?;
     /// assert_eq!(found.map(|found| found.projection), Some(vec![vec![2, 2]]));
     /// # Ok::<(), affinor::Error>(())
     /// ```
@@ -167,19 +167,44 @@ impl Task<'_> {
         let own_roots = Roots::new(part, &dense(self.own_cartan, m)?, &mut draw)?;
         let own_simple = own_roots.simple(p, self.own_types)?;
         let subspace = dense(self.subspace, n)?;
-        let inverse = inverse_cartan_matrix(p, self.types)?;
-        // the values of the fundamental weights on a toral element
-        let labels = |element: &[u64], simple: &[usize]| {
+        let inverses = self.types.iter().map(|one| inverse_cartan_matrix(p, *one));
+        let inverses = inverses.collect::<Option<Vec<_>>>()?;
+        // the values of the fundamental weights of a factor on a toral element
+        let labels_of = |factor: usize, element: &[u64], simple: &[usize]| {
             let value = |root: &usize| eigenvalue(whole, element, &roots.vectors[*root]);
             let values = simple.iter().map(value).collect::<Option<Vec<u64>>>()?;
-            Some(inverse.iter().map(|row| p.dot(row, &values)).collect::<Vec<u64>>())
+            Some(inverses[factor].iter().map(|row| p.dot(row, &values)).collect::<Vec<u64>>())
+        };
+        let labels = |element: &[u64], factors: &[Vec<usize>]| {
+            let parts = factors.iter().enumerate();
+            let parts = parts.map(|(at, simple)| labels_of(at, element, simple));
+            Some(parts.collect::<Option<Vec<_>>>()?.concat())
         };
         let factors = draw.vector(p, cartan.len());
         let element = combination(p, n, &factors, &cartan);
-        let simple = automorphisms(self.types).into_iter().find_map(|order| {
-            let simple: Vec<usize> = order.into_iter().map(|at| simple[at]).collect();
-            fits(p, &element, &labels(&element, &simple)?).then_some(simple)
-        })?;
+        // the factors of the algebra that have no number yet, with their simple roots
+        let mut start = 0;
+        let blocks = self.types.iter().map(|one| {
+            start += one.rank();
+            (*one, simple[start - one.rank()..start].to_vec())
+        });
+        let mut open: Vec<(CartanType, Vec<usize>)> = blocks.collect();
+        let mut simple: Vec<Vec<usize>> = vec![];
+        for (factor, one) in self.types.iter().enumerate() {
+            let (at, found) = open.iter().enumerate().find_map(|(at, (other, block))| {
+                checkpoint();
+                let orders = automorphisms(*one).into_iter().filter(|_| one == other);
+                let mut orders =
+                    orders.map(|order| order.iter().map(|&i| block[i]).collect::<Vec<_>>());
+                let found = orders.find(|simple| {
+                    labels_of(factor, &element, simple)
+                        .is_some_and(|labels| fits(p, factor, &element, &labels))
+                });
+                Some((at, found?))
+            })?;
+            open.remove(at);
+            simple.push(found);
+        }
         let mut rows = vec![];
         for &root in &own_simple {
             let coroot = own_roots.coroot(part, root)?;
@@ -189,7 +214,8 @@ impl Task<'_> {
         let centre = dense(self.centre, m)?
             .into_iter()
             .map(|row| labels(&combination(p, n, &row, &subspace), &simple));
-        let mut centre = ResidueMatrix::new(p, simple.len(), centre.collect::<Option<_>>()?);
+        let mut centre =
+            ResidueMatrix::new(p, simple.concat().len(), centre.collect::<Option<_>>()?);
         if centre.reduce().len() < self.centre.len() {
             return None;
         }
@@ -329,14 +355,11 @@ fn combination(p: Prime, n: usize, factors: &[u64], rows: &[Vec<u64>]) -> Vec<u6
     sum
 }
 
-/// The inverse of the matrix `<α_j, α_k^v>`, modulo a prime.
-fn inverse_cartan_matrix(p: Prime, types: &[CartanType]) -> Option<Vec<Vec<u64>>> {
-    let cartan = block_cartan_matrix(types);
+/// The inverse of the matrix `<α_j, α_k^v>` of a type, modulo a prime.
+fn inverse_cartan_matrix(p: Prime, cartan_type: CartanType) -> Option<Vec<Vec<u64>>> {
+    let cartan = cartan_type.cartan_matrix();
     let rational = |row: &Vec<i64>| row.iter().map(|v| Rational::from(*v)).collect::<Vec<_>>();
     let inverse = Matrix::from_dense(&cartan.iter().map(rational).collect::<Vec<_>>()).ok()?;
-    if cartan.is_empty() {
-        return Some(vec![]);
-    }
     let dense = inverse.inverse()?.to_dense();
     dense.iter().map(|row| row.iter().map(|v| p.rational(v)).collect()).collect()
 }
@@ -385,43 +408,6 @@ fn primitive(p: Prime, residues: &[u64]) -> Option<Vec<i64>> {
     let mut numbers = RationalReconstruction::new(residues.len());
     numbers.add(p, residues);
     let numbers = numbers.rationals()?;
-    // one denominator for all numbers, then no common factor
-    let denominator = super::denominator(numbers.iter());
-    let integers = numbers.iter().map(|value| (value.clone() * &denominator).to_i64());
-    let integers = integers.collect::<Option<Vec<i64>>>()?;
-    let gcd = integers.iter().fold(0, |a, b| gcd(a, b.abs())).max(1);
-    // the first charge that is not zero is positive
-    let unit = if integers.iter().find(|value| **value != 0) < Some(&0) { -gcd } else { gcd };
-    let small = integers.iter().all(|value| (value / unit).abs() <= LARGEST);
-    small.then(|| integers.iter().map(|value| value / unit).collect())
-}
-
-fn gcd(a: i64, b: i64) -> i64 {
-    if b == 0 { a } else { gcd(b, a % b) }
-}
-
-/// The automorphisms of the Dynkin diagram, the identity first. If there are very many, because
-/// many factors are equal, only the identity is returned.
-fn automorphisms(types: &[CartanType]) -> Vec<Vec<usize>> {
-    let cartan = block_cartan_matrix(types);
-    let mut found = vec![vec![]];
-    for at in 0..cartan.len() {
-        checkpoint();
-        let longer = found.iter().flat_map(|order: &Vec<usize>| {
-            let fits = |&next: &usize| {
-                let pairs = order.iter().enumerate();
-                let equal = |(k, &other): (usize, &usize)| {
-                    cartan[next][other] == cartan[at][k] && cartan[other][next] == cartan[k][at]
-                };
-                !order.contains(&next) && pairs.clone().all(equal)
-            };
-            let next = (0..cartan.len()).filter(fits).collect::<Vec<_>>();
-            next.into_iter().map(move |next| [&order[..], &[next]].concat())
-        });
-        found = longer.collect();
-        if found.len() > MAX_AUTOMORPHISMS {
-            return vec![(0..cartan.len()).collect()];
-        }
-    }
-    found
+    let small = |values: &Vec<i64>| values.iter().all(|value| value.abs() <= LARGEST);
+    coprime(&numbers).filter(small)
 }

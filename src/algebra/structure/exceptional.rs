@@ -5,8 +5,8 @@
 //! polynomials therefore include all exceptional values.
 
 use super::StructureTheory;
-use super::cohomology::differential;
 use super::subspace::collected;
+use crate::algebra::cochains::{differential, sets};
 use crate::algebra::irreducible_factors;
 use affinor_tensors::linear::{Matrix, Row};
 use affinor_tensors::scalar::divisors_of;
@@ -145,14 +145,15 @@ impl StructureTheory<Symbolic> {
         rank(n * n, maps);
         rank(n * n, forms);
         for degree in 1..n {
-            let sets = (0..1usize << n).filter(|set| set.count_ones() as usize == degree);
-            let row = |set: usize| {
-                let terms = differential(n, |j| self.products.of(j), set).into_iter();
+            let row = |set| {
+                let terms = differential(n, |j| self.products.of(j), |_| &[], set, 0).into_iter();
                 terms
-                    .map(|(to, minus, c)| (to, if minus { -c.clone() } else { c.clone() }))
+                    .map(|(to, _, minus, c)| {
+                        (to as usize, if minus { -c.clone() } else { c.clone() })
+                    })
                     .collect()
             };
-            rank(1 << n, sets.map(row).collect());
+            rank(1 << n, sets(n, degree).into_iter().map(row).collect());
         }
         // the parameters of general forms begin with a space, so they differ from all parameters of
         // the algebra

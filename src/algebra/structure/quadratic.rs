@@ -7,8 +7,8 @@
 //! numbers.
 
 use super::StructureTheory;
+use super::subspace::primitive_factor;
 use crate::Error;
-use crate::algebra::lie_poisson::primitive_factor;
 use affinor_tensors::linear::{Matrix, Row};
 use affinor_tensors::stop::stage;
 use affinor_tensors::{Rational, Ring, Symbolic};

@@ -18,24 +18,39 @@ use crate::algebra::roots::{CartanType, Series};
 /// # Ok::<(), affinor::algebra::roots::RootError>(())
 /// ```
 pub fn real_forms(cartan_type: CartanType, compact: usize) -> Vec<String> {
+    candidates(cartan_type, compact).into_iter().map(|candidate| candidate.name).collect()
+}
+
+/// A name of a real form.
+pub(super) struct Candidate {
+    pub name: String,
+    /// Whether it is a form `su*` or `so*` over the quaternions.
+    pub is_quaternionic: bool,
+}
+
+/// The candidates for the real form with the dimension `compact`, as in [`real_forms`].
+pub(super) fn candidates(cartan_type: CartanType, compact: usize) -> Vec<Candidate> {
     let (r, series) = (cartan_type.rank(), cartan_type.series());
+    let plain = |(dimension, name)| (dimension, Candidate { name, is_quaternionic: false });
     let all: Vec<(usize, String)> = match series {
         Series::A => special_linear(r + 1),
         Series::B => orthogonal(2 * r + 1).collect(),
         Series::C => symplectic(r),
-        Series::D => orthogonal(2 * r).chain([(r * r, format!("so*({})", 2 * r))]).collect(),
+        Series::D => orthogonal(2 * r).collect(),
         _ => exceptional(cartan_type),
     };
-    let mut names: Vec<String> = all
-        .into_iter()
-        .filter(|(dimension, _)| *dimension == compact)
-        .map(|(_, name)| name)
-        .collect();
-    if r == 4 && series == Series::D {
-        // removes so*(8), which is isomorphic to so(6,2)
-        names.truncate(1);
-    }
-    names
+    // omits su*(2), which is isomorphic to su(2), and so*(8), which is isomorphic to so(6,2)
+    let quaternionic = match series {
+        Series::A if r > 1 && r % 2 == 1 => {
+            Some((r.div_ceil(2) * (r + 2), format!("su*({})", r + 1)))
+        }
+        Series::D if r != 4 => Some((r * r, format!("so*({})", 2 * r))),
+        _ => None,
+    };
+    let starred = quaternionic
+        .map(|(dimension, name)| (dimension, Candidate { name, is_quaternionic: true }));
+    let all = all.into_iter().map(plain).chain(starred);
+    all.filter(|(dimension, _)| *dimension == compact).map(|(_, candidate)| candidate).collect()
 }
 
 /// The name of the complex algebra of a type, regarded as real.
@@ -60,10 +75,7 @@ fn special_linear(n: usize) -> Vec<(usize, String)> {
     // omits su(1,1), which is isomorphic to sl(2,R)
     let unitary = (0..=n / 2).filter(|q| (n, *q) != (2, 1));
     let unitary = unitary.map(|q| (q * q + (n - q) * (n - q) - 1, two("su", n - q, q)));
-    // omits su*(2), which is isomorphic to su(2)
-    let quaternionic =
-        (n > 2 && n.is_multiple_of(2)).then(|| (n / 2 * (n + 1), format!("su*({n})")));
-    [split].into_iter().chain(unitary).chain(quaternionic).collect()
+    [split].into_iter().chain(unitary).collect()
 }
 
 fn orthogonal(n: usize) -> impl Iterator<Item = (usize, String)> {

@@ -4,12 +4,11 @@
 use super::dynkin::{block_cartan_matrix, relation_of};
 use super::products::Ad;
 use super::reduction::ModularAlgebra;
-use super::satake::place;
 use super::subspace::combination;
 use super::{StructureTheory, Subspace};
 use crate::algebra::irreducible_factors;
 use crate::algebra::matrix_polynomials::monic;
-use crate::algebra::roots::CartanType;
+use crate::algebra::roots::{CartanType, numbering};
 use affinor_tensors::linear::modular::PRIMES;
 use affinor_tensors::linear::{Echelon, Matrix, Row};
 use affinor_tensors::stop::stage;
@@ -204,8 +203,9 @@ impl RootSpaces {
         if wanted.len() != simple.len() {
             return None;
         }
-        let mut order = vec![];
-        place(&matrix, &wanted, &mut order).then(|| order.iter().map(|&at| simple[at]).collect())
+        let nodes: Vec<usize> = (0..simple.len()).collect();
+        let order = numbering(&matrix, &wanted, &nodes)?;
+        Some(order.iter().map(|&at| simple[at]).collect())
     }
 }
 

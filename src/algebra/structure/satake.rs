@@ -6,17 +6,20 @@
 //! Cayley transforms in noncompact imaginary roots lead to a maximally noncompact one. There, the
 //! restrictions of the roots to the noncompact part are the restricted roots.
 
-use super::real_forms::real_forms;
-use crate::algebra::roots::{CartanType, RootSystem, Series, chevalley_constants};
+use super::real_forms::{Candidate, candidates};
+use crate::algebra::roots::{
+    CartanType, RootSystem, Series, automorphisms, chevalley_constants, identify, numbering,
+};
 use affinor_tensors::stop::checkpoint;
 use std::collections::{BTreeMap, HashMap, HashSet};
+use std::fmt;
 
 /// A real form of a simple complex algebra, with its Cartan decomposition `g = k + p`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct RealForm {
     /// The type of the complex algebra.
     pub cartan_type: CartanType,
-    /// The name, as in [`real_forms`].
+    /// The name, as in [`real_forms`](super::real_forms::real_forms).
     pub name: String,
     /// The types of the simple factors of the maximal compact subalgebra `k`.
     pub compact_types: Vec<CartanType>,
@@ -27,7 +30,7 @@ pub struct RealForm {
     /// The dimension of a maximal abelian subspace of `p`.
     pub real_rank: usize,
     /// The type of the restricted roots, such as `BC2`; `None` for the compact form.
-    pub restricted_type: Option<String>,
+    pub restricted_type: Option<RestrictedType>,
     /// The multiplicities of the restricted roots, by increasing length: the squared length over
     /// the least one, and the multiplicity.
     pub multiplicities: Vec<(i64, usize)>,
@@ -36,6 +39,29 @@ pub struct RealForm {
     pub black: Vec<usize>,
     /// The arrows of the Satake diagram: pairs of white nodes with equal restrictions.
     pub arrows: Vec<(usize, usize)>,
+}
+
+/// The type of an irreducible system of restricted roots, which need not be reduced.
+///
+/// ```
+/// use affinor::algebra::structure::RestrictedType;
+/// assert_eq!(RestrictedType::BC(2).to_string(), "BC2");
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum RestrictedType {
+    /// A reduced system.
+    Reduced(CartanType),
+    /// The system of this rank that contains twice its short roots.
+    BC(usize),
+}
+
+impl fmt::Display for RestrictedType {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            RestrictedType::Reduced(cartan_type) => write!(f, "{cartan_type}"),
+            RestrictedType::BC(rank) => write!(f, "BC{rank}"),
+        }
+    }
 }
 
 impl RealForm {
@@ -66,7 +92,7 @@ impl RealForm {
         forms
     }
 
-    /// The real form of a type with a name of [`real_forms`].
+    /// The real form of a type with a name of [`real_forms`](super::real_forms::real_forms).
     pub fn named(cartan_type: CartanType, name: &str) -> Option<Self> {
         let roots = Roots::new(cartan_type);
         let forms = roots.vogan_diagrams().into_iter();
@@ -93,6 +119,15 @@ impl RealForm {
 struct VoganDiagram {
     images: Vec<usize>,
     painted: Option<usize>,
+}
+
+/// The restricted roots and the Satake diagram of a real form, with the fields of [`RealForm`].
+struct Restricted {
+    rank: usize,
+    restricted_type: Option<RestrictedType>,
+    multiplicities: Vec<(i64, usize)>,
+    black: Vec<usize>,
+    arrows: Vec<(usize, usize)>,
 }
 
 type Root = Vec<i64>;
@@ -215,13 +250,24 @@ impl Roots {
         let moved = (0..rank).filter(|&i| diagram.images[i] != i).count();
         let torus = rank - moved / 2;
         let compact_dimension = torus + 2 * compact.len();
-        let names = real_forms(self.cartan_type, compact_dimension);
-        if wanted.is_some_and(|wanted| names.iter().all(|name| name != wanted)) {
+        let names = candidates(self.cartan_type, compact_dimension);
+        if wanted.is_some_and(|wanted| names.iter().all(|one| one.name != wanted)) {
             return None;
         }
         let compact: Vec<Root> = compact.into_iter().collect();
         let simple = indecomposable(&compact);
-        let compact_types = self.types(&simple, &compact)?;
+        let compact_centre = torus - simple.len();
+        let mut compact_types: Vec<CartanType> =
+            identify(&self.cartan_matrix(&simple))?.into_iter().map(|(one, _)| one).collect();
+        compact_types.sort_by_key(|one| (one.series() as usize, one.rank()));
+        // of two names, `su*` is an outer form, and `so*` has the subalgebra `u(n)`
+        let is_quaternionic = match self.cartan_type.series() {
+            Series::A => moved > 0,
+            _ => compact_centre == 1 && compact_types.iter().all(|one| one.series() == Series::A),
+        };
+        let decisive = names.len() > 1;
+        let fits = |one: &Candidate| !decisive || one.is_quaternionic == is_quaternionic;
+        let Candidate { name, is_quaternionic } = names.into_iter().find(fits)?;
         // Cayley transforms, each with the reflection in a noncompact imaginary root
         let unit = |i: usize| (0..rank).map(|j| i64::from(i == j)).collect::<Root>();
         let mut involution: Vec<Root> = (0..rank).map(|i| unit(diagram.images[i])).collect();
@@ -240,22 +286,27 @@ impl Roots {
             let terms = root.iter().zip(&involution);
             terms.fold(vec![0; rank], |all, (c, image)| sum(&all, image, *c))
         };
-        self.with_involution(image).map(|restricted| {
-            let (types, compact_centre) = (compact_types, torus - simple.len());
-            let name = self.name(compact_dimension, moved > 0, &types, compact_centre);
-            RealForm {
-                cartan_type: self.cartan_type,
-                name,
-                compact_types: types,
-                compact_centre,
-                compact_dimension,
-                ..restricted
-            }
+        let restricted = self.restricted(image, is_quaternionic)?;
+        Some(RealForm {
+            cartan_type: self.cartan_type,
+            name,
+            compact_types,
+            compact_centre,
+            compact_dimension,
+            real_rank: restricted.rank,
+            restricted_type: restricted.restricted_type,
+            multiplicities: restricted.multiplicities,
+            black: restricted.black,
+            arrows: restricted.arrows,
         })
     }
 
     /// The restricted roots and the Satake diagram of an involution that is maximally noncompact.
-    fn with_involution(&self, image: impl Fn(&Root) -> Root) -> Option<RealForm> {
+    fn restricted(
+        &self,
+        image: impl Fn(&Root) -> Root,
+        is_quaternionic: bool,
+    ) -> Option<Restricted> {
         // twice the restrictions of all roots to the noncompact and to the compact part
         let pairs: Vec<(&Root, Root, Root)> = self
             .all
@@ -266,36 +317,33 @@ impl Roots {
             })
             .collect();
         let is_zero = |root: &Root| root.iter().all(|c| *c == 0);
-        // a functional that vanishes on no restricted root; the noncompact part decides first
-        let weights = (3..).find_map(|base: i64| {
-            let weights: Vec<i64> = (0..self.gram.len() as u32)
-                .map(|i| base.checked_pow(i).unwrap_or(base) + i64::from(i))
-                .collect();
-            let regular = |part: &Root| is_zero(part) || value(&weights, part) != 0;
-            let all = pairs.iter().all(|(_, a, b)| regular(a) && regular(b));
-            (all || base > 64).then_some(weights)
-        })?;
+        // the lexicographic order; the noncompact part decides first
         let key =
-            |(_, a, b): &&(&Root, Root, Root)| (value(&weights, a), value(&weights, b)) > (0, 0);
+            |(_, a, b): &&(&Root, Root, Root)| a.iter().chain(b).find(|c| **c != 0) > Some(&0);
         let positive: Vec<Root> = pairs.iter().filter(key).map(|(r, ..)| (*r).clone()).collect();
         let simple = indecomposable(&positive);
         let matrix = self.cartan_matrix(&simple);
-        let mut order = vec![];
-        if !place(&matrix, &self.cartan_type.cartan_matrix(), &mut order) {
-            return None;
-        }
-        let restrictions: Vec<Root> =
-            order.iter().map(|&at| sum(&simple[at], &image(&simple[at]), -1)).collect();
-        let rank = restrictions.len();
-        let black = (0..rank).filter(|&i| is_zero(&restrictions[i])).map(|i| i + 1).collect();
-        let mut arrows = vec![];
-        for i in 0..rank {
-            for j in i + 1..rank {
-                if restrictions[i] == restrictions[j] && !is_zero(&restrictions[i]) {
-                    arrows.push((i + 1, j + 1));
-                }
-            }
-        }
+        let nodes: Vec<usize> = (0..simple.len()).collect();
+        let order = numbering(&matrix, &self.cartan_type.cartan_matrix(), &nodes)?;
+        let satake = |nodes: &[usize]| {
+            let restrictions: Vec<Root> = nodes
+                .iter()
+                .map(|&i| &simple[order[i]])
+                .map(|root| sum(root, &image(root), -1))
+                .collect();
+            let rank = restrictions.len();
+            let is_black = |i: &usize| is_zero(&restrictions[*i]);
+            let black: Vec<usize> = (0..rank).filter(is_black).map(|i| i + 1).collect();
+            let pairs = (0..rank).flat_map(|i| (i + 1..rank).map(move |j| (i, j)));
+            let arrows = pairs
+                .filter(|(i, j)| restrictions[*i] == restrictions[*j] && !is_black(i))
+                .map(|(i, j)| (i + 1, j + 1));
+            (black, arrows.collect::<Vec<_>>())
+        };
+        // of the numberings, the usual one: the black nodes of so(p,q) come last, those of so*(2n)
+        // come first
+        let diagrams = automorphisms(self.cartan_type).into_iter().map(|nodes| satake(&nodes));
+        let (black, arrows) = if is_quaternionic { diagrams.min() } else { diagrams.max() }?;
         let mut counted: HashMap<&Root, usize> = HashMap::new();
         for (_, restriction, _) in pairs.iter().filter(key).filter(|(_, a, _)| !is_zero(a)) {
             *counted.entry(restriction).or_default() += 1;
@@ -306,22 +354,18 @@ impl Roots {
         let restricted_type = if restricted.is_empty() {
             None
         } else if restricted.iter().any(doubled) {
-            Some(format!("BC{}", simple.len()))
+            Some(RestrictedType::BC(simple.len()))
         } else {
-            self.types(&simple, &restricted)?.first().map(ToString::to_string)
+            let found = identify(&self.cartan_matrix(&simple))?;
+            found.first().map(|(one, _)| RestrictedType::Reduced(*one))
         };
         let mut lengths: BTreeMap<i64, usize> = BTreeMap::new();
         for (root, count) in &counted {
             lengths.insert(self.product(root, root), *count);
         }
         let least = lengths.keys().next().copied().unwrap_or(1);
-        Some(RealForm {
-            cartan_type: self.cartan_type,
-            name: String::new(),
-            compact_types: vec![],
-            compact_centre: 0,
-            compact_dimension: 0,
-            real_rank: simple.len(),
+        Some(Restricted {
+            rank: simple.len(),
             restricted_type,
             multiplicities: lengths.into_iter().map(|(l, count)| (l / least, count)).collect(),
             black,
@@ -329,64 +373,11 @@ impl Roots {
         })
     }
 
-    /// The name of the form with a maximal compact subalgebra. Of two names of the same signature,
-    /// `su*` is an outer form, and `so*` has the maximal compact subalgebra `u(n)`.
-    fn name(&self, compact: usize, outer: bool, types: &[CartanType], centre: usize) -> String {
-        let mut names = real_forms(self.cartan_type, compact);
-        if let [_, _] = names[..] {
-            let starred = match self.cartan_type.series() {
-                Series::A => outer,
-                _ => centre == 1 && types.iter().all(|one| one.series() == Series::A),
-            };
-            names.retain(|name| name.contains('*') == starred);
-        }
-        names.into_iter().next().unwrap_or_default()
-    }
-
     /// The Cartan matrix `2 (a, b)/(b, b)` of vectors.
     fn cartan_matrix(&self, simple: &[Root]) -> Vec<Vec<i64>> {
         let entry = |a: &Root, b: &Root| 2 * self.product(a, b) / self.product(b, b);
         simple.iter().map(|a| simple.iter().map(|b| entry(a, b)).collect()).collect()
     }
-
-    /// The types of a reduced root system with given simple and positive roots, in order.
-    fn types(&self, simple: &[Root], positive: &[Root]) -> Option<Vec<CartanType>> {
-        let mut open: Vec<&Root> = simple.iter().collect();
-        let mut types = vec![];
-        while let Some(first) = open.pop() {
-            let mut component = vec![first];
-            let mut at = 0;
-            while at < component.len() {
-                let joined = |other: &&Root| self.product(component[at], other) != 0;
-                let (next, rest): (Vec<&Root>, _) = open.into_iter().partition(joined);
-                component.extend(next);
-                open = rest;
-                at += 1;
-            }
-            let inside = |root: &&Root| component.iter().any(|one| self.product(one, root) != 0);
-            let lengths: Vec<i64> =
-                positive.iter().filter(inside).map(|root| self.product(root, root)).collect();
-            types.push(recognized(component.len(), &lengths)?);
-        }
-        types.sort_by_key(|one| (one.series() as usize, one.rank()));
-        Some(types)
-    }
-}
-
-/// The irreducible root system with a rank and the squared lengths of its positive roots.
-fn recognized(rank: usize, lengths: &[i64]) -> Option<CartanType> {
-    let (least, greatest) = (lengths.iter().min()?, lengths.iter().max()?);
-    let short = lengths.iter().filter(|length| *length == least).count();
-    let candidates: &[Series] = match greatest / least {
-        1 => &[Series::A, Series::D, Series::E],
-        2 if rank == 2 || short == rank => &[Series::B, Series::F],
-        2 => &[Series::C, Series::F],
-        _ => &[Series::G],
-    };
-    candidates.iter().find_map(|series| {
-        let one = CartanType::new(*series, rank).ok()?;
-        (one.dimension() == 2 * lengths.len() + rank).then_some(one)
-    })
 }
 
 /// The vectors that are not a sum of two of the vectors.
@@ -394,28 +385,6 @@ fn indecomposable(positive: &[Root]) -> Vec<Root> {
     let all: HashSet<&Root> = positive.iter().collect();
     let is_sum = |root: &&Root| positive.iter().any(|other| all.contains(&sum(root, other, -1)));
     positive.iter().filter(|root| !is_sum(root)).cloned().collect()
-}
-
-/// Completes the order of the rows of a Cartan matrix, so that it becomes the wanted one, by a
-/// search that rejects a partial order at the first wrong entry.
-pub(super) fn place(matrix: &[Vec<i64>], wanted: &[Vec<i64>], order: &mut Vec<usize>) -> bool {
-    let at = order.len();
-    if at == matrix.len() {
-        return true;
-    }
-    for next in 0..matrix.len() {
-        let fits = |(k, &other): (usize, &usize)| {
-            matrix[next][other] == wanted[at][k] && matrix[other][next] == wanted[k][at]
-        };
-        if !order.contains(&next) && order.iter().enumerate().all(fits) {
-            order.push(next);
-            if place(matrix, wanted, order) {
-                return true;
-            }
-            order.pop();
-        }
-    }
-    false
 }
 
 fn permuted(root: &[i64], images: &[usize]) -> Root {
@@ -433,8 +402,4 @@ fn scaled(root: &[i64], factor: i64) -> Root {
 /// The vector `a + factor b`.
 fn sum(a: &[i64], b: &[i64], factor: i64) -> Root {
     a.iter().zip(b).map(|(x, y)| x + factor * y).collect()
-}
-
-fn value(weights: &[i64], root: &[i64]) -> i64 {
-    weights.iter().zip(root).map(|(w, c)| w * c).sum()
 }

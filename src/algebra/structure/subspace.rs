@@ -2,8 +2,10 @@
 
 use affinor_tensors::linear::{Echelon, Matrix, Row};
 use affinor_tensors::stop::checkpoint;
-use affinor_tensors::{Field, Rational, Scalar};
+use affinor_tensors::{Field, Rational, Ring, Scalar};
+use num_bigint::BigInt;
 use num_rational::BigRational;
+use num_traits::{Signed, Zero};
 
 /// A subspace of the vectors with `ambient` components. Equal subspaces have equal bases.
 #[derive(Clone, Debug)]
@@ -180,4 +182,28 @@ pub(in crate::algebra) fn denominator<'a>(values: impl Iterator<Item = &'a Ratio
         let rest = BigRational::from(&(value.clone() * &factor));
         factor * &Rational::from(BigRational::from_integer(rest.denom().clone()))
     })
+}
+
+/// The positive factor that turns the numbers into coprime integers.
+pub(in crate::algebra) fn primitive_factor(numbers: &[Rational]) -> Rational {
+    let above = denominator(numbers.iter());
+    let divisor = numbers.iter().fold(BigInt::zero(), |mut divisor, number| {
+        let mut rest = BigRational::from(&(number.clone() * &above)).to_integer();
+        while !rest.is_zero() {
+            (divisor, rest) = (rest.clone(), divisor % rest);
+        }
+        divisor
+    });
+    let below = Rational::from(BigRational::from_integer(divisor.abs()));
+    below.recip().map_or(above.clone(), |unit| above * &unit)
+}
+
+/// The coprime integers that are proportional to the numbers; the first one that is not zero is
+/// positive. Returns `None` if an integer exceeds 64 bits.
+pub(crate) fn coprime(numbers: &[Rational]) -> Option<Vec<i64>> {
+    let mut unit = primitive_factor(numbers);
+    if numbers.iter().find(|number| !number.vanishes()).is_some_and(Rational::is_negative) {
+        unit = -unit;
+    }
+    numbers.iter().map(|number| (number.clone() * &unit).to_i64()).collect()
 }

@@ -2,11 +2,13 @@
 
 use super::ReductivePair;
 use crate::Error;
-use crate::algebra::structure::Subspace;
-use affinor_tensors::Rational;
+use crate::algebra::structure::StructureTheory;
 use affinor_tensors::linear::Matrix;
+use affinor_tensors::stop::checkpoint;
+use affinor_tensors::{Rational, Ring};
+use std::collections::{BTreeMap, HashSet};
 
-/// The number of vectors that are tried.
+/// The number of dense vectors that are tried.
 const TRIALS: i64 = 8;
 
 impl ReductivePair<Rational> {
@@ -15,7 +17,12 @@ impl ReductivePair<Rational> {
     ///
     /// The centralizer of a general vector in `m` is such a subspace if G is semisimple and the
     /// isotropy algebra compact (S. Helgason, *Differential Geometry, Lie Groups, and Symmetric
-    /// Spaces*, V.6).
+    /// Spaces*, V.6). It has the least dimension among the centralizers of vectors.
+    ///
+    /// First, the vector is a combination of basis vectors that commute, so that its centralizer is
+    /// computed from few numbers. The centralizer is accepted if it is abelian and the Killing form is
+    /// not degenerate on it. Then `m` is the sum of the centralizer and of the image of `ad_x^2`, so
+    /// the vector is semisimple and general.
     ///
     /// ```
     /// use affinor::geometry::homogeneous::HomogeneousSpace;
@@ -29,37 +36,78 @@ impl ReductivePair<Rational> {
         if !self.is_symmetric() {
             return Ok(None);
         }
-        let (n, r) = (self.algebra.dimension(), self.dimension());
+        let r = self.dimension();
+        let powers = |t: i64| {
+            std::iter::successors(Some(t), move |power| Some(power * t % 1009)).map(Rational::from)
+        };
+        let commuting = self.commuting_basis_vectors();
+        let sparse = commuting.into_iter().zip(powers(2)).collect::<BTreeMap<_, _>>();
+        let dense = (2..2 + TRIALS).map(|t| (0..r).zip(powers(t)).collect::<BTreeMap<_, _>>());
+        let first = self.centralizer(&sparse)?;
+        if self.is_abelian(&first)? && self.has_regular_killing_form(&first)? {
+            return Ok(Some(first.len()));
+        }
         let mut least: Option<Vec<Vec<Rational>>> = None;
-        for t in 2..2 + TRIALS {
-            let mut power = 1i64;
-            let x = (0..n).map(|i| {
-                power = power * t % 1009;
-                Rational::from(if i < r { power } else { 0 })
-            });
-            let ad = self.algebra.ad(&x.collect::<Vec<_>>())?;
-            let mut rows = vec![vec![]; n];
-            for (at, value) in ad.components().filter(|(at, _)| at[1] < r) {
-                rows[at[0]].push((at[1], value.clone()));
-            }
-            let kernel = Matrix::from_rows(r, rows)?.nullspace()?.to_dense();
+        for x in dense {
+            let kernel = self.centralizer(&x)?;
             if least.as_ref().is_none_or(|known| kernel.len() < known.len()) {
                 least = Some(kernel);
             }
         }
-        let Some(centralizer) = least else { return Ok(None) };
-        let lifted = |x: &Vec<Rational>| {
-            x.iter().cloned().chain((r..n).map(|_| Rational::from(0))).collect::<Vec<_>>()
+        let Some(least) = least else { return Ok(None) };
+        Ok(self.is_abelian(&least)?.then_some(least.len()))
+    }
+
+    /// Basis vectors of `m` that commute with each other, chosen one by one.
+    fn commuting_basis_vectors(&self) -> Vec<usize> {
+        let components = self.algebra.structure_constants().components();
+        let pairs: HashSet<(usize, usize)> = components.map(|(at, _)| (at[1], at[2])).collect();
+        let mut chosen: Vec<usize> = vec![];
+        for next in 0..self.dimension() {
+            let commutes = |other: &usize| !pairs.contains(&(next, *other));
+            if chosen.iter().all(commutes) {
+                chosen.push(next);
+            }
+        }
+        chosen
+    }
+
+    /// A basis of the centralizer in `m` of a vector of `m`, in the basis of the algebra.
+    fn centralizer(&self, x: &BTreeMap<usize, Rational>) -> Result<Vec<Vec<Rational>>, Error> {
+        checkpoint();
+        let (n, r) = (self.algebra.dimension(), self.dimension());
+        let dense = |i| x.get(&i).cloned().unwrap_or_default();
+        let ad = self.algebra.ad(&(0..n).map(dense).collect::<Vec<_>>())?;
+        let mut rows = vec![vec![]; n];
+        for (at, value) in ad.components().filter(|(at, _)| at[1] < r) {
+            rows[at[0]].push((at[1], value.clone()));
+        }
+        let kernel = Matrix::from_rows(r, rows)?.nullspace()?.to_dense();
+        let lifted = |x: Vec<Rational>| {
+            x.into_iter().chain((r..n).map(|_| Rational::from(0))).collect::<Vec<_>>()
         };
-        let vectors: Vec<_> = centralizer.iter().map(lifted).collect();
+        Ok(kernel.into_iter().map(lifted).collect())
+    }
+
+    fn is_abelian(&self, vectors: &[Vec<Rational>]) -> Result<bool, Error> {
         for (at, x) in vectors.iter().enumerate() {
             for y in &vectors[..at] {
-                let bracket = self.algebra.bracket(x, y)?.into_iter().enumerate().collect();
-                if !Subspace::span(n, [bracket]).is_zero() {
-                    return Ok(None);
+                if self.algebra.bracket(x, y)?.iter().any(|value| !value.vanishes()) {
+                    return Ok(false);
                 }
             }
         }
-        Ok(Some(vectors.len()))
+        Ok(true)
+    }
+
+    /// Whether the Killing form is not degenerate on the span of independent vectors.
+    fn has_regular_killing_form(&self, vectors: &[Vec<Rational>]) -> Result<bool, Error> {
+        if vectors.is_empty() {
+            return Ok(true);
+        }
+        let theory = StructureTheory::new(self.algebra.clone());
+        let basis = Matrix::from_dense(vectors)?;
+        let form = basis.mul(theory.killing_matrix())?.mul(&basis.transpose())?;
+        Ok(form.rank()? == vectors.len())
     }
 }

@@ -1,7 +1,8 @@
 //! The structure of a homogeneous space: isotropy summands, invariant tensors and forms.
 
-use super::{Cell, Grid, Info, printable, printable_list};
+use super::{Cell, Coefficients, Grid, Info, printable, printable_list};
 use crate::input::InputError;
+use affinor::algebra::structure::{StructureTheory, Subspace};
 use affinor::geometry::homogeneous::HomogeneousSpace;
 use affinor::geometry::reductive::{IsotropyComponent, MAX_FORMS, RealType};
 use affinor_tensors::text::combination;
@@ -18,13 +19,14 @@ const CONNECTIONS: usize = 12;
 
 impl Info {
     /// Computes the structure of a homogeneous space; `algebra` is the name of the algebra of G, and
-    /// `stage` is called before each part.
+    /// `stage` is called before each part. With coefficients, the relative cohomology is added.
     ///
     /// # Errors
-    /// No errors occur for a valid space.
+    /// An error of usage for coefficients by matrices, or for too many cochains.
     pub fn of_homogeneous(
         space: &HomogeneousSpace<Rational>,
         algebra: &str,
+        coefficients: &Coefficients,
         stage: &dyn Fn(&str),
     ) -> Result<Self, InputError> {
         let (pair, labels) = (space.pair(), space.pair().frame().labels());
@@ -105,6 +107,7 @@ impl Info {
         let dimensions = forms.as_ref().map(|forms| &forms.dimensions);
         report.json.insert("invariant_forms".into(), json!(dimensions));
         report.json.insert("betti".into(), json!(forms.as_ref().map(|forms| &forms.betti)));
+        report.cohomology(space, coefficients)?;
         let characteristic = forms.as_ref().map(|forms| forms.euler_characteristic());
         report.json.insert("euler_characteristic".into(), json!(characteristic));
         Ok(report.finish(space))
@@ -163,6 +166,42 @@ impl Rows {
         };
         let summands = components.map(|all| all.iter().map(summand).collect::<Vec<_>>());
         self.json.insert("summands".into(), json!(summands));
+    }
+
+    /// Adds the cohomology of the algebra of G relative to the isotropy algebra, unless the coefficients
+    /// are trivial.
+    fn cohomology(
+        &mut self,
+        space: &HomogeneousSpace<Rational>,
+        coefficients: &Coefficients,
+    ) -> Result<(), InputError> {
+        match coefficients {
+            Coefficients::Trivial => return Ok(()),
+            Coefficients::Matrices(_) => {
+                let error = "coefficients by matrices are accepted only for an algebra";
+                return Err(InputError::usage(error).help("write adjoint or coadjoint"));
+            }
+            Coefficients::Adjoint | Coefficients::Coadjoint => {}
+        }
+        let (algebra, r) = (space.pair().algebra(), space.pair().dimension());
+        let n = algebra.dimension();
+        let module = coefficients.module(algebra)?;
+        let isotropy = Subspace::span(n, (r..n).map(|at| vec![(at, Rational::from(1))]));
+        let found =
+            StructureTheory::new(algebra.clone()).relative_cohomology(&isotropy, &module)?;
+        let text: Vec<String> = found.betti.iter().map(usize::to_string).collect();
+        let why = format!("relative to the isotropy algebra, with a module of dimension {n}");
+        let title = format!("cohomology, {} coefficients", coefficients.name());
+        self.row(&title, &text.join(", "), &why);
+        let value = json!({
+            "coefficients": coefficients.name(),
+            "dimension": n,
+            "cochains": found.cochains,
+            "numbers": found.betti,
+            "proved": true,
+        });
+        self.json.insert("cohomology".into(), value);
+        Ok(())
     }
 
     fn finish(self, space: &HomogeneousSpace<Rational>) -> Info {

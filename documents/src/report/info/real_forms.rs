@@ -120,7 +120,7 @@ fn json(ideal: &RealIdeal, form: &Option<RealForm>) -> Value {
         "compact_dimension": form.compact_dimension,
         "character": form.character(),
         "real_rank": form.real_rank,
-        "restricted_type": form.restricted_type,
+        "restricted_type": form.restricted_type.map(|one| one.to_string()),
         "multiplicities": form.multiplicities.iter().map(|(_, m)| *m).collect::<Vec<_>>(),
         "black": form.black,
         "arrows": form.arrows,

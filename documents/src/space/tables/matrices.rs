@@ -63,6 +63,23 @@ pub(super) fn definition(source: &Source) -> Result<Definition, InputError> {
     };
     let borrowed: Vec<&str> = labels.iter().map(String::as_str).collect();
     basis(&borrowed, &|at| source.whole(matrices[at].place))?;
+    let (size, all) = entries(&matrices, source)?;
+    let mut definition = of_brackets(source, labels, Pairs::new());
+    definition.origin = Origin::Matrices(size, all);
+    Ok(definition)
+}
+
+/// The size and the entries of square matrices of one size.
+pub(crate) fn square_matrices(source: &Source) -> Result<(usize, Vec<MatrixEntries>), InputError> {
+    let mut matrices = vec![];
+    collect(source.content(), source, &mut matrices)?;
+    entries(&matrices, source)
+}
+
+fn entries(
+    matrices: &[Matrix],
+    source: &Source,
+) -> Result<(usize, Vec<MatrixEntries>), InputError> {
     let size = matrices.first().map_or(0, |matrix| matrix.rows.len());
     let (none, mut all) = (BTreeMap::new(), vec![]);
     let names = Names::open(&none, None);
@@ -84,9 +101,7 @@ pub(super) fn definition(source: &Source) -> Result<Definition, InputError> {
         }
         all.push(entries);
     }
-    let mut definition = of_brackets(source, labels, Pairs::new());
-    definition.origin = Origin::Matrices(size, all);
-    Ok(definition)
+    Ok((size, all))
 }
 
 /// Collects the matrices of a text: a sequence of them, or a list that contains them.
