@@ -1,6 +1,6 @@
 //! Problems with bodies and joints: their space, inertia, constraints and initial velocity.
 //!
-//! The frame of each body is that of the ground at the initial position, so every initial element
+//! The frame of each body is that of the ground at the initial position. So every initial element
 //! is the identity, and a point or an axis has the same components in all bodies.
 
 use super::body::InertiaKeys;

@@ -128,7 +128,10 @@ fn grid<S: Coefficient>(
     );
     row(
         "first order",
-        format!("{} rates", mobility.rates.len()),
+        match mobility.rates.len() {
+            1 => "1 rate".into(),
+            count => format!("{count} independent rates"),
+        },
         format!("rank {} of {} equations", mobility.rank, mobility.equations),
     );
     for rates in &mobility.rates {

@@ -1,8 +1,8 @@
 //! The closure of a loop in dual quaternions: power series of a motion, and curves in closed form.
 //!
-//! A rotation by the angle `theta` about a line with the unit direction `w` and the moment `u` is
-//! `1 + x (w + eps u)` with `x = tan(theta/2)`, up to a real factor; a translation by `2 x u` is
-//! `1 + eps x u`. The product of a loop is real in the closed positions. These are polynomial
+//! Let a line have the unit direction `w` and the moment `u`. A rotation about it by the angle
+//! `theta` is `1 + x (w + eps u)` with `x = tan(theta/2)`, up to a real factor. A translation by
+//! `2 x u` is `1 + eps x u`. The product of a loop is real in the closed positions. These are polynomial
 //! equations over the field of the axes (M. Husty and H.-P. Schroecker, *Kinematics and algebraic
 //! geometry*, 2013). Screws with a pitch use the exponential `exp(x (w + eps u))` instead.
 

@@ -66,7 +66,7 @@ impl JointKind {
 /// A joint between two bodies.
 ///
 /// The pose of the second body relative to the first is a product `exp(q_1 S_1) exp(q_2 S_2) ...`
-/// of one-parameter groups, which covers a neighbourhood of the identity in the subgroup of the
+/// of one-parameter groups. It covers a neighbourhood of the identity in the subgroup of the
 /// joint. The twists `S_k` are components in the ground frame at the given position.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Joint<S> {

@@ -83,7 +83,7 @@ pub fn symmetry<S: Field + Scalar>(chain: &[Twist<S>]) -> Result<Option<Symmetry
     let mut best: Option<Symmetry> = None;
     let shift: Vec<usize> = (0..n).map(|i| (i + n / 2) % n).collect();
     let reversals = (0..n).map(|r| (0..n).map(|i| (n + r - i) % n).collect::<Vec<_>>());
-    let shifts = (n % 2 == 0).then_some((shift, false));
+    let shifts = n.is_multiple_of(2).then_some((shift, false));
     for (image, reverses) in shifts.into_iter().chain(reversals.map(|image| (image, true))) {
         for signs in 0..8_u32 {
             let Some(isometry) = isometry(chain, &image, &basis, signs)? else { continue };
@@ -183,13 +183,11 @@ impl<S: Field + Scalar> Isometry<S> {
         let m = &self.linear;
         let entry = |i: usize, k: usize| S::from_i64(i64::from(i == k));
         let row = |k: usize| std::array::from_fn::<S, 3, _>(|i| m[i][k].clone());
-        for i in 0..3 {
-            for k in 0..3 {
-                let square = super::twist::dot(&m[i], &row(k)) - &entry(i, k);
-                let transposed = m[i][k].clone() - &m[k][i];
-                if !square.vanishes() || !transposed.vanishes() {
-                    return None;
-                }
+        for (i, k) in (0..3).flat_map(|i| (0..3).map(move |k| (i, k))) {
+            let square = super::twist::dot(&m[i], &row(k)) - &entry(i, k);
+            let transposed = m[i][k].clone() - &m[k][i];
+            if !square.vanishes() || !transposed.vanishes() {
+                return None;
             }
         }
         let back = applied(m, &self.shift);
