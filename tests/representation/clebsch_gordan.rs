@@ -281,7 +281,7 @@ fn tables_of_coefficients() {
             let value = coupling.coefficient(m1, m2);
             let total = [spins[2], twice(m1.twice() + m2.twice())];
             assert_eq!(value, clebsch_gordan([spins[0], m1], [spins[1], m2], total));
-            sum = sum + &value.signed_square().clone().abs();
+            sum += &value.signed_square().clone().abs();
         }
         assert_eq!(sum, Rational::from(j + 1));
     }
