@@ -84,6 +84,7 @@ mod mechanics {
     mod events;
     mod formula;
     mod integrators;
+    mod mechanism;
     mod systems {
         mod constrained;
         mod euler_poincare;

@@ -3,6 +3,8 @@
 mod basis;
 mod casimirs;
 mod coefficients;
+#[cfg(feature = "modules")]
+mod cohomology;
 mod exceptional;
 mod forms;
 mod homogeneous;

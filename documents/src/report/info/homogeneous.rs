@@ -2,6 +2,7 @@
 
 use super::{Cell, Coefficients, Grid, Info, printable, printable_list};
 use crate::input::InputError;
+#[cfg(feature = "modules")]
 use affinor::algebra::structure::{StructureTheory, Subspace};
 use affinor::geometry::homogeneous::HomogeneousSpace;
 use affinor::geometry::reductive::{IsotropyComponent, MAX_FORMS, RealType};
@@ -107,7 +108,10 @@ impl Info {
         let dimensions = forms.as_ref().map(|forms| &forms.dimensions);
         report.json.insert("invariant_forms".into(), json!(dimensions));
         report.json.insert("betti".into(), json!(forms.as_ref().map(|forms| &forms.betti)));
+        #[cfg(feature = "modules")]
         report.cohomology(space, coefficients)?;
+        #[cfg(not(feature = "modules"))]
+        debug_assert!(*coefficients == Coefficients::Trivial, "the feature `modules` is missing");
         let characteristic = forms.as_ref().map(|forms| forms.euler_characteristic());
         report.json.insert("euler_characteristic".into(), json!(characteristic));
         Ok(report.finish(space))
@@ -170,6 +174,7 @@ impl Rows {
 
     /// Adds the cohomology of the algebra of G relative to the isotropy algebra, unless the coefficients
     /// are trivial.
+    #[cfg(feature = "modules")]
     fn cohomology(
         &mut self,
         space: &HomogeneousSpace<Rational>,
