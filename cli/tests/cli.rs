@@ -141,7 +141,7 @@ fn examples_of_the_help_succeed() {
         }
         count += 1;
     }
-    assert_eq!(count, 28);
+    assert_eq!(count, 29);
 }
 
 #[test]
