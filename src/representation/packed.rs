@@ -33,8 +33,8 @@ impl Word for u128 {
     }
 }
 
-/// The layout of packed weights. Each label has a lane of equal width, which holds the label plus
-/// half of the range of the lane; so the top bit of a lane is 0 if the label is negative. Sums and
+/// The layout of packed weights. Each label has a lane of equal width, which contains the label plus
+/// half of the range of the lane. So the top bit of a lane is 0 if the label is negative. Sums and
 /// multiples of packed vectors are those of integers, because no label leaves its lane.
 pub(super) struct Packing<W> {
     /// The number of labels with charges, and without them.

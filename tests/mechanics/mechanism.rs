@@ -40,9 +40,7 @@ fn line_symmetric_loops_move() -> Result<(), Error> {
     let images = LINES.map(|(point, axis)| (turned(point), turned(axis)));
     let found = mobility(&[LINES, images].concat())?;
     assert_eq!(found.verdict.exact(), Some(1));
-    let half_turn = |reason: &Reason| {
-        matches!(reason, Reason::Symmetry(s) if s.involution == Involution::HalfTurn && !s.reverses)
-    };
+    let half_turn = |reason: &Reason| matches!(reason, Reason::Symmetry(s) if s.involution == Involution::HalfTurn && !s.reverses);
     assert!(found.verdict.reasons.iter().any(half_turn), "{:?}", found.verdict);
     Ok(())
 }
@@ -61,9 +59,7 @@ fn plane_symmetric_loops_move() -> Result<(), Error> {
     let lines = [first, second, third, fourth, mirrored(third), mirrored(second)];
     let found = mobility(&lines)?;
     assert_eq!(found.verdict.exact(), Some(1));
-    let reflection = |reason: &Reason| {
-        matches!(reason, Reason::Symmetry(s) if s.involution == Involution::Reflection && s.reverses)
-    };
+    let reflection = |reason: &Reason| matches!(reason, Reason::Symmetry(s) if s.involution == Involution::Reflection && s.reverses);
     assert!(found.verdict.reasons.iter().any(reflection), "{:?}", found.verdict);
     Ok(())
 }
@@ -71,8 +67,7 @@ fn plane_symmetric_loops_move() -> Result<(), Error> {
 /// Six lines in general position are rigid; the count of Gruebler and Kutzbach agrees.
 #[test]
 fn loops_in_general_position_are_rigid() -> Result<(), Error> {
-    let others =
-        [([3, -1, 0], [1, 1, 2]), ([2, 2, -3], [-1, 4, 1]), ([0, -2, 1], [3, 0, 1])];
+    let others = [([3, -1, 0], [1, 1, 2]), ([2, 2, -3], [-1, 4, 1]), ([0, -2, 1], [3, 0, 1])];
     let found = mobility(&[LINES, others].concat())?;
     assert_eq!((found.rank, found.verdict.exact()), (6, Some(0)));
     assert_eq!(found.verdict.reasons, [Reason::NoRates]);
@@ -93,7 +88,8 @@ fn frames_and_order_do_not_matter() -> Result<(), Error> {
             })
         };
         let point = turned(point);
-        let point = std::array::from_fn(|i| point[i].clone() + &Rational::from(shift * (i as i64 + 1)));
+        let point =
+            std::array::from_fn(|i| point[i].clone() + &Rational::from(shift * (i as i64 + 1)));
         (point, turned(axis))
     };
     let turned = |[x, y, z]: [i64; 3]| [-x, -y, z];

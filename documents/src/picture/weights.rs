@@ -23,7 +23,7 @@ const VIEW: [f64; 2] = [0.42, 0.28];
 /// Draws the weights of an irreducible representation. Lines join weights that differ by a simple
 /// root, in the colour of the root; numbers are multiplicities above 1.
 ///
-/// A weight `sum c_i alpha_i` stands at `sum c_i a_i`, where the vectors `a_i` have the inner
+/// A weight `sum c_i alpha_i` is drawn at `sum c_i a_i`, where the vectors `a_i` have the inner
 /// products of the simple roots. Three dimensions are drawn in parallel projection, and points that
 /// are farther away are smaller. Returns `None` unless the semisimple rank is 2 or 3 and there are
 /// at most 1500 weights.

@@ -63,7 +63,7 @@ fn coordinate_names<S>(mechanism: &Mechanism<S>) -> Vec<String> {
 /// A proof in words.
 fn in_words(reason: &Reason) -> String {
     match reason {
-        Reason::NoRates => "no rates: the joint screws are independent".into(),
+        Reason::NoRates => "the rates vanish, because the joint screws are independent".into(),
         Reason::Independent(dimensions) => {
             let list: Vec<String> = dimensions.iter().map(usize::to_string).collect();
             format!(

@@ -24,7 +24,7 @@ use crate::Error;
 use crate::geometry::metric::Metric;
 use affinor_tensors::linear::modular::{PRIMES, ResidueMatrix};
 use affinor_tensors::linear::{Echelon, Row};
-use affinor_tensors::scalar::Variable;
+use affinor_tensors::scalar::{PositiveFactors, Variable};
 use affinor_tensors::stop::{checkpoint, stage};
 use affinor_tensors::{Field, Notation, Ring, Symbolic, Tensor, Up};
 use num_traits::{One, Zero};
@@ -270,7 +270,12 @@ impl<'a> Search<'a> {
         }
         let over = x.recip().unwrap_or_default();
         let functions = |argument: &Symbolic| {
-            let root = <Symbolic as Notation>::function("sqrt", argument).ok()?;
+            // a field with the root is proved where the root is real, whatever the signs of letters
+            let mut positive = PositiveFactors::default();
+            for name in argument.parameters() {
+                positive.declare(&Symbolic::parameter(&name)).ok()?;
+            }
+            let root = positive.assumed_root(argument).ok()?;
             let below = root.recip()?;
             let others = [(1, below.clone() * &x), (1, root.clone() * &over)];
             Some([(0, root), (1, below)].into_iter().chain(others).collect())

@@ -3,9 +3,9 @@
 use super::joint::{Joint, invalid};
 use crate::{Error, Field, Notation, Scalar};
 
-/// A link in the convention of Denavit and Hartenberg (1955): the frame of the next joint is
-/// `Rz(angle) Tz(offset) Tx(length) Rx(twist)` relative to the frame of the joint, which rotates
-/// about its axis z.
+/// A link in the convention of Denavit and Hartenberg (1955). The joint rotates about the axis z of
+/// its frame. Relative to it, the frame of the next joint is
+/// `Rz(angle) Tz(offset) Tx(length) Rx(twist)`.
 #[derive(Clone, Debug)]
 pub struct Link<S> {
     /// The distance along the common normal.
