@@ -9,7 +9,7 @@ test("a name has its cards in their order, as mathematics", async () => {
   assert.match(await text(page, "#read-as"), /^so\(3\), dimension 3/);
   const titles = await page.locator(".card:not([hidden]) h2").allTextContents();
   // the order goes from column to column
-  assert.deepEqual(titles.toSorted(), ["Brackets", "Connection", "Curvature", "Equations of motion", "Motions", "Properties", "Ricci tensor", "Structure", "Torsion"]);
+  assert.deepEqual(titles.toSorted(), ["Brackets", "Connection", "Curvature", "Equations of motion", "Motions", "Properties", "Representations of A1", "Ricci tensor", "Structure", "Torsion"]);
   assert.deepEqual([titles[0], titles.at(-1)], ["Brackets", "Motions"]);
   assert.deepEqual((await formulas(page, "curvature"))[0], "R^1_212 = R^1_313 = R^2_323 = 1/4");
   assert.match(await text(page, ".card.curvature .rest"), /Antisymmetric/);

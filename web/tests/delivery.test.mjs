@@ -28,7 +28,7 @@ test("scripts, styles and fonts stay within their budgets", () => {
   const size = (test) => plain.filter(test).reduce((sum, name) => sum + read(fs.existsSync(path.join(dist, `${name}.br`)) ? `${name}.br` : name).length, 0);
   const scripts = size((name) => /^page-.*\.(js|css)$/.test(name)), mathematics = size((name) => name.endsWith("/math.woff2")), text = size((name) => /\/text-.*\.woff2$/.test(name));
   console.log(`scripts and styles ${scripts} bytes, the font of mathematics ${mathematics}, of text ${text}`);
-  assert.ok(scripts < 80_000, String(scripts));
+  assert.ok(scripts < 70_000, String(scripts));
   assert.ok(mathematics < 90_000, String(mathematics));
   assert.ok(text < 75_000, String(text));
 });

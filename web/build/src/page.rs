@@ -49,6 +49,7 @@ pub(crate) fn assemble(folder: &Path, dist: &Path, engine: &str) -> Result<()> {
     for (name, bytes) in &mut own {
         if name.ends_with(".js") {
             *bytes = replaced(bytes, "/engine/", &format!("/{engine}/"))?;
+            *bytes = without_comments(std::str::from_utf8(bytes)?).into_bytes();
         }
     }
     own.sort();
@@ -93,6 +94,22 @@ fn joined(paper: &str, page: &str) -> Result<String> {
         "{head}{BEGIN}<link rel=\"icon\" href=\"data:,\"/>{tokens}{document}\n</head>\n<body>\n\
          <p class=\"back\"><a href=\"./#paper\">affinor, the paper as cards</a></p>{END}{body}"
     ))
+}
+
+/// A script without the lines that contain only comments: they are a sixth of what is sent.
+fn without_comments(script: &str) -> String {
+    let mut inside = false;
+    let is_code = |line: &&str| {
+        let text = line.trim();
+        let begins = text.starts_with("/**");
+        if inside || begins && !text.contains("*/") {
+            inside = !text.ends_with("*/");
+            return false;
+        }
+        let whole = begins && text.find("*/") == text.len().checked_sub(2);
+        !whole && !text.starts_with("//")
+    };
+    script.split_inclusive('\n').filter(is_code).collect()
 }
 
 fn replaced(bytes: &[u8], from: &str, to: &str) -> Result<Vec<u8>> {

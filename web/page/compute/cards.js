@@ -220,35 +220,35 @@ export class Card {
 
   /** Copies, a link, and the definition. @param {string} definition @param {string[][]} formats */
   #feet(definition, formats) {
-    const chart = this.#context?.reading.kind === "chart";
-    const allowed = formats.filter(([, format]) => !chart || !["python", "toml"].includes(format));
-    const copies = this.count > COPIED ? [element("span", { class: "quiet", text: "Choose indices to copy components." })]
-      : [element("span", { class: "quiet", text: "Copy" }), ...allowed.map(([name, format]) => button(name, (event) => this.#copy(name, format, /** @type {HTMLElement} */ (event.currentTarget)), { class: "small" }))];
-    const link = button("Link", async () => {
-      await copy(this.#context?.link(this.kind.name) ?? location.href);
-      confirm(link, "copied");
-      this.#context?.say("The link to this card is copied.");
-    }, { class: "small" });
-    const how = definition ? [element("details", { class: "how" }, element("summary", { text: "How is this defined?" }), ...fragment(definition))] : [];
-    this.foot.replaceChildren(element("p", { class: "copies" }, ...copies, link), ...how);
-  }
-
-  /** @param {string} name @param {string} format @param {HTMLElement} pressed */
-  async #copy(name, format, pressed) {
     if (!this.#context) return;
-    const { engine, say, reading } = this.#context, { kind } = this, state = this.#shown(this.#context.state, reading);
-    const tables = kind.report === "card";
-    const request = { report: tables ? "table" : kind.report, show: tables ? kind.show : "", motion: kind.kind?.(reading) ?? "", format, ...named(state) };
+    const { reading, state } = this.#context, { kind } = this, tables = kind.report === "card";
+    const allowed = formats.filter(([, format]) => reading.kind !== "chart" || !["python", "toml"].includes(format));
+    const request = { report: tables ? "table" : kind.report, show: tables ? kind.show : "", motion: kind.kind?.(reading) ?? "", ...named(this.#shown(state, reading)) };
+    const long = this.count > COPIED, how = definition ? [element("details", { class: "how" }, element("summary", { text: "How is this defined?" }), ...fragment(definition))] : [];
+    this.foot.replaceChildren(copies(this.#context, kind, long ? "Choose indices to copy components." : "Copy", long ? [] : allowed, request), ...how);
+  }
+}
+
+/** Buttons that copy a report in formats, and one for the link to its card.
+ * @param {Context} context @param {{name: string, title: string}} kind @param {string} words @param {string[][]} formats @param {object} request */
+export function copies({ engine, say, link }, { name, title }, words, formats, request) {
+  const buttons = formats.map(([label, format]) => button(label, async ({ currentTarget }) => {
     try {
-      const { answer } = await engine.ask(request);
+      const { answer } = await engine.ask({ ...request, format });
       await copy(format === "latex" ? equations(answer.text) : answer.text);
-      confirm(pressed, "copied");
-      say(`${kind.title}: copied as ${name}.`);
+      confirm(/** @type {HTMLElement} */ (currentTarget), "copied");
+      say(`${title}: copied as ${label}.`);
     } catch (problem) {
       const { refusal, message } = /** @type {any} */ (problem);
-      say(`${kind.title} could not be copied: ${refusal?.message ?? message ?? problem}`);
+      say(`${title} could not be copied: ${refusal?.message ?? message ?? problem}`);
     }
-  }
+  }, { class: "small" }));
+  const linked = button("Link", async () => {
+    await copy(link(name));
+    confirm(linked, "copied");
+    say("The link to this card is copied.");
+  }, { class: "small" });
+  return element("p", { class: "copies" }, element("span", { class: "quiet", text: words }), ...buttons, linked);
 }
 
 /** Sorts the values of a summary by size, if all of them are numbers. @param {Element} paragraph */

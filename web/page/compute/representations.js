@@ -1,8 +1,7 @@
 // @ts-check
 // Representations of the simple factors of an algebra: a weight, a product, a restriction, and the weight diagram.
-import { confirm, copy } from "../export.js";
-import { button, drawn, element, report } from "./dom.js";
-import { equations } from "./cards.js";
+import { copies } from "./cards.js";
+import { drawn, element, report } from "./dom.js";
 
 /** @typedef {import("./cards.js").Context} Context */
 
@@ -20,7 +19,6 @@ export class RepresentationCard {
   #offered = "";
   /** The space of the page. */
   space = "";
-  /** @type {Context | null} */ #context = null;
   kind = {
     name: "representations", title: "Representations", second: true, report: "rep", size: 2,
     when: () => Boolean(this.#types.length) && this.space === this.#offered,
@@ -70,7 +68,6 @@ export class RepresentationCard {
 
   /** @param {Context} context @param {(name: string) => void} stage */
   async compute(context, stage) {
-    this.#context = context;
     for (const [name] of FIELDS) if (document.activeElement !== this.fields[name]) this.fields[name].value = context.state[name];
     const request = this.#request(context);
     this.fields.weight.value ||= request.weight;
@@ -78,7 +75,7 @@ export class RepresentationCard {
     this.message.textContent = "";
     this.body.replaceChildren(element("div", { class: "drawings" }, ...answer.pictures.map(drawn)), report(answer.text));
     this.element.classList.remove("stale");
-    this.#feet();
+    this.foot.replaceChildren(copies(context, this.kind, "Copy", FORMATS, request));
   }
 
   /** @param {Context} context */
@@ -86,30 +83,5 @@ export class RepresentationCard {
     // by default the first fundamental representation of each factor
     const first = this.#types.flatMap((type) => Array.from({ length: Number(type.slice(1)) }, (_, node) => node ? 0 : 1));
     return { report: "rep", space: this.#types.join(" + "), weight: weight || `[${first}]`, factors, subalgebra };
-  }
-
-  #feet() {
-    const copies = FORMATS.map(([name, format]) => button(name, (event) => this.#copy(name, format, /** @type {HTMLElement} */ (event.currentTarget)), { class: "small" }));
-    const link = button("Link", async () => {
-      await copy(this.#context?.link(this.kind.name) ?? location.href);
-      confirm(link, "copied");
-      this.#context?.say("The link to this card is copied.");
-    }, { class: "small" });
-    this.foot.replaceChildren(element("p", { class: "copies" }, element("span", { class: "quiet", text: "Copy" }), ...copies, link));
-  }
-
-  /** @param {string} name @param {string} format @param {HTMLElement} pressed */
-  async #copy(name, format, pressed) {
-    if (!this.#context) return;
-    const { engine, say } = this.#context;
-    try {
-      const { answer } = await engine.ask({ ...this.#request(this.#context), format });
-      await copy(format === "latex" ? equations(answer.text) : answer.text);
-      confirm(pressed, "copied");
-      say(`Representations: copied as ${name}.`);
-    } catch (problem) {
-      const { refusal, message } = /** @type {any} */ (problem);
-      say(`Representations could not be copied: ${refusal?.message ?? message ?? problem}`);
-    }
   }
 }
