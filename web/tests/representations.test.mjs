@@ -34,7 +34,7 @@ test("a restriction names its components; a fault stands under the fields", asyn
   assert.match(await text(page, `${CARD} [role=alert]`), /E8/);
   await page.fill(`${CARD} input >> nth=2`, "principal");
   await page.keyboard.press("Enter");
-  await ready(page, "principal");
+  await ready(page, "weighted diagram 2,2");
   assert.equal(await text(page, `${CARD} [role=alert]`), "");
   await sound(page);
 });

@@ -54,7 +54,8 @@ class Compute {
   /** @type {AnyCard[]} */ #cards = [];
   #representations = new RepresentationCard((part) => {
     this.#state = { ...this.#state, ...part };
-    this.#tell("push");
+    // the address leads to the card
+    this.services.address.set(write({ ...this.#state, card: "representations" }), "push");
     this.#run();
   });
   /** @type {ReturnType<typeof setTimeout> | undefined} */ #pause;

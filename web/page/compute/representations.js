@@ -9,7 +9,7 @@ import { drawn, element, report } from "./dom.js";
 const FIELDS = [
   ["weight", "Representation", "8 or [1,1]"],
   ["factors", "times", "8; 3bar"],
-  ["subalgebra", "restricted to", "principal"],
+  ["subalgebra", "restricted to", "levi 1"],
 ];
 const FORMATS = [["LaTeX", "latex"], ["CSV", "csv"], ["JSON", "json"]];
 
@@ -27,10 +27,9 @@ export class RepresentationCard {
   /** @param {(part: {weight: string, factors: string, subalgebra: string}) => void} changed called with the parts of the state that are entered */
   constructor(changed) {
     this.changed = changed;
-    this.fields = Object.fromEntries(FIELDS.map(([name, , hint]) => [name, element("input", { type: "text", size: 9, placeholder: hint, spellcheck: false, autocomplete: "off", ...(name === "subalgebra" ? { list: "subalgebras" } : {}) })]));
-    this.names = element("datalist", { id: "subalgebras" });
+    this.fields = Object.fromEntries(FIELDS.map(([name, , hint]) => [name, element("input", { type: "text", size: 9, placeholder: hint, spellcheck: false, autocomplete: "off" })]));
     const labels = FIELDS.map(([name, label]) => element("label", {}, `${label} `, this.fields[name]));
-    const form = element("form", { class: "filters", submit: (/** @type {Event} */ event) => { event.preventDefault(); this.#enter(); } }, ...labels, element("button", { type: "submit", text: "Compute" }), this.names);
+    const form = element("form", { class: "filters", submit: (/** @type {Event} */ event) => { event.preventDefault(); this.#enter(); } }, ...labels, element("button", { type: "submit", text: "Compute" }));
     this.heading = element("h2", { id: "card-representations", text: "Representations" });
     this.body = element("div", { class: "body" });
     this.message = element("p", { class: "help", role: "alert" });
@@ -42,9 +41,6 @@ export class RepresentationCard {
   offer({ types, semisimple }) {
     [this.#types, this.#offered] = [types, this.space];
     this.heading.textContent = `Representations of ${semisimple ? "" : "the Levi subalgebra "}${types.join(" + ")}`;
-    const nodes = types.reduce((sum, type) => sum + Number(type.slice(1)), 0);
-    const names = ["principal", ...Array.from({ length: nodes }, (_, node) => `levi ${node + 1}`), ...(types.length === 1 && types[0] !== "A1" ? [`extended ${nodes}`] : [])];
-    this.names.replaceChildren(...names.map((value) => element("option", { value })));
   }
 
   /** What the result depends on. @param {import("./state.js").State} state */
