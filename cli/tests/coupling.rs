@@ -51,7 +51,7 @@ fn invalid_spins_are_rejected() {
 /// coefficients is limited before the computation begins.
 #[test]
 fn large_spins() {
-    let large = coupling(&["300", "300", "600", "--symbol", "3j"]);
+    let large = coupling(&["80", "80", "160", "--symbol", "3j"]);
     let all = large["coefficients"].as_array().unwrap();
     assert!(all.iter().all(|one| one["decimal"].as_f64().unwrap() != 0.0));
     let outcome = run(root(), &["coupling", "100", "100"], b"");
