@@ -162,6 +162,8 @@ const ACTIONS = {
   latex() {
     const said = /** @type {HTMLElement} */ (document.getElementById("say"));
     new MutationObserver((_, once) => {
+      // the cards may tell something else meanwhile
+      if (!said.textContent?.includes("copied")) return;
       where.textContent = said.textContent;
       once.disconnect();
     }).observe(said, { childList: true });
