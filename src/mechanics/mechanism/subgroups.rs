@@ -39,8 +39,8 @@ pub struct Division {
 }
 
 /// A division of a loop into two chains whose twists span the subalgebras that they generate. The
-/// closed positions are then a smooth manifold. The dimension of the manifold is that of the
-/// intersection, plus the redundant freedoms of both chains. Returns `None` if there is no such division.
+/// closed positions are then a smooth manifold. The manifold has the dimension of
+/// the intersection, plus the redundant freedoms of both chains. Returns `None` if there is no such division.
 ///
 /// # Errors
 /// Those of the catalogue.
