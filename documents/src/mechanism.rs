@@ -8,11 +8,11 @@ use crate::input::{
     forms::{Entries, Number, Text},
     parse_keys, shown,
 };
-use crate::problem::InertiaKeys;
+use crate::problem::{BodyKeys, JointKeys};
 use crate::space::notation::Names;
 use affinor::Error;
 use affinor::mechanism::denavit_hartenberg::{Link, closed_chain};
-use affinor::mechanism::{Joint, JointKind, Mechanism, Twist};
+use affinor::mechanism::{Joint, Mechanism, Twist};
 use affinor_tensors::expression::Scalars;
 use affinor_tensors::{Kind, Rational, Symbolic};
 use num_traits::One;
@@ -48,33 +48,6 @@ struct Keys {
     _quantities: Option<IgnoredAny>,
     #[serde(rename = "events")]
     _events: Option<IgnoredAny>,
-}
-
-/// A table `[[bodies]]`.
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(crate) struct BodyKeys {
-    pub name: Text,
-    #[serde(default)]
-    pub fixed: bool,
-    pub inertia: Option<InertiaKeys>,
-}
-
-/// A table `[[joints]]`.
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(crate) struct JointKeys {
-    pub name: Option<Text>,
-    #[serde(rename = "type")]
-    pub kind: Text,
-    pub bodies: Vec<Text>,
-    pub at: Option<Vec<Number>>,
-    pub axis: Option<Vec<Number>>,
-    pub second_axis: Option<Vec<Number>>,
-    pub pitch: Option<Number>,
-    pub twists: Option<Vec<Vec<Number>>>,
-    /// The initial rate, about or along an axis of length 1.
-    pub rate: Option<Number>,
 }
 
 /// A table `[[links]]`: a link of a closed chain of revolute joints.
@@ -262,7 +235,7 @@ impl Reader<'_> {
                 let own = keys.name.as_ref().map_or(place, |name| self.source.at(name));
                 return Err(InputError::usage(message).at(&own).help("choose another name"));
             }
-            let ends = ends(keys, &name, &names, self.source, at)?;
+            let ends = keys.ends(&name, &names, self.source, at)?;
             all.push(self.joint(at, keys)?.between(name, ends));
         }
         let fixed: Vec<usize> = (0..bodies.len()).filter(|at| bodies[*at].fixed).collect();
@@ -274,43 +247,13 @@ impl Reader<'_> {
     }
 
     fn joint(&self, at: usize, keys: &JointKeys) -> Result<Joint<Symbolic>, InputError> {
-        let kind = kind(keys, self.source, at)?;
-        let own = |key: &str| format!("joints.{at}.{key}");
-        let list = |key: &str, list: &Option<Vec<Number>>| match list {
-            Some(list) => self.vector::<3>(list, &self.source.key(&own(key))),
-            None => Ok(std::array::from_fn(|_| Symbolic::default())),
-        };
-        let (point, axis) = (list("at", &keys.at)?, list("axis", &keys.axis)?);
-        let (joint, key) = match kind {
-            JointKind::Revolute => (Joint::revolute(&point, &axis), "axis"),
-            JointKind::Prismatic => (Joint::prismatic(&axis), "axis"),
-            JointKind::Cylindrical => (Joint::cylindrical(&point, &axis), "axis"),
-            JointKind::Planar => (Joint::planar(&point, &axis), "axis"),
-            JointKind::Spherical => (Joint::spherical(&point), "at"),
-            JointKind::Fixed => (Ok(Joint::fixed()), "type"),
-            JointKind::Helical => {
-                let pitch = keys.pitch.as_ref().map(|pitch| self.scalar(pitch)).transpose()?;
-                (Joint::helical(&point, &axis, &pitch.unwrap_or_default()), "axis")
-            }
-            JointKind::Universal => {
-                let second = list("second_axis", &keys.second_axis)?;
-                (Joint::universal(&point, [&axis, &second]), "axis")
-            }
-            JointKind::Subgroup => {
-                let twists = keys.twists.iter().flatten();
-                let place = self.source.key(&own("twists"));
-                let twists: Result<Vec<Twist<Symbolic>>, _> =
-                    twists.map(|list| self.vector::<6>(list, &place)).collect();
-                (Joint::subgroup(twists?), "twists")
-            }
-        };
-        joint.map_err(|error| {
-            let help = match key {
-                "twists" => "add the bracket, or use a product of several joints",
-                _ => "give a vector that is not zero, and axes that are not parallel",
-            };
-            InputError::from(error).help(help).or_at(&self.source.key(&own(key)))
-        })
+        let own = |key: &str| self.source.key(&format!("joints.{at}.{key}"));
+        let vector = |key: &str, list: &[Number]| self.vector::<3>(list, &own(key));
+        let pitch = keys.pitch.as_ref().map(|pitch| self.scalar(pitch)).transpose()?;
+        let twists = keys.twists.iter().flatten();
+        let twists: Result<Vec<Twist<Symbolic>>, _> =
+            twists.map(|list| self.vector::<6>(list, &own("twists"))).collect();
+        keys.joint(keys.kind(self.source, at)?, &vector, pitch, twists?, &own)
     }
 
     /// The closed chain of the tables `[[links]]`.
@@ -390,93 +333,4 @@ impl Reader<'_> {
 
 fn ninetieth() -> Rational {
     Rational::new(1, 90).unwrap_or_else(Rational::one)
-}
-
-/// An example of a key.
-fn example(key: &str) -> String {
-    match key {
-        "at" => "give a point in ground coordinates, as in at = [0, 0, 1]".into(),
-        "pitch" => "give the translation per radian, as in pitch = \"1/10\"".into(),
-        "twists" => "give a basis of the subalgebra, as in twists = [[0, 0, 1, 0, 0, 0]]".into(),
-        key => format!("give a vector in ground coordinates, as in {key} = [0, 0, 1]"),
-    }
-}
-
-/// The indices of the two bodies of a joint.
-pub(crate) fn ends(
-    keys: &JointKeys,
-    name: &str,
-    names: &[String],
-    source: &Source,
-    at: usize,
-) -> Result<[usize; 2], InputError> {
-    let mut ends = vec![];
-    for body in &keys.bodies {
-        let found = names.iter().position(|own| *own == body.content);
-        ends.push(found.ok_or_else(|| no_body(body, names, source))?);
-    }
-    let Ok(ends) = <[usize; 2]>::try_from(ends) else {
-        let found = keys.bodies.len();
-        let message = format!("joint `{}` connects {found} bodies", shown(name));
-        let error = InputError::usage(message).at(&source.key(&format!("joints.{at}.bodies")));
-        return Err(error.help("a joint connects two bodies: bodies = [\"a\", \"b\"]"));
-    };
-    if ends[0] == ends[1] {
-        let body = shown(&names[ends[0]]);
-        let message = format!("joint `{}` connects `{body}` with itself", shown(name));
-        let error = InputError::usage(message).at(&source.at(&keys.bodies[1]));
-        return Err(error.help("name two different bodies"));
-    }
-    Ok(ends)
-}
-
-fn no_body(body: &Text, names: &[String], source: &Source) -> InputError {
-    let message = format!("there is no body `{}`", shown(body));
-    let error = InputError::usage(message).at(&source.at(body));
-    let distance = |name: &&String| strsim::damerau_levenshtein(name, body);
-    let near = names.iter().filter(|name| body.len() < 32 && distance(name) < 3);
-    error.help(match near.min_by_key(distance) {
-        Some(name) => format!("did you mean `{name}`?"),
-        None => format!("the bodies are {}", names.join(", ")),
-    })
-}
-
-/// The type of a joint, whose keys are checked.
-pub(crate) fn kind(keys: &JointKeys, source: &Source, at: usize) -> Result<JointKind, InputError> {
-    let place = source.at(&keys.kind);
-    let Some(kind) = JointKind::from_name(&keys.kind) else {
-        let message = format!("there is no joint of the type `{}`", shown(&keys.kind));
-        let names = JointKind::ALL.map(JointKind::name);
-        let distance = |name: &&str| strsim::damerau_levenshtein(name, &keys.kind);
-        let near = names.into_iter().filter(|name| distance(name) < 4);
-        let help = match near.min_by_key(distance) {
-            Some(name) => format!("did you mean `{name}`?"),
-            None => format!("the types are {}", names.join(", ")),
-        };
-        return Err(InputError::usage(message).at(&place).help(help));
-    };
-    let [needed, optional]: [&[&str]; 2] = match kind {
-        JointKind::Revolute | JointKind::Cylindrical => [&["at", "axis"], &[]],
-        JointKind::Helical => [&["at", "axis", "pitch"], &[]],
-        JointKind::Prismatic | JointKind::Planar => [&["axis"], &["at"]],
-        JointKind::Spherical => [&["at"], &[]],
-        JointKind::Universal => [&["at", "axis", "second_axis"], &[]],
-        JointKind::Fixed => [&[], &["at"]],
-        JointKind::Subgroup => [&["twists"], &[]],
-    };
-    let own = |key: &str| format!("joints.{at}.{key}");
-    for key in ["at", "axis", "second_axis", "pitch", "twists"] {
-        let given = source.has_key(&own(key));
-        let name = kind.name();
-        if needed.contains(&key) && !given {
-            let message = format!("a {name} joint needs the key `{key}`");
-            return Err(InputError::usage(message).at(&place).help(example(key)));
-        }
-        if given && !needed.contains(&key) && !optional.contains(&key) {
-            let message = format!("a {name} joint does not use the key `{key}`");
-            let error = InputError::usage(message).at(&source.key(&own(key)));
-            return Err(error.help("leave the key out"));
-        }
-    }
-    Ok(kind)
 }

@@ -20,6 +20,8 @@ mod integration;
 mod integrator;
 #[cfg(feature = "mechanisms")]
 mod joined;
+#[cfg(feature = "mechanisms")]
+mod joint_keys;
 mod keys;
 mod lie_poisson;
 mod matrix_flow;
@@ -32,10 +34,10 @@ mod reader;
 mod ready;
 mod solid;
 
-#[cfg(feature = "mechanisms")]
-pub(crate) use body::InertiaKeys;
 pub use geodesic::{Connecting, geodesics};
 pub use integration::{Integration, Progress};
+#[cfg(feature = "mechanisms")]
+pub(crate) use joint_keys::{BodyKeys, JointKeys};
 pub use ready::{Column, Factor, Ready};
 pub use solid::Solid;
 

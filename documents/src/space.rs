@@ -11,6 +11,7 @@
 //! keys, and `notation` reads expressions. `request` finds the space that the SPACE of a command
 //! means.
 
+mod catalogue_name;
 mod chart;
 mod charts;
 mod construction;

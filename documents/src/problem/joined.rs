@@ -4,6 +4,7 @@
 //! is the identity, and a point or an axis has the same components in all bodies.
 
 use super::body::InertiaKeys;
+use super::joint_keys::{BodyKeys, JointKeys};
 use super::keys::Keys;
 use super::reader::{Reader, Value};
 use crate::input::{
@@ -11,8 +12,7 @@ use crate::input::{
     forms::{Number, OneOrEach, Text, VectorText},
     shown,
 };
-use crate::mechanism::{BodyKeys, JointKeys};
-use affinor::mechanism::{Joint, JointKind, Mechanism};
+use affinor::mechanism::{JointKind, Mechanism};
 use affinor::nalgebra::{DMatrix, DVector, Vector3};
 
 /// A row of constraints fails to be independent below this size, relative to its own size.
@@ -144,8 +144,8 @@ impl System {
         for (at, keys) in joints.iter().enumerate() {
             let name =
                 keys.name.as_ref().map_or(format!("J{}", at + 1), |name| name.content.clone());
-            let ends = crate::mechanism::ends(keys, &name, &names, reader.source, at)?;
-            let kind = crate::mechanism::kind(keys, reader.source, at)?;
+            let ends = keys.ends(&name, &names, reader.source, at)?;
+            let kind = keys.kind(reader.source, at)?;
             let place = |key: &str| reader.source.key(&format!("joints.{at}.{key}"));
             let axis = |key: &str, list: &Option<Vec<Number>>| match list {
                 Some(list) => Axis::read(list, &place(key), reader, values),
@@ -154,25 +154,15 @@ impl System {
             let point = axis("at", &keys.at)?;
             let (first, second) =
                 (axis("axis", &keys.axis)?, axis("second_axis", &keys.second_axis)?);
-            let [p, w, v] = [&point, &first, &second].map(|a| [a.value.x, a.value.y, a.value.z]);
-            let joint = match kind {
-                JointKind::Revolute => Joint::revolute(&p, &w),
-                JointKind::Prismatic => Joint::prismatic(&w),
-                JointKind::Cylindrical => Joint::cylindrical(&p, &w),
-                JointKind::Spherical => Joint::spherical(&p),
-                JointKind::Planar => Joint::planar(&p, &w),
-                JointKind::Universal => Joint::universal(&p, [&w, &v]),
-                JointKind::Fixed => Ok(Joint::fixed()),
-                JointKind::Helical | JointKind::Subgroup => {
-                    let message = format!("the motion of a {} joint is not supported", kind.name());
-                    let error = InputError::usage(message).at(&reader.source.at(&keys.kind));
-                    return Err(error.help("use other joints, or `affinor mobility`"));
-                }
+            if matches!(kind, JointKind::Helical | JointKind::Subgroup) {
+                let message = format!("the motion of a {} joint is not supported", kind.name());
+                let error = InputError::usage(message).at(&reader.source.at(&keys.kind));
+                return Err(error.help("use other joints, or `affinor mobility`"));
+            }
+            let vector = |key: &str, list: &[Number]| {
+                Ok(Axis::read(list, &place(key), reader, values)?.value.into())
             };
-            let joint = joint.map_err(|error| {
-                let help = "give a vector that is not zero, and axes that are not parallel";
-                InputError::from(error).help(help).or_at(&place("axis"))
-            })?;
+            let joint = keys.joint(kind, &vector, None, vec![], &place)?;
             twists.push(joint.between(&name, ends));
             all.push((name, ends, kind, constraints(kind, &point, &first, &second)));
         }

@@ -4,11 +4,11 @@ use super::body::InertiaKeys;
 use super::ensemble::EnsembleKeys;
 use super::forces::ForceKeys;
 use super::initial::InitialKeys;
+#[cfg(feature = "mechanisms")]
+use super::joint_keys::{BodyKeys, JointKeys};
 use crate::input::forms::{
     Entries, Formulas, MetricText, Number, OneOrEach, OneOrMore, Text, VectorText,
 };
-#[cfg(feature = "mechanisms")]
-use crate::mechanism::{BodyKeys, JointKeys};
 use crate::space::document::Document;
 use serde::Deserialize;
 

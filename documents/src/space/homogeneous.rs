@@ -2,13 +2,14 @@
 
 mod sum;
 
+use super::catalogue_name::with_nearest;
 use super::{Definition, Origin};
 use crate::Coefficient;
 use crate::input::forms::{HomogeneousText, Text};
 use crate::input::{InputError, Place, Source};
 use crate::space::notation::Names;
 use affinor::algebra::structure::GroundField;
-use affinor::geometry::homogeneous::{Embedding, HomogeneousSpace, has_form, nearest};
+use affinor::geometry::homogeneous::{Embedding, HomogeneousSpace, has_form};
 use affinor::group::{AnyGroup, LieGroup, registry};
 use affinor::{Bracket, Error, Law, LieAlgebra, ReductivePair};
 use affinor_tensors::linear::Matrix;
@@ -350,16 +351,4 @@ impl CosetSpace {
         }
         definition
     }
-}
-
-/// Adds the names of homogeneous spaces that a misspelt name may mean.
-pub(super) fn with_nearest(error: InputError, text: &str) -> InputError {
-    let names = nearest(text);
-    if names.is_empty() {
-        return error;
-    }
-    let shown = crate::input::shown(text);
-    let message =
-        format!("there is no space named `{shown}`; the nearest is {}", names.join(" or "));
-    InputError { message, suggestions: names, ..error }
 }

@@ -5,7 +5,8 @@ use crate::input::{
     forms::{MetricText, Text},
 };
 use crate::space::{
-    Definition, MetricChoice, Origin, add, homogeneous,
+    Definition, MetricChoice, Origin, add,
+    catalogue_name::with_nearest,
     named::{is_path, named_space},
     notation::{self, Names, basis, lines, metric, statement},
     setting::settings,
@@ -315,7 +316,7 @@ fn find(name: &str, files: &Files) -> Result<Definition, InputError> {
         let read = Definition::read_part(name, 0, files);
         return read.map_err(|error| match Path::new(name).exists() {
             true => error,
-            false => homogeneous::with_nearest(error, name),
+            false => with_nearest(error, name),
         });
     }
     named_space(&Source::new("SPACE", &spelling::folded(name)))

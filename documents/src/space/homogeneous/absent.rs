@@ -7,7 +7,7 @@ use crate::input::forms::HomogeneousText;
 use crate::input::{InputError, Refusal, Source};
 use affinor::LieAlgebra;
 use affinor::geometry::homogeneous::{HomogeneousSpace, has_form};
-use affinor::group::AnyGroup;
+use affinor::group::{AnyGroup, registry};
 use affinor_tensors::{Symbolic, Tolerance};
 use nalgebra::DMatrix;
 use std::collections::BTreeSet;
@@ -100,14 +100,12 @@ impl Definition {
     }
 }
 
-/// Refuses a text that has the form of a name of a homogeneous space.
+/// Refuses a text that has the form of a name of a homogeneous space, or of a sum in which such a
+/// name occurs.
 pub(super) fn named(source: &Source) -> Option<Result<Definition, InputError>> {
-    has_form(source.content().trim()).then(|| Err(absent().at(&source.whole(source.content()))))
-}
-
-/// The error as it is, because the names of homogeneous spaces are absent from this build.
-pub(super) fn with_nearest(error: InputError, _: &str) -> InputError {
-    error
+    let parts = registry::summands(source.content());
+    let is_space = parts.iter().any(|part| has_form(part.trim()));
+    is_space.then(|| Err(absent().at(&source.whole(source.content()))))
 }
 
 fn absent() -> InputError {

@@ -2,7 +2,7 @@
 
 use super::{CosetSpace, embedding};
 use crate::input::{InputError, Source};
-use crate::space::named::entry;
+use crate::space::catalogue_name::entry;
 use crate::space::{Definition, check_dimension};
 use affinor::algebra::join_labels;
 use affinor::geometry::homogeneous::{Embedding, has_form};

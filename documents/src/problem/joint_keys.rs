@@ -1,0 +1,168 @@
+//! The tables `[[bodies]]` and `[[joints]]`.
+
+use super::body::InertiaKeys;
+use crate::input::{
+    InputError, Place, Source,
+    forms::{Number, Text},
+    shown,
+};
+use affinor::mechanism::{Joint, JointKind, Twist};
+use affinor::{Error, Field, Notation, Scalar};
+use serde::Deserialize;
+
+/// A table `[[bodies]]`.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct BodyKeys {
+    pub name: Text,
+    #[serde(default)]
+    pub fixed: bool,
+    pub inertia: Option<InertiaKeys>,
+}
+
+/// A table `[[joints]]`.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct JointKeys {
+    pub name: Option<Text>,
+    #[serde(rename = "type")]
+    pub kind: Text,
+    pub bodies: Vec<Text>,
+    pub at: Option<Vec<Number>>,
+    pub axis: Option<Vec<Number>>,
+    pub second_axis: Option<Vec<Number>>,
+    pub pitch: Option<Number>,
+    pub twists: Option<Vec<Vec<Number>>>,
+    /// The initial rate, about or along an axis of length 1.
+    pub rate: Option<Number>,
+}
+
+impl JointKeys {
+    /// The joint, whose vectors are read by `vector`. `place` is the location of a key.
+    pub fn joint<S: Field + Scalar + Notation>(
+        &self,
+        kind: JointKind,
+        vector: &dyn Fn(&str, &[Number]) -> Result<[S; 3], InputError>,
+        pitch: Option<S>,
+        twists: Vec<Twist<S>>,
+        place: &dyn Fn(&str) -> Place,
+    ) -> Result<Joint<S>, InputError> {
+        let read = |key: &str, list: &Option<Vec<Number>>| match list {
+            Some(list) => vector(key, list),
+            None => Ok(std::array::from_fn(|_| S::zero())),
+        };
+        let (point, axis) = (read("at", &self.at)?, read("axis", &self.axis)?);
+        let (joint, key): (Result<Joint<S>, Error>, _) = match kind {
+            JointKind::Revolute => (Joint::revolute(&point, &axis), "axis"),
+            JointKind::Prismatic => (Joint::prismatic(&axis), "axis"),
+            JointKind::Cylindrical => (Joint::cylindrical(&point, &axis), "axis"),
+            JointKind::Planar => (Joint::planar(&point, &axis), "axis"),
+            JointKind::Spherical => (Joint::spherical(&point), "at"),
+            JointKind::Fixed => (Ok(Joint::fixed()), "type"),
+            JointKind::Helical => {
+                (Joint::helical(&point, &axis, &pitch.unwrap_or_else(S::zero)), "axis")
+            }
+            JointKind::Universal => {
+                let second = read("second_axis", &self.second_axis)?;
+                (Joint::universal(&point, [&axis, &second]), "axis")
+            }
+            JointKind::Subgroup => (Joint::subgroup(twists), "twists"),
+        };
+        joint.map_err(|error| {
+            let help = match key {
+                "twists" => "add the bracket, or use a product of several joints",
+                _ => "give a vector that is not zero, and axes that are not parallel",
+            };
+            InputError::from(error).help(help).or_at(&place(key))
+        })
+    }
+
+    /// The indices of the two bodies.
+    pub fn ends(
+        &self,
+        name: &str,
+        names: &[String],
+        source: &Source,
+        at: usize,
+    ) -> Result<[usize; 2], InputError> {
+        let mut ends = vec![];
+        for body in &self.bodies {
+            let found = names.iter().position(|own| *own == body.content);
+            ends.push(found.ok_or_else(|| no_body(body, names, source))?);
+        }
+        let Ok(ends) = <[usize; 2]>::try_from(ends) else {
+            let found = self.bodies.len();
+            let message = format!("joint `{}` connects {found} bodies", shown(name));
+            let error = InputError::usage(message).at(&source.key(&format!("joints.{at}.bodies")));
+            return Err(error.help("a joint connects two bodies: bodies = [\"a\", \"b\"]"));
+        };
+        if ends[0] == ends[1] {
+            let body = shown(&names[ends[0]]);
+            let message = format!("joint `{}` connects `{body}` with itself", shown(name));
+            let error = InputError::usage(message).at(&source.at(&self.bodies[1]));
+            return Err(error.help("name two different bodies"));
+        }
+        Ok(ends)
+    }
+
+    /// The type, whose keys are checked.
+    pub fn kind(&self, source: &Source, at: usize) -> Result<JointKind, InputError> {
+        let place = source.at(&self.kind);
+        let Some(kind) = JointKind::from_name(&self.kind) else {
+            let message = format!("there is no joint of the type `{}`", shown(&self.kind));
+            let names = JointKind::ALL.map(JointKind::name);
+            let distance = |name: &&str| strsim::damerau_levenshtein(name, &self.kind);
+            let near = names.into_iter().filter(|name| distance(name) < 4);
+            let help = match near.min_by_key(distance) {
+                Some(name) => format!("did you mean `{name}`?"),
+                None => format!("the types are {}", names.join(", ")),
+            };
+            return Err(InputError::usage(message).at(&place).help(help));
+        };
+        let [needed, optional]: [&[&str]; 2] = match kind {
+            JointKind::Revolute | JointKind::Cylindrical => [&["at", "axis"], &[]],
+            JointKind::Helical => [&["at", "axis", "pitch"], &[]],
+            JointKind::Prismatic | JointKind::Planar => [&["axis"], &["at"]],
+            JointKind::Spherical => [&["at"], &[]],
+            JointKind::Universal => [&["at", "axis", "second_axis"], &[]],
+            JointKind::Fixed => [&[], &["at"]],
+            JointKind::Subgroup => [&["twists"], &[]],
+        };
+        let own = |key: &str| format!("joints.{at}.{key}");
+        for key in ["at", "axis", "second_axis", "pitch", "twists"] {
+            let given = source.has_key(&own(key));
+            let name = kind.name();
+            if needed.contains(&key) && !given {
+                let message = format!("a {name} joint needs the key `{key}`");
+                return Err(InputError::usage(message).at(&place).help(example(key)));
+            }
+            if given && !needed.contains(&key) && !optional.contains(&key) {
+                let message = format!("a {name} joint does not use the key `{key}`");
+                let error = InputError::usage(message).at(&source.key(&own(key)));
+                return Err(error.help("leave the key out"));
+            }
+        }
+        Ok(kind)
+    }
+}
+
+/// An example of a key.
+fn example(key: &str) -> String {
+    match key {
+        "at" => "give a point in ground coordinates, as in at = [0, 0, 1]".into(),
+        "pitch" => "give the translation per radian, as in pitch = \"1/10\"".into(),
+        "twists" => "give a basis of the subalgebra, as in twists = [[0, 0, 1, 0, 0, 0]]".into(),
+        key => format!("give a vector in ground coordinates, as in {key} = [0, 0, 1]"),
+    }
+}
+
+fn no_body(body: &Text, names: &[String], source: &Source) -> InputError {
+    let message = format!("there is no body `{}`", shown(body));
+    let error = InputError::usage(message).at(&source.at(body));
+    let distance = |name: &&String| strsim::damerau_levenshtein(name, body);
+    let near = names.iter().filter(|name| body.len() < 32 && distance(name) < 3);
+    error.help(match near.min_by_key(distance) {
+        Some(name) => format!("did you mean `{name}`?"),
+        None => format!("the bodies are {}", names.join(", ")),
+    })
+}
