@@ -12,7 +12,8 @@ use crate::problem::{BodyKeys, JointKeys};
 use crate::space::notation::Names;
 use affinor::Error;
 use affinor::mechanism::denavit_hartenberg::{Link, closed_chain};
-use affinor::mechanism::{Joint, Mechanism, Twist};
+use affinor::mechanism::joint::JointData;
+use affinor::mechanism::{Joint, JointKind, Mechanism, Twist};
 use affinor_tensors::expression::Scalars;
 use affinor_tensors::{Kind, Rational, Symbolic};
 use num_traits::One;
@@ -247,13 +248,32 @@ impl Reader<'_> {
     }
 
     fn joint(&self, at: usize, keys: &JointKeys) -> Result<Joint<Symbolic>, InputError> {
+        let kind = keys.kind(self.source, at)?;
         let own = |key: &str| self.source.key(&format!("joints.{at}.{key}"));
-        let vector = |key: &str, list: &[Number]| self.vector::<3>(list, &own(key));
-        let pitch = keys.pitch.as_ref().map(|pitch| self.scalar(pitch)).transpose()?;
+        let vector = |key: &str, list: &Option<Vec<Number>>| match list {
+            Some(list) => self.vector::<3>(list, &own(key)),
+            None => Ok(Default::default()),
+        };
         let twists = keys.twists.iter().flatten();
         let twists: Result<Vec<Twist<Symbolic>>, _> =
             twists.map(|list| self.vector::<6>(list, &own("twists"))).collect();
-        keys.joint(keys.kind(self.source, at)?, &vector, pitch, twists?, &own)
+        let pitch = keys.pitch.as_ref().map(|pitch| self.scalar(pitch)).transpose()?;
+        let data = JointData {
+            point: vector("at", &keys.at)?,
+            axis: vector("axis", &keys.axis)?,
+            second_axis: vector("second_axis", &keys.second_axis)?,
+            pitch: pitch.unwrap_or_default(),
+            twists: twists?,
+        };
+        Joint::of_kind(kind, data).map_err(|error| {
+            let (key, help) = match kind {
+                JointKind::Subgroup => {
+                    ("twists", "add the bracket, or use a product of several joints")
+                }
+                _ => ("axis", "give a vector that is not zero, and axes that are not parallel"),
+            };
+            InputError::from(error).help(help).or_at(&own(key))
+        })
     }
 
     /// The closed chain of the tables `[[links]]`.

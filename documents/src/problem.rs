@@ -74,8 +74,6 @@ pub struct Problem {
     integrator: Integrator,
     output: Output,
     ensemble: Option<Ensemble>,
-    /// Warnings about the joints of bodies.
-    notes: Vec<String>,
 }
 
 #[derive(Clone, Debug)]
@@ -99,7 +97,26 @@ enum Class {
 }
 
 impl Class {
-    fn read(keys: &Keys, reader: &Reader) -> Result<Self, InputError> {
+    /// Reads the class; `parameters` are the values of the parameters, as far as the file has them.
+    fn read(
+        keys: &Keys,
+        reader: &Reader,
+        parameters: &[Option<Value>],
+    ) -> Result<Self, InputError> {
+        #[cfg(feature = "mechanisms")]
+        if keys.bodies.is_some() || keys.joints.is_some() {
+            // a parameter that only the ensemble defines counts as 1 for the choice of constraints
+            let mut values = vec![];
+            for name in 0..reader.names.len() {
+                let value = parameters.get(name).and_then(Option::as_ref);
+                values.push(value.map_or(Ok(1.0), |value| value.at(&values))?);
+            }
+            let (group, dynamics, joints) = joined::read(keys, reader, &values)?;
+            let class = Constrained::of_joints(dynamics, joints);
+            return Ok(Class::Constrained(group.into(), class.into()));
+        }
+        #[cfg(not(feature = "mechanisms"))]
+        let _ = parameters;
         if let Some(flow) = &keys.flow {
             return Ok(Class::MatrixFlow(MatrixFlow::read(flow, reader)?.into()));
         }
@@ -198,13 +215,7 @@ impl Problem {
         }
         let ensemble = keys.ensemble.as_ref();
         let ensemble = ensemble.map(|keys| Ensemble::read(keys, &mut reader)).transpose()?;
-        #[cfg(feature = "mechanisms")]
-        let (keys, notes) = match keys.bodies.is_some() || keys.joints.is_some() {
-            true => joined::on_product(keys, &reader, &values)?,
-            false => (keys, vec![]),
-        };
-        #[cfg(not(feature = "mechanisms"))]
-        let notes = vec![];
+        let class = Class::read(&keys, &reader, &values)?;
         let values = values.into_iter().chain(std::iter::repeat(None));
         let parameters = reader.names.iter().cloned().zip(values);
         let stem = Path::new(&source.name).file_stem();
@@ -215,9 +226,8 @@ impl Problem {
             settings: vec![],
             integrator: Integrator::read(&keys.integrator, &reader)?,
             output: Output::read(&keys, &reader)?,
-            class: Class::read(&keys, &reader)?,
+            class,
             ensemble,
-            notes,
             files: reader.into_files(),
             source,
         })
@@ -479,8 +489,7 @@ impl Problem {
         let times = self.output.times.at(&self.source, &values_of(&parameters))?;
         let (source, integrator, output) = (&self.source, &self.integrator, &self.output);
         let member = Member { source, parameters, times, integrator, output };
-        let mut ready = self.class.motion(&member)?;
-        ready.notes.extend(self.notes.iter().cloned());
+        let ready = self.class.motion(&member)?;
         integrator.expect_no_ignored_keys(ready.method, source)?;
         let of_ensemble =
             self.ensemble.as_ref().map_or(vec![], |_| [vec!["member"], self.varied()].concat());

@@ -147,6 +147,27 @@ impl Formula {
         Formula { numbers: vec![number], variables: vec![], operations: vec![], last: 0 }
     }
 
+    /// The polynomial with these terms, each with a coefficient and the indices of its variables.
+    ///
+    /// ```
+    /// use affinor::mechanics::formula::Formula;
+    /// let polynomial = Formula::polynomial(&[(2.0, vec![0, 0]), (-3.0, vec![1]), (5.0, vec![])]);
+    /// assert_eq!(polynomial.value(&[4.0, 1.0]), 34.0);
+    /// ```
+    pub fn polynomial(terms: &[(f64, Vec<usize>)]) -> Self {
+        let mut graph = Graph::default();
+        let mut last = graph.number(0.0);
+        for (at, (coefficient, factors)) in terms.iter().enumerate() {
+            let mut term = graph.number(*coefficient);
+            for k in factors {
+                let variable = graph.push(Node::Variable(*k));
+                term = graph.apply(Kind::Multiply, [term, variable]);
+            }
+            last = if at == 0 { term } else { graph.apply(Kind::Add, [last, term]) };
+        }
+        graph.formula(last, &mut [])
+    }
+
     /// The value of the formula at these values of the variables.
     pub fn value(&self, variables: &[f64]) -> f64 {
         self.value_in(variables, &mut Workspace::default())

@@ -5,9 +5,11 @@
 //! with the basis of [`Se3`](crate::group::Se3). In reading order: [`twist`] defines twists of
 //! axes, [`joint`] the joints, [`graph`] bodies and loops, [`mobility`] the rates and the verdict.
 //! The proofs of the verdict have one file each: [`closure`], [`subgroups`] and [`symmetry`];
-//! [`positions`] computes other assembled positions in floats.
+//! [`positions`] computes other assembled positions in floats, and [`constraint`] states the
+//! equations of a joint for moving bodies.
 
 pub mod closure;
+pub mod constraint;
 pub mod denavit_hartenberg;
 pub mod graph;
 pub mod joint;
@@ -17,6 +19,7 @@ pub mod subgroups;
 pub mod symmetry;
 pub mod twist;
 
+pub use constraint::JointConstraint;
 pub use graph::{Loop, Mechanism};
 pub use joint::{Joint, JointKind};
 pub use mobility::{Mobility, Reason, Verdict};

@@ -1,8 +1,13 @@
-//! The mobility of loops of six hinges, and of loops in another frame and order.
+//! The mobility of loops of six hinges, and of loops in another frame and order; the equations of
+//! joints between moving bodies.
 
+use affinor::group::{LieGroup, Se3};
+use affinor::mechanism::constraint::gravity;
+use affinor::mechanism::joint::JointData;
 use affinor::mechanism::symmetry::Involution;
-use affinor::mechanism::{Joint, Mechanism, Mobility, Reason};
+use affinor::mechanism::{Joint, JointConstraint, JointKind, Mechanism, Mobility, Reason, Twist};
 use affinor::{Error, Rational};
+use nalgebra::{DMatrix, DVector, Isometry3, Vector3, Vector6};
 
 /// A point of an axis, and its direction.
 type Line = ([i64; 3], [i64; 3]);
@@ -108,5 +113,100 @@ fn frames_and_order_do_not_matter() -> Result<(), Error> {
             assert_eq!(own.verdict.exact(), Some(1));
         }
     }
+    Ok(())
+}
+
+/// The value of a polynomial at the poses of two bodies.
+fn value(polynomial: &[(f64, Vec<(usize, usize, usize)>)], poses: [&Isometry3<f64>; 2]) -> f64 {
+    let entry = |(body, i, j): &(usize, usize, usize)| poses[*body].to_homogeneous()[(*i, *j)];
+    polynomial.iter().map(|(c, factors)| c * factors.iter().map(entry).product::<f64>()).sum()
+}
+
+/// Each kind of joint has as many independent equations as it has constraints. They hold for all
+/// relative poses in the subgroup of the joint, also far from the initial position and for axes of
+/// any length, and fail for others. Their gradients are difference quotients.
+#[test]
+fn equations_of_joints_define_their_subgroups() -> Result<(), Error> {
+    let (point, axis, second) =
+        (Vector3::new(1.5, -0.5, 2.0), Vector3::new(1.0, -2.0, 3.0), Vector3::new(0.5, 4.0, -1.0));
+    let first = Se3.exp(&Vector6::new(0.9, -1.7, 0.4, 3.0, -2.0, 1.0));
+    let identity = Isometry3::identity();
+    for kind in JointKind::ALL {
+        if matches!(kind, JointKind::Helical | JointKind::Subgroup) {
+            assert!(JointConstraint::all(kind, &point, &axis, &second).is_empty());
+            continue;
+        }
+        let data = JointData {
+            point: point.into(),
+            axis: axis.into(),
+            second_axis: second.into(),
+            pitch: 0.0,
+            twists: vec![],
+        };
+        let joint = Joint::of_kind(kind, data)?;
+        let equations = JointConstraint::all(kind, &point, &axis, &second);
+        assert_eq!(equations.len() + joint.freedom(), 6, "{kind:?}");
+        let exp = |twist: &Twist<f64>, q: f64| Se3.exp(&(Vector6::from(*twist) * q));
+        let relative = joint.twists().iter().zip([0.7, -1.1, 0.9]);
+        let relative = relative.fold(identity, |pose, (twist, q)| pose * exp(twist, q));
+        let second_pose = first * relative;
+        let other = second_pose * Se3.exp(&Vector6::new(0.3, 0.5, -0.4, 0.2, 0.6, -0.3));
+        let mut rows = vec![];
+        let mut violated = 0.0f64;
+        for equation in &equations {
+            let between = equation.polynomial([Some(0), Some(1)], &|body, i, j| (body, i, j));
+            let on_ground = equation.polynomial([None, Some(1)], &|body, i, j| (body, i, j));
+            assert!(value(&between, [&first, &second_pose]).abs() < 1e-12, "{kind:?} {equation:?}");
+            assert!(value(&on_ground, [&identity, &relative]).abs() < 1e-12, "{kind:?}");
+            violated = violated.max(value(&between, [&first, &other]).abs());
+            let gradient = equation.gradient([Some(0), Some(1)], 2);
+            for i in 0..12 {
+                let step = |h: f64| {
+                    let moved = Se3.exp(&(Vector6::ith(i % 6, 1.0) * h));
+                    let poses = if i < 6 { [&moved, &identity] } else { [&identity, &moved] };
+                    value(&between, poses)
+                };
+                let slope = (step(1e-5) - step(-1e-5)) / 2e-5;
+                assert!((slope - gradient[i]).abs() < 1e-8, "{kind:?} {equation:?} {i}");
+            }
+            for twist in joint.twists() {
+                let along = gradient.rows(6, 6).dot(&DVector::from_column_slice(twist));
+                assert!(along.abs() < 1e-12, "{kind:?}");
+            }
+            rows.push(gradient.rows(6, 6).transpose());
+        }
+        assert!(violated > 1e-2, "{kind:?}");
+        assert_eq!(DMatrix::from_rows(&rows).rank(1e-9), equations.len(), "{kind:?}");
+    }
+    Ok(())
+}
+
+/// The potential of gravity is `-m g . c` for the centre `c` in space.
+#[test]
+fn gravity_acts_at_the_centre() {
+    let (mass, centre) = (2.5, Vector3::new(0.3, -0.7, 1.1));
+    let acceleration = Vector3::new(1.0, -9.81, 0.5);
+    let pose = Se3.exp(&Vector6::new(0.9, -1.7, 0.4, 3.0, -2.0, 1.0));
+    let moments = [(0.0, Vector3::zeros()), (mass, centre * mass)];
+    let potential = gravity(&acceleration, &moments, &|body, i, j| (body, i, j));
+    let expected = -mass * acceleration.dot(&(pose * nalgebra::Point3::from(centre)).coords);
+    assert!((value(&potential, [&Isometry3::identity(), &pose]) - expected).abs() < 1e-12);
+}
+
+/// The velocities of the bodies of a chain are the sums of the rates of its joints.
+#[test]
+fn velocities_add_up_along_chains() -> Result<(), Error> {
+    let hinge = |x: i64, bodies: [usize; 2]| -> Result<Joint<Rational>, Error> {
+        Ok(Joint::revolute(&vector([x, 0, 0]), &vector([0, 0, 1]))?
+            .between(format!("J{x}"), bodies))
+    };
+    // the second joint is written from its outer body
+    let joints = vec![hinge(0, [0, 1])?, hinge(2, [2, 1])?];
+    let names = ["ground", "arm", "forearm"].map(String::from).to_vec();
+    let chain = Mechanism::new(names, &[0], joints)?;
+    let velocities = chain.velocities(&[3, 5].map(Rational::from));
+    assert_eq!(velocities[1], [0, 0, 3, 0, 0, 0].map(Rational::from));
+    // a rotation by -5 about z through (2, 0, 0) moves the origin by -5 e_z x (-2 e_x) = 10 e_y
+    assert_eq!(velocities[2], [0, 0, -2, 0, 10, 0].map(Rational::from));
     Ok(())
 }

@@ -126,6 +126,17 @@ impl Bodies {
         }
     }
 
+    /// The bodies with these keys, each with its path in the file.
+    #[cfg(feature = "mechanisms")]
+    pub fn all<'k>(
+        keys: impl Iterator<Item = (String, &'k InertiaKeys)>,
+        place: Place,
+        reader: &Reader,
+    ) -> Result<Self, InputError> {
+        let bodies = keys.map(|(path, keys)| Body::read(keys, reader.source.key(&path), reader));
+        Ok(Bodies::Each(bodies.collect::<Result<_, _>>()?, place))
+    }
+
     /// The metric on the group. Each body that is given by parts also defines the parameters
     /// `mass`, `centre1`, `centre2`, `centre3`. In a product, their names end in the number of the
     /// factor: `mass_2`.

@@ -27,7 +27,8 @@ use std::sync::OnceLock;
 pub(super) struct EulerPoincare {
     /// The moving bodies, which define the metric.
     bodies: Option<Bodies>,
-    initial: InitialMomentum,
+    /// The initial velocity or momentum; `None` if joints define it.
+    initial: Option<InitialMomentum>,
     forces: ForceFormulas,
     casimirs: Vec<Symbolic>,
     /// Whether there are constraint forces in addition to the forces.
@@ -68,15 +69,17 @@ impl EulerPoincare {
         }
         let forces = ForceFormulas::read(&keys.forces, reader)?;
         let bodies = keys.inertia.as_ref().map(|keys| Bodies::read(keys, reader)).transpose()?;
-        let initial = InitialMomentum::read(&keys.initial, reader)?;
-        Ok(EulerPoincare {
-            bodies,
-            initial,
-            forces,
-            casimirs: on_group.casimirs(),
-            is_constrained: false,
-            shared: OnceLock::new(),
-        })
+        let initial = Some(InitialMomentum::read(&keys.initial, reader)?);
+        let casimirs = on_group.casimirs();
+        let shared = OnceLock::new();
+        Ok(EulerPoincare { bodies, initial, forces, casimirs, is_constrained: false, shared })
+    }
+
+    /// The dynamics of moving bodies.
+    #[cfg(feature = "mechanisms")]
+    pub fn new(bodies: Bodies, initial: Option<InitialMomentum>, forces: ForceFormulas) -> Self {
+        let (bodies, casimirs, shared) = (Some(bodies), vec![], OnceLock::new());
+        EulerPoincare { bodies, initial, forces, casimirs, is_constrained: false, shared }
     }
 
     /// Adds a force that is given as a function.
@@ -94,7 +97,7 @@ impl EulerPoincare {
     pub fn motion(&self, start: &Start) -> Result<Ready, InputError> {
         let member = start.member;
         let System { energy, inertia, forces, rows, element, momentum, notes } =
-            self.system(start)?;
+            self.system(start, None)?;
         let spec = EulerPoincareSpec {
             connection: &energy.connection,
             metric: &energy.metric,
@@ -139,8 +142,13 @@ impl EulerPoincare {
         Ok(KineticEnergy { metric, connection, of_body, solids })
     }
 
-    /// The equations of one motion, and its initial condition.
-    pub fn system(&self, start: &Start) -> Result<System<'_>, InputError> {
+    /// The equations of one motion, and its initial condition; `velocity` is the initial velocity if
+    /// the problem has none.
+    pub fn system(
+        &self,
+        start: &Start,
+        velocity: Option<DVector<f64>>,
+    ) -> Result<System<'_>, InputError> {
         let (group, member, values) = (start.group, start.member, start.member.values());
         let energy = match self.shared.get() {
             Some(energy) => Cow::Borrowed(energy),
@@ -175,7 +183,11 @@ impl EulerPoincare {
         let rows =
             member.output.formulas(forces.names(), &|_| true, casimirs, kept, member.source)?;
         let element = start.on_group.element().at(group, &values)?;
-        let momentum = self.initial.at(group, &element, forces.observables(), &values)?;
+        let momentum = match (&self.initial, velocity) {
+            (Some(initial), _) => initial.at(group, &element, forces.observables(), &values)?,
+            (None, Some(velocity)) => &inertia * velocity,
+            (None, None) => DVector::zeros(inertia.nrows()),
+        };
         Ok(System { energy, inertia, forces, rows, element, momentum, notes })
     }
 }

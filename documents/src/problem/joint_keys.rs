@@ -2,12 +2,11 @@
 
 use super::body::InertiaKeys;
 use crate::input::{
-    InputError, Place, Source,
+    InputError, Source,
     forms::{Number, Text},
     shown,
 };
-use affinor::mechanism::{Joint, JointKind, Twist};
-use affinor::{Error, Field, Notation, Scalar};
+use affinor::mechanism::JointKind;
 use serde::Deserialize;
 
 /// A table `[[bodies]]`.
@@ -38,45 +37,6 @@ pub(crate) struct JointKeys {
 }
 
 impl JointKeys {
-    /// The joint, whose vectors are read by `vector`. `place` is the location of a key.
-    pub fn joint<S: Field + Scalar + Notation>(
-        &self,
-        kind: JointKind,
-        vector: &dyn Fn(&str, &[Number]) -> Result<[S; 3], InputError>,
-        pitch: Option<S>,
-        twists: Vec<Twist<S>>,
-        place: &dyn Fn(&str) -> Place,
-    ) -> Result<Joint<S>, InputError> {
-        let read = |key: &str, list: &Option<Vec<Number>>| match list {
-            Some(list) => vector(key, list),
-            None => Ok(std::array::from_fn(|_| S::zero())),
-        };
-        let (point, axis) = (read("at", &self.at)?, read("axis", &self.axis)?);
-        let (joint, key): (Result<Joint<S>, Error>, _) = match kind {
-            JointKind::Revolute => (Joint::revolute(&point, &axis), "axis"),
-            JointKind::Prismatic => (Joint::prismatic(&axis), "axis"),
-            JointKind::Cylindrical => (Joint::cylindrical(&point, &axis), "axis"),
-            JointKind::Planar => (Joint::planar(&point, &axis), "axis"),
-            JointKind::Spherical => (Joint::spherical(&point), "at"),
-            JointKind::Fixed => (Ok(Joint::fixed()), "type"),
-            JointKind::Helical => {
-                (Joint::helical(&point, &axis, &pitch.unwrap_or_else(S::zero)), "axis")
-            }
-            JointKind::Universal => {
-                let second = read("second_axis", &self.second_axis)?;
-                (Joint::universal(&point, [&axis, &second]), "axis")
-            }
-            JointKind::Subgroup => (Joint::subgroup(twists), "twists"),
-        };
-        joint.map_err(|error| {
-            let help = match key {
-                "twists" => "add the bracket, or use a product of several joints",
-                _ => "give a vector that is not zero, and axes that are not parallel",
-            };
-            InputError::from(error).help(help).or_at(&place(key))
-        })
-    }
-
     /// The indices of the two bodies.
     pub fn ends(
         &self,

@@ -5,6 +5,8 @@ use super::integrator::Member;
 use super::keys::{Keys, OF_CHARTS, OF_HOMOGENEOUS};
 use super::reader::Reader;
 use super::ready::{Factor, Ready};
+#[cfg(feature = "mechanisms")]
+use crate::input::Source;
 use crate::input::{InputError, Place, forms::MetricText, shown};
 use crate::space::{Definition, Request, Space};
 use affinor::group::{AnyGroup, Opposite};
@@ -82,6 +84,17 @@ impl OnGroup {
             keys.initial.expect_lists(reader)?;
         }
         Ok(OnGroup { space, metric_place, right, element })
+    }
+
+    /// The product of groups SE(3), one for each moving body.
+    #[cfg(feature = "mechanisms")]
+    pub fn of_poses(count: usize, source: &Source) -> Result<Self, InputError> {
+        Ok(OnGroup {
+            space: Space::of(Definition::copies("se(3)", count)?),
+            metric_place: source.key("bodies"),
+            right: false,
+            element: InitialElement::Identity,
+        })
     }
 
     /// The space.

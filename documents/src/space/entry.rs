@@ -23,6 +23,14 @@ impl Definition {
         Definition::new(entry.name, entry.labels, Origin::Brackets(given))
     }
 
+    /// The direct sum of copies of a catalogue algebra.
+    #[cfg(feature = "mechanisms")]
+    pub(crate) fn copies(name: &str, count: usize) -> Result<Self, InputError> {
+        let entry = catalogue::find(name).map_err(|error| InputError::usage(error.to_string()))?;
+        let one = Self::from_entry(entry);
+        (1..count).try_fold(one.clone(), |sum, _| sum.direct_sum(one.clone()))
+    }
+
     /// The definition of a geometry of Paraskevopoulos and Natsiavas (2013),
     /// [`paper::m3`](super::paper::m3) or [`paper::so3`](super::paper::so3). `exact` converts its
     /// values.

@@ -306,8 +306,12 @@ impl<G: MatrixNotation, H: MatrixNotation> MatrixNotation for Product<G, H> {
                 Some(row) => lower.push((row / other.ncols(), row % other.ncols(), share)),
             }
         }
-        let upper = self.0.derivatives(&g.0, matrix.as_slice(), first, &upper);
-        self.join(&upper, &self.1.derivatives(&g.1, other.as_slice(), second, &lower))
+        // a function of one factor has no derivatives in the other
+        let upper =
+            (!upper.is_empty()).then(|| self.0.derivatives(&g.0, matrix.as_slice(), first, &upper));
+        let lower =
+            (!lower.is_empty()).then(|| self.1.derivatives(&g.1, other.as_slice(), second, &lower));
+        self.join_parts(upper, lower).unwrap_or_else(|| DVector::zeros(generators.len()))
     }
 
     /// The larger of the bounds of the two factors. A factor without a bound is ignored.

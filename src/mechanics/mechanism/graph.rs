@@ -121,6 +121,38 @@ impl<S: Ring> Mechanism<S> {
         chain
     }
 
+    /// The velocities of the bodies, as twists in the ground frame, for rates of all joint
+    /// coordinates that close the loops.
+    ///
+    /// # Panics
+    /// Panics if there are fewer rates than coordinates.
+    pub fn velocities(&self, rates: &[S]) -> Vec<Twist<S>> {
+        let still = || -> Twist<S> { std::array::from_fn(|_| S::zero()) };
+        let offsets = self.offsets();
+        let mut known: Vec<Option<Twist<S>>> =
+            self.fixed.iter().map(|fixed| fixed.then(still)).collect();
+        // every body is connected to the ground
+        while known.iter().any(Option::is_none) {
+            for (joint, first) in self.joints.iter().zip(&offsets) {
+                let [a, b] = joint.bodies;
+                let (from, to, forward) = match (&known[a], &known[b]) {
+                    (Some(own), None) => (own.clone(), b, true),
+                    (None, Some(own)) => (own.clone(), a, false),
+                    _ => continue,
+                };
+                let mut sum = from;
+                for (k, twist) in joint.twists().iter().enumerate() {
+                    let twist = if forward { twist.clone() } else { reversed(twist) };
+                    for (sum, value) in sum.iter_mut().zip(twist) {
+                        *sum = sum.clone() + &(value * &rates[first + k]);
+                    }
+                }
+                known[to] = Some(sum);
+            }
+        }
+        known.into_iter().map(|own| own.unwrap_or_else(still)).collect()
+    }
+
     /// The mechanism over another scalar.
     ///
     /// # Errors

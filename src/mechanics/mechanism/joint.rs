@@ -78,7 +78,41 @@ pub struct Joint<S> {
     twists: Vec<Twist<S>>,
 }
 
+/// The numbers that define a joint; each kind uses some of them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct JointData<S> {
+    /// A point on the axis, or the centre.
+    pub point: [S; 3],
+    /// The axis, or the normal of a plane.
+    pub axis: [S; 3],
+    /// The second axis of a universal joint.
+    pub second_axis: [S; 3],
+    /// The translation per radian of a helical joint.
+    pub pitch: S,
+    /// The twists of a subgroup.
+    pub twists: Vec<Twist<S>>,
+}
+
 impl<S: Field + Scalar + Notation> Joint<S> {
+    /// The joint of a kind.
+    ///
+    /// # Errors
+    /// Those of the kind, such as [`revolute`](Self::revolute).
+    pub fn of_kind(kind: JointKind, data: JointData<S>) -> Result<Self, Error> {
+        let JointData { point, axis, second_axis, pitch, twists } = data;
+        match kind {
+            JointKind::Revolute => Self::revolute(&point, &axis),
+            JointKind::Prismatic => Self::prismatic(&axis),
+            JointKind::Helical => Self::helical(&point, &axis, &pitch),
+            JointKind::Cylindrical => Self::cylindrical(&point, &axis),
+            JointKind::Spherical => Self::spherical(&point),
+            JointKind::Planar => Self::planar(&point, &axis),
+            JointKind::Universal => Self::universal(&point, [&axis, &second_axis]),
+            JointKind::Fixed => Ok(Self::fixed()),
+            JointKind::Subgroup => Self::subgroup(twists),
+        }
+    }
+
     /// A revolute joint, about an axis through a point.
     ///
     /// # Errors

@@ -140,6 +140,14 @@ impl Forces {
         Ok(())
     }
 
+    /// Sets a potential that is a polynomial in entries of the element: terms with a coefficient and
+    /// their factors. Messages call the potential by the name.
+    pub fn set_polynomial_potential(&mut self, terms: &[(f64, Vec<MotionQuantity>)], name: &str) {
+        let formula = self.scope.polynomial(terms);
+        let gradient = formula.differentiated();
+        self.potential = Some((formula, gradient, name.into()));
+    }
+
     /// Sets a table of the values of a covector over time.
     pub fn set_table(&mut self, side: ForceFrame, table: ForceTable) {
         self.table = Some((side, table));

@@ -106,21 +106,30 @@ impl SymbolTable {
     }
 
     /// The coordinate of the element with this name. The names of factor `k` of a product end in
-    /// `_k`, and the entries of a product are rows of one column.
+    /// `_k`.
     fn coordinate(&self, name: &str) -> Option<MotionQuantity> {
         let (factor, name) = self.factor(name)?;
         let (before, block) = (&self.blocks[..factor], self.blocks.get(factor)?);
-        let product = self.blocks.len() > 1;
         Some(match block.find(name)? {
             Coordinate::Named(k) => MotionQuantity::Named(
                 before.iter().map(|block| block.names.len()).sum::<usize>() + k,
             ),
-            Coordinate::Entry(row, column) if product => {
-                let start: usize = before.iter().map(|block| block.shape.0 * block.shape.1).sum();
-                MotionQuantity::Entry(start + row * block.shape.1 + column, 0)
-            }
-            Coordinate::Entry(row, column) => MotionQuantity::Entry(row, column),
+            Coordinate::Entry(row, column) => self.entry(factor, row, column),
         })
+    }
+
+    /// An entry of the matrix of a factor, all counted from 0. The entries of a product are rows of
+    /// one column.
+    ///
+    /// # Panics
+    /// Panics if the group has fewer factors.
+    pub fn entry(&self, factor: usize, row: usize, column: usize) -> MotionQuantity {
+        if self.blocks.len() == 1 {
+            return MotionQuantity::Entry(row, column);
+        }
+        let size = |block: &Block| block.shape.0 * block.shape.1;
+        let start: usize = self.blocks[..factor].iter().map(size).sum();
+        MotionQuantity::Entry(start + row * self.blocks[factor].shape.1 + column, 0)
     }
 
     /// The factor to which a name refers, counted from 0, and the name within this factor.
@@ -239,6 +248,16 @@ impl FormulaScope {
                 quantity => Symbol::Variable(self.index(quantity)),
             })
         })
+    }
+
+    /// The polynomial with these terms, each with a coefficient and its factors. The quantities are
+    /// added to the scope.
+    pub fn polynomial(&mut self, terms: &[(f64, Vec<MotionQuantity>)]) -> Formula {
+        let mut indices = |factors: &Vec<MotionQuantity>| -> Vec<usize> {
+            factors.iter().map(|quantity| self.index(*quantity)).collect()
+        };
+        let terms: Vec<_> = terms.iter().map(|(c, factors)| (*c, indices(factors))).collect();
+        Formula::polynomial(&terms)
     }
 
     /// The index of a quantity. The quantity is added if it is new.

@@ -17,6 +17,12 @@ pub trait Constraint<G: LieGroup> {
     /// The gradient `B^a_i`, the derivative of `Phi^a(q exp(s e_i))` at `s = 0`, with one row for
     /// each constraint.
     fn gradient(&self, element: &G::Element) -> DMatrix<f64>;
+
+    /// The value and the gradient of the constraint `a`, counted from 0. By default, all constraints
+    /// are evaluated.
+    fn single(&self, element: &G::Element, a: usize) -> (f64, DVector<f64>) {
+        (self.value(element)[a], self.gradient(element).row(a).transpose())
+    }
 }
 
 /// The system of a connection, a metric `J`, external forces `M` and holonomic constraints on a
@@ -268,7 +274,7 @@ impl<G: TranslationSplit, C: Constraint<G>, M: Torque<G>> Constrained<G, C, M> {
         let bending = DVector::from_fn(gradient.nrows(), |a, _| {
             let rate = |s: f64| {
                 let moved = self.moved(element, &(velocity.clone() * s));
-                self.constraint.gradient(&moved).row(a).tr_dot(&column(velocity))
+                self.constraint.single(&moved, a).1.dot(&column(velocity))
             };
             self.bend(element, velocity, a).map_or(0.0, |step| slope(rate, step))
         });
@@ -326,7 +332,7 @@ impl<G: TranslationSplit, C: Constraint<G>, M: Torque<G>> Constrained<G, C, M> {
             let unit = self.group.basis_vector(i);
             let step = self.bend(element, &unit, a).unwrap_or(STRAIGHT);
             let value =
-                |s: f64| self.constraint.value(&self.moved(element, &(unit.clone() * s)))[a];
+                |s: f64| self.constraint.single(&self.moved(element, &(unit.clone() * s)), a).0;
             let slope = slope(value, step);
             let like = self.largest_like(i, &components);
             let size = if like > 0.0 { like } else { gradient.amax() };
@@ -356,10 +362,7 @@ impl<G: TranslationSplit, C: Constraint<G>, M: Torque<G>> Constrained<G, C, M> {
     /// of its size between `q` and `q exp(s x)`. The result does not depend on the units of length
     /// and time. Returns `None` if the gradient does not change.
     fn bend(&self, element: &G::Element, x: &G::Vector, a: usize) -> Option<f64> {
-        let row = |s: f64| {
-            let gradient = self.constraint.gradient(&self.moved(element, &(x.clone() * s)));
-            gradient.row(a).transpose()
-        };
+        let row = |s: f64| self.constraint.single(&self.moved(element, &(x.clone() * s)), a).1;
         let (here, size) = (row(0.0), x.largest());
         let is_usual = size > 0.0 && size.is_finite() && here.norm() > 0.0;
         let (mut s, mut before) = if is_usual { (BEND / size, 0.0) } else { return None };

@@ -34,8 +34,20 @@ impl Constraints {
         let allowed =
             |quantity| matches!(quantity, MotionQuantity::Parameter(_) | MotionQuantity::Entry(..));
         let formula = self.scope.read(text, names, &allowed)?;
-        self.formulas.push((formula.clone(), formula.differentiated()));
+        self.push(formula);
         Ok(())
+    }
+
+    /// Adds a constraint that is a polynomial in entries of the element: terms with a coefficient and
+    /// their factors.
+    pub fn add_polynomial(&mut self, terms: &[(f64, Vec<MotionQuantity>)]) {
+        let formula = self.scope.polynomial(terms);
+        self.push(formula);
+    }
+
+    fn push(&mut self, formula: Formula) {
+        let gradient = formula.differentiated();
+        self.formulas.push((formula, gradient));
     }
 }
 
@@ -67,6 +79,21 @@ impl<G: SimulationGroup> ConstraintsOn<G> {
         };
         self.constraints.scope.evaluate(value, values);
     }
+
+    /// The value and the gradient of the constraint `a`, once the quantities are evaluated.
+    fn row(
+        &self,
+        element: &G::Element,
+        a: usize,
+        buffers: &mut Buffers,
+        partial: &mut Vec<Partial>,
+    ) -> (f64, G::Vector) {
+        let Buffers { values, entries, workspace } = buffers;
+        let Constraints { scope, formulas } = &self.constraints;
+        let (value, slopes) = formulas[a].1.evaluate(values, workspace);
+        scope.by_entries(slopes, partial);
+        (value, self.group.derivatives(element, entries, &self.generators, partial))
+    }
 }
 
 impl<G: SimulationGroup> Constraint<G> for ConstraintsOn<G> {
@@ -81,16 +108,20 @@ impl<G: SimulationGroup> Constraint<G> for ConstraintsOn<G> {
     fn gradient(&self, element: &G::Element) -> DMatrix<f64> {
         let (buffers, partial) = &mut *self.buffers.borrow_mut();
         self.evaluate(element, buffers);
-        let Buffers { values, entries, workspace } = buffers;
-        let Constraints { scope, formulas } = &self.constraints;
-        let mut gradient = DMatrix::zeros(formulas.len(), self.group.dimension());
-        for (a, (_, formula)) in formulas.iter().enumerate() {
-            let (_, slopes) = formula.evaluate(values, workspace);
-            scope.by_entries(slopes, partial);
-            let row = self.group.derivatives(element, entries, &self.generators, partial);
+        let count = self.constraints.formulas.len();
+        let mut gradient = DMatrix::zeros(count, self.group.dimension());
+        for a in 0..count {
+            let (_, row) = self.row(element, a, buffers, partial);
             gradient.row_mut(a).copy_from_slice(row.components());
         }
         gradient
+    }
+
+    fn single(&self, element: &G::Element, a: usize) -> (f64, DVector<f64>) {
+        let (buffers, partial) = &mut *self.buffers.borrow_mut();
+        self.evaluate(element, buffers);
+        let (value, row) = self.row(element, a, buffers, partial);
+        (value, DVector::from_column_slice(row.components()))
     }
 }
 
