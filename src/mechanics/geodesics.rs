@@ -35,7 +35,7 @@ pub struct Geodesic {
     pub velocity: DVector<f64>,
     /// The velocity at the end.
     pub end_velocity: DVector<f64>,
-    /// The square `g(v, v)` of the initial velocity; `None` if there is no length.
+    /// The square `g(v, v)` of the initial velocity; `None` where the length is `None`.
     pub square: Option<f64>,
     /// The length, the integral of `sqrt|g(v, v)|`. On a group or a homogeneous space it is `None`
     /// unless `g(v, v)` is constant along all curves. Without a metric, it is `None`.

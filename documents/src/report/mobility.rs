@@ -190,7 +190,7 @@ fn vanishes<S: Coefficient>(form: &[Vec<S>]) -> bool {
     form.iter().flatten().all(S::vanishes)
 }
 
-/// The numbers of rates at other positions; `None` if there are no positions.
+/// The different numbers of rates at other positions; `None` for an empty list.
 fn sampled(positions: &[Position]) -> Option<String> {
     let mut counts: Vec<usize> = positions.iter().map(|position| position.rates).collect();
     counts.sort_unstable();

@@ -25,7 +25,7 @@ pub struct HomogeneousShooting {
     from: DVector<f64>,
     /// The matrix of the end, as a column.
     written: DVector<f64>,
-    /// The logarithm of `g_0^-1 g_1` in the adapted basis; `None` if there is no logarithm.
+    /// The logarithm of `g_0^-1 g_1` in the adapted basis; `None` outside the image of `exp`.
     direct: Option<DVector<f64>>,
     /// The last curve: its initial velocity, its tolerance and its end.
     last: RefCell<Option<(DVector<f64>, f64, End)>>,

@@ -39,8 +39,9 @@ pub struct Division {
 }
 
 /// A division of a loop into two chains whose twists span the subalgebras that they generate. The
-/// closed positions are then a smooth manifold. The manifold has the dimension of
-/// the intersection, plus the redundant freedoms of both chains. Returns `None` if there is no such division.
+/// closed positions are then a smooth manifold. The manifold has the dimension of the intersection,
+/// plus the redundant freedoms of both chains. Returns `None` for a loop that does not divide in
+/// this way.
 ///
 /// # Errors
 /// Those of the catalogue.

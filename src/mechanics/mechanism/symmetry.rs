@@ -73,7 +73,7 @@ struct Isometry<S> {
 }
 
 /// The symmetry of a loop of one-parameter factors whose symmetric positions have the largest
-/// dimension; `None` if there is no symmetry whose equations are independent.
+/// dimension; `None` if the equations of every symmetry are dependent.
 ///
 /// # Errors
 /// Those of linear algebra.

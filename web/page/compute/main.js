@@ -121,7 +121,7 @@ class Compute {
       about: () => ({ of: this.#of() }),
       // in an order that does not depend on the number of columns
       cards: () => {
-        // the card of representations stands only once the structure has been in view
+        // the card of representations appears with the structure, which a small window computes later
         const shown = this.list.hidden ? [] : this.#cards.filter((card) => !card.element.hidden && card !== this.#representations);
         const begins = (/** @type {AnyCard} */ { kind }) => kind.name === "motions" && Boolean(this.#state.motion);
         return [...shown.filter(begins), ...shown.filter((card) => !begins(card))].map(({ element }) => element);
