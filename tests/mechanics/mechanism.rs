@@ -116,9 +116,12 @@ fn frames_and_order_do_not_matter() -> Result<(), Error> {
     Ok(())
 }
 
+/// The body, row and column of an entry of a pose.
+type Entry = (usize, usize, usize);
+
 /// The value of a polynomial at the poses of two bodies.
-fn value(polynomial: &[(f64, Vec<(usize, usize, usize)>)], poses: [&Isometry3<f64>; 2]) -> f64 {
-    let entry = |(body, i, j): &(usize, usize, usize)| poses[*body].to_homogeneous()[(*i, *j)];
+fn value(polynomial: &[(f64, Vec<Entry>)], poses: [&Isometry3<f64>; 2]) -> f64 {
+    let entry = |(body, i, j): &Entry| poses[*body].to_homogeneous()[(*i, *j)];
     polynomial.iter().map(|(c, factors)| c * factors.iter().map(entry).product::<f64>()).sum()
 }
 
