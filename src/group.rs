@@ -23,6 +23,7 @@ mod coordinates;
 mod embedded;
 pub mod fields;
 mod groups;
+pub mod kak;
 pub mod laws;
 mod left_frame;
 mod lie_group;

@@ -67,6 +67,7 @@ mod group {
     mod batch;
     mod embedded;
     mod groups;
+    mod kak;
     mod laws;
     mod restored;
     mod rotation;
