@@ -10,7 +10,8 @@
 //!   `certificates`: dimensions proved over the rationals; `index`;
 //! - [`dynkin`], `root_spaces`, `ideals`, [`real_forms`], `orthogonal_forms`: Dynkin types, roots,
 //!   simple ideals over the reals and their names;
-//! - `satake`: Cartan decompositions and Satake diagrams; `embedding`: weights of subalgebras;
+//! - `vogan`, `satake`: Cartan decompositions, Vogan and Satake diagrams; `embedding`: weights of
+//!   subalgebras;
 //! - `quadratic`: quadratic Casimir functions of reductive algebras;
 //! - `cocycles`, `symplectic`, `complex_structures`: closed forms of low degree, symplectic and
 //!   contact forms, Casimir functions;
@@ -79,6 +80,7 @@ mod satake;
 mod series;
 mod subspace;
 mod symplectic;
+mod vogan;
 
 pub use certificates::Certified;
 pub use cocycles::{MAX_ANY as MAX_FORMS_WITH_PARAMETERS, MAX_DIMENSION as MAX_FORMS, TwoForms};
@@ -97,6 +99,7 @@ pub use subspace::Subspace;
 pub(in crate::algebra) use subspace::primitive_factor;
 pub(crate) use subspace::{collected, combination, coprime};
 pub use symplectic::Existence;
+pub use vogan::VoganDiagram;
 
 use crate::algebra::SparseBracket;
 use crate::algebra::roots::CartanType;

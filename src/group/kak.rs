@@ -84,9 +84,10 @@ impl Kak {
             polar::factor(pair, &ambient).map_err(not_special)?
         };
         let a = pair.exponential(&coordinates);
-        let residual = (&k1 * &a * &k2 - &inner).norm();
-        // the comparison also rejects NaN
-        if !(residual <= 1e-5 * (1.0 + inner.norm())) {
+        // scaling avoids overflow and underflow of squares
+        let scale = inner.camax().max(f64::MIN_POSITIVE);
+        let residual = (&k1 * &a * &k2 - &inner).unscale(scale).norm() * scale;
+        if exceeds(residual, 1e-5 * scale * pair.size() as f64) {
             let reason = format!("its factorization has the residual {residual:e}");
             return Err(Error::Invalid { what: "element of the group", reason });
         }
@@ -180,8 +181,8 @@ fn expect_element(pair: &SymmetricPair, g: &Matrix) -> Result<(), Error> {
         _ => ("g^* g = 1", Some(one)),
     };
     if let Some(form) = form {
-        let defect = (g.adjoint() * &form * g - &form).camax();
-        if !(defect <= TOLERANCE * scale * scale) {
+        let defect = (g.adjoint() * &form * g - &form).norm();
+        if exceeds(defect, TOLERANCE * scale * scale) {
             return refuse(format!("the equation {name} is off by {defect:e}"));
         }
     }
@@ -189,17 +190,23 @@ fn expect_element(pair: &SymmetricPair, g: &Matrix) -> Result<(), Error> {
         return Ok(());
     }
     // the condition number bounds the relative rounding error of the determinant
-    let inverse = g.clone().try_inverse().map_or(f64::INFINITY, |inverse| inverse.norm());
-    let rounding = f64::EPSILON * g.norm() * inverse;
-    // the comparison also rejects NaN
-    if !(rounding <= 0.1) {
+    let scaled = g.unscale(g.camax().max(f64::MIN_POSITIVE));
+    let inverse = scaled.clone().try_inverse().map_or(f64::INFINITY, |inverse| inverse.norm());
+    let rounding = f64::EPSILON * scaled.norm() * inverse;
+    if exceeds(rounding, 0.1) {
         return refuse("the matrix is singular up to rounding errors".into());
     }
     let determinant = g.clone().lu().determinant();
-    if pair.is_special && !((determinant - Complex::ONE).norm() <= TOLERANCE + 10.0 * rounding) {
+    let defect = (determinant - Complex::ONE).norm();
+    if pair.is_special && exceeds(defect, TOLERANCE + 10.0 * rounding) {
         return Err(not_special(determinant));
     }
     Ok(())
+}
+
+/// Whether a value exceeds a limit, or is not a number.
+fn exceeds(value: f64, limit: f64) -> bool {
+    value.is_nan() || value > limit
 }
 
 fn not_special(determinant: Complex<f64>) -> Error {

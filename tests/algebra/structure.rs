@@ -13,6 +13,7 @@ mod real_forms;
 mod root_spaces;
 mod satake;
 mod symplectic;
+mod vogan;
 
 use crate::common::algebras::catalogued;
 use crate::common::labels;

@@ -7,6 +7,7 @@
 //! restrictions of the roots to the noncompact part are the restricted roots.
 
 use super::real_forms::{Candidate, candidates};
+use super::vogan::VoganDiagram;
 use crate::algebra::roots::{
     CartanType, RootSystem, Series, automorphisms, chevalley_constants, identify, numbering,
 };
@@ -39,6 +40,8 @@ pub struct RealForm {
     pub black: Vec<usize>,
     /// The arrows of the Satake diagram: pairs of white nodes with equal restrictions.
     pub arrows: Vec<(usize, usize)>,
+    /// The Vogan diagram, with at most one painted node.
+    pub vogan: VoganDiagram,
 }
 
 /// The type of an irreducible system of restricted roots, which need not be reduced.
@@ -81,7 +84,7 @@ impl RealForm {
     pub fn all(cartan_type: CartanType) -> Vec<Self> {
         let roots = Roots::new(cartan_type);
         let mut forms: Vec<Self> = vec![];
-        for diagram in roots.vogan_diagrams() {
+        for diagram in VoganDiagram::all(cartan_type, &roots.gram) {
             checkpoint();
             if let Some(form) = roots.real_form(&diagram, None)
                 && forms.iter().all(|other| other.name != form.name)
@@ -95,7 +98,7 @@ impl RealForm {
     /// The real form of a type with a name of [`real_forms`](super::real_forms::real_forms).
     pub fn named(cartan_type: CartanType, name: &str) -> Option<Self> {
         let roots = Roots::new(cartan_type);
-        let forms = roots.vogan_diagrams().into_iter();
+        let forms = VoganDiagram::all(cartan_type, &roots.gram).into_iter();
         let mut forms = forms.filter_map(|diagram| roots.real_form(&diagram, Some(name)));
         forms.find(|form| form.name == name)
     }
@@ -113,12 +116,6 @@ impl RealForm {
         }
         names.join(" + ")
     }
-}
-
-/// An involution of the nodes, and a painted node.
-struct VoganDiagram {
-    images: Vec<usize>,
-    painted: Option<usize>,
 }
 
 /// The restricted roots and the Satake diagram of a real form, with the fields of [`RealForm`].
@@ -171,31 +168,6 @@ impl Roots {
         a.iter().enumerate().map(row).sum()
     }
 
-    /// The compact form first, then the diagrams without and with an involution of the nodes.
-    fn vogan_diagrams(&self) -> Vec<VoganDiagram> {
-        let rank = self.cartan_type.rank();
-        let identity: Vec<usize> = (0..rank).collect();
-        let mut involutions = vec![identity.clone()];
-        let mut other = identity;
-        match (self.cartan_type.series(), rank) {
-            (Series::A, 2..) => other.reverse(),
-            (Series::D, _) => other.swap(rank - 2, rank - 1),
-            (Series::E, 6) => other = vec![5, 1, 4, 3, 2, 0],
-            _ => {}
-        }
-        if other != involutions[0] {
-            involutions.push(other);
-        }
-        let mut diagrams = vec![];
-        for images in involutions {
-            let fixed = (0..rank).filter(|&i| images[i] == i).map(Some);
-            for painted in [None].into_iter().chain(fixed) {
-                diagrams.push(VoganDiagram { images: images.clone(), painted });
-            }
-        }
-        diagrams
-    }
-
     /// The signs `θ e_α = ±e_θα` of the positive roots. The automorphism without a painted node
     /// permutes the generators `e_i`.
     fn signs(&self, diagram: &VoganDiagram) -> Vec<i64> {
@@ -218,7 +190,7 @@ impl Roots {
                 signs[at] = signs[rest] * other.signum() * value.signum();
             }
         }
-        if let Some(node) = diagram.painted {
+        if let Some(node) = diagram.node {
             for (sign, root) in signs.iter_mut().zip(&self.positive) {
                 if root[node] % 2 != 0 {
                     *sign = -*sign;
@@ -298,6 +270,7 @@ impl Roots {
             multiplicities: restricted.multiplicities,
             black: restricted.black,
             arrows: restricted.arrows,
+            vogan: diagram.clone(),
         })
     }
 

@@ -216,9 +216,9 @@ fn assemble(pair: &SymmetricPair, cells: &[Cell], free: &[Vec<Vector>; 2]) -> (M
     let is_graded = matches!(pair.kind, Kind::Grading(_));
     let mut columns: Vec<Vector> = vec![];
     if is_graded {
-        for at in 0..2 {
+        for (at, free) in free.iter().enumerate() {
             columns.extend(cells.iter().map(|cell| cell.vectors[at].clone()));
-            columns.extend(free[at].iter().cloned());
+            columns.extend(free.iter().cloned());
         }
     } else {
         columns.extend(cells.iter().flat_map(|cell| cell.vectors.iter().cloned()));

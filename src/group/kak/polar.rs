@@ -119,10 +119,13 @@ fn phase(structure: Structure, vectors: &[Vector]) -> Complex<f64> {
 }
 
 fn linear(structure: Structure, g: &Matrix) -> Polar {
-    let found = singular(g, structure, structure);
+    // scaling avoids overflow of squares
+    let scale = g.camax();
+    let g = g.unscale(scale);
+    let found = singular(&g, structure, structure);
     let cells = found.left.into_iter().zip(found.right).map(|(u, v)| {
-        let value = u.dotc(&(g * &v)).re;
-        (value.ln(), u, v)
+        let value = u.dotc(&(&g * &v)).re;
+        (value.ln() + scale.ln(), u, v)
     });
     Polar::sorted(cells.collect())
 }

@@ -8,7 +8,7 @@
 //! are local gates. They lead to the chamber `pi/4 >= c1 >= c2 >= |c3|`, with `c3 >= 0` if
 //! `c1 = pi/4` (J. Zhang, J. Vala, S. Sastry and K. B. Whaley, Phys. Rev. A 67 (2003) 042313).
 
-use super::{Kak, SymmetricPair, expect_finite};
+use super::{Kak, SymmetricPair, exceeds, expect_finite};
 use crate::Error;
 use crate::group::matrices::{TOLERANCE, expect_shape};
 use nalgebra::{Complex, DMatrix, Matrix2, Matrix4};
@@ -51,8 +51,8 @@ impl TwoQubitKak {
         expect_shape_of_gate(g)?;
         expect_finite(g)?;
         let gate = Gates::from_iterator(g.iter().copied());
-        let defect = (gate.adjoint() * gate - Gates::identity()).camax();
-        if defect > TOLERANCE {
+        let defect = (gate.adjoint() * gate - Gates::identity()).norm();
+        if exceeds(defect, TOLERANCE) {
             let reason = format!("the equation g^* g = 1 is off by {defect:e}");
             return Err(Error::Invalid { what: "gate", reason });
         }

@@ -155,7 +155,7 @@ fn permutations_of_states() {
 fn bad_gates() {
     let message = |g: &Matrix| TwoQubitKak::new(g).unwrap_err().to_string();
     assert!(message(&Matrix::identity(3, 3)).contains("4 rows and 4 columns"));
-    assert!(message(&Matrix::identity(4, 4).scale(2.0)).contains("g^* g = 1 is off by 3e0"));
+    assert!(message(&Matrix::identity(4, 4).scale(2.0)).contains("g^* g = 1 is off by 6e0"));
     let mut bad = Matrix::identity(4, 4);
     bad[(1, 2)] = Complex::new(f64::NAN, 0.0);
     assert!(TwoQubitKak::new(&bad).is_err());
