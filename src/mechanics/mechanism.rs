@@ -4,7 +4,7 @@
 //! by its subalgebra. All twists are components `(w, u)` in the ground frame at the given position,
 //! with the basis of [`Se3`](crate::group::Se3). In reading order: [`twist`] defines twists of
 //! axes, [`joint`] the joints, [`graph`] bodies and loops, [`mobility`] the rates and the verdict.
-//! The proofs of the verdict have one file each: [`closure`], [`subgroups`] and [`symmetry`];
+//! The proofs of the verdict have one file each: [`closure`], [`subgroups`] and [`symmetry`].
 //! [`positions`] computes other assembled positions in floats, and [`constraint`] states the
 //! equations of a joint for moving bodies. [`tree`] computes motions of trees in joint coordinates.
 

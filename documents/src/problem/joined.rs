@@ -245,7 +245,7 @@ impl Joints {
         }
         let acceleration = vector(&self.gravity, values)?;
         let bodies = (0..inertia.nrows()).step_by(6);
-        // the kinetic energy contains m w . (c x u), whose matrix is that of the cross product
+        // the kinetic energy contains m w . (c x u), so its matrix is the matrix of the cross product
         let moment = |at: usize| {
             let entry = |i: usize, j: usize| inertia[(at + i, at + 3 + j)];
             (inertia[(at + 3, at + 3)], Vector3::new(entry(2, 1), entry(0, 2), entry(1, 0)))

@@ -92,7 +92,7 @@ impl JointFormulas {
 /// Checks that each moving body has an inertia, and that a body moves and a body is fixed.
 pub(super) fn expect_bodies(bodies: &[BodyKeys], reader: &Reader) -> Result<(), InputError> {
     let source = reader.source;
-    for body in bodies.iter().filter(|body| !body.fixed && body.inertia.is_none()) {
+    if let Some(body) = bodies.iter().find(|body| !body.fixed && body.inertia.is_none()) {
         let message = format!("the moving body `{}` has no inertia", shown(&body.name));
         let help = "give it parts, as in inertia.parts = [{ shape = \"rod\", length = 1, mass = 1 }], or fixed = true";
         return Err(InputError::usage(message).at(&source.at(&body.name)).help(help));

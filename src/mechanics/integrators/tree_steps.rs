@@ -12,7 +12,7 @@ use nalgebra::DVector;
 /// The method of order 8 of Dormand and Prince for trees, with step-size control.
 ///
 /// Let `r` be the tolerance. The error of an angle is at most `r`, or `r/10` of its change in the
-/// step if this is larger; the error of a translation is at most this multiple of the
+/// step if this is larger. The error of a translation is compared to the same multiple of the
 /// [`length`](crate::mechanism::Tree::length) of the tree. The error of a rate is at most `r` of the
 /// fastest rate, in the same units. So steps do not depend on the units or on the ground frame.
 /// [`Adaptive::absolute`] replaces the absolute errors of angles and of translations.

@@ -1,8 +1,8 @@
 //! Trees of bodies in joint coordinates, and their recursions, whose cost is linear in the number of
 //! bodies.
 //!
-//! The pose of a body relative to the body before it is `T exp(S q)`, a constant pose and an element
-//! of a one-parameter group, or `T R` with a rotation `R` about a point. A joint of several freedoms
+//! The pose of a body relative to the body before it is `T exp(S q)`, with a constant pose `T`. For
+//! a rotation `R` about a point it is `T R`. A joint of several freedoms
 //! is a product of such factors. All twists are components in the frame of the later body. With the
 //! relative pose `X`, the body velocity `V`, the twists `S` and the rates `v`,
 //!
@@ -109,8 +109,8 @@ impl Tree {
     /// acceleration.
     ///
     /// # Errors
-    /// [`Error::Invalid`] if joints form a loop, or if the bodies beyond a joint resist no motion of
-    /// the joint; [`Error::Shape`] if the number of inertias is not that of the bodies.
+    /// [`Error::Invalid`] if joints form a loop, or if the bodies beyond a joint do not resist its
+    /// motion; [`Error::Shape`] if the list of inertias has another length.
     pub fn new(
         mechanism: &Mechanism<f64>,
         inertias: &[Option<MassProperties>],

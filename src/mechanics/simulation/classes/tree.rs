@@ -31,11 +31,11 @@ pub struct TreeSpec {
 
 /// The columns of a motion of a tree, as formulas in its quantities.
 ///
-/// The quantities are, in this order: the time, the numbers, the rates, the joint forces without
-/// gravity, the kinetic energy, the potential, the energy, the power, and the six components of the
-/// momentum about the origin of the ground. Then follow, for each body in `bodies`, the named
-/// coordinates of its pose, and the entries of the matrix of its pose, row by row without the last
-/// row.
+/// The quantities begin with the time, the numbers, the rates, and the joint forces without gravity.
+/// Then follow the kinetic energy, the potential, the energy and the power. The next six quantities
+/// are the momentum about the origin of the ground. The last quantities are, for each body in
+/// `bodies`, the named coordinates of its pose and the entries of its matrix. They are listed row by
+/// row, without the last row.
 #[derive(Clone, Debug, Default)]
 pub struct TreeColumns {
     /// The bodies whose poses are quantities.
