@@ -37,6 +37,8 @@ struct Keys {
     // keys of problems of motion, which the mobility does not use
     #[serde(rename = "gravity")]
     _gravity: Option<IgnoredAny>,
+    #[serde(rename = "coordinates")]
+    _coordinates: Option<IgnoredAny>,
     #[serde(rename = "initial")]
     _initial: Option<IgnoredAny>,
     #[serde(rename = "forces")]

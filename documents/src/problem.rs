@@ -2,7 +2,7 @@
 //!
 //! The class of a problem is one of: Euler-Poincare equations, with or without constraints;
 //! Lie-Poisson equations; a prescribed velocity; an isospectral flow of matrices. There are also
-//! curves on charts and on homogeneous spaces. All classes have
+//! curves on charts and on homogeneous spaces, and trees of bodies in joint coordinates. All classes have
 //! parameters, integration settings, output settings and, optionally, an ensemble that varies
 //! parameters. Every number may be a formula in the parameters.
 //! In reading order: `keys` defines the keys of a file, and `reader` evaluates them. Each class has
@@ -21,6 +21,8 @@ mod integrator;
 #[cfg(feature = "mechanisms")]
 mod joined;
 #[cfg(feature = "mechanisms")]
+mod joint;
+#[cfg(feature = "mechanisms")]
 mod joint_keys;
 mod keys;
 mod lie_poisson;
@@ -28,6 +30,8 @@ mod matrix_flow;
 mod on_chart;
 mod on_group;
 mod on_homogeneous;
+#[cfg(feature = "mechanisms")]
+mod on_tree;
 mod output;
 mod prescribed_velocity;
 mod reader;
@@ -54,6 +58,8 @@ use matrix_flow::MatrixFlow;
 use on_chart::OnChart;
 use on_group::OnGroup;
 use on_homogeneous::OnHomogeneous;
+#[cfg(feature = "mechanisms")]
+use on_tree::OnTree;
 use output::{Output, expect_distinct};
 use prescribed_velocity::PrescribedVelocity;
 use reader::{Reader, Value};
@@ -90,6 +96,8 @@ enum Class {
     MatrixFlow(Box<MatrixFlow>),
     Chart(Box<OnChart>),
     Homogeneous(Box<OnHomogeneous>),
+    #[cfg(feature = "mechanisms")]
+    Tree(Box<OnTree>),
     EulerPoincare(Box<OnGroup>, Box<EulerPoincare>),
     Constrained(Box<OnGroup>, Box<Constrained>),
     LiePoisson(Box<OnGroup>, Box<LiePoisson>),
@@ -103,6 +111,10 @@ impl Class {
         reader: &Reader,
         parameters: &[Option<Value>],
     ) -> Result<Self, InputError> {
+        #[cfg(feature = "mechanisms")]
+        if OnTree::is_meant(keys, reader)? {
+            return Ok(Class::Tree(OnTree::read(keys, reader)?.into()));
+        }
         #[cfg(feature = "mechanisms")]
         if keys.bodies.is_some() || keys.joints.is_some() {
             // a parameter that only the ensemble defines counts as 1 for the choice of constraints
@@ -149,6 +161,8 @@ impl Class {
             Class::MatrixFlow(flow) => flow.motion(member),
             Class::Chart(curve) => curve.motion(member),
             Class::Homogeneous(curve) => curve.motion(member),
+            #[cfg(feature = "mechanisms")]
+            Class::Tree(tree) => tree.motion(member),
             Class::EulerPoincare(group, class) => group.start(member, |start| class.motion(start)),
             Class::Constrained(group, class) => group.start(member, |start| class.motion(start)),
             Class::LiePoisson(group, class) => group.start(member, |start| class.motion(start)),
@@ -433,6 +447,8 @@ impl Problem {
             Class::PrescribedVelocity(..) => MethodClass::PrescribedVelocity,
             Class::Constrained(..) => MethodClass::Constrained,
             Class::Chart(_) => MethodClass::Chart,
+            #[cfg(feature = "mechanisms")]
+            Class::Tree(_) => MethodClass::Chart,
             Class::EulerPoincare(..) | Class::LiePoisson(..) | Class::Homogeneous(_) => {
                 return vec![];
             }

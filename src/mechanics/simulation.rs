@@ -5,8 +5,8 @@
 //!
 //! - `classes`, with one file for each class of problems: [`EulerPoincareSpec`],
 //!   [`ConstrainedSpec`], [`LiePoissonSpec`], [`PrescribedVelocitySpec`] and [`MatrixFlow`] start
-//!   motions on groups chosen at run time. [`ChartSpec`] starts curves on charts, and
-//!   [`HomogeneousSpec`] curves on homogeneous spaces;
+//!   motions on groups chosen at run time. [`ChartSpec`] starts curves on charts,
+//!   [`HomogeneousSpec`] curves on homogeneous spaces, and [`TreeSpec`] trees of bodies;
 //! - [`Method`]: the table of the methods of integration; [`Integration`]: the settings of the
 //!   integration of a motion;
 //! - [`quantities`]: the names that formulas may use; [`Observables`]: the values of these names at
@@ -35,6 +35,7 @@ pub use classes::homogeneous::{HomogeneousColumns, HomogeneousSpec};
 pub use classes::lie_poisson::{Hamiltonian, LiePoissonSpec};
 pub use classes::matrix_flow::{MatrixFlow, StartedFlow};
 pub use classes::prescribed_velocity::{PrescribedVelocitySpec, VelocityFormulas};
+pub use classes::tree::{TreeColumns, TreeSpec};
 pub use crossings::{Crossings, RecordedCrossing};
 pub use forces::{ForceFrame, ForceFunction, Forces};
 pub use group::SimulationGroup;

@@ -5,7 +5,7 @@
 //! [`lie_poisson`] contains the systems of a Hamiltonian. [`constrained`] adds holonomic
 //! constraints. [`isospectral`] contains flows of matrices that conserve the spectrum. [`chart`]
 //! contains curves on charts: autoparallels, with potentials and charges. [`homogeneous`] contains
-//! autoparallels on homogeneous spaces.
+//! autoparallels on homogeneous spaces. [`tree`] contains motions of bodies in joint coordinates.
 
 mod bilinear;
 mod centred;
@@ -18,6 +18,7 @@ pub mod isospectral;
 pub mod lie_poisson;
 mod matrix;
 pub(in crate::mechanics) mod saddle;
+pub mod tree;
 
 pub use constrained::{Constrained, ConstrainedState, Constraint};
 pub use cotangent::{CotangentSystem, State};
@@ -25,6 +26,7 @@ pub use euler_poincare::EulerPoincare;
 pub use homogeneous::HomogeneousSystem;
 pub use isospectral::{Isospectral, Manakov, MatrixState, Toda, Zeitlin};
 pub use lie_poisson::LiePoissonSystem;
+pub use tree::{TreeState, TreeSystem};
 
 /// Equations of motion, in first order.
 pub trait System {

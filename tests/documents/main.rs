@@ -12,6 +12,9 @@ mod space {
     mod tables;
 }
 mod figures;
+mod problem {
+    mod on_tree;
+}
 mod report;
 
 mod claims {

@@ -1,6 +1,8 @@
 //! The mobility of loops of six hinges, and of loops in another frame and order; the equations of
 //! joints between moving bodies.
 
+mod tree;
+
 use affinor::group::{LieGroup, Se3};
 use affinor::mechanism::constraint::gravity;
 use affinor::mechanism::joint::JointData;
@@ -135,7 +137,7 @@ fn equations_of_joints_define_their_subgroups() -> Result<(), Error> {
     let first = Se3.exp(&Vector6::new(0.9, -1.7, 0.4, 3.0, -2.0, 1.0));
     let identity = Isometry3::identity();
     for kind in JointKind::ALL {
-        if matches!(kind, JointKind::Helical | JointKind::Subgroup) {
+        if matches!(kind, JointKind::Free | JointKind::Helical | JointKind::Subgroup) {
             assert!(JointConstraint::all(kind, &point, &axis, &second).is_empty());
             continue;
         }

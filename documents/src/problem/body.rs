@@ -137,6 +137,27 @@ impl Bodies {
         Ok(Bodies::Each(bodies.collect::<Result<_, _>>()?, place))
     }
 
+    /// The mass properties of each body, for values of the parameters.
+    #[cfg(feature = "mechanisms")]
+    pub fn masses(&self, values: &[f64]) -> Result<Vec<MassProperties>, InputError> {
+        let bodies = match self {
+            Bodies::One(body) => std::slice::from_ref(body),
+            Bodies::Each(bodies, _) => bodies,
+        };
+        let mass = |body: &Body| match (&body.content, &body.about) {
+            (Content::Parts(parts), None) => body.joined(parts, values),
+            (Content::Parts(_), Some(_)) => {
+                let error = InputError::usage("the inertia of a body with joints has no `about`");
+                Err(error.at(&body.place).help("leave `about` out"))
+            }
+            (Content::Matrix(_), _) => {
+                let error = InputError::usage("the inertia of a body with joints needs a mass");
+                Err(error.at(&body.place).help("give `parts`"))
+            }
+        };
+        bodies.iter().map(mass).collect()
+    }
+
     /// The metric on the group. Each body that is given by parts also defines the parameters
     /// `mass`, `centre1`, `centre2`, `centre3`. In a product, their names end in the number of the
     /// factor: `mass_2`.

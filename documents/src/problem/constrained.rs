@@ -22,7 +22,7 @@ pub(super) struct Constrained {
     constraints: Given,
 }
 
-/// Where the constraints come from.
+/// The origin of the constraints.
 #[derive(Clone, Debug)]
 enum Given {
     /// Formulas in the entries of the element, each of which must vanish.

@@ -7,16 +7,16 @@ use super::body::Bodies;
 use super::euler_poincare::EulerPoincare;
 use super::forces::ForceFormulas;
 use super::initial::InitialMomentum;
+use super::joint::{self, JointFormulas, expect_bodies, vector};
 use super::joint_keys::BodyKeys;
 use super::keys::Keys;
 use super::on_group::OnGroup;
 use super::reader::{Reader, Value};
-use crate::input::{InputError, Place, Refusal, Source, forms::Number, shown};
+use crate::input::{InputError, Place, Refusal, Source};
 use affinor::mechanics::simulation::quantities::SymbolTable;
 use affinor::mechanics::simulation::{Constraints, Forces};
 use affinor::mechanism::constraint::gravity;
-use affinor::mechanism::joint::JointData;
-use affinor::mechanism::{Joint, JointConstraint, JointKind, Mechanism};
+use affinor::mechanism::{JointConstraint, JointKind, Mechanism};
 use nalgebra::{DMatrix, DVector, Vector3};
 
 /// A row of constraints fails to be independent below this size, relative to its own size.
@@ -24,19 +24,12 @@ const DEPENDENT: f64 = 1e-9;
 /// Given rates of joints are consistent up to this relative error.
 const RATES: f64 = 1e-9;
 
-/// A joint whose numbers are formulas.
+/// A joint with its initial rate.
 #[derive(Clone, Debug)]
 struct Joined {
-    name: String,
-    /// The indices of the two bodies.
-    ends: [usize; 2],
-    kind: JointKind,
-    /// The point, the axis and the second axis, as far as they are given.
-    vectors: [Option<Vec<Value>>; 3],
+    own: JointFormulas,
     /// The initial rate, about or along an axis of length 1.
     rate: Option<Value>,
-    /// The location of the axis.
-    place: Place,
 }
 
 /// The joints of a problem. A moving body is a factor of the product of groups SE(3).
@@ -111,53 +104,40 @@ impl Joints {
     fn read(keys: &Keys, bodies: &[BodyKeys], reader: &Reader) -> Result<Self, InputError> {
         let source = reader.source;
         let names: Vec<String> = bodies.iter().map(|body| body.name.content.clone()).collect();
+        expect_bodies(bodies, reader)?;
         let mut next = 0;
         let mut factors = vec![];
         for body in bodies {
-            if !body.fixed && body.inertia.is_none() {
-                let message = format!("the moving body `{}` has no inertia", shown(&body.name));
-                let help = "give it parts, as in inertia.parts = [{ shape = \"rod\", length = 1, mass = 1 }], or fixed = true";
-                return Err(InputError::usage(message).at(&source.at(&body.name)).help(help));
-            }
             factors.push((!body.fixed).then_some(next));
             next += usize::from(!body.fixed);
         }
-        if factors.iter().all(Option::is_some) || next == 0 {
-            let error = source.refused("bodies", "one body must be fixed, and one must move");
-            return Err(error.help("write fixed = true in the table of the ground"));
-        }
         let mut joints = vec![];
-        for (at, keys) in keys.joints.iter().flatten().enumerate() {
-            let default = || format!("J{}", at + 1);
-            let name = keys.name.as_ref().map_or_else(default, |name| name.content.clone());
-            let ends = keys.ends(&name, &names, source, at)?;
-            let kind = keys.kind(source, at)?;
-            if matches!(kind, JointKind::Helical | JointKind::Subgroup) {
-                let message = format!("the motion of a {} joint is not supported", kind.name());
+        let formulas = JointFormulas::all(keys, &names, reader)?;
+        for ((at, keys), own) in keys.joints.iter().flatten().enumerate().zip(formulas) {
+            if matches!(own.kind, JointKind::Helical | JointKind::Subgroup) {
+                let message = format!("the motion of a {} joint is not supported", own.kind.name());
                 let error = InputError::usage(message).at(&source.at(&keys.kind));
-                return Err(error.help("use other joints, or `affinor mobility`"));
+                return Err(error.help("write coordinates = \"joints\" at the top of the file, use other joints, or `affinor mobility`"));
             }
-            let place = |key: &str| source.key(&format!("joints.{at}.{key}"));
-            let vector = |key: &str, list: &Option<Vec<Number>>| match list {
-                Some(list) => three(list, &place(key), reader).map(Some),
-                None => Ok(None),
+            let of_trees = ["coordinate", "force", "stiffness", "damping", "rest"];
+            for key in of_trees.map(|key| format!("joints.{at}.{key}")) {
+                if source.has_key(&key) {
+                    let error = source.refused(&key, "this key needs joint coordinates");
+                    return Err(error.help("write coordinates = \"joints\" at the top of the file"));
+                }
+            }
+            let rate = match keys.rate.as_ref().map(|rate| &rate.0[..]) {
+                None => None,
+                Some([rate]) => Some(reader.value(rate)?),
+                Some(_) => {
+                    let place = format!("joints.{at}.rate");
+                    let error = source.refused(&place, "a list of rates needs joint coordinates");
+                    return Err(error.help("write coordinates = \"joints\" at the top of the file"));
+                }
             };
-            joints.push(Joined {
-                name,
-                ends,
-                kind,
-                vectors: [
-                    vector("at", &keys.at)?,
-                    vector("axis", &keys.axis)?,
-                    vector("second_axis", &keys.second_axis)?,
-                ],
-                rate: keys.rate.as_ref().map(|rate| reader.value(rate)).transpose()?,
-                place: place("axis"),
-            });
+            joints.push(Joined { own, rate });
         }
-        let gravity = keys.gravity.as_ref();
-        let gravity =
-            gravity.map(|list| three(list, &source.key("gravity"), reader)).transpose()?;
+        let gravity = joint::gravity(keys, reader)?;
         let place = source.key("bodies");
         Ok(Joints { bodies: names, factors, joints, kept: vec![], gravity, note: None, place })
     }
@@ -165,23 +145,10 @@ impl Joints {
     /// The joints for these values of the parameters.
     fn at(&self, values: &[f64]) -> Result<Numbers, InputError> {
         let (mut joints, mut constraints) = (vec![], vec![]);
-        for joined in &self.joints {
-            let [point, axis, second] = joined.vectors.each_ref().map(|list| vector(list, values));
-            let (point, axis, second_axis) = (point?, axis?, second?);
-            let equations = JointConstraint::all(joined.kind, &point, &axis, &second_axis);
-            let data = JointData {
-                point: point.into(),
-                axis: axis.into(),
-                second_axis: second_axis.into(),
-                pitch: 0.0,
-                twists: vec![],
-            };
-            let joint = Joint::of_kind(joined.kind, data).map_err(|error| {
-                let help = "give a vector that is not zero, and axes that are not parallel";
-                InputError::from(error).help(help).or_at(&joined.place)
-            })?;
-            joints.push(joint.between(&joined.name, joined.ends));
-            constraints.push(equations);
+        for Joined { own, .. } in &self.joints {
+            let [point, axis, second] = own.vectors(values)?;
+            constraints.push(JointConstraint::all(own.kind, &point, &axis, &second));
+            joints.push(own.at(values)?);
         }
         let fixed: Vec<usize> =
             (0..self.factors.len()).filter(|at| self.factors[*at].is_none()).collect();
@@ -211,7 +178,7 @@ impl Joints {
                     basis.push(rest.normalize());
                     self.kept.push((joint, at));
                 } else {
-                    left.push(&joined.name);
+                    left.push(&joined.own.name);
                 }
             }
         }
@@ -247,7 +214,7 @@ impl Joints {
     }
 
     fn ends(&self, joined: &Joined) -> [Option<usize>; 2] {
-        joined.ends.map(|body| self.factors[body])
+        joined.own.ends.map(|body| self.factors[body])
     }
 
     /// The constraints for these values of the parameters.
@@ -278,7 +245,7 @@ impl Joints {
         }
         let acceleration = vector(&self.gravity, values)?;
         let bodies = (0..inertia.nrows()).step_by(6);
-        // the kinetic energy contains m w . (c x u), whose matrix is that of the cross product
+        // the kinetic energy contains m w . (c x u), so its matrix is the matrix of the cross product
         let moment = |at: usize| {
             let entry = |i: usize, j: usize| inertia[(at + i, at + 3 + j)];
             (inertia[(at + 3, at + 3)], Vector3::new(entry(2, 1), entry(0, 2), entry(1, 0)))
@@ -342,19 +309,4 @@ impl Joints {
         }
         Ok(velocity)
     }
-}
-
-/// A vector of three formulas.
-fn three(list: &[Number], place: &Place, reader: &Reader) -> Result<Vec<Value>, InputError> {
-    if list.len() != 3 {
-        let message = format!("the vector has {} components instead of 3", list.len());
-        return Err(InputError::usage(message).at(place));
-    }
-    reader.values(list)
-}
-
-/// The value of a vector; zero for a vector that is not given.
-fn vector(list: &Option<Vec<Value>>, values: &[f64]) -> Result<Vector3<f64>, InputError> {
-    let numbers = list.as_ref().map(|list| Value::all(list, values)).transpose()?;
-    Ok(numbers.map_or_else(Vector3::zeros, |numbers| Vector3::from_column_slice(&numbers)))
 }

@@ -3,7 +3,7 @@
 use super::body::InertiaKeys;
 use crate::input::{
     InputError, Source,
-    forms::{Number, Text},
+    forms::{Number, OneOrMore, Text},
     shown,
 };
 use affinor::mechanism::JointKind;
@@ -32,8 +32,15 @@ pub(crate) struct JointKeys {
     pub second_axis: Option<Vec<Number>>,
     pub pitch: Option<Number>,
     pub twists: Option<Vec<Vec<Number>>>,
-    /// The initial rate, about or along an axis of length 1.
-    pub rate: Option<Number>,
+    /// The initial coordinates, which are angles about and lengths along axes of length 1.
+    pub coordinate: Option<OneOrMore>,
+    /// The initial rates.
+    pub rate: Option<OneOrMore>,
+    /// The joint forces: torques of rotations, and forces of translations.
+    pub force: Option<OneOrMore>,
+    pub stiffness: Option<Number>,
+    pub damping: Option<Number>,
+    pub rest: Option<Number>,
 }
 
 impl JointKeys {
@@ -85,7 +92,7 @@ impl JointKeys {
             JointKind::Prismatic | JointKind::Planar => [&["axis"], &["at"]],
             JointKind::Spherical => [&["at"], &[]],
             JointKind::Universal => [&["at", "axis", "second_axis"], &[]],
-            JointKind::Fixed => [&[], &["at"]],
+            JointKind::Fixed | JointKind::Free => [&[], &["at"]],
             JointKind::Subgroup => [&["twists"], &[]],
         };
         let own = |key: &str| format!("joints.{at}.{key}");

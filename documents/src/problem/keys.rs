@@ -113,6 +113,8 @@ pub(super) struct Keys {
     pub joints: Option<Vec<JointKeys>>,
     #[cfg(feature = "mechanisms")]
     pub gravity: Option<Vec<Number>>,
+    #[cfg(feature = "mechanisms")]
+    pub coordinates: Option<Text>,
     pub metric: Option<MetricText>,
     pub inertia: Option<OneOrEach<InertiaKeys>>,
     pub connection: Option<Text>,

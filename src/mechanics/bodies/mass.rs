@@ -140,13 +140,31 @@ impl MassProperties {
     /// [`Error::Invalid`] if all masses are on a line.
     pub fn metric(&self) -> Result<Metric<f64>, Error> {
         self.inertia()?;
+        let g = self.twist_inertia();
+        let labels = (1..=6).map(|i| format!("e{i}"));
+        Metric::new(labels, Tensor::from_fn(6, [Down, Down], |[i, j]| g[(i, j)])?)
+    }
+
+    /// The matrix `G` of the [`metric`](Self::metric), which maps the twist of the body frame to
+    /// the momentum. It is singular if all masses are on a line.
+    ///
+    /// ```
+    /// use affinor::mechanics::MassProperties;
+    /// use nalgebra::{Isometry3, Vector6};
+    /// let rod = MassProperties::rod(2.0)?.of_mass(3.0)?; // along the third axis
+    /// let rod = rod.moved(&Isometry3::translation(0.0, 0.0, 1.0));
+    /// // a rotation about the end of the rod: m l^2/3, and the momentum of the centre
+    /// let momentum = rod.twist_inertia() * Vector6::new(1.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+    /// assert!((momentum - Vector6::new(4.0, 0.0, 0.0, 0.0, -3.0, 0.0)).norm() < 1e-14);
+    /// # Ok::<(), affinor::Error>(())
+    /// ```
+    pub fn twist_inertia(&self) -> Matrix6<f64> {
         let mixed = self.centre.cross_matrix() * self.mass;
         let mut g = Matrix6::from_diagonal_element(self.mass);
         g.fixed_view_mut::<3, 3>(0, 0).copy_from(&self.inertia_matrix_about(&Vector3::zeros()));
         g.fixed_view_mut::<3, 3>(0, 3).copy_from(&mixed);
         g.fixed_view_mut::<3, 3>(3, 0).copy_from(&mixed.transpose());
-        let labels = (1..=6).map(|i| format!("e{i}"));
-        Metric::new(labels, Tensor::from_fn(6, [Down, Down], |[i, j]| g[(i, j)])?)
+        g
     }
 
     /// The body after a rigid motion: `c' = R c + t`, `J' = R J R^T`.

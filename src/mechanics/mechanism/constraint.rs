@@ -24,8 +24,8 @@ pub enum JointConstraint {
 
 impl JointConstraint {
     /// The independent equations of a joint at a point, with an axis, and with a second axis of a
-    /// universal joint. The list is empty for the kinds `Helical` and `Subgroup`, which have no
-    /// equations of this form.
+    /// universal joint. The list is empty for the kind `Free`, and for the kinds `Helical` and
+    /// `Subgroup`, which have no equations of this form.
     ///
     /// ```
     /// use affinor::mechanism::{JointConstraint, JointKind};
@@ -65,7 +65,7 @@ impl JointConstraint {
                 positions().chain([JointConstraint::Product(*axis, *second)]).collect()
             }
             JointKind::Fixed => positions().chain(equal()).collect(),
-            JointKind::Helical | JointKind::Subgroup => vec![],
+            JointKind::Free | JointKind::Helical | JointKind::Subgroup => vec![],
         }
     }
 

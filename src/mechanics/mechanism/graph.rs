@@ -178,40 +178,71 @@ impl<S> Mechanism<S> {
         &self.joints
     }
 
+    /// A spanning tree. It is the same as for the [`loops`](Self::loops).
+    pub(super) fn spanning(&self) -> Result<Spanning, Error> {
+        // all bodies are connected, because the constructor checked it
+        Spanning::new(&self.fixed, &self.joints).map_err(|at| {
+            let reason = format!("no joint connects `{}` to the ground", self.bodies[at]);
+            Error::Invalid { what: "mechanism", reason }
+        })
+    }
+
     /// A basis of the loops: one for each joint that does not belong to a spanning tree.
     pub fn loops(&self) -> &[Loop] {
         &self.loops
     }
 }
 
-/// The fundamental loops of a breadth-first spanning tree, whose root is the ground. The error is a
-/// body that is not connected.
-fn loops<S>(fixed: &[bool], joints: &[Joint<S>]) -> Result<Vec<Loop>, usize> {
-    // all fixed bodies are one node
-    let ground = fixed.iter().position(|fixed| *fixed).unwrap_or(0);
-    let node = |body: usize| if fixed[body] { ground } else { body };
-    let mut parent: Vec<Option<(usize, usize, bool)>> = vec![None; fixed.len()];
-    let mut seen: Vec<bool> = fixed.to_vec();
-    let mut in_tree = vec![false; joints.len()];
-    let mut waiting = VecDeque::from([ground]);
-    while let Some(body) = waiting.pop_front() {
+/// A breadth-first spanning tree of the bodies, whose root is the ground.
+pub(super) struct Spanning {
+    /// For each body except the ground: the body before it, the joint between them, and whether the
+    /// joint leads from its first to its second body. All fixed bodies are the ground.
+    pub parent: Vec<Option<(usize, usize, bool)>>,
+    /// The moving bodies in the order of the search. Each body follows the body before it.
+    pub order: Vec<usize>,
+    /// Whether each joint belongs to the tree.
+    in_tree: Vec<bool>,
+    /// The index of the ground.
+    ground: usize,
+}
+
+impl Spanning {
+    /// The spanning tree. The error is a body that is not connected.
+    fn new<S>(fixed: &[bool], joints: &[Joint<S>]) -> Result<Self, usize> {
+        // all fixed bodies are one node
+        let ground = fixed.iter().position(|fixed| *fixed).unwrap_or(0);
+        let node = |body: usize| if fixed[body] { ground } else { body };
+        let mut of_body: Vec<Vec<usize>> = vec![vec![]; fixed.len()];
         for (at, joint) in joints.iter().enumerate() {
-            let [a, b] = joint.bodies.map(node);
-            let (next, forward) = match body {
-                own if own == a => (b, true),
-                own if own == b => (a, false),
-                _ => continue,
-            };
-            if !seen[next] {
-                (seen[next], in_tree[at]) = (true, true);
-                parent[next] = Some((body, at, forward));
-                waiting.push_back(next);
+            joint.bodies.iter().for_each(|body| of_body[node(*body)].push(at));
+        }
+        let mut parent: Vec<Option<(usize, usize, bool)>> = vec![None; fixed.len()];
+        let mut seen: Vec<bool> = fixed.to_vec();
+        let mut in_tree = vec![false; joints.len()];
+        let (mut waiting, mut order) = (VecDeque::from([ground]), vec![]);
+        while let Some(body) = waiting.pop_front() {
+            for &at in &of_body[body] {
+                let [a, b] = joints[at].bodies.map(node);
+                let (next, forward) = if body == a { (b, true) } else { (a, false) };
+                if !seen[next] {
+                    (seen[next], in_tree[at]) = (true, true);
+                    parent[next] = Some((body, at, forward));
+                    order.push(next);
+                    waiting.push_back(next);
+                }
             }
         }
+        match seen.iter().position(|seen| !seen) {
+            Some(at) => Err(at),
+            None => Ok(Spanning { parent, order, in_tree, ground }),
+        }
     }
-    if let Some(at) = seen.iter().position(|seen| !seen) {
-        return Err(at);
-    }
+}
+
+/// The fundamental loops of the spanning tree. The error is a body that is not connected.
+fn loops<S>(fixed: &[bool], joints: &[Joint<S>]) -> Result<Vec<Loop>, usize> {
+    let Spanning { parent, in_tree, ground, .. } = Spanning::new(fixed, joints)?;
+    let node = |body: usize| if fixed[body] { ground } else { body };
     let path = |mut body: usize| {
         let mut path = vec![];
         while let Some((above, joint, forward)) = parent[body] {

@@ -24,13 +24,15 @@ pub enum JointKind {
     Universal,
     /// No relative motion.
     Fixed,
+    /// All relative motions.
+    Free,
     /// A subgroup that is given by a basis of its algebra.
     Subgroup,
 }
 
 impl JointKind {
     /// All kinds.
-    pub const ALL: [JointKind; 9] = [
+    pub const ALL: [JointKind; 10] = [
         JointKind::Revolute,
         JointKind::Prismatic,
         JointKind::Helical,
@@ -39,6 +41,7 @@ impl JointKind {
         JointKind::Planar,
         JointKind::Universal,
         JointKind::Fixed,
+        JointKind::Free,
         JointKind::Subgroup,
     ];
 
@@ -53,6 +56,7 @@ impl JointKind {
             JointKind::Planar => "planar",
             JointKind::Universal => "universal",
             JointKind::Fixed => "fixed",
+            JointKind::Free => "free",
             JointKind::Subgroup => "subgroup",
         }
     }
@@ -109,6 +113,7 @@ impl<S: Field + Scalar + Notation> Joint<S> {
             JointKind::Planar => Self::planar(&point, &axis),
             JointKind::Universal => Self::universal(&point, [&axis, &second_axis]),
             JointKind::Fixed => Ok(Self::fixed()),
+            JointKind::Free => Self::free(&point),
             JointKind::Subgroup => Self::subgroup(twists),
         }
     }
@@ -191,6 +196,17 @@ impl<S: Field + Scalar + Notation> Joint<S> {
     /// A joint without relative motion.
     pub fn fixed() -> Self {
         Joint { name: String::new(), bodies: [0, 1], kind: JointKind::Fixed, twists: vec![] }
+    }
+
+    /// A joint with all relative motions: three translations along the axes of the ground, then the
+    /// rotations about a point.
+    ///
+    /// # Errors
+    /// None in practice; the algebra is checked as any other.
+    pub fn free(point: &[S; 3]) -> Result<Self, Error> {
+        let translations = unit_vectors().map(|axis| translation(&axis));
+        let rotations = unit_vectors().map(|axis| rotation(point, &axis));
+        Self::of(JointKind::Free, translations.into_iter().chain(rotations).collect())
     }
 
     /// A joint whose subgroup has the algebra that is spanned by these twists.

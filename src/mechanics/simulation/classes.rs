@@ -10,3 +10,4 @@ pub mod homogeneous;
 pub mod lie_poisson;
 pub mod matrix_flow;
 pub mod prescribed_velocity;
+pub mod tree;

@@ -35,7 +35,7 @@ pub enum Class {
     PrescribedVelocity,
     /// Isospectral flows of matrices.
     MatrixFlow,
-    /// Curves on charts.
+    /// Curves on charts, and trees of bodies in joint coordinates.
     Chart,
 }
 

@@ -1,0 +1,128 @@
+//! Step-size control for trees of bodies in joint coordinates.
+
+use super::Adaptive;
+use crate::Error;
+use crate::mechanics::stopped;
+use crate::mechanics::systems::tree::{TreeState, TreeSystem};
+use crate::numerics::ode::{LEAST_STEP, stages};
+use crate::numerics::tableaux::combined_error;
+use affinor_tensors::stop::checkpoint;
+use nalgebra::DVector;
+
+/// The method of order 8 of Dormand and Prince for trees, with step-size control.
+///
+/// Let `r` be the tolerance. The error of an angle is at most `r`, or `r/10` of its change in the
+/// step if this is larger. The error of a translation is compared to the same multiple of the
+/// [`length`](crate::mechanism::Tree::length) of the tree. The error of a rate is at most `r` of the
+/// fastest rate, in the same units. So steps do not depend on the units or on the ground frame.
+/// [`Adaptive::absolute`] replaces the absolute errors of angles and of translations.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TreeSteps(pub Adaptive);
+
+impl TreeSteps {
+    /// The first step size to try from a state.
+    pub(crate) fn first_step(&self, system: &TreeSystem, state: &TreeState) -> f64 {
+        let Adaptive { tolerance, span, max_step, .. } = self.0;
+        let slope = system.slope(state.time, &state.numbers);
+        let accelerations = &slope.as_slice()[slope.len() - system.tree().freedom()..];
+        let bends =
+            system.tree().units().zip(accelerations).map(|(unit, a)| (a.abs() / unit).sqrt());
+        let fastest = bends.fold(system.rate(state), f64::max);
+        let longest = if span.is_finite() { span } else { 1.0 };
+        let guess = tolerance.powf(0.125) / fastest;
+        if guess > 0.0 { guess.min(longest).min(max_step) } else { longest.min(max_step) }
+    }
+
+    /// Makes one accepted step from a state towards `end`; see [`Adaptive::step`].
+    ///
+    /// # Errors
+    /// [`Error::Integration`] if steps become too small, or if the end is not finite.
+    pub fn step(
+        &self,
+        system: &TreeSystem,
+        state: &mut TreeState,
+        next: &mut f64,
+        end: f64,
+    ) -> Result<(), Error> {
+        if !end.is_finite() {
+            return Err(stopped(state.time, format!("the end is {end}, which is not finite")));
+        }
+        let units: Vec<f64> = system.tree().units().collect();
+        let slope = system.slope(state.time, &state.numbers);
+        loop {
+            checkpoint();
+            let left = end - state.time;
+            *next = next.min(self.0.max_step);
+            let last = *next >= left.abs();
+            let h = if last { left } else { next.copysign(left) };
+            let is_lost = state.time + h == state.time;
+            let is_rounding = !last && h.abs() < LEAST_STEP * state.time.abs();
+            if !h.is_finite() || is_lost || is_rounding || *next == 0.0 {
+                return Err(stopped(state.time, "the steps become too small"));
+            }
+            let f = |time: f64, y: &DVector<f64>| system.slope(time, y);
+            let (mut reached, errors) = stages(&f, state.time, &state.numbers, &slope, h);
+            let ratio = |error: DVector<f64>| {
+                self.ratio(system, &units, [&state.numbers, &reached, &error], h)
+            };
+            let error = combined_error(errors.map(ratio));
+            // tries a shorter step, which may still succeed
+            if !error.is_finite() || !reached.iter().all(|value| value.is_finite()) {
+                *next = 0.2 * h.abs();
+                continue;
+            }
+            if !last || error > 1.0 {
+                *next = h.abs() * (0.9 * error.powf(-0.125)).clamp(0.2, 5.0);
+            }
+            if error <= 1.0 {
+                system.tree().normalize(reached.as_mut_slice());
+                *state =
+                    TreeState { time: if last { end } else { state.time + h }, numbers: reached };
+                return Ok(());
+            }
+        }
+    }
+
+    /// The error in units of the allowed error. The vectors are the numbers at both ends of the step
+    /// and the error.
+    fn ratio(
+        &self,
+        system: &TreeSystem,
+        units: &[f64],
+        [start, end, error]: [&DVector<f64>; 3],
+        h: f64,
+    ) -> f64 {
+        let Adaptive { tolerance, absolute, span, .. } = self.0;
+        let (tree, split) = (system.tree(), start.len() - units.len());
+        let length = tree.length();
+        let [of_angles, of_lengths] = absolute.unwrap_or([tolerance, tolerance * length]);
+        let floor = |rate: usize| if tree.is_angular(rate) { of_angles } else { of_lengths };
+        let speed = |rate: usize| {
+            let at = split + rate;
+            start[at].abs().max(end[at].abs())
+        };
+        let fastest = units.iter().enumerate().map(|(k, unit)| speed(k) / unit);
+        let fastest = fastest.fold(0.0, f64::max);
+        // a NaN must remain, so that the step is rejected
+        let mut most = 0.0;
+        let mut add = |error: f64, allowed: f64| {
+            let ratio = if error == 0.0 { 0.0 } else { error.abs() / allowed };
+            if ratio > most || ratio.is_nan() {
+                most = ratio;
+            }
+        };
+        for (rate, number) in tree.coordinates() {
+            let path = 0.1 * tolerance * (h * speed(rate)).abs();
+            add(error[number], floor(rate).max(path));
+        }
+        for (_, first) in tree.balls() {
+            // a rotation by a small angle changes the quaternion by half of the angle
+            (first..first + 4).for_each(|at| add(2.0 * error[at], of_angles));
+        }
+        for (k, unit) in units.iter().enumerate() {
+            let allowed = (tolerance * unit * fastest).max(floor(k) / span);
+            add(error[split + k], allowed.max(f64::MIN_POSITIVE));
+        }
+        most
+    }
+}
