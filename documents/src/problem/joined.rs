@@ -80,6 +80,7 @@ pub(super) fn read(
         "metric",
         "inertia",
         "constraints",
+        "velocity_constraints",
         "connection",
         "initial.element",
         "initial.coordinates",
