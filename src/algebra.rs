@@ -8,6 +8,7 @@
 //! - [`roots`]: root systems and Chevalley bases; [`catalogue`]: Lie algebras by name;
 //! - [`Module`]: modules by matrices; `cochains`: the complex of Chevalley and Eilenberg;
 //! - [`structure`]: series, radicals, Levi subalgebras, types, simple ideals;
+//! - [`Distribution`]: subspaces as distributions, integrable or bracket-generating;
 //! - [`lie_derivative`]: Lie derivatives of tensors; [`invariants`]: invariant tensors;
 //! - [`lie_poisson`]: the dual space, its Poisson bracket, Casimir functions, coadjoint orbits.
 //!
@@ -18,6 +19,7 @@ mod bch;
 mod bracket;
 pub mod catalogue;
 mod cochains;
+mod distribution;
 mod factors;
 pub mod frame;
 mod generators;
@@ -37,6 +39,7 @@ pub(crate) use basis::{LETTERS, indices, inverse, to_matrix};
 pub use bracket::Bracket;
 pub use cochains::Dimensions;
 pub(crate) use cochains::relative_cohomology;
+pub use distribution::{BracketWitness, Distribution};
 pub(crate) use factors::irreducible_factors;
 pub use matrices::{Complex, MatrixBasis};
 pub use module::{MAX_DIMENSION as MAX_MODULE, Module};

@@ -35,6 +35,7 @@ mod roots;
 use crate::algebra::frame::Frame;
 use crate::algebra::{Bracket, LieAlgebra};
 use crate::geometry::chart::Fields;
+pub use crate::geometry::connection::complement_projector;
 use crate::geometry::connection::{CanonicalConnection, Connection};
 use crate::geometry::homogeneous::HomogeneousSpace;
 use crate::geometry::metric::Metric;
@@ -208,6 +209,9 @@ pub enum ConnectionKind<S> {
     LeviCivita,
     /// Affinities given by components, in the frame of the geometry.
     Affinities(Tensor<S>),
+    /// The [nonholonomic connection](Connection::nonholonomic) of the Levi-Civita connection and of
+    /// the projector `P'` onto the orthogonal complement of a distribution.
+    Nonholonomic(Tensor<S>),
 }
 
 impl<S: Notation + Scalar> Geometry<S> {
@@ -241,7 +245,16 @@ impl<S: Notation + Scalar> Geometry<S> {
             (ConnectionKind::Canonical(which), _) => canonical(&which.lambda())?,
             (ConnectionKind::Family(lambda), _) => canonical(lambda)?,
             (ConnectionKind::LeviCivita, Some(metric)) => Connection::levi_civita(frame, metric)?,
-            (ConnectionKind::LeviCivita, None) => return Err(Error::NoMetric),
+            (ConnectionKind::Nonholonomic(projector), Some(metric)) => {
+                if origin.homogeneous().is_some() {
+                    let reason = "the connection nonholonomic does not exist on homogeneous spaces";
+                    return Err(Error::Unsupported(reason.into()));
+                }
+                Connection::levi_civita(frame, metric)?.nonholonomic(projector)?
+            }
+            (ConnectionKind::LeviCivita | ConnectionKind::Nonholonomic(_), None) => {
+                return Err(Error::NoMetric);
+            }
             (ConnectionKind::Affinities(gamma), _) => match origin.homogeneous() {
                 Some(space) => space.pair().connection(gamma.clone())?,
                 None => Connection::new(frame.clone(), gamma.clone())?,
@@ -275,7 +288,7 @@ impl<S: Notation + Scalar> Geometry<S> {
             metric.ad_invariance_defect(algebra).is_ok_and(|variation| variation.is_empty())
         });
         let kind = match &self.kind {
-            ConnectionKind::Affinities(_) => {
+            ConnectionKind::Affinities(_) | ConnectionKind::Nonholonomic(_) => {
                 ConnectionKind::Affinities(connection.affinities().clone())
             }
             kind => kind.clone(),
@@ -397,13 +410,15 @@ impl<S: Notation + Scalar> fmt::Display for Geometry<S> {
 }
 
 impl<S: Notation + Scalar> ConnectionKind<S> {
-    /// The short name: `plus`, `zero`, `minus`, `lambda`, `levi-civita`, `affinities`.
+    /// The short name: `plus`, `zero`, `minus`, `lambda`, `levi-civita`, `affinities`,
+    /// `nonholonomic`.
     pub fn name(&self) -> &'static str {
         match self {
             ConnectionKind::Canonical(which) => which.name(),
             ConnectionKind::Family(_) => "lambda",
             ConnectionKind::LeviCivita => "levi-civita",
             ConnectionKind::Affinities(_) => "affinities",
+            ConnectionKind::Nonholonomic(_) => "nonholonomic",
         }
     }
 
@@ -423,6 +438,9 @@ impl<S: Notation + Scalar> ConnectionKind<S> {
             ConnectionKind::Family(lambda) => format!("lambda = {lambda}"),
             ConnectionKind::LeviCivita => "levi-civita (of the metric)".into(),
             ConnectionKind::Affinities(_) => "affinities (given one by one)".into(),
+            ConnectionKind::Nonholonomic(_) => {
+                "nonholonomic (of the metric and a distribution)".into()
+            }
         }
     }
 }

@@ -168,6 +168,8 @@ impl<S: Notation + Scalar + Serialize> Serialize for Geometry<S> {
             ConnectionKind::LeviCivita => Kind::LeviCivita,
             ConnectionKind::Family(lambda) => Kind::Lambda(lambda),
             ConnectionKind::Affinities(gamma) => Kind::Affinities(gamma),
+            // the schema has no distributions, and the affinities define the same connection
+            ConnectionKind::Nonholonomic(_) => Kind::Affinities(self.connection().affinities()),
         };
         let (name, metric) = (self.name(), self.metric());
         let algebra_name = Some(self.algebra_name()).filter(|other| *other != name);

@@ -15,6 +15,7 @@ mod algebra {
     mod basis;
     mod bch;
     mod catalogue;
+    mod distribution;
     mod frame;
     mod generators;
     mod invariants;

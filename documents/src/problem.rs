@@ -147,7 +147,7 @@ impl Class {
             let class = LiePoisson::read(hamiltonian, keys, &group, reader)?;
             return Ok(Class::LiePoisson(group, class.into()));
         }
-        if keys.constraints.is_some() {
+        if keys.constraints.is_some() || reader.source.has_key("velocity_constraints") {
             let class = Constrained::read(keys, &group, reader)?;
             return Ok(Class::Constrained(group, class.into()));
         }

@@ -2,8 +2,10 @@
 
 mod canonical;
 mod invariance;
+mod nonholonomic;
 
 pub use canonical::CanonicalConnection;
+pub use nonholonomic::complement_projector;
 
 use crate::Error;
 use crate::algebra::frame::{Frame, expect_numbers, expect_slots};

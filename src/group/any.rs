@@ -336,6 +336,18 @@ macro_rules! on_lists {
                 self.to_vector(derivatives)
             }
 
+            fn second_derivative(
+                &self,
+                g: &DVector<f64>,
+                entries: &[f64],
+                generators: &[Generator],
+                partial: &[Partial],
+                v: &DVector<f64>,
+            ) -> f64 {
+                let (g, v) = (self.element(g), self.vector(v));
+                self.0.second_derivative(&g, entries, generators, partial, &v)
+            }
+
             fn log_rounding(&self, g: &DVector<f64>, x: &DVector<f64>) -> Option<f64> {
                 self.0.log_rounding(&self.element(g), &self.vector(x))
             }

@@ -99,6 +99,29 @@ pub trait MatrixNotation: Embedded {
         let _ = g;
         Self::Vector::from_fn(generators.len(), |i| generators[i].derivative(entries, partial))
     }
+
+    /// The second derivative at `s = 0` of a linear function of the written form of `g exp(s v)`.
+    /// The arguments are those of [`derivatives`](Self::derivatives), where `partial` contains the
+    /// coefficients of the linear function.
+    fn second_derivative(
+        &self,
+        g: &Self::Element,
+        entries: &[f64],
+        generators: &[Generator],
+        partial: &[Partial],
+        v: &Self::Vector,
+    ) -> f64 {
+        let _ = g;
+        let along = |entries: &[f64], partial: &[Partial]| -> f64 {
+            let terms = generators.iter().zip(v.components());
+            terms.map(|(generator, v)| v * generator.derivative(entries, partial)).sum()
+        };
+        // the matrix `g V` of the first derivatives of the entries
+        let rows = generators.first().map_or(1, |generator| generator.columns.len().max(1));
+        let rate = |at: usize| along(entries, &[(at % rows, at / rows, 1.0)]);
+        let rates: Vec<f64> = (0..entries.len()).map(rate).collect();
+        along(&rates, partial)
+    }
 }
 
 /// The derivative of a function with respect to an entry of the written element, as row, column and

@@ -1,7 +1,11 @@
 //! Formulas in floats that are evaluated many times, such as torques, potentials and columns of a
 //! trajectory.
 
+mod affine;
 mod functions;
+mod tangent;
+
+pub use affine::{AffineTerms, affine_terms};
 
 use affinor_tensors::expression::{Evaluator, Expression, ExpressionError};
 use affinor_tensors::{Notation, Rational};
@@ -62,6 +66,8 @@ pub struct Gradient {
 pub struct Workspace {
     /// The values of numbers, variables and results of operations.
     results: Vec<f64>,
+    /// The rates of change of the same values.
+    rates: Vec<f64>,
 }
 
 /// The meaning of a name in a formula.

@@ -2,6 +2,7 @@
 //! on tensors.
 
 mod canonical;
+mod nonholonomic;
 
 use crate::common::{Space, integer, labels, property::properties, spaces, tensors};
 use affinor::{Connection, Error, Frame};

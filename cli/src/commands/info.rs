@@ -24,6 +24,10 @@ pub struct Arguments {
     /// each basis vector, as in "[[0,1],[0,0]], [[1,0],[0,-1]]"
     #[arg(long, value_name = "MODULE")]
     pub coefficients: Option<String>,
+    /// Add a left-invariant distribution, spanned by vectors as in "e1, e2 + e3": whether it is
+    /// involutive, its growth vector, and whether it generates the algebra
+    #[arg(long, value_name = "VECTORS", allow_hyphen_values = true)]
+    pub distribution: Option<String>,
     /// Print the seconds of each stage to standard error
     #[arg(long)]
     pub timings: bool,
@@ -44,7 +48,11 @@ impl Arguments {
         };
         let space = settings.open(self.space.as_deref(), &options)?;
         let begin = |name: &str| stages.begin(name);
-        let info = Info::with_coefficients(&space.definition, &coefficients, &begin)?;
+        let mut info = Info::with_coefficients(&space.definition, &coefficients, &begin)?;
+        if let Some(vectors) = &self.distribution {
+            stages.begin("distribution");
+            info.add_distribution(&space.definition, vectors)?;
+        }
         stages.begin_output();
         self.output.print(space.file.as_slice(), &info)
     }

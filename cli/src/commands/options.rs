@@ -30,8 +30,9 @@ pub struct SpaceOptions {
 /// The connection and the metric of a space.
 #[derive(Args, Clone, Default)]
 pub struct GeometryOptions {
-    /// The connection: plus, zero, minus, lambda=1/3, or levi-civita; canonical (lambda=0) or
-    /// natural (lambda=1/2) on a homogeneous space
+    /// The connection: plus, zero, minus, lambda=1/3, levi-civita, or "nonholonomic(e1, e2)" of the
+    /// distribution that e1 and e2 span; canonical (lambda=0) or natural (lambda=1/2) on a
+    /// homogeneous space
     #[arg(long, value_name = "NAME", allow_hyphen_values = true)]
     pub connection: Option<String>,
     /// The metric: identity, killing, invariant (one letter per parameter), "diag(1,2,3)", rows

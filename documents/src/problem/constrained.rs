@@ -1,4 +1,4 @@
-//! Problems with Euler-Poincare equations and holonomic constraints.
+//! Problems with Euler-Poincare equations and constraints.
 
 use super::euler_poincare::{EulerPoincare, System};
 #[cfg(feature = "mechanisms")]
@@ -7,11 +7,11 @@ use super::keys::Keys;
 use super::on_group::{OnGroup, Start};
 use super::reader::{Reader, Written};
 use super::ready::{Column, Ready};
-use crate::input::InputError;
+use crate::input::{InputError, forms::Text};
 use affinor::Metric;
 use affinor::mechanics::simulation::quantities::SymbolTable;
 use affinor::mechanics::simulation::{
-    Class, ConstrainedSpec, Constraints, ForceFrame, ForceFunction, Method, Started,
+    Class, ConstrainedSpec, Constraints, ForceFrame, ForceFunction, Integration, Method, Started,
 };
 use nalgebra::DVector;
 
@@ -25,19 +25,26 @@ pub(super) struct Constrained {
 /// The origin of the constraints.
 #[derive(Clone, Debug)]
 enum Given {
-    /// Formulas in the entries of the element, each of which must vanish.
-    Written(Vec<Written>),
+    /// Formulas, each of which must vanish: of the time and the entries of the element, and of these
+    /// and the velocity.
+    Written { holonomic: Vec<Written>, affine: Vec<Written> },
     #[cfg(feature = "mechanisms")]
     Joints(Box<Joints>),
 }
 
 impl Constrained {
     pub fn read(keys: &Keys, on_group: &OnGroup, reader: &Reader) -> Result<Self, InputError> {
-        let constraints: Vec<_> = keys.constraints.iter().flatten().collect();
-        reader.refuse_empty("constraints", constraints.is_empty())?;
-        let constraints = constraints.into_iter().map(|text| reader.written(text)).collect();
+        let written = |texts: &[Text]| -> Vec<Written> {
+            texts.iter().map(|text| reader.written(text)).collect()
+        };
+        let holonomic = written(keys.constraints.as_deref().unwrap_or(&[]));
+        let affine = written(keys.velocity_constraints());
+        let is_given = |key: &str| reader.source.has_key(key);
+        reader.refuse_empty("constraints", holonomic.is_empty() && is_given("constraints"))?;
+        let key = "velocity_constraints";
+        reader.refuse_empty(key, affine.is_empty() && is_given(key))?;
         let dynamics = EulerPoincare::read(keys, on_group, reader)?.constrained();
-        Ok(Constrained { dynamics, constraints: Given::Written(constraints) })
+        Ok(Constrained { dynamics, constraints: Given::Written { holonomic, affine } })
     }
 
     /// The dynamics of bodies with joints.
@@ -54,23 +61,23 @@ impl Constrained {
     pub fn motion(&self, start: &Start) -> Result<Ready, InputError> {
         let (group, member) = (start.group, start.member);
         let velocity = match &self.constraints {
-            Given::Written(_) => None,
+            Given::Written { .. } => None,
             #[cfg(feature = "mechanisms")]
             Given::Joints(joints) => Some(joints.velocity(&member.values())?),
         };
         let System { energy, inertia, forces, rows, element, momentum, notes } =
             self.dynamics.system(start, velocity)?;
-        let method = member.method().unwrap_or(Method::GeneralisedAlpha);
-        if method.class() != Class::Constrained {
-            let message = format!("the method {method} does not support constraints");
-            let names = Method::names_of(&[Class::Constrained]);
-            return Err(
-                InputError::mathematics(message).help(format!("methods for constraints: {names}"))
-            );
-        }
-        let step = member.needed_step("a system with constraints")?;
+        let integration = member.integration()?;
+        let method = method_of(&integration)?;
+        let step = match method.has_steps() {
+            true => member.needed_step("a system with constraints")?,
+            false => f64::NAN,
+        };
         let (constraints, count, forces, note) = match &self.constraints {
-            Given::Written(list) => (written(list, forces.names())?, list.len(), forces, None),
+            Given::Written { holonomic, affine } => {
+                let constraints = written(holonomic, affine, forces.names())?;
+                (constraints, holonomic.len() + affine.len(), forces, None)
+            }
             #[cfg(feature = "mechanisms")]
             Given::Joints(joints) => {
                 let forces = joints.with_gravity(&member.values(), &inertia, forces)?;
@@ -80,6 +87,10 @@ impl Constrained {
         };
         let notes = notes.into_iter().chain(note).collect();
         let mut columns = rows.columns;
+        if !constraints.are_workless() {
+            let energies = columns.iter_mut().filter(|column| column.name == "energy");
+            energies.for_each(|column| column.conserved = false);
+        }
         let visible = columns.len();
         let multipliers = (1..=count).map(|a| format!("lambda{a}"));
         columns.extend(multipliers.map(|name| Column::new(name, false)));
@@ -98,20 +109,62 @@ impl Constrained {
             columns: rows.formulas,
             visible,
         };
-        let started = Started { motion: spec.start(group)?, method };
+        let motion = match method.class() {
+            #[cfg(feature = "mechanisms")]
+            Class::AnySystem | Class::Projection => {
+                spec.start_reduced(group, integration.control)?
+            }
+            _ => spec.start(group)?,
+        };
+        let started = Started { motion, method };
         let ready = Ready::new(started, &member.times, columns, rows.events);
         let solids = energy.solids.clone();
         Ok(Ready { inertia: Some(inertia), solids, notes, ..ready })
     }
 }
 
+/// The classes of methods for constraints.
+const CLASSES: &[Class] = if cfg!(feature = "mechanisms") {
+    &[Class::Constrained, Class::AnySystem, Class::Projection]
+} else {
+    &[Class::Constrained]
+};
+
+/// The method of a motion with constraints. By default, it has step-size control unless there is a
+/// step.
+fn method_of(integration: &Integration) -> Result<Method, InputError> {
+    let method = integration.method.unwrap_or(match integration.step {
+        None if cfg!(feature = "mechanisms") => Method::to(integration.control.tolerance),
+        _ => Method::GeneralisedAlpha,
+    });
+    if CLASSES.contains(&method.class()) {
+        return Ok(method);
+    }
+    let message = format!("the method {method} does not support constraints");
+    let names = Method::names_of(CLASSES);
+    Err(InputError::mathematics(message).help(format!("methods for constraints: {names}")))
+}
+
 /// The constraints that are given as formulas.
-fn written(list: &[Written], names: &SymbolTable) -> Result<Constraints, InputError> {
+fn written(
+    holonomic: &[Written],
+    affine: &[Written],
+    names: &SymbolTable,
+) -> Result<Constraints, InputError> {
     let mut constraints = Constraints::default();
-    for written in list {
-        let help =
-            format!("a constraint may contain the entries {} and parameters", names.entries());
+    let entries = names.entries();
+    for written in holonomic {
+        let help = format!("a constraint may contain t, the entries {entries} and parameters");
         let added = constraints.add(written.text(), names);
+        added.map_err(|error| written.refused(error, help))?;
+    }
+    for written in affine {
+        let [own, other] = ["Omega", "omega"].map(|stem| names.expand(stem).join(", "));
+        let help = format!(
+            "a constraint on the velocity is a sum of components {own} or {other}, with \
+             coefficients in t, the entries {entries} and parameters"
+        );
+        let added = constraints.add_affine(written.text(), names);
         added.map_err(|error| written.refused(error, help))?;
     }
     Ok(constraints)

@@ -73,6 +73,7 @@ pub(super) fn read(
         "metric",
         "inertia",
         "constraints",
+        "velocity_constraints",
         "connection",
         "initial.element",
         "initial.coordinates",

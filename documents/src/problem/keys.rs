@@ -31,12 +31,13 @@ pub(super) const OF_GROUPS: [&str; 13] = [
 
 /// The dotted paths of the keys that are allowed only in problems with equations of motion on a
 /// group.
-pub(super) const OF_DYNAMICS: [&str; 10] = [
+pub(super) const OF_DYNAMICS: [&str; 11] = [
     "metric",
     "inertia",
     "connection",
     "forces",
     "constraints",
+    "velocity_constraints",
     "hamiltonian",
     "initial.velocity",
     "initial.spatial_velocity",
@@ -58,13 +59,14 @@ pub(super) const OF_CHARTS: [&str; 9] = [
 ];
 
 /// The dotted paths of the keys that are not allowed in problems on a chart.
-pub(super) const NOT_ON_CHARTS: [&str; 21] = [
+pub(super) const NOT_ON_CHARTS: [&str; 22] = [
     "transport",
     "invariance",
     "inertia",
     "prescribed",
     "hamiltonian",
     "constraints",
+    "velocity_constraints",
     "initial.element",
     "initial.restore",
     "initial.coordinates",
@@ -86,12 +88,13 @@ pub(super) const NOT_ON_CHARTS: [&str; 21] = [
 pub(super) const OF_HOMOGENEOUS: [&str; 1] = ["transport"];
 
 /// The dotted paths of the keys that are not allowed in problems on a homogeneous space.
-pub(super) const NOT_ON_HOMOGENEOUS: [&str; 11] = [
+pub(super) const NOT_ON_HOMOGENEOUS: [&str; 12] = [
     "invariance",
     "inertia",
     "prescribed",
     "hamiltonian",
     "constraints",
+    "velocity_constraints",
     "forces",
     "killing",
     "embedding",
@@ -126,6 +129,8 @@ pub(super) struct Keys {
     pub prescribed: Option<PrescribedKeys>,
     pub hamiltonian: Option<Text>,
     pub constraints: Option<Vec<Text>>,
+    #[cfg(feature = "mechanisms")]
+    pub velocity_constraints: Option<Vec<Text>>,
     #[serde(default)]
     pub forces: ForceKeys,
     #[serde(default)]
@@ -193,4 +198,14 @@ pub(super) struct KillingKeys {
 pub(super) struct PrescribedKeys {
     pub velocity: Option<Vec<Number>>,
     pub spatial_velocity: Option<Vec<Number>>,
+}
+
+impl Keys {
+    /// The formulas of the constraints on the velocity.
+    pub fn velocity_constraints(&self) -> &[Text] {
+        #[cfg(feature = "mechanisms")]
+        return self.velocity_constraints.as_deref().unwrap_or(&[]);
+        #[cfg(not(feature = "mechanisms"))]
+        &[]
+    }
 }

@@ -60,7 +60,8 @@ impl Output {
             Err(error.at(&source.at(name)).help(help))
         };
         let (stop, section) = (event(&output.stop)?, event(&output.section)?);
-        let constraints = keys.constraints.as_ref().map_or(0, Vec::len);
+        let constraints =
+            keys.constraints.as_ref().map_or(0, Vec::len) + keys.velocity_constraints().len();
         let mut following: Vec<String> = (1..=constraints).map(|a| format!("lambda{a}")).collect();
         if constraints > 0 {
             following.extend(["lambda", "violation"].map(String::from));

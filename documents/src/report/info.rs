@@ -5,6 +5,8 @@ mod casimirs;
 mod coefficients;
 #[cfg(feature = "modules")]
 mod cohomology;
+#[cfg(feature = "mechanisms")]
+mod distribution;
 mod exceptional;
 mod forms;
 mod homogeneous;

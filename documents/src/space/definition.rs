@@ -7,8 +7,10 @@ use crate::Coefficient;
 use crate::input::{InputError, Place, Source, shown};
 use affinor::algebra::Complex;
 use affinor::algebra::catalogue::MAX_DIMENSION;
-use affinor::geometry::{ConnectionKind, FrameOrigin, Geometry};
+use affinor::algebra::structure::Subspace;
+use affinor::geometry::{ConnectionKind, FrameOrigin, Geometry, complement_projector};
 use affinor::{Bracket, CanonicalConnection, Error, Law, LieAlgebra, MatrixBasis, Metric};
+use affinor_tensors::linear::Row;
 use affinor_tensors::{Down, Ring, Symbolic, Tensor, Tolerance, Up};
 use num_traits::Zero;
 use std::collections::BTreeMap;
@@ -85,6 +87,8 @@ pub(super) enum ConnectionChoice {
     Family(Symbolic),
     LeviCivita,
     Affinities(Pairs),
+    /// The nonholonomic connection of the distribution that is spanned by these vectors.
+    Nonholonomic(Vec<BTreeMap<usize, Symbolic>>),
 }
 
 /// The components with indices `[i, j, k]`: for each pair `j, k`, the components `v^i` of the
@@ -330,6 +334,11 @@ impl Definition {
                 let gamma = Tensor::from_components(self.dimension(), &slots, components(given)?)?;
                 ConnectionKind::Affinities(gamma.with_tolerance(tolerance))
             }
+            Some(ConnectionChoice::Nonholonomic(vectors)) => {
+                let metric = metric.as_ref().ok_or_else(|| self.without_metric().or_at(place))?;
+                let projector = self.projector(vectors, metric);
+                ConnectionKind::Nonholonomic(projector.map_err(|error| error.or_at(place))?)
+            }
         };
         let geometry = Geometry::new(self.name.clone(), ground, kind, metric)
             .map_err(|error| InputError::from(error).or_at(place))?;
@@ -337,6 +346,38 @@ impl Definition {
             Some(name) => geometry.over(name),
             None => geometry,
         })
+    }
+
+    /// Parses linear combinations of basis vectors, separated by commas, with letters as parameters.
+    #[cfg(feature = "mechanisms")]
+    pub(crate) fn vectors(
+        &self,
+        source: &Source,
+    ) -> Result<Vec<BTreeMap<usize, Symbolic>>, InputError> {
+        let labels = self.labels.iter().cloned().zip(0..).collect();
+        super::notation::Names::open(&labels, self.functions()).vectors(source.content(), source)
+    }
+
+    /// The projector onto the orthogonal complement of the span of some vectors.
+    fn projector<S: Coefficient>(
+        &self,
+        vectors: &[BTreeMap<usize, Symbolic>],
+        metric: &Metric<S>,
+    ) -> Result<Tensor<S>, InputError> {
+        let row = |vector: &BTreeMap<usize, Symbolic>| {
+            vector.iter().map(|(at, value)| Ok((*at, S::read(value)?))).collect()
+        };
+        let rows: Vec<Row<S>> = vectors.iter().map(row).collect::<Result<_, InputError>>()?;
+        let subspace = Subspace::span(self.dimension(), rows);
+        if subspace.dimension() < vectors.len() {
+            let message = format!(
+                "the {} vectors of the distribution are linearly dependent: they span dimension {}",
+                vectors.len(),
+                subspace.dimension()
+            );
+            return Err(InputError::mathematics(message).help("leave dependent vectors out"));
+        }
+        Ok(complement_projector(metric, &subspace)?)
     }
 
     /// Whether the definition has no connection of its own, so that the default is used.
@@ -499,6 +540,9 @@ impl Definition {
         match &mut self.connection {
             Some((ConnectionChoice::Family(lambda), _)) => f(lambda),
             Some((ConnectionChoice::Affinities(given), _)) => brackets(given, f),
+            Some((ConnectionChoice::Nonholonomic(vectors), _)) => {
+                vectors.iter_mut().flat_map(BTreeMap::values_mut).for_each(f);
+            }
             _ => {}
         }
     }

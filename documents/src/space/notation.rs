@@ -100,6 +100,15 @@ impl<'n> Names<'n> {
             .help("a bracket must be a sum of multiples of basis vectors"))
     }
 
+    /// Parses linear combinations of basis vectors, separated by commas.
+    pub fn vectors(
+        &self,
+        text: &str,
+        source: &Source,
+    ) -> Result<Vec<BTreeMap<usize, Symbolic>>, InputError> {
+        split(text).into_iter().map(|text| self.vector(text, source)).collect()
+    }
+
     /// Parses a complex number; `i` is the imaginary unit.
     pub fn complex(&self, text: &str, source: &Source) -> Result<Complex<Symbolic>, InputError> {
         self.read(text, source, &ComplexNumbers(self))
@@ -491,6 +500,10 @@ pub(super) fn connection(
     let family =
         trimmed.strip_prefix("lambda").and_then(|rest| rest.trim_start().strip_prefix('='));
     let place = source.whole(trimmed);
+    let of = trimmed.strip_prefix("nonholonomic");
+    if let Some(vectors) = of.and_then(|rest| enclosed(rest.trim_start(), "(", ')')) {
+        return Ok((ConnectionChoice::Nonholonomic(names.vectors(vectors, source)?), place));
+    }
     let choice = match (trimmed, family) {
         ("plus", _) => ConnectionChoice::Canonical(CanonicalConnection::Plus),
         ("zero", _) => ConnectionChoice::Canonical(CanonicalConnection::Zero),
@@ -503,7 +516,7 @@ pub(super) fn connection(
         _ => {
             let message = format!("`{}` is not a connection", shown(trimmed));
             return Err(InputError::usage(message).at(&place).help(
-                "plus, zero, minus, lambda=1/3, or levi-civita; canonical or natural on G/H",
+                "plus, zero, minus, lambda=1/3, levi-civita, or nonholonomic(VECTOR, ...) of vectors that span the distribution; canonical or natural on G/H",
             ));
         }
     };

@@ -226,4 +226,27 @@ impl MatrixNotation for Nilpotent<f64> {
             partial.iter().map(|(row, _, share)| share * rate[*row]).sum()
         })
     }
+
+    /// Computed by a difference quotient of order 4, because the coordinates of `g exp(s v)` are
+    /// polynomials in `s`.
+    fn second_derivative(
+        &self,
+        g: &Self::Element,
+        _: &[f64],
+        _: &[Generator],
+        partial: &[Partial],
+        v: &Self::Vector,
+    ) -> f64 {
+        let size = v.amax();
+        if size == 0.0 {
+            return 0.0;
+        }
+        let step = 1e-3 / size;
+        let rate = |s: f64| -> f64 {
+            let rate = self.rate(&self.compose(g, &self.exp(&(v * s))), v);
+            partial.iter().map(|(row, _, share)| share * rate[*row]).sum()
+        };
+        let [near, far] = [step, 2.0 * step].map(|s| rate(s) - rate(-s));
+        (8.0 * near - far) / (12.0 * step)
+    }
 }

@@ -225,6 +225,19 @@ impl<G: MatrixNotation> MatrixNotation for Opposite<G> {
         self.coadjoint(g, &self.0.derivatives(g, entries, generators, partial))
     }
 
+    /// The second derivative along `exp(s v) g = g exp(s Ad_g^-1 v)` in the original group.
+    fn second_derivative(
+        &self,
+        g: &Self::Element,
+        entries: &[f64],
+        generators: &[Generator],
+        partial: &[Partial],
+        v: &Self::Vector,
+    ) -> f64 {
+        let v = self.0.adjoint(&self.0.inverse(g), v);
+        self.0.second_derivative(g, entries, generators, partial, &v)
+    }
+
     fn log_rounding(&self, g: &Self::Element, x: &Self::Vector) -> Option<f64> {
         self.0.log_rounding(g, x)
     }

@@ -299,19 +299,29 @@ impl<G: MatrixNotation, H: MatrixNotation> MatrixNotation for Product<G, H> {
     ) -> DVector<f64> {
         let (first, second) = generators.split_at(self.0.dimension());
         let (matrix, other) = (self.0.write(&g.0), self.1.write(&g.1));
-        let (mut upper, mut lower) = (vec![], vec![]);
-        for &(row, _, share) in partial {
-            match row.checked_sub(matrix.len()) {
-                None => upper.push((row / matrix.ncols(), row % matrix.ncols(), share)),
-                Some(row) => lower.push((row / other.ncols(), row % other.ncols(), share)),
-            }
-        }
+        let [upper, lower] = split(partial, &matrix, &other);
         // a function of one factor has no derivatives in the other
         let upper =
             (!upper.is_empty()).then(|| self.0.derivatives(&g.0, matrix.as_slice(), first, &upper));
         let lower =
             (!lower.is_empty()).then(|| self.1.derivatives(&g.1, other.as_slice(), second, &lower));
         self.join_parts(upper, lower).unwrap_or_else(|| DVector::zeros(generators.len()))
+    }
+
+    fn second_derivative(
+        &self,
+        g: &Self::Element,
+        _: &[f64],
+        generators: &[Generator],
+        partial: &[Partial],
+        v: &Self::Vector,
+    ) -> f64 {
+        let (first, second) = generators.split_at(self.0.dimension());
+        let (matrix, other) = (self.0.write(&g.0), self.1.write(&g.1));
+        let [upper, lower] = split(partial, &matrix, &other);
+        let (v, w) = self.split(v);
+        self.0.second_derivative(&g.0, matrix.as_slice(), first, &upper, &v)
+            + self.1.second_derivative(&g.1, other.as_slice(), second, &lower, &w)
     }
 
     /// The larger of the bounds of the two factors. A factor without a bound is ignored.
@@ -326,4 +336,17 @@ impl<G: MatrixNotation, H: MatrixNotation> MatrixNotation for Product<G, H> {
 fn stacked(first: &DMatrix<f64>, second: &DMatrix<f64>) -> DMatrix<f64> {
     let parts = [first.transpose(), second.transpose()];
     DMatrix::from_vec(first.len() + second.len(), 1, parts.map(|m| m.as_slice().to_vec()).concat())
+}
+
+/// Splits derivatives with respect to the entries of a product into those of its two factors, which
+/// have these written forms.
+fn split(partial: &[Partial], first: &DMatrix<f64>, second: &DMatrix<f64>) -> [Vec<Partial>; 2] {
+    let (mut upper, mut lower) = (vec![], vec![]);
+    for &(row, _, share) in partial {
+        match row.checked_sub(first.len()) {
+            None => upper.push((row / first.ncols(), row % first.ncols(), share)),
+            Some(row) => lower.push((row / second.ncols(), row % second.ncols(), share)),
+        }
+    }
+    [upper, lower]
 }

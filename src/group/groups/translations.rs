@@ -150,4 +150,16 @@ where
         partial.iter().for_each(|(row, _, share)| slopes[*row] += share);
         slopes
     }
+
+    /// Returns 0, because the coordinates change linearly.
+    fn second_derivative(
+        &self,
+        _: &Self::Element,
+        _: &[f64],
+        _: &[Generator],
+        _: &[Partial],
+        _: &Self::Vector,
+    ) -> f64 {
+        0.0
+    }
 }

@@ -3,10 +3,10 @@
 use super::Integrator;
 use crate::Error;
 use crate::group::{Coordinates, LieGroup, TranslationSplit};
-use crate::mechanics::systems::constrained::{Constrained, ConstrainedState, Constraint, column};
+use crate::mechanics::systems::constrained::{Constrained, ConstrainedState, column};
+use crate::mechanics::systems::constraint::{Constraint, VelocityConstraints};
 use crate::mechanics::systems::euler_poincare::Torque;
 use crate::mechanics::systems::saddle::{saddle, solve, stacked};
-use nalgebra::{DMatrix, DVector};
 
 /// The generalized-alpha method for constrained systems, in the index-3 formulation. After each
 /// step, the constraints are satisfied, and their time derivatives vanish up to the order of the
@@ -18,8 +18,8 @@ use nalgebra::{DMatrix, DVector};
 /// (1 - alpha_m) a_(n+1) + alpha_m a_n = (1 - alpha_f) v'_(n+1) + alpha_f v'_n
 /// ```
 ///
-/// The equations of motion and the constraints `Phi = 0` at `n + 1` are solved for `v'_(n+1)` and
-/// `lambda_(n+1)` by Newton's method. The coefficients depend on the spectral radius `rho` of a
+/// The equations of motion, the constraints `Phi = 0` and the constraints `A v = b` at `n + 1` are
+/// solved for `v'_(n+1)` and `lambda_(n+1)` by Newton's method. The coefficients depend on the spectral radius `rho` of a
 /// step at infinite frequency: `alpha_m = (2 rho - 1)/(rho + 1)`, `alpha_f = rho/(rho + 1)`,
 /// `gamma = 1/2 + alpha_f - alpha_m`, `beta = (gamma + 1/2)^2/4`. The method has order 2 in `q`,
 /// `v` and `lambda`; fast oscillations are damped.
@@ -111,11 +111,11 @@ impl Coefficients {
         let jerk = (near * 4.0 - far) * (0.5 / s);
         let defect = jerk.clone() * (1.0 / 6.0 - 0.5 * self.lead() - self.beta)
             + system.group().bracket(v, a) * (1.0 / 12.0);
-        let gradient = system.constraint().gradient(&state.element);
-        let matrix = saddle(system.mass(), &gradient, &gradient);
-        let n = system.group().dimension();
-        let right = stacked(&DVector::zeros(n), &(&gradient * column(&defect)));
-        let moved = G::Vector::from_components(&solve(matrix, &right)?.as_slice()[..n]);
+        let constraints = system.velocity_constraints(state.time, &state.element);
+        // constraints on the velocity remain satisfied
+        let mut normal = &constraints.rows * column(&defect);
+        normal.rows_range_mut(constraints.holonomic..).fill(0.0);
+        let moved = system.normal(&constraints.rows, &normal)?;
         let velocity = v.clone() + moved * (h * h);
         Some(ConstrainedState { velocity, lead: Some(jerk * self.lead()), ..state.clone() })
     }
@@ -173,28 +173,37 @@ impl<G: TranslationSplit, C: Constraint<G>, M: Torque<G>> Integrator<Constrained
         let mut last = f64::INFINITY;
         for _ in 0..Self::ITERATIONS {
             let end = method.end(system, &start, &acceleration, h);
-            let gradient = system.constraint().gradient(&end.element);
-            // the constraint force minus all other forces
-            let pull = |end: &End<G>, gradient: &DMatrix<f64>| {
-                gradient.tr_mul(&multipliers) - system.forces(time, &end.element, &end.velocity)
+            let constraints = system.velocity_constraints(time, &end.element);
+            let (gradient, holonomic) = (&constraints.rows, constraints.holonomic);
+            // the constraint force minus all other forces, and the violation of the constraints on
+            // the velocity
+            let pull = |end: &End<G>, constraints: &VelocityConstraints| {
+                let force = constraints.rows.tr_mul(&multipliers)
+                    - system.forces(time, &end.element, &end.velocity);
+                let off = constraints.residual(&column(&end.velocity));
+                (force, off.rows_range(holonomic..) / in_velocity)
             };
-            let here = pull(&end, &gradient);
+            let (here, off) = pull(&end, &constraints);
             let residual = system.mass() * column(&acceleration) + &here;
-            let value = system.constraint().value(&end.element) / in_increment;
+            let value = system.constraint().value(time, &end.element) / in_increment;
+            let value = stacked(&value, &off);
             let speed = end.velocity.largest() + h.abs() * acceleration.largest();
             let nudge = if speed > 0.0 { 1e-7 * speed } else { 1e-7 } / in_velocity;
             let mut tangent = system.mass().clone();
+            let inner =
+                system.group().operator_matrix(|x| system.group().tangent_left(&end.increment, x));
+            let mut rows = gradient * inner;
             for i in 0..n {
                 let other = acceleration.clone() + system.group().basis_vector(i) * nudge;
                 let other = method.end(system, &start, &other, h);
-                let slope =
-                    (pull(&other, &system.constraint().gradient(&other.element)) - &here) / nudge;
+                let there = system.velocity_constraints(time, &other.element);
+                let (force, other_off) = pull(&other, &there);
                 let mut column = tangent.column_mut(i);
-                column += slope;
+                column += (force - &here) / nudge;
+                let mut column = rows.view_mut((holonomic, i), (off.len(), 1));
+                column.copy_from(&((other_off - &off) / nudge));
             }
-            let inner =
-                system.group().operator_matrix(|x| system.group().tangent_left(&end.increment, x));
-            let matrix = saddle(&tangent, &gradient, &(&gradient * inner));
+            let matrix = saddle(&tangent, gradient, &rows);
             let change = solve(matrix, &-stacked(&residual, &value)).ok_or_else(singular)?;
             let by = G::Vector::from_components(&change.as_slice()[..n]);
             acceleration = acceleration + by.clone();

@@ -88,6 +88,29 @@ impl<S: System> Stepper<S> {
         Stepper::Adaptive { control: Arc::new(control), max_steps, next, taken: 0 }
     }
 
+    /// The same steps, each followed by a change of the state.
+    pub(super) fn followed_by(
+        self,
+        after: impl Fn(&S, &mut S::State) -> Result<(), Error> + Send + Sync + 'static,
+    ) -> Self
+    where
+        S: 'static,
+    {
+        match self {
+            Stepper::Fixed { integrator, steps } => {
+                Stepper::Fixed { integrator: Arc::new(Followed { integrator, after }), steps }
+            }
+            Stepper::Adaptive { control, max_steps, next, taken } => {
+                let control = move |system: &S, state: &mut S::State, next: &mut f64, end| {
+                    control(system, state, next, end)?;
+                    after(system, state)
+                };
+                Stepper::Adaptive { control: Arc::new(control), max_steps, next, taken }
+            }
+            Stepper::Exact { at, rate } => Stepper::Exact { at, rate },
+        }
+    }
+
     /// Makes one step towards the time `until`. Returns the time that has been reached. Steps of
     /// free length end no later than `end`, a time on the way to `until`.
     pub(super) fn step(
@@ -131,6 +154,22 @@ impl<S: System> Stepper<S> {
             Stepper::Exact { rate, .. } => EXACT_TURN / rate,
             Stepper::Adaptive { .. } => TURN / rate(),
         }
+    }
+}
+
+/// A method whose steps are followed by a change of the state.
+struct Followed<S: System, F> {
+    integrator: Arc<dyn Integrator<S> + Send + Sync>,
+    after: F,
+}
+
+impl<S: System, F: Fn(&S, &mut S::State) -> Result<(), Error>> Integrator<S> for Followed<S, F> {
+    fn step(&self, system: &S, state: &mut S::State, h: f64) -> Result<(), Error> {
+        let mut next = state.clone();
+        self.integrator.step(system, &mut next, h)?;
+        (self.after)(system, &mut next)?;
+        *state = next;
+        Ok(())
     }
 }
 

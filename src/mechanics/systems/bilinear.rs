@@ -2,6 +2,8 @@
 
 use crate::group::Coordinates;
 use affinor_tensors::Tensor;
+use nalgebra::DMatrix;
+use std::collections::BTreeMap;
 
 /// The bilinear map `f_i = b_i^jk x_j y_k`, stored as its nonzero coefficients.
 #[derive(Clone, Debug)]
@@ -28,6 +30,20 @@ impl Bilinear {
     pub(super) fn of_momentum(coefficients: &Tensor<f64>) -> Self {
         let terms = coefficients.components().map(|(at, value)| (at[2], [at[1], at[0]], *value));
         Self::new(coefficients.dimension(), terms)
+    }
+
+    /// The map `f_i = m^l_i b_l^jk x_j y_k` of a matrix `m^l_i` with rows `l` and columns `i`.
+    pub(super) fn combined(&self, matrix: &DMatrix<f64>) -> Self {
+        let mut sums: BTreeMap<(usize, [usize; 2]), f64> = BTreeMap::new();
+        for i in 0..matrix.ncols() {
+            for (l, row) in self.rows.iter().enumerate() {
+                for (at, value) in row {
+                    *sums.entry((i, *at)).or_default() += matrix[(l, i)] * value;
+                }
+            }
+        }
+        let terms = sums.into_iter().filter(|(_, value)| *value != 0.0);
+        Self::new(matrix.ncols(), terms.map(|((i, at), value)| (i, at, value)))
     }
 
     #[inline]

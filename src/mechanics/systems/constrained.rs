@@ -1,42 +1,30 @@
-//! Mechanical systems with holonomic constraints on a group.
+//! Mechanical systems with constraints on a group.
 
 use super::System;
 use super::bilinear::Bilinear;
+use super::constraint::{Constraint, VelocityConstraints};
 use super::euler_poincare::{Free, Torque, expect_on_group};
 use super::saddle::{saddle, solve, stacked};
 use crate::group::{Coordinates, LieGroup, TranslationSplit};
 use crate::{Connection, Error, Metric};
 use nalgebra::{DMatrix, DVector};
 
-/// Holonomic constraints `Phi(q) = 0`. Steps panic if the number of constraints depends on the
-/// element.
-pub trait Constraint<G: LieGroup> {
-    /// The values `Phi^a(q)`.
-    fn value(&self, element: &G::Element) -> DVector<f64>;
-
-    /// The gradient `B^a_i`, the derivative of `Phi^a(q exp(s e_i))` at `s = 0`, with one row for
-    /// each constraint.
-    fn gradient(&self, element: &G::Element) -> DMatrix<f64>;
-
-    /// The value and the gradient of the constraint `a`, counted from 0. By default, all constraints
-    /// are evaluated.
-    fn single(&self, element: &G::Element, a: usize) -> (f64, DVector<f64>) {
-        (self.value(element)[a], self.gradient(element).row(a).transpose())
-    }
-}
-
-/// The system of a connection, a metric `J`, external forces `M` and holonomic constraints on a
-/// group:
+/// The system of a connection, a metric `J`, external forces `M` and constraints on a group:
 ///
 /// ```text
-/// q' = q v,   J_ij v'^j = Lambda^j_ki v^k J_jl v^l + M_i(t, q, v) - B^a_i(q) lambda_a,   Phi^a(q) = 0
+/// q' = q v,   J_ij v'^j = Lambda^j_ki v^k J_jl v^l + M_i(t, q, v) - B^a_i lambda_a - A^b_i lambda_b
+/// Phi^a(t, q) = 0,   A^b_i(t, q) v^i = b^b(t, q)
 /// ```
 ///
 /// in left (body) components. These are the equations of motion (104) of
 /// [`EulerPoincare`](super::EulerPoincare), with Lagrange multipliers `lambda`; `q` and `v` replace
 /// `g` and `Omega`. With the connection `plus`, they are the Euler-Poincare equations.
-/// `B^a_i = e_i(Phi^a)` is the [gradient](Constraint::gradient). The constraints must be
-/// independent, which means that the rows of `B` are linearly independent where `Phi = 0`.
+/// `B^a_i = e_i(Phi^a)` is the [gradient](Constraint::gradient). By the principle of Lagrange and
+/// d'Alembert, the constraint forces do no work on velocities with `B v = 0` and `A v = 0`. The
+/// multipliers of the holonomic constraints come first. The constraints must be independent, which
+/// means that the rows of `B` and `A` are linearly independent where `Phi = 0`.
+///
+/// A. M. Bloch, *Nonholonomic Mechanics and Control* (2015), chapter 5.
 ///
 /// ```
 /// use affinor::mechanics::{Constrained, Constraint, GeneralisedAlpha, Integrator};
@@ -47,10 +35,10 @@ pub trait Constraint<G: LieGroup> {
 /// // a pendulum of length 1 and mass 1 in the plane, gravity 1
 /// struct Rod;
 /// impl Constraint<Translations<Const<2>>> for Rod {
-///     fn value(&self, x: &Vector2<f64>) -> DVector<f64> {
+///     fn value(&self, _: f64, x: &Vector2<f64>) -> DVector<f64> {
 ///         dvector![0.5 * (x.norm_squared() - 1.0)]
 ///     }
-///     fn gradient(&self, x: &Vector2<f64>) -> DMatrix<f64> {
+///     fn gradient(&self, _: f64, x: &Vector2<f64>) -> DMatrix<f64> {
 ///         DMatrix::from_row_slice(1, 2, &[x.x, x.y])
 ///     }
 /// }
@@ -179,36 +167,40 @@ impl<G: TranslationSplit, C: Constraint<G>, M: Torque<G>> Constrained<G, C, M> {
     /// [`Error::Shape`] unless the gradient has one row for each constraint, and one column for
     /// each component of a vector. [`Error::Invalid`] if a value is not finite, if the element or
     /// the velocity violates a constraint, if a gradient differs from the difference quotients, or
-    /// if the constraints are dependent.
+    /// if the constraints are dependent. If the velocity violates a constraint, the message contains
+    /// the [nearest velocity](Self::nearest_velocity) that does not.
     pub fn state(
         &self,
         time: f64,
         element: G::Element,
         velocity: &G::Vector,
     ) -> Result<ConstrainedState<G>, Error> {
-        let value = self.constraint.value(&element);
-        let gradient = self.constraint.gradient(&element);
-        let n = self.group.dimension();
-        if gradient.shape() != (value.len(), n) {
-            return Err(Error::Shape {
-                what: "the gradient of the constraints",
-                expected: format!("{} rows and {n} columns", value.len()),
-                found: format!("{} and {}", gradient.nrows(), gradient.ncols()),
-            });
+        let value = self.constraint.value(time, &element);
+        let gradient = self.constraint.gradient(time, &element);
+        expect_shape("the gradient of the constraints", value.len(), &gradient, &self.group)?;
+        if let Some((matrix, right)) = self.constraint.affine(time, &element) {
+            expect_shape("the matrix of the constraints", right.len(), &matrix, &self.group)?;
         }
+        let constraints = self.velocity_constraints(time, &element);
+        let gradient = &constraints.rows;
         let finite = velocity.is_finite() && gradient.iter().all(|b| b.is_finite());
         if !finite || !time.is_finite() {
             return Err(invalid("the time, the velocity or a gradient is not finite".into()));
         }
-        for a in 0..value.len() {
+        for a in 0..gradient.nrows() {
             let row = gradient.row(a).transpose();
-            self.expect_satisfied(a, value[a], &row, &element, velocity)?;
-            self.expect_derivative(a, &row, &element)?;
+            if a < value.len() {
+                self.expect_value(a, value[a], &row, (time, &element))?;
+            }
+            self.expect_velocity(a, &constraints, (time, &element), velocity)?;
+            if a < value.len() {
+                self.expect_derivative(a, &row, (time, &element))?;
+            }
         }
         if let Some(force) = self.forces(time, &element, velocity).iter().find(|m| !m.is_finite()) {
             return Err(invalid(format!("a force is {force}")));
         }
-        if let Some(a) = first_dependent(&gradient) {
+        if let Some(a) = first_dependent(gradient) {
             let why = if gradient.row(a).norm() == 0.0 {
                 "has a zero gradient here"
             } else {
@@ -229,14 +221,71 @@ impl<G: TranslationSplit, C: Constraint<G>, M: Torque<G>> Constrained<G, C, M> {
         0.5 * velocity.dot(&(&self.mass * &velocity))
     }
 
-    /// The largest violation `|Phi^a(q)|` of a constraint.
+    /// The largest violation of a constraint: `|Phi^a(t, q)|` of a holonomic constraint, and
+    /// `|A^b_i v^i - b^b|` of a constraint on the velocity.
     pub fn violation(&self, state: &ConstrainedState<G>) -> f64 {
-        self.constraint.value(&state.element).amax()
+        self.violation_at(state.time, &state.element, &state.velocity)
     }
 
-    /// The largest violation `|B^a_i v^i|` of a constraint by the velocity.
+    /// The largest violation of a constraint at a time, an element and a velocity.
+    pub(in crate::mechanics) fn violation_at(
+        &self,
+        time: f64,
+        element: &G::Element,
+        velocity: &G::Vector,
+    ) -> f64 {
+        let holonomic = largest(self.constraint.value(time, element));
+        match self.constraint.affine(time, element) {
+            Some((matrix, right)) => holonomic.max(largest(matrix * column(velocity) - right)),
+            None => holonomic,
+        }
+    }
+
+    /// The largest violation of a constraint by the velocity: `|B^a_i v^i + dPhi^a/dt|` for a
+    /// holonomic constraint, and `|A^b_i v^i - b^b|` for a constraint on the velocity.
     pub fn velocity_violation(&self, state: &ConstrainedState<G>) -> f64 {
-        (self.constraint.gradient(&state.element) * column(&state.velocity)).amax()
+        let constraints = self.velocity_constraints(state.time, &state.element);
+        largest(constraints.residual(&column(&state.velocity)))
+    }
+
+    /// The velocity nearest to `velocity` that satisfies all constraints at an element, where
+    /// distances are measured by the kinetic energy. Returns `None` if it is not unique or not
+    /// finite.
+    pub fn nearest_velocity(
+        &self,
+        time: f64,
+        element: &G::Element,
+        velocity: &G::Vector,
+    ) -> Option<G::Vector> {
+        let constraints = self.velocity_constraints(time, element);
+        let residual = constraints.residual(&column(velocity));
+        Some(velocity.clone() - self.normal(&constraints.rows, &residual)?)
+    }
+
+    /// The smallest vector `x` with `rows x = right`, measured by the kinetic energy.
+    pub(in crate::mechanics) fn normal(
+        &self,
+        rows: &DMatrix<f64>,
+        right: &DVector<f64>,
+    ) -> Option<G::Vector> {
+        let n = self.group.dimension();
+        let right = stacked(&DVector::zeros(n), right);
+        let solution = solve(saddle(&self.mass, rows, rows), &right)?;
+        Some(G::Vector::from_components(&solution.as_slice()[..n]))
+    }
+
+    /// All constraints on the velocity.
+    pub(in crate::mechanics) fn velocity_constraints(
+        &self,
+        time: f64,
+        element: &G::Element,
+    ) -> VelocityConstraints {
+        VelocityConstraints::at(&self.constraint, time, element)
+    }
+
+    /// The bilinear map `Lambda^j_ki v^k H_j`.
+    pub(super) fn inertial(&self) -> &Bilinear {
+        &self.inertial
     }
 
     pub(in crate::mechanics) fn mass(&self) -> &DMatrix<f64> {
@@ -261,63 +310,104 @@ impl<G: TranslationSplit, C: Constraint<G>, M: Torque<G>> Constrained<G, C, M> {
         column(&force)
     }
 
-    /// The acceleration `v'` and the multipliers `lambda`, computed from the second time derivative
-    /// of the constraints: `B v' + (B v)' = 0`. Returns `None` if the solution is not unique or not
-    /// finite.
+    /// The acceleration `v'` and the multipliers `lambda`, computed from the time derivatives of all
+    /// constraints on the velocity. Returns `None` if the solution is not unique or not finite.
     pub(in crate::mechanics) fn accelerated(
         &self,
         time: f64,
         element: &G::Element,
         velocity: &G::Vector,
     ) -> Option<(G::Vector, DVector<f64>)> {
-        let gradient = self.constraint.gradient(element);
-        let bending = DVector::from_fn(gradient.nrows(), |a, _| {
-            let rate = |s: f64| {
-                let moved = self.moved(element, &(velocity.clone() * s));
-                self.constraint.single(&moved, a).1.dot(&column(velocity))
-            };
-            self.bend(element, velocity, a).map_or(0.0, |step| slope(rate, step))
-        });
-        let right = stacked(&self.forces(time, element, velocity), &-bending);
-        let solution = solve(saddle(&self.mass, &gradient, &gradient), &right)?;
+        let constraints = self.velocity_constraints(time, element);
+        let drift = self.drift(&constraints, time, element, velocity);
+        let right = stacked(&self.forces(time, element, velocity), &-drift);
+        let rows = &constraints.rows;
+        let solution = solve(saddle(&self.mass, rows, rows), &right)?;
         let n = self.group.dimension();
         let acceleration = G::Vector::from_components(&solution.as_slice()[..n]);
         Some((acceleration, solution.rows_range(n..).into_owned()))
+    }
+
+    /// The time derivatives of `rows v - right` at constant `v`.
+    fn drift(
+        &self,
+        constraints: &VelocityConstraints,
+        time: f64,
+        element: &G::Element,
+        velocity: &G::Vector,
+    ) -> DVector<f64> {
+        let given = self.constraint.second_rate(time, element, velocity);
+        let holonomic = given.unwrap_or_else(|| {
+            DVector::from_fn(constraints.holonomic, |a, _| {
+                let is_timed = self.constraint.rate(time, element).is_some();
+                let rate = |s: f64| {
+                    let moved = self.moved(element, &(velocity.clone() * s));
+                    let slope =
+                        self.constraint.single(time + s, &moved, a).1.dot(&column(velocity));
+                    slope + self.constraint.rate(time + s, &moved).map_or(0.0, |rates| rates[a])
+                };
+                let step = self.bend((time, element), velocity, a);
+                step.or(is_timed.then_some(BEND)).map_or(0.0, |step| slope(rate, step))
+            })
+        });
+        if constraints.rows.nrows() == constraints.holonomic {
+            return holonomic;
+        }
+        stacked(&holonomic, &self.constraint.affine_rate(time, element, velocity))
     }
 }
 
 /// Checks of an initial condition. They do not depend on the units of length, time and mass.
 impl<G: TranslationSplit, C: Constraint<G>, M: Torque<G>> Constrained<G, C, M> {
-    /// Checks that an element and a velocity satisfy a constraint. The check uses the value and the
+    /// Checks that an element satisfies a holonomic constraint. The check uses the value and the
     /// gradient of the constraint at the element.
-    fn expect_satisfied(
+    fn expect_value(
         &self,
         a: usize,
         value: f64,
         gradient: &DVector<f64>,
-        element: &G::Element,
-        velocity: &G::Vector,
+        at: (f64, &G::Element),
     ) -> Result<(), Error> {
         let normal = G::Vector::from_components(gradient.as_slice()) * (1.0 / gradient.norm());
         // estimates the change of the constraint over the length scale of its gradient
-        let change = match self.bend(element, &normal, a) {
+        let change = match self.bend(at, &normal, a) {
             Some(step) => gradient.norm() * step / BEND,
             None => 1.0 + gradient.norm(),
         };
-        let rate = gradient.dot(&column(velocity));
-        let terms =
-            gradient.iter().enumerate().map(|(i, b)| b.abs() * self.largest_like(i, velocity));
-        let a = a + 1;
         if value.is_nan() || value.abs() > OFF * change {
-            return Err(invalid(format!("constraint {a} is {value}, not 0")));
-        }
-        // adds a tolerance, because a body at rest may have a velocity such as sin(pi), which is
-        // not exactly zero
-        let rest = f64::EPSILON * gradient.norm();
-        if rate.abs() > rest + OFF * terms.sum::<f64>() {
-            return Err(invalid(format!("constraint {a} changes at the rate {rate}, not 0")));
+            return Err(invalid(format!("constraint {} is {value}, not 0", a + 1)));
         }
         Ok(())
+    }
+
+    /// Checks that a velocity satisfies a constraint.
+    fn expect_velocity(
+        &self,
+        a: usize,
+        constraints: &VelocityConstraints,
+        (time, element): (f64, &G::Element),
+        velocity: &G::Vector,
+    ) -> Result<(), Error> {
+        let row = constraints.rows.row(a).transpose();
+        let (value, right) = (row.dot(&column(velocity)), constraints.right[a]);
+        let rate = value - right;
+        let terms = row.iter().enumerate().map(|(i, b)| b.abs() * self.largest_like(i, velocity));
+        // adds a tolerance, because a body at rest may have a velocity such as sin(pi), which is
+        // not exactly zero
+        let rest = f64::EPSILON * row.norm();
+        if rate.abs() <= rest + OFF * (terms.sum::<f64>() + right.abs()) {
+            return Ok(());
+        }
+        let nearest = self.nearest_velocity(time, element, velocity).map_or(String::new(), |v| {
+            let components: Vec<_> = v.components().iter().map(f64::to_string).collect();
+            format!("; the nearest velocity that satisfies all is [{}]", components.join(", "))
+        });
+        let a = a + 1;
+        Err(invalid(if a > constraints.holonomic {
+            format!("constraint {a} on the velocity has the value {value}, not {right}{nearest}")
+        } else {
+            format!("constraint {a} changes at the rate {rate}, not 0{nearest}")
+        }))
     }
 
     /// Checks the gradient of a constraint against difference quotients.
@@ -325,14 +415,16 @@ impl<G: TranslationSplit, C: Constraint<G>, M: Torque<G>> Constrained<G, C, M> {
         &self,
         a: usize,
         gradient: &DVector<f64>,
-        element: &G::Element,
+        (time, element): (f64, &G::Element),
     ) -> Result<(), Error> {
         let components = G::Vector::from_components(gradient.as_slice());
         for (i, &given) in gradient.iter().enumerate() {
             let unit = self.group.basis_vector(i);
-            let step = self.bend(element, &unit, a).unwrap_or(STRAIGHT);
-            let value =
-                |s: f64| self.constraint.single(&self.moved(element, &(unit.clone() * s)), a).0;
+            let step = self.bend((time, element), &unit, a).unwrap_or(STRAIGHT);
+            let value = |s: f64| {
+                let moved = self.moved(element, &(unit.clone() * s));
+                self.constraint.single(time, &moved, a).0
+            };
             let slope = slope(value, step);
             let like = self.largest_like(i, &components);
             let size = if like > 0.0 { like } else { gradient.amax() };
@@ -361,8 +453,11 @@ impl<G: TranslationSplit, C: Constraint<G>, M: Torque<G>> Constrained<G, C, M> {
     /// The step `s` for which the gradient of a constraint changes by about the fraction [`BEND`]
     /// of its size between `q` and `q exp(s x)`. The result does not depend on the units of length
     /// and time. Returns `None` if the gradient does not change.
-    fn bend(&self, element: &G::Element, x: &G::Vector, a: usize) -> Option<f64> {
-        let row = |s: f64| self.constraint.single(&self.moved(element, &(x.clone() * s)), a).1;
+    fn bend(&self, (time, element): (f64, &G::Element), x: &G::Vector, a: usize) -> Option<f64> {
+        let row = |s: f64| {
+            let moved = self.moved(element, &(x.clone() * s));
+            self.constraint.single(time, &moved, a).1
+        };
         let (here, size) = (row(0.0), x.largest());
         let is_usual = size > 0.0 && size.is_finite() && here.norm() > 0.0;
         let (mut s, mut before) = if is_usual { (BEND / size, 0.0) } else { return None };
@@ -395,6 +490,29 @@ impl<G: TranslationSplit, C: Constraint<G>, M: Torque<G>> Constrained<G, C, M> {
         }
         Some(s)
     }
+}
+
+/// Checks the shape of a matrix with `count` rows that act on vectors of a group.
+fn expect_shape<G: LieGroup>(
+    what: &'static str,
+    count: usize,
+    matrix: &DMatrix<f64>,
+    group: &G,
+) -> Result<(), Error> {
+    let n = group.dimension();
+    if matrix.shape() == (count, n) {
+        return Ok(());
+    }
+    Err(Error::Shape {
+        what,
+        expected: format!("{count} rows and {n} columns"),
+        found: format!("{} and {}", matrix.nrows(), matrix.ncols()),
+    })
+}
+
+/// The largest component of a vector by absolute value; 0 if there are no components.
+fn largest(vector: DVector<f64>) -> f64 {
+    vector.iter().map(|x| x.abs()).fold(0.0, f64::max)
 }
 
 fn invalid(reason: String) -> Error {

@@ -10,11 +10,11 @@ use nalgebra::{Const, DMatrix, DVector, SVector, Vector1, Vector2, dvector};
 struct Nothing;
 
 impl Constraint<Translations<Const<1>>> for Nothing {
-    fn value(&self, _: &Vector1<f64>) -> DVector<f64> {
+    fn value(&self, _: f64, _: &Vector1<f64>) -> DVector<f64> {
         DVector::zeros(0)
     }
 
-    fn gradient(&self, _: &Vector1<f64>) -> DMatrix<f64> {
+    fn gradient(&self, _: f64, _: &Vector1<f64>) -> DMatrix<f64> {
         DMatrix::zeros(0, 1)
     }
 }
@@ -57,11 +57,11 @@ fn high_frequencies_are_damped_by_the_spectral_radius() {
 struct Rod;
 
 impl Constraint<Translations<Const<2>>> for Rod {
-    fn value(&self, x: &Vector2<f64>) -> DVector<f64> {
+    fn value(&self, _: f64, x: &Vector2<f64>) -> DVector<f64> {
         dvector![0.5 * (x.norm_squared() - 1.0)]
     }
 
-    fn gradient(&self, x: &Vector2<f64>) -> DMatrix<f64> {
+    fn gradient(&self, _: f64, x: &Vector2<f64>) -> DMatrix<f64> {
         DMatrix::from_row_slice(1, 2, x.as_slice())
     }
 }

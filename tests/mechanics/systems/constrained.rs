@@ -60,21 +60,21 @@ fn support(left: &Matrix3<f64>, turned: &Matrix3<f64>, order: [usize; 2]) -> DMa
 }
 
 impl Constraint<Space> for Support {
-    fn value(&self, (x, q): &(Vector3<f64>, UnitQuaternion<f64>)) -> DVector<f64> {
+    fn value(&self, _: f64, (x, q): &(Vector3<f64>, UnitQuaternion<f64>)) -> DVector<f64> {
         DVector::from_column_slice((q * ARM - x).as_slice())
     }
 
-    fn gradient(&self, (_, q): &(Vector3<f64>, UnitQuaternion<f64>)) -> DMatrix<f64> {
+    fn gradient(&self, _: f64, (_, q): &(Vector3<f64>, UnitQuaternion<f64>)) -> DMatrix<f64> {
         support(&Matrix3::identity(), &rotation(q), [0, 3])
     }
 }
 
 impl Constraint<Se3> for Support {
-    fn value(&self, g: &Isometry3<f64>) -> DVector<f64> {
+    fn value(&self, _: f64, g: &Isometry3<f64>) -> DVector<f64> {
         DVector::from_column_slice((g.rotation * ARM - g.translation.vector).as_slice())
     }
 
-    fn gradient(&self, g: &Isometry3<f64>) -> DMatrix<f64> {
+    fn gradient(&self, _: f64, g: &Isometry3<f64>) -> DMatrix<f64> {
         support(&rotation(&g.rotation), &rotation(&g.rotation), [3, 0])
     }
 }
@@ -297,11 +297,11 @@ fn multipliers_have_no_transient() {
 struct Nothing;
 
 impl<G: TranslationSplit> Constraint<G> for Nothing {
-    fn value(&self, _: &G::Element) -> DVector<f64> {
+    fn value(&self, _: f64, _: &G::Element) -> DVector<f64> {
         DVector::zeros(0)
     }
 
-    fn gradient(&self, element: &G::Element) -> DMatrix<f64> {
+    fn gradient(&self, _: f64, element: &G::Element) -> DMatrix<f64> {
         let _ = element;
         DMatrix::zeros(0, 3)
     }
@@ -355,11 +355,11 @@ fn a_connection_is_a_choice() {
 struct Rod;
 
 impl Constraint<Translations<Const<2>>> for Rod {
-    fn value(&self, x: &Vector2<f64>) -> DVector<f64> {
+    fn value(&self, _: f64, x: &Vector2<f64>) -> DVector<f64> {
         dvector![0.5 * (x.norm_squared() - 1.0)]
     }
 
-    fn gradient(&self, x: &Vector2<f64>) -> DMatrix<f64> {
+    fn gradient(&self, _: f64, x: &Vector2<f64>) -> DMatrix<f64> {
         DMatrix::from_row_slice(1, 2, &[x.x, x.y])
     }
 }
@@ -407,11 +407,11 @@ struct Curve;
 type Line = Product<MatrixGroup, Translations<Const<1>>>;
 
 impl Constraint<Line> for Curve {
-    fn value(&self, (g, x): &<Line as LieGroup>::Element) -> DVector<f64> {
+    fn value(&self, _: f64, (g, x): &<Line as LieGroup>::Element) -> DVector<f64> {
         dvector![g[(0, 1)] - x[0].sin()]
     }
 
-    fn gradient(&self, (g, x): &<Line as LieGroup>::Element) -> DMatrix<f64> {
+    fn gradient(&self, _: f64, (g, x): &<Line as LieGroup>::Element) -> DMatrix<f64> {
         DMatrix::from_row_slice(1, 3, &[0.0, g[(0, 0)], -x[0].cos()])
     }
 }
@@ -455,11 +455,11 @@ struct Given<V, B>(V, B);
 impl<V: Fn(&Vector2<f64>) -> DVector<f64>, B: Fn(&Vector2<f64>) -> DMatrix<f64>>
     Constraint<Translations<Const<2>>> for Given<V, B>
 {
-    fn value(&self, x: &Vector2<f64>) -> DVector<f64> {
+    fn value(&self, _: f64, x: &Vector2<f64>) -> DVector<f64> {
         self.0(x)
     }
 
-    fn gradient(&self, x: &Vector2<f64>) -> DMatrix<f64> {
+    fn gradient(&self, _: f64, x: &Vector2<f64>) -> DMatrix<f64> {
         self.1(x)
     }
 }
@@ -492,7 +492,9 @@ fn what_is_no_state_is_refused() {
     let inside = reason(system.state(0.0, Vector2::new(0.5, 0.0), &zero));
     assert_eq!(inside, "constraint 1 is -0.375, not 0");
     let leaving = reason(system.state(0.0, Vector2::new(1.0, 0.0), &Vector2::new(0.25, 1.0)));
-    assert_eq!(leaving, "constraint 1 changes at the rate 0.25, not 0");
+    let expected = "constraint 1 changes at the rate 0.25, not 0; \
+                    the nearest velocity that satisfies all is [0, 1]";
+    assert_eq!(leaving, expected);
     for (time, x, v) in [(f64::NAN, 1.0, 0.0), (0.0, f64::NAN, 0.0), (0.0, 1.0, f64::INFINITY)] {
         reason(system.state(time, Vector2::new(x, 0.0), &Vector2::new(0.0, v)));
     }

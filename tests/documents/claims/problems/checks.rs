@@ -404,6 +404,26 @@ pub const CHECKS: &[Check] = &[
         println!("{name}: {whole:.1e} {half:.1e}, order {order}");
         assert!(whole < 1e-3 && (order - 2.0).abs() < 0.1, "{whole:e} {half:e}");
     }),
+    // the sleigh turns round: the edge slides with the speed of the same energy in the end
+    ("sleigh", |name| {
+        let run = Run::new(&open(name), 0);
+        run.keeps(&["energy"], 1e-10);
+        let (m, a, inertia) = (2.0f64, 0.3f64, 0.5f64);
+        let about = inertia + m * a * a;
+        let top = (2.0 * run.column("energy")[0] / m).sqrt();
+        let (start, rate) = ((-0.5 / top).atanh(), a * m * top / about);
+        for (time, speed) in run.column("t").into_iter().zip(run.column("Omega2")) {
+            assert!((speed - top * (rate * time + start).tanh()).abs() < 1e-10, "{time}");
+        }
+    }),
+    // its numbers at the end are those of an independent program: see `nonholonomic`
+    ("rolling_disk", |name| {
+        let run = Run::new(&open(name), 0);
+        run.keeps(&["energy"], 1e-8);
+        assert!(run.column("violation").iter().all(|off| off.abs() < 1e-12));
+        let place = run.values(run.at(2.0), &["x", "y"]);
+        assert!(off(&place, &[0.88976451932, -5.41445916605]) < 1e-9, "{place:?}");
+    }),
     ("joined_bodies", |name| {
         let run = Run::new(&open(name), 0);
         let sums = ["linear1", "linear2", "linear3", "angular1", "angular2", "angular3"];
