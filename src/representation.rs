@@ -35,6 +35,7 @@ mod embeddings;
 mod error;
 mod exceptional;
 mod highest_weight;
+mod levi;
 mod matrices;
 mod named;
 pub mod names;

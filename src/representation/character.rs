@@ -95,7 +95,16 @@ impl HighestWeight {
     /// exceed the limits.
     pub fn character(&self) -> Result<Character, RepresentationError> {
         let _stage = stage("weights");
-        Freudenthal::new(self)?.character()
+        let weights = self.lowered_weights()?.into_iter();
+        Ok(Character::of(self.algebra(), weights.map(|(weight, _, m)| (weight, m)).collect()))
+    }
+
+    /// The dominant weights `μ` of the [character](Self::character), with the coefficients of
+    /// `λ - μ` over the simple roots and with their multiplicities.
+    pub(super) fn lowered_weights(
+        &self,
+    ) -> Result<Vec<(Vec<i64>, Vec<i64>, i128)>, RepresentationError> {
+        Ok(Freudenthal::new(self)?.multiplicities())
     }
 }
 
@@ -159,7 +168,7 @@ impl<'a> Freudenthal<'a> {
         Ok(Freudenthal { algebra, half_lengths, weights, differences, index, orbits })
     }
 
-    fn character(mut self) -> Result<Character, RepresentationError> {
+    fn multiplicities(mut self) -> Vec<(Vec<i64>, Vec<i64>, i128)> {
         let mut order: Vec<usize> = (0..self.weights.len()).collect();
         order.sort_by_key(|&at| self.differences[at].iter().sum::<i64>());
         let mut multiplicities = vec![0_i128; self.weights.len()];
@@ -201,9 +210,11 @@ impl<'a> Freudenthal<'a> {
             let norm = i128::from(self.product(&self.differences[at], &total));
             multiplicities[at] = sum / norm;
         }
-        let weights = order.iter().map(|&at| std::mem::take(&mut self.weights[at]));
-        let multiplicities = order.iter().map(|&at| multiplicities[at]);
-        Ok(Character::of(self.algebra, weights.zip(multiplicities).collect()))
+        let taken = order.iter().map(|&at| {
+            let weight = std::mem::take(&mut self.weights[at]);
+            (weight, std::mem::take(&mut self.differences[at]), multiplicities[at])
+        });
+        taken.collect()
     }
 
     /// The product `(β, ν)` of a sum of simple roots with a weight.

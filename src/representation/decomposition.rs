@@ -1,5 +1,6 @@
 //! Decompositions into irreducible representations.
 
+use super::levi::Levi;
 use super::packed::{Packing, Word};
 use super::{Character, HighestWeight, ReductiveAlgebra, RepresentationError};
 use affinor_tensors::stop::{checkpoint, stage};
@@ -11,6 +12,10 @@ use std::fmt;
 
 /// The maximum number of different irreducible components.
 const MAX_COMPONENTS: usize = 1 << 21;
+
+/// The order of the Weyl group of a Levi subalgebra from which on the components of a restriction
+/// cost less than all weights.
+const LEVI_ORDER: f64 = 24.0;
 
 /// Irreducible representations with their multiplicities, by highest weights in descending
 /// lexicographic order.
@@ -162,11 +167,15 @@ impl fmt::Display for Decomposition {
     /// The components by dimension, such as `1 + 2 (8) + 10`. Components without a
     /// [name](super::names::name) are written by their labels.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let mut components: Vec<_> =
-            self.components().map(|(weight, m)| (weight.dimension(), weight, m)).collect();
+        let names = super::names::names(self.components.iter().map(|(weight, _)| weight));
+        let mut components: Vec<_> = self
+            .components()
+            .zip(names)
+            .map(|((weight, m), name)| (weight.dimension(), weight, m, name))
+            .collect();
         components.sort_by(|a, b| a.0.cmp(&b.0));
-        let terms = components.into_iter().map(|(_, weight, multiplicity)| {
-            let name = super::names::name(weight).unwrap_or_else(|| weight.to_string());
+        let terms = components.into_iter().map(|(_, weight, multiplicity, name)| {
+            let name = name.unwrap_or_else(|| weight.to_string());
             if multiplicity == 1 { name } else { format!("{multiplicity} ({name})") }
         });
         let terms: Vec<String> = terms.collect();
@@ -266,6 +275,26 @@ impl Sum {
         factor: i128,
         character: &Character,
     ) -> Option<()> {
+        let levi = match packed.projection {
+            None => {
+                Levi::stabilizing(base, &packed.target).filter(|levi| levi.order() >= LEVI_ORDER)
+            }
+            Some(_) => None,
+        };
+        match levi.and_then(|levi| levi.components(character)) {
+            Some(components) => self.add_components(&packed.target, base, factor, &components),
+            None => self.add_weights(packed, base, factor, character),
+        }
+    }
+
+    /// The same, with one term for each weight.
+    fn add_weights<W: Word>(
+        &mut self,
+        packed: &Packed<W>,
+        base: &HighestWeight,
+        factor: i128,
+        character: &Character,
+    ) -> Option<()> {
         let Packed { source, target, projection, steps } = packed;
         let rank = self.algebra.semisimple_rank();
         let mut sums: FxHashMap<W, i128> = FxHashMap::default();
@@ -290,6 +319,37 @@ impl Sum {
             });
             checkpoint();
         }
+        self.add_packed_sums(target, sums)
+    }
+
+    /// The same for the components of the restriction of the character to the Levi subalgebra that
+    /// stabilizes the weight.
+    fn add_components<W: Word>(
+        &mut self,
+        target: &Packing<W>,
+        base: &HighestWeight,
+        factor: i128,
+        components: &[(W, i128)],
+    ) -> Option<()> {
+        let rank = self.algebra.semisimple_rank();
+        let shift = base.labels().iter().enumerate().map(|(i, l)| l + i64::from(i < rank));
+        let shift = target.vector(&shift.collect::<Vec<_>>());
+        let mut sums: FxHashMap<W, i128> = FxHashMap::default();
+        for &(weight, multiplicity) in components {
+            checkpoint();
+            if let Some((weight, odd)) = target.straighten(weight.wrapping_add(&shift)) {
+                let multiplicity = multiplicity * factor;
+                *sums.entry(weight).or_default() += if odd { -multiplicity } else { multiplicity };
+            }
+        }
+        self.add_packed_sums(target, sums)
+    }
+
+    fn add_packed_sums<W: Word>(
+        &mut self,
+        target: &Packing<W>,
+        sums: FxHashMap<W, i128>,
+    ) -> Option<()> {
         for (weight, sum) in sums {
             *self.multiplicities.entry(target.labels(weight)).or_default() += sum;
         }
@@ -408,7 +468,7 @@ fn project(projection: Option<&[Vec<i64>]>, weight: &[i64], image: &mut [i64]) {
 
 #[cfg(test)]
 mod tests {
-    use super::{Packed, Sum, Word};
+    use super::{Levi, Packed, Sum, Word};
     use crate::representation::{HighestWeight, ReductiveAlgebra, Subalgebra};
 
     /// Packed and listed weights have the same sums: products, with charges as well, and
@@ -422,13 +482,24 @@ mod tests {
         ) -> Option<()> {
             let character = weight.character().ok()?;
             let packed = Packed::<W>::new(base, &character, rows)?;
-            let (mut one, mut other) = (Sum::new(base.algebra()), Sum::new(base.algebra()));
-            one.add_packed(&packed, base, -3, &character)?;
-            other.add_listed(base, -3, &character, rows)?;
-            one.multiplicities.retain(|_, m| *m != 0);
-            other.multiplicities.retain(|_, m| *m != 0);
-            assert_eq!(one.multiplicities, other.multiplicities, "{base} x {weight}");
-            assert!(!one.multiplicities.is_empty());
+            let sum = |add: &dyn Fn(&mut Sum) -> Option<()>| {
+                let mut sum = Sum::new(base.algebra());
+                add(&mut sum)?;
+                sum.multiplicities.retain(|_, m| *m != 0);
+                Some(sum.multiplicities)
+            };
+            let listed = sum(&|sum| sum.add_listed(base, -3, &character, rows))?;
+            assert!(!listed.is_empty());
+            let weights = sum(&|sum| sum.add_weights(&packed, base, -3, &character))?;
+            assert_eq!(weights, listed, "{base} x {weight}");
+            if rows.is_none() {
+                // a Levi subalgebra of any order
+                let levi = Levi::stabilizing(base, &packed.target)?;
+                let components = levi.components(&character)?;
+                let components =
+                    sum(&|sum| sum.add_components(&packed.target, base, -3, &components))?;
+                assert_eq!(components, listed, "{base} x {weight}");
+            }
             Some(())
         }
         let mut short = 0;
@@ -438,6 +509,14 @@ mod tests {
         };
         for (name, one, other) in [
             ("A1", "[7]", "[12]"),
+            ("A1", "[0]", "[12]"),
+            ("G2", "[0,4]", "[3,2]"),
+            ("G2", "[4,0]", "[3,2]"),
+            ("F4", "[0,0,2,0]", "[1,0,1,1]"),
+            ("C4", "[0,0,3,0]", "[2,1,0,1]"),
+            ("D4", "[0,0,0,0]", "[1,1,0,2]"),
+            ("E7", "[0,0,0,2,0,0,0]", "[1,0,0,0,0,1,0]"),
+            ("B3 + T1 + C3", "[0,0,1,5,0,2,0]", "[1,1,0,1,0,1,-2]"),
             ("G2", "[3,1]", "[1,2]"),
             ("B3", "[0,2,1]", "[2,0,1]"),
             ("C4", "[1,0,0,2]", "[0,1,0,1]"),

@@ -3,7 +3,7 @@
 use super::{ReductiveAlgebra, RepresentationError};
 use crate::representation::algebra::PositiveRoot;
 use affinor_tensors::Rational;
-use num_bigint::{BigInt, BigUint};
+use num_bigint::BigUint;
 use num_rational::BigRational;
 use num_traits::One;
 use std::fmt;
@@ -153,19 +153,26 @@ impl HighestWeight {
         factors.map(|factor| self.casimir_of(factor)).collect()
     }
 
+    fn casimir_of(&self, factor: usize) -> Rational {
+        let (above, below) = self.casimir_ratio(factor);
+        BigRational::new(above.into(), below.into()).into()
+    }
+
+    /// The numerator and the denominator of a Casimir eigenvalue, with common factors.
+    ///
     /// The sum of `<λ, α^∨><μ, α^∨>` over the positive roots is invariant under the Weyl group, so
     /// it is a multiple of `(λ, μ)`. The highest root, with squared length 2, fixes the multiple.
-    fn casimir_of(&self, factor: usize) -> Rational {
+    fn casimir_ratio(&self, factor: usize) -> (BigUint, BigUint) {
         let form = |left: &[i64], right: &[i64]| {
             let products = self.algebra.roots_of(factor).map(|root| {
                 let pair = |w: &[i64]| root.coroot.iter().zip(w).map(|(c, l)| c * l).sum::<i64>();
                 i128::from(pair(left)) * i128::from(pair(right))
             });
-            BigInt::from(products.sum::<i128>())
+            BigUint::from(products.sum::<i128>().unsigned_abs())
         };
         let highest = self.algebra.roots_of(factor).last().map_or(&[][..], |root| &root.labels);
         let shifted: Vec<i64> = self.labels.iter().map(|label| label + 2).collect();
-        BigRational::new(form(&self.labels, &shifted) * 2, form(highest, highest)).into()
+        (form(&self.labels, &shifted) * 2u32, form(highest, highest))
     }
 
     /// The Dynkin index of each simple factor: `dim V/dim g_i` times the Casimir eigenvalue. It is
@@ -179,14 +186,16 @@ impl HighestWeight {
     /// # Ok::<(), affinor::representation::RepresentationError>(())
     /// ```
     pub fn index(&self) -> Vec<BigUint> {
-        let dimension = self.dimension();
-        let factors = self.algebra.simple_factors().iter();
+        self.index_for_dimension(&self.dimension())
+    }
+
+    /// The [index](Self::index), for a dimension that is known.
+    pub fn index_for_dimension(&self, dimension: &BigUint) -> Vec<BigUint> {
+        let factors = self.algebra.simple_factors().iter().enumerate();
         factors
-            .zip(self.casimir())
-            .map(|(factor, casimir)| {
-                let casimir = BigRational::from(&casimir);
-                let above = casimir.numer().magnitude() * &dimension;
-                above / (casimir.denom().magnitude() * factor.dimension())
+            .map(|(at, factor)| {
+                let (above, below) = self.casimir_ratio(at);
+                above * dimension / (below * factor.dimension())
             })
             .collect()
     }

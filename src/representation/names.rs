@@ -18,7 +18,7 @@
 use super::{HighestWeight, ReductiveAlgebra, RepresentationError};
 use crate::algebra::roots::{CartanType, Series};
 use num_traits::ToPrimitive;
-use std::cmp::Ordering;
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 /// The largest dimension of a representation with a name.
 pub const MAX_NAMED: u64 = 1_000_000;
@@ -33,28 +33,97 @@ pub const MAX_NAMED: u64 = 1_000_000;
 /// # Ok::<(), affinor::representation::RepresentationError>(())
 /// ```
 pub fn name(weight: &HighestWeight) -> Option<String> {
-    let algebra = weight.algebra();
-    let factors = algebra.simple_factors().iter().enumerate();
-    let names: Option<Vec<String>> = factors
-        .map(|(at, factor)| {
-            let dimension = weight.factor_dimension(at).to_u64().filter(|d| *d <= MAX_NAMED)?;
-            let named = named(*factor, dimension);
-            let labels = &weight.labels()[algebra.positions(at)];
-            named.into_iter().find(|(_, found)| found == labels).map(|(name, _)| name)
+    names([weight]).pop().flatten()
+}
+
+/// The [names](name) of representations of one algebra, from one list of all representations up to
+/// the largest dimension of a factor.
+///
+/// ```
+/// use affinor::representation::{HighestWeight, ReductiveAlgebra, names::names};
+/// let su3: ReductiveAlgebra = "SU(3)".parse()?;
+/// let weights = [[1, 1], [0, 3]].map(|labels| HighestWeight::new(&su3, labels));
+/// let weights = weights.into_iter().collect::<Result<Vec<_>, _>>()?;
+/// assert_eq!(names(&weights), [Some("8".into()), Some("10bar".into())]);
+/// # Ok::<(), affinor::representation::RepresentationError>(())
+/// ```
+pub fn names<'w>(weights: impl IntoIterator<Item = &'w HighestWeight>) -> Vec<Option<String>> {
+    let weights: Vec<&HighestWeight> = weights.into_iter().collect();
+    let Some(first) = weights.first() else { return vec![] };
+    let algebra = first.algebra();
+    let mut named: HashMap<(usize, &[i64]), String> = HashMap::new();
+    for (at, factor) in algebra.simple_factors().iter().enumerate() {
+        let mut wanted: BTreeMap<u64, HashMap<&[i64], String>> = BTreeMap::new();
+        for weight in &weights {
+            let dimension = weight.factor_dimension(at).to_u64().filter(|d| *d <= MAX_NAMED);
+            if let Some(dimension) = dimension {
+                let labels = &weight.labels()[algebra.positions(at)];
+                wanted.entry(dimension).or_default().insert(labels, String::new());
+            }
+        }
+        let dimensions = wanted.keys().copied().collect();
+        for (dimension, found) in of_dimensions(*factor, &dimensions) {
+            for (name, labels) in with_names(dimension, found) {
+                let place = wanted.get_mut(&dimension).and_then(|all| all.get_mut(&labels[..]));
+                if let Some(place) = place {
+                    *place = name;
+                }
+            }
+        }
+        named.extend(wanted.into_values().flatten().map(|(labels, name)| ((at, labels), name)));
+    }
+    let of = |weight: &&HighestWeight| {
+        let factors = 0..algebra.simple_factors().len();
+        let names: Option<Vec<&str>> = factors
+            .map(|at| {
+                let labels = &weight.labels()[algebra.positions(at)];
+                named.get(&(at, labels)).map(String::as_str)
+            })
+            .collect();
+        let charges = &weight.labels()[algebra.semisimple_rank()..];
+        let charges: String = charges.iter().map(|charge| format!("({charge})")).collect();
+        Some(match &names?[..] {
+            [one] => format!("{one}{charges}"),
+            [] if charges.is_empty() => "1".into(),
+            [] => charges,
+            names => format!("({}){charges}", names.join(",")),
         })
-        .collect();
-    let names = names?;
-    let charges = &weight.labels()[algebra.semisimple_rank()..];
-    let charges: String = charges.iter().map(|charge| format!("({charge})")).collect();
-    Some(match &names[..] {
-        [one] => format!("{one}{charges}"),
-        [] if charges.is_empty() => "1".into(),
-        [] => charges,
-        _ => format!("({}){charges}", names.join(",")),
-    })
+    };
+    weights.iter().map(of).collect()
 }
 
 impl HighestWeight {
+    /// The irreducible representations of a semisimple algebra up to a dimension, which is at most
+    /// [`MAX_NAMED`], by dimension; the charges of other algebras are 0.
+    ///
+    /// # Errors
+    /// [`RepresentationError::TooLarge`] for a larger dimension.
+    ///
+    /// ```
+    /// use affinor::representation::HighestWeight;
+    /// let found = HighestWeight::up_to(&"E8".parse()?, 30_380)?;
+    /// let dimensions: Vec<u32> = found.iter().map(|w| w.dimension().try_into().unwrap()).collect();
+    /// assert_eq!(dimensions, [1, 248, 3875, 27_000, 30_380]);
+    /// # Ok::<(), affinor::representation::RepresentationError>(())
+    /// ```
+    pub fn up_to(
+        algebra: &ReductiveAlgebra,
+        dimension: u64,
+    ) -> Result<Vec<Self>, RepresentationError> {
+        if dimension > MAX_NAMED {
+            let (what, limit) = (format!("the dimension {dimension}"), MAX_NAMED.to_string());
+            return Err(RepresentationError::TooLarge { what, limit });
+        }
+        let mut found = vec![];
+        Search::new(algebra, dimension).collect(&mut |labels, dimension| {
+            let mut labels = labels.to_vec();
+            labels.resize(algebra.rank(), 0);
+            found.push((dimension, labels));
+        });
+        found.sort_unstable();
+        Ok(found.into_iter().map(|(_, labels)| Self::of(algebra, labels)).collect())
+    }
+
     /// Reads Dynkin labels, such as `[0,1,0,0]`, `0 1 0 0` or `0,1,0,0`, or a name by the
     /// [rule](super::names): `10`, `5bar`, `(3,2)(1)`. A single number is a name; the labels of
     /// rank 1 need brackets.
@@ -152,16 +221,24 @@ fn parse_name(algebra: &ReductiveAlgebra, text: &str) -> Result<HighestWeight, S
     HighestWeight::new(algebra, labels).map_err(|error| error.to_string())
 }
 
+/// The irreducible representations of a simple algebra, by dimension, for some dimensions.
+fn of_dimensions(
+    factor: CartanType,
+    dimensions: &BTreeSet<u64>,
+) -> BTreeMap<u64, Vec<HighestWeight>> {
+    let algebra = ReductiveAlgebra::new([factor], 0);
+    let mut found: BTreeMap<u64, Vec<HighestWeight>> = BTreeMap::new();
+    Search::new(&algebra, dimensions.last().copied().unwrap_or(0)).collect(&mut |labels, d| {
+        if dimensions.contains(&d) {
+            found.entry(d).or_default().push(HighestWeight::of(&algebra, labels.to_vec()));
+        }
+    });
+    found
+}
+
 /// The irreducible representations of a simple algebra of a dimension.
 fn of_dimension(factor: CartanType, dimension: u64) -> Vec<HighestWeight> {
-    let algebra = ReductiveAlgebra::new([factor], 0);
-    let mut found = vec![];
-    Search { factors: weyl_factors(&algebra), dimension: dimension as f64 }.collect(
-        &mut vec![0; factor.rank()],
-        0,
-        &mut |labels| found.push(HighestWeight::of(&algebra, labels.to_vec())),
-    );
-    found
+    of_dimensions(factor, &BTreeSet::from([dimension])).remove(&dimension).unwrap_or_default()
 }
 
 /// The labels of the irreducible representations of a simple algebra of a dimension, in descending
@@ -175,7 +252,11 @@ pub(super) fn irreducible(factor: CartanType, dimension: u64) -> Vec<Vec<i64>> {
 
 /// All representations of a simple algebra of a dimension, with their names.
 fn named(factor: CartanType, dimension: u64) -> Vec<(String, Vec<i64>)> {
-    let found = of_dimension(factor, dimension);
+    with_names(dimension, of_dimension(factor, dimension))
+}
+
+/// The names of all representations of a dimension.
+fn with_names(dimension: u64, found: Vec<HighestWeight>) -> Vec<(String, Vec<i64>)> {
     let mut plain: Vec<HighestWeight> = found.into_iter().filter(without_bar).collect();
     plain.sort_by(|a, b| a.index().cmp(&b.index()).then_with(|| b.labels().cmp(a.labels())));
     let mut names = vec![];
@@ -209,56 +290,54 @@ fn without_bar(weight: &HighestWeight) -> bool {
     }
 }
 
-/// The coefficients of the factors of Weyl's formula: `1 + sum_i c_i λ_i` for each positive root.
-fn weyl_factors(algebra: &ReductiveAlgebra) -> Vec<Vec<f64>> {
-    let factors = algebra.positive_roots().iter().map(|root| {
-        let height: i64 = root.coroot.iter().sum();
-        root.coroot.iter().map(|c| *c as f64 / height as f64).collect()
-    });
-    factors.collect()
-}
-
-/// A search for the representations of a dimension. Dimensions are floats, whose error is below
+/// A search for the representations up to a dimension. Dimensions are floats, whose error is below
 /// `1e-13` of them for the 120 roots of E8, so they are exact after rounding up to [`MAX_NAMED`].
 struct Search {
+    /// The coefficients of the factors of Weyl's formula: `1 + sum_i c_i λ_i` for each positive
+    /// root.
     factors: Vec<Vec<f64>>,
-    dimension: f64,
+    rank: usize,
+    largest: f64,
 }
 
 impl Search {
-    /// The order of the dimension of a representation and the dimension that is sought.
-    fn compare(&self, labels: &[i64]) -> Ordering {
+    fn new(algebra: &ReductiveAlgebra, largest: u64) -> Self {
+        let factors = algebra.positive_roots().iter().map(|root| {
+            let height: i64 = root.coroot.iter().sum();
+            root.coroot.iter().map(|c| *c as f64 / height as f64).collect()
+        });
+        let rank = algebra.semisimple_rank();
+        Search { factors: factors.collect(), rank, largest: largest as f64 }
+    }
+
+    fn dimension(&self, labels: &[i64]) -> f64 {
         let factor = |row: &Vec<f64>| {
             1.0 + row.iter().zip(labels).map(|(c, label)| c * *label as f64).sum::<f64>()
         };
-        let dimension: f64 = self.factors.iter().map(factor).product();
-        dimension.round().total_cmp(&self.dimension)
+        self.factors.iter().map(factor).product::<f64>().round()
     }
 
-    /// Collects the representations. The dimension grows with each label, so the last label is
-    /// found by bisection, and the other labels end when the dimension is exceeded.
-    fn collect(&self, labels: &mut Vec<i64>, at: usize, found: &mut dyn FnMut(&[i64])) {
+    /// Visits the labels of the representations with their dimensions.
+    fn collect(&self, visit: &mut dyn FnMut(&[i64], u64)) {
+        if self.rank > 0 {
+            self.collect_from(&mut vec![0; self.rank], 0, visit);
+        }
+    }
+
+    /// Varies the labels from a position on. The dimension grows with each label, so each label
+    /// ends when the largest dimension is exceeded.
+    fn collect_from(&self, labels: &mut [i64], at: usize, visit: &mut dyn FnMut(&[i64], u64)) {
         affinor_tensors::stop::checkpoint();
-        if at + 1 == labels.len() {
-            let (mut low, mut high) = (0, MAX_NAMED as i64);
-            while low < high {
-                let middle = (low + high) / 2;
-                labels[at] = middle;
-                if self.compare(labels).is_lt() {
-                    low = middle + 1;
-                } else {
-                    high = middle;
-                }
+        loop {
+            let dimension = self.dimension(labels);
+            if dimension > self.largest {
+                break;
             }
-            labels[at] = low;
-            if self.compare(labels).is_eq() {
-                found(labels);
+            match at + 1 < self.rank {
+                true => self.collect_from(labels, at + 1, visit),
+                false => visit(labels, dimension as u64),
             }
-        } else {
-            while self.compare(labels).is_le() {
-                self.collect(labels, at + 1, found);
-                labels[at] += 1;
-            }
+            labels[at] += 1;
         }
         labels[at] = 0;
     }

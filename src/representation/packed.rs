@@ -51,7 +51,7 @@ pub(super) struct Packing<W> {
     /// The neighbours of each node of the Dynkin diagram that have larger numbers.
     later: Vec<Vec<usize>>,
     /// The lane of each bit.
-    lanes: Vec<u8>,
+    lane_of: Vec<u8>,
 }
 
 impl<W: Word> Packing<W> {
@@ -76,7 +76,7 @@ impl<W: Word> Packing<W> {
             ones: filled(semisimple, W::one()),
             roots: vec![],
             later: vec![],
-            lanes: (0..W::BITS).map(|bit| (bit / width) as u8).collect(),
+            lane_of: (0..W::BITS).map(|bit| (bit / width) as u8).collect(),
         };
         for i in 0..semisimple {
             let neighbours = algebra.neighbours(i).iter().map(|(j, _)| *j);
@@ -103,8 +103,25 @@ impl<W: Word> Packing<W> {
         (0..self.rank).map(|i| self.label(weight, i)).collect()
     }
 
+    /// The top bits of the lanes of some nodes.
+    pub fn signs(&self, nodes: impl Iterator<Item = usize>) -> W {
+        nodes.fold(W::zero(), |all, i| all | W::one() << (i * self.width + self.width - 1))
+    }
+
+    /// All bits of the lanes of some nodes.
+    pub fn lanes(&self, nodes: impl Iterator<Item = usize>) -> W {
+        let lane = (W::one() << self.width) - W::one();
+        nodes.fold(W::zero(), |all, i| all | lane << (i * self.width))
+    }
+
+    /// A simple root, as a vector.
+    pub fn root(&self, i: usize) -> W {
+        self.roots[i]
+    }
+
+    /// A label of a weight.
     #[inline]
-    fn label(&self, weight: W, i: usize) -> i64 {
+    pub fn label(&self, weight: W, i: usize) -> i64 {
         let lane: u64 = (weight >> (i * self.width)).as_();
         (lane & ((1 << self.width) - 1)) as i64 - (1 << (self.width - 1))
     }
@@ -115,7 +132,26 @@ impl<W: Word> Packing<W> {
         let negative = !weight & self.signs;
         match negative.is_zero() {
             true => self.semisimple,
-            false => self.lanes[negative.trailing_zeros() as usize].into(),
+            false => self.lane_of[negative.trailing_zeros() as usize].into(),
+        }
+    }
+
+    /// The top bits of the lanes of the simple roots whose label is below 1.
+    #[inline]
+    pub fn below_one(&self, weight: W) -> W {
+        !(weight - self.ones) & self.signs
+    }
+
+    /// Reflects a weight until no label at the top bits is negative.
+    #[inline]
+    pub fn dominant_at(&self, mut weight: W, signs: W) -> W {
+        loop {
+            let negative = !weight & signs;
+            if negative.is_zero() {
+                return weight;
+            }
+            let i: usize = self.lane_of[negative.trailing_zeros() as usize].into();
+            weight = minus(weight, self.label(weight, i), self.roots[i]);
         }
     }
 
@@ -133,8 +169,7 @@ impl<W: Word> Packing<W> {
             odd = !odd;
         }
         // a dominant weight is fixed by the reflections whose label is 0
-        let regular = (!(weight - self.ones) & self.signs).is_zero();
-        regular.then_some((weight, odd))
+        self.below_one(weight).is_zero().then_some((weight, odd))
     }
 
     /// Visits the images of an orbit under an affine map: `image` is the image of the dominant
@@ -171,6 +206,6 @@ impl<W: Word> Packing<W> {
 
 /// `weight - label * vector`.
 #[inline]
-fn minus<W: Word>(weight: W, label: i64, vector: W) -> W {
+pub(super) fn minus<W: Word>(weight: W, label: i64, vector: W) -> W {
     weight.wrapping_sub(&W::wrapped(label).wrapping_mul(&vector))
 }

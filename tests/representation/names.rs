@@ -3,7 +3,7 @@
 use crate::common::property::properties;
 use crate::representation::common::{algebra, weight, weights};
 use affinor::representation::HighestWeight;
-use affinor::representation::names::name;
+use affinor::representation::names::{MAX_NAMED, name, names};
 
 #[test]
 fn names_agree_with_slansky() {
@@ -81,6 +81,36 @@ fn other_texts_are_rejected_with_the_reason() {
     assert!(error("SU(3) x SU(2)", "3").contains("the name has 1 factors, but the algebra has 2"));
     assert!(error("SU(3) x U(1)", "3(x)").contains("write Dynkin labels"));
     assert!(error("SU(3) x U(1)", "3(1").contains("write Dynkin labels"));
+}
+
+/// The representations up to a dimension are those that a box of labels contains, and a list has the
+/// names of its members.
+#[test]
+fn lists_of_representations() {
+    for (text, dimension, box_size) in
+        [("A1", 60, 60), ("A2", 400, 30), ("B3", 900, 9), ("G2", 2000, 9), ("A2 + A1 + T1", 60, 32)]
+    {
+        let algebra = algebra(text);
+        let found = HighestWeight::up_to(&algebra, dimension).unwrap();
+        let rank = algebra.semisimple_rank();
+        let boxed = (0..i64::pow(box_size, rank as u32)).map(|code| {
+            let mut labels = vec![0; algebra.rank()];
+            let digits = (0..rank).map(|i| code / i64::pow(box_size, i as u32) % box_size);
+            labels.iter_mut().zip(digits).for_each(|(label, digit)| *label = digit);
+            HighestWeight::new(&algebra, labels).unwrap()
+        });
+        let mut expected: Vec<_> = boxed.filter(|w| w.dimension() <= dimension.into()).collect();
+        expected.sort_by_key(|w| (w.dimension(), w.labels().to_vec()));
+        assert_eq!(found, expected, "{text}");
+        let each: Vec<_> = found.iter().map(name).collect();
+        assert_eq!(names(&found), each);
+        // the order does not matter
+        let backwards = names(found.iter().rev());
+        assert!(backwards.iter().rev().eq(&each));
+    }
+    assert!(names([]).is_empty());
+    let error = HighestWeight::up_to(&algebra("E8"), MAX_NAMED + 1).unwrap_err().to_string();
+    assert!(error.contains("the dimension 1000001"), "{error}");
 }
 
 properties! {

@@ -9,7 +9,7 @@ use super::{Format, Report};
 use crate::input::InputError;
 use crate::space::vectors;
 use affinor::representation::diagram::labelled;
-use affinor::representation::names::name;
+use affinor::representation::names::{name, names};
 use affinor::representation::{
     CasimirElement, Decomposition, HighestWeight, ReductiveAlgebra, RepresentationError, Subalgebra,
 };
@@ -201,7 +201,12 @@ impl State {
     }
 
     fn finish(self, weights: bool) -> Result<Grid, InputError> {
-        let (dimension, index) = (self.value.dimension(), self.value.index());
+        let components = Component::all(&self.value);
+        let dimension: BigInt =
+            components.iter().map(|one| &one.dimension * one.multiplicity).sum();
+        let index: Vec<BigInt> = (0..self.index.len())
+            .map(|at| components.iter().map(|one| &one.index[at] * one.multiplicity).sum())
+            .collect();
         let ok = dimension == self.dimension && index == self.index;
         let algebra = self.value.algebra().clone();
         let mut json = Map::new();
@@ -210,16 +215,7 @@ impl State {
         json.insert("conventions".into(), json!({ "roots": ROOTS, "casimir": LENGTHS }));
         json.insert("representation".into(), described(&self.weight));
         json.insert("operations".into(), Value::from(self.json));
-        let mut components: Vec<_> = self.value.components().collect();
-        components.sort_by_cached_key(|(weight, _)| weight.dimension());
-        let rows_in_json: Vec<Value> = components
-            .iter()
-            .map(|(weight, multiplicity)| {
-                let mut object = in_json(weight);
-                object["multiplicity"] = json!(multiplicity.to_string());
-                object
-            })
-            .collect();
+        let rows_in_json: Vec<Value> = components.iter().map(Component::json).collect();
         json.insert(
             "result".into(),
             json!({
@@ -267,14 +263,14 @@ impl State {
                 let cells = rows.into_iter().map(|row| row.map(Cell::from).to_vec()).collect();
                 (&["dominant weight", "multiplicity", "weights in the orbit"][..], cells)
             } else {
-                let cells = components.into_iter().map(|(weight, multiplicity)| {
-                    let index = weight.index().into_iter().map(BigInt::from).collect::<Vec<_>>();
+                let cells = components.into_iter().map(|one| {
+                    let dimension = one.dimension.to_string();
                     vec![
-                        name(weight).unwrap_or_else(|| weight.dimension().to_string()).into(),
-                        list(weight.labels()).into(),
-                        weight.dimension().to_string().into(),
-                        multiplicity.to_string().into(),
-                        numbers(&index).into(),
+                        one.name.unwrap_or_else(|| dimension.clone()).into(),
+                        list(one.weight.labels()).into(),
+                        dimension.into(),
+                        one.multiplicity.to_string().into(),
+                        numbers(&one.index).into(),
                     ]
                 });
                 let header = &["component", "labels", "dimension", "multiplicity", "index"][..];
@@ -287,6 +283,41 @@ impl State {
             .map(|(key, cell)| vec![key.into(), cell])
             .collect();
         Ok(Grid::new(title, &["property", "value"], rows, Value::Object(json)))
+    }
+}
+
+/// An irreducible component of a result.
+struct Component<'v> {
+    weight: &'v HighestWeight,
+    multiplicity: i128,
+    name: Option<String>,
+    dimension: BigInt,
+    index: Vec<BigInt>,
+}
+
+impl<'v> Component<'v> {
+    /// The components of a representation by dimension.
+    fn all(value: &'v Decomposition) -> Vec<Self> {
+        let names = names(value.components().map(|(weight, _)| weight));
+        let components = value.components().zip(names).map(|((weight, multiplicity), name)| {
+            let dimension = weight.dimension();
+            let index = weight.index_for_dimension(&dimension);
+            let index = index.into_iter().map(BigInt::from).collect();
+            Component { weight, multiplicity, name, dimension: dimension.into(), index }
+        });
+        let mut components: Vec<Self> = components.collect();
+        components.sort_by(|a, b| a.dimension.cmp(&b.dimension));
+        components
+    }
+
+    fn json(&self) -> Value {
+        json!({
+            "name": self.name,
+            "labels": self.weight.labels(),
+            "dimension": self.dimension.to_string(),
+            "index": texts(&self.index),
+            "multiplicity": self.multiplicity.to_string(),
+        })
     }
 }
 
