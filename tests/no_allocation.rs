@@ -17,13 +17,14 @@ use affinor::mechanics::simulation::{
 use affinor::mechanics::systems::euler_poincare::{Free, Torque};
 use affinor::mechanics::{
     Adaptive, BodyState, CommutatorFree, EulerPoincare, FreeBody, Inertia, Integrator, Kick,
-    KinematicState, Magnus, MoserVeselov, MuntheKaas, PrescribedVelocity, Projected, SimoWong,
-    State, System,
+    KinematicState, Magnus, MassProperties, MoserVeselov, MuntheKaas, PrescribedVelocity,
+    Projected, SimoWong, State, System,
 };
+use affinor::mechanism::{Joint, Mechanism, MovingTree, Tree};
 use affinor::{CanonicalConnection, Connection, Metric};
 use affinor_tensors::{Down, Tensor};
 use allocation_counter::measure;
-use nalgebra::{DVector, UnitQuaternion, Vector3, dvector};
+use nalgebra::{DVector, Isometry3, UnitQuaternion, Vector3, dvector};
 
 /// Counts allocations in single steps, and expects none.
 fn assert_none<S: System>(name: &str, system: &S, method: &dyn Integrator<S>, start: &S::State) {
@@ -265,4 +266,32 @@ fn steps_of_other_motions() {
 #[test]
 fn lists_are_seen() {
     assert_eq!(measure(|| drop(vec![1.0, 2.0])).count_total, 1);
+}
+
+/// The recursions of a tree of bodies allocate nothing once their buffers exist.
+#[test]
+fn recursions_of_trees() {
+    let mut joints = vec![Joint::free(&[0.0; 3]).unwrap().between("base", [0, 1])];
+    let mut bodies = vec![None, Some(MassProperties::ball(0.5).unwrap())];
+    for k in 1..5 {
+        let at = k as f64;
+        let hinge = Joint::revolute(&[at, 0.0, 0.0], &[0.0, 1.0, at]).unwrap();
+        joints.push(hinge.between(format!("J{k}"), [k, k + 1]));
+        let centre = Isometry3::translation(at + 0.5, 0.0, 0.0);
+        bodies.push(Some(MassProperties::ball(0.2).unwrap().moved(&centre)));
+    }
+    let names = (0..6).map(|k| format!("B{k}")).collect();
+    let mechanism = Mechanism::new(names, &[0], joints).unwrap();
+    let tree = Tree::new(&mechanism, &bodies, &-Vector3::z()).unwrap();
+    let (numbers, mut slopes) = (tree.home(), tree.home());
+    let mut moving = MovingTree::new(tree.into());
+    let (rates, mut forces, mut accelerations) = ([0.1; 10], [0.2; 10], [0.0; 10]);
+    let counted = measure(|| {
+        moving.place(&numbers, &rates);
+        moving.tree().slopes(&numbers, &rates, &mut slopes);
+        moving.forward(&forces, &mut accelerations).unwrap();
+        moving.inverse(&accelerations, &mut forces);
+    });
+    assert_eq!(counted.count_total, 0);
+    assert!(forces.iter().all(|force| (force - 0.2).abs() < 1e-12));
 }

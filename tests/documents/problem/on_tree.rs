@@ -156,7 +156,7 @@ fn joint_coordinates_agree_with_constraints() -> Result<(), InputError> {
     let text = format!(
         "coordinates = \"joints\"\ngravity = [1, 0, -9.81]\n\
          bodies = [{GROUND}, {{ name = \"a\", {} }}, {{ name = \"b\", {} }}, {{ name = \"c\", {} }}]\n\
-         output = {{ end = 0.1, every = 0.1 }}\n\
+         output = {{ end = 0.05, every = 0.05 }}\n\
          [[joints]]\ntype = \"revolute\"\nbodies = [\"ground\", \"a\"]\nat = [0, 0, 0]\naxis = [0, 1, 1]\nrate = 2\n\
          [[joints]]\ntype = \"prismatic\"\nbodies = [\"b\", \"a\"]\naxis = [1, 0, 1]\nrate = -1\n\
          [[joints]]\ntype = \"spherical\"\nbodies = [\"b\", \"c\"]\nat = [2, 0, 0]\n",
@@ -165,10 +165,10 @@ fn joint_coordinates_agree_with_constraints() -> Result<(), InputError> {
         part(2.5)
     );
     let columns = ["x_1", "z_2", "qx_2", "x_3", "y_3", "qw_3", "qz_3", "energy"];
-    let expected = last(&text, 0.1, &columns)?;
+    let expected = last(&text, 0.05, &columns)?;
     let errors = [0.01, 0.005].map(|step| -> Result<f64, InputError> {
         let poses = text.replace("\"joints\"\n", &format!("\"poses\"\nintegrator.step = {step}\n"));
-        let found = last(&poses, 0.1, &columns)?;
+        let found = last(&poses, 0.05, &columns)?;
         let sign = (found[5] * expected[5]).signum();
         let off = |at: usize| {
             let flips = [2, 5, 6].contains(&at) && sign < 0.0;
