@@ -12,6 +12,7 @@
 
 mod compact;
 mod flat;
+mod name;
 mod pair;
 mod polar;
 mod structure;
