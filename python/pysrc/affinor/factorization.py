@@ -95,9 +95,25 @@ TwoQubitKak.residual.__doc__ = "Frobenius norm of the product less the gate."
 def kak(g: ArrayLike, pair: str) -> KakFactors:
     """Factor a matrix as ``k1 a k2`` for a symmetric pair of classical groups.
 
-    All factors are accurate up to rounding errors, also if coordinates are equal, zero or right angles. Special cases
-    are the singular value decomposition (``"GL(n,R)"``), the cosine-sine decomposition (``"U(p+q)/U(p)xU(q)"``), the
-    factorization of Takagi (``"U(n)/O(n)"``) and boosts of Lorentz (``"SO(3,1)"``).
+    All factors are accurate up to rounding errors, also if coordinates are equal, zero or right angles.
+
+    The compact pairs ``G/K`` are:
+
+    - ``U(n)/O(n)``, ``SU(n)/SO(n)`` (factorization of Takagi), ``U(2n)/Sp(n)``, ``SU(2n)/Sp(n)``.
+
+    - ``U(p+q)/U(p)xU(q)``, ``SU(p+q)/S(U(p)xU(q))`` (cosine-sine decomposition).
+
+    - ``O(p+q)/O(p)xO(q)``, ``SO(p+q)/S(O(p)xO(q))`` (principal angles of subspaces).
+
+    - ``SO(2n)/U(n)``, ``Sp(n)/U(n)``, ``Sp(p+q)/Sp(p)xSp(q)``.
+
+    The noncompact groups, each with its maximal compact subgroup, are:
+
+    - ``GL(n,R)``, ``SL(n,R)`` (singular value decomposition), also over ``C`` and ``H``.
+
+    - ``O(p,q)``, ``SO(p,q)`` (boosts of Lorentz), ``U(p,q)``, ``SU(p,q)``, ``Sp(p,q)``.
+
+    - ``Sp(2n,R)`` with ``g.T @ J @ g = J`` for ``J = [[0, 1], [-1, 0]]`` in blocks of size n.
 
     Parameters
     ----------
@@ -105,11 +121,7 @@ def kak(g: ArrayLike, pair: str) -> KakFactors:
         Matrix of the group, real or complex. Quaternions ``a + b i + c j + d k`` are blocks
         ``[[a + b i, c + d i], [-c + d i, a - b i]]``.
     pair : str
-        Name of a compact pair with numbers: ``"U(n)/O(n)"``, ``"SU(n)/SO(n)"``, ``"U(2n)/Sp(n)"``, ``"SU(2n)/Sp(n)"``,
-        ``"U(p+q)/U(p)xU(q)"``, ``"SU(p+q)/S(U(p)xU(q))"``, ``"O(p+q)/O(p)xO(q)"``, ``"SO(p+q)/S(O(p)xO(q))"``,
-        ``"SO(2n)/U(n)"``, ``"Sp(n)/U(n)"``, ``"Sp(p+q)/Sp(p)xSp(q)"``. Or the name of a noncompact group with its
-        maximal compact subgroup: ``"GL(n,R)"``, ``"SL(n,R)"``, also over ``C`` and ``H``; ``"O(p,q)"``, ``"SO(p,q)"``,
-        ``"U(p,q)"``, ``"SU(p,q)"``, ``"Sp(p,q)"``, ``"Sp(2n,R)"``.
+        Name of a symmetric pair with numbers, such as ``"SU(4)/SO(4)"`` or ``"SO(3,1)"``.
 
     Returns
     -------

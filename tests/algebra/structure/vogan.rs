@@ -24,9 +24,9 @@ fn check(
     assert_eq!(compact_dimension(&form), form.compact_dimension, "{name}");
 }
 
-/// The dimension of the maximal compact subalgebra, counted from the diagram: the involution fixes
-/// half of each pair of complex roots, and a fixed root is noncompact if its coefficient of the
-/// painted node is odd. In A_2m with arrows, all fixed roots are noncompact.
+/// The dimension of the maximal compact subalgebra, counted from the diagram. The involution fixes
+/// half of each pair of complex roots. A fixed root is noncompact if its coefficient of the painted
+/// node is odd. In A_2m with arrows, all fixed roots are noncompact.
 fn compact_dimension(form: &RealForm) -> usize {
     let rank = form.cartan_type.rank();
     let mut images: Vec<usize> = (0..rank).collect();
