@@ -147,10 +147,10 @@ def kak(g: ArrayLike, pair: str) -> KakFactors:
     >>> bool(factors.residual < 1e-15)
     True
     """
-    name, (k1, a, k2), coordinates, residual = _kak(_matrix(g), pair)
+    name, factors, coordinates, residual = _kak(_matrix(g), pair)
     group = name.partition("/")[0]
-    if group.startswith(("O(", "SO(")) or group.endswith("R)"):
-        k1, a, k2 = k1.real.copy(), a.real.copy(), k2.real.copy()
+    is_real = group.startswith(("O(", "SO(")) or group.endswith("R)")
+    k1, a, k2 = [factor.real.copy() if is_real else factor for factor in factors]
     return KakFactors(k1, a, k2, np.array(coordinates), name, residual)
 
 
