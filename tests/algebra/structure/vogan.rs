@@ -32,7 +32,8 @@ fn compact_dimension(form: &RealForm) -> usize {
     let mut images: Vec<usize> = (0..rank).collect();
     form.vogan.arrows().iter().for_each(|(i, j)| images.swap(i - 1, j - 1));
     let arrows = form.vogan.arrows().len();
-    let is_odd_chain = form.cartan_type.series() == Series::A && rank % 2 == 0 && arrows > 0;
+    let is_odd_chain =
+        form.cartan_type.series() == Series::A && rank.is_multiple_of(2) && arrows > 0;
     let mut dimension = rank - arrows;
     for root in RootSystem::new(form.cartan_type).positive_roots() {
         let c = root.coefficients();
@@ -153,7 +154,8 @@ fn diagrams_identify_real_forms() {
 /// The diagram of an algebra does not depend on its basis.
 #[test]
 fn diagrams_in_a_dense_basis() {
-    let cases: [(&str, Option<usize>, &[(usize, usize)]); 9] = [
+    type Case = (&'static str, Option<usize>, &'static [(usize, usize)]);
+    let cases: [Case; 9] = [
         ("sl(3)", None, &[(1, 2)]),
         ("su(2,1)", Some(1), &[]),
         ("su(3)", None, &[]),
