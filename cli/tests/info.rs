@@ -42,13 +42,19 @@ fn cartan_decompositions() {
     let expected = json!([{
         "name": "su(2,1)", "compact_type": "A1 + T1", "compact_dimension": 4, "character": 0,
         "real_rank": 1, "restricted_type": "BC1", "multiplicities": [2, 1], "black": [],
-        "arrows": [[1, 2]],
+        "arrows": [[1, 2]], "vogan": {"painted": [1], "arrows": []},
     }]);
     assert_eq!(unitary["real_forms"], expected);
     let lorentz = info("so(4,1)+so(3)");
     let ranks: Vec<_> = lorentz["real_forms"].as_array().unwrap().iter().collect();
     assert_eq!((&ranks[0]["real_rank"], &ranks[1]["real_rank"]), (&json!(0), &json!(1)));
+    let diagrams: Vec<_> = ranks.iter().map(|form| &form["vogan"]["painted"]).collect();
+    assert_eq!(diagrams, [&json!([]), &json!([2])]);
     assert_eq!(info("sl(2,C)")["real_forms"], json!([null]));
+    let text = stdout(root(), &["info", "sl(4,R)+sl(2,C)", "--format", "csv"]);
+    let expected = "Vogan diagram,\"sl(4,R): 1---2---3; painted 2; arrows 1<->3; \
+                    sl(2,C): two copies of A1, joined by arrows\"";
+    assert!(text.contains(expected), "{text}");
     assert_eq!(info("heisenberg(3)")["real_forms"], json!([]));
 }
 

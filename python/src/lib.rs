@@ -14,6 +14,7 @@ mod family;
 mod geometries;
 mod geometry;
 mod group;
+mod kak;
 mod limits;
 mod motion;
 mod operations;
@@ -43,6 +44,8 @@ mod _engine {
     use crate::geometry::PyGeometry;
     #[pymodule_export]
     use crate::group::{PyGroup, groups};
+    #[pymodule_export]
+    use crate::kak::{_kak, _two_qubit_kak};
     #[pymodule_export]
     use crate::limits::PyBudget;
     #[pymodule_export]

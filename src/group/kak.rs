@@ -1,7 +1,7 @@
 //! Factorizations `g = k1 a k2` of elements of classical groups, for symmetric pairs.
 //!
-//! For an involution `theta` of a group `G` with the fixed points `K`, each element of a compact
-//! or real reductive group is a product of `k1` and `k2` in `K` and `a = exp(X)`, where `X` is in a
+//! An involution `theta` of a compact or real reductive group `G` has the group `K` of fixed points.
+//! Each element of `G` is a product of `k1` and `k2` in `K` and `a = exp(X)`. Here `X` is in a
 //! maximal abelian subspace of `p = {X: theta(X) = -X}` (S. Helgason, *Differential Geometry, Lie
 //! Groups, and Symmetric Spaces*, V.6 and IX.1; A. W. Knapp, *Lie Groups Beyond an Introduction*,
 //! VII.3). Special cases are the singular value decomposition (`GL(n,F)`), the cosine-sine
@@ -12,6 +12,7 @@
 
 mod compact;
 mod flat;
+mod name;
 mod pair;
 mod polar;
 mod structure;

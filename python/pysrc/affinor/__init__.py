@@ -28,6 +28,7 @@ from affinor.errors import (
     ShapeError,
     SymmetryError,
 )
+from affinor.factorization import KakFactors, TwoQubitKak, kak, two_qubit_kak
 from affinor.geometry import Geodesic, Geometry, Property, check, compare, conventions
 from affinor.group import SE2, SE3, SE2_3, SL2, SO2, SO3, Group, RigidMotionGroup, RotationGroup, Spline, groups
 from affinor.motion import Convergence, Problem, Trajectory, convergence, methods, simulate
@@ -60,6 +61,7 @@ __all__ = [
     "IntegrationError",
     "InternalError",
     "JacobiError",
+    "KakFactors",
     "LieAlgebra",
     "LimitError",
     "MathematicsError",
@@ -78,6 +80,7 @@ __all__ = [
     "SymmetryError",
     "Tensor",
     "Trajectory",
+    "TwoQubitKak",
     "catalogue",
     "check",
     "clear_caches",
@@ -87,12 +90,14 @@ __all__ = [
     "convergence",
     "conventions",
     "groups",
+    "kak",
     "limits",
     "methods",
     "set_threads",
     "simulate",
     "sweep",
     "threads",
+    "two_qubit_kak",
     "wigner_3j",
     "wigner_6j",
 ]

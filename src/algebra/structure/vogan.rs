@@ -11,9 +11,9 @@ use affinor_tensors::linear::Matrix;
 
 /// A Vogan diagram with at most one painted node. Nodes are numbered from 1 as in Bourbaki.
 ///
-/// Of the diagrams of a real form, the painted node is chosen as in Knapp, theorem 6.96: if
-/// `theta` fixes all nodes, no `j` has `<w_i - w_j, w_j> > 0`, where `w_1, w_2, ...` is the basis
-/// dual to the simple roots. If several nodes remain, the first one is painted, but for `so*(2n)`
+/// Of the diagrams of a real form, the painted node is chosen as in Knapp, theorem 6.96. Let
+/// `w_1, w_2, ...` be the basis dual to the simple roots. If `theta` fixes all nodes and the node
+/// `i` is painted, no `j` has `<w_i - w_j, w_j> > 0`. If several nodes remain, the first one is painted, but for `so*(2n)`
 /// the last one.
 ///
 /// ```

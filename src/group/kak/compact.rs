@@ -37,14 +37,12 @@ pub(super) fn factor(pair: &SymmetricPair, g: &Matrix) -> (Matrix, Vec<f64>) {
         let columns = structure.assemble(&columns, structure.size());
         let z = transform(&columns.ad_mul(&(&q * &columns)), is_low);
         let lift = |v: &Vector| &columns * v;
-        for vectors in diagonalize(pair.kind, inner, &z) {
-            match (vectors, pair.kind) {
-                (Part::Cell(vectors), _) => {
+        for part in diagonalize(pair.kind, inner, &z) {
+            match part {
+                Part::Cell(vectors) => {
                     cells.push(cell(pair.kind, vectors.iter().map(lift).collect(), &q));
                 }
-                (Part::Free(vector, is_first), _) => {
-                    free[usize::from(!is_first)].push(lift(&vector))
-                }
+                Part::Free(vector, is_first) => free[usize::from(!is_first)].push(lift(&vector)),
             }
         }
     }

@@ -72,7 +72,7 @@ impl Polar {
         polar
     }
 
-    /// Multiplies vectors by phases, such that both factors have determinant 1.
+    /// Multiplies vectors by phases, such that `k1` and `k2` have determinant 1.
     fn choose_determinants(&mut self, structure: Structure) {
         let (n, first, r) = (structure.count, structure.first, self.coordinates.len());
         // columns whose common phases commute with `a`, of the smallest singular values

@@ -1,15 +1,15 @@
 //! Orthonormal bases that are adapted to a subgroup of unitary matrices.
 //!
-//! Each subgroup `K` of a symmetric pair consists of the unitary matrices that commute with some of
-//! three operators: the complex conjugation, the antilinear map `P(v) = -J conj(v)` with
-//! `J = [[0, 1], [-1, 0]]`, and a sign that separates two groups of coordinates. The columns of an
+//! Each subgroup `K` of a symmetric pair consists of the unitary matrices that commute with some
+//! operators. These are the complex conjugation, the antilinear map `P`, and a sign that separates
+//! two groups of coordinates. Here `P(v) = -J conj(v)` with `J = [[0, 1], [-1, 0]]`. The columns of an
 //! element of `K` are an orthonormal basis with real vectors, with pairs `v, P(v)`, or with vectors
 //! in one of the two coordinate subspaces.
 //!
 //! nalgebra computes eigenvectors without this structure. [`Structure::extend`] selects adapted
 //! vectors from them by Gram-Schmidt steps with pivots. The steps do not add errors at multiple or
-//! nearly equal eigenvalues: if `c` is the product of a computed eigenvector with an accepted
-//! vector, and `d` the distance of their eigenvalues, then `c d` is a rounding error, and so is the
+//! nearly equal eigenvalues. Let `c` be the product of a computed eigenvector with an accepted
+//! vector, and `d` the distance of their eigenvalues. Then `c d` is a rounding error, and so is the
 //! residual of the orthogonalized vector.
 
 use affinor_tensors::stop::checkpoint;

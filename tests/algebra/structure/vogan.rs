@@ -24,15 +24,16 @@ fn check(
     assert_eq!(compact_dimension(&form), form.compact_dimension, "{name}");
 }
 
-/// The dimension of the maximal compact subalgebra, counted from the diagram: the involution fixes
-/// half of each pair of complex roots, and a fixed root is noncompact if its coefficient of the
-/// painted node is odd. In A_2m with arrows, all fixed roots are noncompact.
+/// The dimension of the maximal compact subalgebra, counted from the diagram. The involution fixes
+/// half of each pair of complex roots. A fixed root is noncompact if its coefficient of the painted
+/// node is odd. In A_2m with arrows, all fixed roots are noncompact.
 fn compact_dimension(form: &RealForm) -> usize {
     let rank = form.cartan_type.rank();
     let mut images: Vec<usize> = (0..rank).collect();
     form.vogan.arrows().iter().for_each(|(i, j)| images.swap(i - 1, j - 1));
     let arrows = form.vogan.arrows().len();
-    let is_odd_chain = form.cartan_type.series() == Series::A && rank % 2 == 0 && arrows > 0;
+    let is_odd_chain =
+        form.cartan_type.series() == Series::A && rank.is_multiple_of(2) && arrows > 0;
     let mut dimension = rank - arrows;
     for root in RootSystem::new(form.cartan_type).positive_roots() {
         let c = root.coefficients();
@@ -153,7 +154,8 @@ fn diagrams_identify_real_forms() {
 /// The diagram of an algebra does not depend on its basis.
 #[test]
 fn diagrams_in_a_dense_basis() {
-    let cases: [(&str, Option<usize>, &[(usize, usize)]); 9] = [
+    type Case = (&'static str, Option<usize>, &'static [(usize, usize)]);
+    let cases: [Case; 9] = [
         ("sl(3)", None, &[(1, 2)]),
         ("su(2,1)", Some(1), &[]),
         ("su(3)", None, &[]),

@@ -1,11 +1,12 @@
-//! Cartan decompositions, restricted roots and Satake diagrams of simple ideals.
+//! Cartan decompositions, restricted roots, Satake and Vogan diagrams of simple ideals.
 
 use super::Notes;
 use affinor::algebra::structure::dynkin::diagram;
 use affinor::algebra::structure::{RealForm, RealIdeal};
 use serde_json::{Value, json};
 
-const NOTIONS: [&str; 3] = ["Cartan decomposition", "restricted roots", "Satake diagram"];
+const NOTIONS: [&str; 4] =
+    ["Cartan decomposition", "restricted roots", "Satake diagram", "Vogan diagram"];
 
 impl Notes {
     /// Adds rows without a Cartan decomposition, with the reason.
@@ -18,8 +19,8 @@ impl Notes {
         }
     }
 
-    /// Adds the Cartan decomposition of each simple ideal, with its restricted roots and its Satake
-    /// diagram.
+    /// Adds the Cartan decomposition of each simple ideal, with its restricted roots, its Satake
+    /// diagram and its Vogan diagram.
     pub(super) fn real_forms(&mut self, ideals: &[RealIdeal]) {
         let form = |ideal: &RealIdeal| match &ideal.names[..] {
             [name] if !ideal.is_complex => RealForm::named(ideal.cartan_type, name),
@@ -47,6 +48,12 @@ impl Notes {
             "of a maximal abelian subspace of p; multiplicities by increasing length",
         );
         self.row(NOTIONS[2], lines(&satake), "nodes numbered as in Bourbaki");
+        self.row(
+            NOTIONS[3],
+            lines(&vogan),
+            "of a maximally compact Cartan subalgebra; painted: noncompact imaginary root, arrows: \
+             complex roots",
+        );
     }
 }
 
@@ -85,24 +92,38 @@ fn satake(ideal: &RealIdeal, form: &Option<RealForm>) -> String {
             format!("two copies of {}, joined by arrows", one_line(ideal))
         }
         None => "not determined".into(),
-        Some(form) => {
-            let mut parts = vec![one_line(ideal)];
-            let list = |nodes: &[usize]| {
-                nodes.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ")
-            };
-            if !form.black.is_empty() {
-                parts.push(format!("black {}", list(&form.black)));
-            }
-            if !form.arrows.is_empty() {
-                let arrows = form.arrows.iter().map(|(a, b)| format!("{a}<->{b}"));
-                parts.push(format!("arrows {}", arrows.collect::<Vec<_>>().join(", ")));
-            }
-            if parts.len() == 1 {
-                parts.push("all nodes white".into());
-            }
-            parts.join("; ")
+        Some(form) => decorated(ideal, "black", &form.black, &form.arrows),
+    }
+}
+
+fn vogan(ideal: &RealIdeal, form: &Option<RealForm>) -> String {
+    match form {
+        None if ideal.is_complex => {
+            format!("two copies of {}, joined by arrows", one_line(ideal))
+        }
+        None => "not determined".into(),
+        Some(RealForm { vogan, .. }) => {
+            let painted: Vec<usize> = vogan.painted().into_iter().collect();
+            decorated(ideal, "painted", &painted, &vogan.arrows())
         }
     }
+}
+
+/// A Dynkin diagram with marked nodes and arrows.
+fn decorated(ideal: &RealIdeal, mark: &str, nodes: &[usize], arrows: &[(usize, usize)]) -> String {
+    let mut parts = vec![one_line(ideal)];
+    if !nodes.is_empty() {
+        let nodes: Vec<String> = nodes.iter().map(ToString::to_string).collect();
+        parts.push(format!("{mark} {}", nodes.join(", ")));
+    }
+    if !arrows.is_empty() {
+        let arrows = arrows.iter().map(|(a, b)| format!("{a}<->{b}"));
+        parts.push(format!("arrows {}", arrows.collect::<Vec<_>>().join(", ")));
+    }
+    if parts.len() == 1 {
+        parts.push("all nodes white".into());
+    }
+    parts.join("; ")
 }
 
 /// The Dynkin diagram if it is one line, else the type.
@@ -124,5 +145,9 @@ fn json(ideal: &RealIdeal, form: &Option<RealForm>) -> Value {
         "multiplicities": form.multiplicities.iter().map(|(_, m)| *m).collect::<Vec<_>>(),
         "black": form.black,
         "arrows": form.arrows,
+        "vogan": {
+            "painted": form.vogan.painted().into_iter().collect::<Vec<_>>(),
+            "arrows": form.vogan.arrows(),
+        },
     })
 }
