@@ -236,9 +236,9 @@ fn a_driven_slider_crank() {
 }
 
 /// A disk that rolls and leans. The reference integrates the equations of Newton and Euler about the
-/// centre, from which the force at the point of contact is eliminated, by DOP853 of SciPy with the
-/// tolerances 1e-12 and 3e-14; the digits that both have in common are given. The data of the first
-/// disk are those of the test problem `rolling_disk` of S. Hante.
+/// centre. The force at the point of contact is eliminated from them. DOP853 of SciPy integrates them
+/// with the tolerances 1e-12 and 3e-14, and the common digits of the two results are given. The data
+/// of the first disk are the data of the test problem `rolling_disk` of S. Hante.
 #[test]
 fn a_rolling_disk_that_leans() {
     let disk = |keys: &str| {
