@@ -292,7 +292,8 @@ impl<G: SimulationGroup> Constraint<G> for ConstraintsOn<G> {
                 let own = self.group.coadjoint(element, &other);
                 own.components().iter().enumerate().for_each(|(i, slope)| matrix[(a, i)] += slope);
             }
-            right[a] = -value;
+            // subtracts, because the negative of 0 is written as -0
+            right[a] = 0.0 - value;
         }
         Some((matrix, right))
     }
