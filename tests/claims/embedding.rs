@@ -277,6 +277,7 @@ fn floats(space: &Geometry<Rational>) -> Geometry<f64> {
         ConnectionKind::Family(lambda) => ConnectionKind::Family(lambda.to_f64()),
         ConnectionKind::LeviCivita => ConnectionKind::LeviCivita,
         ConnectionKind::Affinities(gamma) => ConnectionKind::Affinities(float(gamma)),
+        ConnectionKind::Nonholonomic(projector) => ConnectionKind::Nonholonomic(float(projector)),
     };
     Geometry::new("floats", algebra, kind, metric).unwrap()
 }

@@ -43,6 +43,9 @@ impl Given {
             ConnectionKind::Family(lambda) => ConnectionKind::Family(f(lambda)),
             ConnectionKind::LeviCivita => ConnectionKind::LeviCivita,
             ConnectionKind::Affinities(gamma) => ConnectionKind::Affinities(gamma.map(&f)),
+            ConnectionKind::Nonholonomic(projector) => {
+                ConnectionKind::Nonholonomic(projector.map(&f))
+            }
         };
         Geometry::new("", algebra, kind, Some(metric)).unwrap()
     }

@@ -1,6 +1,7 @@
 //! A table has the same contents in every format, and can be read back.
 
 mod claims;
+mod info;
 mod statements;
 mod stored;
 

@@ -493,7 +493,7 @@ fn convergence_in_every_class() {
     assert!(slopes.iter().all(|slope| outcome.out.contains(slope)), "{}", outcome.err);
     let outcome = affinor(
         &TempDir::new().unwrap(),
-        &["convergence", &example("double_pendulum"), "--method", "rkmk853"],
+        &["convergence", &example("double_pendulum"), "--method", "magnus6"],
     );
     assert!(outcome.err.contains("generalised-alpha"), "{}", outcome.err);
 }

@@ -22,9 +22,9 @@ use nalgebra::{DMatrix, DVector};
 /// [`projected`](Self::projected) removes the violation, which preserves the order of the method.
 ///
 /// If all constraints are left-invariant, `A v = 0` with a constant matrix `A`, no linear equations
-/// are solved. With the orthogonal projector `P` onto the subspace `A v = 0`, the equations are the
-/// Euler-Poincare-Suslov equations `J v' = P^T (Lambda(v) J v + M)`, a quadratic field on the
-/// subspace if `M = 0`.
+/// are solved. Let `P` be the orthogonal projector onto the subspace `A v = 0`. The equations are
+/// the Euler-Poincare-Suslov equations `J v' = P^T (Lambda(v) J v + M)`. Without forces, they are a
+/// quadratic field on the subspace.
 ///
 /// E. Hairer and G. Wanner, *Solving Ordinary Differential Equations II* (1996), section VII.2, for
 /// the projection. Y. N. Fedorov and V. V. Kozlov, *Amer. Math. Soc. Transl.* 168 (1995) 141-171,

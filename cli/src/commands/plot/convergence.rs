@@ -154,10 +154,11 @@ fn trials(
 fn reference(problem: &Problem, step: f64, halvings: u32) -> Problem {
     let fine = step * 0.5_f64.powi(halvings as i32 + 2);
     match problem.own_methods().last() {
-        Some(&method) => {
+        // methods of higher order integrate constraints too
+        Some(&method) if method != Method::GeneralisedAlpha => {
             problem.with_method(method, method.has_steps().then_some(fine), Some(1e-13))
         }
-        None => problem.with_method(Method::to(1e-13), None, Some(1e-13)),
+        _ => problem.with_method(Method::to(1e-13), None, Some(1e-13)),
     }
 }
 

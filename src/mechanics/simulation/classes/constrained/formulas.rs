@@ -57,9 +57,9 @@ impl Constraints {
     /// of the velocity in both invariant frames.
     ///
     /// # Errors
-    /// The errors of [`Formula::parse`]; also an error if the formula contains quantities other
-    /// than components of the velocity, the time, entries of the element and parameters, if it is
-    /// not affine in the velocity, or if it does not contain the velocity.
+    /// The errors of [`Formula::parse`]; also an error if the formula is not affine in the velocity,
+    /// or does not contain the velocity. Other quantities than components of the velocity, the time,
+    /// entries of the element and parameters are errors too.
     pub fn add_affine(&mut self, text: &str, names: &SymbolTable) -> Result<(), ExpressionError> {
         let allowed = |quantity| is_position(quantity) || is_velocity(quantity);
         let formula = self.scope.read(text, names, &allowed)?;
@@ -292,7 +292,8 @@ impl<G: SimulationGroup> Constraint<G> for ConstraintsOn<G> {
                 let own = self.group.coadjoint(element, &other);
                 own.components().iter().enumerate().for_each(|(i, slope)| matrix[(a, i)] += slope);
             }
-            right[a] = -value;
+            // subtracts, because the negative of 0 is written as -0
+            right[a] = 0.0 - value;
         }
         Some((matrix, right))
     }
