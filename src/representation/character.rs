@@ -101,12 +101,13 @@ impl HighestWeight {
 
     /// The dominant weights `μ` of the [character](Self::character), with the coefficients of
     /// `λ - μ` over the simple roots and with their multiplicities.
-    pub(super) fn lowered_weights(
-        &self,
-    ) -> Result<Vec<(Vec<i64>, Vec<i64>, i128)>, RepresentationError> {
+    pub(super) fn lowered_weights(&self) -> Result<Vec<Lowered>, RepresentationError> {
         Ok(Freudenthal::new(self)?.multiplicities())
     }
 }
+
+/// A dominant weight `μ`, the coefficients of `λ - μ` over the simple roots, and the multiplicity.
+pub(super) type Lowered = (Vec<i64>, Vec<i64>, i128);
 
 /// The data of Freudenthal's recursion.
 struct Freudenthal<'a> {
@@ -168,7 +169,7 @@ impl<'a> Freudenthal<'a> {
         Ok(Freudenthal { algebra, half_lengths, weights, differences, index, orbits })
     }
 
-    fn multiplicities(mut self) -> Vec<(Vec<i64>, Vec<i64>, i128)> {
+    fn multiplicities(mut self) -> Vec<Lowered> {
         let mut order: Vec<usize> = (0..self.weights.len()).collect();
         order.sort_by_key(|&at| self.differences[at].iter().sum::<i64>());
         let mut multiplicities = vec![0_i128; self.weights.len()];

@@ -18,6 +18,7 @@ use affinor_tensors::stop::checkpoint;
 use num_traits::ToPrimitive;
 use rustc_hash::FxHashMap;
 use std::cmp::Reverse;
+use std::collections::hash_map::Entry;
 
 /// The Levi subalgebra of some nodes, with packed weights of the algebra.
 pub(super) struct Levi<'p, W> {
@@ -101,10 +102,11 @@ impl<'p, W: Word> Levi<'p, W> {
             }
             components.push((weight, multiplicity));
             let kind = weight & self.lanes;
-            if !lowered.contains_key(&kind) {
-                lowered.insert(kind, self.below(weight)?);
-            }
-            for &(difference, m) in &lowered[&kind] {
+            let below = match lowered.entry(kind) {
+                Entry::Occupied(known) => known.into_mut(),
+                Entry::Vacant(place) => place.insert(self.below(weight)?),
+            };
+            for &(difference, m) in &*below {
                 *rest.get_mut(&weight.wrapping_sub(&difference))? -= m * multiplicity;
             }
         }
