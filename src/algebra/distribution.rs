@@ -8,9 +8,9 @@ use affinor_tensors::linear::Row;
 use affinor_tensors::stop::checkpoint;
 use affinor_tensors::{Field, Scalar, Tensor, Up};
 
-/// A left-invariant distribution on a group: the subspace of the tangent space at each element that
-/// is spanned by some left-invariant fields, such as the admissible velocities of a system with
-/// nonholonomic constraints. Over a field of functions, all statements hold for generic values of
+/// A left-invariant distribution on a group: at each element, the subspace of the tangent space that
+/// some left-invariant fields span. An example is the space of admissible velocities of a system
+/// with nonholonomic constraints. Over a field of functions, all statements hold for generic values of
 /// the letters.
 ///
 /// ```
@@ -132,8 +132,8 @@ impl<S: Field + Scalar> Distribution<S> {
         while !newest.is_empty() {
             flag.push(all.clone());
             let mut found = vec![];
-            for y in &newest {
-                for x in self.subspace.basis() {
+            for x in self.subspace.basis() {
+                for y in &newest {
                     checkpoint();
                     let witness = self.witness(x, y);
                     if all.add(witness.bracket.clone()) {

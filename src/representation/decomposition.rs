@@ -234,10 +234,14 @@ impl Sum {
                 limit: "the 128-bit integers".into(),
             });
         }
-        let done = if let Some(packed) = Packed::<u64>::new(base, character, projection) {
-            self.add_packed(&packed, base, factor, character)
+        let done = if projection.is_none()
+            && let Some((target, components)) = restricted(base, character, LEVI_ORDER)
+        {
+            self.add_components(&target, base, factor, &components)
+        } else if let Some(packed) = Packed::<u64>::new(base, character, projection) {
+            self.add_weights(&packed, base, factor, character)
         } else if let Some(packed) = Packed::<u128>::new(base, character, projection) {
-            self.add_packed(&packed, base, factor, character)
+            self.add_weights(&packed, base, factor, character)
         } else {
             self.add_listed(base, factor, character, projection)
         };
@@ -268,26 +272,6 @@ impl Sum {
     }
 
     /// The same for packed weights.
-    fn add_packed<W: Word>(
-        &mut self,
-        packed: &Packed<W>,
-        base: &HighestWeight,
-        factor: i128,
-        character: &Character,
-    ) -> Option<()> {
-        let levi = match packed.projection {
-            None => {
-                Levi::stabilizing(base, &packed.target).filter(|levi| levi.order() >= LEVI_ORDER)
-            }
-            Some(_) => None,
-        };
-        match levi.and_then(|levi| levi.components(character)) {
-            Some(components) => self.add_components(&packed.target, base, factor, &components),
-            None => self.add_weights(packed, base, factor, character),
-        }
-    }
-
-    /// The same, with one term for each weight.
     fn add_weights<W: Word>(
         &mut self,
         packed: &Packed<W>,
@@ -324,20 +308,20 @@ impl Sum {
 
     /// The same for the components of the restriction of the character to the Levi subalgebra that
     /// stabilizes the weight.
-    fn add_components<W: Word>(
+    fn add_components(
         &mut self,
-        target: &Packing<W>,
+        target: &Packing<u128>,
         base: &HighestWeight,
         factor: i128,
-        components: &[(W, i128)],
+        components: &[(u128, i128)],
     ) -> Option<()> {
         let rank = self.algebra.semisimple_rank();
         let shift = base.labels().iter().enumerate().map(|(i, l)| l + i64::from(i < rank));
         let shift = target.vector(&shift.collect::<Vec<_>>());
-        let mut sums: FxHashMap<W, i128> = FxHashMap::default();
+        let mut sums: FxHashMap<u128, i128> = FxHashMap::default();
         for &(weight, multiplicity) in components {
             checkpoint();
-            if let Some((weight, odd)) = target.straighten(weight.wrapping_add(&shift)) {
+            if let Some((weight, odd)) = target.straighten(weight.wrapping_add(shift)) {
                 let multiplicity = multiplicity * factor;
                 *sums.entry(weight).or_default() += if odd { -multiplicity } else { multiplicity };
             }
@@ -423,8 +407,7 @@ impl<'p, W: Word> Packed<'p, W> {
         projection: Option<&'p [Vec<i64>]>,
     ) -> Option<Self> {
         let (from, to) = (character.algebra(), base.algebra());
-        let highest = |weight: &[i64]| from.largest_label(weight);
-        let largest = character.dominant_weights().map(|(weight, _)| highest(weight)).max()?;
+        let largest = largest_label(character)?;
         let source = Packing::new(from, largest)?;
         let shift = base.labels().iter().map(|label| label.abs() + 1).collect::<Vec<_>>();
         let image: Vec<i64> = match projection {
@@ -434,9 +417,8 @@ impl<'p, W: Word> Packed<'p, W> {
                 .map(|row| row.iter().map(|entry| entry.abs()).sum::<i64>().checked_mul(largest))
                 .collect::<Option<_>>()?,
         };
-        // without a projection the labels are those of the sum of the highest weights
         let bound = match projection {
-            None => to.largest_label(&shift).checked_add(largest)?,
+            None => bound_of_product(base, largest)?,
             Some(_) => {
                 let sum: Vec<i64> =
                     image.iter().zip(&shift).map(|(i, s)| i.saturating_add(*s)).collect();
@@ -454,6 +436,34 @@ impl<'p, W: Word> Packed<'p, W> {
     }
 }
 
+/// The components of the restriction of a character to the Levi subalgebra that stabilizes a
+/// weight, in packed weights. `None` if they do not fit, or if the Weyl group of the subalgebra is
+/// smaller than `order`.
+fn restricted(
+    base: &HighestWeight,
+    character: &Character,
+    order: f64,
+) -> Option<(Packing<u128>, Vec<(u128, i128)>)> {
+    let bound = bound_of_product(base, largest_label(character)?)?;
+    let target = Packing::new(base.algebra(), bound)?;
+    let levi = Levi::stabilizing(base, &target).filter(|levi| levi.order() >= order)?;
+    let components = levi.components(character)?;
+    Some((target, components))
+}
+
+/// The largest label of a weight of a character.
+fn largest_label(character: &Character) -> Option<i64> {
+    let algebra = character.algebra();
+    character.dominant_weights().map(|(weight, _)| algebra.largest_label(weight)).max()
+}
+
+/// A bound of the labels in the formula of a product with a character whose labels have the bound
+/// `largest`: that of the sum of the highest weights and of `ρ`.
+fn bound_of_product(base: &HighestWeight, largest: i64) -> Option<i64> {
+    let shift: Vec<i64> = base.labels().iter().map(|label| label.abs() + 1).collect();
+    base.algebra().largest_label(&shift).checked_add(largest)
+}
+
 /// The image of a weight: the weight itself, or a product with the rows of a projection.
 fn project(projection: Option<&[Vec<i64>]>, weight: &[i64], image: &mut [i64]) {
     match projection {
@@ -468,7 +478,7 @@ fn project(projection: Option<&[Vec<i64>]>, weight: &[i64], image: &mut [i64]) {
 
 #[cfg(test)]
 mod tests {
-    use super::{Levi, Packed, Sum, Word};
+    use super::{Packed, Sum, Word, restricted};
     use crate::representation::{HighestWeight, ReductiveAlgebra, Subalgebra};
 
     /// Packed and listed weights have the same sums: products, with charges as well, and
@@ -494,10 +504,8 @@ mod tests {
             assert_eq!(weights, listed, "{base} x {weight}");
             if rows.is_none() {
                 // a Levi subalgebra of any order
-                let levi = Levi::stabilizing(base, &packed.target)?;
-                let components = levi.components(&character)?;
-                let components =
-                    sum(&|sum| sum.add_components(&packed.target, base, -3, &components))?;
+                let (target, components) = restricted(base, &character, 0.0)?;
+                let components = sum(&|sum| sum.add_components(&target, base, -3, &components))?;
                 assert_eq!(components, listed, "{base} x {weight}");
             }
             Some(())

@@ -1,15 +1,15 @@
 //! Restrictions of characters to Levi subalgebras, for products with singular weights.
 //!
-//! Let `L` be the Levi subalgebra of the nodes at which `λ` is 0. Then `λ` is a character of `L`,
-//! and the formula of Brauer and Klimyk needs one term for each component `σ` of the restriction
-//! of `V` to `L`, and not one for each weight of `V`:
+//! Let `L` be the Levi subalgebra of the nodes at which `λ` is 0. Then `λ` is a character of `L`. So
+//! the formula of Brauer and Klimyk needs one term for each component `σ` of the restriction of `V`
+//! to `L`, and not one for each weight of `V`:
 //!
 //! ```text
-//! V_λ ⊗ V = sum over σ of V_(λ + σ),    V|L = sum over σ of L_σ
+//! V_λ ⊗ V = sum over σ of ±V_(w(λ + σ + ρ) - ρ),    V|L = sum over σ of L_σ
 //! ```
 //!
-//! Here `V_κ` stands for `±V_(w(κ + ρ) - ρ)`, or 0. The sum of a `W_L`-orbit in the formula is
-//! Weyl's character formula of `L`.
+//! The Weyl group element `w` makes its argument dominant, with its sign; a term that a reflection
+//! fixes is 0. The terms of a `W_L`-orbit of weights are Weyl's character formula of `L`.
 
 use super::packed::{Packing, Word, minus};
 use super::{Character, HighestWeight, ReductiveAlgebra};
@@ -21,31 +21,31 @@ use std::cmp::Reverse;
 use std::collections::hash_map::Entry;
 
 /// The Levi subalgebra of some nodes, with packed weights of the algebra.
-pub(super) struct Levi<'p, W> {
-    packing: &'p Packing<W>,
+pub(super) struct Levi<'p> {
+    packing: &'p Packing<u128>,
     /// The semisimple part, and the node of the algebra of each of its nodes.
     algebra: ReductiveAlgebra,
     nodes: Vec<usize>,
     /// The top bits, and all bits, of the lanes of the nodes.
-    signs: W,
-    lanes: W,
+    signs: u128,
+    lanes: u128,
     /// The coefficients of the labels in the height: each simple root of the subalgebra has 2.
     heights: Vec<(usize, i64)>,
     /// The positive roots in which the other simple roots have the sum 1 of coefficients.
-    steps: Vec<Step<W>>,
+    steps: Vec<Step>,
 }
 
 /// A positive root outside the subalgebra.
-struct Step<W> {
-    root: W,
+struct Step {
+    root: u128,
     coroot: Vec<(usize, i64)>,
     /// The top bits of the lanes of the nodes whose label is negative.
-    negative: W,
+    negative: u128,
 }
 
-impl<'p, W: Word> Levi<'p, W> {
+impl<'p> Levi<'p> {
     /// The Levi subalgebra of the nodes at which a weight is 0.
-    pub fn stabilizing(weight: &HighestWeight, packing: &'p Packing<W>) -> Option<Self> {
+    pub fn stabilizing(weight: &HighestWeight, packing: &'p Packing<u128>) -> Option<Self> {
         let ambient = weight.algebra();
         let rank = ambient.semisimple_rank();
         let kept: Vec<usize> = (0..rank).filter(|&i| weight.labels()[i] == 0).collect();
@@ -89,11 +89,11 @@ impl<'p, W: Word> Levi<'p, W> {
     /// The highest weights of the components of the restriction of a character, with their
     /// multiplicities. `None` if the weights of the character are not saturated, or if the
     /// multiplicities of a component are too large.
-    pub fn components(&self, character: &Character) -> Option<Vec<(W, i128)>> {
+    pub fn components(&self, character: &Character) -> Option<Vec<(u128, i128)>> {
         let mut rest = self.dominant_weights(character);
-        let mut order: Vec<W> = rest.keys().copied().collect();
+        let mut order: Vec<u128> = rest.keys().copied().collect();
         order.sort_unstable_by_key(|&weight| Reverse(self.height(weight)));
-        let mut lowered: FxHashMap<W, Vec<(W, i128)>> = FxHashMap::default();
+        let mut lowered: FxHashMap<u128, Vec<(u128, i128)>> = FxHashMap::default();
         let mut components = vec![];
         for weight in order {
             let multiplicity = rest[&weight];
@@ -107,7 +107,7 @@ impl<'p, W: Word> Levi<'p, W> {
                 Entry::Vacant(place) => place.insert(self.below(weight)?),
             };
             for &(difference, m) in &*below {
-                *rest.get_mut(&weight.wrapping_sub(&difference))? -= m * multiplicity;
+                *rest.get_mut(&weight.wrapping_sub(difference))? -= m * multiplicity;
             }
         }
         Some(components)
@@ -120,7 +120,7 @@ impl<'p, W: Word> Levi<'p, W> {
     /// `s_i ν` to the dominant weight `ν'` of its orbit under `W_L`. Then `u α_i` is such a root,
     /// and `u ν = s_(u α_i) ν'`. Roots that the stabilizer of `ν'` in `W_L` permutes lead to the
     /// same weight, so the dominant one of them suffices.
-    fn dominant_weights(&self, character: &Character) -> FxHashMap<W, i128> {
+    fn dominant_weights(&self, character: &Character) -> FxHashMap<u128, i128> {
         let mut found = FxHashMap::default();
         let mut open = vec![];
         for (weight, multiplicity) in character.dominant_weights() {
@@ -130,7 +130,7 @@ impl<'p, W: Word> Levi<'p, W> {
             open.push(weight);
             while let Some(weight) = open.pop() {
                 let zeros = self.packing.below_one(weight) & self.signs;
-                for step in self.steps.iter().filter(|step| (step.negative & zeros).is_zero()) {
+                for step in self.steps.iter().filter(|step| step.negative & zeros == 0) {
                     let value = |&(i, c): &(usize, i64)| c * self.packing.label(weight, i);
                     let product: i64 = step.coroot.iter().map(value).sum();
                     if product > 0 {
@@ -146,20 +146,20 @@ impl<'p, W: Word> Levi<'p, W> {
         found
     }
 
-    fn height(&self, weight: W) -> i64 {
+    fn height(&self, weight: u128) -> i64 {
         self.heights.iter().map(|&(i, t)| t * self.packing.label(weight, i)).sum()
     }
 
     /// The differences of a weight and the dominant weights of the representation of the subalgebra
     /// with this highest weight, with their multiplicities; the weight itself is the first.
-    fn below(&self, weight: W) -> Option<Vec<(W, i128)>> {
+    fn below(&self, weight: u128) -> Option<Vec<(u128, i128)>> {
         let labels = self.nodes.iter().map(|&i| self.packing.label(weight, i)).collect();
         let highest = HighestWeight::of(&self.algebra, labels);
         let lowered = highest.lowered_weights().ok()?;
         let packed = lowered.into_iter().map(|(_, coefficients, multiplicity)| {
             let terms = self.nodes.iter().zip(coefficients);
-            let difference = terms.fold(W::zero(), |sum, (&i, c)| {
-                sum.wrapping_add(&W::wrapped(c).wrapping_mul(&self.packing.root(i)))
+            let difference = terms.fold(0u128, |sum, (&i, c)| {
+                sum.wrapping_add(u128::wrapped(c).wrapping_mul(self.packing.root(i)))
             });
             (difference, multiplicity)
         });

@@ -18,7 +18,6 @@
 use super::{HighestWeight, ReductiveAlgebra, RepresentationError};
 use crate::algebra::roots::{CartanType, Series};
 use num_traits::ToPrimitive;
-use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 /// The largest dimension of a representation with a name.
 pub const MAX_NAMED: u64 = 1_000_000;
@@ -51,33 +50,28 @@ pub fn names<'w>(weights: impl IntoIterator<Item = &'w HighestWeight>) -> Vec<Op
     let weights: Vec<&HighestWeight> = weights.into_iter().collect();
     let Some(first) = weights.first() else { return vec![] };
     let algebra = first.algebra();
-    let mut named: HashMap<(usize, &[i64]), String> = HashMap::new();
-    for (at, factor) in algebra.simple_factors().iter().enumerate() {
-        let mut wanted: BTreeMap<u64, HashMap<&[i64], String>> = BTreeMap::new();
-        for weight in &weights {
-            let dimension = weight.factor_dimension(at).to_u64().filter(|d| *d <= MAX_NAMED);
-            if let Some(dimension) = dimension {
-                let labels = &weight.labels()[algebra.positions(at)];
-                wanted.entry(dimension).or_default().insert(labels, String::new());
-            }
-        }
-        let dimensions = wanted.keys().copied().collect();
-        for (dimension, found) in of_dimensions(*factor, &dimensions) {
-            for (name, labels) in with_names(dimension, found) {
-                let place = wanted.get_mut(&dimension).and_then(|all| all.get_mut(&labels[..]));
-                if let Some(place) = place {
-                    *place = name;
-                }
-            }
-        }
-        named.extend(wanted.into_values().flatten().map(|(labels, name)| ((at, labels), name)));
-    }
+    // the names of each factor, by labels
+    let tables: Vec<Vec<(Vec<i64>, String)>> = (0..algebra.simple_factors().len())
+        .map(|at| {
+            let dimensions = weights.iter().filter_map(|w| w.factor_dimension(at).to_u64());
+            let mut dimensions: Vec<u64> = dimensions.filter(|d| *d <= MAX_NAMED).collect();
+            dimensions.sort_unstable();
+            dimensions.dedup();
+            let found = of_dimensions(algebra.simple_factors()[at], &dimensions);
+            let equal = found.chunk_by(|a, b| a.0 == b.0);
+            let mut table: Vec<_> = equal.flat_map(with_names).collect();
+            table.sort_unstable();
+            table
+        })
+        .collect();
     let of = |weight: &&HighestWeight| {
-        let factors = 0..algebra.simple_factors().len();
-        let names: Option<Vec<&str>> = factors
-            .map(|at| {
+        let names: Option<Vec<&str>> = tables
+            .iter()
+            .enumerate()
+            .map(|(at, table)| {
                 let labels = &weight.labels()[algebra.positions(at)];
-                named.get(&(at, labels)).map(String::as_str)
+                let place = table.binary_search_by(|(known, _)| known[..].cmp(labels)).ok()?;
+                Some(&table[place].1[..])
             })
             .collect();
         let charges = &weight.labels()[algebra.semisimple_rank()..];
@@ -221,52 +215,49 @@ fn parse_name(algebra: &ReductiveAlgebra, text: &str) -> Result<HighestWeight, S
     HighestWeight::new(algebra, labels).map_err(|error| error.to_string())
 }
 
-/// The irreducible representations of a simple algebra, by dimension, for some dimensions.
-fn of_dimensions(
-    factor: CartanType,
-    dimensions: &BTreeSet<u64>,
-) -> BTreeMap<u64, Vec<HighestWeight>> {
+/// The irreducible representations of a simple algebra whose dimensions are in a sorted list, by
+/// dimension.
+fn of_dimensions(factor: CartanType, dimensions: &[u64]) -> Vec<(u64, HighestWeight)> {
     let algebra = ReductiveAlgebra::new([factor], 0);
-    let mut found: BTreeMap<u64, Vec<HighestWeight>> = BTreeMap::new();
+    let mut found = vec![];
     Search::new(&algebra, dimensions.last().copied().unwrap_or(0)).collect(&mut |labels, d| {
-        if dimensions.contains(&d) {
-            found.entry(d).or_default().push(HighestWeight::of(&algebra, labels.to_vec()));
+        if dimensions.binary_search(&d).is_ok() {
+            found.push((d, HighestWeight::of(&algebra, labels.to_vec())));
         }
     });
+    found.sort_by_key(|(dimension, _)| *dimension);
     found
-}
-
-/// The irreducible representations of a simple algebra of a dimension.
-fn of_dimension(factor: CartanType, dimension: u64) -> Vec<HighestWeight> {
-    of_dimensions(factor, &BTreeSet::from([dimension])).remove(&dimension).unwrap_or_default()
 }
 
 /// The labels of the irreducible representations of a simple algebra of a dimension, in descending
 /// lexicographic order.
 pub(super) fn irreducible(factor: CartanType, dimension: u64) -> Vec<Vec<i64>> {
-    let found = of_dimension(factor, dimension);
-    let mut labels: Vec<_> = found.iter().map(|weight| weight.labels().to_vec()).collect();
+    let found = of_dimensions(factor, &[dimension]);
+    let mut labels: Vec<_> = found.iter().map(|(_, weight)| weight.labels().to_vec()).collect();
     labels.sort_by(|a, b| b.cmp(a));
     labels
 }
 
-/// All representations of a simple algebra of a dimension, with their names.
+/// The names and labels of all representations of a simple algebra of a dimension.
 fn named(factor: CartanType, dimension: u64) -> Vec<(String, Vec<i64>)> {
-    with_names(dimension, of_dimension(factor, dimension))
+    let found = with_names(&of_dimensions(factor, &[dimension]));
+    found.into_iter().map(|(labels, name)| (name, labels)).collect()
 }
 
-/// The names of all representations of a dimension.
-fn with_names(dimension: u64, found: Vec<HighestWeight>) -> Vec<(String, Vec<i64>)> {
-    let mut plain: Vec<HighestWeight> = found.into_iter().filter(without_bar).collect();
+/// The labels and names of all representations of a dimension.
+fn with_names(found: &[(u64, HighestWeight)]) -> Vec<(Vec<i64>, String)> {
+    let dimension = found.first().map_or(0, |(dimension, _)| *dimension);
+    let plain = found.iter().map(|(_, weight)| weight).filter(|weight| without_bar(weight));
+    let mut plain: Vec<&HighestWeight> = plain.collect();
     plain.sort_by(|a, b| a.index().cmp(&b.index()).then_with(|| b.labels().cmp(a.labels())));
     let mut names = vec![];
     for (primes, weight) in plain.into_iter().enumerate() {
         let name = format!("{dimension}{}", "'".repeat(primes));
         let dual = weight.dual();
-        if dual != weight {
-            names.push((format!("{name}bar"), dual.labels().to_vec()));
+        if dual != *weight {
+            names.push((dual.labels().to_vec(), format!("{name}bar")));
         }
-        names.push((name, weight.labels().to_vec()));
+        names.push((weight.labels().to_vec(), name));
     }
     names
 }

@@ -7,9 +7,13 @@ use crate::Coefficient;
 use crate::input::{InputError, Place, Source, shown};
 use affinor::algebra::Complex;
 use affinor::algebra::catalogue::MAX_DIMENSION;
+#[cfg(feature = "mechanisms")]
 use affinor::algebra::structure::Subspace;
-use affinor::geometry::{ConnectionKind, FrameOrigin, Geometry, complement_projector};
+#[cfg(feature = "mechanisms")]
+use affinor::geometry::complement_projector;
+use affinor::geometry::{ConnectionKind, FrameOrigin, Geometry};
 use affinor::{Bracket, CanonicalConnection, Error, Law, LieAlgebra, MatrixBasis, Metric};
+#[cfg(feature = "mechanisms")]
 use affinor_tensors::linear::Row;
 use affinor_tensors::{Down, Ring, Symbolic, Tensor, Tolerance, Up};
 use num_traits::Zero;
@@ -88,6 +92,7 @@ pub(super) enum ConnectionChoice {
     LeviCivita,
     Affinities(Pairs),
     /// The nonholonomic connection of the distribution that is spanned by these vectors.
+    #[cfg(feature = "mechanisms")]
     Nonholonomic(Vec<BTreeMap<usize, Symbolic>>),
 }
 
@@ -334,6 +339,7 @@ impl Definition {
                 let gamma = Tensor::from_components(self.dimension(), &slots, components(given)?)?;
                 ConnectionKind::Affinities(gamma.with_tolerance(tolerance))
             }
+            #[cfg(feature = "mechanisms")]
             Some(ConnectionChoice::Nonholonomic(vectors)) => {
                 let metric = metric.as_ref().ok_or_else(|| self.without_metric().or_at(place))?;
                 let projector = self.projector(vectors, metric);
@@ -359,6 +365,7 @@ impl Definition {
     }
 
     /// The projector onto the orthogonal complement of the span of some vectors.
+    #[cfg(feature = "mechanisms")]
     fn projector<S: Coefficient>(
         &self,
         vectors: &[BTreeMap<usize, Symbolic>],
@@ -540,6 +547,7 @@ impl Definition {
         match &mut self.connection {
             Some((ConnectionChoice::Family(lambda), _)) => f(lambda),
             Some((ConnectionChoice::Affinities(given), _)) => brackets(given, f),
+            #[cfg(feature = "mechanisms")]
             Some((ConnectionChoice::Nonholonomic(vectors), _)) => {
                 vectors.iter_mut().flat_map(BTreeMap::values_mut).for_each(f);
             }

@@ -101,6 +101,7 @@ impl<'n> Names<'n> {
     }
 
     /// Parses linear combinations of basis vectors, separated by commas.
+    #[cfg(feature = "mechanisms")]
     pub fn vectors(
         &self,
         text: &str,
@@ -500,7 +501,9 @@ pub(super) fn connection(
     let family =
         trimmed.strip_prefix("lambda").and_then(|rest| rest.trim_start().strip_prefix('='));
     let place = source.whole(trimmed);
+    #[cfg(feature = "mechanisms")]
     let of = trimmed.strip_prefix("nonholonomic");
+    #[cfg(feature = "mechanisms")]
     if let Some(vectors) = of.and_then(|rest| enclosed(rest.trim_start(), "(", ')')) {
         return Ok((ConnectionChoice::Nonholonomic(names.vectors(vectors, source)?), place));
     }
@@ -515,9 +518,12 @@ pub(super) fn connection(
         (_, Some(value)) => ConnectionChoice::Family(names.scalar(value, source)?),
         _ => {
             let message = format!("`{}` is not a connection", shown(trimmed));
-            return Err(InputError::usage(message).at(&place).help(
-                "plus, zero, minus, lambda=1/3, levi-civita, or nonholonomic(VECTOR, ...) of vectors that span the distribution; canonical or natural on G/H",
-            ));
+            let help = if cfg!(feature = "mechanisms") {
+                "plus, zero, minus, lambda=1/3, levi-civita, or nonholonomic(VECTOR, ...) of vectors that span the distribution; canonical or natural on G/H"
+            } else {
+                "plus, zero, minus, lambda=1/3, or levi-civita; canonical or natural on G/H"
+            };
+            return Err(InputError::usage(message).at(&place).help(help));
         }
     };
     Ok((choice, place))

@@ -140,15 +140,15 @@ fn spatial_and_body_components_agree() {
              integrator.tolerance = 1e-13\n"
         ))
     };
-    let names = ["g11", "g23", "g31", "Omega1", "Omega2", "Omega3", "lambda1"];
+    let names = ["qw", "qx", "qy", "qz", "Omega1", "Omega2", "Omega3", "lambda1"];
     let spatial = last(&problem("omega3"), &names);
     let body = last(&problem("g31*Omega1 + g32*Omega2 + g33*Omega3"), &names);
     assert!(off(&spatial, &body) < 1e-11, "{spatial:?} {body:?}");
     Run::new(&problem("omega3"), 0).keeps(&["energy"], 1e-11);
 }
 
-/// A vertical disk of radius `r` that rolls with the rate `p` and turns with the rate `w`: its
-/// centre describes a circle of radius `r p/w`, and the ground pulls it to the centre.
+/// A vertical disk of radius `r` that rolls with the rate `p` and turns with the rate `w`. The centre
+/// of the disk describes a circle of radius `r p/w`, and the ground pulls the disk to the centre.
 #[test]
 fn the_vertical_rolling_disk() {
     let (m, r, p, w, time) = (3.0, 0.4, 2.5, 0.7, 4.0);
@@ -274,8 +274,8 @@ integrator.tolerance = 1e-13
     let found = last(&upright, &names);
     assert!(off(&found, &expected) < 1e-10, "{found:?}");
     Run::new(&upright, 0).keeps(&["energy"], 1e-11);
-    // the axis of the second disk is inclined: g33 = sin(0.4), and its velocity is c x omega in axes
-    // of the disk, in which the point of contact is c = (0, -r, 0)
+    // the axis of the second disk is inclined: g33 = sin(0.4). In axes of the disk, the point of
+    // contact is c = (0, -r, 0), and the velocity of the disk is c x omega
     let leaning = disk(
         "parameters = { m = 2, r = 0.3, A = 0.05, C = 0.09 }\noutput = { end = 1.5, every = 0.5 }\n\
          [initial]\nvelocity = [0.3, 1, 8, \"-0.3*8\", 0, \"0.3*0.3\"]\n\
