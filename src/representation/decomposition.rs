@@ -1,6 +1,6 @@
 //! Decompositions into irreducible representations.
 
-use super::levi::Levi;
+use super::levi::{Components, Levi};
 use super::packed::{Packing, Word};
 use super::{Character, HighestWeight, ReductiveAlgebra, RepresentationError};
 use affinor_tensors::stop::{checkpoint, stage};
@@ -443,7 +443,7 @@ fn restricted(
     base: &HighestWeight,
     character: &Character,
     order: f64,
-) -> Option<(Packing<u128>, Vec<(u128, i128)>)> {
+) -> Option<(Packing<u128>, Components)> {
     let bound = bound_of_product(base, largest_label(character)?)?;
     let target = Packing::new(base.algebra(), bound)?;
     let levi = Levi::stabilizing(base, &target).filter(|levi| levi.order() >= order)?;

@@ -20,6 +20,9 @@ use rustc_hash::FxHashMap;
 use std::cmp::Reverse;
 use std::collections::hash_map::Entry;
 
+/// Highest weights of components, as packed weights of the algebra, with multiplicities.
+pub(super) type Components = Vec<(u128, i128)>;
+
 /// The Levi subalgebra of some nodes, with packed weights of the algebra.
 pub(super) struct Levi<'p> {
     packing: &'p Packing<u128>,
@@ -89,7 +92,7 @@ impl<'p> Levi<'p> {
     /// The highest weights of the components of the restriction of a character, with their
     /// multiplicities. `None` if the weights of the character are not saturated, or if the
     /// multiplicities of a component are too large.
-    pub fn components(&self, character: &Character) -> Option<Vec<(u128, i128)>> {
+    pub fn components(&self, character: &Character) -> Option<Components> {
         let mut rest = self.dominant_weights(character);
         let mut order: Vec<u128> = rest.keys().copied().collect();
         order.sort_unstable_by_key(|&weight| Reverse(self.height(weight)));
