@@ -457,8 +457,8 @@ fn largest_label(character: &Character) -> Option<i64> {
     character.dominant_weights().map(|(weight, _)| algebra.largest_label(weight)).max()
 }
 
-/// A bound of the labels in the formula of a product with a character whose labels have the bound
-/// `largest`: that of the sum of the highest weights and of `ρ`.
+/// A bound of the labels in the formula of a product with a character: the largest label of the
+/// orbit of `λ + ρ`, plus the largest label of the character.
 fn bound_of_product(base: &HighestWeight, largest: i64) -> Option<i64> {
     let shift: Vec<i64> = base.labels().iter().map(|label| label.abs() + 1).collect();
     base.algebra().largest_label(&shift).checked_add(largest)
