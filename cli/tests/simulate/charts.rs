@@ -56,7 +56,7 @@ fn the_summary_and_the_notes_are_printed() {
     let messages = String::from_utf8(output.stderr).unwrap();
     for part in [
         "note: v_theta = -0.99498743710662 is the smaller root of g(v, v) = 1; the other root is 0.99498743710662",
-        "note: method dop853: a curve on a chart, to a tolerance",
+        "note: method dop853: a curve on a chart, or bodies in joint coordinates, to a tolerance",
         "p_phi",
         "norm",
     ] {

@@ -9,7 +9,7 @@ use super::forces::ForceFormulas;
 use super::initial::InitialMomentum;
 use super::joint::{self, JointFormulas, expect_bodies, vector};
 use super::joint_keys::BodyKeys;
-use super::keys::Keys;
+use super::keys::{Keys, NOT_WITH_BODIES, OF_CHARTS, OF_HOMOGENEOUS};
 use super::on_group::OnGroup;
 use super::reader::{Reader, Value};
 use crate::input::{InputError, Place, Refusal, Source};
@@ -67,18 +67,7 @@ pub(super) fn read(
         return Err(error.help("give both [[bodies]] and [[joints]]"));
     };
     let of_mechanisms = "a problem with bodies and joints";
-    let others = [
-        "space",
-        "definition",
-        "metric",
-        "inertia",
-        "constraints",
-        "velocity_constraints",
-        "connection",
-        "initial.element",
-        "initial.coordinates",
-        "initial.parts",
-    ];
+    let others = [&NOT_WITH_BODIES[..], &OF_CHARTS, &OF_HOMOGENEOUS].concat();
     reader.refuse(of_mechanisms, &others)?;
     if keys.gravity.is_some() && keys.forces.potential.is_some() {
         let error = InputError::usage("the potential is given twice").at(&source.key("gravity"));

@@ -84,6 +84,32 @@ pub(super) const NOT_ON_CHARTS: [&str; 22] = [
     "forces.interpolation",
 ];
 
+/// The dotted paths of the keys that are not allowed in problems with bodies and joints. The keys of
+/// [`OF_CHARTS`] and [`OF_HOMOGENEOUS`] are not allowed either.
+#[cfg(feature = "mechanisms")]
+pub(super) const NOT_WITH_BODIES: [&str; 20] = [
+    "space",
+    "definition",
+    "invariance",
+    "metric",
+    "inertia",
+    "connection",
+    "constraints",
+    "velocity_constraints",
+    "prescribed",
+    "hamiltonian",
+    "flow",
+    "initial.element",
+    "initial.restore",
+    "initial.coordinates",
+    "initial.quaternion",
+    "initial.position",
+    "initial.parts",
+    "initial.spatial_velocity",
+    "initial.momentum",
+    "initial.spatial_momentum",
+];
+
 /// The dotted paths of the keys that are allowed only in problems on a homogeneous space.
 pub(super) const OF_HOMOGENEOUS: [&str; 1] = ["transport"];
 

@@ -4,7 +4,7 @@ use super::body::Bodies;
 use super::integrator::Member;
 use super::joint::{self, JointFormulas, expect_bodies, vector};
 use super::joint_keys::JointKeys;
-use super::keys::{Keys, OF_CHARTS, OF_HOMOGENEOUS};
+use super::keys::{Keys, NOT_WITH_BODIES, OF_CHARTS, OF_HOMOGENEOUS};
 use super::output::RowNames;
 use super::reader::{Reader, Value, Written};
 use super::ready::Ready;
@@ -61,30 +61,8 @@ impl OnTree {
     }
 
     pub fn read(keys: &Keys, reader: &Reader) -> Result<Self, InputError> {
-        let of_groups = [
-            "space",
-            "definition",
-            "invariance",
-            "metric",
-            "inertia",
-            "connection",
-            "constraints",
-            "prescribed",
-            "hamiltonian",
-            "flow",
-            "forces",
-            "initial.element",
-            "initial.restore",
-            "initial.coordinates",
-            "initial.quaternion",
-            "initial.position",
-            "initial.parts",
-            "initial.velocity",
-            "initial.spatial_velocity",
-            "initial.momentum",
-            "initial.spatial_momentum",
-        ];
-        let refused = [&of_groups[..], &OF_CHARTS, &OF_HOMOGENEOUS].concat();
+        let of_poses = ["forces", "initial.velocity"];
+        let refused = [&NOT_WITH_BODIES[..], &of_poses, &OF_CHARTS, &OF_HOMOGENEOUS].concat();
         reader.refuse("a problem in joint coordinates", &refused)?;
         let bodies = keys.bodies.as_deref().unwrap_or_default();
         expect_bodies(bodies, reader)?;

@@ -210,7 +210,7 @@ methods! {
         MatrixFlow Fixed IsospectralMidpoint;
     Isospectral4     "isospectral4"      4  "an isospectral flow of matrices"
         MatrixFlow Fixed Composed(IsospectralMidpoint);
-    DormandPrince853 "dop853"            8  "a curve on a chart, to a tolerance"
+    DormandPrince853 "dop853"            8  "a curve on a chart, or bodies in joint coordinates, to a tolerance"
         Chart Controlled Pair::Eight;
 }
 

@@ -234,9 +234,9 @@ impl<G: TranslationSplit, C: Constraint<G>, M: Torque<G>> Constrained<G, C, M> {
         element: &G::Element,
         velocity: &G::Vector,
     ) -> f64 {
-        let holonomic = largest(self.constraint.value(time, element));
+        let holonomic = self.constraint.value(time, element).amax();
         match self.constraint.affine(time, element) {
-            Some((matrix, right)) => holonomic.max(largest(matrix * column(velocity) - right)),
+            Some((matrix, right)) => holonomic.max((matrix * column(velocity) - right).amax()),
             None => holonomic,
         }
     }
@@ -245,7 +245,7 @@ impl<G: TranslationSplit, C: Constraint<G>, M: Torque<G>> Constrained<G, C, M> {
     /// holonomic constraint, and `|A^b_i v^i - b^b|` for a constraint on the velocity.
     pub fn velocity_violation(&self, state: &ConstrainedState<G>) -> f64 {
         let constraints = self.velocity_constraints(state.time, &state.element);
-        largest(constraints.residual(&column(&state.velocity)))
+        constraints.residual(&column(&state.velocity)).amax()
     }
 
     /// The velocity nearest to `velocity` that satisfies all constraints at an element, where
@@ -508,11 +508,6 @@ fn expect_shape<G: LieGroup>(
         expected: format!("{count} rows and {n} columns"),
         found: format!("{} and {}", matrix.nrows(), matrix.ncols()),
     })
-}
-
-/// The largest component of a vector by absolute value; 0 if there are no components.
-fn largest(vector: DVector<f64>) -> f64 {
-    vector.iter().map(|x| x.abs()).fold(0.0, f64::max)
 }
 
 fn invalid(reason: String) -> Error {

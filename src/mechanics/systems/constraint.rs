@@ -38,8 +38,8 @@ pub trait Constraint<G: LieGroup> {
         None
     }
 
-    /// The matrix `A` and the vector `b` of the constraints `A v = b`. `None`, the default, means
-    /// that there are no such constraints.
+    /// The matrix `A` and the vector `b` of the constraints `A v = b`. By default, there are no such
+    /// constraints, and the result is `None`.
     fn affine(&self, time: f64, element: &G::Element) -> Option<(DMatrix<f64>, DVector<f64>)> {
         let _ = (time, element);
         None

@@ -310,3 +310,34 @@ fn invalid_trees_are_errors_with_advice() {
         assert!(found.contains(message) && found.contains(advice), "{text}: {found}");
     }
 }
+
+/// Keys of other problems are not ignored, with joint coordinates or with poses.
+#[test]
+fn keys_of_other_problems_are_refused() {
+    let lines = [
+        "velocity_constraints = [\"Omega3\"]",
+        "constraints = [\"g11\"]",
+        "metric = \"identity\"",
+        "connection = \"plus\"",
+        "invariance = \"left\"",
+        "hamiltonian = \"h1\"",
+        "embedding = [\"x\", \"y\", \"z\"]",
+        "transport = { v = [1, 0, 0] }",
+        "initial.momentum = [0, 0, 0]",
+        "initial.spatial_velocity = [0, 0, 0]",
+        "initial.spatial_momentum = [0, 0, 0]",
+        "initial.quaternion = [1, 0, 0, 0]",
+        "initial.position = [0, 0, 0]",
+        "initial.coordinates = [0, 0, 0]",
+    ];
+    for line in lines {
+        let key = line.split(' ').next().unwrap().trim_start_matches("initial.");
+        for coordinates in ["joints", "poses"] {
+            let text = single(line, "type = \"revolute\", at = [0, 0, 0], axis = [0, 0, 1]")
+                .replace("\"joints\"\n", &format!("\"{coordinates}\"\n"));
+            let Err(error) = last(&text, 1.0, &["t"]) else { panic!("no error: {text}") };
+            let found = format!("{error:?}");
+            assert!(found.contains(&format!("has no `{key}`")), "{text}: {found}");
+        }
+    }
+}
