@@ -9,7 +9,7 @@ use super::forces::ForceFormulas;
 use super::initial::InitialMomentum;
 use super::joint::{self, JointFormulas, expect_bodies, vector};
 use super::joint_keys::BodyKeys;
-use super::keys::{Keys, NOT_WITH_BODIES, OF_CHARTS, OF_HOMOGENEOUS};
+use super::keys::{Keys, NOT_WITH_BODIES, OF_CHARTS, OF_CONSTRAINTS, OF_HOMOGENEOUS, OF_TREES};
 use super::on_group::OnGroup;
 use super::reader::{Reader, Value};
 use crate::input::{InputError, Place, Refusal, Source};
@@ -67,6 +67,12 @@ pub(super) fn read(
         return Err(error.help("give both [[bodies]] and [[joints]]"));
     };
     let of_mechanisms = "a problem with bodies and joints";
+    for key in OF_TREES.iter().chain(&OF_CONSTRAINTS) {
+        if source.has_key(key) {
+            let error = source.refused(key, format!("`{key}` needs joint coordinates"));
+            return Err(error.help("leave coordinates = \"poses\" out"));
+        }
+    }
     let others = [&NOT_WITH_BODIES[..], &OF_CHARTS, &OF_HOMOGENEOUS].concat();
     reader.refuse(of_mechanisms, &others)?;
     if keys.gravity.is_some() && keys.forces.potential.is_some() {
@@ -107,13 +113,13 @@ impl Joints {
             if matches!(own.kind, JointKind::Helical | JointKind::Subgroup) {
                 let message = format!("the motion of a {} joint is not supported", own.kind.name());
                 let error = InputError::usage(message).at(&source.at(&keys.kind));
-                return Err(error.help("write coordinates = \"joints\" at the top of the file, use other joints, or `affinor mobility`"));
+                return Err(error.help("leave coordinates = \"poses\" out, or use other joints"));
             }
-            let of_trees = ["coordinate", "force", "stiffness", "damping", "rest"];
+            let of_trees = ["coordinate", "force", "stiffness", "damping", "rest", "motor"];
             for key in of_trees.map(|key| format!("joints.{at}.{key}")) {
                 if source.has_key(&key) {
                     let error = source.refused(&key, "this key needs joint coordinates");
-                    return Err(error.help("write coordinates = \"joints\" at the top of the file"));
+                    return Err(error.help("leave coordinates = \"poses\" out"));
                 }
             }
             let rate = match keys.rate.as_ref().map(|rate| &rate.0[..]) {
@@ -122,7 +128,7 @@ impl Joints {
                 Some(_) => {
                     let place = format!("joints.{at}.rate");
                     let error = source.refused(&place, "a list of rates needs joint coordinates");
-                    return Err(error.help("write coordinates = \"joints\" at the top of the file"));
+                    return Err(error.help("leave coordinates = \"poses\" out"));
                 }
             };
             joints.push(Joined { own, rate });
