@@ -71,10 +71,10 @@ impl Cut {
         }
         let mut shared = inertias.to_vec();
         shared.resize(names.len(), None);
-        for body in 0..inertias.len() {
+        for (body, whole) in inertias.iter().enumerate() {
             let own = copies.iter().filter(|copy| copy[0] == body);
             let own: Vec<usize> = own.map(|copy| copy[1]).chain([body]).collect();
-            let Some(whole) = inertias[body].filter(|_| own.len() > 1) else { continue };
+            let Some(whole) = whole.filter(|_| own.len() > 1) else { continue };
             let part = whole.of_mass(whole.mass() / own.len() as f64)?;
             own.into_iter().for_each(|copy| shared[copy] = Some(part));
         }

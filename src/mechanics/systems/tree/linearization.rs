@@ -124,9 +124,9 @@ impl TreeSystem {
                 return Err(invalid(reason.into()));
             }
         }
-        let (zeros, eigenvalues, vectors) = modes(&matrix);
-        let shapes = vectors.iter().map(|vector| {
-            let deviation = basis.map(Complex::from) * vector;
+        let (zeros, eigenvalues) = modes(&matrix);
+        let shapes = eigenvalues.iter().map(|value| {
+            let deviation = basis.map(Complex::from) * vector(&matrix, value);
             let sizes = deviation.rows(0, units.len()).map(|x| x.norm());
             let largest = sizes.max();
             sizes.iter().map(|x| if largest > 0.0 { x / largest } else { 0.0 }).collect()
@@ -311,16 +311,15 @@ fn null_space(matrix: DMatrix<f64>) -> DMatrix<f64> {
     vectors.select_rows(&rows).transpose()
 }
 
-/// The number of eigenvalues that vanish, the other eigenvalues, and their vectors in the space of
-/// the matrix.
-fn modes(matrix: &DMatrix<f64>) -> (usize, Vec<Complex<f64>>, Vec<DVector<Complex<f64>>>) {
+/// The number of eigenvalues that vanish, and the other eigenvalues.
+fn modes(matrix: &DMatrix<f64>) -> (usize, Vec<Complex<f64>>) {
     let n = matrix.nrows();
     let scale = matrix.norm();
     // the quotient by generalized eigenvectors of 0
     let mut reduced = matrix.clone();
     loop {
         if reduced.is_empty() {
-            return (n, vec![], vec![]);
+            return (n, vec![]);
         }
         let mut padded = reduced.clone();
         padded.iter_mut().filter(|x| x.abs() <= f64::EPSILON * scale).for_each(|x| *x = 0.0);
@@ -335,8 +334,7 @@ fn modes(matrix: &DMatrix<f64>) -> (usize, Vec<Complex<f64>>, Vec<DVector<Comple
     let mut eigenvalues: Vec<Complex<f64>> =
         Schur::new(reduced.clone()).complex_eigenvalues().iter().copied().collect();
     eigenvalues.sort_by(|a, b| b.re.total_cmp(&a.re).then(b.im.total_cmp(&a.im)));
-    let vectors = eigenvalues.iter().map(|value| vector(matrix, value)).collect();
-    (zeros, eigenvalues, vectors)
+    (zeros, eigenvalues)
 }
 
 /// An eigenvector of a matrix: the right singular vector of the smallest singular value of `A -
