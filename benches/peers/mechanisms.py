@@ -34,7 +34,7 @@ arguments.add_argument("--affinor", help="the program; without it only EXUDYN ru
 arguments.add_argument("--only", nargs="+", help="problems, of: four_bar bricard slider_crank")
 arguments.add_argument("--runs", type=int, default=3, help="runs of each simulation")
 options = arguments.parse_args()
-exudyn.SetWriteToConsole(False)
+exudyn.config.printToConsole = False
 
 
 def system():
@@ -137,8 +137,8 @@ def simulated(file, columns, end, step):
     for _ in range(options.runs):
         with tempfile.NamedTemporaryFile("r", suffix=".csv") as rows:
             before = resource.getrusage(resource.RUSAGE_CHILDREN)
-            run = subprocess.run([options.affinor, "simulate", str(file), "--step", repr(step), "--end", str(end), "--every", str(end), "--format", "csv", "-o", rows.name],
-                                 capture_output=True, text=True)
+            grid = ["--step", repr(step), "--end", str(end), "--every", str(end)]
+            run = subprocess.run([options.affinor, "simulate", str(file), *grid, "--format", "csv", "-o", rows.name], capture_output=True)
             after = resource.getrusage(resource.RUSAGE_CHILDREN)
             if run.returncode:
                 return None

@@ -1,5 +1,4 @@
-"""The arm of tests/data/arm.urdf: Newton and Euler's recursion in 42 digits, confirmed by Pinocchio.
-"""
+"""The arm of tests/data/arm.urdf: Newton and Euler's recursion in 42 digits, confirmed by Pinocchio."""
 from pathlib import Path
 from xml.etree import ElementTree
 

@@ -1,5 +1,4 @@
-"""The bicycle of Meijaard, Papadopoulos, Ruina and Schwab, Proc. R. Soc. A 463 (2007) 1955-1982, upright at constant speed.
-"""
+"""The bicycle of Meijaard, Papadopoulos, Ruina and Schwab, Proc. R. Soc. A 463 (2007) 1955-1982, upright at constant speed."""
 import mpmath as mp
 from gmpy2 import mpfr as Q
 

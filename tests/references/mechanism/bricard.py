@@ -1,5 +1,4 @@
-"""Problem A04: Bricard's mechanism of six hinges, reduced to one coordinate.
-"""
+"""Problem A04: Bricard's mechanism of six hinges, reduced to one coordinate."""
 import numpy as np
 from gmpy2 import cos, mpfr as Q, sin
 

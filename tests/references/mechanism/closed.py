@@ -1,5 +1,4 @@
-"""Problems A01 and A02 of the IFToMM library, in elliptic functions, and again by extrapolation.
-"""
+"""Problems A01 and A02 of the IFToMM library, in elliptic functions, and again by extrapolation."""
 import mpmath as mp
 from gmpy2 import cos, mpfr as Q, sin, sqrt
 

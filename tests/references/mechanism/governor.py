@@ -1,5 +1,4 @@
-"""Problem A05: the stiff flyball governor.
-"""
+"""Problem A05: the stiff flyball governor, whose rods move alike, so that three coordinates suffice."""
 import numpy as np
 from gmpy2 import cos, mpfr as Q, sin, sqrt
 
@@ -10,7 +9,8 @@ from mechanism.numbers import G, PI, digits, near, text
 
 GOVERNOR = {
     "stiffness": "800000", "damping": "40000", "rest_length": "0.5", "density": "3000", "shaft": ["0.01", "0.01", "1"], "rod": ["1", "0.01", "0.01"],
-    "slider": ["0.1", "0.1", "0.1"], "point_mass": "5", "slider_height": "0.5", "rod_angle": "30 degrees below the horizontal", "hinges": ["0.05", "0", "1"],
+    "slider": ["0.1", "0.1", "0.1"], "point_mass": "5", "masses": {"shaft": "0.3", "rod": "0.3", "slider": "3"}, "slider_height": "0.5",
+    "rod_angle": "30 degrees below the horizontal", "hinges": ["0.05", "0", "1"],
 }
 
 
@@ -99,7 +99,7 @@ def governor():
         alpha, s = PI / 6, Q("0.5")
         one, two = [alpha, s, Q(0), Q(0), spin * governor_terms(alpha, s)[0], Q(0)], [Q(0), alpha, s, spin, Q(0), Q(0)]
         states, first = [], "1e-5"
-        for start, t in ((Q(0), Q("0.05")), (Q("0.05"), Q(1)), (Q(1), Q(10))):
+        for start, t in ((Q(0), Q("0.01")), (Q("0.01"), Q(1)), (Q(1), Q(10))):
             one = collocated(reduced, one, mesh(start, t, first, "1.5", "0.02"), 8, "radau")
             two = collocated(full, two, mesh(start, t, first, "1.4", "0.015"), 9, "gauss")
             first = "1e-3"

@@ -1,5 +1,4 @@
-"""Numbers, vectors and agreement of two computations, for the references of mechanisms.
-"""
+"""Numbers, vectors and agreement of two computations, for the references of mechanisms."""
 import gmpy2
 import mpmath as mp
 from gmpy2 import mpfr as Q

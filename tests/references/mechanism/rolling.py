@@ -1,5 +1,4 @@
-"""A disk and a coin that roll without slip on the plane z = 0.
-"""
+"""A disk and a coin that roll without slip on the plane z = 0."""
 from gmpy2 import cos, mpfr as Q, sin, sqrt
 
 from initial_value import extrapolated
@@ -68,7 +67,8 @@ def rolling(m, r, across, along, angles, rates, names, cases):
         fields = {"position": place, "velocity": velocity, "angular_velocity": w_, names[0]: a_, names[1]: b_, "contact": contact}
         states.append({"time": t, **{key: text(value) for key, value in fields.items()}, "digits": min(digits(x, y) for x, y in zip(one, two))})
     start = {"position": times(r, s), "velocity": cross(w, times(r, s)), "angular_velocity": w, names[0]: a, names[1]: e1}
-    return {"mass": text(m), "radius": text(r), "inertia": {"across": text(across), "along": text(along)}, "start": {k: text(v) for k, v in start.items()}, "states": states}
+    start = {key: text(value) for key, value in start.items()}
+    return {"mass": text(m), "radius": text(r), "inertia": {"across": text(across), "along": text(along)}, "start": start, "states": states}
 
 
 def disk():

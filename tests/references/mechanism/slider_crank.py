@@ -1,5 +1,4 @@
-"""The spatial slider-crank of the IFToMM library, reduced to the angle of the crank.
-"""
+"""The spatial slider-crank of the IFToMM library, reduced to the angle of the crank."""
 import numpy as np
 from gmpy2 import cos, mpfr as Q, sin, sqrt
 
