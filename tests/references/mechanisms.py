@@ -2,9 +2,10 @@
 """Mechanisms, rolling bodies and an arm: states in 25 digits, written to tests/data/mechanisms.json.
 
 Every problem is reduced by hand to as few coordinates as possible and integrated with 42 digits, by Gragg's extrapolation or by
-collocation (`initial_value.py`). Each number is computed twice, with other steps and, except for equations of one line, from other equations;
-`digits` says how many significant digits of the largest number of a state both agree in. Models of spatial mechanisms are confirmed by multipliers
-in double precision (`maximal.py`), the arm by Pinocchio, published numbers by `assert`.
+collocation (`initial_value.py`); the folder `mechanism` has a file for each. Each number is computed twice, with other steps and, except for
+the bicycle's and the equations of one degree of freedom, from other equations. `digits` is the number of significant digits, relative to the
+largest number of the state, that both have in common. The spatial mechanisms are confirmed by multipliers in double precision (`maximal.py`),
+the arm by Pinocchio, and published numbers by `assert`.
 
 Problems A01 to A05 are those of the IFToMM benchmark library. Units are SI. Input is exact: decimals or formulas in the data.
 

@@ -1,6 +1,8 @@
-"""Problem A03: Andrews' squeezer, with multipliers and with one coordinate."""
+"""Problem A03: Andrews' squeezer, with multipliers, with one coordinate, and as seven bodies."""
+import numpy as np
 from gmpy2 import cos, mpfr as Q, sin, sqrt
 
+import maximal
 from initial_value import extrapolated
 from mechanism.numbers import digits, near, solved, text
 
@@ -15,6 +17,10 @@ MASSES = ["0.04325", "0.00365", "0.02373", "0.00706", "0.0705", "0.00706", "0.05
 INERTIAS = ["2.194e-6", "4.41e-7", "5.255e-6", "5.667e-7", "1.169e-5", "5.667e-7", "1.912e-5"]
 ANGLES = ["-0.0617138900142764496358948458001", "0", "0.455279819163070380255912382449", "0.222668390165885884674473185609",
           "0.487364979543842550225598953530", "-0.222668390165885884674473185609", "1.23054744454982119249735015568"]
+PUBLISHED = [
+    "15.81077119629904", "-15.75637105984298", "0.04082224013073101", "-0.5347301163226948", "0.5244099658805304", "0.5347301163226948", "1.048080741042263",
+    "1139.920302151208", "-1424.379294994111", "11.03291221937134", "19.29337464421385", "0.5735699284790808", "-19.29337464421385", "0.3231791658026955",
+    "199.1753333731910", "-29.75531228015052", "23.06654119098399", "31.45271365475927", "22.64249232082739", "11.61740700019673"]
 P = type("Lengths", (), {name: Q(value) for name, value in SQUEEZER.items()})
 M, I = [Q(x) for x in MASSES], [Q(x) for x in INERTIAS]
 ORIENTATION = [[0], [0, 1], [2], [3, 4], [4], [5, 6], [6]]  # the angles of the test set that add up to the rotation of each body
@@ -120,6 +126,28 @@ def squeezer_energy(y):
     return energy + P.c0 * (sqrt(x**2 + y**2) - P.lo) ** 2 / 2
 
 
+def squeezer_check(data):
+    """The bodies, joints, spring and torque of the data alone, with 42 coordinates: rotations and centres at the end."""
+    number = lambda pair: np.array([float(x) for x in pair] + [0.0])
+    names = {body["name"]: k for k, body in enumerate(data["bodies"])} | {"ground": -1}
+    system = maximal.System([(b["mass"], float(b["inertia"]) * np.eye(3), number(b["centre"])) for b in data["bodies"]], [0, 0, 0])
+    for joint in data["joints"]:
+        system.revolute(*[names[name] for name in joint["bodies"]], number(joint["at"]), [0, 0, 1])
+    spring, torque = data["spring"], data["torque"]
+    body, at, ground = names[spring["body"]], number(spring["at"]), number(spring["ground"])
+
+    def forces(pose, wrench):
+        place, arm, _, _ = system.place(pose, body, at)
+        length = np.linalg.norm(place - ground)
+        force = -float(spring["stiffness"]) * (length - float(spring["rest_length"])) / length * (place - ground)
+        wrench[body] += np.concatenate([force, np.cross(arm, force)])
+        wrench[names[torque["body"]], 5] += float(torque["value"])
+
+    system.forces = forces
+    pose = system.run([(np.zeros(3), np.zeros(3))] * 7, 0.03, 1e-11)
+    return [[x[0], x[1], np.arctan2(r[1, 0], r[0, 0])] for x, r, _, _ in pose]
+
+
 def squeezer():
     start = [Q(x) for x in ANGLES]
     closed = lambda q: max(abs(x) for x in squeezer_constraints(q, [Q(0)] * 7)[0])
@@ -156,13 +184,11 @@ def squeezer():
     d = [b[0] + P.sd * cos(q[2]) + P.sc * sin(q[2]), b[1] + P.sd * sin(q[2]) - P.sc * cos(q[2])]
     joints = [("O", "ground", "OF", [Q(0), Q(0)]), ("F", "OF", "FE", f), ("E", "FE", "BDE", e), ("E", "FE", "EG", e), ("E", "FE", "EH", e),
               ("B", "ground", "BDE", b), ("G", "EG", "AG", g), ("A", "ground", "AG", a), ("H", "EH", "AH", h), ("A", "ground", "AH", a)]
-    return {"bodies": bodies, "joints": [{"name": n, "bodies": [i, j], "at": text(p)} for n, i, j, p in joints],
+    found = {"bodies": bodies, "joints": [{"name": n, "bodies": [i, j], "at": text(p)} for n, i, j, p in joints],
             "spring": {"body": "BDE", "at": text(d), "ground": [SQUEEZER["xc"], SQUEEZER["yc"]], "stiffness": SQUEEZER["c0"], "rest_length": SQUEEZER["lo"]},
             "torque": {"body": "OF", "value": SQUEEZER["mom"]}, "lengths": SQUEEZER, "start": text(start),
             "states": [{"time": "0.03", "angles": text(full[:7]), "rates": text(full[7:]), "multipliers": text(multipliers), "digits": count}]}
-
-
-PUBLISHED = [
-    "15.81077119629904", "-15.75637105984298", "0.04082224013073101", "-0.5347301163226948", "0.5244099658805304", "0.5347301163226948", "1.048080741042263",
-    "1139.920302151208", "-1424.379294994111", "11.03291221937134", "19.29337464421385", "0.5735699284790808", "-19.29337464421385", "0.3231791658026955",
-    "199.1753333731910", "-29.75531228015052", "23.06654119098399", "31.45271365475927", "22.64249232082739", "11.61740700019673"]
+    for (x, y, angle), body in zip(squeezer_check(found), bodies):
+        near([x, y], [float(v) for v in body["last_centre"]], 1e-9)
+        assert abs(np.exp(1j * (angle - float(body["rotation"]))) - 1) < 1e-8
+    return found
