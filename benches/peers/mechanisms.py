@@ -2,6 +2,7 @@
 
     cargo build --release -p affinor-cli
     python3 benches/peers/mechanisms.py --affinor target/release/affinor > mechanisms.md
+    python3 benches/peers/mechanisms.py --affinor target/release/affinor --settings "--method generalised-alpha --step 0.001"
 
 Needs numpy and exudyn (from PyPI).
 
@@ -14,8 +15,10 @@ Needs numpy and exudyn (from PyPI).
 import argparse
 import csv
 import json
+import re
 import resource
 import subprocess
+import sys
 import tempfile
 import time
 from pathlib import Path
@@ -32,6 +35,7 @@ GRAVITY = 9.81
 arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
 arguments.add_argument("--affinor", help="the program; without it only EXUDYN runs")
 arguments.add_argument("--only", nargs="+", help="problems, of: four_bar bricard slider_crank")
+arguments.add_argument("--settings", nargs="+", default=["--tolerance 1e-6", "--tolerance 1e-9", "--tolerance 1e-12"], help="options of affinor, a text for each run")
 arguments.add_argument("--runs", type=int, default=3, help="runs of each simulation")
 options = arguments.parse_args()
 exudyn.config.printToConsole = False
@@ -131,19 +135,23 @@ def solved(build, end, step):
     return min(times), np.array(point())
 
 
-def simulated(file, columns, end, step):
-    """The same by affinor, on a file of a mechanism with the columns of the point."""
+def simulated(file, columns, end, setting):
+    """The same by affinor, on the file of a mechanism without its table `integrator`, with the columns of the point."""
+    text = re.sub(r"^\[integrator\]\n(?:(?!\[).*\n)*", "", file.read_text(), flags=re.MULTILINE)
     times = []
-    for _ in range(options.runs):
-        with tempfile.NamedTemporaryFile("r", suffix=".csv") as rows:
+    with tempfile.TemporaryDirectory() as folder:
+        problem, rows = Path(folder) / file.name, Path(folder) / "rows.csv"
+        problem.write_text(text)
+        for _ in range(options.runs):
             before = resource.getrusage(resource.RUSAGE_CHILDREN)
-            grid = ["--step", repr(step), "--end", str(end), "--every", str(end)]
-            run = subprocess.run([options.affinor, "simulate", str(file), *grid, "--format", "csv", "-o", rows.name], capture_output=True)
+            run = subprocess.run([options.affinor, "simulate", problem, *setting.split(), "--end", str(end), "--every", str(end), "-o", rows], capture_output=True, text=True)
             after = resource.getrusage(resource.RUSAGE_CHILDREN)
             if run.returncode:
+                print(f"{file.name}, {setting}: {run.stderr.splitlines()[0]}", file=sys.stderr)
                 return None
-            last = list(csv.DictReader(rows))[-1]
-        times.append(after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime)
+            times.append(after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime)
+            with rows.open() as lines:
+                last = list(csv.DictReader(lines))[-1]
     return min(times), np.array([float(last[name]) for name in columns])
 
 
@@ -162,20 +170,20 @@ PROBLEMS = {  # title, EXUDYN's model, affinor's file and columns, the reference
 }
 
 
-def row(title, program, step, found, reference):
+def row(title, program, setting, found, reference):
     if found is None:
-        print(f"| {title} | {program} | {step:g} | | no solution |", flush=True)
+        print(f"| {title} | {program} | {setting} | | no solution |", flush=True)
     else:
-        print(f"| {title} | {program} | {step:g} | {found[0]:.3g} | {np.abs(found[1] - reference).max():.1e} |", flush=True)
+        print(f"| {title} | {program} | {setting} | {found[0]:.3g} | {np.abs(found[1] - reference).max():.1e} |", flush=True)
 
 
-print("| problem | program | step, s | time, s | error, m |\n|---|---|---:|---:|---:|")
+print("| problem | program | setting | time, s | error, m |\n|---|---|---|---:|---:|")
 for name in options.only or PROBLEMS:
     title, build, file, columns, (path, end, key), steps = PROBLEMS[name]
     reference = expected(path, end, key)
     for step in steps:
-        row(title, "EXUDYN", step, solved(build, end, step), reference)
+        row(title, "EXUDYN", f"step {step:g} s", solved(build, end, step), reference)
     file = HERE / "examples/mechanisms" / file
     if options.affinor and file.exists():
-        for step in steps:
-            row(title, "affinor", step, simulated(file, columns, end, step), reference)
+        for setting in options.settings:
+            row(title, "affinor", setting.replace("--", ""), simulated(file, columns, end, setting), reference)

@@ -3,7 +3,7 @@
 
 Every problem is reduced by hand to as few coordinates as possible and integrated with 42 digits, by Gragg's extrapolation or by
 collocation (`initial_value.py`); the folder `mechanism` has a file for each. Each number is computed twice, with other steps and, except for
-the bicycle's and the equations of one degree of freedom, from other equations. `digits` is the number of significant digits, relative to the
+Bricard's mechanism and the slider-crank, from other equations. `digits` is the number of significant digits, relative to the
 largest number of the state, that both have in common. The spatial mechanisms are confirmed by multipliers in double precision (`maximal.py`),
 the arm by Pinocchio, and published numbers by `assert`.
 
