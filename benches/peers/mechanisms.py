@@ -164,9 +164,9 @@ def expected(path, time_, key):
 
 
 PROBLEMS = {  # title, EXUDYN's model, affinor's file and columns, the reference, end, steps
-    "four_bar": ("double four-bar linkage, 10 s", four_bar, "double_four_bar.toml", ["x", "y"], (["windows", "2"], 10, "position"), [1e-2, 5e-3, 1e-3, 2.5e-4]),
-    "bricard": ("Bricard's mechanism, 1 s", bricard, "bricard.toml", ["tip1", "tip2", "tip3"], (["bricard", "cylinder"], 1, "point"), [1e-2, 5e-3, 1e-3, 2.5e-4]),
-    "slider_crank": ("spatial slider-crank, 5 s", slider_crank, "spatial_slider_crank.toml", ["slider"], (["slider_crank"], 5, "slider"), [5e-3, 1e-3, 5e-4, 1e-4]),
+    "four_bar": ("double four-bar linkage, 10 s", four_bar, "examples/mechanisms/double_four_bar.toml", ["x", "y"], (["windows", "2"], 10, "position"), [1e-2, 5e-3, 1e-3, 2.5e-4]),
+    "bricard": ("Bricard's mechanism, 1 s", bricard, "examples/mechanisms/bricard.toml", ["tip1", "tip2", "tip3"], (["bricard", "cylinder"], 1, "point"), [1e-2, 5e-3, 1e-3, 2.5e-4]),
+    "slider_crank": ("spatial slider-crank, 5 s", slider_crank, "benches/peers/spatial_slider_crank.toml", ["slider"], (["slider_crank"], 5, "slider"), [5e-3, 1e-3, 5e-4, 1e-4]),
 }
 
 
@@ -183,7 +183,6 @@ for name in options.only or PROBLEMS:
     reference = expected(path, end, key)
     for step in steps:
         row(title, "EXUDYN", f"step {step:g} s", solved(build, end, step), reference)
-    file = HERE / "examples/mechanisms" / file
-    if options.affinor and file.exists():
+    if options.affinor:
         for setting in options.settings:
-            row(title, "affinor", setting.replace("--", ""), simulated(file, columns, end, setting), reference)
+            row(title, "affinor", setting.replace("--", ""), simulated(HERE / file, columns, end, setting), reference)
