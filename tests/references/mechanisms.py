@@ -2,10 +2,10 @@
 """Mechanisms, rolling bodies and an arm: states in 25 digits, written to tests/data/mechanisms.json.
 
 Every problem is reduced by hand to as few coordinates as possible and integrated with 42 digits, by Gragg's extrapolation or by
-collocation (`initial_value.py`); the folder `mechanism` has a file for each. Each number is computed twice, with other steps and, except for
-Bricard's mechanism and the slider-crank, from other equations. `digits` is the number of significant digits, relative to the
-largest number of the state, that both have in common. The spatial mechanisms are confirmed by multipliers in double precision (`maximal.py`),
-the arm by Pinocchio, and published numbers by `assert`.
+collocation (`initial_value.py`); the folder `mechanism` has a file for each. Each state is computed twice: with other equations or closed
+forms, or, for Bricard's mechanism, the slider-crank and the governor, with other methods and steps. `digits` is the number of significant
+digits that both have in common, relative to the largest number of the state. `maximal.py` confirms the reductions in double precision by
+multipliers, Pinocchio the arm, and `assert` compares with published numbers.
 
 Problems A01 to A05 are those of the IFToMM benchmark library. Units are SI. Input is exact: decimals or formulas in the data.
 
