@@ -137,6 +137,8 @@ pub(super) struct Keys {
     pub space: Option<Text>,
     pub definition: Option<Document>,
     #[cfg(feature = "mechanisms")]
+    pub urdf: Option<Text>,
+    #[cfg(feature = "mechanisms")]
     pub bodies: Option<Vec<BodyKeys>>,
     #[cfg(feature = "mechanisms")]
     pub joints: Option<Vec<JointKeys>>,
@@ -161,7 +163,8 @@ pub(super) struct Keys {
     pub forces: ForceKeys,
     #[serde(default)]
     pub integrator: IntegratorKeys,
-    pub output: OutputKeys,
+    /// Motions need this table, but not trees.
+    pub output: Option<OutputKeys>,
     #[serde(default)]
     pub killing: KillingKeys,
     pub embedding: Option<Vec<Text>>,

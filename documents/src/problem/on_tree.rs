@@ -1,9 +1,9 @@
 //! Problems of trees of bodies, with joint coordinates as the state.
 
+use super::assembly::{AssembledJoint, Assembly};
 use super::body::Bodies;
 use super::integrator::Member;
-use super::joint::{self, JointFormulas, expect_bodies, vector};
-use super::joint_keys::JointKeys;
+use super::joint::{self, JointFormulas, vector};
 use super::keys::{Keys, NOT_WITH_BODIES, OF_CHARTS, OF_HOMOGENEOUS};
 use super::output::RowNames;
 use super::reader::{Reader, Value, Written};
@@ -15,6 +15,7 @@ use affinor::mechanics::simulation::{TreeColumns, TreeSpec};
 use affinor::mechanics::systems::tree::{JointForce, JointSpring, TreeSystem};
 use affinor::mechanism::{JointKind, Mechanism, Tree};
 use affinor_tensors::expression::ExpressionError;
+use nalgebra::Vector3;
 use std::sync::Arc;
 
 /// A tree of bodies.
@@ -22,10 +23,12 @@ use std::sync::Arc;
 pub(super) struct OnTree {
     /// The names of the bodies, and whether each is fixed.
     bodies: Vec<(String, bool)>,
-    /// The inertias of the moving bodies.
+    /// Whether each body moves and has a mass, and the inertias of these bodies.
+    has_inertia: Vec<bool>,
     inertias: Bodies,
     joints: Vec<TreeJoint>,
     gravity: Option<Vec<Value>>,
+    notes: Vec<String>,
     place: Place,
 }
 
@@ -46,7 +49,9 @@ impl OnTree {
         let Some(text) = &keys.coordinates else { return Ok(false) };
         let place = reader.source.at(text);
         let error = match &**text {
-            "joints" | "poses" if keys.bodies.is_none() || keys.joints.is_none() => {
+            "joints" | "poses"
+                if keys.urdf.is_none() && (keys.bodies.is_none() || keys.joints.is_none()) =>
+            {
                 let error = InputError::usage("`coordinates` needs bodies and joints").at(&place);
                 error.help("give [[bodies]] and [[joints]]")
             }
@@ -64,27 +69,22 @@ impl OnTree {
         let of_poses = ["forces", "initial.velocity"];
         let refused = [&NOT_WITH_BODIES[..], &of_poses, &OF_CHARTS, &OF_HOMOGENEOUS].concat();
         reader.refuse("a problem in joint coordinates", &refused)?;
-        let bodies = keys.bodies.as_deref().unwrap_or_default();
-        expect_bodies(bodies, reader)?;
-        let inertias = bodies.iter().enumerate().filter(|(_, body)| !body.fixed);
-        let inertias = inertias.filter_map(|(at, body)| {
-            Some((format!("bodies.{at}.inertia"), body.inertia.as_ref()?))
-        });
-        let place = reader.source.key("joints");
-        let inertias = Bodies::all(inertias, reader.source.key("bodies"), reader)?;
-        let bodies: Vec<(String, bool)> =
-            bodies.iter().map(|body| (body.name.content.clone(), body.fixed)).collect();
-        let names: Vec<String> = bodies.iter().map(|(name, _)| name.clone()).collect();
-        let formulas = JointFormulas::all(keys, &names, reader)?;
-        let own = keys.joints.iter().flatten().zip(formulas).enumerate();
-        let joints: Result<_, InputError> =
-            own.map(|(at, (keys, own))| TreeJoint::read(keys, at, own, reader)).collect();
+        let Assembly { bodies, inertias, joints, notes, .. } = Assembly::read(keys, reader)?;
+        let place = reader.source.key(if keys.joints.is_some() { "joints" } else { "urdf" });
+        let joints = joints.into_iter().map(|joint| TreeJoint::read(joint, reader));
+        let joints = joints.collect::<Result<_, _>>()?;
         let gravity = joint::gravity(keys, reader)?;
-        Ok(OnTree { bodies, inertias, joints: joints?, gravity, place })
+        let has_inertia = bodies.iter().map(|body| !body.fixed && body.has_mass).collect();
+        let bodies = bodies.into_iter().map(|body| (body.name, body.fixed)).collect();
+        Ok(OnTree { bodies, has_inertia, inertias, joints, gravity, notes, place })
     }
 
-    /// The tree for values of the parameters.
-    fn tree(&self, values: &[f64]) -> Result<Tree, InputError> {
+    /// The tree for values of the parameters, with another acceleration of gravity if one is given.
+    pub fn tree(
+        &self,
+        values: &[f64],
+        gravity: Option<Vector3<f64>>,
+    ) -> Result<Tree, InputError> {
         let joints = self.joints.iter().map(|joint| joint.own.at(values));
         let joints = joints.collect::<Result<Vec<_>, _>>()?;
         let fixed: Vec<usize> = (0..self.bodies.len()).filter(|at| self.bodies[*at].1).collect();
@@ -94,12 +94,9 @@ impl OnTree {
             InputError::from(error).or_at(&self.place).help(help)
         })?;
         let mut masses = self.inertias.masses(values)?.into_iter();
-        let inertias: Vec<Option<MassProperties>> = self
-            .bodies
-            .iter()
-            .map(|(_, fixed)| if *fixed { None } else { masses.next() })
-            .collect();
-        let gravity = vector(&self.gravity, values)?;
+        let inertias: Vec<Option<MassProperties>> =
+            self.has_inertia.iter().map(|has| if *has { masses.next() } else { None }).collect();
+        let gravity = gravity.map_or_else(|| vector(&self.gravity, values), Ok)?;
         let has_loop = !mechanism.loops().is_empty();
         Tree::new(&mechanism, &inertias, &gravity).map_err(|error| {
             let help = match has_loop {
@@ -112,7 +109,7 @@ impl OnTree {
 
     pub fn motion(&self, member: &Member) -> Result<Ready, InputError> {
         let values = member.values();
-        let tree = Arc::new(self.tree(&values)?);
+        let tree = Arc::new(self.tree(&values, None)?);
         let mut names = TreeNames::new(self, &tree, &member.parameters)?;
         let (mut numbers, mut rates) = (tree.home(), vec![0.0; tree.freedom()]);
         let (mut springs, mut forces) = (vec![], vec![]);
@@ -133,17 +130,18 @@ impl OnTree {
             integration: member.integration()?,
             columns: TreeColumns { bodies: names.bodies, formulas: names.formulas },
         };
-        Ok(Ready::new(spec.start()?, &member.times, columns, events))
+        let ready = Ready::new(spec.start()?, &member.times, columns, events);
+        Ok(Ready { notes: self.notes.clone(), ..ready })
     }
 }
 
 impl TreeJoint {
-    fn read(
-        keys: &JointKeys,
-        at: usize,
-        own: JointFormulas,
-        reader: &Reader,
-    ) -> Result<Self, InputError> {
+    fn read(joint: AssembledJoint, reader: &Reader) -> Result<Self, InputError> {
+        let AssembledJoint { own, table } = joint;
+        let Some((at, keys)) = table else {
+            let spring = [None, own.damping.clone(), None];
+            return Ok(TreeJoint { own, coordinate: None, rate: None, force: None, spring });
+        };
         let place = |key: &str| reader.source.key(&format!("joints.{at}.{key}"));
         let values = |key: &str, list: &Option<OneOrMore>| -> Result<_, InputError> {
             let Some(list) = list else { return Ok(None) };
@@ -157,16 +155,13 @@ impl TreeJoint {
             let error = InputError::usage("`rest` needs a stiffness").at(&place("rest"));
             return Err(error.help("give stiffness, or leave the key out"));
         }
+        let damping = reader.optional(&keys.damping)?.or(own.damping.clone());
         Ok(TreeJoint {
             own,
             coordinate: values("coordinate", &keys.coordinate)?,
             rate: values("rate", &keys.rate)?,
             force,
-            spring: [
-                reader.optional(&keys.stiffness)?,
-                reader.optional(&keys.damping)?,
-                reader.optional(&keys.rest)?,
-            ],
+            spring: [reader.optional(&keys.stiffness)?, damping, reader.optional(&keys.rest)?],
         })
     }
 
