@@ -355,15 +355,17 @@ struct Notes {
 impl Notes {
     fn written(&self, file: &str, has_transmissions: bool) -> Vec<String> {
         let mut notes = vec![];
-        for (what, joints) in
-            [("limits are not enforced", &self.limits), ("friction is ignored", &self.friction)]
-        {
+        for (what, joints, fate) in [
+            ("limits", &self.limits, "are not enforced"),
+            ("friction", &self.friction, "is ignored"),
+        ] {
             if !joints.is_empty() {
                 let named: Vec<String> =
                     joints.iter().take(NAMED).map(|name| shown(name)).collect();
                 let more = joints.len().saturating_sub(NAMED);
                 let more = if more > 0 { format!(" and {more} more") } else { String::new() };
-                notes.push(format!("{file}: {what}, of the joints {}{more}", named.join(", ")));
+                let named = named.join(", ");
+                notes.push(format!("{file}: the {what} of the joints {named}{more} {fate}"));
             }
         }
         if has_transmissions {

@@ -14,8 +14,8 @@ use std::f64::consts::PI;
 /// The largest distance of a rounded angle from the multiple that is meant, as in 1.57 for a right
 /// angle.
 const ROUNDED: f64 = 1e-3;
-/// The size, in metres or as a part of an axis, below which a number is the rounding error of zero, as in
-/// 6.1e-17 for the cosine of a right angle.
+/// The size below which a number is the rounding error of zero, as in 6.1e-17 for the cosine of a
+/// right angle.
 const NOISE: f64 = 1e-14;
 /// The number of digits behind the point of a number in scientific notation that is not rounded.
 const DIGITS: i32 = 16;

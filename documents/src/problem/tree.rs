@@ -13,8 +13,8 @@ use std::path::Path;
 /// of the file are ignored.
 ///
 /// # Errors
-/// An error with its location if the file cannot be read, if its content is invalid, if joints form a
-/// loop, or if a moving body does not resist its motion.
+/// An error with its location if the file cannot be read, or if its content is invalid. Loops of
+/// joints are errors, and so are moving bodies that do not resist their motion.
 pub fn read(path: &str, set: &[String], gravity: Option<[f64; 3]>) -> Result<Tree, InputError> {
     let folder = Path::new(path).parent().unwrap_or(Path::new(""));
     of_source(&file::read(path)?, set, gravity, folder)

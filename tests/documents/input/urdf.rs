@@ -107,11 +107,8 @@ fn notes_name_ignored_properties() -> Result<(), InputError> {
     let (text, _) = arm();
     let notes = Problem::parse("arm.toml", &text)?.motion(0)?.notes;
     assert_eq!(notes.len(), 2, "{notes:?}");
-    assert!(
-        notes[0].ends_with(
-            "limits are not enforced, of the joints axis1, axis2, slide, axis5 and 1 more"
-        )
-    );
+    let limits = "the limits of the joints axis1, axis2, slide, axis5 and 1 more are not enforced";
+    assert!(notes[0].ends_with(limits), "{notes:?}");
     assert!(notes[1].ends_with("transmissions are ignored"));
     Ok(())
 }
@@ -165,7 +162,7 @@ fn rounded_right_angles_are_exact_in_mobilities() -> Result<(), Box<dyn std::err
     Ok(())
 }
 
-/// A joint at 45 degrees has roots, and an angle without a name a rational rotation.
+/// The rotation of a joint at 45 degrees has roots, and rotations by other angles are rational.
 #[test]
 fn chains_without_loops_have_all_freedoms() -> Result<(), Box<dyn std::error::Error>> {
     let urdf = chain(&[
