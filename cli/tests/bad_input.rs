@@ -12,3 +12,4 @@ mod options;
 mod outputs;
 mod problems;
 mod stored;
+mod urdf;

@@ -3,7 +3,7 @@
 //!
 //! In reading order: `source` and `error` define locations and errors; `file` reads texts; `keys`
 //! parses TOML, and `json` parses JSON. `forms` defines the forms in which values are written.
-//! `numbers` reads floats, `rows` reads tables of floats, and `mesh` reads bodies.
+//! `numbers` reads floats, `rows` reads tables of floats, `mesh` reads bodies, and `urdf` reads robots.
 
 pub(crate) mod error;
 pub(crate) mod file;
@@ -16,6 +16,8 @@ mod mesh;
 pub(crate) mod numbers;
 mod rows;
 mod source;
+#[cfg(feature = "mechanisms")]
+pub(crate) mod urdf;
 
 pub(crate) use error::shown;
 pub use error::{InputError, Refusal};

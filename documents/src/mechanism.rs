@@ -3,12 +3,15 @@
 //! Every number may be an expression with roots and letters. Letters without a value in the table
 //! `[parameters]` remain letters.
 
+mod robot;
+
+use crate::input::urdf::{JointFrame, Urdf, UrdfJoint};
 use crate::input::{
     InputError, Place, Source, file,
     forms::{Entries, Number, Text},
     parse_keys, shown,
 };
-use crate::problem::{BodyKeys, JointKeys};
+use crate::problem::{BodyKeys, JointKeys, read_robot};
 use crate::space::notation::Names;
 use affinor::Error;
 use affinor::mechanism::denavit_hartenberg::{Link, closed_chain};
@@ -28,6 +31,7 @@ use std::path::Path;
 struct Keys {
     name: Option<String>,
     parameters: Option<Entries<Text, Number>>,
+    urdf: Option<Text>,
     #[serde(default)]
     bodies: Vec<BodyKeys>,
     #[serde(default)]
@@ -85,10 +89,11 @@ impl MechanismFile {
     /// # Errors
     /// An error with its location if the file cannot be read, or if its content is invalid.
     pub fn read(path: &str, set: &[String]) -> Result<Self, InputError> {
-        Self::of_source(&file::read(path)?, set)
+        Self::of_source(&file::read(path)?, set, Path::new(path).parent().unwrap_or(Path::new("")))
     }
 
-    /// Reads a mechanism from the text of a file.
+    /// Reads a mechanism from the text of a file. Relative paths in the text start at the current
+    /// folder.
     ///
     /// ```
     /// use affinor_documents::mechanism::MechanismFile;
@@ -96,24 +101,28 @@ impl MechanismFile {
     /// bodies = [{ name = "ground" }, { name = "slider" }]
     /// joints = [{ type = "prismatic", bodies = ["ground", "slider"], axis = [1, 0, 0] }]
     /// "#;
-    /// let file = MechanismFile::parse("slider.toml", text)?;
+    /// let file = MechanismFile::parse("slider.toml", text, &[])?;
     /// assert_eq!(file.mechanism.mobility()?.verdict.exact(), Some(1));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
     /// # Errors
     /// Those of [`read`](Self::read).
-    pub fn parse(name: &str, text: &str) -> Result<Self, InputError> {
-        Self::of_source(&Source::new(name.escape_debug().to_string(), text), &[])
+    pub fn parse(name: &str, text: &str, set: &[String]) -> Result<Self, InputError> {
+        let source = Source::new(name.escape_debug().to_string(), text);
+        Self::of_source(&source, set, Path::new(""))
     }
 
-    fn of_source(source: &Source, set: &[String]) -> Result<Self, InputError> {
+    fn of_source(source: &Source, set: &[String], folder: &Path) -> Result<Self, InputError> {
         let content = "give bodies and joints, as in [[bodies]] and [[joints]]";
         let (keys, source): (Keys, Source) = parse_keys(source, content)?;
         let mut reader = Reader { source: &source, values: BTreeMap::new() };
         reader.set(set, keys.parameters.as_ref())?;
-        let mechanism = match (keys.joints.is_empty(), keys.links.is_empty()) {
-            (_, true) => reader.joined(&keys.bodies, &keys.joints)?,
+        let path = |name: &str| folder.join(name).to_string_lossy().into_owned();
+        let urdf = read_robot(keys.urdf.as_ref(), path, |name| source.at(name))?;
+        let is_open = urdf.is_none() && keys.joints.is_empty();
+        let mechanism = match (is_open, keys.links.is_empty()) {
+            (_, true) => reader.joined(urdf.as_ref(), &keys.bodies, &keys.joints)?,
             (true, false) => reader.chain(&keys)?,
             (false, false) => {
                 let error = source.refused("links", "the file has both joints and links");
@@ -209,17 +218,19 @@ impl Reader<'_> {
         })
     }
 
-    /// The mechanism of a list of bodies and a list of joints.
+    /// The mechanism of a robot, a list of bodies and a list of joints.
     fn joined(
         &self,
+        robot: Option<&Urdf>,
         bodies: &[BodyKeys],
         joints: &[JointKeys],
     ) -> Result<Mechanism<Symbolic>, InputError> {
-        if bodies.is_empty() {
+        if robot.is_none() && bodies.is_empty() {
             let error = InputError::usage("the file has no bodies").at(&self.source.key("joints"));
             return Err(error.help("name the bodies, as in bodies = [{ name = \"ground\" }, ...]"));
         }
-        let mut names: Vec<String> = vec![];
+        let links = robot.map_or(&[][..], |robot| &robot.links);
+        let mut names: Vec<String> = links.iter().map(|link| link.name.clone()).collect();
         for body in bodies {
             if names.contains(&body.name.content) {
                 let message = format!("two bodies have the name `{}`", shown(&body.name));
@@ -229,10 +240,17 @@ impl Reader<'_> {
             names.push(body.name.content.clone());
         }
         let mut all: Vec<Joint<Symbolic>> = vec![];
+        if let Some(robot) = robot {
+            let joints = robot.joints.iter().zip(robot.joint_frames());
+            all = joints.map(|(joint, frame)| of_robot(joint, frame)).collect::<Result<_, _>>()?;
+        }
         for (at, keys) in joints.iter().enumerate() {
+            if keys.joint_of(robot, self.source, at)?.is_some() {
+                continue;
+            }
             let name = match &keys.name {
                 Some(name) => name.content.clone(),
-                None => format!("J{}", at + 1),
+                None => format!("J{}", all.len() + 1),
             };
             let place = self.source.key(&format!("joints.{at}"));
             if all.iter().any(|joint| joint.name == name) {
@@ -243,8 +261,9 @@ impl Reader<'_> {
             let ends = keys.ends(&name, &names, self.source, at)?;
             all.push(self.joint(at, keys)?.between(name, ends));
         }
-        let fixed: Vec<usize> = (0..bodies.len()).filter(|at| bodies[*at].fixed).collect();
-        let place = self.source.key("bodies");
+        let moved = (0..bodies.len()).filter(|at| bodies[*at].fixed).map(|at| links.len() + at);
+        let fixed: Vec<usize> = robot.map(|robot| robot.root).into_iter().chain(moved).collect();
+        let place = self.source.key(if bodies.is_empty() { "urdf" } else { "bodies" });
         Mechanism::new(names, &fixed, all).map_err(|error| {
             let help = "connect every body by a joint, directly or through other bodies";
             InputError::from(error).or_at(&place).help(help)
@@ -353,6 +372,17 @@ impl Reader<'_> {
             }
         }
     }
+}
+
+/// The joint of a robot, with its point and its axis in the ground frame.
+fn of_robot(joint: &UrdfJoint, frame: JointFrame<Symbolic>) -> Result<Joint<Symbolic>, InputError> {
+    let JointFrame { point, axis } = frame;
+    let (second_axis, pitch, twists) = (Default::default(), Symbolic::default(), vec![]);
+    let data = JointData { point, axis, second_axis, pitch, twists };
+    let own = Joint::of_kind(joint.kind, data).map_err(|error| {
+        InputError::from(error).help("give a vector that is not zero").or_at(&joint.axis_place)
+    })?;
+    Ok(own.between(&joint.name, joint.links))
 }
 
 fn ninetieth() -> Rational {

@@ -7,8 +7,11 @@
 //! parameters. Every number may be a formula in the parameters.
 //! In reading order: `keys` defines the keys of a file, and `reader` evaluates them. Each class has
 //! its own file, which builds the part of a [`Problem`] for this class. A problem starts motions
-//! ([`Ready`]), which an [`Integration`] integrates. [`geodesics`] joins two points.
+//! ([`Ready`]), which an [`Integration`] integrates. [`geodesics`] joins two points. `tree` reads the
+//! tree of a file without a motion.
 
+#[cfg(feature = "mechanisms")]
+mod assembly;
 mod body;
 mod constrained;
 mod ensemble;
@@ -37,7 +40,11 @@ mod prescribed_velocity;
 mod reader;
 mod ready;
 mod solid;
+#[cfg(feature = "mechanisms")]
+pub mod tree;
 
+#[cfg(feature = "mechanisms")]
+pub(crate) use assembly::read_robot;
 pub use geodesic::{Connecting, geodesics};
 pub use integration::{Integration, Progress};
 #[cfg(feature = "mechanisms")]
@@ -121,7 +128,7 @@ impl Class {
             return Ok(Class::Tree(OnTree::read(keys, reader)?.into()));
         }
         #[cfg(feature = "mechanisms")]
-        if keys.bodies.is_some() || keys.joints.is_some() {
+        if keys.urdf.is_some() || keys.bodies.is_some() || keys.joints.is_some() {
             // a parameter that only the ensemble defines counts as 1 for the choice of constraints
             let mut values = vec![];
             for name in 0..reader.names.len() {

@@ -12,6 +12,9 @@ mod space {
     mod tables;
 }
 mod figures;
+mod input {
+    mod urdf;
+}
 mod problem {
     mod on_tree;
 }

@@ -109,7 +109,8 @@ struct Part {
 enum Shape {
     /// A shape with its name and its sizes.
     Named(&'static str, Vec<Vec<Value>>),
-    /// A mesh: its mass properties at density 1, and its surface.
+    /// A mesh: its mass properties at density 1, and its surface. Also a link of a robot, with its
+    /// own mass properties and without a surface.
     Mesh(MassProperties, Solid),
 }
 
@@ -129,15 +130,18 @@ impl Bodies {
         }
     }
 
-    /// The bodies with these keys, each with its path in the file.
+    /// The bodies with these mass properties, each with its location, then the bodies with these
+    /// keys, each with its path in the file.
     #[cfg(feature = "mechanisms")]
     pub fn all<'k>(
+        given: Vec<(MassProperties, Place)>,
         keys: impl Iterator<Item = (String, &'k InertiaKeys)>,
         place: Place,
         reader: &Reader,
     ) -> Result<Self, InputError> {
-        let bodies = keys.map(|(path, keys)| Body::read(keys, reader.source.key(&path), reader));
-        Ok(Bodies::Each(bodies.collect::<Result<_, _>>()?, place))
+        let given = given.into_iter().map(|(mass, place)| Ok(Body::of_mass(mass, place)));
+        let read = keys.map(|(path, keys)| Body::read(keys, reader.source.key(&path), reader));
+        Ok(Bodies::Each(given.chain(read).collect::<Result<_, _>>()?, place))
     }
 
     /// The mass properties of each body, for values of the parameters.
@@ -256,6 +260,16 @@ fn turns(group: &AnyGroup) -> bool {
 }
 
 impl Body {
+    /// The body with these mass properties.
+    #[cfg(feature = "mechanisms")]
+    fn of_mass(mass: MassProperties, place: Place) -> Self {
+        let shape = Shape::Mesh(mass, Solid { corners: vec![], faces: vec![] });
+        let [position, rotation] = [None, None];
+        let (mass, density, hole) = (None, None, false);
+        let part = Part { shape, mass, density, position, rotation, hole, place: place.clone() };
+        Body { about: None, content: Content::Parts(vec![part]), axis: None, place }
+    }
+
     fn read(keys: &InertiaKeys, place: Place, reader: &Reader) -> Result<Self, InputError> {
         let content = match (&keys.parts, &keys.moments, &keys.matrix) {
             (Some(parts), None, None) => {

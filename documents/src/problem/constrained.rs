@@ -73,19 +73,19 @@ impl Constrained {
             true => member.needed_step("a system with constraints")?,
             false => f64::NAN,
         };
-        let (constraints, count, forces, note) = match &self.constraints {
+        let (constraints, count, forces, more) = match &self.constraints {
             Given::Written { holonomic, affine } => {
                 let constraints = written(holonomic, affine, forces.names())?;
-                (constraints, holonomic.len() + affine.len(), forces, None)
+                (constraints, holonomic.len() + affine.len(), forces, vec![])
             }
             #[cfg(feature = "mechanisms")]
             Given::Joints(joints) => {
                 let forces = joints.with_gravity(&member.values(), &inertia, forces)?;
                 let constraints = joints.constraints(&member.values(), forces.names())?;
-                (constraints, joints.count(), forces, joints.note())
+                (constraints, joints.count(), forces, joints.notes())
             }
         };
-        let notes = notes.into_iter().chain(note).collect();
+        let notes = notes.into_iter().chain(more).collect();
         let mut columns = rows.columns;
         if !constraints.are_workless() {
             let energies = columns.iter_mut().filter(|column| column.name == "energy");

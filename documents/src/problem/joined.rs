@@ -3,16 +3,15 @@
 //! The frame of each body is that of the ground at the initial position. So every initial element
 //! is the identity, and a point or an axis has the same components in all bodies.
 
-use super::body::Bodies;
+use super::assembly::{AssembledJoint, Assembly};
 use super::euler_poincare::EulerPoincare;
 use super::forces::ForceFormulas;
 use super::initial::InitialMomentum;
-use super::joint::{self, JointFormulas, expect_bodies, vector};
-use super::joint_keys::BodyKeys;
+use super::joint::{self, JointFormulas, vector};
 use super::keys::{Keys, NOT_WITH_BODIES, OF_CHARTS, OF_CONSTRAINTS, OF_HOMOGENEOUS, OF_TREES};
 use super::on_group::OnGroup;
 use super::reader::{Reader, Value};
-use crate::input::{InputError, Place, Refusal, Source};
+use crate::input::{InputError, Place, Refusal, Source, shown};
 use affinor::mechanics::simulation::quantities::SymbolTable;
 use affinor::mechanics::simulation::{Constraints, Forces};
 use affinor::mechanism::constraint::gravity;
@@ -43,7 +42,7 @@ pub(super) struct Joints {
     /// and their index in it.
     kept: Vec<(usize, usize)>,
     gravity: Option<Vec<Value>>,
-    note: Option<String>,
+    notes: Vec<String>,
     place: Place,
 }
 
@@ -62,10 +61,10 @@ pub(super) fn read(
     values: &[f64],
 ) -> Result<(OnGroup, EulerPoincare, Joints), InputError> {
     let source = reader.source;
-    let (Some(bodies), Some(_)) = (&keys.bodies, &keys.joints) else {
+    if keys.urdf.is_none() && (keys.bodies.is_none() || keys.joints.is_none()) {
         let error = source.refused("bodies", "bodies need joints, and joints need bodies");
         return Err(error.help("give both [[bodies]] and [[joints]]"));
-    };
+    }
     let of_mechanisms = "a problem with bodies and joints";
     for key in OF_TREES.iter().chain(&OF_CONSTRAINTS) {
         if source.has_key(key) {
@@ -79,14 +78,12 @@ pub(super) fn read(
         let error = InputError::usage("the potential is given twice").at(&source.key("gravity"));
         return Err(error.help("give one of gravity, forces.potential"));
     }
-    let mut joints = Joints::read(keys, bodies, reader)?;
+    let assembly = Assembly::read(keys, reader)?;
+    let mut joints = Joints::read(keys, &assembly, reader)?;
     joints.select(values, source)?;
     let moving = joints.factors.iter().flatten().count();
-    let inertia = bodies.iter().enumerate().filter(|(_, body)| !body.fixed);
-    let inertia = inertia
-        .filter_map(|(at, body)| Some((format!("bodies.{at}.inertia"), body.inertia.as_ref()?)));
     let dynamics = EulerPoincare::new(
-        Bodies::all(inertia, source.key("bodies"), reader)?,
+        assembly.inertias,
         match keys.initial.velocity {
             Some(_) => Some(InitialMomentum::read(&keys.initial, reader)?),
             None => None,
@@ -97,29 +94,43 @@ pub(super) fn read(
 }
 
 impl Joints {
-    fn read(keys: &Keys, bodies: &[BodyKeys], reader: &Reader) -> Result<Self, InputError> {
+    fn read(keys: &Keys, assembly: &Assembly, reader: &Reader) -> Result<Self, InputError> {
         let source = reader.source;
-        let names: Vec<String> = bodies.iter().map(|body| body.name.content.clone()).collect();
-        expect_bodies(bodies, reader)?;
+        let with_joints = "leave coordinates = \"poses\" out";
         let mut next = 0;
         let mut factors = vec![];
-        for body in bodies {
+        for body in &assembly.bodies {
+            if !body.fixed && !body.has_mass {
+                let message = format!("the moving link `{}` has no mass", shown(&body.name));
+                let help = format!("{with_joints}, or give the link an <inertial>");
+                return Err(InputError::usage(message).at(&body.place).help(help));
+            }
             factors.push((!body.fixed).then_some(next));
             next += usize::from(!body.fixed);
         }
         let mut joints = vec![];
-        let formulas = JointFormulas::all(keys, &names, reader)?;
-        for ((at, keys), own) in keys.joints.iter().flatten().enumerate().zip(formulas) {
+        for AssembledJoint { own, table } in &assembly.joints {
+            let own = own.clone();
+            if let Some(damping) = &own.damping {
+                let message =
+                    format!("the damping of joint `{}` needs joint coordinates", shown(&own.name));
+                return Err(InputError::usage(message).at(&damping.place()).help(with_joints));
+            }
+            let Some((at, keys)) = table else {
+                joints.push(Joined { own, rate: None });
+                continue;
+            };
             if matches!(own.kind, JointKind::Helical | JointKind::Subgroup) {
                 let message = format!("the motion of a {} joint is not supported", own.kind.name());
-                let error = InputError::usage(message).at(&source.at(&keys.kind));
+                let error =
+                    InputError::usage(message).at(&source.key(&format!("joints.{at}.type")));
                 return Err(error.help("leave coordinates = \"poses\" out, or use other joints"));
             }
             let of_trees = ["coordinate", "force", "stiffness", "damping", "rest", "motor"];
             for key in of_trees.map(|key| format!("joints.{at}.{key}")) {
                 if source.has_key(&key) {
                     let error = source.refused(&key, "this key needs joint coordinates");
-                    return Err(error.help("leave coordinates = \"poses\" out"));
+                    return Err(error.help(with_joints));
                 }
             }
             let rate = match keys.rate.as_ref().map(|rate| &rate.0[..]) {
@@ -128,14 +139,15 @@ impl Joints {
                 Some(_) => {
                     let place = format!("joints.{at}.rate");
                     let error = source.refused(&place, "a list of rates needs joint coordinates");
-                    return Err(error.help("leave coordinates = \"poses\" out"));
+                    return Err(error.help(with_joints));
                 }
             };
             joints.push(Joined { own, rate });
         }
         let gravity = joint::gravity(keys, reader)?;
-        let place = source.key("bodies");
-        Ok(Joints { bodies: names, factors, joints, kept: vec![], gravity, note: None, place })
+        let bodies = assembly.bodies.iter().map(|body| body.name.clone()).collect();
+        let (notes, place) = (assembly.notes.clone(), assembly.place.clone());
+        Ok(Joints { bodies, factors, joints, kept: vec![], gravity, notes, place })
     }
 
     /// The joints for these values of the parameters.
@@ -190,7 +202,7 @@ impl Joints {
         if !left.is_empty() {
             let count = left.len();
             left.dedup();
-            self.note = Some(format!(
+            self.notes.push(format!(
                 "{count} constraints of the joints {} follow from the others at the initial \
                  position and are left out: their reactions are 0",
                 left.join(", ")
@@ -204,9 +216,9 @@ impl Joints {
         self.kept.len()
     }
 
-    /// A note on the constraints that are left out.
-    pub fn note(&self) -> Option<String> {
-        self.note.clone()
+    /// Notes on the robot, and on the constraints that are left out.
+    pub fn notes(&self) -> Vec<String> {
+        self.notes.clone()
     }
 
     fn ends(&self, joined: &Joined) -> [Option<usize>; 2] {

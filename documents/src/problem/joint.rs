@@ -1,9 +1,10 @@
 //! Joints whose numbers are formulas.
 
-use super::joint_keys::{BodyKeys, JointKeys};
+use super::joint_keys::JointKeys;
 use super::keys::Keys;
 use super::reader::{Reader, Value};
-use crate::input::{InputError, Place, forms::Number, shown};
+use crate::input::urdf::{JointFrame, Urdf, UrdfJoint};
+use crate::input::{InputError, Place, forms::Number};
 use affinor::mechanism::joint::JointData;
 use affinor::mechanism::{Joint, JointKind, Twist};
 use nalgebra::Vector3;
@@ -19,25 +20,40 @@ pub(super) struct JointFormulas {
     vectors: [Option<Vec<Value>>; 3],
     pitch: Option<Value>,
     twists: Vec<Vec<Value>>,
+    /// The factor of the damping force of a joint of a robot, unless it is zero.
+    pub damping: Option<Value>,
     /// The location of the axis.
     place: Place,
 }
 
 impl JointFormulas {
-    /// Reads the joints of a file, with the names of its bodies.
-    pub fn all(keys: &Keys, names: &[String], reader: &Reader) -> Result<Vec<Self>, InputError> {
-        let joints = keys.joints.iter().flatten().enumerate();
-        joints.map(|(at, keys)| Self::read(keys, at, names, reader)).collect()
+    /// The joint of a robot, with its point and its axis in the ground frame.
+    pub fn of_robot(joint: &UrdfJoint, frame: &JointFrame<f64>, robot: &Urdf) -> Self {
+        let constant = |number: &f64| Value::constant(&robot.source, *number);
+        let vector = |list: &[f64; 3]| Some(list.iter().map(constant).collect());
+        JointFormulas {
+            name: joint.name.clone(),
+            ends: joint.links,
+            kind: joint.kind,
+            vectors: [vector(&frame.point), vector(&frame.axis), None],
+            pitch: None,
+            twists: vec![],
+            damping: (joint.damping != 0.0).then(|| constant(&joint.damping)),
+            place: joint.axis_place.clone(),
+        }
     }
 
-    fn read(
+    /// Reads the joint of the table with the index `at`, with its number among all joints and the
+    /// names of all bodies.
+    pub fn read(
         keys: &JointKeys,
         at: usize,
+        number: usize,
         names: &[String],
         reader: &Reader,
     ) -> Result<Self, InputError> {
         let source = reader.source;
-        let default = || format!("J{}", at + 1);
+        let default = || format!("J{number}");
         let name = keys.name.as_ref().map_or_else(default, |name| name.content.clone());
         let ends = keys.ends(&name, names, source, at)?;
         let kind = keys.kind(source, at)?;
@@ -60,6 +76,7 @@ impl JointFormulas {
             ],
             pitch: reader.optional(&keys.pitch)?,
             twists: twists?,
+            damping: None,
             place: place(if kind == JointKind::Subgroup { "twists" } else { "axis" }),
         })
     }
@@ -93,22 +110,6 @@ impl JointFormulas {
         })?;
         Ok(joint.between(&self.name, self.ends))
     }
-}
-
-/// Checks that each moving body has an inertia, and that a body moves and a body is fixed.
-pub(super) fn expect_bodies(bodies: &[BodyKeys], reader: &Reader) -> Result<(), InputError> {
-    let source = reader.source;
-    if let Some(body) = bodies.iter().find(|body| !body.fixed && body.inertia.is_none()) {
-        let message = format!("the moving body `{}` has no inertia", shown(&body.name));
-        let help = "give it parts, as in inertia.parts = [{ shape = \"rod\", length = 1, mass = 1 }], or fixed = true";
-        return Err(InputError::usage(message).at(&source.at(&body.name)).help(help));
-    }
-    let moving = bodies.iter().filter(|body| !body.fixed).count();
-    if moving == 0 || moving == bodies.len() {
-        let error = source.refused("bodies", "one body must be fixed, and one must move");
-        return Err(error.help("write fixed = true in the table of the ground"));
-    }
-    Ok(())
 }
 
 /// The acceleration of gravity of a file.

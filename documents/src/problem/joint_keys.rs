@@ -1,6 +1,7 @@
 //! The tables `[[bodies]]` and `[[joints]]`.
 
 use super::body::InertiaKeys;
+use crate::input::urdf::Urdf;
 use crate::input::{
     InputError, Place, Source,
     forms::{Number, OneOrMore, Text},
@@ -25,8 +26,8 @@ pub(crate) struct BodyKeys {
 pub(crate) struct JointKeys {
     pub name: Option<Text>,
     #[serde(rename = "type")]
-    pub kind: Text,
-    pub bodies: Vec<Text>,
+    pub kind: Option<Text>,
+    pub bodies: Option<Vec<Text>>,
     pub at: Option<Vec<Number>>,
     pub axis: Option<Vec<Number>>,
     pub second_axis: Option<Vec<Number>>,
@@ -81,18 +82,61 @@ impl JointKeys {
         source: &Source,
         at: usize,
     ) -> Result<[usize; 2], InputError> {
+        let Some(bodies) = &self.bodies else {
+            let message = format!("joint `{}` has no `bodies`", shown(name));
+            let error = source.refused(&format!("joints.{at}"), message);
+            return Err(error.help("name the two bodies: bodies = [\"a\", \"b\"]"));
+        };
         let place = source.key(&format!("joints.{at}.bodies"));
         let name = format!("`{}`", shown(name));
-        ends(&self.bodies, ["joint", &name], names, source, &place)
+        ends(bodies, ["joint", &name], names, source, &place)
+    }
+
+    /// The index of the joint of the robot to which the table gives values. `None` for a table that
+    /// defines a joint.
+    pub fn joint_of(
+        &self,
+        robot: Option<&Urdf>,
+        source: &Source,
+        at: usize,
+    ) -> Result<Option<usize>, InputError> {
+        let (Some(robot), Some(name)) = (robot, &self.name) else { return Ok(None) };
+        let found = robot.joint(name);
+        let own = |key: &str| format!("joints.{at}.{key}");
+        if found.is_none() && self.kind.is_none() && self.bodies.is_none() {
+            let file = &robot.source.name;
+            let message = format!("{file} has no joint `{}`", shown(name));
+            let names: Vec<String> =
+                robot.joints.iter().take(12).map(|joint| shown(&joint.name)).collect();
+            let help = format!(
+                "give type and bodies of a further joint, or name a joint of the robot: {}",
+                names.join(", ")
+            );
+            return Err(InputError::usage(message).at(&source.at(name)).help(help));
+        }
+        let of_robot = ["type", "bodies", "at", "axis", "second_axis", "pitch", "twists"];
+        if let (Some(_), Some(key)) =
+            (found, of_robot.into_iter().find(|key| source.has_key(&own(key))))
+        {
+            let file = &robot.source.name;
+            let message = format!("`{key}` of the joint `{}` is given by {file}", shown(name));
+            let help = "leave the key out, or choose another name for a further joint";
+            return Err(source.refused(&own(key), message).help(help));
+        }
+        Ok(found)
     }
 
     /// The type, whose keys are checked.
     pub fn kind(&self, source: &Source, at: usize) -> Result<JointKind, InputError> {
-        let place = source.at(&self.kind);
-        let Some(kind) = JointKind::from_name(&self.kind) else {
-            let message = format!("there is no joint of the type `{}`", shown(&self.kind));
+        let Some(written) = &self.kind else {
+            let error = source.refused(&format!("joints.{at}"), "the joint has no `type`");
+            return Err(error.help("give its type, as in type = \"revolute\""));
+        };
+        let place = source.at(written);
+        let Some(kind) = JointKind::from_name(written) else {
+            let message = format!("there is no joint of the type `{}`", shown(written));
             let names = JointKind::ALL.map(JointKind::name);
-            let distance = |name: &&str| strsim::damerau_levenshtein(name, &self.kind);
+            let distance = |name: &&str| strsim::damerau_levenshtein(name, written);
             let near = names.into_iter().filter(|name| distance(name) < 4);
             let help = match near.min_by_key(distance) {
                 Some(name) => format!("did you mean `{name}`?"),

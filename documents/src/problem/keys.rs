@@ -143,6 +143,8 @@ pub(super) struct Keys {
     pub space: Option<Text>,
     pub definition: Option<Document>,
     #[cfg(feature = "mechanisms")]
+    pub urdf: Option<Text>,
+    #[cfg(feature = "mechanisms")]
     pub bodies: Option<Vec<BodyKeys>>,
     #[cfg(feature = "mechanisms")]
     pub joints: Option<Vec<JointKeys>>,
@@ -171,7 +173,8 @@ pub(super) struct Keys {
     pub forces: ForceKeys,
     #[serde(default)]
     pub integrator: IntegratorKeys,
-    pub output: OutputKeys,
+    /// Motions need this table, but not trees.
+    pub output: Option<OutputKeys>,
     #[serde(default)]
     pub killing: KillingKeys,
     pub embedding: Option<Vec<Text>>,

@@ -4,10 +4,10 @@ mod constraints;
 mod names;
 mod springs;
 
+use super::assembly::{AssembledJoint, Assembly};
 use super::body::Bodies;
 use super::integrator::Member;
-use super::joint::{self, JointFormulas, expect_bodies, vector};
-use super::joint_keys::JointKeys;
+use super::joint::{self, JointFormulas, vector};
 use super::keys::{Keys, NOT_WITH_BODIES, OF_CHARTS, OF_HOMOGENEOUS};
 use super::reader::{Reader, Value, Written};
 use super::ready::{Factor, Ready};
@@ -19,7 +19,7 @@ use affinor::mechanics::systems::tree::{
 };
 use affinor::mechanism::{Cut, JointKind, Mechanism, Tree};
 use constraints::Constraints;
-use nalgebra::DVector;
+use nalgebra::{DVector, Vector3};
 use names::TreeNames;
 use springs::Springs;
 use std::sync::Arc;
@@ -29,12 +29,14 @@ use std::sync::Arc;
 pub(super) struct OnTree {
     /// The names of the bodies, and whether each is fixed.
     bodies: Vec<(String, bool)>,
-    /// The inertias of the moving bodies.
+    /// Whether each body moves and has a mass, and the inertias of these bodies.
+    has_inertia: Vec<bool>,
     inertias: Bodies,
     joints: Vec<TreeJoint>,
     springs: Springs,
     constraints: Constraints,
     gravity: Option<Vec<Value>>,
+    notes: Vec<String>,
     place: Place,
 }
 
@@ -53,7 +55,7 @@ struct TreeJoint {
 impl OnTree {
     /// Whether the file has bodies and joints, and does not ask for poses as coordinates.
     pub fn is_meant(keys: &Keys, reader: &Reader) -> Result<bool, InputError> {
-        let has_joints = keys.bodies.is_some() && keys.joints.is_some();
+        let has_joints = keys.urdf.is_some() || (keys.bodies.is_some() && keys.joints.is_some());
         let Some(text) = &keys.coordinates else { return Ok(has_joints) };
         let error = match &**text {
             "joints" | "poses" if !has_joints => {
@@ -71,26 +73,27 @@ impl OnTree {
         let of_poses = ["forces", "initial.velocity"];
         let refused = [&NOT_WITH_BODIES[..], &of_poses, &OF_CHARTS, &OF_HOMOGENEOUS].concat();
         reader.refuse("a problem in joint coordinates", &refused)?;
-        let bodies = keys.bodies.as_deref().unwrap_or_default();
-        expect_bodies(bodies, reader)?;
-        let inertias = bodies.iter().enumerate().filter(|(_, body)| !body.fixed);
-        let inertias = inertias.filter_map(|(at, body)| {
-            Some((format!("bodies.{at}.inertia"), body.inertia.as_ref()?))
-        });
-        let place = reader.source.key("joints");
-        let inertias = Bodies::all(inertias, reader.source.key("bodies"), reader)?;
-        let bodies: Vec<(String, bool)> =
-            bodies.iter().map(|body| (body.name.content.clone(), body.fixed)).collect();
-        let names: Vec<String> = bodies.iter().map(|(name, _)| name.clone()).collect();
-        let formulas = JointFormulas::all(keys, &names, reader)?;
-        let own = keys.joints.iter().flatten().zip(formulas).enumerate();
-        let joints: Result<_, InputError> =
-            own.map(|(at, (keys, own))| TreeJoint::read(keys, at, own, reader)).collect();
+        let Assembly { bodies, inertias, joints, notes, .. } = Assembly::read(keys, reader)?;
+        let place = reader.source.key(if keys.joints.is_some() { "joints" } else { "urdf" });
+        let joints = joints.into_iter().map(|joint| TreeJoint::read(joint, reader));
+        let joints = joints.collect::<Result<_, _>>()?;
         let gravity = joint::gravity(keys, reader)?;
+        let names: Vec<String> = bodies.iter().map(|body| body.name.clone()).collect();
         let springs = Springs::read(keys, &names, reader)?;
         let constraints = Constraints::read(keys, &names, reader)?;
-        let joints = joints?;
-        Ok(OnTree { bodies, inertias, joints, springs, constraints, gravity, place })
+        let has_inertia = bodies.iter().map(|body| !body.fixed && body.has_mass).collect();
+        let bodies = bodies.into_iter().map(|body| (body.name, body.fixed)).collect();
+        Ok(OnTree {
+            bodies,
+            has_inertia,
+            inertias,
+            joints,
+            springs,
+            constraints,
+            gravity,
+            notes,
+            place,
+        })
     }
 
     /// The mechanism for values of the parameters, with all loops cut.
@@ -104,12 +107,22 @@ impl OnTree {
             InputError::from(error).or_at(&self.place).help(help)
         })?;
         let mut masses = self.inertias.masses(values)?.into_iter();
-        let inertias: Vec<Option<MassProperties>> = self
-            .bodies
-            .iter()
-            .map(|(_, fixed)| if *fixed { None } else { masses.next() })
-            .collect();
+        let inertias: Vec<Option<MassProperties>> =
+            self.has_inertia.iter().map(|has| if *has { masses.next() } else { None }).collect();
         Cut::new(&mechanism, &inertias).map_err(|error| self.refused(error))
+    }
+
+    /// The tree for values of the parameters, with another acceleration of gravity if one is given.
+    pub fn tree(&self, values: &[f64], gravity: Option<Vector3<f64>>) -> Result<Tree, InputError> {
+        let cut = self.cut(values)?;
+        if let Some([body, _]) = cut.copies.first() {
+            let name = shown(&self.bodies[*body].0);
+            let message = format!("the body `{name}` belongs to a loop");
+            let error = InputError::usage(message).at(&self.place);
+            return Err(error.help("`simulate` computes the motion of loops"));
+        }
+        let gravity = gravity.map_or_else(|| vector(&self.gravity, values), Ok)?;
+        cut.tree(&gravity).map_err(|error| self.refused(error))
     }
 
     fn refused(&self, error: affinor::Error) -> InputError {
@@ -163,6 +176,7 @@ impl OnTree {
         let factor =
             |at: usize| Factor { number: (moving > 1).then_some(at + 1), first: 0, rotates: true };
         let factors = (0..moving).map(factor).collect();
+        let notes = [&self.notes[..], &notes].concat();
         Ok(Ready { notes, factors, solids: self.inertias.solids(&values)?, ..ready })
     }
 
@@ -217,12 +231,13 @@ pub struct LinearProblem {
 }
 
 impl TreeJoint {
-    fn read(
-        keys: &JointKeys,
-        at: usize,
-        own: JointFormulas,
-        reader: &Reader,
-    ) -> Result<Self, InputError> {
+    fn read(joint: AssembledJoint, reader: &Reader) -> Result<Self, InputError> {
+        let AssembledJoint { own, table } = joint;
+        let Some((at, keys)) = table else {
+            let spring = [None, own.damping.clone(), None];
+            let motor = None;
+            return Ok(TreeJoint { own, coordinate: None, rate: None, force: None, spring, motor });
+        };
         let place = |key: &str| reader.source.key(&format!("joints.{at}.{key}"));
         let values = |key: &str, list: &Option<OneOrMore>| -> Result<_, InputError> {
             let Some(list) = list else { return Ok(None) };
@@ -236,16 +251,13 @@ impl TreeJoint {
             let error = InputError::usage("`rest` needs a stiffness").at(&place("rest"));
             return Err(error.help("give stiffness, or leave the key out"));
         }
+        let damping = reader.optional(&keys.damping)?.or(own.damping.clone());
         Ok(TreeJoint {
             own,
             coordinate: values("coordinate", &keys.coordinate)?,
             rate: values("rate", &keys.rate)?,
             force,
-            spring: [
-                reader.optional(&keys.stiffness)?,
-                reader.optional(&keys.damping)?,
-                reader.optional(&keys.rest)?,
-            ],
+            spring: [reader.optional(&keys.stiffness)?, damping, reader.optional(&keys.rest)?],
             motor: keys.motor.as_ref().map(|formula| reader.written(&formula.0)),
         })
     }

@@ -43,7 +43,11 @@ pub(super) struct RowFormulas {
 impl Output {
     pub fn read(keys: &Keys, reader: &Reader) -> Result<Self, InputError> {
         let source = reader.source;
-        let output = &keys.output;
+        let Some(output) = &keys.output else {
+            let start = Place { source: source.clone(), span: Some(0..0) };
+            let error = InputError::usage("missing field `output`").at(&start);
+            return Err(error.help("give the final time, as in output = { end = 1, every = 0.1 }"));
+        };
         let times = Times::read(output, reader.optional(&keys.initial.time)?, reader)?;
         let columns = output.columns.as_ref();
         let columns =
