@@ -122,11 +122,11 @@ impl RollingContact {
         if self.kind != ContactKind::Ball && across <= 1e-9 * axis.norm() {
             return match self.kind {
                 ContactKind::Wheel => refused(
-                    "the wheel lies flat on the plane, so it has no point of contact",
+                    "the axis of the wheel is orthogonal to the plane: there is no point of contact",
                     "give an axis that is not parallel to the normal of the plane",
                 ),
                 _ => refused(
-                    "the edge is orthogonal to the plane, so it has no direction in it",
+                    "the edge is orthogonal to the plane: there is no direction in it",
                     "give an axis along the edge",
                 ),
             };

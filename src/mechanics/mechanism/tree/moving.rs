@@ -135,9 +135,9 @@ impl MovingTree {
     }
 
     /// The wrench that the first body of a joint exerts on the second one, after
-    /// [`inverse`](Self::inverse): a moment about the point of the body that is at `point` at the
-    /// position of the mechanism, and a force. Components are those in the frame of the body that is
-    /// farther from the ground. Without a point, the moment is about the origin of the frame of the
+    /// [`inverse`](Self::inverse): a moment and a force. Components are those in the frame of the body
+    /// that is farther from the ground. The moment is about the point of this body that is at `point`
+    /// at the position of the mechanism. Without a point, it is about the origin of the frame of the
     /// joint. Returns `None` for a joint without freedom, because its bodies are one.
     ///
     /// # Panics

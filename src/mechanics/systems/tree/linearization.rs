@@ -18,9 +18,9 @@ use std::f64::consts::PI;
 /// with the accelerations `a(q, v)` on the constraints. In a steady motion, the coordinates change at
 /// constant rates and `A` is constant.
 ///
-/// Eigenvalues that vanish belong to coordinates that do not change the accelerations, such as the
-/// angle of a wheel, and to families of steady motions, such as those of all speeds. They are
-/// removed in exact steps, so that they do not disturb the others.
+/// Some eigenvalues vanish. They belong to coordinates without influence, such as the angle of a
+/// wheel, and to families of steady motions. They are removed first, so that their rounding errors
+/// do not change the others.
 #[derive(Clone, Debug)]
 pub struct Linearization {
     /// The matrix `A`, in the orthonormal basis `basis`.

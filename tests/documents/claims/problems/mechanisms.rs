@@ -3,6 +3,7 @@
 
 use affinor_documents::input::InputError;
 use affinor_documents::problem::Problem;
+use nalgebra::Complex;
 use serde_json::Value;
 use std::fmt::Write as _;
 
@@ -287,6 +288,27 @@ fn flyball_governor() -> Result<(), InputError> {
             expected[2] -= 0.5;
             expected[4] -= std::f64::consts::FRAC_PI_6;
             expect_close(row, &expected, 1e-5);
+        }
+    }
+    Ok(())
+}
+
+/// The benchmark bicycle: the eigenvalues of its published matrices, which were computed from its
+/// parameters with 25 digits.
+#[test]
+fn eigenvalues_of_a_bicycle() -> Result<(), InputError> {
+    let text = include_str!("../../../../examples/mechanisms/bicycle.toml");
+    for state in references()["bicycle"]["speeds"].as_array().unwrap() {
+        let speed = number(&state["speed"]);
+        let mut problem = Problem::parse("bicycle.toml", text)?;
+        problem.set(&format!("v={speed}"))?;
+        let found = problem.linearized()?.linear;
+        assert_eq!((found.matrix.nrows(), found.zeros, found.eigenvalues.len()), (10, 6, 4));
+        for expected in state["eigenvalues"].as_array().unwrap() {
+            let [re, im] = [0, 1].map(|part| number(&expected[part]));
+            let off = |s: &Complex<f64>| (s.re - re).hypot(s.im - im) / re.hypot(im).max(1.0);
+            let nearest = found.eigenvalues.iter().map(off).fold(f64::INFINITY, f64::min);
+            assert!(nearest < 1e-12, "{speed}: {re}, {im}: {nearest:e}");
         }
     }
     Ok(())

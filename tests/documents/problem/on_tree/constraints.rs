@@ -100,7 +100,7 @@ fn bricards_mechanism_does_not_depend_on_the_cut() -> Result<(), InputError> {
     let joints: Vec<&str> = list.split("[[joints]]").collect();
     assert_eq!(joints.len(), 6);
     for first in [2, 5] {
-        // another order of the joints moves the cut, and keeps the names
+        // the cut depends on the order of the joints
         let order = (0..6).map(|k| (first + 5 * k) % 6);
         let listed: Vec<String> =
             order.map(|k| format!("[[joints]]\nname = \"J{}\"{}", k + 1, joints[k])).collect();
@@ -244,8 +244,7 @@ fn balls_roll_down_a_plane() -> Result<(), InputError> {
 #[test]
 fn disks_roll_in_circles() -> Result<(), InputError> {
     let (radius, lean, turn): (f64, f64, f64) = (0.5, 0.4, 0.9);
-    // a thin disk that leans by an angle `lean` and turns at the rate `turn`: with the spin `s` of the
-    // disk about its axis, the balance of moments about the contact point
+    // the spin about the axis follows from the balance of moments about the centre
     let (g, k) = (9.81, radius * radius);
     let (sin, cos) = (lean.sin(), lean.cos());
     // (I3 + m r^2) s turn cos + I1 turn^2 sin cos = m g r sin, with I1 = k/4 and I3 = k/2
@@ -340,7 +339,7 @@ fn springs_connect_points() -> Result<(), InputError> {
 }
 
 /// Coordinates of some joints are given, and the others follow. Rounded coordinates are corrected,
-/// with a note; other ones are refused.
+/// with a note. A larger error ends the run.
 #[test]
 fn mechanisms_are_assembled() -> Result<(), InputError> {
     let text = windows(1, 1.0, [0.0, 0.0], 1.0, -9.81);
@@ -370,36 +369,12 @@ fn mechanisms_are_assembled() -> Result<(), InputError> {
     Ok(())
 }
 
-/// The eigenvalues of the benchmark bicycle are those of its matrices: J. P. Meijaard et al., Proc. R.
-/// Soc. A 463 (2007) 1955-1982, equation (5.2). `M q'' + v C q' + (g K0 + v^2 K2) q = 0`.
+/// The weave of the benchmark bicycle is stable above a published speed: J. P. Meijaard et al., Proc. R.
+/// Soc. A 463 (2007) 1955-1982.
 #[test]
-fn eigenvalues_of_a_bicycle() -> Result<(), InputError> {
+fn weave_speed_of_a_bicycle() -> Result<(), InputError> {
     let text = example("bicycle", 1e-9);
-    let mass = [[80.817_22, 2.319_413_322_087_09], [2.319_413_322_087_09, 0.297_841_881_996_86]];
-    let damping = [[0.0, 33.866_413_914_924_94], [-0.850_356_414_569_78, 1.685_403_973_975_60]];
-    let still = [[-80.95, -2.599_516_852_498_72], [-2.599_516_852_498_72, -0.803_294_884_586_18]];
-    let moving = [[0.0, 76.597_345_895_732_22], [0.0, 2.654_315_237_946_04]];
-    for v in [0.5, 3.0, 4.3, 5.0, 6.02, 9.0] {
-        let mut problem = Problem::parse("bicycle.toml", &text)?;
-        problem.set(&format!("v={v}"))?;
-        let found = problem.linearized()?.linear;
-        assert_eq!((found.matrix.nrows(), found.zeros, found.eigenvalues.len()), (10, 6, 4));
-        // the characteristic polynomial det(M s^2 + C s + K), relative to the size of its terms
-        for s in &found.eigenvalues {
-            let mut sizes = [0.0_f64; 2];
-            let entry = |i: usize, j: usize| {
-                let stiffness = 9.81 * still[i][j] + v * v * moving[i][j];
-                s * s * mass[i][j] + s * v * damping[i][j] + stiffness
-            };
-            let terms = [entry(0, 0) * entry(1, 1), entry(0, 1) * entry(1, 0)];
-            for (size, term) in sizes.iter_mut().zip(&terms) {
-                *size = term.norm();
-            }
-            let error = (terms[0] - terms[1]).norm() / (sizes[0] + sizes[1]).max(100.0);
-            assert!(error < 1e-11, "{v}: {s}: {error:e}");
-        }
-    }
-    // the speed of weave, at which the real part of the pair vanishes
+    // the real part of the pair vanishes at the weave speed
     let weave = |v: f64| -> Result<f64, InputError> {
         let mut problem = Problem::parse("bicycle.toml", &text)?;
         problem.set(&format!("v={v}"))?;
@@ -479,7 +454,7 @@ fn invalid_constraints_are_errors() {
             touching(
                 "type = \"wheel\", body = \"body\", at = [0, 0, 0], radius = 1, axis = [0, 0, 2]",
             ),
-            "the wheel lies flat",
+            "the axis of the wheel is orthogonal",
             "not parallel",
         ),
         (
