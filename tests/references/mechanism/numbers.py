@@ -3,9 +3,12 @@ import gmpy2
 import mpmath as mp
 from gmpy2 import mpfr as Q
 
-mp.mp.dps = 42
+from initial_value import DIGITS  # which sets the precision, before the first number is made
+
+mp.mp.dps = DIGITS
 G = Q("9.81")
-PI = gmpy2.const_pi(140)
+PI = gmpy2.const_pi()
+assert G.precision == PI.precision == 140
 
 
 def dot(a, b):
