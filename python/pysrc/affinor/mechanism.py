@@ -34,6 +34,15 @@ class Joint(NamedTuple):
         Columns of the joint in configurations. Empty if the file does not define a tree.
     v : slice
         Columns of the joint in rates, accelerations and joint forces.
+
+    Examples
+    --------
+    >>> ball = {"name": "ball", "inertia": {"parts": [{"shape": "points", "points": [[2, 0, 0, -1]]}]}}
+    >>> hinge = {"type": "revolute", "bodies": ["ground", "ball"], "at": [0, 0, 0], "axis": [0, 1, 0]}
+    >>> keys = {"bodies": [{"name": "ground", "fixed": True}, ball], "joints": [hinge]}
+    >>> pendulum = Mechanism(keys, gravity=[0, 0, -9.81])
+    >>> pendulum.joints
+    [Joint(name='J1', type='revolute', bodies=('ground', 'ball'), q=slice(0, 1, None), v=slice(0, 1, None))]
     """
 
     name: str
@@ -130,6 +139,15 @@ class Mechanism(_engine.Mechanism):
         Returns
         -------
         list of Joint
+
+        Examples
+        --------
+        >>> ball = {"name": "ball", "inertia": {"parts": [{"shape": "points", "points": [[2, 0, 0, -1]]}]}}
+        >>> hinge = {"type": "revolute", "bodies": ["ground", "ball"], "at": [0, 0, 0], "axis": [0, 1, 0]}
+        >>> keys = {"bodies": [{"name": "ground", "fixed": True}, ball], "joints": [hinge]}
+        >>> pendulum = Mechanism(keys, gravity=[0, 0, -9.81])
+        >>> pendulum.joints[0].bodies
+        ('ground', 'ball')
         """
         bodies = self.bodies
         return [
@@ -144,6 +162,15 @@ class Mechanism(_engine.Mechanism):
         Returns
         -------
         int
+
+        Examples
+        --------
+        >>> ball = {"name": "ball", "inertia": {"parts": [{"shape": "points", "points": [[2, 0, 0, -1]]}]}}
+        >>> hinge = {"type": "revolute", "bodies": ["ground", "ball"], "at": [0, 0, 0], "axis": [0, 1, 0]}
+        >>> keys = {"bodies": [{"name": "ground", "fixed": True}, ball], "joints": [hinge]}
+        >>> pendulum = Mechanism(keys, gravity=[0, 0, -9.81])
+        >>> pendulum.coordinate_count
+        1
         """
         return self._sizes[0]
 
@@ -154,6 +181,15 @@ class Mechanism(_engine.Mechanism):
         Returns
         -------
         int
+
+        Examples
+        --------
+        >>> ball = {"name": "ball", "inertia": {"parts": [{"shape": "points", "points": [[2, 0, 0, -1]]}]}}
+        >>> hinge = {"type": "revolute", "bodies": ["ground", "ball"], "at": [0, 0, 0], "axis": [0, 1, 0]}
+        >>> keys = {"bodies": [{"name": "ground", "fixed": True}, ball], "joints": [hinge]}
+        >>> pendulum = Mechanism(keys, gravity=[0, 0, -9.81])
+        >>> pendulum.freedom
+        1
         """
         return self._sizes[1]
 
@@ -163,6 +199,15 @@ class Mechanism(_engine.Mechanism):
         Returns
         -------
         array of the shape (coordinate_count,)
+
+        Examples
+        --------
+        >>> ball = {"name": "ball", "inertia": {"parts": [{"shape": "points", "points": [[2, 0, 0, -1]]}]}}
+        >>> hinge = {"type": "revolute", "bodies": ["ground", "ball"], "at": [0, 0, 0], "axis": [0, 1, 0]}
+        >>> keys = {"bodies": [{"name": "ground", "fixed": True}, ball], "joints": [hinge]}
+        >>> pendulum = Mechanism(keys, gravity=[0, 0, -9.81])
+        >>> pendulum.home()
+        array([0.])
         """
         return np.array(self._home)
 
@@ -172,6 +217,15 @@ class Mechanism(_engine.Mechanism):
         Returns
         -------
         Report
+
+        Examples
+        --------
+        >>> ball = {"name": "ball", "inertia": {"parts": [{"shape": "points", "points": [[2, 0, 0, -1]]}]}}
+        >>> hinge = {"type": "revolute", "bodies": ["ground", "ball"], "at": [0, 0, 0], "axis": [0, 1, 0]}
+        >>> keys = {"bodies": [{"name": "ground", "fixed": True}, ball], "joints": [hinge]}
+        >>> pendulum = Mechanism(keys, gravity=[0, 0, -9.81])
+        >>> pendulum.mobility()["mobility"]
+        1
         """
         return Report(self._mobility())
 
@@ -195,6 +249,16 @@ class Mechanism(_engine.Mechanism):
         ------
         MathematicsError
             The mechanism has loops, or a body beyond a joint has no mass.
+
+        Examples
+        --------
+        >>> ball = {"name": "ball", "inertia": {"parts": [{"shape": "points", "points": [[2, 0, 0, -1]]}]}}
+        >>> hinge = {"type": "revolute", "bodies": ["ground", "ball"], "at": [0, 0, 0], "axis": [0, 1, 0]}
+        >>> keys = {"bodies": [{"name": "ground", "fixed": True}, ball], "joints": [hinge]}
+        >>> pendulum = Mechanism(keys, gravity=[0, 0, -9.81])
+        >>> pendulum.forward([0.5], [0.0], [[0.0], [9.0]]).round(6)
+        array([[-4.703165],
+               [-0.203165]])
         """
         return self._forward(q, v, tau)
 
@@ -213,6 +277,15 @@ class Mechanism(_engine.Mechanism):
         Returns
         -------
         array of the shape (..., freedom)
+
+        Examples
+        --------
+        >>> ball = {"name": "ball", "inertia": {"parts": [{"shape": "points", "points": [[2, 0, 0, -1]]}]}}
+        >>> hinge = {"type": "revolute", "bodies": ["ground", "ball"], "at": [0, 0, 0], "axis": [0, 1, 0]}
+        >>> keys = {"bodies": [{"name": "ground", "fixed": True}, ball], "joints": [hinge]}
+        >>> pendulum = Mechanism(keys, gravity=[0, 0, -9.81])
+        >>> pendulum.inverse([0.5], [3.0], [0.0]).round(6)
+        array([9.406329])
         """
         return self._inverse(q, v, a)
 
@@ -227,6 +300,15 @@ class Mechanism(_engine.Mechanism):
         Returns
         -------
         array of the shape (..., freedom, freedom)
+
+        Examples
+        --------
+        >>> ball = {"name": "ball", "inertia": {"parts": [{"shape": "points", "points": [[2, 0, 0, -1]]}]}}
+        >>> hinge = {"type": "revolute", "bodies": ["ground", "ball"], "at": [0, 0, 0], "axis": [0, 1, 0]}
+        >>> keys = {"bodies": [{"name": "ground", "fixed": True}, ball], "joints": [hinge]}
+        >>> pendulum = Mechanism(keys, gravity=[0, 0, -9.81])
+        >>> pendulum.mass_matrix([0.5]).round(12)
+        array([[2.]])
         """
         return self._mass_matrix(q)
 
@@ -243,6 +325,15 @@ class Mechanism(_engine.Mechanism):
         Returns
         -------
         array of the shape (...)
+
+        Examples
+        --------
+        >>> ball = {"name": "ball", "inertia": {"parts": [{"shape": "points", "points": [[2, 0, 0, -1]]}]}}
+        >>> hinge = {"type": "revolute", "bodies": ["ground", "ball"], "at": [0, 0, 0], "axis": [0, 1, 0]}
+        >>> keys = {"bodies": [{"name": "ground", "fixed": True}, ball], "joints": [hinge]}
+        >>> pendulum = Mechanism(keys, gravity=[0, 0, -9.81])
+        >>> float(pendulum.kinetic_energy([0.5], [3.0]).round(12))
+        9.0
         """
         return self._energies(q, v)[..., 0]
 
@@ -257,6 +348,15 @@ class Mechanism(_engine.Mechanism):
         Returns
         -------
         array of the shape (...)
+
+        Examples
+        --------
+        >>> ball = {"name": "ball", "inertia": {"parts": [{"shape": "points", "points": [[2, 0, 0, -1]]}]}}
+        >>> hinge = {"type": "revolute", "bodies": ["ground", "ball"], "at": [0, 0, 0], "axis": [0, 1, 0]}
+        >>> keys = {"bodies": [{"name": "ground", "fixed": True}, ball], "joints": [hinge]}
+        >>> pendulum = Mechanism(keys, gravity=[0, 0, -9.81])
+        >>> float(pendulum.potential_energy([0.0]).round(12))
+        -19.62
         """
         return self._energies(q, np.zeros(self.freedom))[..., 1]
 
@@ -273,6 +373,15 @@ class Mechanism(_engine.Mechanism):
         Returns
         -------
         array of the shape (...)
+
+        Examples
+        --------
+        >>> ball = {"name": "ball", "inertia": {"parts": [{"shape": "points", "points": [[2, 0, 0, -1]]}]}}
+        >>> hinge = {"type": "revolute", "bodies": ["ground", "ball"], "at": [0, 0, 0], "axis": [0, 1, 0]}
+        >>> keys = {"bodies": [{"name": "ground", "fixed": True}, ball], "joints": [hinge]}
+        >>> pendulum = Mechanism(keys, gravity=[0, 0, -9.81])
+        >>> float(pendulum.energy([0.0], [3.0]).round(12))
+        -10.62
         """
         return np.asarray(self._energies(q, v).sum(axis=-1))
 
@@ -289,6 +398,15 @@ class Mechanism(_engine.Mechanism):
         Returns
         -------
         array of the shape (..., 6)
+
+        Examples
+        --------
+        >>> ball = {"name": "ball", "inertia": {"parts": [{"shape": "points", "points": [[2, 0, 0, -1]]}]}}
+        >>> hinge = {"type": "revolute", "bodies": ["ground", "ball"], "at": [0, 0, 0], "axis": [0, 1, 0]}
+        >>> keys = {"bodies": [{"name": "ground", "fixed": True}, ball], "joints": [hinge]}
+        >>> pendulum = Mechanism(keys, gravity=[0, 0, -9.81])
+        >>> pendulum.momentum([0.0], [3.0]).round(12) + 0.0
+        array([ 0.,  6.,  0., -6.,  0.,  0.])
         """
         return self._momentum(q, v)
 
@@ -305,6 +423,15 @@ class Mechanism(_engine.Mechanism):
         Returns
         -------
         array of the shape (..., bodies, 7)
+
+        Examples
+        --------
+        >>> ball = {"name": "ball", "inertia": {"parts": [{"shape": "points", "points": [[2, 0, 0, -1]]}]}}
+        >>> hinge = {"type": "revolute", "bodies": ["ground", "ball"], "at": [0, 0, 0], "axis": [0, 1, 0]}
+        >>> keys = {"bodies": [{"name": "ground", "fixed": True}, ball], "joints": [hinge]}
+        >>> pendulum = Mechanism(keys, gravity=[0, 0, -9.81])
+        >>> pendulum.poses([0.0])[1]
+        array([1., 0., 0., 0., 0., 0., 0.])
         """
         return self._poses(q)
 
