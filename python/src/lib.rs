@@ -16,6 +16,7 @@ mod geometry;
 mod group;
 mod kak;
 mod limits;
+mod mechanism;
 mod motion;
 mod operations;
 mod report;
@@ -48,6 +49,8 @@ mod _engine {
     use crate::kak::{_kak, _two_qubit_kak};
     #[pymodule_export]
     use crate::limits::PyBudget;
+    #[pymodule_export]
+    use crate::mechanism::PyMechanism;
     #[pymodule_export]
     use crate::motion::{PyProblem, methods};
     #[pymodule_export]

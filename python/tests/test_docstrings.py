@@ -13,7 +13,7 @@ from affinor.motion import ProblemKeys
 
 NAMES = {name: getattr(af, name) for name in af.__all__}
 
-RESULTS = ["Check", "Convergence", "Geodesic", "KakFactors", "Property", "Report", "Sweep", "Trajectory", "TwoQubitKak"]
+RESULTS = ["Check", "Convergence", "Geodesic", "Joint", "KakFactors", "Property", "Report", "Sweep", "Trajectory", "TwoQubitKak"]
 """Classes whose objects only affinor makes: they document attributes instead of the arguments of a constructor."""
 
 WITHOUT_RESULT = ["clear_caches", "set_threads"]

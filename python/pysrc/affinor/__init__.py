@@ -31,6 +31,7 @@ from affinor.errors import (
 from affinor.factorization import KakFactors, TwoQubitKak, kak, two_qubit_kak
 from affinor.geometry import Geodesic, Geometry, Property, check, compare, conventions
 from affinor.group import SE2, SE3, SE2_3, SL2, SO2, SO3, Group, RigidMotionGroup, RotationGroup, Spline, groups
+from affinor.mechanism import Joint, Mechanism
 from affinor.motion import Convergence, Problem, Trajectory, convergence, methods, simulate
 from affinor.representation import Representation, clebsch_gordan, wigner_3j, wigner_6j
 from affinor.structure import Report
@@ -61,10 +62,12 @@ __all__ = [
     "IntegrationError",
     "InternalError",
     "JacobiError",
+    "Joint",
     "KakFactors",
     "LieAlgebra",
     "LimitError",
     "MathematicsError",
+    "Mechanism",
     "MetricError",
     "SimulationTask",
     "PointValues",

@@ -61,6 +61,11 @@ class ProblemKeys(TypedDict, total=False):
     quantities: Mapping[str, Any] | None
     events: Mapping[str, Any] | None
     ensemble: Mapping[str, Any] | None
+    urdf: str | None
+    bodies: Sequence[Mapping[str, Any]] | None
+    joints: Sequence[Mapping[str, Any]] | None
+    gravity: Sequence[Any] | None
+    coordinates: str | None
 
 
 Function = TypeVar("Function", bound=Callable[..., Any])
@@ -151,6 +156,16 @@ class Problem(_engine.Problem):
         Event functions: formulas by name.
     ensemble : dict, optional
         Variations of parameters: ``grid``, ``random``, ``samples`` and ``seed``.
+    urdf : str, optional
+        Path of a robot, whose links and joints are the first bodies and joints.
+    bodies : list of dict, optional
+        Bodies with ``name``, ``fixed`` and ``inertia``, instead of ``space``.
+    joints : list of dict, optional
+        Joints between bodies, and values of joints of the robot.
+    gravity : list, optional
+        Acceleration of gravity in the ground frame, for bodies.
+    coordinates : str, optional
+        State of bodies: ``"joints"`` or ``"poses"``, the default.
 
     Raises
     ------
