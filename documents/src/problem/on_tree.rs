@@ -80,11 +80,7 @@ impl OnTree {
     }
 
     /// The tree for values of the parameters, with another acceleration of gravity if one is given.
-    pub fn tree(
-        &self,
-        values: &[f64],
-        gravity: Option<Vector3<f64>>,
-    ) -> Result<Tree, InputError> {
+    pub fn tree(&self, values: &[f64], gravity: Option<Vector3<f64>>) -> Result<Tree, InputError> {
         let joints = self.joints.iter().map(|joint| joint.own.at(values));
         let joints = joints.collect::<Result<Vec<_>, _>>()?;
         let fixed: Vec<usize> = (0..self.bodies.len()).filter(|at| self.bodies[*at].1).collect();
