@@ -13,6 +13,7 @@ pub(crate) mod lanes;
 pub(crate) mod least_squares;
 pub(crate) mod logarithm;
 pub(crate) mod ode;
+pub(crate) mod radau;
 pub(crate) mod rounding;
 pub(crate) mod shooting;
 pub(crate) mod stumpff;

@@ -19,6 +19,7 @@ mod geodesic;
 mod hypersurface;
 mod info;
 mod isometries;
+mod linearize;
 mod list;
 mod mobility;
 mod note;
@@ -112,6 +113,8 @@ enum Command {
     Geodesic(geodesic::Arguments),
     /// Print the degrees of freedom of a mechanism of bodies and joints, with proofs
     Mobility(mobility::Arguments),
+    /// Print the eigenvalues of small deviations from an equilibrium or a steady motion
+    Linearize(linearize::Arguments),
     /// Convert rotations: vectors, quaternions, matrices, Euler angles
     Convert(convert::Arguments),
     /// Integrate a problem of mechanics, or an ensemble of problems
@@ -185,6 +188,7 @@ fn run(command: Command, watch: &Watch) -> Result<(), Failure> {
         Command::Transport(arguments) => arguments.run(),
         Command::Geodesic(arguments) => arguments.run(),
         Command::Mobility(arguments) => arguments.run(),
+        Command::Linearize(arguments) => arguments.run(),
         Command::Convert(arguments) => arguments.run(),
         Command::Simulate(arguments) => arguments.run(watch),
         Command::Plot(arguments) => arguments.run(),

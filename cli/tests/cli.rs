@@ -93,7 +93,7 @@ fn every_command_writes_every_format() {
 #[test]
 fn help_and_version_are_results() {
     let commands = "compare table check verify info properties equations exp log compose adjoint transport convert \
-                    simulate list conventions completions isometries mobility rep coupling solve geodesic spacetime forms hypersurface";
+                    simulate list conventions completions isometries mobility linearize rep coupling solve geodesic spacetime forms hypersurface";
     let mut all = vec![vec!["--help"], vec!["--version"], vec!["help", "check"]];
     all.extend(commands.split_whitespace().map(|command| vec![command, "--help"]));
     let figures = "images transport autoparallels motion frames attitude momentum animation series phase section drift \
@@ -141,7 +141,7 @@ fn examples_of_the_help_succeed() {
         }
         count += 1;
     }
-    assert_eq!(count, 29);
+    assert_eq!(count, 30);
 }
 
 #[test]

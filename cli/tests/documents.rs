@@ -199,6 +199,10 @@ fn formats_names_every_key_of_every_schema() -> Outcome {
         ),
         ("affinor.mobility/1", "affinor mobility examples/mechanisms/bennett.toml".into()),
         ("affinor.mobility/1", "affinor mobility examples/mechanisms/bricard.toml".into()),
+        (
+            "affinor.linearization/1",
+            "affinor linearize examples/mechanisms/double_pendulum.toml".into(),
+        ),
         ("affinor.solve/1", "affinor solve se2 --metric \"diag(a,b,c)\" --for flat".into()),
         ("affinor.rep/1", "affinor rep G2 7 --power 2 --tensor 7 --weights".into()),
         ("affinor.rep/1", "affinor rep \"SU(5)\" 10 --branch \"SU(3)xSU(2)xU(1)\"".into()),

@@ -43,6 +43,8 @@ struct Keys {
     _gravity: Option<IgnoredAny>,
     #[serde(rename = "coordinates")]
     _coordinates: Option<IgnoredAny>,
+    #[serde(rename = "springs")]
+    _springs: Option<IgnoredAny>,
     #[serde(rename = "initial")]
     _initial: Option<IgnoredAny>,
     #[serde(rename = "forces")]

@@ -60,6 +60,8 @@ use ensemble::Ensemble;
 use euler_poincare::EulerPoincare;
 use integrator::{Integrator, Member, method_of, values_of};
 use keys::Keys;
+#[cfg(feature = "mechanisms")]
+use keys::OF_TREES;
 use lie_poisson::LiePoisson;
 use matrix_flow::MatrixFlow;
 use on_chart::OnChart;
@@ -71,6 +73,9 @@ use output::{Output, expect_distinct};
 use prescribed_velocity::PrescribedVelocity;
 use reader::{Reader, Value};
 use std::path::Path;
+
+#[cfg(feature = "mechanisms")]
+pub use on_tree::LinearProblem;
 
 /// A problem of motion.
 #[derive(Clone, Debug)]
@@ -134,6 +139,8 @@ impl Class {
             let class = Constrained::of_joints(dynamics, joints);
             return Ok(Class::Constrained(group.into(), class.into()));
         }
+        #[cfg(feature = "mechanisms")]
+        reader.refuse("a problem without bodies", &OF_TREES)?;
         #[cfg(not(feature = "mechanisms"))]
         let _ = parameters;
         if let Some(flow) = &keys.flow {
@@ -449,18 +456,16 @@ impl Problem {
     /// The methods of a class that has methods of its own, the most accurate method last. The list
     /// is empty for other classes.
     pub fn own_methods(&self) -> Vec<Method> {
-        let class = match &self.class {
-            Class::MatrixFlow(_) => MethodClass::MatrixFlow,
-            Class::PrescribedVelocity(..) => MethodClass::PrescribedVelocity,
-            Class::Constrained(..) => MethodClass::Constrained,
-            Class::Chart(_) => MethodClass::Chart,
+        let classes: &[MethodClass] = match &self.class {
+            Class::MatrixFlow(_) => &[MethodClass::MatrixFlow],
+            Class::PrescribedVelocity(..) => &[MethodClass::PrescribedVelocity],
+            Class::Constrained(..) => &[MethodClass::Constrained],
+            Class::Chart(_) => &[MethodClass::Chart],
             #[cfg(feature = "mechanisms")]
-            Class::Tree(_) => MethodClass::Chart,
-            Class::EulerPoincare(..) | Class::LiePoisson(..) | Class::Homogeneous(_) => {
-                return vec![];
-            }
+            Class::Tree(_) => &[MethodClass::Chart, MethodClass::Tree],
+            Class::EulerPoincare(..) | Class::LiePoisson(..) | Class::Homogeneous(_) => &[],
         };
-        let own = Method::ALL.iter().copied().filter(|method| method.class() == class);
+        let own = Method::ALL.iter().copied().filter(|method| classes.contains(&method.class()));
         let mut own: Vec<Method> = own.collect();
         own.sort_by_key(|method| method.order());
         own
@@ -508,16 +513,36 @@ impl Problem {
     /// A mathematical error, such as a degenerate metric, and an error for a method that
     /// does not apply to this class.
     pub fn motion(&self, member: u64) -> Result<Ready, InputError> {
-        let parameters = self.values(member)?;
-        let times = self.output.times.at(&self.source, &values_of(&parameters))?;
-        let (source, integrator, output) = (&self.source, &self.integrator, &self.output);
-        let member = Member { source, parameters, times, integrator, output };
-        let ready = self.class.motion(&member)?;
+        let (source, integrator) = (&self.source, &self.integrator);
+        let ready = self.class.motion(&self.member(member)?)?;
         integrator.expect_no_ignored_keys(ready.method, source)?;
         let of_ensemble =
             self.ensemble.as_ref().map_or(vec![], |_| [vec!["member"], self.varied()].concat());
         expect_distinct(&ready.columns, &of_ensemble, source)?;
         Ok(ready)
+    }
+
+    /// A member of the ensemble, with its parameters and times.
+    fn member(&self, member: u64) -> Result<Member<'_>, InputError> {
+        let parameters = self.values(member)?;
+        let times = self.output.times.at(&self.source, &values_of(&parameters))?;
+        let (source, integrator, output) = (&self.source, &self.integrator, &self.output);
+        Ok(Member { source, parameters, times, integrator, output })
+    }
+
+    /// The linear equations of small deviations from the initial state, for a problem in joint
+    /// coordinates. If the state is at rest, they are those of the equilibrium near it.
+    ///
+    /// # Errors
+    /// An error for other problems, and for a state that is neither an equilibrium nor a steady
+    /// motion.
+    #[cfg(feature = "mechanisms")]
+    pub fn linearized(&self) -> Result<LinearProblem, InputError> {
+        match &self.class {
+            Class::Tree(tree) => tree.linearized(&self.member(0)?),
+            _ => Err(InputError::usage("only problems in joint coordinates can be linearized")
+                .help("give [[bodies]] and [[joints]]")),
+        }
     }
 
     /// Prepares the integration of a motion of this problem through its output times and events.

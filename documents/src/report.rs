@@ -38,6 +38,8 @@ mod info;
 mod isometries;
 mod json;
 mod latex;
+#[cfg(feature = "mechanisms")]
+mod linearization;
 mod lists;
 mod markdown;
 #[cfg(feature = "mechanisms")]
@@ -68,6 +70,8 @@ pub use hypersurface::HypersurfaceReport;
 pub use info::{Coefficients, Info, dynkin_type};
 pub use isometries::Isometries;
 pub use latex::{components_in_latex, labelled_in_latex};
+#[cfg(feature = "mechanisms")]
+pub use linearization::LinearizationReport;
 pub use lists::{catalogue, catalogue_where, certificate, conventions, listing};
 #[cfg(feature = "mechanisms")]
 pub use mobility::MobilityReport;

@@ -100,6 +100,7 @@ OTHERS = [
     ("forms", "reissner-nordstrom", "--form", "Q/r^2*dt^dr"),
     ("forms", "so3", "--form", "e1"),
     ("mobility", "examples/mechanisms/bricard.toml"),
+    ("linearize", "examples/mechanisms/bicycle.toml"),
     ("hypersurface", "friedmann", "--function", "t"),
     ("hypersurface", "kerr", "--function", "t"),
     ("properties", "so3", "--metric", "diag(a,a,b)"),

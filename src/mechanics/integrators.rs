@@ -6,7 +6,7 @@
 //! | [`Projected`] | 4, 5, 8 | any system on an [embedded](crate::group::Embedded) group | momentum |
 //! | [`Adaptive`] | 5, 8 | any system, to a tolerance | momentum |
 //! | [`ChartSteps`] | 8 | a curve on a chart, to a tolerance | |
-//! | [`TreeSteps`] | 8 | a tree of bodies, to a tolerance | |
+//! | [`TreeSteps`] | 8, or 5 for stiff forces | a tree of bodies, to a tolerance | |
 //! | [`CommutatorFree`] | 4 | any system | momentum |
 //! | [`Magnus`] | 4, 6 | `g' = g A(t)` | |
 //! | [`SimoWong`] | 2 | a rigid body, with any torque | momentum; energy if free |
@@ -56,7 +56,7 @@ pub use projected::Projected;
 pub use runge_kutta::RungeKutta;
 pub use simo_wong::SimoWong;
 pub use trajectory::Trajectory;
-pub use tree_steps::TreeSteps;
+pub use tree_steps::{TreeScheme, TreeSteps};
 
 use crate::Error;
 use crate::group::Coordinates;

@@ -24,5 +24,5 @@ pub use constraint::JointConstraint;
 pub use graph::{Loop, Mechanism};
 pub use joint::{Joint, JointKind};
 pub use mobility::{Mobility, Reason, Verdict};
-pub use tree::{MovingTree, Tree};
+pub use tree::{Cut, MovingTree, Tree};
 pub use twist::Twist;

@@ -3,7 +3,7 @@
 use clap::Command;
 
 /// For each command, two examples, which run in the root folder of the project.
-const EXAMPLES: [(&str, [&str; 2]); 29] = [
+const EXAMPLES: [(&str, [&str; 2]); 30] = [
     ("compare", ["affinor compare", "affinor compare so3@plus aff1@plus --format markdown"]),
     (
         "table",
@@ -117,6 +117,13 @@ const EXAMPLES: [(&str, [&str; 2]); 29] = [
         [
             "affinor mobility examples/mechanisms/bricard.toml",
             "affinor mobility examples/mechanisms/bennett.toml --format json",
+        ],
+    ),
+    (
+        "linearize",
+        [
+            "affinor linearize examples/mechanisms/bicycle.toml --set v=5",
+            "affinor linearize examples/mechanisms/double_pendulum.toml --format json",
         ],
     ),
     (

@@ -38,6 +38,8 @@ pub(crate) struct PartKeys {
     pub height: Option<Number>,
     pub length: Option<Number>,
     pub points: Option<Vec<Vec<Number>>>,
+    /// The inertia about the centre of mass, in place of a size.
+    pub matrix: Option<Vec<Vec<Number>>>,
     pub mass: Option<Number>,
     pub density: Option<Number>,
     pub position: Option<Vec<Number>>,
@@ -51,13 +53,14 @@ pub(crate) struct PartKeys {
 const POINT: f64 = 0.08;
 
 /// The names of the shapes, with the keys of their sizes.
-const SHAPES: [(&str, &[&str]); 6] = [
+const SHAPES: [(&str, &[&str]); 7] = [
     ("box", &["edges"]),
     ("ball", &["radius"]),
     ("ellipsoid", &["half_axes"]),
     ("cylinder", &["radius", "height"]),
     ("rod", &["length"]),
     ("points", &["points"]),
+    ("inertia", &["matrix"]),
 ];
 
 /// The single moving body, or one body for each factor of a group.
@@ -160,6 +163,21 @@ impl Bodies {
             }
         };
         bodies.iter().map(mass).collect()
+    }
+
+    /// The parts of each body without the holes, for values of the parameters.
+    #[cfg(feature = "mechanisms")]
+    pub fn solids(&self, values: &[f64]) -> Result<Vec<Vec<Solid>>, InputError> {
+        let bodies = match self {
+            Bodies::One(body) => std::slice::from_ref(body),
+            Bodies::Each(bodies, _) => bodies,
+        };
+        let of_body = |body: &Body| {
+            let Content::Parts(parts) = &body.content else { return Ok(vec![]) };
+            let parts = parts.iter().filter(|part| !part.hole).map(|part| part.solids(values));
+            Ok(parts.collect::<Result<Vec<_>, InputError>>()?.concat())
+        };
+        bodies.iter().map(of_body).collect()
     }
 
     /// The metric on the group. Each body that is given by parts also defines the parameters
@@ -353,9 +371,11 @@ impl PartKeys {
                 sizes.push(vec![reader.value(number)?]);
             }
         }
-        if let Some(points) = &self.points {
-            keys.push("points");
-            sizes.extend(reader.rows(points)?);
+        for (key, rows) in [("points", &self.points), ("matrix", &self.matrix)] {
+            if let Some(rows) = rows {
+                keys.push(key);
+                sizes.extend(reader.rows(rows)?);
+            }
         }
         Ok((keys, sizes))
     }
@@ -488,6 +508,16 @@ impl Part {
                     MassProperties::cylinder(radius[0].at(values)?, height[0].at(values)?)
                 }
                 ("rod", [length]) => MassProperties::rod(length[0].at(values)?),
+                ("inertia", rows) => {
+                    let rows = rows.iter().map(|row| three("a row of the matrix", row, values));
+                    let rows: Vec<Vector3<f64>> = rows.collect::<Result<_, _>>()?;
+                    let (&[a, b, c], Some(mass)) = (rows.as_slice(), &self.mass) else {
+                        let error = InputError::usage("an inertia has three rows and a mass");
+                        return Err(error.at(&self.place));
+                    };
+                    let matrix = Matrix3::from_columns(&[a, b, c]).transpose();
+                    MassProperties::new(mass.at(values)?, Vector3::zeros(), &matrix)
+                }
                 (_, points) => {
                     let point =
                         |point: &Vec<Value>| match point.as_slice() {
@@ -537,6 +567,7 @@ impl Part {
                     vec![Solid::cylinder(radius[0].at(values)?, height[0].at(values)?)]
                 }
                 ("rod", [length]) => vec![Solid::rod(length[0].at(values)?)],
+                ("inertia", _) => vec![],
                 (_, points) => {
                     let places = points.iter().filter_map(|point| point.get(1..));
                     let places = places.map(|at| three("the place of a point", at, values));

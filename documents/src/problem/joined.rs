@@ -8,7 +8,7 @@ use super::euler_poincare::EulerPoincare;
 use super::forces::ForceFormulas;
 use super::initial::InitialMomentum;
 use super::joint::{self, JointFormulas, vector};
-use super::keys::{Keys, NOT_WITH_BODIES, OF_CHARTS, OF_HOMOGENEOUS};
+use super::keys::{Keys, NOT_WITH_BODIES, OF_CHARTS, OF_CONSTRAINTS, OF_HOMOGENEOUS, OF_TREES};
 use super::on_group::OnGroup;
 use super::reader::{Reader, Value};
 use crate::input::{InputError, Place, Refusal, Source, shown};
@@ -66,6 +66,12 @@ pub(super) fn read(
         return Err(error.help("give both [[bodies]] and [[joints]]"));
     }
     let of_mechanisms = "a problem with bodies and joints";
+    for key in OF_TREES.iter().chain(&OF_CONSTRAINTS) {
+        if source.has_key(key) {
+            let error = source.refused(key, format!("`{key}` needs joint coordinates"));
+            return Err(error.help("leave coordinates = \"poses\" out"));
+        }
+    }
     let others = [&NOT_WITH_BODIES[..], &OF_CHARTS, &OF_HOMOGENEOUS].concat();
     reader.refuse(of_mechanisms, &others)?;
     if keys.gravity.is_some() && keys.forces.potential.is_some() {
@@ -90,7 +96,7 @@ pub(super) fn read(
 impl Joints {
     fn read(keys: &Keys, assembly: &Assembly, reader: &Reader) -> Result<Self, InputError> {
         let source = reader.source;
-        let with_joints = "write coordinates = \"joints\" at the top of the file";
+        let with_joints = "leave coordinates = \"poses\" out";
         let mut next = 0;
         let mut factors = vec![];
         for body in &assembly.bodies {
@@ -118,9 +124,9 @@ impl Joints {
                 let message = format!("the motion of a {} joint is not supported", own.kind.name());
                 let error =
                     InputError::usage(message).at(&source.key(&format!("joints.{at}.type")));
-                return Err(error.help("write coordinates = \"joints\" at the top of the file, use other joints, or `affinor mobility`"));
+                return Err(error.help("leave coordinates = \"poses\" out, or use other joints"));
             }
-            let of_trees = ["coordinate", "force", "stiffness", "damping", "rest"];
+            let of_trees = ["coordinate", "force", "stiffness", "damping", "rest", "motor"];
             for key in of_trees.map(|key| format!("joints.{at}.{key}")) {
                 if source.has_key(&key) {
                     let error = source.refused(&key, "this key needs joint coordinates");

@@ -88,6 +88,12 @@ impl JointFormulas {
         Ok([point?, axis?, second?])
     }
 
+    /// The point of the joint, if it has one, for values of the parameters.
+    pub fn point(&self, values: &[f64]) -> Result<Option<Vector3<f64>>, InputError> {
+        let given = self.vectors[0].as_ref();
+        given.map(|_| vector(&self.vectors[0], values)).transpose()
+    }
+
     /// The joint for values of the parameters.
     pub fn at(&self, values: &[f64]) -> Result<Joint<f64>, InputError> {
         let [point, axis, second_axis] = self.vectors(values)?.map(Into::into);
@@ -113,7 +119,7 @@ pub(super) fn gravity(keys: &Keys, reader: &Reader) -> Result<Option<Vec<Value>>
 }
 
 /// A vector of `N` formulas.
-fn components<const N: usize>(
+pub(super) fn components<const N: usize>(
     list: &[Number],
     place: &Place,
     reader: &Reader,

@@ -3,7 +3,7 @@
 use super::body::InertiaKeys;
 use crate::input::urdf::Urdf;
 use crate::input::{
-    InputError, Source,
+    InputError, Place, Source,
     forms::{Number, OneOrMore, Text},
     shown,
 };
@@ -42,6 +42,35 @@ pub(crate) struct JointKeys {
     pub stiffness: Option<Number>,
     pub damping: Option<Number>,
     pub rest: Option<Number>,
+    /// The coordinate as a formula in the time.
+    pub motor: Option<Number>,
+}
+
+/// A table `[[springs]]`: a spring with a damper between two points.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct SpringKeys {
+    pub bodies: Vec<Text>,
+    pub from: Vec<Number>,
+    pub to: Vec<Number>,
+    pub stiffness: Option<Number>,
+    pub damping: Option<Number>,
+    /// The length at which the spring is free of force; by default the length at the position of
+    /// the file.
+    pub length: Option<Number>,
+}
+
+/// A table `[[contacts]]`: a body that rolls or slides on a plane.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct ContactKeys {
+    #[serde(rename = "type")]
+    pub kind: Text,
+    pub body: Text,
+    pub at: Vec<Number>,
+    pub axis: Option<Vec<Number>>,
+    pub radius: Option<Number>,
+    pub normal: Option<Vec<Number>>,
 }
 
 impl JointKeys {
@@ -53,29 +82,14 @@ impl JointKeys {
         source: &Source,
         at: usize,
     ) -> Result<[usize; 2], InputError> {
-        let mut ends = vec![];
         let Some(bodies) = &self.bodies else {
             let message = format!("joint `{}` has no `bodies`", shown(name));
             let error = source.refused(&format!("joints.{at}"), message);
             return Err(error.help("name the two bodies: bodies = [\"a\", \"b\"]"));
         };
-        for body in bodies {
-            let found = names.iter().position(|own| *own == body.content);
-            ends.push(found.ok_or_else(|| no_body(body, names, source))?);
-        }
-        let Ok(ends) = <[usize; 2]>::try_from(ends) else {
-            let found = bodies.len();
-            let message = format!("joint `{}` connects {found} bodies", shown(name));
-            let error = InputError::usage(message).at(&source.key(&format!("joints.{at}.bodies")));
-            return Err(error.help("a joint connects two bodies: bodies = [\"a\", \"b\"]"));
-        };
-        if ends[0] == ends[1] {
-            let body = shown(&names[ends[0]]);
-            let message = format!("joint `{}` connects `{body}` with itself", shown(name));
-            let error = InputError::usage(message).at(&source.at(&bodies[1]));
-            return Err(error.help("name two different bodies"));
-        }
-        Ok(ends)
+        let place = source.key(&format!("joints.{at}.bodies"));
+        let name = format!("`{}`", shown(name));
+        ends(bodies, ["joint", &name], names, source, &place)
     }
 
     /// The index of the joint of the robot to which the table gives values. `None` for a table that
@@ -165,6 +179,43 @@ fn example(key: &str) -> String {
         "twists" => "give a basis of the subalgebra, as in twists = [[0, 0, 1, 0, 0, 0]]".into(),
         key => format!("give a vector in ground coordinates, as in {key} = [0, 0, 1]"),
     }
+}
+
+/// The indices of the two bodies that a thing of a kind with a name connects.
+pub(super) fn ends(
+    bodies: &[Text],
+    [kind, name]: [&str; 2],
+    names: &[String],
+    source: &Source,
+    place: &Place,
+) -> Result<[usize; 2], InputError> {
+    let mut ends = vec![];
+    for body in bodies {
+        ends.push(body_index(body, names, source)?);
+    }
+    let Ok(ends) = <[usize; 2]>::try_from(ends) else {
+        let found = bodies.len();
+        let message = format!("{kind} {name} connects {found} bodies");
+        let error = InputError::usage(message).at(place);
+        return Err(error.help(format!("a {kind} connects two bodies: bodies = [\"a\", \"b\"]")));
+    };
+    if ends[0] == ends[1] {
+        let body = shown(&names[ends[0]]);
+        let message = format!("{kind} {name} connects `{body}` with itself");
+        let error = InputError::usage(message).at(&source.at(&bodies[1]));
+        return Err(error.help("name two different bodies"));
+    }
+    Ok(ends)
+}
+
+/// The index of a body.
+pub(super) fn body_index(
+    body: &Text,
+    names: &[String],
+    source: &Source,
+) -> Result<usize, InputError> {
+    let found = names.iter().position(|own| *own == body.content);
+    found.ok_or_else(|| no_body(body, names, source))
 }
 
 fn no_body(body: &Text, names: &[String], source: &Source) -> InputError {

@@ -5,7 +5,7 @@ use super::ensemble::EnsembleKeys;
 use super::forces::ForceKeys;
 use super::initial::InitialKeys;
 #[cfg(feature = "mechanisms")]
-use super::joint_keys::{BodyKeys, JointKeys};
+use super::joint_keys::{BodyKeys, ContactKeys, JointKeys, SpringKeys};
 use crate::input::forms::{
     Entries, Formulas, MetricText, Number, OneOrEach, OneOrMore, Text, VectorText,
 };
@@ -84,18 +84,24 @@ pub(super) const NOT_ON_CHARTS: [&str; 22] = [
     "forces.interpolation",
 ];
 
+/// The dotted paths of the keys that are allowed only in joint coordinates.
+#[cfg(feature = "mechanisms")]
+pub(super) const OF_TREES: [&str; 2] = ["springs", "contacts"];
+
+/// The dotted paths of the keys of constraints that are formulas.
+#[cfg(feature = "mechanisms")]
+pub(super) const OF_CONSTRAINTS: [&str; 2] = ["constraints", "velocity_constraints"];
+
 /// The dotted paths of the keys that are not allowed in problems with bodies and joints. The keys of
 /// [`OF_CHARTS`] and [`OF_HOMOGENEOUS`] are not allowed either.
 #[cfg(feature = "mechanisms")]
-pub(super) const NOT_WITH_BODIES: [&str; 20] = [
+pub(super) const NOT_WITH_BODIES: [&str; 18] = [
     "space",
     "definition",
     "invariance",
     "metric",
     "inertia",
     "connection",
-    "constraints",
-    "velocity_constraints",
     "prescribed",
     "hamiltonian",
     "flow",
@@ -142,6 +148,10 @@ pub(super) struct Keys {
     pub bodies: Option<Vec<BodyKeys>>,
     #[cfg(feature = "mechanisms")]
     pub joints: Option<Vec<JointKeys>>,
+    #[cfg(feature = "mechanisms")]
+    pub springs: Option<Vec<SpringKeys>>,
+    #[cfg(feature = "mechanisms")]
+    pub contacts: Option<Vec<ContactKeys>>,
     #[cfg(feature = "mechanisms")]
     pub gravity: Option<Vec<Number>>,
     #[cfg(feature = "mechanisms")]

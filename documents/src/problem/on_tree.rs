@@ -1,24 +1,30 @@
-//! Problems of trees of bodies, with joint coordinates as the state.
+//! Problems of bodies and joints, with joint coordinates as the state.
+
+mod constraints;
+mod names;
+mod springs;
 
 use super::assembly::{AssembledJoint, Assembly};
 use super::body::Bodies;
 use super::integrator::Member;
 use super::joint::{self, JointFormulas, vector};
 use super::keys::{Keys, NOT_WITH_BODIES, OF_CHARTS, OF_HOMOGENEOUS};
-use super::output::RowNames;
 use super::reader::{Reader, Value, Written};
-use super::ready::Ready;
+use super::ready::{Factor, Ready};
 use crate::input::{InputError, Place, forms::OneOrMore, shown};
 use affinor::mechanics::MassProperties;
-use affinor::mechanics::formula::{Formula, Symbol};
 use affinor::mechanics::simulation::{TreeColumns, TreeSpec};
-use affinor::mechanics::systems::tree::{JointForce, JointSpring, TreeSystem};
-use affinor::mechanism::{JointKind, Mechanism, Tree};
-use affinor_tensors::expression::ExpressionError;
-use nalgebra::Vector3;
+use affinor::mechanics::systems::tree::{
+    JointForce, JointSpring, Linearization, TreeForces, TreeState, TreeSystem,
+};
+use affinor::mechanism::{Cut, JointKind, Mechanism, Tree};
+use constraints::Constraints;
+use nalgebra::{DVector, Vector3};
+use names::TreeNames;
+use springs::Springs;
 use std::sync::Arc;
 
-/// A tree of bodies.
+/// Bodies and joints.
 #[derive(Clone, Debug)]
 pub(super) struct OnTree {
     /// The names of the bodies, and whether each is fixed.
@@ -27,6 +33,8 @@ pub(super) struct OnTree {
     has_inertia: Vec<bool>,
     inertias: Bodies,
     joints: Vec<TreeJoint>,
+    springs: Springs,
+    constraints: Constraints,
     gravity: Option<Vec<Value>>,
     notes: Vec<String>,
     place: Place,
@@ -41,28 +49,24 @@ struct TreeJoint {
     force: Option<(Vec<Written>, Place)>,
     /// The stiffness, the damping and the rest coordinate.
     spring: [Option<Value>; 3],
+    motor: Option<Written>,
 }
 
 impl OnTree {
-    /// Whether the file asks for joint coordinates.
+    /// Whether the file has bodies and joints, and does not ask for poses as coordinates.
     pub fn is_meant(keys: &Keys, reader: &Reader) -> Result<bool, InputError> {
-        let Some(text) = &keys.coordinates else { return Ok(false) };
-        let place = reader.source.at(text);
+        let has_joints = keys.urdf.is_some() || (keys.bodies.is_some() && keys.joints.is_some());
+        let Some(text) = &keys.coordinates else { return Ok(has_joints) };
         let error = match &**text {
-            "joints" | "poses"
-                if keys.urdf.is_none() && (keys.bodies.is_none() || keys.joints.is_none()) =>
-            {
-                let error = InputError::usage("`coordinates` needs bodies and joints").at(&place);
+            "joints" | "poses" if !has_joints => {
+                let error = InputError::usage("`coordinates` needs bodies and joints");
                 error.help("give [[bodies]] and [[joints]]")
             }
             "joints" => return Ok(true),
             "poses" => return Ok(false),
-            other => {
-                let message = format!("`{}` is neither joints nor poses", shown(other));
-                InputError::usage(message).at(&place)
-            }
+            other => InputError::usage(format!("`{}` is neither joints nor poses", shown(other))),
         };
-        Err(error)
+        Err(error.at(&reader.source.at(text)))
     }
 
     pub fn read(keys: &Keys, reader: &Reader) -> Result<Self, InputError> {
@@ -74,13 +78,26 @@ impl OnTree {
         let joints = joints.into_iter().map(|joint| TreeJoint::read(joint, reader));
         let joints = joints.collect::<Result<_, _>>()?;
         let gravity = joint::gravity(keys, reader)?;
+        let names: Vec<String> = bodies.iter().map(|body| body.name.clone()).collect();
+        let springs = Springs::read(keys, &names, reader)?;
+        let constraints = Constraints::read(keys, &names, reader)?;
         let has_inertia = bodies.iter().map(|body| !body.fixed && body.has_mass).collect();
         let bodies = bodies.into_iter().map(|body| (body.name, body.fixed)).collect();
-        Ok(OnTree { bodies, has_inertia, inertias, joints, gravity, notes, place })
+        Ok(OnTree {
+            bodies,
+            has_inertia,
+            inertias,
+            joints,
+            springs,
+            constraints,
+            gravity,
+            notes,
+            place,
+        })
     }
 
-    /// The tree for values of the parameters, with another acceleration of gravity if one is given.
-    pub fn tree(&self, values: &[f64], gravity: Option<Vector3<f64>>) -> Result<Tree, InputError> {
+    /// The mechanism for values of the parameters, with all loops cut.
+    fn cut(&self, values: &[f64]) -> Result<Cut, InputError> {
         let joints = self.joints.iter().map(|joint| joint.own.at(values));
         let joints = joints.collect::<Result<Vec<_>, _>>()?;
         let fixed: Vec<usize> = (0..self.bodies.len()).filter(|at| self.bodies[*at].1).collect();
@@ -92,43 +109,125 @@ impl OnTree {
         let mut masses = self.inertias.masses(values)?.into_iter();
         let inertias: Vec<Option<MassProperties>> =
             self.has_inertia.iter().map(|has| if *has { masses.next() } else { None }).collect();
+        Cut::new(&mechanism, &inertias).map_err(|error| self.refused(error))
+    }
+
+    /// The tree for values of the parameters, with another acceleration of gravity if one is given.
+    pub fn tree(&self, values: &[f64], gravity: Option<Vector3<f64>>) -> Result<Tree, InputError> {
+        let cut = self.cut(values)?;
+        if let Some([body, _]) = cut.copies.first() {
+            let name = shown(&self.bodies[*body].0);
+            let message = format!("the body `{name}` belongs to a loop");
+            let error = InputError::usage(message).at(&self.place);
+            return Err(error.help("`simulate` computes the motion of loops"));
+        }
         let gravity = gravity.map_or_else(|| vector(&self.gravity, values), Ok)?;
-        let has_loop = !mechanism.loops().is_empty();
-        Tree::new(&mechanism, &inertias, &gravity).map_err(|error| {
-            let help = match has_loop {
-                true => "leave `coordinates` out: the bodies then move by poses and constraints",
-                false => "give the bodies masses away from the axis",
-            };
-            InputError::from(error).or_at(&self.place).help(help)
-        })
+        cut.tree(&gravity).map_err(|error| self.refused(error))
+    }
+
+    fn refused(&self, error: affinor::Error) -> InputError {
+        InputError::from(error).or_at(&self.place).help("give the bodies masses away from the axis")
+    }
+
+    /// The system and its initial state, which satisfies the constraints.
+    fn start<'m>(&self, member: &'m Member) -> Result<Start<'m>, InputError> {
+        let values = member.values();
+        let cut = self.cut(&values)?;
+        let gravity = vector(&self.gravity, &values)?;
+        let tree = Arc::new(cut.tree(&gravity).map_err(|error| self.refused(error))?);
+        let mut names = TreeNames::new(self, &tree, self.multipliers(&cut), &member.parameters)?;
+        let (mut numbers, mut rates) = (tree.home(), vec![0.0; tree.freedom()]);
+        let mut forces = TreeForces::default();
+        for (at, joint) in self.joints.iter().enumerate() {
+            joint.start(at, &tree, &values, &mut numbers, &mut rates)?;
+            forces.joint_springs.extend(joint.springs(at, &tree, &values)?);
+            forces.formulas.extend(joint.forces(at, &tree, &names)?);
+        }
+        forces.point_springs = self.springs.at(&tree, &values)?;
+        tree.normalize(&mut numbers);
+        let constraints = self.constraints(&cut, &tree, &names, &values)?;
+        let system = TreeSystem::new(tree, forces, constraints);
+        let numbers = DVector::from_vec([numbers, rates].concat());
+        let mut state = TreeState { time: member.times[0], numbers };
+        let notes = self.assemble(&system, &cut, &mut state)?;
+        names.is_conservative = system.is_conservative();
+        Ok(Start { system, state, names, notes })
     }
 
     pub fn motion(&self, member: &Member) -> Result<Ready, InputError> {
-        let values = member.values();
-        let tree = Arc::new(self.tree(&values, None)?);
-        let mut names = TreeNames::new(self, &tree, &member.parameters)?;
-        let (mut numbers, mut rates) = (tree.home(), vec![0.0; tree.freedom()]);
-        let (mut springs, mut forces) = (vec![], vec![]);
-        for (at, joint) in self.joints.iter().enumerate() {
-            joint.start(at, &tree, &values, &mut numbers, &mut rates)?;
-            springs.extend(joint.springs(at, &tree, &values)?);
-            forces.extend(joint.forces(at, &tree, &names)?);
-        }
-        tree.normalize(&mut numbers);
-        let system = TreeSystem::new(tree, springs, forces);
-        names.is_conservative = system.is_conservative();
+        let Start { system, state, mut names, notes } = self.start(member)?;
         let (columns, events) = member.output.read_columns(&mut names, &[], member.source)?;
+        let values = member.values();
+        let points: Result<Vec<_>, InputError> =
+            self.joints.iter().map(|joint| joint.own.point(&values)).collect();
         let spec = TreeSpec {
             system,
-            time: member.times[0],
-            numbers,
-            rates,
+            time: state.time,
+            numbers: state.numbers,
             integration: member.integration()?,
-            columns: TreeColumns { bodies: names.bodies, formulas: names.formulas },
+            columns: TreeColumns {
+                bodies: names.bodies,
+                points: points?,
+                formulas: names.formulas,
+            },
         };
         let ready = Ready::new(spec.start()?, &member.times, columns, events);
-        Ok(Ready { notes: self.notes.clone(), ..ready })
+        let moving = self.bodies.iter().filter(|(_, fixed)| !fixed).count();
+        let factor =
+            |at: usize| Factor { number: (moving > 1).then_some(at + 1), first: 0, rotates: true };
+        let factors = (0..moving).map(factor).collect();
+        let notes = [&self.notes[..], &notes].concat();
+        Ok(Ready { notes, factors, solids: self.inertias.solids(&values)?, ..ready })
     }
+
+    /// The linear equations at the initial state. If it is at rest, they are those of the equilibrium
+    /// near it.
+    pub fn linearized(&self, member: &Member) -> Result<LinearProblem, InputError> {
+        let Start { system, mut state, names, notes } = self.start(member)?;
+        let refused = |error: affinor::Error| InputError::from(error).or_at(&self.place);
+        let [numbers, freedom] = names.sizes;
+        let is_at_rest = state.numbers.rows_range(numbers..).iter().all(|rate| *rate == 0.0);
+        if is_at_rest {
+            let help = "change the initial coordinates";
+            state = system.equilibrium(&state).map_err(|error| refused(error).help(help))?;
+        }
+        let help = "give the coordinates and the rates of a steady motion";
+        let linear = system.linearized(&state).map_err(|error| refused(error).help(help))?;
+        let list = |first: usize, count: usize| names.names[first..first + count].to_vec();
+        Ok(LinearProblem {
+            linear,
+            is_at_rest,
+            coordinates: list(1, numbers),
+            rates: list(1 + numbers, freedom),
+            state: state.numbers.as_slice().to_vec(),
+            notes,
+        })
+    }
+}
+
+/// A system at its initial state.
+struct Start<'m> {
+    system: TreeSystem,
+    state: TreeState,
+    names: TreeNames<'m>,
+    notes: Vec<String>,
+}
+
+/// The linear equations of a problem in joint coordinates.
+#[derive(Clone, Debug)]
+pub struct LinearProblem {
+    /// The linear equations.
+    pub linear: Linearization,
+    /// Whether the state is an equilibrium. Otherwise it is a steady motion.
+    pub is_at_rest: bool,
+    /// The names of the coordinates.
+    pub coordinates: Vec<String>,
+    /// The names of the rates.
+    pub rates: Vec<String>,
+    /// The values of the coordinates and the rates.
+    pub state: Vec<f64>,
+    /// Notes on the initial state.
+    pub notes: Vec<String>,
 }
 
 impl TreeJoint {
@@ -136,7 +235,8 @@ impl TreeJoint {
         let AssembledJoint { own, table } = joint;
         let Some((at, keys)) = table else {
             let spring = [None, own.damping.clone(), None];
-            return Ok(TreeJoint { own, coordinate: None, rate: None, force: None, spring });
+            let motor = None;
+            return Ok(TreeJoint { own, coordinate: None, rate: None, force: None, spring, motor });
         };
         let place = |key: &str| reader.source.key(&format!("joints.{at}.{key}"));
         let values = |key: &str, list: &Option<OneOrMore>| -> Result<_, InputError> {
@@ -158,6 +258,7 @@ impl TreeJoint {
             rate: values("rate", &keys.rate)?,
             force,
             spring: [reader.optional(&keys.stiffness)?, damping, reader.optional(&keys.rest)?],
+            motor: keys.motor.as_ref().map(|formula| reader.written(&formula.0)),
         })
     }
 
@@ -252,156 +353,5 @@ impl TreeJoint {
             Ok(JointForce { rate, formula, text: written.text().trim().into() })
         };
         tree.rates(at).zip(list).map(force).collect()
-    }
-}
-
-/// The names of the quantities of [`TreeColumns`], and the formulas so far.
-struct TreeNames<'n> {
-    names: Vec<String>,
-    /// The number of names that joint forces may use: the time, the numbers and the rates.
-    states: usize,
-    /// The number of numbers of a configuration, and the number of rates.
-    sizes: [usize; 2],
-    /// The moving bodies.
-    bodies: Vec<usize>,
-    /// The parameters of the problem and their values.
-    parameters: &'n [(String, f64)],
-    is_conservative: bool,
-    formulas: Vec<Formula>,
-    of_parameters: Vec<String>,
-}
-
-impl<'n> TreeNames<'n> {
-    fn new(
-        problem: &OnTree,
-        tree: &Tree,
-        parameters: &'n [(String, f64)],
-    ) -> Result<Self, InputError> {
-        let mut labels: Vec<String> = vec![];
-        for (at, joint) in problem.joints.iter().enumerate() {
-            // blanks and hyphens are not allowed in names of formulas
-            let letter = |c: char| if c.is_ascii_alphanumeric() { c } else { '_' };
-            let label: String = joint.own.name.chars().map(letter).collect();
-            let is_name = label.starts_with(|c: char| c.is_ascii_alphabetic());
-            let label = if is_name { label } else { format!("J{}", at + 1) };
-            if labels.contains(&label) {
-                let message = format!("two joints have the name `{}`", shown(&label));
-                let error = InputError::usage(message).at(&problem.place);
-                return Err(error.help("choose another name"));
-            }
-            labels.push(label);
-        }
-        let of_joint = |stem: &str, count: usize, label: &str| -> Vec<String> {
-            match count {
-                1 => vec![format!("{stem}_{label}")],
-                _ => (1..=count).map(|k| format!("{stem}{k}_{label}")).collect(),
-            }
-        };
-        let mut names = vec!["t".to_string()];
-        for (at, label) in labels.iter().enumerate() {
-            let (numbers, rates) = (tree.numbers(at).len(), tree.rates(at).len());
-            // a quaternion has one number more than rates
-            let single = if numbers > rates { numbers - 4 } else { numbers };
-            names.extend(of_joint("q", single, label));
-            let quaternion = if numbers > rates { &["qw", "qx", "qy", "qz"][..] } else { &[] };
-            names.extend(quaternion.iter().map(|stem| format!("{stem}_{label}")));
-        }
-        let numbers = names.len() - 1;
-        for stem in ["v", "f"] {
-            for (at, label) in labels.iter().enumerate() {
-                names.extend(of_joint(stem, tree.rates(at).len(), label));
-            }
-        }
-        let states = 1 + numbers + tree.freedom();
-        names.extend(["kinetic", "potential", "energy", "power"].map(String::from));
-        names.extend((1..=6).map(|i| format!("h{i}")));
-        let bodies: Vec<usize> =
-            (0..problem.bodies.len()).filter(|at| !problem.bodies[*at].1).collect();
-        for number in 1..=bodies.len() {
-            let suffix = if bodies.len() > 1 { format!("_{number}") } else { String::new() };
-            let named = ["qw", "qx", "qy", "qz", "x", "y", "z"].map(String::from);
-            let entries = (0..12).map(|at| format!("g{}{}", at / 4 + 1, at % 4 + 1));
-            names.extend(named.into_iter().chain(entries).map(|name| name + &suffix));
-        }
-        let twice = names.iter().enumerate().find(|(at, name)| names[..*at].contains(name));
-        let taken = parameters.iter().map(|(name, _)| name).find(|name| names.contains(name));
-        if let Some(name) = taken.or(twice.map(|(_, name)| name)) {
-            let message = format!("the name `{}` is already in use", shown(name));
-            let error = InputError::usage(message).at(&problem.place);
-            return Err(error.help("rename the parameter or the joint"));
-        }
-        Ok(TreeNames {
-            names,
-            states,
-            sizes: [numbers, tree.freedom()],
-            bodies,
-            parameters,
-            is_conservative: false,
-            formulas: vec![],
-            of_parameters: parameters.iter().map(|(name, _)| name.clone()).collect(),
-        })
-    }
-
-    fn parameters(&self) -> impl Iterator<Item = &String> {
-        self.of_parameters.iter()
-    }
-
-    /// A formula in the first `count` quantities and the parameters.
-    fn formula(&self, text: &str, count: usize) -> Result<Formula, ExpressionError> {
-        Formula::read(text, &mut |name| {
-            if let Some(k) = self.names[..count].iter().position(|own| own == name) {
-                return Some(Symbol::Variable(k));
-            }
-            let parameter = self.parameters.iter().find(|(own, _)| own == name);
-            parameter.map(|(_, value)| Symbol::Number(*value))
-        })
-    }
-
-    /// The indices of the quantities behind the rates, up to the first pose.
-    fn poses(&self) -> usize {
-        self.states + TreeColumns::loads(self.sizes[1])
-    }
-}
-
-impl RowNames for TreeNames<'_> {
-    fn defaults(&self) -> Vec<&'static str> {
-        vec!["t", "coordinates", "rates", "poses", "energy"]
-    }
-
-    fn expand(&self, stem: &str) -> Vec<String> {
-        let [numbers, freedom] = self.sizes;
-        let list = |first: usize, count: usize| self.names[first..first + count].to_vec();
-        match stem {
-            _ if self.names.iter().any(|name| name == stem) => vec![stem.into()],
-            "coordinates" => list(1, numbers),
-            "rates" => list(1 + numbers, freedom),
-            "forces" => list(self.states, freedom),
-            "h" | "momentum" => list(self.states + freedom + 4, 6),
-            "poses" | "element" => {
-                let poses = self.names[self.poses()..].chunks(TreeColumns::POSE);
-                poses.flat_map(|pose| pose[..7].to_vec()).collect()
-            }
-            _ => vec![],
-        }
-    }
-
-    fn all(&self) -> String {
-        let stems = ["coordinates", "rates", "forces", "poses", "momentum"].map(String::from);
-        let names = self.names[..self.poses()].iter().chain(self.parameters());
-        names.chain(&stems).cloned().collect::<Vec<_>>().join(", ")
-    }
-
-    fn watched(&self, stem: &str, _: &str) -> (bool, bool) {
-        (stem == "energy", stem == "energy" && self.is_conservative)
-    }
-
-    fn momentum(&self) -> &'static str {
-        "h"
-    }
-
-    fn add(&mut self, text: &str) -> Result<(), ExpressionError> {
-        let formula = self.formula(text, self.names.len())?;
-        self.formulas.push(formula);
-        Ok(())
     }
 }

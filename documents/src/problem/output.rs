@@ -126,7 +126,7 @@ impl Output {
                 columns.push(Column::named(name, written));
                 continue;
             }
-            if self.following.iter().any(|name| name == stem.text()) {
+            if expanded.is_empty() && self.following.iter().any(|name| name == stem.text()) {
                 continue;
             }
             if expanded.is_empty() {

@@ -5,11 +5,22 @@ use crate::Error;
 use crate::mechanics::stopped;
 use crate::mechanics::systems::tree::{TreeState, TreeSystem};
 use crate::numerics::ode::{LEAST_STEP, stages};
+use crate::numerics::radau::{Radau, jacobian};
 use crate::numerics::tableaux::combined_error;
 use affinor_tensors::stop::checkpoint;
-use nalgebra::DVector;
+use nalgebra::{DMatrix, DVector};
 
-/// The method of order 8 of Dormand and Prince for trees, with step-size control.
+/// A scheme for a step of a tree.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TreeScheme {
+    /// The explicit method of order 8 of Dormand and Prince.
+    DormandPrince,
+    /// The implicit method Radau IIA of order 5, for stiff springs and dampers. It is L-stable.
+    Radau,
+}
+
+/// Steps of trees of bodies with step-size control. After each step, the state is projected onto the
+/// constraints.
 ///
 /// Let `r` be the tolerance. The error of an angle is at most `r`, or `r/10` of its change in the
 /// step if this is larger. The error of a translation is compared to the same multiple of the
@@ -17,12 +28,26 @@ use nalgebra::DVector;
 /// fastest rate, in the same units. So steps do not depend on the units or on the ground frame.
 /// [`Adaptive::absolute`] replaces the absolute errors of angles and of translations.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct TreeSteps(pub Adaptive);
+pub struct TreeSteps {
+    /// The scheme.
+    pub scheme: TreeScheme,
+    /// The tolerances and bounds.
+    pub control: Adaptive,
+}
+
+/// A step that was tried: its end, and its error in units of the allowed error.
+struct Tried {
+    end: DVector<f64>,
+    error: f64,
+}
+
+/// Newton's method stops at this multiple of the allowed error.
+const NEWTON: f64 = 1e-3;
 
 impl TreeSteps {
     /// The first step size to try from a state.
     pub(crate) fn first_step(&self, system: &TreeSystem, state: &TreeState) -> f64 {
-        let Adaptive { tolerance, span, max_step, .. } = self.0;
+        let Adaptive { tolerance, span, max_step, .. } = self.control;
         let slope = system.slope(state.time, &state.numbers);
         let accelerations = &slope.as_slice()[slope.len() - system.tree().freedom()..];
         let bends =
@@ -49,10 +74,11 @@ impl TreeSteps {
         }
         let units: Vec<f64> = system.tree().units().collect();
         let slope = system.slope(state.time, &state.numbers);
+        let mut matrix = None;
         loop {
             checkpoint();
             let left = end - state.time;
-            *next = next.min(self.0.max_step);
+            *next = next.min(self.control.max_step);
             let last = *next >= left.abs();
             let h = if last { left } else { next.copysign(left) };
             let is_lost = state.time + h == state.time;
@@ -60,27 +86,79 @@ impl TreeSteps {
             if !h.is_finite() || is_lost || is_rounding || *next == 0.0 {
                 return Err(stopped(state.time, "the steps become too small"));
             }
-            let f = |time: f64, y: &DVector<f64>| system.slope(time, y);
-            let (mut reached, errors) = stages(&f, state.time, &state.numbers, &slope, h);
-            let ratio = |error: DVector<f64>| {
-                self.ratio(system, &units, [&state.numbers, &reached, &error], h)
-            };
-            let error = combined_error(errors.map(ratio));
             // tries a shorter step, which may still succeed
-            if !error.is_finite() || !reached.iter().all(|value| value.is_finite()) {
+            let Some(Tried { end: reached, error }) =
+                self.tried(system, &units, state, &slope, h, &mut matrix)
+            else {
                 *next = 0.2 * h.abs();
                 continue;
-            }
+            };
             if !last || error > 1.0 {
-                *next = h.abs() * (0.9 * error.powf(-0.125)).clamp(0.2, 5.0);
+                let exponent = match self.scheme {
+                    TreeScheme::DormandPrince => -0.125,
+                    TreeScheme::Radau => -0.25,
+                };
+                *next = h.abs() * (0.9 * error.powf(exponent)).clamp(0.2, 5.0);
             }
             if error <= 1.0 {
-                system.tree().normalize(reached.as_mut_slice());
-                *state =
-                    TreeState { time: if last { end } else { state.time + h }, numbers: reached };
+                let time = if last { end } else { state.time + h };
+                // tries a shorter step, whose end is closer to the constraints
+                let Ok(numbers) = system.projected(time, &reached) else {
+                    *next = 0.2 * h.abs();
+                    continue;
+                };
+                *state = TreeState { time, numbers };
                 return Ok(());
             }
         }
+    }
+
+    /// Tries a step. The Jacobian matrix of an implicit scheme is computed once for all tries. Returns
+    /// `None` if an implicit scheme does not converge, or if the end is not finite.
+    fn tried(
+        &self,
+        system: &TreeSystem,
+        units: &[f64],
+        state: &TreeState,
+        slope: &DVector<f64>,
+        h: f64,
+        matrix: &mut Option<DMatrix<f64>>,
+    ) -> Option<Tried> {
+        let f = |time: f64, y: &DVector<f64>| system.slope(time, y);
+        let (time, y) = (state.time, &state.numbers);
+        let ratio = |end: &DVector<f64>, error: &DVector<f64>| {
+            self.ratio(system, units, [y, end, error], h)
+        };
+        let (end, error) = match self.scheme {
+            TreeScheme::DormandPrince => {
+                let (end, errors) = stages(&f, time, y, slope, h);
+                let error = combined_error(errors.map(|error| ratio(&end, &error)));
+                (end, error)
+            }
+            TreeScheme::Radau => {
+                let matrix =
+                    matrix.get_or_insert_with(|| jacobian(&f, time, y, &self.sizes(system, y)));
+                let is_small = |change: &DVector<f64>| ratio(y, change) <= NEWTON;
+                let (end, error) = Radau::new(matrix, h).step(&f, (time, y, slope), is_small)?;
+                let error = ratio(&end, &error);
+                (end, error)
+            }
+        };
+        let is_finite = error.is_finite() && end.iter().all(|value| value.is_finite());
+        is_finite.then_some(Tried { end, error })
+    }
+
+    /// The units of the numbers and the rates.
+    fn sizes(&self, system: &TreeSystem, y: &DVector<f64>) -> DVector<f64> {
+        let (tree, mut sizes) = (system.tree(), DVector::repeat(y.len(), 1.0));
+        let split = y.len() - tree.freedom();
+        for (rate, unit) in tree.units().enumerate() {
+            sizes[split + rate] = unit;
+        }
+        for (rate, number) in tree.coordinates() {
+            sizes[number] = sizes[split + rate];
+        }
+        sizes
     }
 
     /// The error in units of the allowed error. The vectors are the numbers at both ends of the step
@@ -92,7 +170,7 @@ impl TreeSteps {
         [start, end, error]: [&DVector<f64>; 3],
         h: f64,
     ) -> f64 {
-        let Adaptive { tolerance, absolute, span, .. } = self.0;
+        let Adaptive { tolerance, absolute, span, .. } = self.control;
         let (tree, split) = (system.tree(), start.len() - units.len());
         let length = tree.length();
         let [of_angles, of_lengths] = absolute.unwrap_or([tolerance, tolerance * length]);

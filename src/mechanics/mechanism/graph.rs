@@ -173,6 +173,14 @@ impl<S> Mechanism<S> {
         &self.bodies
     }
 
+    /// Whether a body is fixed to the ground.
+    ///
+    /// # Panics
+    /// Panics if the body does not exist.
+    pub fn is_fixed(&self, body: usize) -> bool {
+        self.fixed[body]
+    }
+
     /// The joints.
     pub fn joints(&self) -> &[Joint<S>] {
         &self.joints
@@ -201,7 +209,7 @@ pub(super) struct Spanning {
     /// The moving bodies in the order of the search. Each body follows the body before it.
     pub order: Vec<usize>,
     /// Whether each joint belongs to the tree.
-    in_tree: Vec<bool>,
+    pub in_tree: Vec<bool>,
     /// The index of the ground.
     ground: usize,
 }

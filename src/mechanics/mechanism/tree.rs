@@ -17,9 +17,13 @@
 
 mod articulated;
 mod composite;
+pub mod cut;
+pub mod ground;
 mod inverse;
 pub mod moving;
 
+pub use cut::Cut;
+pub use ground::{BodyPoint, GroundView, PointMotion};
 pub use moving::MovingTree;
 
 use super::graph::Mechanism;
@@ -67,6 +71,9 @@ pub struct Tree {
     joints: Vec<(Range<usize>, Range<usize>)>,
     /// For each body, its node and the pose of the node relative to the body. `None` is the ground.
     bodies: Vec<Option<(usize, Isometry3<f64>)>>,
+    /// For each joint, the node of the body behind it, and whether this is the second body: `1.0`,
+    /// or `-1.0`. `None` for a joint without freedom.
+    behind: Vec<Option<(usize, f64)>>,
     gravity: Vector3<f64>,
     /// The number of numbers of a configuration.
     numbers: usize,
@@ -117,11 +124,7 @@ impl Tree {
         gravity: &Vector3<f64>,
     ) -> Result<Self, Error> {
         let names = mechanism.bodies();
-        if inertias.len() != names.len() {
-            let expected = format!("{} inertias", names.len());
-            let found = inertias.len().to_string();
-            return Err(Error::Shape { what: "the tree", expected, found });
-        }
+        expect_inertias(mechanism, inertias)?;
         if let Some(closed) = mechanism.loops().first() {
             let name = |(at, _): &(usize, bool)| format!("`{}`", mechanism.joints()[*at].name);
             let list: Vec<String> = closed.joints.iter().map(name).collect();
@@ -135,6 +138,7 @@ impl Tree {
             twists: vec![Vector6::zeros(); count.0],
             joints,
             bodies: vec![None; names.len()],
+            behind: vec![None; mechanism.joints().len()],
             gravity: *gravity,
             numbers: count.1,
             length: 1.0,
@@ -163,6 +167,7 @@ impl Tree {
                 tree.nodes.push(Node { parent: node, offset, inertia, rates, number });
                 origins.push(origin);
                 node = Some(tree.nodes.len() - 1);
+                tree.behind[joint] = node.map(|node| (node, if forward { 1.0 } else { -1.0 }));
             }
             let Some(at) = node else { continue };
             let origin = Translation3::from(-origins[at]);
@@ -256,6 +261,38 @@ impl Tree {
         }
     }
 
+    /// Moves a configuration by a displacement, which has a component for each rate: angles and
+    /// lengths are added, and rotations about points are multiplied by the exponential.
+    ///
+    /// # Panics
+    /// Panics if a list is too short.
+    pub fn displace(&self, numbers: &mut [f64], displacement: &[f64]) {
+        for node in &self.nodes {
+            let (at, rate) = (node.number, node.rates.start);
+            if node.is_ball() {
+                let by = Vector3::from_column_slice(&displacement[rate..rate + 3]);
+                let turn = So3.compose(&rotation(&numbers[at..at + 4]), &So3.exp(&by));
+                numbers[at..at + 4].copy_from_slice(&in_order(&turn.coords));
+            } else {
+                numbers[at] += displacement[rate];
+            }
+        }
+    }
+
+    /// The derivatives of a function of the numbers with respect to the three rates of a rotation
+    /// about a point, whose first number has the index `number`. The parameter `gradient` lists the
+    /// derivatives with respect to all numbers.
+    ///
+    /// # Panics
+    /// Panics if a list is too short.
+    pub fn along_ball(&self, numbers: &[f64], number: usize, gradient: &[f64]) -> [f64; 3] {
+        let turn = rotation(&numbers[number..number + 4]);
+        [0, 1, 2].map(|k| {
+            let slope = in_order(&So3.rate(&turn, &Vector3::ith(k, 1.0)));
+            slope.iter().zip(&gradient[number..]).map(|(slope, by)| slope * by).sum()
+        })
+    }
+
     /// The [`length`](Self::length); 1 if all lengths are zero.
     fn size(&self) -> f64 {
         let mut most = 0.0_f64;
@@ -331,6 +368,19 @@ fn factors(joints: &[Joint<f64>]) -> (Vec<Vec<Factor>>, Vec<(Range<usize>, Range
         all.push(factors);
     }
     (all, ranges)
+}
+
+/// Checks the number of inertias.
+fn expect_inertias(
+    mechanism: &Mechanism<f64>,
+    inertias: &[Option<MassProperties>],
+) -> Result<(), Error> {
+    let (expected, found) = (mechanism.bodies().len(), inertias.len());
+    if expected == found {
+        return Ok(());
+    }
+    let expected = format!("{expected} inertias");
+    Err(Error::Shape { what: "the tree", expected, found: found.to_string() })
 }
 
 /// The quaternion with the numbers `w, x, y, z`, which need not be normalized.

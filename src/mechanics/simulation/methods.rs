@@ -37,6 +37,8 @@ pub enum Class {
     MatrixFlow,
     /// Curves on charts, and trees of bodies in joint coordinates.
     Chart,
+    /// Trees of bodies in joint coordinates.
+    Tree,
 }
 
 /// The way in which a method chooses its steps.
@@ -212,6 +214,8 @@ methods! {
         MatrixFlow Fixed Composed(IsospectralMidpoint);
     DormandPrince853 "dop853"            8  "a curve on a chart, or bodies in joint coordinates, to a tolerance"
         Chart Controlled Pair::Eight;
+    Radau5           "radau5"            5  "bodies in joint coordinates with stiff springs and dampers, to a tolerance"
+        Tree Controlled ();
 }
 
 /// Names of methods in older problem files, with the methods that replace them.

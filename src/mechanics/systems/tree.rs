@@ -1,9 +1,25 @@
 //! Motions of trees of bodies, with joint coordinates as the state.
 
+mod assembly;
+pub mod constraint;
+pub mod contact;
+mod linearization;
+mod reduction;
+mod spring;
+
+pub use assembly::{Hold, Unsatisfied};
+pub use constraint::{Closure, Motor, TreeConstraint};
+pub use contact::{Contact, ContactShape};
+pub use linearization::Linearization;
+pub use spring::{JointSpring, PointSpring};
+
 use super::System;
 use crate::mechanics::formula::{Formula, Workspace};
+use crate::mechanism::tree::GroundView;
 use crate::mechanism::{MovingTree, Tree};
-use nalgebra::DVector;
+use constraint::{Place, Rows};
+use nalgebra::{DVector, Vector3, Vector6};
+use reduction::Reduction;
 use std::cell::RefCell;
 use std::sync::Arc;
 
@@ -17,23 +33,6 @@ pub struct TreeState {
     pub numbers: DVector<f64>,
 }
 
-/// A spring with a damper at a joint coordinate: the joint force `-stiffness (q - rest) - damping
-/// v`.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct JointSpring {
-    /// The index of the rate.
-    pub rate: usize,
-    /// The index of the coordinate among the numbers. `None` for a rotation about a point, which has
-    /// a damper only.
-    pub number: Option<usize>,
-    /// The force for a unit of the coordinate.
-    pub stiffness: f64,
-    /// The coordinate at which the spring is free of force.
-    pub rest: f64,
-    /// The force for a unit of the rate.
-    pub damping: f64,
-}
-
 /// A joint force as a formula, which acts along one rate.
 #[derive(Clone, Debug)]
 pub struct JointForce {
@@ -45,18 +44,41 @@ pub struct JointForce {
     pub text: String,
 }
 
-/// A tree with gravity, springs, dampers and joint forces.
+/// All forces on a tree except gravity.
+#[derive(Clone, Debug, Default)]
+pub struct TreeForces {
+    /// The springs and dampers of joints.
+    pub joint_springs: Vec<JointSpring>,
+    /// The springs and dampers between points of bodies.
+    pub point_springs: Vec<PointSpring>,
+    /// The joint forces that are formulas.
+    pub formulas: Vec<JointForce>,
+}
+
+/// A tree with gravity, springs, dampers, joint forces and constraints:
+///
+/// ```text
+/// M(q) v' + h(q, v) = f(t, q, v) - G^T lambda,   Phi(t, q) = 0,   G(t, q) v = b(t, q)
+/// ```
+///
+/// `G` contains the derivatives of `Phi`, and the coefficients of constraints on the rates.
+/// Constraints may be redundant. Then the accelerations are unique, and the multipliers are those of
+/// the smallest norm.
+///
+/// The state of a stage is first projected onto the constraints, in the metric of the kinetic
+/// energy. So redundant constraints remain consistent, and steps pass through singular positions.
 #[derive(Clone, Debug)]
 pub struct TreeSystem {
     tree: Arc<Tree>,
-    springs: Vec<JointSpring>,
-    forces: Vec<JointForce>,
+    forces: TreeForces,
+    constraints: Vec<TreeConstraint>,
     buffers: RefCell<Buffers>,
 }
 
 #[derive(Clone, Debug)]
 struct Buffers {
     moving: MovingTree,
+    view: GroundView,
     variables: Vec<f64>,
     forces: Vec<f64>,
     workspace: Workspace,
@@ -64,17 +86,35 @@ struct Buffers {
     trouble: Option<String>,
 }
 
+/// The forces of the constraints of a tree at a state.
+#[derive(Clone, Debug)]
+pub struct TreeReactions {
+    /// The multipliers `lambda`, in the order of the constraints.
+    pub multipliers: DVector<f64>,
+    /// For each joint the [reaction](MovingTree::reaction), `None` for a joint without freedom.
+    pub joints: Vec<Option<Vector6<f64>>>,
+    /// The power `-lambda . b` of constraints that depend on the time.
+    pub power: f64,
+}
+
+/// The largest number of iterations of a projection onto the constraints.
+const ITERATIONS: usize = 40;
+/// The largest last change of a successful projection, in the units of [`Tree::units`].
+const NEAR: f64 = 1e-8;
+/// A change that is a rounding error.
+const STILL: f64 = 1e-14;
 impl TreeSystem {
-    /// A tree with springs and joint forces.
-    pub fn new(tree: Arc<Tree>, springs: Vec<JointSpring>, forces: Vec<JointForce>) -> Self {
+    /// A tree with forces and constraints.
+    pub fn new(tree: Arc<Tree>, forces: TreeForces, constraints: Vec<TreeConstraint>) -> Self {
         let buffers = Buffers {
             moving: MovingTree::new(tree.clone()),
+            view: GroundView::default(),
             variables: vec![],
             forces: vec![],
             workspace: Workspace::default(),
             trouble: None,
         };
-        TreeSystem { tree, springs, forces, buffers: buffers.into() }
+        TreeSystem { tree, forces, constraints, buffers: buffers.into() }
     }
 
     /// The tree.
@@ -82,47 +122,168 @@ impl TreeSystem {
         &self.tree
     }
 
-    /// Whether gravity and springs are the only forces, so that the energy is conserved.
+    /// The constraints.
+    pub fn constraints(&self) -> &[TreeConstraint] {
+        &self.constraints
+    }
+
+    /// Whether the energy is conserved: gravity and springs are the only forces, and no constraint
+    /// is a motor or a formula, which may depend on the time.
     pub fn is_conservative(&self) -> bool {
-        self.forces.is_empty() && self.springs.iter().all(|spring| spring.damping == 0.0)
+        let TreeForces { joint_springs, point_springs, formulas } = &self.forces;
+        let is_formula = |constraint: &TreeConstraint| {
+            !matches!(constraint, TreeConstraint::Closure(_) | TreeConstraint::Contact(_))
+        };
+        formulas.is_empty()
+            && joint_springs.iter().all(|spring| spring.damping == 0.0)
+            && point_springs.iter().all(|spring| spring.damping == 0.0)
+            && !self.constraints.iter().any(is_formula)
     }
 
     /// The time derivative of the numbers and the rates. It is NaN if a force is not finite.
     pub(in crate::mechanics) fn slope(&self, time: f64, y: &DVector<f64>) -> DVector<f64> {
         let split = y.len() - self.tree.freedom();
-        let (numbers, rates) = y.as_slice().split_at(split);
         let mut slope = DVector::zeros(y.len());
         let (slopes, accelerations) = slope.as_mut_slice().split_at_mut(split);
         let mut buffers = self.buffers.borrow_mut();
-        self.sum(time, y.as_slice(), &mut buffers);
-        let Buffers { moving, forces, trouble, .. } = &mut *buffers;
-        self.tree.slopes(numbers, rates, slopes);
-        moving.place(numbers, rates);
-        if let Err(error) = moving.forward(forces, accelerations) {
-            *trouble = trouble.take().or_else(|| Some(error.to_string()));
-            accelerations.fill(f64::NAN);
+        if self.constraints.is_empty() {
+            let (numbers, rates) = y.as_slice().split_at(split);
+            buffers.moving.place(numbers, rates);
+            self.sum(time, y.as_slice(), &mut buffers);
+            let Buffers { moving, forces, trouble, .. } = &mut *buffers;
+            self.tree.slopes(numbers, rates, slopes);
+            if let Err(error) = moving.forward(forces, accelerations) {
+                *trouble = trouble.take().or_else(|| Some(error.to_string()));
+                accelerations.fill(f64::NAN);
+            }
+            return slope;
+        }
+        match self.settled(time, y, &mut buffers) {
+            Ok(settled) => {
+                let (numbers, rates) = settled.y.as_slice().split_at(split);
+                self.tree.slopes(numbers, rates, slopes);
+                accelerations.copy_from_slice(settled.accelerations().as_slice());
+            }
+            Err(reason) => {
+                buffers.trouble.get_or_insert(reason);
+                accelerations.fill(f64::NAN);
+            }
         }
         slope
     }
 
-    /// Computes the joint forces of springs, dampers and formulas.
+    /// The state on the constraints that is nearest to a state.
+    pub(in crate::mechanics) fn projected(
+        &self,
+        time: f64,
+        y: &DVector<f64>,
+    ) -> Result<DVector<f64>, String> {
+        if self.constraints.is_empty() {
+            let (mut y, split) = (y.clone(), y.len() - self.tree.freedom());
+            self.tree.normalize(&mut y.as_mut_slice()[..split]);
+            return Ok(y);
+        }
+        self.settled(time, y, &mut self.buffers.borrow_mut()).map(|settled| settled.y)
+    }
+
+    /// Projects a state onto the constraints, and evaluates forces and constraints there.
+    fn settled(
+        &self,
+        time: f64,
+        y: &DVector<f64>,
+        buffers: &mut Buffers,
+    ) -> Result<Settled, String> {
+        let split = y.len() - self.tree.freedom();
+        let mut y = y.clone();
+        self.tree.normalize(&mut y.as_mut_slice()[..split]);
+        let failed = || format!("the constraints cannot be satisfied at t = {time}");
+        let singular = || format!("the equations of motion are not finite at t = {time}");
+        let units: Vec<f64> = self.tree.units().collect();
+        let mut rows = self.rows(time, y.as_slice(), buffers);
+        let mut reduction = self.reduction(&rows, buffers).ok_or_else(singular)?;
+        let mut last = f64::INFINITY;
+        let mut is_fresh = true;
+        for _ in 0..ITERATIONS {
+            let values = rows.values.iter().map(|value| -value.unwrap_or(0.0));
+            let values = DVector::from_iterator(rows.values.len(), values);
+            let zero = DVector::zeros(units.len());
+            let change = reduction.nearest(&zero, &values);
+            let sizes = change.iter().zip(&units).map(|(x, unit)| (x / unit).abs());
+            // a NaN must remain
+            let size = sizes.fold(0.0, |most: f64, x| if x <= most { most } else { x });
+            let is_slow = size.is_nan() || size > 0.1 * last;
+            if size <= STILL || (is_slow && last <= NEAR) {
+                last = size;
+                break;
+            }
+            if is_slow && !is_fresh {
+                reduction = self.reduction(&rows, buffers).ok_or_else(singular)?;
+                is_fresh = true;
+                continue;
+            }
+            self.tree.displace(&mut y.as_mut_slice()[..split], change.as_slice());
+            last = size;
+            is_fresh = false;
+            rows = self.rows(time, y.as_slice(), buffers);
+        }
+        if last.is_nan() || last > NEAR {
+            return Err(failed());
+        }
+        if !is_fresh {
+            reduction = self.reduction(&rows, buffers).ok_or_else(singular)?;
+        }
+        let rates = y.rows(split, units.len()).into_owned();
+        let rates = reduction.nearest(&reduction.momentum(&rates), &rows.right);
+        y.rows_mut(split, units.len()).copy_from(&rates);
+        // the time derivatives of the constraints are those for the projected rates
+        let rows = self.rows(time, y.as_slice(), buffers);
+        self.sum(time, y.as_slice(), buffers);
+        let mut inertial = vec![0.0; units.len()];
+        buffers.moving.inverse(&vec![0.0; units.len()], &mut inertial);
+        let forces = buffers.forces.iter().zip(&inertial).map(|(force, own)| force - own);
+        let forces = DVector::from_iterator(units.len(), forces);
+        if !forces.iter().chain(rows.bias.iter()).all(|value| value.is_finite()) {
+            return Err(singular());
+        }
+        Ok(Settled { y, forces, rows, reduction })
+    }
+
+    /// The rows of all constraints at a state. The tree is moved to the state.
+    fn rows(&self, time: f64, y: &[f64], buffers: &mut Buffers) -> Rows {
+        let (numbers, rates) = y.split_at(y.len() - self.tree.freedom());
+        let Buffers { moving, view, workspace, .. } = buffers;
+        moving.place(numbers, rates);
+        view.update(moving);
+        let place = Place { tree: &self.tree, view, time, numbers, rates };
+        TreeConstraint::rows(&self.constraints, &place, workspace)
+    }
+
+    fn reduction(&self, rows: &Rows, buffers: &mut Buffers) -> Option<Reduction> {
+        Reduction::new(buffers.moving.mass_matrix(), rows)
+    }
+
+    /// Computes the joint forces of springs, dampers and formulas, and the loads of springs between
+    /// points, at the state of the tree.
     fn sum(&self, time: f64, y: &[f64], buffers: &mut Buffers) {
-        let Buffers { variables, forces, workspace, trouble, .. } = buffers;
+        let Buffers { moving, view, variables, forces, workspace, trouble } = buffers;
         let split = y.len() - self.tree.freedom();
         forces.clear();
         forces.resize(self.tree.freedom(), 0.0);
-        for spring in &self.springs {
-            let stretch = spring.number.map_or(0.0, |at| y[at] - spring.rest);
-            forces[spring.rate] -=
-                spring.stiffness * stretch + spring.damping * y[split + spring.rate];
+        for spring in &self.forces.joint_springs {
+            forces[spring.rate] -= spring.pull(y) + spring.damping * y[split + spring.rate];
         }
-        if self.forces.is_empty() {
+        if !self.forces.point_springs.is_empty() {
+            moving.unload();
+            view.update(moving);
+            self.forces.point_springs.iter().for_each(|spring| spring.load(view, moving));
+        }
+        if self.forces.formulas.is_empty() {
             return;
         }
         variables.clear();
         variables.push(time);
         variables.extend_from_slice(y);
-        for JointForce { rate, formula, text } in &self.forces {
+        for JointForce { rate, formula, text } in &self.forces.formulas {
             let value = formula.value_in(variables, workspace);
             if !value.is_finite() {
                 *trouble = Some(format!("the force {text} is {value} at t = {time}"));
@@ -131,32 +292,103 @@ impl TreeSystem {
         }
     }
 
-    /// The joint forces of springs, dampers and formulas at a state, without gravity.
+    /// The joint forces of springs, dampers and formulas at a state, without gravity and without
+    /// springs between points.
     pub fn forces(&self, state: &TreeState) -> Vec<f64> {
         let mut buffers = self.buffers.borrow_mut();
         self.sum(state.time, state.numbers.as_slice(), &mut buffers);
         buffers.forces.clone()
     }
 
-    /// The power of the joint forces that have no potential: those of formulas and dampers.
+    /// The power of the forces that have no potential: those of formulas and dampers.
     pub fn power(&self, state: &TreeState) -> f64 {
         let y = state.numbers.as_slice();
         let split = y.len() - self.tree.freedom();
         let mut forces = self.forces(state);
-        for spring in &self.springs {
-            let stretch = spring.number.map_or(0.0, |at| y[at] - spring.rest);
-            forces[spring.rate] += spring.stiffness * stretch;
+        for spring in &self.forces.joint_springs {
+            forces[spring.rate] += spring.pull(y);
         }
-        forces.iter().zip(&y[split..]).map(|(force, rate)| force * rate).sum()
+        let damped = self.forces.point_springs.iter().map(|spring| {
+            let view = self.view(state);
+            let (_, rate, _) = spring.stretch(&view);
+            -spring.damping * rate * rate
+        });
+        let damped: f64 = damped.sum();
+        damped + forces.iter().zip(&y[split..]).map(|(force, rate)| force * rate).sum::<f64>()
     }
 
     /// The potential of gravity and of the springs at a state.
     pub fn potential(&self, state: &TreeState) -> f64 {
-        let springs = self.springs.iter().map(|spring| {
-            let stretch = spring.number.map_or(0.0, |at| state.numbers[at] - spring.rest);
-            0.5 * spring.stiffness * stretch * stretch
-        });
-        springs.sum::<f64>() + self.at(state, MovingTree::potential)
+        let y = state.numbers.as_slice();
+        let joints: f64 = self.forces.joint_springs.iter().map(|spring| spring.potential(y)).sum();
+        let mut sum = joints + self.at(state, MovingTree::potential);
+        if !self.forces.point_springs.is_empty() {
+            let view = self.view(state);
+            let points = self.forces.point_springs.iter().map(|spring| spring.potential(&view));
+            sum += points.sum::<f64>();
+        }
+        sum
+    }
+
+    /// The multipliers, and the reactions of all joints, at a state that satisfies the constraints.
+    /// The moment of each reaction is about a point; see [`MovingTree::reaction`]. Returns `None` if
+    /// they are not finite.
+    pub fn reactions(
+        &self,
+        state: &TreeState,
+        points: &[Option<Vector3<f64>>],
+    ) -> Option<TreeReactions> {
+        let buffers = &mut *self.buffers.borrow_mut();
+        let settled = self.settled(state.time, &state.numbers, buffers).ok()?;
+        let accelerations = settled.accelerations();
+        let multipliers = settled.multipliers();
+        let (numbers, rates) = settled.y.as_slice().split_at(settled.y.len() - self.tree.freedom());
+        let place =
+            Place { tree: &self.tree, view: &buffers.view, time: state.time, numbers, rates };
+        if self.forces.point_springs.is_empty() {
+            buffers.moving.unload();
+        }
+        let mut first = 0;
+        for constraint in &self.constraints {
+            let own = &multipliers.as_slice()[first..first + constraint.count()];
+            constraint.load(&place, own, &mut buffers.moving);
+            first += own.len();
+        }
+        let mut forces = vec![0.0; rates.len()];
+        buffers.moving.inverse(accelerations.as_slice(), &mut forces);
+        let joints = points.iter().enumerate();
+        let joints =
+            joints.map(|(joint, point)| buffers.moving.reaction(joint, point.as_ref())).collect();
+        buffers.moving.unload();
+        let power = -multipliers.dot(&settled.rows.right);
+        multipliers.iter().all(|value| value.is_finite()).then_some(TreeReactions {
+            multipliers,
+            joints,
+            power,
+        })
+    }
+
+    /// The largest violation of a constraint on the coordinates, and of one on the rates, at a state.
+    pub fn violation(&self, state: &TreeState) -> [f64; 2] {
+        let y = state.numbers.as_slice();
+        let rows = self.rows(state.time, y, &mut self.buffers.borrow_mut());
+        let values = rows.values.iter().map(|value| value.unwrap_or(0.0).abs());
+        let rates = rows.residual(&y[y.len() - self.tree.freedom()..]);
+        [values.fold(0.0, f64::max), rates.amax()]
+    }
+
+    /// The number of independent constraints at a state. Returns `None` if they are not finite.
+    pub fn rank(&self, state: &TreeState) -> Option<usize> {
+        let mut buffers = self.buffers.borrow_mut();
+        let rows = self.rows(state.time, state.numbers.as_slice(), &mut buffers);
+        self.reduction(&rows, &mut buffers).map(|reduction| reduction.rank())
+    }
+
+    /// The motions of all points at a state.
+    fn view(&self, state: &TreeState) -> GroundView {
+        let mut view = GroundView::default();
+        self.at(state, |moving| view.update(moving));
+        view
     }
 
     /// A value of the tree at a state.
@@ -178,6 +410,25 @@ impl TreeSystem {
     /// Removes and returns the reason why a slope was not a number.
     pub(in crate::mechanics) fn take_trouble(&self) -> Option<String> {
         self.buffers.borrow_mut().trouble.take()
+    }
+}
+
+/// A state that satisfies the constraints, with all forces and constraints.
+struct Settled {
+    y: DVector<f64>,
+    /// The forces `f - h`.
+    forces: DVector<f64>,
+    rows: Rows,
+    reduction: Reduction,
+}
+
+impl Settled {
+    fn accelerations(&self) -> DVector<f64> {
+        self.reduction.nearest(&self.forces, &-&self.rows.bias)
+    }
+
+    fn multipliers(&self) -> DVector<f64> {
+        self.reduction.multipliers(&self.forces, &-&self.rows.bias)
     }
 }
 

@@ -43,7 +43,7 @@ impl MovingTree {
     }
 
     /// Eliminates the rates from the last node to the first. The inertia `I` and the wrench `p` of
-    /// an articulated body begin as those of its node, `I = J` and `p = -ad*_V J V`. A rate with the
+    /// an articulated body begin as those of its node, `I = J` and `p = -ad*_V J V - F_load`. A rate with the
     /// twist `S` and the force `f` changes them by
     ///
     /// ```text
@@ -55,7 +55,8 @@ impl MovingTree {
     pub(super) fn reduce(&mut self, forces: &[f64]) -> Result<(), usize> {
         for (node, own) in self.tree.nodes.iter().zip(&mut self.nodes) {
             own.inertia = node.inertia;
-            own.wrench = -coadjoint_bracket(&own.velocity, &(node.inertia * own.velocity));
+            let momentum = node.inertia * own.velocity;
+            own.wrench = -coadjoint_bracket(&own.velocity, &momentum) - own.load;
         }
         for (at, node) in self.tree.nodes.iter().enumerate().rev() {
             let own = &mut self.nodes[at];

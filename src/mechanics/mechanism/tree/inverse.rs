@@ -10,7 +10,7 @@ impl MovingTree {
     ///
     /// ```text
     /// A = Ad_(X^-1) A_before + S a + [V, S v]
-    /// F = J A - ad*_V J V + sum Ad*_(X^-1) F_after,   force = S . F
+    /// F = J A - ad*_V J V - F_load + sum Ad*_(X^-1) F_after,   force = S . F
     /// ```
     ///
     /// ```
@@ -44,7 +44,9 @@ impl MovingTree {
             }
             own.acceleration = acceleration;
             let momentum = node.inertia * own.velocity;
-            own.wrench = node.inertia * acceleration - coadjoint_bracket(&own.velocity, &momentum);
+            own.wrench = node.inertia * acceleration
+                - coadjoint_bracket(&own.velocity, &momentum)
+                - own.load;
         }
         for (at, node) in self.tree.nodes.iter().enumerate().rev() {
             let wrench = self.nodes[at].wrench;

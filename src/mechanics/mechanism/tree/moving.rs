@@ -1,6 +1,6 @@
 //! A tree at a configuration, with rates: poses, velocities, energy and momentum.
 
-use super::{Tree, rotation};
+use super::{BodyPoint, Tree, rotation};
 use crate::group::{LieGroup, Se3, So3};
 use nalgebra::{Isometry3, Matrix6, UnitQuaternion, Vector3, Vector6};
 use std::sync::Arc;
@@ -30,6 +30,8 @@ pub(super) struct MovingNode {
     pub acceleration: Vector6<f64>,
     /// The wrench that acts on this node and all nodes behind it.
     pub wrench: Vector6<f64>,
+    /// The external wrench on this node.
+    pub load: Vector6<f64>,
     /// The inertia of this node and the nodes behind it.
     pub inertia: Matrix6<f64>,
 }
@@ -63,6 +65,7 @@ impl MovingTree {
             relative: Vector6::zeros(),
             acceleration: Vector6::zeros(),
             wrench: Vector6::zeros(),
+            load: Vector6::zeros(),
             inertia: Matrix6::zeros(),
         };
         let (nodes, freedom) = (vec![still; tree.nodes.len()], tree.freedom());
@@ -106,6 +109,50 @@ impl MovingTree {
             let own = &mut self.nodes[at];
             (own.pose, own.back, own.relative, own.velocity) = (pose, back, relative, velocity);
         }
+    }
+
+    /// Removes all loads.
+    pub fn unload(&mut self) {
+        self.nodes.iter_mut().for_each(|node| node.load = Vector6::zeros());
+    }
+
+    /// Adds a load that acts on the body of a point: a moment about the point, and a force at the
+    /// point, in ground components. The parameter `attitude` is the
+    /// [attitude](super::GroundView::attitude) of the body. Loads on the ground have no effect.
+    /// Loads remain until [`unload`](Self::unload).
+    pub fn load(
+        &mut self,
+        point: &BodyPoint,
+        attitude: &UnitQuaternion<f64>,
+        moment: &Vector3<f64>,
+        force: &Vector3<f64>,
+    ) {
+        let Some(node) = point.node else { return };
+        let [moment, force] = [moment, force].map(|v| attitude.inverse_transform_vector(v));
+        let moment = moment + point.point.cross(&force);
+        let load = [moment.x, moment.y, moment.z, force.x, force.y, force.z];
+        self.nodes[node].load += Vector6::from(load);
+    }
+
+    /// The wrench that the first body of a joint exerts on the second one, after
+    /// [`inverse`](Self::inverse): a moment and a force. Components are those in the frame of the body
+    /// that is farther from the ground. The moment is about the point of this body that is at `point`
+    /// at the position of the mechanism. Without a point, it is about the origin of the frame of the
+    /// joint. Returns `None` for a joint without freedom, because its bodies are one.
+    ///
+    /// # Panics
+    /// Panics if the joint does not exist.
+    pub fn reaction(&self, joint: usize, point: Option<&Vector3<f64>>) -> Option<Vector6<f64>> {
+        let (node, sign) = self.tree.behind[joint]?;
+        let mut wrench = self.nodes[node].wrench * sign;
+        if let Some(point) = point {
+            let origin = BodyPoint { node: Some(node), point: Vector3::zeros() };
+            let arm = point - self.tree.at_home(&origin);
+            let force = Vector3::new(wrench[3], wrench[4], wrench[5]);
+            let moment = arm.cross(&force);
+            (0..3).for_each(|i| wrench[i] -= moment[i]);
+        }
+        Some(wrench)
     }
 
     /// The poses of all bodies. The frame of each body is the ground frame at the position of the

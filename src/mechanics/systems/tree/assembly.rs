@@ -1,0 +1,141 @@
+//! Initial states that satisfy the constraints.
+
+use super::constraint::Rows;
+use super::reduction::Reduction;
+use super::{ITERATIONS, NEAR, STILL, TreeState, TreeSystem};
+use nalgebra::{DMatrix, DVector};
+
+/// A constraint that cannot be satisfied.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Unsatisfied {
+    /// The index of the constraint.
+    pub constraint: usize,
+    /// The violation that remains.
+    pub violation: f64,
+}
+
+/// How an initial value is held while a tree is assembled.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Hold {
+    /// The value follows from others.
+    Free,
+    /// The value changes by as little as possible, because it may be rounded.
+    Near,
+    /// The value does not change.
+    Fixed,
+}
+
+impl Hold {
+    /// The weight of a change of the value.
+    fn weight(self) -> f64 {
+        if self == Hold::Near { 1e8 } else { 1.0 }
+    }
+}
+
+/// The longest change of a coordinate in one iteration of an assembly, in its unit.
+const LONGEST: f64 = 0.5;
+
+/// The largest violation of a constraint on the rates that counts as a rounding error, relative to
+/// the size of its terms.
+const CONSISTENT: f64 = 1e-9;
+
+impl TreeSystem {
+    /// Assembles the tree: changes the coordinates and the rates until they satisfy the constraints, by
+    /// as little as possible. The parameter `held` tells for each rate how its coordinate and the rate
+    /// itself are held. Returns the change of each coordinate and rate, in the units of
+    /// [`Tree::units`].
+    ///
+    /// # Errors
+    /// The constraint whose violation remains the largest.
+    pub fn assemble(
+        &self,
+        state: &mut TreeState,
+        held: &[[Hold; 2]],
+    ) -> Result<Vec<[f64; 2]>, Unsatisfied> {
+        let split = state.numbers.len() - self.tree.freedom();
+        self.tree.normalize(&mut state.numbers.as_mut_slice()[..split]);
+        let units: Vec<f64> = self.tree.units().collect();
+        let metrics = [0, 1].map(|which| {
+            let weights =
+                held.iter().zip(&units).map(|(held, unit)| held[which].weight() / (unit * unit));
+            DMatrix::from_diagonal(&DVector::from_iterator(units.len(), weights))
+        });
+        let mut buffers = self.buffers.borrow_mut();
+        let free = |rows: &Rows, which: usize| {
+            let mut rows = rows.clone();
+            let held = held.iter().enumerate().filter(|(_, held)| held[which] == Hold::Fixed);
+            held.for_each(|(rate, _)| rows.matrix.column_mut(rate).fill(0.0));
+            rows
+        };
+        let (mut moved, mut last) = (vec![0.0; units.len()], f64::INFINITY);
+        for _ in 0..ITERATIONS {
+            let rows = self.rows(state.time, state.numbers.as_slice(), &mut buffers);
+            let reduction = Reduction::new(metrics[0].clone(), &free(&rows, 0));
+            let values = rows.values.iter().map(|value| -value.unwrap_or(0.0));
+            let values = DVector::from_iterator(rows.values.len(), values);
+            let Some(reduction) = reduction else { break };
+            // values that are rounded return to their initial values
+            let back = moved.iter().zip(held).map(|(moved, held)| match held[0] {
+                Hold::Near => -moved,
+                _ => 0.0,
+            });
+            let back = &metrics[0] * DVector::from_iterator(units.len(), back);
+            let change = reduction.nearest(&back, &values);
+            let sizes = change.iter().zip(&units).map(|(x, unit)| (x / unit).abs());
+            let size = sizes.fold(0.0, f64::max);
+            if size <= STILL || (size > 0.1 * last && last <= NEAR) {
+                break;
+            }
+            // a long way may lead past the nearest closed position
+            let share = if size > LONGEST { LONGEST / size } else { 1.0 };
+            let change = change * share;
+            moved.iter_mut().zip(change.iter()).for_each(|(sum, x)| *sum += x);
+            let numbers = &mut state.numbers.as_mut_slice()[..split];
+            self.tree.displace(numbers, change.as_slice());
+            last = size;
+        }
+        self.tree.normalize(&mut state.numbers.as_mut_slice()[..split]);
+        let rows = self.rows(state.time, state.numbers.as_slice(), &mut buffers);
+        let sizes = rows.sizes(&units);
+        let values = rows.values.iter().map(|value| value.unwrap_or(0.0));
+        self.expect(values, |row| NEAR * sizes[row])?;
+        let rates = state.numbers.rows(split, units.len()).into_owned();
+        let free = free(&rows, 1);
+        let right = &rows.right - (&rows.matrix - &free.matrix) * &rates;
+        let Some(reduction) = Reduction::new(metrics[1].clone(), &free) else {
+            return Err(Unsatisfied { constraint: 0, violation: f64::NAN });
+        };
+        let found = reduction.nearest(&(&metrics[1] * &rates), &right);
+        state.numbers.rows_mut(split, units.len()).copy_from(&found);
+        let residual = rows.residual(found.as_slice());
+        let fastest = found.iter().zip(&units).map(|(rate, unit)| (rate / unit).abs());
+        let fastest = fastest.fold(0.0, f64::max);
+        let size = |row: usize| CONSISTENT * (sizes[row] * fastest).max(rows.right[row].abs());
+        self.expect(residual.iter().copied(), size)?;
+        let changes = (found - rates).data.as_vec().clone();
+        let changes = moved.iter().zip(changes).zip(&units);
+        Ok(changes
+            .map(|((moved, change), unit)| [(moved / unit).abs(), (change / unit).abs()])
+            .collect())
+    }
+
+    /// Checks that the violations of all rows are at most the allowed ones.
+    fn expect(
+        &self,
+        violations: impl Iterator<Item = f64>,
+        allowed: impl Fn(usize) -> f64,
+    ) -> Result<(), Unsatisfied> {
+        let counts = self.constraints.iter().enumerate();
+        let of_row: Vec<usize> =
+            counts.flat_map(|(at, own)| std::iter::repeat_n(at, own.count())).collect();
+        let mut worst: Option<Unsatisfied> = None;
+        for (row, violation) in violations.enumerate() {
+            let violation = violation.abs();
+            let is_worse = worst.is_none_or(|worst| violation > worst.violation);
+            if (violation > allowed(row) || violation.is_nan()) && is_worse {
+                worst = Some(Unsatisfied { constraint: of_row[row], violation });
+            }
+        }
+        worst.map_or(Ok(()), Err)
+    }
+}

@@ -1,0 +1,353 @@
+//! The linear equations of small deviations from an equilibrium or a steady motion.
+
+use super::{TreeState, TreeSystem};
+use crate::Error;
+use nalgebra::{Complex, DMatrix, DVector, SVD, Schur};
+use std::f64::consts::PI;
+
+/// The linear equations `u' = A u` of deviations from an equilibrium or a steady motion of a tree.
+///
+/// A deviation consists of displacements `xi` and of changes `eta` of the rates, one of each for each
+/// rate of the tree. It satisfies the constraints to first order, `(xi, eta) = B u`:
+///
+/// ```text
+/// G xi = 0,   (d(G v - b)/dq) xi + G eta = 0
+/// xi' = eta - w x xi  (for rotations about points),   eta' = (da/dq) xi + (da/dv) eta
+/// ```
+///
+/// with the accelerations `a(q, v)` on the constraints. In a steady motion, the coordinates change at
+/// constant rates and `A` is constant.
+///
+/// Some eigenvalues vanish. They belong to coordinates without influence, such as the angle of a
+/// wheel, and to families of steady motions. They are removed first, so that their rounding errors
+/// do not change the others.
+#[derive(Clone, Debug)]
+pub struct Linearization {
+    /// The matrix `A`, in the orthonormal basis `basis`.
+    pub matrix: DMatrix<f64>,
+    /// The matrix `B`: displacements first, then changes of rates, in units of the tree.
+    pub basis: DMatrix<f64>,
+    /// The number of eigenvalues that vanish.
+    pub zeros: usize,
+    /// The other eigenvalues, by decreasing real part. Conjugate pairs begin with the positive
+    /// imaginary part.
+    pub eigenvalues: Vec<Complex<f64>>,
+    /// For each of these eigenvalues, the size of the displacement along each rate, relative to the
+    /// largest one.
+    pub shapes: Vec<Vec<f64>>,
+}
+
+/// Half of the widest and of the narrowest interval of Chebyshev series, in units of the tree.
+const WIDEST: f64 = 0.5;
+const NARROWEST: f64 = 1e-3;
+/// The number of pairs of nodes of a Chebyshev series.
+const PAIRS: usize = 12;
+/// Accelerations vanish up to this multiple of the largest entry of the matrix.
+const STEADY: f64 = 1e-9;
+/// A displacement that is a rounding error, in units of the tree.
+const ROUNDING: f64 = 1e-14;
+/// A singular value that is a rounding error, relative to the largest one.
+const ZERO: f64 = 1e-8;
+/// The largest relative change of the matrix of a steady motion.
+const CONSTANT: f64 = 1e-6;
+/// The time by which a steady motion is followed, in units of the fastest rate.
+const LATER: f64 = 0.3;
+/// The largest number of steps of Newton's method to an equilibrium.
+const ITERATIONS: usize = 50;
+
+impl TreeSystem {
+    /// The equilibrium near a state without rates, by Newton's method.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] if no equilibrium is found.
+    pub fn equilibrium(&self, state: &TreeState) -> Result<TreeState, Error> {
+        let (mut state, n) = (state.clone(), self.tree.freedom());
+        let split = state.numbers.len() - n;
+        let units = DVector::from_iterator(n, self.tree.units());
+        for _ in 0..ITERATIONS {
+            let rest = self.accelerations(&state, &units)?;
+            let slopes = self.slopes(&state, &units, 0)?;
+            if rest.amax() <= ROUNDING * slopes.amax() {
+                return Ok(state);
+            }
+            let [closed, _] = self.constraint_rows(&state, &units)?;
+            let free = null_space(closed);
+            let reduced = &slopes * &free;
+            let solution = SVD::new(reduced, true, true);
+            let cut = ZERO * solution.singular_values.max();
+            let change = solution.solve(&-&rest, cut).map_err(|reason| invalid(reason.into()))?;
+            let change = free * change;
+            let longest = change.amax();
+            let share = if longest > 0.3 { 0.3 / longest } else { 1.0 };
+            let displacement = (change * share).component_mul(&units);
+            let numbers = &mut state.numbers.as_mut_slice()[..split];
+            self.tree.displace(numbers, displacement.as_slice());
+            state.numbers = self.projected(state.time, &state.numbers).map_err(invalid)?;
+            if longest <= ROUNDING {
+                return Ok(state);
+            }
+        }
+        Err(invalid("there is no equilibrium near the initial position".into()))
+    }
+
+    /// The linear equations at an equilibrium or a steady motion. The matrix consists of derivatives of
+    /// Chebyshev series, with errors of about `1e-13` of its size.
+    ///
+    /// # Errors
+    /// [`Error::Invalid`] if rates change, or if the matrix changes along the motion.
+    pub fn linearized(&self, state: &TreeState) -> Result<Linearization, Error> {
+        let units = DVector::from_iterator(self.tree.freedom(), self.tree.units());
+        let accelerations = self.accelerations(state, &units)?;
+        let (matrix, basis) = self.restricted(state, &units)?;
+        if accelerations.amax() > STEADY * matrix.amax() {
+            let rate = accelerations.iamax();
+            return Err(invalid(format!(
+                "rate {} changes by {:.3e} per unit of time, so the motion is not steady",
+                rate + 1,
+                accelerations[rate] * units[rate]
+            )));
+        }
+        let rates = state.numbers.rows_range(state.numbers.len() - units.len()..).into_owned();
+        let fastest = rates.component_div(&units).amax();
+        if fastest > 0.0 {
+            let mut later = state.clone();
+            let path = &rates * (LATER / fastest);
+            let split = later.numbers.len() - units.len();
+            self.tree.displace(&mut later.numbers.as_mut_slice()[..split], path.as_slice());
+            let (other, other_basis) = self.restricted(&later, &units)?;
+            let full =
+                |matrix: &DMatrix<f64>, basis: &DMatrix<f64>| basis * matrix * basis.transpose();
+            let (here, there) = (full(&matrix, &basis), full(&other, &other_basis));
+            if (&there - &here).amax() > CONSTANT * here.amax() {
+                let reason = "the linear equations change along the motion, so it is not steady in \
+                              joint coordinates";
+                return Err(invalid(reason.into()));
+            }
+        }
+        let (zeros, eigenvalues) = modes(&matrix);
+        let shapes = eigenvalues.iter().map(|value| {
+            let deviation = basis.map(Complex::from) * vector(&matrix, value);
+            let sizes = deviation.rows(0, units.len()).map(|x| x.norm());
+            let largest = sizes.max();
+            sizes.iter().map(|x| if largest > 0.0 { x / largest } else { 0.0 }).collect()
+        });
+        let shapes = shapes.collect();
+        Ok(Linearization { matrix, basis, zeros, eigenvalues, shapes })
+    }
+
+    /// The accelerations on the constraints, in units of the tree.
+    fn accelerations(
+        &self,
+        state: &TreeState,
+        units: &DVector<f64>,
+    ) -> Result<DVector<f64>, Error> {
+        let slope = self.slope(state.time, &state.numbers);
+        match self.take_trouble() {
+            Some(reason) => Err(invalid(reason)),
+            None => Ok(slope.rows_range(slope.len() - units.len()..).component_div(units)),
+        }
+    }
+
+    /// The matrix on the deviations that satisfy the constraints, and their basis.
+    fn restricted(
+        &self,
+        state: &TreeState,
+        units: &DVector<f64>,
+    ) -> Result<(DMatrix<f64>, DMatrix<f64>), Error> {
+        let n = units.len();
+        let mut full = DMatrix::zeros(2 * n, 2 * n);
+        full.view_mut((0, n), (n, n)).fill_with_identity();
+        let rates = state.numbers.rows_range(state.numbers.len() - n..);
+        for (first, _) in self.tree.balls() {
+            let w = nalgebra::Vector3::new(rates[first], rates[first + 1], rates[first + 2]);
+            full.view_mut((first, first), (3, 3)).copy_from(&-w.cross_matrix());
+        }
+        for which in 0..2 {
+            let slopes = self.slopes(state, units, which)?;
+            full.view_mut((n, which * n), (n, n)).copy_from(&slopes);
+        }
+        let [closed, moving] = self.constraint_rows(state, units)?;
+        let mut constraints = DMatrix::zeros(closed.nrows() + moving.nrows(), 2 * n);
+        constraints.view_mut((0, 0), closed.shape()).copy_from(&closed);
+        constraints.view_mut((closed.nrows(), 0), moving.shape()).copy_from(&moving);
+        let basis = null_space(constraints);
+        Ok((basis.transpose() * full * &basis, basis))
+    }
+
+    /// The derivatives of the accelerations with respect to displacements (`which` is 0) or rates (1),
+    /// in units of the tree.
+    fn slopes(
+        &self,
+        state: &TreeState,
+        units: &DVector<f64>,
+        which: usize,
+    ) -> Result<DMatrix<f64>, Error> {
+        let n = units.len();
+        let mut slopes = DMatrix::zeros(n, n);
+        for k in 0..n {
+            let value = |s: f64| {
+                let y = self.displaced(state, k, s * units[k], which);
+                let slope = self.slope(state.time, &y);
+                slope.rows_range(slope.len() - n..).component_div(units)
+            };
+            slopes.column_mut(k).copy_from(&derivative(value));
+        }
+        match self.take_trouble() {
+            Some(reason) => Err(invalid(reason)),
+            None => Ok(slopes),
+        }
+    }
+
+    /// The rows of the constraints on displacements, and of those on deviations of displacements and
+    /// rates, in units of the tree. The longest row of a constraint has length 1.
+    fn constraint_rows(
+        &self,
+        state: &TreeState,
+        units: &DVector<f64>,
+    ) -> Result<[DMatrix<f64>; 2], Error> {
+        let n = units.len();
+        let rows =
+            |y: &DVector<f64>| self.rows(state.time, y.as_slice(), &mut self.buffers.borrow_mut());
+        let here = rows(&state.numbers);
+        let count = here.values.len();
+        let in_units = DMatrix::from_diagonal(units);
+        let matrix = &here.matrix * &in_units;
+        let mut moving = DMatrix::zeros(count, 2 * n);
+        moving.view_mut((0, n), (count, n)).copy_from(&matrix);
+        let rates = state.numbers.rows_range(state.numbers.len() - n..).into_owned();
+        for k in 0..n {
+            let value = |s: f64| {
+                rows(&self.displaced(state, k, s * units[k], 0)).residual(rates.as_slice())
+            };
+            moving.column_mut(k).copy_from(&derivative(value));
+        }
+        let of_position: Vec<usize> =
+            (0..count).filter(|row| here.values[*row].is_some()).collect();
+        let mut closed = matrix.select_rows(&of_position);
+        let mut longest = vec![0.0_f64; count];
+        for (row, first) in here.first.iter().enumerate() {
+            longest[*first] = longest[*first].max(matrix.row(row).norm());
+        }
+        let size = |row: usize| match longest[here.first[row]] {
+            0.0 => 1.0,
+            size => size,
+        };
+        moving.row_iter_mut().enumerate().for_each(|(row, mut own)| own /= size(row));
+        let of_position = of_position.iter().copied().zip(closed.row_iter_mut());
+        of_position.for_each(|(row, mut own)| own /= size(row));
+        if !closed.iter().chain(moving.iter()).all(|entry| entry.is_finite()) {
+            return Err(invalid("the constraints are not finite".into()));
+        }
+        Ok([closed, moving])
+    }
+
+    /// The numbers of a state after a displacement along one rate (`which` is 0), or with a change of
+    /// one rate (1).
+    fn displaced(&self, state: &TreeState, rate: usize, by: f64, which: usize) -> DVector<f64> {
+        let mut y = state.numbers.clone();
+        let split = y.len() - self.tree.freedom();
+        if which == 1 {
+            y[split + rate] += by;
+            return y;
+        }
+        let mut displacement = vec![0.0; self.tree.freedom()];
+        displacement[rate] = by;
+        self.tree.displace(&mut y.as_mut_slice()[..split], &displacement);
+        y
+    }
+}
+
+/// The derivative at 0, from the Chebyshev series on an interval about 0. The interval is halved
+/// until the series ends within rounding errors; the best interval counts.
+fn derivative(value: impl Fn(f64) -> DVector<f64>) -> DVector<f64> {
+    let angles: [f64; PAIRS] = std::array::from_fn(|j| PI * (j as f64 + 0.5) / (2 * PAIRS) as f64);
+    let mut best: Option<(f64, DVector<f64>)> = None;
+    let mut half = WIDEST;
+    while half >= NARROWEST {
+        let mut size = 0.0_f64;
+        let odd = angles.map(|angle| {
+            let [after, before] = [1.0, -1.0].map(|sign| value(sign * half * angle.cos()));
+            size = size.max(after.amax()).max(before.amax());
+            (after - before) * 0.5
+        });
+        let mut slope = DVector::zeros(odd[0].len());
+        let mut tail = 0.0_f64;
+        // the derivative of the polynomial T_k at 0 is k for k = 1, 5, ... and -k for k = 3, 7, ...
+        for k in (1..2 * PAIRS).step_by(2) {
+            let terms = odd.iter().zip(&angles).map(|(odd, angle)| odd * (k as f64 * angle).cos());
+            let coefficient = terms.sum::<DVector<f64>>() * (2.0 / PAIRS as f64);
+            let sign = if k % 4 == 1 { 1.0 } else { -1.0 };
+            slope += &coefficient * (sign * k as f64 / half);
+            if k + 4 > 2 * PAIRS {
+                tail = tail.max(coefficient.amax());
+            }
+        }
+        let error = (tail + f64::EPSILON * size) / half;
+        let is_finite = slope.iter().all(|slope| slope.is_finite());
+        if is_finite && best.as_ref().is_none_or(|(least, _)| error < *least) {
+            best = Some((error, slope));
+        } else if best.is_none() {
+            best = Some((f64::INFINITY, slope));
+        }
+        if is_finite && tail <= 8.0 * f64::EPSILON * size {
+            break;
+        }
+        half *= 0.5;
+    }
+    best.map_or_else(|| value(0.0), |(_, slope)| slope)
+}
+
+/// An orthonormal basis of the null space of a matrix, as columns.
+fn null_space(matrix: DMatrix<f64>) -> DMatrix<f64> {
+    let n = matrix.ncols();
+    // the projector onto the null space; a square matrix has all right singular vectors
+    let mut square = DMatrix::zeros(matrix.nrows().max(n), n);
+    square.view_mut((0, 0), matrix.shape()).copy_from(&matrix);
+    let svd = SVD::new(square, false, true);
+    let largest = svd.singular_values.max();
+    let vectors = svd.v_t.unwrap_or_else(|| DMatrix::identity(n, n));
+    let small = |k: &usize| svd.singular_values[*k] <= ZERO * largest || largest == 0.0;
+    let rows: Vec<usize> = (0..n).filter(small).collect();
+    vectors.select_rows(&rows).transpose()
+}
+
+/// The number of eigenvalues that vanish, and the other eigenvalues.
+fn modes(matrix: &DMatrix<f64>) -> (usize, Vec<Complex<f64>>) {
+    let n = matrix.nrows();
+    let scale = matrix.norm();
+    // the quotient by generalized eigenvectors of 0
+    let mut reduced = matrix.clone();
+    loop {
+        if reduced.is_empty() {
+            return (n, vec![]);
+        }
+        let mut padded = reduced.clone();
+        padded.iter_mut().filter(|x| x.abs() <= f64::EPSILON * scale).for_each(|x| *x = 0.0);
+        let null = null_space(padded);
+        if null.ncols() == 0 {
+            break;
+        }
+        let rest = null_space(null.transpose());
+        reduced = rest.transpose() * &reduced * &rest;
+    }
+    let zeros = n - reduced.nrows();
+    let mut eigenvalues: Vec<Complex<f64>> =
+        Schur::new(reduced.clone()).complex_eigenvalues().iter().copied().collect();
+    eigenvalues.sort_by(|a, b| b.re.total_cmp(&a.re).then(b.im.total_cmp(&a.im)));
+    (zeros, eigenvalues)
+}
+
+/// An eigenvector of a matrix: the right singular vector of the smallest singular value of `A -
+/// value`.
+fn vector(matrix: &DMatrix<f64>, value: &Complex<f64>) -> DVector<Complex<f64>> {
+    let n = matrix.nrows();
+    let shifted = matrix.map(Complex::from) - DMatrix::identity(n, n) * *value;
+    let svd = SVD::new(shifted, false, true);
+    let at = svd.singular_values.imin();
+    let rows = svd.v_t.map(|rows| rows.row(at).adjoint());
+    rows.unwrap_or_else(|| DVector::zeros(n))
+}
+
+fn invalid(reason: String) -> Error {
+    Error::Invalid { what: "linearization", reason }
+}

@@ -1,0 +1,558 @@
+//! Loops, contacts, motors and formulas as constraints in joint coordinates: closed forms, the balance
+//! of reactions, and what must not matter.
+
+use super::{GROUND, expect_close, last, single};
+use affinor_documents::input::InputError;
+use affinor_documents::problem::Problem;
+use std::f64::consts::{FRAC_PI_2, PI};
+use std::fmt::Write as _;
+
+/// An example, with other columns and a tolerance.
+fn example(name: &str, tolerance: f64) -> String {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../examples/mechanisms");
+    let text = std::fs::read_to_string(format!("{folder}/{name}.toml")).expect("an example");
+    let (before, _) = text.split_once("[integrator]").expect("an integrator");
+    let output = "[output]\nend = 1\nevery = 1\n";
+    format!("{before}[integrator]\ntolerance = {tolerance}\n{output}")
+}
+
+/// A chain of `windows` four-bar linkages with links of length `l`; the left corner is at `(x, y)`.
+fn windows(windows: usize, l: f64, [x, y]: [f64; 2], speed: f64, gravity: f64) -> String {
+    let mut text = format!("gravity = [0, {gravity}, 0]\n");
+    let mut body = |name: String, [x, y]: [f64; 2], turn: &str| {
+        let part = format!(
+            "shape = \"rod\", length = {l}, mass = 1, position = [{x}, {y}, 0], rotation = {turn}"
+        );
+        let _ = write!(text, "[[bodies]]\nname = \"{name}\"\ninertia.parts = [{{ {part} }}]\n");
+    };
+    for k in 0..=windows {
+        body(format!("rod{k}"), [x + l * k as f64, y + l / 2.0], "[\"pi/2\", 0, 0]");
+    }
+    for k in 0..windows {
+        body(format!("bar{k}"), [x + l * (k as f64 + 0.5), y + l], "[0, \"pi/2\", 0]");
+    }
+    let mut hinge = |name: String, ends: [String; 2], [x, y]: [f64; 2], rate: &str| {
+        let _ = write!(
+            text,
+            "[[joints]]\nname = \"{name}\"\ntype = \"revolute\"\nbodies = [\"{}\", \"{}\"]\n\
+             at = [{x}, {y}, 0]\naxis = [0, 0, 1]\n{rate}",
+            ends[0], ends[1]
+        );
+    };
+    for k in 0..=windows {
+        let rate = if k == 0 { format!("rate = {}\n", -speed / l) } else { String::new() };
+        let ends = ["ground".into(), format!("rod{k}")];
+        hinge(format!("A{k}"), ends, [x + l * k as f64, y], &rate);
+    }
+    for k in 0..windows {
+        let at = |k: usize| [x + l * k as f64, y + l];
+        hinge(format!("B{k}"), [format!("rod{k}"), format!("bar{k}")], at(k), "");
+        hinge(format!("C{k}"), [format!("bar{k}"), format!("rod{}", k + 1)], at(k + 1), "");
+    }
+    let ground = "[[bodies]]\nname = \"ground\"\nfixed = true\n";
+    format!("{text}{ground}[integrator]\ntolerance = 1e-11\n[output]\nend = 1\nevery = 1\n")
+}
+
+/// The double four-bar linkage of the IFToMM benchmark library passes a singular position, in which
+/// all links are in a line, many times. All rods stay parallel, so `3 theta'' = 3.5 g sin(theta)`,
+/// whose solution at `t = 10` was computed with 30 digits.
+#[test]
+fn double_four_bar_linkage_passes_singular_positions() -> Result<(), InputError> {
+    let columns = ["q_A0", "v_A0", "violation", "energy"];
+    let found = last(&windows(2, 1.0, [0.0, 0.0], 1.0, -9.81), 10.0, &columns)?;
+    let [q, v] = [found[0], found[1]];
+    let end = [-q.sin(), q.cos(), -v * q.cos(), -v * q.sin()];
+    let expected = [
+        0.328_458_111_540_815,
+        0.944_518_538_178_601,
+        1.423_051_470_206_94,
+        -0.494_868_845_487_043,
+    ];
+    expect_close(&end, &expected, 1e-8);
+    assert!(found[2] < 1e-13);
+    // three rods with a kinetic energy of 1/6 each, two bars of 1/2 each
+    expect_close(&[found[3]], &[1.5 + 9.81 * 3.5], 1e-8);
+    Ok(())
+}
+
+/// The motion does not depend on the origin of the ground frame or on the unit of length.
+#[test]
+fn linkages_do_not_depend_on_origin_and_units() -> Result<(), InputError> {
+    let end = |text: &str| last(text, 2.0, &["q_A0", "v_A0"]);
+    let expected = end(&windows(1, 1.0, [0.0, 0.0], 1.0, -9.81))?;
+    let shifted = end(&windows(1, 1.0, [1e4, -2e4], 1.0, -9.81))?;
+    expect_close(&shifted, &expected, 1e-7);
+    for l in [1e3, 1e-3] {
+        expect_close(&end(&windows(1, l, [0.0, 0.0], l, -9.81 * l))?, &expected, 1e-8);
+    }
+    Ok(())
+}
+
+/// Bricard's mechanism swings with a period, and returns to its initial position. Each joint in turn
+/// may be the one that closes the loop.
+#[test]
+fn bricards_mechanism_does_not_depend_on_the_cut() -> Result<(), InputError> {
+    let text = example("bricard", 1e-11);
+    let columns = ["q_J1", "q_J3", "x_3", "y_3", "z_3"];
+    let expected = last(&text, 1.0, &columns)?;
+    let (head, rest) = text.split_once("[[joints]]").expect("joints");
+    let (list, tail) = rest.split_once("[integrator]").expect("an integrator");
+    let joints: Vec<&str> = list.split("[[joints]]").collect();
+    assert_eq!(joints.len(), 6);
+    for first in [2, 5] {
+        // the cut depends on the order of the joints
+        let order = (0..6).map(|k| (first + 5 * k) % 6);
+        let listed: Vec<String> =
+            order.map(|k| format!("[[joints]]\nname = \"J{}\"{}", k + 1, joints[k])).collect();
+        let other = format!("{head}{}[integrator]{tail}", listed.concat());
+        expect_close(&last(&other, 1.0, &columns)?, &expected, 1e-8);
+    }
+    Ok(())
+}
+
+/// A body that is divided into two bodies, which are fixed together, moves as before.
+#[test]
+fn linkages_do_not_depend_on_divided_bodies() -> Result<(), InputError> {
+    let whole = windows(1, 1.0, [0.0, 0.0], 1.0, -9.81);
+    let half = "{ shape = \"rod\", length = 1, mass = 0.5, position = [0.5, 1, 0], rotation = [0, \"pi/2\", 0] }";
+    let (before, after) = whole.split_once("name = \"bar0\"\n").expect("a bar");
+    let (_, after) = after.split_once('\n').expect("an inertia");
+    let divided = format!(
+        "{before}name = \"bar0\"\ninertia.parts = [{half}]\n[[bodies]]\nname = \"twin\"\n\
+         inertia.parts = [{half}]\n[[joints]]\ntype = \"fixed\"\nbodies = [\"bar0\", \"twin\"]\n{after}"
+    );
+    let columns = ["q_A0", "v_A1", "energy"];
+    expect_close(&last(&divided, 1.0, &columns)?, &last(&whole, 1.0, &columns)?, 1e-8);
+    // the second hinge of the bar may belong to the twin
+    let moved = divided.replace("[\"bar0\", \"rod1\"]", "[\"twin\", \"rod1\"]");
+    expect_close(&last(&moved, 1.0, &columns)?, &last(&whole, 1.0, &columns)?, 1e-8);
+    Ok(())
+}
+
+/// The reactions of the ground and the weight change the momentum: `h' = m g + sum f`. In a planar
+/// linkage, the reactions along the axes are those of the smallest norm, which is zero.
+#[test]
+fn reactions_balance_the_momentum() -> Result<(), InputError> {
+    let text = example("slider_crank", 1e-11);
+    let at = |t: f64| {
+        let columns = ["h4", "h5", "g11_1", "g21_1", "r4_main_bearing", "r5_main_bearing"];
+        let more = ["r6_main_bearing", "r4_guide", "r5_guide", "r6_guide", "r3_piston_pin"];
+        last(&text, t, &[&columns[..], &more].concat())
+    };
+    let (t, s) = (0.35, 1e-4);
+    let [before, here, after] = [at(t - s)?, at(t)?, at(t + s)?];
+    let rate = |k: usize| (after[k] - before[k]) / (2.0 * s);
+    // the frame of the crank is turned
+    let (cos, sin) = (here[2], here[3]);
+    let force = [cos * here[4] - sin * here[5] + here[7], sin * here[4] + cos * here[5] + here[8]];
+    let mass = 0.4 + 1.0 + 0.8 + 0.2 + 0.5;
+    expect_close(&force, &[rate(0), rate(1) + mass * 9.81], 1e-4);
+    // along the axis; the guide has no force along its direction, and pins have no moment
+    expect_close(&[here[6], here[9], here[7], here[10]], &[0.0; 4], 1e-9);
+    Ok(())
+}
+
+/// A crank with a motor: the slider has its closed form, and the power of the motor changes the
+/// energy.
+#[test]
+fn motors_move_a_slider_crank() -> Result<(), InputError> {
+    let text =
+        example("slider_crank", 1e-11).replace("rate = 10\n", "motor = \"-w*t - 0.1*t^2\"\n");
+    let text = text.replace("[parameters]", "[parameters]\nw = 6");
+    let at = |t: f64| last(&text, t, &["x_3", "q_main_bearing", "energy", "power", "v_guide"]);
+    let (t, s) = (0.7, 1e-4);
+    let [before, here, after] = [at(t - s)?, at(t)?, at(t + s)?];
+    let angle = FRAC_PI_2 - 6.0 * t - 0.1 * t * t;
+    let (r, l): (f64, f64) = (0.15, 0.45);
+    let place = r * angle.cos() + (l * l - (r * angle.sin()).powi(2)).sqrt();
+    let start = (l * l - r * r).sqrt();
+    expect_close(&here[..2], &[place - start, angle - FRAC_PI_2], 1e-10);
+    expect_close(&[here[3]], &[(after[2] - before[2]) / (2.0 * s)], 1e-4);
+    expect_close(&[here[4]], &[(after[0] - before[0]) / (2.0 * s)], 1e-6);
+    Ok(())
+}
+
+/// Two flywheels with a gear `q_a + 3 q_b = 0`, driven by a torque on the first: `(I_a + I_b/9) q''
+/// = 2`. The multiplier is the torque of the gear. A second copy of the constraint changes nothing.
+#[test]
+fn gears_are_formulas() -> Result<(), InputError> {
+    let wheel = "inertia.parts = [{ shape = \"cylinder\", radius = 1, height = 1, mass = 4 }]";
+    let hinge = "type = \"revolute\", at = [0, 0, 0], axis = [0, 0, 1]";
+    let text = |gears: &str| {
+        format!(
+            "constraints = [{gears}]\nbodies = [{GROUND}, {{ name = \"a\", {wheel} }}, \
+             {{ name = \"b\", {wheel} }}]\njoints = [{{ name = \"a\", bodies = [\"ground\", \"a\"], {hinge}, \
+             force = \"2\" }}, {{ name = \"b\", bodies = [\"ground\", \"b\"], {hinge} }}]\n\
+             integrator.tolerance = 1e-12\noutput = {{ end = 1, every = 1 }}\n"
+        )
+    };
+    let acceleration = 2.0 / (2.0 + 2.0 / 9.0);
+    let t = 3.0;
+    let columns = ["q_a", "v_b", "lambda1", "violation"];
+    let found = last(&text("\"q_a + 3*q_b\""), t, &columns)?;
+    let expected = [0.5 * acceleration * t * t, -acceleration * t / 3.0];
+    expect_close(&found[..2], &expected, 1e-10);
+    // 2 q_a'' = 2 - lambda
+    expect_close(&found[2..], &[2.0 - 2.0 * acceleration, 0.0], 1e-10);
+    let columns = ["q_a", "v_b", "lambda1", "lambda2"];
+    let twice = last(&text("\"q_a + 3*q_b\", \"2*q_a + 6*q_b\""), t, &columns)?;
+    expect_close(&twice[..2], &expected, 1e-10);
+    // the two constraints share the torque by their sizes
+    let torque = 2.0 - 2.0 * acceleration;
+    expect_close(&twice[2..], &[0.5 * torque, 0.25 * torque], 1e-10);
+    // the same gear as a constraint on the rates
+    let rates = text("").replace("constraints = []", "velocity_constraints = [\"v_a + 3*v_b\"]");
+    expect_close(&last(&rates, t, &["q_a", "v_b"])?, &expected, 1e-10);
+    Ok(())
+}
+
+/// One body with a joint and a contact. It moves in a field of gravity.
+fn rolling(gravity: [f64; 3], part: &str, joint: &str, contact: &str) -> String {
+    format!(
+        "gravity = {gravity:?}\nbodies = [{GROUND}, {{ name = \"body\", \
+         inertia.parts = [{part}] }}]\njoints = [{{ name = \"J\", bodies = [\"ground\", \"body\"], {joint} }}]\n\
+         contacts = [{{ body = \"body\", {contact} }}]\nintegrator.tolerance = 1e-12\n\
+         output = {{ end = 1, every = 1 }}\n"
+    )
+}
+
+/// A homogeneous ball on an inclined plane: the acceleration is `5/7 g sin(alpha)`. A spin about the
+/// normal does not disturb it.
+#[test]
+fn balls_roll_down_a_plane() -> Result<(), InputError> {
+    let (g, alpha): (f64, f64) = (9.81, 0.3);
+    let text = rolling(
+        [g * alpha.sin(), 0.0, -g * alpha.cos()],
+        "{ shape = \"ball\", radius = 0.2, mass = 3, position = [0, 0, 0.2] }",
+        "type = \"free\", at = [0, 0, 0.2], rate = [0, 0.5, 0, -2.5, 0, 4]",
+        "type = \"ball\", at = [0, 0, 0.2], radius = 0.2",
+    );
+    let t = 1.7;
+    let found = last(&text, t, &["x", "y", "z", "lambda1", "energy"])?;
+    let centre = 5.0 / 14.0 * g * alpha.sin() * t * t;
+    let poses = last(&text, t, &["q1_J", "q2_J", "q3_J"])?;
+    expect_close(&poses, &[centre, 0.5 * t, 0.0], 1e-10);
+    // the multiplier of the normal is the negative force
+    expect_close(&[found[3]], &[-3.0 * g * alpha.cos()], 1e-9);
+    let [start, end] = [last(&text, 1e-9, &["energy"])?[0], found[4]];
+    expect_close(&[end], &[start], 1e-9);
+    Ok(())
+}
+
+/// A disk rolls in a circle at constant lean, with the relation between lean, radius and speed of a
+/// steady motion.
+#[test]
+fn disks_roll_in_circles() -> Result<(), InputError> {
+    let (radius, lean, turn): (f64, f64, f64) = (0.5, 0.4, 0.9);
+    // the spin about the axis follows from the balance of moments about the centre
+    let (g, k) = (9.81, radius * radius);
+    let (sin, cos) = (lean.sin(), lean.cos());
+    // (I3 + m r^2) s turn cos + I1 turn^2 sin cos = m g r sin, with I1 = k/4 and I3 = k/2
+    let spin = (g * radius * sin - 0.25 * k * turn * turn * sin * cos) / (1.5 * k * turn * cos);
+    // the axis in the plane of y and z; the disk leans to the left for a turn to the left
+    let axis = [0.0, cos, -sin];
+    let centre = [0.0, radius * sin, radius * cos];
+    // angular velocity: turn about z, and the spin about the axis
+    let along = spin - turn * -sin;
+    let w = [0.0, along * axis[1], along * axis[2] + turn];
+    let v = spin * radius;
+    let text = rolling(
+        [0.0, 0.0, -g],
+        &format!(
+            "{{ shape = \"inertia\", mass = 2, position = {centre:?}, matrix = [[{0}, 0, 0], [0, {1}, {2}], \
+             [0, {2}, {3}]] }}",
+            2.0 * k / 4.0,
+            2.0 * (k / 4.0 + k / 4.0 * cos * cos),
+            2.0 * (k / 4.0 * -sin * cos),
+            2.0 * (k / 4.0 + k / 4.0 * sin * sin)
+        ),
+        &format!(
+            "type = \"free\", at = {centre:?}, rate = [{v}, 0, 0, {}, {}, {}]",
+            w[0], w[1], w[2]
+        ),
+        &format!("type = \"wheel\", at = {centre:?}, axis = {axis:?}, radius = {radius}"),
+    );
+    let t = 2.0;
+    let found = last(&text, t, &["q3_J", "q1_J", "q2_J", "violation"])?;
+    let path = v / turn;
+    let expected = [0.0, path * (turn * t).sin(), path * (1.0 - (turn * t).cos()), 0.0];
+    expect_close(&found, &expected, 1e-8);
+    Ok(())
+}
+
+/// A knife edge at the centre of mass of a body in the plane: the sleigh moves in a circle at constant
+/// speed. The planar joint and the edge both keep the height, which is redundant.
+#[test]
+fn knife_edges_slide_along_their_direction() -> Result<(), InputError> {
+    let text = rolling(
+        [0.0, 0.0, -9.81],
+        "{ shape = \"box\", edges = [1, 0.5, 0.2], mass = 2, position = [0.3, 0, 0] }",
+        "type = \"planar\", at = [0.3, 0, 0], axis = [0, 0, 1], rate = [0.8, 0, -1.5]",
+        "type = \"edge\", at = [0.3, 0, 0], axis = [1, 0, 0]",
+    );
+    let t = 2.5;
+    let found = last(&text, t, &["g14", "g24", "g11", "g21", "energy"])?;
+    let (turn, speed): (f64, f64) = (0.8, 1.5);
+    let angle = turn * t;
+    let centre = [0.3 + speed / turn * angle.sin(), speed / turn * (1.0 - angle.cos())];
+    // the frame of the body was the ground frame
+    let (cos, sin) = (angle.cos(), angle.sin());
+    let origin = [centre[0] - 0.3 * cos, centre[1] - 0.3 * sin];
+    expect_close(&found[..4], &[origin[0], origin[1], cos, sin], 1e-10);
+    Ok(())
+}
+
+/// Two masses on a line with a spring between them: the distance oscillates about its rest length.
+#[test]
+fn springs_connect_points() -> Result<(), InputError> {
+    let part = |mass: f64, x: f64| {
+        format!(
+            "inertia.parts = [{{ shape = \"ball\", radius = 0.1, mass = {mass}, position = [{x}, 0, 0] }}]"
+        )
+    };
+    let slide = "type = \"prismatic\", axis = [1, 0, 0]";
+    let text = format!(
+        "bodies = [{GROUND}, {{ name = \"a\", {} }}, {{ name = \"b\", {} }}]\njoints = [\
+         {{ name = \"a\", bodies = [\"ground\", \"a\"], {slide} }}, {{ name = \"b\", bodies = [\"ground\", \"b\"], \
+         {slide}, rate = 0.6 }}]\nsprings = [{{ bodies = [\"a\", \"b\"], from = [0, 0, 0], to = [2, 0, 0], \
+         stiffness = 9, length = 1.5, damping = 0.4 }}]\nintegrator.tolerance = 1e-12\n\
+         output = {{ end = 1, every = 1 }}\n",
+        part(1.0, 0.0),
+        part(3.0, 2.0)
+    );
+    let t = 1.3;
+    let reduced = 0.75_f64;
+    let (decay, square) = (0.4 / (2.0 * reduced), 9.0 / reduced);
+    let w = (square - decay * decay).sqrt();
+    let (a, b) = (0.5, (0.6 + decay * 0.5) / w);
+    let stretch = (-decay * t).exp() * (a * (w * t).cos() + b * (w * t).sin());
+    let found = last(&text, t, &["q_a", "q_b", "v_a", "v_b", "potential", "power"])?;
+    let centre = 3.0 * 0.6 * t;
+    expect_close(
+        &[found[1] - found[0], found[0] + 3.0 * found[1]],
+        &[stretch - 0.5, centre],
+        1e-10,
+    );
+    expect_close(&[found[4]], &[4.5 * stretch * stretch], 1e-10);
+    expect_close(&[found[5]], &[-0.4 * (found[3] - found[2]).powi(2)], 1e-10);
+    Ok(())
+}
+
+/// Coordinates of some joints are given, and the others follow. Rounded coordinates are corrected,
+/// with a note. A larger error ends the run.
+#[test]
+fn mechanisms_are_assembled() -> Result<(), InputError> {
+    let text = windows(1, 1.0, [0.0, 0.0], 1.0, -9.81);
+    let given = |joint: &str, value: f64, text: &str| {
+        let key = format!("name = \"{joint}\"\n");
+        text.replace(&key, &format!("{key}coordinate = {value}\n"))
+    };
+    let columns = ["q_A0", "q_A1", "q_B0", "q_C0"];
+    let start = |text: &str| -> Result<(Vec<f64>, Vec<String>), InputError> {
+        let ready = Problem::parse("bar.toml", text)?.with_columns(&columns).motion(0)?;
+        Ok((ready.motion.row(), ready.notes))
+    };
+    let (found, notes) = start(&given("A0", 0.7, &text))?;
+    expect_close(&found, &[0.7, 0.7, -0.7, 0.7], 1e-12);
+    assert!(notes.len() == 1 && notes[0].contains("3 of 6 equations"), "{notes:?}");
+    let rounded = given("A1", 0.7003, &given("A0", 0.7, &text));
+    let (found, notes) = start(&rounded)?;
+    expect_close(&[found[0] - found[1]], &[0.0], 1e-12);
+    assert!(notes[0].contains("were changed by up to"), "{notes:?}");
+    let Err(error) = start(&given("A1", 0.9, &given("A0", 0.7, &text))) else { panic!() };
+    let message = error.to_string();
+    assert!(
+        message.contains("the loop of the body `bar0` cannot close")
+            || message.contains("the loop of the body `rod1` cannot close"),
+        "{message}"
+    );
+    Ok(())
+}
+
+/// The weave of the benchmark bicycle is stable above a published speed: J. P. Meijaard et al., Proc. R.
+/// Soc. A 463 (2007) 1955-1982.
+#[test]
+fn weave_speed_of_a_bicycle() -> Result<(), InputError> {
+    let text = example("bicycle", 1e-9);
+    // the real part of the pair vanishes at the weave speed
+    let weave = |v: f64| -> Result<f64, InputError> {
+        let mut problem = Problem::parse("bicycle.toml", &text)?;
+        problem.set(&format!("v={v}"))?;
+        let pair = problem.linearized()?.linear.eigenvalues;
+        Ok(pair.iter().filter(|s| s.im > 0.0).map(|s| s.re).fold(f64::MIN, f64::max))
+    };
+    let published = 4.292_382_536_341_11;
+    let [below, above] = [weave(published - 1e-9)?, weave(published + 1e-9)?];
+    assert!(below > 0.0 && above < 0.0, "{below}, {above}");
+    Ok(())
+}
+
+/// Pendulums hanging and standing: `s^2 = -g/l` and `s^2 = g/l`. Newton's method finds the equilibrium.
+#[test]
+fn equilibria_of_a_pendulum() -> Result<(), InputError> {
+    let text = |start: f64| {
+        let joint =
+            format!("type = \"revolute\", at = [0, 0, 0], axis = [0, 1, 0], coordinate = {start}");
+        single("gravity = [0, 0, -9.81]", &joint).replace(
+            "shape = \"box\", edges = [1, 2, 3], mass = 2",
+            "shape = \"ball\", radius = 0.5, mass = 2, position = [0, 0, -2]",
+        )
+    };
+    let square: f64 = 9.81 * 2.0 / (4.0 + 0.4 * 0.25);
+    let hanging = Problem::parse("hanging.toml", &text(0.3))?.linearized()?;
+    expect_close(&hanging.state[..1], &[0.0], 1e-13);
+    let [s, _] = hanging.linear.eigenvalues[..] else { panic!() };
+    expect_close(&[s.re, s.im], &[0.0, square.sqrt()], 1e-11);
+    let standing = Problem::parse("standing.toml", &text(PI - 0.3))?.linearized()?;
+    let values: Vec<f64> = standing.linear.eigenvalues.iter().map(|s| s.re).collect();
+    expect_close(&values, &[square.sqrt(), -square.sqrt()], 1e-11);
+    Ok(())
+}
+
+/// Invalid constraints are errors with their place and a remedy.
+#[test]
+fn invalid_constraints_are_errors() {
+    let hinge = "type = \"revolute\", at = [0, 0, 0], axis = [0, 0, 1]";
+    let free = "type = \"free\", at = [0, 0, 0]";
+    let touching = |keys: &str| single(&format!("contacts = [{{ {keys} }}]"), free);
+    let spring = |keys: &str| single(&format!("springs = [{{ {keys} }}]"), hinge);
+    let ends = "bodies = [\"ground\", \"body\"], from = [0, 0, 0]";
+    let cases = [
+        (
+            touching("type = \"skate\", body = \"body\", at = [0, 0, 0]"),
+            "no contact of the type `skate`",
+            "wheel, ball, edge",
+        ),
+        (
+            touching("type = \"wheel\", body = \"body\", at = [0, 0, 0], radius = 1"),
+            "a contact of type wheel needs `axis`",
+            "axis = [0, 1, 0]",
+        ),
+        (
+            touching(
+                "type = \"ball\", body = \"body\", at = [0, 0, 0], radius = 1, axis = [0, 0, 1]",
+            ),
+            "does not use the key `axis`",
+            "leave the key out",
+        ),
+        (
+            touching("type = \"ball\", body = \"body\", at = [0, 0, 0], radius = -1"),
+            "the value -1 is not positive",
+            "",
+        ),
+        (
+            touching("type = \"ball\", body = \"ground\", at = [0, 0, 0], radius = 1"),
+            "a fixed body cannot roll",
+            "a body that moves",
+        ),
+        (
+            touching("type = \"ball\", body = \"boy\", at = [0, 0, 0], radius = 1"),
+            "there is no body `boy`",
+            "did you mean `body`?",
+        ),
+        (
+            touching(
+                "type = \"wheel\", body = \"body\", at = [0, 0, 0], radius = 1, axis = [0, 0, 2]",
+            ),
+            "the axis of the wheel is orthogonal",
+            "not parallel",
+        ),
+        (
+            touching(
+                "type = \"edge\", body = \"body\", at = [0, 0, 0], axis = [0, 1, 0], normal = [0, 0, 0]",
+            ),
+            "the normal of the plane is zero",
+            "[0, 0, 1]",
+        ),
+        (
+            spring(&format!("{ends}, to = [0, 0, 1]")),
+            "spring 1 has no force",
+            "stiffness or damping",
+        ),
+        (
+            spring(&format!("{ends}, to = [0, 0, 0], stiffness = 1, length = 1")),
+            "the ends of the spring coincide",
+            "length = 0",
+        ),
+        (
+            spring("bodies = [\"body\"], from = [0, 0, 0], to = [0, 0, 1], stiffness = 1"),
+            "spring 1 connects 1 bodies",
+            "connects two bodies",
+        ),
+        (
+            single("constraints = [\"q_J1 - v_J1\"]", hinge),
+            "v_J1",
+            "a constraint may contain t, q_J1",
+        ),
+        (
+            single("constraints = [\"q_J1 - 1\"]", &format!("{hinge}, coordinate = 0")),
+            "the constraint cannot be satisfied: it is off by 1",
+            "change the initial coordinates",
+        ),
+        (
+            single("velocity_constraints = [\"v_J1^2\"]", hinge),
+            "not affine in the velocity",
+            "may contain t, q_J1, v_J1",
+        ),
+        (
+            single("velocity_constraints = [\"q_J1\"]", hinge),
+            "the constraint contains no rate",
+            "among `constraints`",
+        ),
+        (
+            single("", &format!("{hinge}, motor = \"t\", rate = 1")),
+            "a joint with a motor has no initial value",
+            "leave the key out",
+        ),
+        (
+            single("", "type = \"cylindrical\", at = [0, 0, 0], axis = [0, 0, 1], motor = \"t\""),
+            "does not have one coordinate",
+            "`constraints`",
+        ),
+        (single("", &format!("{hinge}, motor = \"q_J1\"")), "q_J1", "a motor is a formula in t"),
+        (
+            single("springs = []", hinge).replace("\"joints\"\n", "\"poses\"\n"),
+            "`springs` needs joint coordinates",
+            "leave coordinates",
+        ),
+    ];
+    for (text, message, advice) in cases {
+        let Err(error) = last(&text, 1.0, &["t"]) else { panic!("no error: {text}") };
+        let found = format!("{error:?}");
+        let found = found.replace("\\\"", "\"").replace("\\n", " ");
+        assert!(found.contains(message) && found.contains(advice), "{text}: {found}");
+    }
+}
+
+/// An overdamped mass on a stiff spring: `x'' = -1e6 x' - 1e8 x`, whose slow solution is known. The
+/// implicit method needs few steps, because it damps the fast one.
+#[test]
+fn stiff_dampers_need_few_implicit_steps() -> Result<(), InputError> {
+    let joint = "name = \"slide\", type = \"prismatic\", axis = [1, 0, 0], coordinate = 1, stiffness = 2e8, \
+                 damping = 2e6";
+    let text = single("integrator.method = \"radau5\"", joint);
+    let problem = Problem::parse("stiff.toml", &text)?.with_columns(&["q_slide", "v_slide"]);
+    let t = 0.02;
+    let mut ready = problem.at_times(&[t]).motion(0)?;
+    while !ready.motion.step(t)? {}
+    let root = (1e12 - 4e8_f64).sqrt();
+    let [slow, fast] = [2e8 / (-1e6 - root), (-1e6 - root) / 2.0];
+    let share = fast / (fast - slow);
+    let place = share * (slow * t).exp();
+    expect_close(&ready.motion.row(), &[place, slow * place], 1e-8);
+    assert!(ready.motion.steps() < 2000, "{}", ready.motion.steps());
+    Ok(())
+}
+
+/// The implicit and the explicit method agree on a closed loop with a point spring.
+#[test]
+fn implicit_and_explicit_steps_agree() -> Result<(), InputError> {
+    let spring = "[[springs]]\nbodies = [\"ground\", \"rod\"]\nfrom = [0.2, 0.6, 0]\nto = [0.1, \"r\", 0]\n\
+                  stiffness = 40\ndamping = 0.5\n[integrator]\n";
+    let text = example("slider_crank", 1e-10).replace("[integrator]\n", spring);
+    let columns = ["q_main_bearing", "v_guide", "r4_crank_pin", "energy"];
+    let explicit = last(&text, 0.3, &columns)?;
+    let implicit = text.replace("[integrator]\n", "[integrator]\nmethod = \"radau5\"\n");
+    expect_close(&last(&implicit, 0.3, &columns)?, &explicit, 1e-6);
+    Ok(())
+}
