@@ -256,13 +256,13 @@ fn poses_and_constraints() {
                 <child link=\"tool\"/></joint></robot>";
     let massless = ROBOT.replace("</robot>", tool);
     let damped = ROBOT.replace("<axis", "<dynamics damping=\"0.5\"/><axis");
-    let input = format!("urdf = \"arm.urdf\"\n{OUTPUT}");
+    let input = format!("coordinates = \"poses\"\nurdf = \"arm.urdf\"\n{OUTPUT}");
     let expected: [(&str, &[&str]); 2] = [
         (
             &massless,
-            &["arm.urdf:14:", "the moving link `tool` has no mass", "coordinates = \"joints\""],
+            &["arm.urdf:14:", "the moving link `tool` has no mass", "coordinates = \"poses\" out"],
         ),
-        (&damped, &["arm.urdf", "damping of joint `shoulder`", "coordinates = \"joints\""]),
+        (&damped, &["arm.urdf", "damping of joint `shoulder`", "coordinates = \"poses\" out"]),
     ];
     refuse(expected.iter().map(|(file, says)| Case {
         name: "poses",

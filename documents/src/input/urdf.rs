@@ -227,8 +227,7 @@ impl UrdfJoint {
         if let Some(mimic) = element.child("mimic")? {
             let message = format!("joint `{}` mimics another joint", shown(&name));
             let error = InputError::usage(message).at(&mimic.place());
-            let help =
-                "coupled joints are not supported: leave <mimic> out, or make the joint fixed";
+            let help = "this is not supported: leave <mimic> out, and couple the joints by a constraint of the file, as in constraints = [\"q_b - 2*q_a\"]";
             return Err(error.help(help));
         }
         let end = |role: &str| -> Result<usize, InputError> {

@@ -28,7 +28,7 @@ impl Number for Symbolic {
     fn turn(angle: f64) -> [Self; 2] {
         let degrees = (0..24).map(|k| 15 * k).filter(|d| d % 30 == 0 || d % 45 == 0);
         let turns = (angle / (2.0 * PI)).floor() * 360.0;
-        let unit = 10f64.powi(-decimals(angle)).min(ROUNDED).max(f64::EPSILON * 8.0);
+        let unit = 10f64.powi(-decimals(angle)).clamp(f64::EPSILON * 8.0, ROUNDED);
         let meant = |d: &i32| {
             [0.0, 360.0]
                 .iter()

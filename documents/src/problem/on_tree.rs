@@ -177,7 +177,12 @@ impl OnTree {
             |at: usize| Factor { number: (moving > 1).then_some(at + 1), first: 0, rotates: true };
         let factors = (0..moving).map(factor).collect();
         let notes = [&self.notes[..], &notes].concat();
-        Ok(Ready { notes, factors, solids: self.inertias.solids(&values)?, ..ready })
+        let mut solids = self.inertias.solids(&values)?.into_iter();
+        let moving = self.bodies.iter().zip(&self.has_inertia).filter(|((_, fixed), _)| !fixed);
+        // a body without mass has no parts
+        let mut own = |has: bool| if has { solids.next() } else { None };
+        let solids = moving.map(|(_, has)| own(*has).unwrap_or_default()).collect();
+        Ok(Ready { notes, factors, solids, ..ready })
     }
 
     /// The linear equations at the initial state. If it is at rest, they are those of the equilibrium
