@@ -302,7 +302,7 @@ fn invalid_motions_are_errors_with_advice() {
         (
             file(&arm, &format!("{{ type = \"helical\", pitch = 1, {hinge} }}")),
             "the motion of a helical joint is not supported",
-            "affinor mobility",
+            "leave coordinates",
         ),
         (
             file(&arm, "{ type = \"fixed\", bodies = [\"ground\", \"arm\"] }"),
