@@ -19,6 +19,9 @@ use std::sync::Arc;
 /// The number of rows between two polls for a signal.
 const ROWS: usize = 256;
 
+/// The name and the type of a joint, its bodies, and the ranges of its numbers and rates.
+type JointRow = (String, &'static str, [usize; 2], [usize; 2], [usize; 2]);
+
 /// A mechanism of bodies and joints.
 #[pyclass(name = "Mechanism", frozen, subclass, module = "affinor._engine")]
 pub struct PyMechanism {
@@ -73,7 +76,7 @@ impl PyMechanism {
     /// For each joint its name, its type, the indices of its bodies, and the ranges of its numbers and of its rates.
     /// Without a tree, the ranges are empty.
     #[getter]
-    fn _joints(&self) -> Vec<(String, &'static str, [usize; 2], [usize; 2], [usize; 2])> {
+    fn _joints(&self) -> Vec<JointRow> {
         let range = |joint: usize, numbers: bool| match &self.tree {
             Ok(tree) => {
                 let range = if numbers { tree.numbers(joint) } else { tree.rates(joint) };
