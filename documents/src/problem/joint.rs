@@ -88,10 +88,9 @@ impl JointFormulas {
         Ok([point?, axis?, second?])
     }
 
-    /// The point of the joint, if it has one, for values of the parameters.
-    pub fn point(&self, values: &[f64]) -> Result<Option<Vector3<f64>>, InputError> {
-        let given = self.vectors[0].as_ref();
-        given.map(|_| vector(&self.vectors[0], values)).transpose()
+    /// The point of the joint for values of the parameters; the origin if it is not given.
+    pub fn point(&self, values: &[f64]) -> Result<Vector3<f64>, InputError> {
+        vector(&self.vectors[0], values)
     }
 
     /// The joint for values of the parameters.

@@ -159,7 +159,7 @@ impl OnTree {
         let (columns, events) = member.output.read_columns(&mut names, &[], member.source)?;
         let values = member.values();
         let points: Result<Vec<_>, InputError> =
-            self.joints.iter().map(|joint| joint.own.point(&values)).collect();
+            self.joints.iter().map(|joint| joint.own.point(&values).map(Some)).collect();
         let spec = TreeSpec {
             system,
             time: state.time,

@@ -70,7 +70,10 @@ fn grid(name: &str, found: &LinearProblem) -> Grid {
     let dimension = linear.matrix.nrows();
     let stability = match linear.eigenvalues.first() {
         Some(value) if value.re > 1e-9 * value.norm() => "unstable",
-        Some(value) if value.re < -1e-9 * value.norm() => "asymptotically stable, up to zeros",
+        Some(value) if value.re < -1e-9 * value.norm() && linear.zeros > 0 => {
+            "asymptotically stable, up to zeros"
+        }
+        Some(value) if value.re < -1e-9 * value.norm() => "asymptotically stable",
         _ => "no growth to first order",
     };
     let kind = if found.is_at_rest { "equilibrium" } else { "steady motion" };
@@ -78,8 +81,9 @@ fn grid(name: &str, found: &LinearProblem) -> Grid {
     let values = values.map(|(name, value)| (name, rounded(*value)));
     let values = values.filter(|(_, value)| value != "0");
     let values: Vec<String> = values.map(|(name, value)| format!("{name} = {value}")).collect();
+    let values = if values.is_empty() { "all 0".into() } else { values.join(", ") };
     let head: Vec<(&'static str, Cell)> = vec![
-        ("state", format!("{kind}: {}", values.join(", ")).into()),
+        ("state", format!("{kind}: {values}").into()),
         ("equations", format!("{dimension} of first order, {} eigenvalues 0", linear.zeros).into()),
         ("stability", stability.into()),
     ];

@@ -7,7 +7,7 @@ mod linearization;
 mod reduction;
 mod spring;
 
-pub use assembly::{Hold, Unsatisfied};
+pub use assembly::{Hold, Unsatisfied, Violator};
 pub use constraint::{Closure, Motor, TreeConstraint};
 pub use contact::{Contact, ContactShape};
 pub use linearization::Linearization;
@@ -103,6 +103,9 @@ const ITERATIONS: usize = 40;
 const NEAR: f64 = 1e-8;
 /// A change that is a rounding error.
 const STILL: f64 = 1e-14;
+/// The largest violation of a constraint by the rates, relative to the size of its terms. It is larger
+/// than [`NEAR`], because constraints that are nearly dependent are left out.
+const TORN: f64 = 1e-5;
 impl TreeSystem {
     /// A tree with forces and constraints.
     pub fn new(tree: Arc<Tree>, forces: TreeForces, constraints: Vec<TreeConstraint>) -> Self {
@@ -183,7 +186,12 @@ impl TreeSystem {
             self.tree.normalize(&mut y.as_mut_slice()[..split]);
             return Ok(y);
         }
-        self.settled(time, y, &mut self.buffers.borrow_mut()).map(|settled| settled.y)
+        let buffers = &mut *self.buffers.borrow_mut();
+        let settled = self.settled(time, y, buffers);
+        if let Err(reason) = &settled {
+            buffers.trouble = Some(reason.clone());
+        }
+        settled.map(|settled| settled.y)
     }
 
     /// Projects a state onto the constraints, and evaluates forces and constraints there.
@@ -226,17 +234,33 @@ impl TreeSystem {
             is_fresh = false;
             rows = self.rows(time, y.as_slice(), buffers);
         }
-        if last.is_nan() || last > NEAR {
+        let sizes = rows.sizes(&units);
+        // constraints that depend on others may contradict them
+        let is_torn = rows.values.iter().zip(&sizes).any(|(value, size)| {
+            let value = value.unwrap_or(0.0).abs();
+            value.is_nan() || value > NEAR * size
+        });
+        if last.is_nan() || last > NEAR || is_torn {
             return Err(failed());
         }
         if !is_fresh {
             reduction = self.reduction(&rows, buffers).ok_or_else(singular)?;
         }
-        let rates = y.rows(split, units.len()).into_owned();
-        let rates = reduction.nearest(&reduction.momentum(&rates), &rows.right);
+        let given = y.rows(split, units.len()).into_owned();
+        let rates = reduction.nearest(&reduction.momentum(&given), &rows.right);
         y.rows_mut(split, units.len()).copy_from(&rates);
         // the time derivatives of the constraints are those for the projected rates
         let rows = self.rows(time, y.as_slice(), buffers);
+        let residual = rows.residual(rates.as_slice());
+        // rounding errors are those of the given rates
+        let fastest = given.iter().zip(&units).map(|(rate, unit)| (rate / unit).abs());
+        let fastest = fastest.fold(0.0, f64::max);
+        let is_torn = residual.iter().zip(&sizes).zip(&rows.right).any(|((off, size), right)| {
+            off.is_nan() || off.abs() > TORN * (size * fastest).max(right.abs())
+        });
+        if is_torn {
+            return Err(failed());
+        }
         self.sum(time, y.as_slice(), buffers);
         let mut inertial = vec![0.0; units.len()];
         buffers.moving.inverse(&vec![0.0; units.len()], &mut inertial);
@@ -368,13 +392,14 @@ impl TreeSystem {
         })
     }
 
-    /// The largest violation of a constraint on the coordinates, and of one on the rates, at a state.
-    pub fn violation(&self, state: &TreeState) -> [f64; 2] {
+    /// The largest violation of a constraint at a state: of its value for a constraint on the
+    /// coordinates, and of `G v - b` for one on the rates only.
+    pub fn violation(&self, state: &TreeState) -> f64 {
         let y = state.numbers.as_slice();
         let rows = self.rows(state.time, y, &mut self.buffers.borrow_mut());
-        let values = rows.values.iter().map(|value| value.unwrap_or(0.0).abs());
         let rates = rows.residual(&y[y.len() - self.tree.freedom()..]);
-        [values.fold(0.0, f64::max), rates.amax()]
+        let violations = rows.values.iter().zip(&rates);
+        violations.map(|(value, rate)| value.unwrap_or(*rate).abs()).fold(0.0, f64::max)
     }
 
     /// The number of independent constraints at a state. Returns `None` if they are not finite.

@@ -9,7 +9,8 @@ use crate::problem::keys::Keys;
 use crate::problem::reader::{Reader, Value, Written};
 use affinor::mechanics::formula::{Formula, Symbol, affine_terms};
 use affinor::mechanics::systems::tree::{
-    Closure, Contact, ContactShape, Hold, Motor, TreeConstraint, TreeState, TreeSystem, Unsatisfied,
+    Closure, Contact, ContactShape, Hold, Motor, TreeConstraint, TreeState, TreeSystem,
+    Unsatisfied, Violator,
 };
 use affinor::mechanism::{Cut, Tree};
 use nalgebra::Vector3;
@@ -268,17 +269,30 @@ impl OnTree {
 
     fn cannot_close(&self, cut: &Cut, unsatisfied: Unsatisfied) -> InputError {
         let Constraints { contacts, positions, velocities } = &self.constraints;
-        let Unsatisfied { constraint, violation } = unsatisfied;
-        let help = "change the initial coordinates or rates, or leave some of them out";
+        let Unsatisfied { constraint, violation, by } = unsatisfied;
+        let (of_loop, of_constraint) = match by {
+            Violator::Coordinates => ("cannot close", "cannot be satisfied"),
+            Violator::Rates => ("does not allow these rates", "does not allow these rates"),
+            Violator::Branch => {
+                ("allows these rates to first order only", "allows these rates to first order only")
+            }
+        };
+        let help = match by {
+            Violator::Coordinates => "change the initial coordinates, or leave some of them out",
+            Violator::Rates => "change the initial rates, or leave some of them out",
+            Violator::Branch => {
+                "this position is singular: give all rates, those of one branch of the motion"
+            }
+        };
         let mut at = constraint;
         if let Some([body, _]) = cut.copies.get(at) {
             let name = shown(&self.bodies[*body].0);
             let message =
-                format!("the loop of the body `{name}` cannot close: it is off by {violation:.2e}");
+                format!("the loop of the body `{name}` {of_loop}: it is off by {violation:.2e}");
             return InputError::mathematics(message).at(&self.place).help(help);
         }
         at -= cut.copies.len();
-        let message = format!("the constraint cannot be satisfied: it is off by {violation:.2e}");
+        let message = format!("the constraint {of_constraint}: it is off by {violation:.2e}");
         let error = InputError::mathematics(message).help(help);
         if let Some(contact) = contacts.get(at) {
             return error.at(&contact.place);
@@ -313,8 +327,9 @@ impl super::TreeJoint {
             let error = InputError::usage("a joint with a motor has no initial value").at(place);
             return Err(error.help("leave the key out: the motor gives the coordinate"));
         }
-        let known = names.parameters().cloned().collect::<Vec<_>>();
-        let help = format!("a motor is a formula in t, {}", known.join(", "));
+        let known: Vec<&str> =
+            ["t"].into_iter().chain(names.parameters().map(String::as_str)).collect();
+        let help = format!("a motor is a formula in {}", known.join(", "));
         let formula = Formula::read(motor.text(), &mut |name| match name {
             "t" => Some(Symbol::Variable(0)),
             name => names.parameter(name).map(Symbol::Number),

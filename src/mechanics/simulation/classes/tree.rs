@@ -32,7 +32,7 @@ pub struct TreeSpec {
 /// The quantities begin with the time, the numbers, the rates, and the joint forces without gravity.
 /// Then follow the kinetic energy, the potential, the energy and the power. The next six quantities
 /// are the momentum about the origin of the ground. Then follow the largest violation of a
-/// constraint on the coordinates, all multipliers, and six components of the
+/// constraint, all multipliers, and six components of the
 /// [reaction](crate::mechanism::MovingTree::reaction) of each joint that has freedom. Then follow, for
 /// each body in `bodies`, the named coordinates of its pose and the entries of its matrix, row by row
 /// without the last row. The last quantities are the velocities of these bodies in their frames, six
@@ -139,7 +139,7 @@ impl Moving {
         let power = system.power(state) + driven;
         values.extend([kinetic, potential, kinetic + potential, power]);
         values.extend(momentum.iter());
-        values.push(if multipliers > 0 { system.violation(state)[0] } else { 0.0 });
+        values.push(if multipliers > 0 { system.violation(state) } else { 0.0 });
         match wanted.flatten() {
             Some(found) => {
                 values.extend(found.multipliers.iter());

@@ -12,6 +12,20 @@ pub struct Unsatisfied {
     pub constraint: usize,
     /// The violation that remains.
     pub violation: f64,
+    /// What violates the constraint.
+    pub by: Violator,
+}
+
+/// The part of a state that violates a constraint.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Violator {
+    /// The coordinates.
+    Coordinates,
+    /// The rates.
+    Rates,
+    /// The rates satisfy the constraints at a singular position to first order only: no motion has
+    /// these rates.
+    Branch,
 }
 
 /// How an initial value is held while a tree is assembled.
@@ -38,6 +52,10 @@ const LONGEST: f64 = 0.5;
 /// The largest violation of a constraint on the rates that counts as a rounding error, relative to
 /// the size of its terms.
 const CONSISTENT: f64 = 1e-9;
+
+/// The largest violation of a constraint by the accelerations that counts as a rounding error,
+/// relative to squares of the rates.
+const BRANCH: f64 = 1e-5;
 
 impl TreeSystem {
     /// Assembles the tree: changes the coordinates and the rates until they satisfy the constraints, by
@@ -98,12 +116,13 @@ impl TreeSystem {
         let rows = self.rows(state.time, state.numbers.as_slice(), &mut buffers);
         let sizes = rows.sizes(&units);
         let values = rows.values.iter().map(|value| value.unwrap_or(0.0));
-        self.expect(values, |row| NEAR * sizes[row])?;
+        self.expect(Violator::Coordinates, values, |row| NEAR * sizes[row])?;
         let rates = state.numbers.rows(split, units.len()).into_owned();
         let free = free(&rows, 1);
         let right = &rows.right - (&rows.matrix - &free.matrix) * &rates;
         let Some(reduction) = Reduction::new(metrics[1].clone(), &free) else {
-            return Err(Unsatisfied { constraint: 0, violation: f64::NAN });
+            let by = Violator::Rates;
+            return Err(Unsatisfied { constraint: 0, violation: f64::NAN, by });
         };
         let found = reduction.nearest(&(&metrics[1] * &rates), &right);
         state.numbers.rows_mut(split, units.len()).copy_from(&found);
@@ -111,7 +130,17 @@ impl TreeSystem {
         let fastest = found.iter().zip(&units).map(|(rate, unit)| (rate / unit).abs());
         let fastest = fastest.fold(0.0, f64::max);
         let size = |row: usize| CONSISTENT * (sizes[row] * fastest).max(rows.right[row].abs());
-        self.expect(residual.iter().copied(), size)?;
+        self.expect(Violator::Rates, residual.iter().copied(), size)?;
+        // accelerations exist on a branch of the motion
+        let settled = self.settled(state.time, &state.numbers, &mut buffers);
+        if let Ok(settled) = settled {
+            let rows = &settled.rows;
+            let residual = &rows.matrix * settled.accelerations() + &rows.bias;
+            let size = |row: usize| BRANCH * sizes[row] * fastest * fastest;
+            if fastest > 0.0 {
+                self.expect(Violator::Branch, residual.iter().copied(), size)?;
+            }
+        }
         let changes = (found - rates).data.as_vec().clone();
         let changes = moved.iter().zip(changes).zip(&units);
         Ok(changes
@@ -122,6 +151,7 @@ impl TreeSystem {
     /// Checks that the violations of all rows are at most the allowed ones.
     fn expect(
         &self,
+        by: Violator,
         violations: impl Iterator<Item = f64>,
         allowed: impl Fn(usize) -> f64,
     ) -> Result<(), Unsatisfied> {
@@ -133,7 +163,7 @@ impl TreeSystem {
             let violation = violation.abs();
             let is_worse = worst.is_none_or(|worst| violation > worst.violation);
             if (violation > allowed(row) || violation.is_nan()) && is_worse {
-                worst = Some(Unsatisfied { constraint: of_row[row], violation });
+                worst = Some(Unsatisfied { constraint: of_row[row], violation, by });
             }
         }
         worst.map_or(Ok(()), Err)

@@ -2,6 +2,7 @@
 
 use super::{TreeState, TreeSystem};
 use crate::Error;
+use nalgebra::linalg::balancing::balance_parlett_reinsch;
 use nalgebra::{Complex, DMatrix, DVector, SVD, Schur};
 use std::f64::consts::PI;
 
@@ -23,9 +24,11 @@ use std::f64::consts::PI;
 /// do not change the others.
 #[derive(Clone, Debug)]
 pub struct Linearization {
-    /// The matrix `A`, in the orthonormal basis `basis`.
+    /// The matrix `A`.
     pub matrix: DMatrix<f64>,
-    /// The matrix `B`: displacements first, then changes of rates, in units of the tree.
+    /// The matrix `B`: displacements first, then changes of rates, in units of the tree. Its first
+    /// columns have orthonormal displacements, and its other columns have no displacements and
+    /// orthonormal changes.
     pub basis: DMatrix<f64>,
     /// The number of eigenvalues that vanish.
     pub zeros: usize,
@@ -45,9 +48,12 @@ const PAIRS: usize = 12;
 /// Accelerations vanish up to this multiple of the largest entry of the matrix.
 const STEADY: f64 = 1e-9;
 /// A displacement that is a rounding error, in units of the tree.
-const ROUNDING: f64 = 1e-14;
+const ROUNDING: f64 = 1e-12;
 /// A singular value that is a rounding error, relative to the largest one.
 const ZERO: f64 = 1e-8;
+/// An entry of the matrix that is a rounding error, relative to the largest one of its row, and to
+/// the largest one of all.
+const NOISE: [f64; 2] = [1e-11, 1e-13];
 /// The largest relative change of the matrix of a steady motion.
 const CONSTANT: f64 = 1e-6;
 /// The time by which a steady motion is followed, in units of the fastest rate.
@@ -72,20 +78,27 @@ impl TreeSystem {
             }
             let [closed, _] = self.constraint_rows(&state, &units)?;
             let free = null_space(closed);
-            let reduced = &slopes * &free;
-            let solution = SVD::new(reduced, true, true);
+            if free.is_empty() {
+                return Err(invalid("the constraints leave no freedom".into()));
+            }
+            let solution = SVD::new(&slopes * &free, true, true);
             let cut = ZERO * solution.singular_values.max();
             let change = solution.solve(&-&rest, cut).map_err(|reason| invalid(reason.into()))?;
-            let change = free * change;
+            let mut change = &free * change;
+            if change.amax() <= ROUNDING {
+                if rest.amax() <= STEADY * slopes.amax() {
+                    return Ok(state);
+                }
+                // falls if Newton's method does not move, as a horizontal pendulum
+                let fall = &free * free.tr_mul(&rest);
+                change = &fall / fall.amax().max(f64::MIN_POSITIVE);
+            }
             let longest = change.amax();
             let share = if longest > 0.3 { 0.3 / longest } else { 1.0 };
             let displacement = (change * share).component_mul(&units);
             let numbers = &mut state.numbers.as_mut_slice()[..split];
             self.tree.displace(numbers, displacement.as_slice());
             state.numbers = self.projected(state.time, &state.numbers).map_err(invalid)?;
-            if longest <= ROUNDING {
-                return Ok(state);
-            }
         }
         Err(invalid("there is no equilibrium near the initial position".into()))
     }
@@ -109,22 +122,33 @@ impl TreeSystem {
         }
         let rates = state.numbers.rows_range(state.numbers.len() - units.len()..).into_owned();
         let fastest = rates.component_div(&units).amax();
-        if fastest > 0.0 {
-            let mut later = state.clone();
-            let path = &rates * (LATER / fastest);
-            let split = later.numbers.len() - units.len();
-            self.tree.displace(&mut later.numbers.as_mut_slice()[..split], path.as_slice());
-            let (other, other_basis) = self.restricted(&later, &units)?;
-            let full =
-                |matrix: &DMatrix<f64>, basis: &DMatrix<f64>| basis * matrix * basis.transpose();
-            let (here, there) = (full(&matrix, &basis), full(&other, &other_basis));
-            if (&there - &here).amax() > CONSTANT * here.amax() {
-                let reason = "the linear equations change along the motion, so it is not steady in \
-                              joint coordinates";
-                return Err(invalid(reason.into()));
-            }
+        let time = if fastest > 0.0 { LATER / fastest } else { 1.0 };
+        let mut later = TreeState { time: state.time + time, ..state.clone() };
+        let split = later.numbers.len() - units.len();
+        let path = &rates * time;
+        self.tree.displace(&mut later.numbers.as_mut_slice()[..split], path.as_slice());
+        let changes = || {
+            let reason = "the linear equations change along the motion, so it is not steady in \
+                          joint coordinates";
+            invalid(reason.into())
+        };
+        let bend = self.accelerations(&later, &units).map_err(|_| changes())?;
+        let (other, other_basis) = self.restricted(&later, &units).map_err(|_| changes())?;
+        if other.shape() != matrix.shape() || bend.amax() > STEADY * matrix.amax() {
+            return Err(changes());
         }
-        let (zeros, eigenvalues) = modes(&matrix);
+        // both matrices on the deviations, which do not depend on the choice of a basis
+        let full = |matrix: &DMatrix<f64>, basis: &DMatrix<f64>| {
+            let left = basis.clone().pseudo_inverse(ZERO).unwrap_or_else(|_| basis.transpose());
+            basis * matrix * left
+        };
+        let (here, there) = (full(&matrix, &basis), full(&other, &other_basis));
+        if (&there - &here).amax() > CONSTANT * here.amax() {
+            return Err(changes());
+        }
+        let displacements =
+            basis.rows(0, units.len()).column_iter().filter(|x| x.amax() > 0.0).count();
+        let (zeros, eigenvalues) = modes(&matrix, displacements);
         let shapes = eigenvalues.iter().map(|value| {
             let deviation = basis.map(Complex::from) * vector(&matrix, value);
             let sizes = deviation.rows(0, units.len()).map(|x| x.norm());
@@ -167,11 +191,24 @@ impl TreeSystem {
             full.view_mut((n, which * n), (n, n)).copy_from(&slopes);
         }
         let [closed, moving] = self.constraint_rows(state, units)?;
-        let mut constraints = DMatrix::zeros(closed.nrows() + moving.nrows(), 2 * n);
-        constraints.view_mut((0, 0), closed.shape()).copy_from(&closed);
-        constraints.view_mut((closed.nrows(), 0), moving.shape()).copy_from(&moving);
-        let basis = null_space(constraints);
-        Ok((basis.transpose() * full * &basis, basis))
+        let on_rates = moving.columns(n, n).into_owned();
+        let [displacements, changes] = [null_space(closed), null_space(on_rates.clone())];
+        let (d, c) = (displacements.ncols(), changes.ncols());
+        // a displacement with the smallest change of the rates
+        let inverse = match on_rates.is_empty() {
+            true => DMatrix::zeros(n, 0),
+            false => on_rates.pseudo_inverse(ZERO).map_err(|reason| invalid(reason.into()))?,
+        };
+        let follows = -(inverse * moving.columns(0, n) * &displacements);
+        let mut basis = DMatrix::zeros(2 * n, d + c);
+        basis.view_mut((0, 0), (n, d)).copy_from(&displacements);
+        basis.view_mut((n, 0), (n, d)).copy_from(&follows);
+        basis.view_mut((n, d), (n, c)).copy_from(&changes);
+        let image = full * &basis;
+        let mut matrix = DMatrix::zeros(d + c, d + c);
+        matrix.rows_mut(0, d).copy_from(&displacements.tr_mul(&image.rows(0, n)));
+        matrix.rows_mut(d, c).copy_from(&changes.tr_mul(&image.rows(n, n)));
+        Ok((matrix, basis))
     }
 
     /// The derivatives of the accelerations with respect to displacements (`which` is 0) or rates (1),
@@ -192,10 +229,12 @@ impl TreeSystem {
             };
             slopes.column_mut(k).copy_from(&derivative(value));
         }
-        match self.take_trouble() {
-            Some(reason) => Err(invalid(reason)),
-            None => Ok(slopes),
+        // reasons of wide intervals, which were not used
+        let trouble = self.take_trouble();
+        if slopes.iter().all(|slope| slope.is_finite()) {
+            return Ok(slopes);
         }
+        Err(invalid(trouble.unwrap_or_else(|| "accelerations have no derivatives".into())))
     }
 
     /// The rows of the constraints on displacements, and of those on deviations of displacements and
@@ -311,19 +350,32 @@ fn null_space(matrix: DMatrix<f64>) -> DMatrix<f64> {
     vectors.select_rows(&rows).transpose()
 }
 
-/// The number of eigenvalues that vanish, and the other eigenvalues.
-fn modes(matrix: &DMatrix<f64>) -> (usize, Vec<Complex<f64>>) {
+/// The number of eigenvalues that vanish, and the other eigenvalues. The first `d` rows are the time
+/// derivatives of displacements.
+fn modes(matrix: &DMatrix<f64>, d: usize) -> (usize, Vec<Complex<f64>>) {
     let n = matrix.nrows();
-    let scale = matrix.norm();
-    // the quotient by generalized eigenvectors of 0
+    // the unit of time in which the entries are at most about 1
+    let (slow, fast) = (matrix.view((d, 0), (n - d, d)), matrix.view((d, d), (n - d, n - d)));
+    let rate = slow.amax().sqrt().max(fast.amax());
+    let rate = if rate > 0.0 { rate } else { 1.0 };
     let mut reduced = matrix.clone();
+    reduced.view_mut((0, d), (d, n - d)).scale_mut(rate);
+    reduced.view_mut((d, 0), (n - d, d)).scale_mut(1.0 / rate);
+    let largest = reduced.amax();
+    for mut row in reduced.row_iter_mut() {
+        let least = NOISE[0] * row.amax() + NOISE[1] * largest;
+        row.iter_mut().filter(|x| x.abs() <= least).for_each(|x| *x = 0.0);
+    }
+    if n > 0 {
+        // a stiff part does not hide a soft one
+        balance_parlett_reinsch(&mut reduced);
+    }
+    // the quotient by generalized eigenvectors of 0
     loop {
         if reduced.is_empty() {
             return (n, vec![]);
         }
-        let mut padded = reduced.clone();
-        padded.iter_mut().filter(|x| x.abs() <= f64::EPSILON * scale).for_each(|x| *x = 0.0);
-        let null = null_space(padded);
+        let null = null_space(reduced.clone());
         if null.ncols() == 0 {
             break;
         }

@@ -556,3 +556,145 @@ fn implicit_and_explicit_steps_agree() -> Result<(), InputError> {
     expect_close(&last(&implicit, 0.3, &columns)?, &explicit, 1e-6);
     Ok(())
 }
+
+/// Two hinges about one axis, with constraints.
+fn two_hinges(keys: &str, first: &str, second: &str) -> String {
+    let part =
+        "inertia.parts = [{ shape = \"ball\", radius = 0.5, mass = 2, position = [0, 0, -2] }]";
+    let hinge =
+        "bodies = [\"ground\", \"NAME\"], type = \"revolute\", at = [0, 0, 0], axis = [0, 1, 0]";
+    let joint = |name: &str, more: &str| {
+        format!("{{ name = \"{name}\", {}, {more} }}", hinge.replace("NAME", name))
+    };
+    format!(
+        "{keys}\nbodies = [{GROUND}, {{ name = \"a\", {part} }}, {{ name = \"b\", {part} }}]\njoints = [{}, {}]\n\
+         integrator.tolerance = 1e-10\noutput = {{ end = 1, every = 1 }}\n",
+        joint("a", first),
+        joint("b", second)
+    )
+}
+
+/// Constraints that agree at the start and contradict each other later end the run.
+#[test]
+fn contradictory_constraints_end_the_run() {
+    let cases = [
+        "constraints = [\"q_a - t\", \"q_a - t - 0.1*t^2\"]",
+        "velocity_constraints = [\"v_a - t\", \"v_a - t^2\"]",
+    ];
+    for keys in cases {
+        let Err(error) =
+            last(&two_hinges(keys, "rest = 0, stiffness = 0", "rate = 0"), 1.0, &["q_a"])
+        else {
+            panic!("{keys}")
+        };
+        assert!(error.to_string().contains("constraint"), "{error}");
+    }
+}
+
+/// In a flat parallelogram, the rates of the two cranks may have equal or opposite signs to first
+/// order. Opposite signs with arbitrary rates of the rod belong to no motion.
+#[test]
+fn rates_at_a_singular_position_belong_to_a_branch() -> Result<(), InputError> {
+    let rod = |x: f64| {
+        format!(
+            "inertia.parts = [{{ shape = \"rod\", length = 1, mass = 1, position = [{x}, 0, 0], rotation = [0, \
+             \"pi/2\", 0] }}]"
+        )
+    };
+    let hinge = |ends: [&str; 2], x: f64, rate: &str| {
+        format!(
+            "{{ name = \"{}{}\", bodies = [\"{}\", \"{}\"], type = \"revolute\", at = [{x}, 0, 0], axis = [0, 0, 1]{rate} }}",
+            ends[0], ends[1], ends[0], ends[1]
+        )
+    };
+    let text = |rates: [&str; 2]| {
+        format!(
+            "bodies = [{GROUND}, {{ name = \"a\", {} }}, {{ name = \"c\", {} }}, {{ name = \"b\", {} }}]\njoints = [{}, {}, \
+             {}, {}]\nintegrator.tolerance = 1e-10\noutput = {{ end = 1, every = 1 }}\n",
+            rod(0.5),
+            rod(1.5),
+            rod(1.5),
+            hinge(["ground", "a"], 0.0, rates[0]),
+            hinge(["a", "c"], 1.0, ""),
+            hinge(["c", "b"], 2.0, ""),
+            hinge(["ground", "b"], 1.0, rates[1])
+        )
+    };
+    // the rod stays parallel to the ground
+    let found =
+        last(&text([", rate = 1", ", rate = 1"]), 0.5, &["q_grounda", "q_groundb", "energy"])?;
+    expect_close(&found, &[0.5, 0.5, 1.0 / 6.0 + 0.5 + 1.0 / 6.0], 1e-8);
+    let Err(error) = last(&text([", rate = 1", ", rate = -0.5"]), 0.5, &["energy"]) else {
+        panic!()
+    };
+    assert!(error.to_string().contains("allows these rates to first order only"), "{error}");
+    Ok(())
+}
+
+/// Eigenvalues follow the unit of time, and a stiff part does not hide a soft one.
+#[test]
+fn eigenvalues_of_stiff_and_soft_parts() -> Result<(), InputError> {
+    let square: f64 = 9.81 * 2.0 / (4.0 + 0.4 * 0.25);
+    for unit in [1.0, 1e-5, 1e5] {
+        // gravity and stiffness in another unit of time
+        let g = 9.81 * unit * unit;
+        let stiffness = 1e9 * unit * unit;
+        let keys = format!("gravity = [0, 0, {}]", -g);
+        let text = two_hinges(&keys, &format!("stiffness = {stiffness}"), "coordinate = 0");
+        let found = Problem::parse("pendulums.toml", &text)?.linearized()?.linear;
+        assert_eq!((found.zeros, found.eigenvalues.len()), (0, 4));
+        let inertia = 2.0 * (4.0 + 0.4 * 0.25);
+        let expected = [(square + 1e9 / inertia).sqrt(), square.sqrt()];
+        let mut sizes: Vec<f64> =
+            found.eigenvalues.iter().filter(|s| s.im > 0.0).map(|s| s.im / unit).collect();
+        sizes.sort_by(|a, b| b.total_cmp(a));
+        for (found, expected) in sizes.iter().zip(expected) {
+            assert!((found / expected - 1.0).abs() < 1e-5, "{unit}: {found}, {expected}");
+        }
+    }
+    Ok(())
+}
+
+/// Newton's method starts from a horizontal pendulum. Forces and motors that change with the time
+/// allow no linear equations with constant coefficients.
+#[test]
+fn states_that_are_no_equilibria_are_errors() -> Result<(), InputError> {
+    let gravity = "gravity = [0, 0, -9.81]";
+    let found = Problem::parse(
+        "two.toml",
+        &two_hinges(gravity, "coordinate = \"pi/2\"", "rest = 0, stiffness = 0"),
+    )?;
+    let found = found.linearized()?;
+    expect_close(&found.state[..1], &[0.0], 1e-10);
+    for (first, second) in [
+        ("force = \"t\"", "rate = 0"),
+        ("force = \"sin(t)\"", "rate = 0"),
+        ("motor = \"t^2\"", "motor = \"t^2\""),
+        ("motor = \"sin(t)\"", "rate = 0"),
+    ] {
+        let problem = Problem::parse("two.toml", &two_hinges(gravity, first, second))?;
+        assert!(problem.linearized().is_err(), "{first}, {second}");
+    }
+    Ok(())
+}
+
+/// The moment of a reaction is about the same point if the bodies of the joint change their order.
+#[test]
+fn reactions_do_not_depend_on_the_order_of_bodies() -> Result<(), InputError> {
+    for kind in ["planar", "prismatic"] {
+        let text = |bodies: &str, sign: f64| {
+            format!(
+                "gravity = [0, 0, -9.81]\nbodies = [{GROUND}, {{ name = \"a\", inertia.parts = [{{ shape = \"ball\", radius \
+                 = 0.5, mass = 2, position = [1, 2, 3] }}] }}]\njoints = [{{ name = \"J\", bodies = [{bodies}], type = \
+                 \"{kind}\", axis = [0, 1, {sign}] }}]\nintegrator.tolerance = 1e-10\noutput = {{ end = 1, every = 1 }}\n"
+            )
+        };
+        let columns = ["r1_J", "r2_J", "r3_J", "r4_J", "r5_J", "r6_J"];
+        let forward = last(&text("\"ground\", \"a\"", 1.0), 0.2, &columns)?;
+        let mut backward = last(&text("\"a\", \"ground\"", 1.0), 0.2, &columns)?;
+        backward.iter_mut().for_each(|value| *value = -*value);
+        expect_close(&backward, &forward, 1e-9);
+        assert!(forward[5] > 1.0, "{forward:?}");
+    }
+    Ok(())
+}
