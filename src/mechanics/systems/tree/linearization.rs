@@ -112,6 +112,11 @@ impl TreeSystem {
         let units = DVector::from_iterator(self.tree.freedom(), self.tree.units());
         let accelerations = self.accelerations(state, &units)?;
         let (matrix, basis) = self.restricted(state, &units)?;
+        if matrix.is_empty() {
+            // motors move all coordinates
+            let (eigenvalues, shapes) = (vec![], vec![]);
+            return Ok(Linearization { matrix, basis, zeros: 0, eigenvalues, shapes });
+        }
         if accelerations.amax() > STEADY * matrix.amax() {
             let rate = accelerations.iamax();
             return Err(invalid(format!(

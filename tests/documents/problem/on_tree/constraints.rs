@@ -675,6 +675,9 @@ fn states_that_are_no_equilibria_are_errors() -> Result<(), InputError> {
         let problem = Problem::parse("two.toml", &two_hinges(gravity, first, second))?;
         assert!(problem.linearized().is_err(), "{first}, {second}");
     }
+    let driven = two_hinges(gravity, "motor = \"2*t\"", "motor = \"3*t\"");
+    let driven = Problem::parse("driven.toml", &driven)?.linearized()?.linear;
+    assert_eq!((driven.matrix.nrows(), driven.zeros, driven.eigenvalues.len()), (0, 0, 0));
     Ok(())
 }
 
