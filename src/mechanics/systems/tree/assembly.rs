@@ -12,7 +12,7 @@ pub struct Unsatisfied {
     pub constraint: usize,
     /// The violation that remains.
     pub violation: f64,
-    /// What violates the constraint.
+    /// The part of the state that violates the constraint.
     pub by: Violator,
 }
 
