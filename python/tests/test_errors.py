@@ -154,7 +154,7 @@ WRONG = [
     (lambda: SO3.spline([0, 1], np.full((2, 4), 0.5), "geodesic", np.ones((2, 3))), ValueError, "leave velocities out"),
     (lambda: SO3.spline([0, 1], np.full((2, 4), 0.5))(1.5), ValueError, "1.5 is not between"),
     (lambda: SE3.from_scipy(3), TypeError, "RigidTransform"),
-    (lambda: af.simulate(), af.InputError, "missing field `output`"),
+    (lambda: af.simulate(), af.InputError, "the space is missing"),
     (lambda: af.simulate(3), TypeError, "path"),
     (lambda: af.simulate("missing.toml"), af.InputError, "cannot read"),
     (lambda: af.simulate({**TOP, "sapce": "so3"}), af.InputError, "did you mean"),

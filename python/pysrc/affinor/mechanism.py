@@ -441,4 +441,4 @@ def _vector(gravity: Sequence[float] | Floats) -> list[float]:
     array = np.asarray(gravity, dtype=float)
     if array.shape != (3,) or not np.isfinite(array).all():
         raise ValueError(f"gravity should be 3 finite numbers, not {gravity!r}")
-    return array.tolist()
+    return [float(value) for value in array]

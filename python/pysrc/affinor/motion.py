@@ -66,6 +66,8 @@ class ProblemKeys(TypedDict, total=False):
     joints: Sequence[Mapping[str, Any]] | None
     gravity: Sequence[Any] | None
     coordinates: str | None
+    springs: Sequence[Mapping[str, Any]] | None
+    contacts: Sequence[Mapping[str, Any]] | None
 
 
 Function = TypeVar("Function", bound=Callable[..., Any])
@@ -165,7 +167,11 @@ class Problem(_engine.Problem):
     gravity : list, optional
         Acceleration of gravity in the ground frame, for bodies.
     coordinates : str, optional
-        State of bodies: ``"joints"`` or ``"poses"``, the default.
+        State of bodies: ``"joints"``, the default, or ``"poses"``.
+    springs : list of dict, optional
+        Springs and dampers between points of bodies.
+    contacts : list of dict, optional
+        Bodies that roll or slide on a plane.
 
     Raises
     ------
