@@ -61,7 +61,7 @@ impl TreeSystem {
     /// Assembles the tree: changes the coordinates and the rates until they satisfy the constraints, by
     /// as little as possible. The parameter `held` tells for each rate how its coordinate and the rate
     /// itself are held. Returns the change of each coordinate and rate, in the units of
-    /// [`Tree::units`].
+    /// [`Tree::units`](crate::mechanism::Tree::units).
     ///
     /// # Errors
     /// The constraint whose violation remains the largest.
