@@ -7,11 +7,13 @@
 //!   register; `least_squares`; `shooting` for ends of curves; `rounding`, which rejects results without correct digits.
 
 pub mod blocks;
+pub(crate) mod derivative;
 pub(crate) mod double;
 pub mod exponential;
 pub(crate) mod lanes;
 pub(crate) mod least_squares;
 pub(crate) mod logarithm;
+pub(crate) mod null_space;
 pub(crate) mod ode;
 pub(crate) mod radau;
 pub(crate) mod rounding;

@@ -20,7 +20,9 @@ pub enum TreeScheme {
 }
 
 /// Steps of trees of bodies with step-size control. After each step, the state is projected onto the
-/// constraints.
+/// constraints. So the error of a step is its part along the constraints, and the other part counts
+/// only with the factor `r^(1/4)`. Near singular positions, rounding errors across the constraints
+/// are large.
 ///
 /// Let `r` be the tolerance. The error of an angle is at most `r`, or `r/10` of its change in the
 /// step if this is larger. The error of a translation is compared to the same multiple of the
@@ -35,7 +37,7 @@ pub struct TreeSteps {
     pub control: Adaptive,
 }
 
-/// A step that was tried: its end, and its error in units of the allowed error.
+/// A step that was tried: its end on the constraints, and its error in units of the allowed error.
 struct Tried {
     end: DVector<f64>,
     error: f64,
@@ -102,19 +104,15 @@ impl TreeSteps {
             }
             if error <= 1.0 {
                 let time = if last { end } else { state.time + h };
-                // tries a shorter step, whose end is closer to the constraints
-                let Ok(numbers) = system.projected(time, &reached) else {
-                    *next = 0.2 * h.abs();
-                    continue;
-                };
-                *state = TreeState { time, numbers };
+                *state = TreeState { time, numbers: reached };
                 return Ok(());
             }
         }
     }
 
     /// Tries a step. The Jacobian matrix of an implicit scheme is computed once for all tries. Returns
-    /// `None` if an implicit scheme does not converge, or if the end is not finite.
+    /// `None` if an implicit scheme does not converge, or if the end is not finite or too far from
+    /// the constraints.
     fn tried(
         &self,
         system: &TreeSystem,
@@ -126,26 +124,35 @@ impl TreeSteps {
     ) -> Option<Tried> {
         let f = |time: f64, y: &DVector<f64>| system.slope(time, y);
         let (time, y) = (state.time, &state.numbers);
-        let ratio = |end: &DVector<f64>, error: &DVector<f64>| {
-            self.ratio(system, units, [y, end, error], h)
-        };
-        let (end, error) = match self.scheme {
+        let (end, errors) = match self.scheme {
             TreeScheme::DormandPrince => {
                 let (end, errors) = stages(&f, time, y, slope, h);
-                let error = combined_error(errors.map(|error| ratio(&end, &error)));
-                (end, error)
+                (end, errors.to_vec())
             }
             TreeScheme::Radau => {
                 let matrix =
                     matrix.get_or_insert_with(|| jacobian(&f, time, y, &self.sizes(system, y)));
-                let is_small = |change: &DVector<f64>| ratio(y, change) <= NEWTON;
+                let is_small = |change: &DVector<f64>| {
+                    self.ratio(system, units, [y, y], &parts(system, y, change), h) <= NEWTON
+                };
                 let (end, error) = Radau::new(matrix, h).step(&f, (time, y, slope), is_small)?;
-                let error = ratio(&end, &error);
-                (end, error)
+                (end, vec![error])
             }
         };
-        let is_finite = error.is_finite() && end.iter().all(|value| value.is_finite());
-        is_finite.then_some(Tried { end, error })
+        if !end.iter().all(|value| value.is_finite()) {
+            return None;
+        }
+        let whole: Vec<_> = errors.iter().map(|error| parts(system, &end, error)).collect();
+        let mut along = whole.clone();
+        let end = system.projected(time + h, &end, &mut along).ok()?;
+        let ratio = |error: &[DVector<f64>; 2]| self.ratio(system, units, [y, &end], error, h);
+        let combined = |list: &[[DVector<f64>; 2]]| match list {
+            [fifth, third] => combined_error([ratio(fifth), ratio(third)]),
+            _ => list.iter().map(ratio).fold(0.0, f64::max),
+        };
+        // the projection removes errors across the constraints, which may be larger
+        let error = combined(&along).max(self.control.tolerance.powf(0.25) * combined(&whole));
+        error.is_finite().then_some(Tried { end, error })
     }
 
     /// The units of the numbers and the rates.
@@ -161,13 +168,14 @@ impl TreeSteps {
         sizes
     }
 
-    /// The error in units of the allowed error. The vectors are the numbers at both ends of the step
-    /// and the error.
+    /// The error in units of the allowed error, from the numbers at both ends of the step, and the
+    /// errors of the coordinates and of the rates.
     fn ratio(
         &self,
         system: &TreeSystem,
         units: &[f64],
-        [start, end, error]: [&DVector<f64>; 3],
+        [start, end]: [&DVector<f64>; 2],
+        [of_coordinates, of_rates]: &[DVector<f64>; 2],
         h: f64,
     ) -> f64 {
         let Adaptive { tolerance, absolute, span, .. } = self.control;
@@ -189,18 +197,25 @@ impl TreeSteps {
                 most = ratio;
             }
         };
-        for (rate, number) in tree.coordinates() {
+        for (rate, _) in tree.coordinates() {
             let path = 0.1 * tolerance * (h * speed(rate)).abs();
-            add(error[number], floor(rate).max(path));
+            add(of_coordinates[rate], floor(rate).max(path));
         }
-        for (_, first) in tree.balls() {
-            // a rotation by a small angle changes the quaternion by half of the angle
-            (first..first + 4).for_each(|at| add(2.0 * error[at], of_angles));
+        for (first, _) in tree.balls() {
+            (first..first + 3).for_each(|rate| add(of_coordinates[rate], of_angles));
         }
         for (k, unit) in units.iter().enumerate() {
             let allowed = (tolerance * unit * fastest).max(floor(k) / span);
-            add(error[split + k], allowed.max(f64::MIN_POSITIVE));
+            add(of_rates[k], allowed.max(f64::MIN_POSITIVE));
         }
         most
     }
+}
+
+/// The parts of a small change of the numbers and rates: of the coordinates, and of the rates.
+fn parts(system: &TreeSystem, y: &DVector<f64>, change: &DVector<f64>) -> [DVector<f64>; 2] {
+    let tree = system.tree();
+    let split = y.len() - tree.freedom();
+    let displacement = tree.displacement(y.as_slice(), change.as_slice());
+    [displacement, change.rows_range(split..).into_owned()]
 }

@@ -12,7 +12,8 @@
 //!
 //! In reading order: [`Tree`] is the tree; [`moving`] its poses, velocities, energy and momentum;
 //! `inverse` computes joint forces from accelerations, `articulated` accelerations from joint forces,
-//! and `composite` the mass matrix. F. C. Park, J. E. Bobrow and S. R. Ploen, *Int. J. Robotics
+//! `composite` the mass matrix, and
+//! `mass` its factorization. F. C. Park, J. E. Bobrow and S. R. Ploen, *Int. J. Robotics
 //! Research* 14 (1995) 609-618; R. Featherstone, *Rigid Body Dynamics Algorithms* (2008).
 
 mod articulated;
@@ -20,10 +21,12 @@ mod composite;
 pub mod cut;
 pub mod ground;
 mod inverse;
+mod mass;
 pub mod moving;
 
 pub use cut::Cut;
 pub use ground::{BodyPoint, GroundView, PointMotion};
+pub(crate) use mass::MassFactor;
 pub use moving::MovingTree;
 
 use super::graph::Mechanism;
@@ -31,7 +34,10 @@ use super::joint::{Joint, JointKind};
 use crate::Error;
 use crate::group::{Embedded, LieGroup, Se3, So3};
 use crate::mechanics::MassProperties;
-use nalgebra::{Isometry3, Matrix6, Translation3, UnitQuaternion, Vector3, Vector4, Vector6};
+use nalgebra::{
+    DVector, Isometry3, Matrix6, Quaternion, Translation3, UnitQuaternion, Vector3, Vector4,
+    Vector6,
+};
 use std::ops::Range;
 
 /// A tree of bodies, in joint coordinates.
@@ -232,6 +238,13 @@ impl Tree {
         (0..self.freedom()).map(|rate| if self.is_angular(rate) { 1.0 } else { self.length })
     }
 
+    /// The largest of some displacements or rates, in [`units`](Self::units). It is NaN if one of them
+    /// is NaN.
+    pub fn largest<'x>(&self, list: impl IntoIterator<Item = &'x f64>) -> f64 {
+        let sizes = list.into_iter().zip(self.units()).map(|(x, unit)| (x / unit).abs());
+        sizes.fold(0.0, |most, x| if x <= most { most } else { x })
+    }
+
     /// The time derivatives of the numbers for rates. Equal to the rates unless there are rotations
     /// about points.
     ///
@@ -277,6 +290,27 @@ impl Tree {
                 numbers[at] += displacement[rate];
             }
         }
+    }
+
+    /// The displacement that changes a configuration by a small change of its numbers, the inverse of
+    /// [`displace`](Self::displace) to first order.
+    ///
+    /// # Panics
+    /// Panics if a list is too short.
+    pub fn displacement(&self, numbers: &[f64], change: &[f64]) -> DVector<f64> {
+        let mut displacement = DVector::zeros(self.freedom());
+        for (rate, number) in self.coordinates() {
+            displacement[rate] = change[number];
+        }
+        for (rate, number) in self.balls() {
+            // the change is the quaternion times half of the displacement
+            let quaternion = |list: &[f64]| {
+                Quaternion::new(list[number], list[number + 1], list[number + 2], list[number + 3])
+            };
+            let half = quaternion(numbers).conjugate() * quaternion(change);
+            displacement.rows_mut(rate, 3).copy_from(&(half.imag() * 2.0));
+        }
+        displacement
     }
 
     /// The derivatives of a function of the numbers with respect to the three rates of a rotation

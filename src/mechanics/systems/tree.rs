@@ -1,14 +1,18 @@
 //! Motions of trees of bodies, with joint coordinates as the state.
 
 mod assembly;
+pub mod closure;
 pub mod constraint;
 pub mod contact;
 mod linearization;
+mod multipliers;
 mod reduction;
+mod rows;
 mod spring;
 
 pub use assembly::{Hold, Unsatisfied, Violator};
-pub use constraint::{Closure, Motor, TreeConstraint};
+pub use closure::Closure;
+pub use constraint::{Motor, TreeConstraint};
 pub use contact::{Contact, ContactShape};
 pub use linearization::Linearization;
 pub use spring::{JointSpring, PointSpring};
@@ -17,9 +21,10 @@ use super::System;
 use crate::mechanics::formula::{Formula, Workspace};
 use crate::mechanism::tree::GroundView;
 use crate::mechanism::{MovingTree, Tree};
-use constraint::{Place, Rows};
+use constraint::Place;
 use nalgebra::{DVector, Vector3, Vector6};
 use reduction::Reduction;
+use rows::Rows;
 use std::cell::RefCell;
 use std::sync::Arc;
 
@@ -106,6 +111,7 @@ const STILL: f64 = 1e-14;
 /// The largest violation of a constraint by the rates, relative to the size of its terms. It is larger
 /// than [`NEAR`], because constraints that are nearly dependent are left out.
 const TORN: f64 = 1e-5;
+
 impl TreeSystem {
     /// A tree with forces and constraints.
     pub fn new(tree: Arc<Tree>, forces: TreeForces, constraints: Vec<TreeConstraint>) -> Self {
@@ -125,9 +131,9 @@ impl TreeSystem {
         &self.tree
     }
 
-    /// The constraints.
-    pub fn constraints(&self) -> &[TreeConstraint] {
-        &self.constraints
+    /// The number of multipliers, which is the number of equations of all constraints.
+    pub fn multipliers(&self) -> usize {
+        self.constraints.iter().map(TreeConstraint::count).sum()
     }
 
     /// Whether the energy is conserved: gravity and springs are the only forces, and no constraint
@@ -175,11 +181,13 @@ impl TreeSystem {
         slope
     }
 
-    /// The state on the constraints that is nearest to a state.
+    /// The state on the constraints that is nearest to a state. The parameter `changes` contains
+    /// changes of coordinates and of rates, and only their parts along the constraints remain.
     pub(in crate::mechanics) fn projected(
         &self,
         time: f64,
         y: &DVector<f64>,
+        changes: &mut [[DVector<f64>; 2]],
     ) -> Result<DVector<f64>, String> {
         if self.constraints.is_empty() {
             let (mut y, split) = (y.clone(), y.len() - self.tree.freedom());
@@ -187,11 +195,17 @@ impl TreeSystem {
             return Ok(y);
         }
         let buffers = &mut *self.buffers.borrow_mut();
-        let settled = self.settled(time, y, buffers);
-        if let Err(reason) = &settled {
-            buffers.trouble = Some(reason.clone());
+        let settled = match self.settled(time, y, buffers) {
+            Ok(settled) => settled,
+            Err(reason) => {
+                buffers.trouble = Some(reason.clone());
+                return Err(reason);
+            }
+        };
+        for change in changes.iter_mut().flatten() {
+            *change += settled.reduction.shortest(&-settled.rows.product(change));
         }
-        settled.map(|settled| settled.y)
+        Ok(settled.y)
     }
 
     /// Projects a state onto the constraints, and evaluates forces and constraints there.
@@ -212,13 +226,8 @@ impl TreeSystem {
         let mut last = f64::INFINITY;
         let mut is_fresh = true;
         for _ in 0..ITERATIONS {
-            let values = rows.values.iter().map(|value| -value.unwrap_or(0.0));
-            let values = DVector::from_iterator(rows.values.len(), values);
-            let zero = DVector::zeros(units.len());
-            let change = reduction.nearest(&zero, &values);
-            let sizes = change.iter().zip(&units).map(|(x, unit)| (x / unit).abs());
-            // a NaN must remain
-            let size = sizes.fold(0.0, |most: f64, x| if x <= most { most } else { x });
+            let change = reduction.shortest(&rows.missing());
+            let size = self.tree.largest(&change);
             let is_slow = size.is_nan() || size > 0.1 * last;
             if size <= STILL || (is_slow && last <= NEAR) {
                 last = size;
@@ -247,14 +256,12 @@ impl TreeSystem {
             reduction = self.reduction(&rows, buffers).ok_or_else(singular)?;
         }
         let given = y.rows(split, units.len()).into_owned();
-        let rates = reduction.nearest(&reduction.momentum(&given), &rows.right);
+        let rates = &given + reduction.shortest(&-rows.residual(&given));
         y.rows_mut(split, units.len()).copy_from(&rates);
         // the time derivatives of the constraints are those for the projected rates
         let rows = self.rows(time, y.as_slice(), buffers);
-        let residual = rows.residual(rates.as_slice());
-        // rounding errors are those of the given rates
-        let fastest = given.iter().zip(&units).map(|(rate, unit)| (rate / unit).abs());
-        let fastest = fastest.fold(0.0, f64::max);
+        let residual = rows.residual(&rates);
+        let fastest = self.tree.largest(&given).max(self.tree.largest(&rates));
         let is_torn = residual.iter().zip(&sizes).zip(&rows.right).any(|((off, size), right)| {
             off.is_nan() || off.abs() > TORN * (size * fastest).max(right.abs())
         });
@@ -283,7 +290,7 @@ impl TreeSystem {
     }
 
     fn reduction(&self, rows: &Rows, buffers: &mut Buffers) -> Option<Reduction> {
-        Reduction::new(buffers.moving.mass_matrix(), rows)
+        Reduction::new(buffers.moving.mass_factor()?, rows)
     }
 
     /// Computes the joint forces of springs, dampers and formulas, and the loads of springs between
@@ -332,57 +339,54 @@ impl TreeSystem {
         for spring in &self.forces.joint_springs {
             forces[spring.rate] += spring.pull(y);
         }
-        let damped = self.forces.point_springs.iter().map(|spring| {
-            let view = self.view(state);
-            let (_, rate, _) = spring.stretch(&view);
-            -spring.damping * rate * rate
-        });
-        let damped: f64 = damped.sum();
-        damped + forces.iter().zip(&y[split..]).map(|(force, rate)| force * rate).sum::<f64>()
+        let of_joints = forces.iter().zip(&y[split..]).map(|(force, rate)| force * rate);
+        let of_joints: f64 = of_joints.sum();
+        of_joints + self.of_point_springs(state, PointSpring::power)
     }
 
     /// The potential of gravity and of the springs at a state.
     pub fn potential(&self, state: &TreeState) -> f64 {
         let y = state.numbers.as_slice();
         let joints: f64 = self.forces.joint_springs.iter().map(|spring| spring.potential(y)).sum();
-        let mut sum = joints + self.at(state, MovingTree::potential);
-        if !self.forces.point_springs.is_empty() {
-            let view = self.view(state);
-            let points = self.forces.point_springs.iter().map(|spring| spring.potential(&view));
-            sum += points.sum::<f64>();
+        let points = self.of_point_springs(state, PointSpring::potential);
+        joints + self.at(state, MovingTree::potential) + points
+    }
+
+    /// The sum of a value of all springs between points, at a state.
+    fn of_point_springs(
+        &self,
+        state: &TreeState,
+        value: impl Fn(&PointSpring, &GroundView) -> f64,
+    ) -> f64 {
+        if self.forces.point_springs.is_empty() {
+            return 0.0;
         }
-        sum
+        let mut view = GroundView::default();
+        self.at(state, |moving| view.update(moving));
+        self.forces.point_springs.iter().map(|spring| value(spring, &view)).sum()
     }
 
     /// The multipliers, and the reactions of all joints, at a state that satisfies the constraints.
     /// The moment of each reaction is about a point; see [`MovingTree::reaction`]. Returns `None` if
     /// they are not finite.
-    pub fn reactions(
-        &self,
-        state: &TreeState,
-        points: &[Option<Vector3<f64>>],
-    ) -> Option<TreeReactions> {
+    pub fn reactions(&self, state: &TreeState, points: &[Vector3<f64>]) -> Option<TreeReactions> {
         let buffers = &mut *self.buffers.borrow_mut();
         let settled = self.settled(state.time, &state.numbers, buffers).ok()?;
         let accelerations = settled.accelerations();
         let multipliers = settled.multipliers();
-        let (numbers, rates) = settled.y.as_slice().split_at(settled.y.len() - self.tree.freedom());
-        let place =
-            Place { tree: &self.tree, view: &buffers.view, time: state.time, numbers, rates };
         if self.forces.point_springs.is_empty() {
             buffers.moving.unload();
         }
         let mut first = 0;
         for constraint in &self.constraints {
             let own = &multipliers.as_slice()[first..first + constraint.count()];
-            constraint.load(&place, own, &mut buffers.moving);
+            constraint.load(&buffers.view, own, &mut buffers.moving);
             first += own.len();
         }
-        let mut forces = vec![0.0; rates.len()];
+        let mut forces = vec![0.0; accelerations.len()];
         buffers.moving.inverse(accelerations.as_slice(), &mut forces);
         let joints = points.iter().enumerate();
-        let joints =
-            joints.map(|(joint, point)| buffers.moving.reaction(joint, point.as_ref())).collect();
+        let joints = joints.map(|(joint, point)| buffers.moving.reaction(joint, point)).collect();
         buffers.moving.unload();
         let power = -multipliers.dot(&settled.rows.right);
         multipliers.iter().all(|value| value.is_finite()).then_some(TreeReactions {
@@ -393,11 +397,14 @@ impl TreeSystem {
     }
 
     /// The largest violation of a constraint at a state: of its value for a constraint on the
-    /// coordinates, and of `G v - b` for one on the rates only.
+    /// coordinates, and of `G v - b` for one on the rates only. It is 0 without constraints.
     pub fn violation(&self, state: &TreeState) -> f64 {
-        let y = state.numbers.as_slice();
-        let rows = self.rows(state.time, y, &mut self.buffers.borrow_mut());
-        let rates = rows.residual(&y[y.len() - self.tree.freedom()..]);
+        if self.constraints.is_empty() {
+            return 0.0;
+        }
+        let y = &state.numbers;
+        let rows = self.rows(state.time, y.as_slice(), &mut self.buffers.borrow_mut());
+        let rates = rows.residual(&y.rows_range(y.len() - self.tree.freedom()..).into_owned());
         let violations = rows.values.iter().zip(&rates);
         violations.map(|(value, rate)| value.unwrap_or(*rate).abs()).fold(0.0, f64::max)
     }
@@ -407,13 +414,6 @@ impl TreeSystem {
         let mut buffers = self.buffers.borrow_mut();
         let rows = self.rows(state.time, state.numbers.as_slice(), &mut buffers);
         self.reduction(&rows, &mut buffers).map(|reduction| reduction.rank())
-    }
-
-    /// The motions of all points at a state.
-    fn view(&self, state: &TreeState) -> GroundView {
-        let mut view = GroundView::default();
-        self.at(state, |moving| view.update(moving));
-        view
     }
 
     /// A value of the tree at a state.
@@ -428,8 +428,7 @@ impl TreeSystem {
     /// The largest rate of a coordinate in its unit, or angular velocity of a body.
     pub(in crate::mechanics) fn rate(&self, state: &TreeState) -> f64 {
         let rates = &state.numbers.as_slice()[state.numbers.len() - self.tree.freedom()..];
-        let rates = self.tree.units().zip(rates).map(|(unit, rate)| rate.abs() / unit);
-        rates.fold(self.at(state, MovingTree::spin), f64::max)
+        self.tree.largest(rates).max(self.at(state, MovingTree::spin))
     }
 
     /// Removes and returns the reason why a slope was not a number.
@@ -450,6 +449,11 @@ struct Settled {
 impl Settled {
     fn accelerations(&self) -> DVector<f64> {
         self.reduction.nearest(&self.forces, &-&self.rows.bias)
+    }
+
+    /// The accelerations without constraints.
+    fn unbound(&self) -> DVector<f64> {
+        self.reduction.unbound(&self.forces)
     }
 
     fn multipliers(&self) -> DVector<f64> {

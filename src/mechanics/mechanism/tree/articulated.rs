@@ -29,8 +29,7 @@ impl MovingTree {
         for (at, node) in self.tree.nodes.iter().enumerate() {
             let before = node.parent.map_or(rise, |parent| self.nodes[parent].acceleration);
             let own = &mut self.nodes[at];
-            let mut acceleration = Se3.adjoint(&own.back, &before);
-            acceleration += Se3.bracket(&own.velocity, &own.relative);
+            let mut acceleration = own.carried(&before);
             // the rate that was eliminated last is the closest to the ground
             for k in node.rates.clone().rev() {
                 let Eliminated { momentum, inertia, force } = &self.eliminated[k];

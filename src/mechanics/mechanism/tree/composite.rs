@@ -31,8 +31,19 @@ impl MovingTree {
     /// [`place`](Self::place). The row and the column are indices of rates. Its cost is the number
     /// of rates times the depth of the tree.
     pub fn mass_matrix(&mut self) -> DMatrix<f64> {
-        let (tree, freedom) = (self.tree.clone(), self.tree.freedom());
+        let freedom = self.tree.freedom();
         let mut matrix = DMatrix::zeros(freedom, freedom);
+        self.mass_entries(|k, l, entry| {
+            matrix[(k, l)] = entry;
+            matrix[(l, k)] = entry;
+        });
+        matrix
+    }
+
+    /// Calls `add(k, l, entry)` for the entries of the mass matrix that do not vanish: for each rate
+    /// `k`, first `l = k`, then the rates `l` on the way to the ground in this order.
+    pub(super) fn mass_entries(&mut self, mut add: impl FnMut(usize, usize, f64)) {
+        let tree = self.tree.clone();
         for (node, own) in tree.nodes.iter().zip(&mut self.nodes) {
             own.inertia = node.inertia;
         }
@@ -40,15 +51,12 @@ impl MovingTree {
             let composite = self.nodes[at].inertia;
             for k in node.rates.clone() {
                 let mut momentum = composite * tree.twists[k];
-                let mut on_path = at;
+                let (mut on_way, mut rates) = (at, node.rates.start..k + 1);
                 loop {
-                    for l in tree.nodes[on_path].rates.clone() {
-                        matrix[(k, l)] = tree.twists[l].dot(&momentum);
-                        matrix[(l, k)] = matrix[(k, l)];
-                    }
-                    let Some(parent) = tree.nodes[on_path].parent else { break };
-                    momentum = Se3.coadjoint(&self.nodes[on_path].back, &momentum);
-                    on_path = parent;
+                    rates.rev().for_each(|l| add(k, l, tree.twists[l].dot(&momentum)));
+                    let Some(parent) = tree.nodes[on_way].parent else { break };
+                    momentum = Se3.coadjoint(&self.nodes[on_way].back, &momentum);
+                    (on_way, rates) = (parent, tree.nodes[parent].rates.clone());
                 }
             }
             if let Some(parent) = node.parent {
@@ -56,6 +64,5 @@ impl MovingTree {
                 self.nodes[parent].inertia += inertia;
             }
         }
-        matrix
     }
 }

@@ -2,8 +2,7 @@
 //! respect to the rates.
 
 use super::{MovingTree, Tree};
-use crate::group::{LieGroup, Se3};
-use nalgebra::{Isometry3, Vector3, Vector6};
+use nalgebra::{Isometry3, UnitQuaternion, Vector3, Vector6};
 
 /// A point that is fixed to a body.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -77,19 +76,13 @@ impl Tree {
 impl GroundView {
     /// Computes the motions of all nodes at the configuration and the rates of a tree.
     pub fn update(&mut self, moving: &MovingTree) {
-        let mut accelerations: Vec<Vector6<f64>> = vec![];
-        self.poses.clear();
+        self.poses = moving.node_poses();
         self.motions.clear();
-        for (node, own) in moving.tree.nodes.iter().zip(&moving.nodes) {
-            let mut acceleration = Se3.bracket(&own.velocity, &own.relative);
-            let pose = match node.parent {
-                Some(parent) => {
-                    acceleration += Se3.adjoint(&own.back, &accelerations[parent]);
-                    Se3.compose(&self.poses[parent], &own.pose)
-                }
-                None => own.pose,
-            };
-            let part = |v: &Vector6<f64>, at: usize| Vector3::new(v[at], v[at + 1], v[at + 2]);
+        let mut accelerations: Vec<Vector6<f64>> = vec![];
+        for ((node, own), pose) in moving.tree.nodes.iter().zip(&moving.nodes).zip(&self.poses) {
+            let before = node.parent.map_or_else(Vector6::zeros, |parent| accelerations[parent]);
+            let acceleration = own.carried(&before);
+            let part = |v: &Vector6<f64>, at: usize| v.fixed_rows::<3>(at).into_owned();
             let (w, u) = (part(&own.velocity, 0), part(&own.velocity, 3));
             self.motions.push(PointMotion {
                 spin: pose.rotation * w,
@@ -99,12 +92,11 @@ impl GroundView {
                 acceleration: pose.rotation * (part(&acceleration, 3) + w.cross(&u)),
             });
             accelerations.push(acceleration);
-            self.poses.push(pose);
         }
     }
 
     /// The attitude of the body of a point.
-    pub fn attitude(&self, point: &BodyPoint) -> nalgebra::UnitQuaternion<f64> {
+    pub fn attitude(&self, point: &BodyPoint) -> UnitQuaternion<f64> {
         point.node.map_or_else(Default::default, |node| self.poses[node].rotation)
     }
 

@@ -37,8 +37,7 @@ impl MovingTree {
         for (at, node) in self.tree.nodes.iter().enumerate() {
             let before = node.parent.map_or(rise, |parent| self.nodes[parent].acceleration);
             let own = &mut self.nodes[at];
-            let mut acceleration = Se3.adjoint(&own.back, &before);
-            acceleration += Se3.bracket(&own.velocity, &own.relative);
+            let mut acceleration = own.carried(&before);
             for k in node.rates.clone() {
                 acceleration += self.tree.twists[k] * accelerations[k];
             }

@@ -47,6 +47,14 @@ pub(super) struct Eliminated {
     pub force: f64,
 }
 
+impl MovingNode {
+    /// The acceleration `Ad_(X^-1) A_before + [V, S v]` of the frame for rates that do not change, from
+    /// the acceleration of the frame before it.
+    pub fn carried(&self, before: &Vector6<f64>) -> Vector6<f64> {
+        Se3.adjoint(&self.back, before) + Se3.bracket(&self.velocity, &self.relative)
+    }
+}
+
 /// The covector `ad*_x h`: `(ad*_x h)(y) = h([x, y])`.
 pub(super) fn coadjoint_bracket(x: &Vector6<f64>, h: &Vector6<f64>) -> Vector6<f64> {
     let part = |v: &Vector6<f64>, at: usize| Vector3::new(v[at], v[at + 1], v[at + 2]);
@@ -137,22 +145,19 @@ impl MovingTree {
     /// The wrench that the first body of a joint exerts on the second one, after
     /// [`inverse`](Self::inverse): a moment and a force. Components are those in the frame of the body
     /// that is farther from the ground. The moment is about the point of this body that is at `point`
-    /// at the position of the mechanism. Without a point, it is about the origin of the frame of the
-    /// joint. Returns `None` for a joint without freedom, because its bodies are one.
+    /// at the position of the mechanism. Returns `None` for a joint without freedom, because its bodies
+    /// are one.
     ///
     /// # Panics
     /// Panics if the joint does not exist.
-    pub fn reaction(&self, joint: usize, point: Option<&Vector3<f64>>) -> Option<Vector6<f64>> {
+    pub fn reaction(&self, joint: usize, point: &Vector3<f64>) -> Option<Vector6<f64>> {
         let (node, sign) = self.tree.behind[joint]?;
-        let mut wrench = self.nodes[node].wrench * sign;
-        if let Some(point) = point {
-            let origin = BodyPoint { node: Some(node), point: Vector3::zeros() };
-            let arm = point - self.tree.at_home(&origin);
-            let force = Vector3::new(wrench[3], wrench[4], wrench[5]);
-            let moment = arm.cross(&force);
-            (0..3).for_each(|i| wrench[i] -= moment[i]);
-        }
-        Some(wrench)
+        let wrench = self.nodes[node].wrench * sign;
+        let origin = BodyPoint { node: Some(node), point: Vector3::zeros() };
+        let arm = point - self.tree.at_home(&origin);
+        let (moment, force) = (wrench.fixed_rows::<3>(0), wrench.fixed_rows::<3>(3));
+        let moment = moment - arm.cross(&force);
+        Some(Vector6::new(moment.x, moment.y, moment.z, force.x, force.y, force.z))
     }
 
     /// The poses of all bodies. The frame of each body is the ground frame at the position of the
@@ -220,7 +225,7 @@ impl MovingTree {
     }
 
     /// The poses of the frames of all nodes.
-    fn node_poses(&self) -> Vec<Isometry3<f64>> {
+    pub(super) fn node_poses(&self) -> Vec<Isometry3<f64>> {
         let mut poses: Vec<Isometry3<f64>> = vec![];
         for (node, own) in self.tree.nodes.iter().zip(&self.nodes) {
             poses.push(match node.parent {

@@ -8,7 +8,7 @@ use crate::mechanics::simulation::integration::Integration;
 use crate::mechanics::simulation::methods::{Class, Method};
 use crate::mechanics::simulation::motion::{ObservedMotion, Started, simulation};
 use crate::mechanics::simulation::stepper::Stepper;
-use crate::mechanics::systems::tree::{TreeConstraint, TreeState, TreeSystem};
+use crate::mechanics::systems::tree::{TreeState, TreeSystem};
 use nalgebra::{DVector, Vector3};
 use std::cell::RefCell;
 use std::ops::Range;
@@ -43,12 +43,17 @@ pub struct TreeColumns {
     pub bodies: Vec<usize>,
     /// The points of the moments of reactions, one for each joint; see
     /// [`reaction`](crate::mechanism::MovingTree::reaction).
-    pub points: Vec<Option<Vector3<f64>>>,
+    pub points: Vec<Vector3<f64>>,
     /// The formulas of the columns.
     pub formulas: Vec<Formula>,
 }
 
 impl TreeColumns {
+    /// The index of the power, counted from the first joint force.
+    const fn power(freedom: usize) -> usize {
+        freedom + 3
+    }
+
     /// The number of quantities from the joint forces to the violation.
     pub const fn loads(freedom: usize) -> usize {
         freedom + 11
@@ -108,12 +113,12 @@ impl Moving {
         buffers: RefCell<(Vec<f64>, Workspace)>,
     ) -> Self {
         let tree = system.tree();
-        let multipliers = system.constraints().iter().map(TreeConstraint::count).sum();
+        let multipliers = system.multipliers();
         let joints = (0..columns.points.len()).filter(|joint| !tree.rates(*joint).is_empty());
         let reactions = [multipliers, 6 * joints.count()];
         let forces = 1 + tree.home().len() + tree.freedom();
-        let (power, first) =
-            (forces + tree.freedom() + 3, forces + TreeColumns::loads(tree.freedom()));
+        let power = forces + TreeColumns::power(tree.freedom());
+        let first = forces + TreeColumns::loads(tree.freedom());
         let listed = first..first + reactions[0] + reactions[1];
         let is_reaction = |k: &usize| listed.contains(k) || (multipliers > 0 && *k == power);
         let has_reactions =
@@ -139,7 +144,7 @@ impl Moving {
         let power = system.power(state) + driven;
         values.extend([kinetic, potential, kinetic + potential, power]);
         values.extend(momentum.iter());
-        values.push(if multipliers > 0 { system.violation(state) } else { 0.0 });
+        values.push(system.violation(state));
         match wanted.flatten() {
             Some(found) => {
                 values.extend(found.multipliers.iter());

@@ -1,9 +1,10 @@
 //! Initial states that satisfy the constraints.
 
-use super::constraint::Rows;
 use super::reduction::Reduction;
+use super::rows::Rows;
 use super::{ITERATIONS, NEAR, STILL, TreeState, TreeSystem};
-use nalgebra::{DMatrix, DVector};
+use crate::mechanism::tree::MassFactor;
+use nalgebra::DVector;
 
 /// A constraint that cannot be satisfied.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,9 +24,9 @@ pub enum Violator {
     Coordinates,
     /// The rates.
     Rates,
-    /// The rates satisfy the constraints at a singular position to first order only: no motion has
-    /// these rates.
-    Branch,
+    /// No accelerations satisfy the constraints. At a singular position, the rates satisfy them to
+    /// first order only; or the constraints contradict each other.
+    Accelerations,
 }
 
 /// How an initial value is held while a tree is assembled.
@@ -42,9 +43,12 @@ pub enum Hold {
 impl Hold {
     /// The weight of a change of the value.
     fn weight(self) -> f64 {
-        if self == Hold::Near { 1e8 } else { 1.0 }
+        if self == Hold::Near { HEAVY } else { 1.0 }
     }
 }
+
+/// The weight of a change of a value that may be rounded.
+const HEAVY: f64 = 1e8;
 
 /// The longest change of a coordinate in one iteration of an assembly, in its unit.
 const LONGEST: f64 = 0.5;
@@ -54,7 +58,7 @@ const LONGEST: f64 = 0.5;
 const CONSISTENT: f64 = 1e-9;
 
 /// The largest violation of a constraint by the accelerations that counts as a rounding error,
-/// relative to squares of the rates.
+/// relative to its terms.
 const BRANCH: f64 = 1e-5;
 
 impl TreeSystem {
@@ -76,31 +80,25 @@ impl TreeSystem {
         let metrics = [0, 1].map(|which| {
             let weights =
                 held.iter().zip(&units).map(|(held, unit)| held[which].weight() / (unit * unit));
-            DMatrix::from_diagonal(&DVector::from_iterator(units.len(), weights))
+            DVector::from_iterator(units.len(), weights)
         });
+        let metric = |which: usize| MassFactor::diagonal(metrics[which].iter().copied());
         let mut buffers = self.buffers.borrow_mut();
-        let free = |rows: &Rows, which: usize| {
-            let mut rows = rows.clone();
-            let held = held.iter().enumerate().filter(|(_, held)| held[which] == Hold::Fixed);
-            held.for_each(|(rate, _)| rows.matrix.column_mut(rate).fill(0.0));
-            rows
-        };
+        let free =
+            |rows: &Rows, which: usize| rows.without(|rate| held[rate][which] == Hold::Fixed);
         let (mut moved, mut last) = (vec![0.0; units.len()], f64::INFINITY);
         for _ in 0..ITERATIONS {
             let rows = self.rows(state.time, state.numbers.as_slice(), &mut buffers);
-            let reduction = Reduction::new(metrics[0].clone(), &free(&rows, 0));
-            let values = rows.values.iter().map(|value| -value.unwrap_or(0.0));
-            let values = DVector::from_iterator(rows.values.len(), values);
+            let reduction = Reduction::new(metric(0), &free(&rows, 0));
             let Some(reduction) = reduction else { break };
             // values that are rounded return to their initial values
             let back = moved.iter().zip(held).map(|(moved, held)| match held[0] {
                 Hold::Near => -moved,
                 _ => 0.0,
             });
-            let back = &metrics[0] * DVector::from_iterator(units.len(), back);
-            let change = reduction.nearest(&back, &values);
-            let sizes = change.iter().zip(&units).map(|(x, unit)| (x / unit).abs());
-            let size = sizes.fold(0.0, f64::max);
+            let back = metrics[0].component_mul(&DVector::from_iterator(units.len(), back));
+            let change = reduction.nearest(&back, &rows.missing());
+            let size = self.tree.largest(&change);
             if size <= STILL || (size > 0.1 * last && last <= NEAR) {
                 break;
             }
@@ -119,33 +117,31 @@ impl TreeSystem {
         self.expect(Violator::Coordinates, values, |row| NEAR * sizes[row])?;
         let rates = state.numbers.rows(split, units.len()).into_owned();
         let free = free(&rows, 1);
-        let right = &rows.right - (&rows.matrix - &free.matrix) * &rates;
-        let Some(reduction) = Reduction::new(metrics[1].clone(), &free) else {
+        let Some(reduction) = Reduction::new(metric(1), &free) else {
             let by = Violator::Rates;
             return Err(Unsatisfied { constraint: 0, violation: f64::NAN, by });
         };
-        let found = reduction.nearest(&(&metrics[1] * &rates), &right);
+        let found = &rates + reduction.shortest(&-rows.residual(&rates));
         state.numbers.rows_mut(split, units.len()).copy_from(&found);
-        let residual = rows.residual(found.as_slice());
-        let fastest = found.iter().zip(&units).map(|(rate, unit)| (rate / unit).abs());
-        let fastest = fastest.fold(0.0, f64::max);
+        let residual = rows.residual(&found);
+        let fastest = self.tree.largest(&found);
         let size = |row: usize| CONSISTENT * (sizes[row] * fastest).max(rows.right[row].abs());
         self.expect(Violator::Rates, residual.iter().copied(), size)?;
-        // accelerations exist on a branch of the motion
+        // accelerations exist on each branch of the motion
         let settled = self.settled(state.time, &state.numbers, &mut buffers);
         if let Ok(settled) = settled {
-            let rows = &settled.rows;
-            let residual = &rows.matrix * settled.accelerations() + &rows.bias;
-            let size = |row: usize| BRANCH * sizes[row] * fastest * fastest;
-            if fastest > 0.0 {
-                self.expect(Violator::Branch, residual.iter().copied(), size)?;
-            }
+            let (rows, accelerations) = (&settled.rows, settled.accelerations());
+            let residual = rows.product(&accelerations) + &rows.bias;
+            // without constraints, the accelerations may be larger, and have larger rounding errors
+            let unbound = CONSISTENT * self.tree.largest(&settled.unbound());
+            let bend = self.tree.largest(&accelerations) + fastest * fastest;
+            let size =
+                |row: usize| sizes[row] * (BRANCH * bend + unbound) + BRANCH * rows.bias[row].abs();
+            self.expect(Violator::Accelerations, residual.iter().copied(), size)?;
         }
-        let changes = (found - rates).data.as_vec().clone();
-        let changes = moved.iter().zip(changes).zip(&units);
-        Ok(changes
-            .map(|((moved, change), unit)| [(moved / unit).abs(), (change / unit).abs()])
-            .collect())
+        let changes = found - rates;
+        let changes = moved.iter().zip(&changes).zip(&units);
+        Ok(changes.map(|((x, v), unit)| [x, v].map(|change| (change / unit).abs())).collect())
     }
 
     /// Checks that the violations of all rows are at most the allowed ones.

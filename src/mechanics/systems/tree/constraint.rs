@@ -1,10 +1,11 @@
 //! Constraints on the joint coordinates and the rates of a tree.
 
+use super::closure::Closure;
 use super::contact::Contact;
+use super::rows::Rows;
 use crate::mechanics::formula::{Gradient, Workspace};
-use crate::mechanism::tree::{BodyPoint, GroundView};
+use crate::mechanism::tree::GroundView;
 use crate::mechanism::{MovingTree, Tree};
-use nalgebra::{DMatrix, DVector, Vector3};
 
 /// A constraint of a tree.
 #[derive(Clone, Debug)]
@@ -32,135 +33,6 @@ pub struct Motor {
     pub formula: Gradient,
 }
 
-/// The equations of two bodies that move as one, because a loop was [cut](crate::mechanism::Cut)
-/// there.
-///
-/// With the attitudes `R_a`, `R_b` and the positions `x_a`, `x_b` of one point in both bodies, the
-/// six equations are
-///
-/// ```text
-/// 2 l vec(R_a R_b^T) = 0,   x_a - x_b = 0
-/// ```
-///
-/// where `vec` is the vector part of the quaternion with a positive real part, and `l` is the
-/// [length](Tree::length) of the tree. Their derivatives with respect to the time are the differences
-/// of the angular velocities, times `l`, and of the velocities.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Closure {
-    points: [BodyPoint; 2],
-}
-
-impl Closure {
-    /// The equations of a body and its copy.
-    ///
-    /// # Panics
-    /// Panics if a body does not exist.
-    pub fn new(tree: &Tree, [body, copy]: [usize; 2]) -> Self {
-        let first = tree.origin(body);
-        Closure { points: [first, tree.point(copy, &tree.at_home(&first))] }
-    }
-
-    fn add(&self, tree: &Tree, view: &GroundView, rows: &mut Rows) {
-        let [a, b] = self.points.map(|point| view.motion(&point));
-        let [turn_a, turn_b] = self.points.map(|point| view.attitude(&point));
-        let turn = turn_a * turn_b.inverse();
-        let angle = turn.imag() * (2.0_f64).copysign(turn.w);
-        let length = tree.length();
-        let values = [angle * length, a.position - b.position];
-        let biases = [(a.spin_rate - b.spin_rate) * length, a.acceleration - b.acceleration];
-        let first = rows.begin();
-        for (value, bias) in values.iter().zip(&biases) {
-            for i in 0..3 {
-                rows.push(Some(value[i]), 0.0, bias[i]);
-            }
-        }
-        for (point, motion, sign) in [(self.points[0], a, 1.0), (self.points[1], b, -1.0)] {
-            view.for_rates(tree, &point, &motion.position, |rate, w, u| {
-                for (block, part) in [w * length, u].iter().enumerate() {
-                    for i in 0..3 {
-                        rows.matrix[(first + 3 * block + i, rate)] += sign * part[i];
-                    }
-                }
-            });
-        }
-    }
-}
-
-impl Closure {
-    fn load(&self, place: &Place, multipliers: &[f64], moving: &mut MovingTree) {
-        let part = |at: usize| Vector3::from_column_slice(&multipliers[at..at + 3]);
-        let [moment, force] = [part(0) * place.tree.length(), part(3)];
-        for (point, sign) in self.points.iter().zip([-1.0, 1.0]) {
-            let attitude = place.view.attitude(point);
-            moving.load(point, &attitude, &(moment * sign), &(force * sign));
-        }
-    }
-}
-
-/// All constraints at a state, as linear equations `matrix v = right` for the rates.
-#[derive(Clone, Debug)]
-pub(super) struct Rows {
-    pub matrix: DMatrix<f64>,
-    pub right: DVector<f64>,
-    /// The time derivatives of `matrix v - right` for rates that do not change.
-    pub bias: DVector<f64>,
-    /// The values of the constraints on the coordinates; `None` for constraints on the rates.
-    pub values: Vec<Option<f64>>,
-    /// For each row, the first row of its constraint. All rows of a constraint have the same unit.
-    pub first: Vec<usize>,
-    /// The number of rows so far.
-    next: usize,
-    /// The first row of the present constraint.
-    own: usize,
-}
-
-impl Rows {
-    fn new(count: usize, freedom: usize) -> Self {
-        Rows {
-            matrix: DMatrix::zeros(count, freedom),
-            right: DVector::zeros(count),
-            bias: DVector::zeros(count),
-            values: Vec::with_capacity(count),
-            first: Vec::with_capacity(count),
-            next: 0,
-            own: 0,
-        }
-    }
-
-    /// Begins a constraint, and returns the index of its first row.
-    pub fn begin(&mut self) -> usize {
-        self.own = self.next;
-        self.own
-    }
-
-    /// Appends a row without its entries, and returns its index.
-    pub fn push(&mut self, value: Option<f64>, right: f64, bias: f64) -> usize {
-        let row = self.next;
-        (self.right[row], self.bias[row]) = (right, bias);
-        self.values.push(value);
-        self.first.push(self.own);
-        self.next += 1;
-        row
-    }
-
-    /// The size of each constraint: the largest sum of the terms of one of its rows, for rates of
-    /// these units.
-    pub fn sizes(&self, units: &[f64]) -> Vec<f64> {
-        let mut sizes = vec![0.0_f64; self.first.len()];
-        for (row, first) in self.first.iter().enumerate() {
-            let terms = self.matrix.row(row);
-            let sum = terms.iter().zip(units).map(|(entry, unit)| (entry * unit).abs()).sum();
-            sizes[*first] = sizes[*first].max(sum);
-        }
-        self.first.iter().map(|first| sizes[*first]).collect()
-    }
-
-    /// The violations `matrix v - right` of the rates.
-    pub fn residual(&self, rates: &[f64]) -> DVector<f64> {
-        &self.matrix * DVector::from_column_slice(rates) - &self.right
-    }
-}
-
 /// A state at which constraints are evaluated.
 pub(super) struct Place<'s> {
     pub tree: &'s Tree,
@@ -184,10 +56,10 @@ impl TreeConstraint {
 
     /// Adds the force `-G^T lambda` of this constraint to the loads of the bodies. Formulas act on
     /// joint coordinates, and have no loads.
-    pub(super) fn load(&self, place: &Place, multipliers: &[f64], moving: &mut MovingTree) {
+    pub(super) fn load(&self, view: &GroundView, multipliers: &[f64], moving: &mut MovingTree) {
         match self {
-            TreeConstraint::Closure(closure) => closure.load(place, multipliers, moving),
-            TreeConstraint::Contact(contact) => contact.load(place.view, multipliers, moving),
+            TreeConstraint::Closure(closure) => closure.load(view, multipliers, moving),
+            TreeConstraint::Contact(contact) => contact.load(view, multipliers, moving),
             TreeConstraint::Motor(_)
             | TreeConstraint::Position(_)
             | TreeConstraint::Velocity(_) => {}
@@ -207,7 +79,7 @@ impl TreeConstraint {
                 TreeConstraint::Velocity(formula) => place.velocity(formula, workspace, &mut rows),
             }
         }
-        rows
+        rows.complete()
     }
 }
 
@@ -222,9 +94,9 @@ impl Place<'_> {
         let value = motor.formula.evaluate(&[self.time], workspace).0;
         let change = motor.formula.along(&[self.time], &[1.0], workspace).next();
         let (speed, acceleration) = change.map_or((0.0, 0.0), |(_, first, second)| (first, second));
-        rows.begin();
+        rows.begin(0.0);
         let row = rows.push(Some(self.numbers[motor.number] - value), speed, -acceleration);
-        rows.matrix[(row, motor.rate)] = 1.0;
+        rows.add(row, motor.rate, 1.0);
     }
 
     /// Appends a formula in the time and the numbers, `Phi(t, q) = 0`:
@@ -239,16 +111,20 @@ impl Place<'_> {
         for (k, slope, change) in formula.along(&variables, &speeds, workspace) {
             bias += change * speeds[k] + slope * self.second(k);
         }
-        rows.begin();
+        rows.begin(0.0);
         let row = rows.push(Some(value), -by_time, bias);
         let mut gradient = vec![0.0; self.numbers.len()];
         slopes.iter().filter(|(k, _)| *k > 0).for_each(|(k, slope)| gradient[k - 1] = *slope);
         for (rate, number) in self.tree.coordinates() {
-            rows.matrix[(row, rate)] = gradient[number];
+            if gradient[number] != 0.0 {
+                rows.add(row, rate, gradient[number]);
+            }
         }
         for (rate, number) in self.tree.balls() {
-            let by_rates = self.tree.along_ball(self.numbers, number, &gradient);
-            (0..3).for_each(|k| rows.matrix[(row, rate + k)] = by_rates[k]);
+            if gradient[number..number + 4].iter().any(|slope| *slope != 0.0) {
+                let by_rates = self.tree.along_ball(self.numbers, number, &gradient);
+                (0..3).for_each(|k| rows.add(row, rate + k, by_rates[k]));
+            }
         }
     }
 
@@ -268,9 +144,9 @@ impl Place<'_> {
                 entries.push((k - first, slope));
             }
         }
-        rows.begin();
+        rows.begin(0.0);
         let row = rows.push(None, linear - value, bias);
-        entries.into_iter().for_each(|(rate, slope)| rows.matrix[(row, rate)] = slope);
+        entries.into_iter().for_each(|(rate, slope)| rows.add(row, rate, slope));
     }
 
     /// The time derivatives of all variables, for rates that do not change.

@@ -1,9 +1,9 @@
 //! Bodies that roll or slide on a plane: wheels, balls and knife edges.
 
-use super::constraint::Rows;
+use super::rows::Rows;
 use crate::mechanism::tree::{BodyPoint, GroundView, PointMotion};
 use crate::mechanism::{MovingTree, Tree};
-use nalgebra::Vector3;
+use nalgebra::{UnitQuaternion, Vector3};
 
 /// The shape of a body where it touches the plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -75,7 +75,7 @@ impl Contact {
         if let ContactShape::Edge(_) = self.shape { 2 } else { 3 }
     }
 
-    fn touch(&self, motion: &PointMotion, attitude: &nalgebra::UnitQuaternion<f64>) -> Touch {
+    fn touch(&self, motion: &PointMotion, attitude: &UnitQuaternion<f64>) -> Touch {
         let (n, zero) = (self.normal, Vector3::zeros());
         let fixed = |n: Vector3<f64>| {
             let across = n.cross(&Vector3::ith((n.iamax() + 1) % 3, 1.0)).normalize();
@@ -111,13 +111,13 @@ impl Contact {
         let acceleration = motion.acceleration
             + motion.spin_rate.cross(&touch.arm)
             + motion.spin.cross(&touch.arm_rate);
-        rows.begin();
+        rows.begin(tree.length());
         for (at, [along, along_rate]) in touch.directions.iter().enumerate() {
             let value = (at == 0).then(|| along.dot(&position) - self.height);
             let bias = along.dot(&acceleration) + along_rate.dot(&velocity);
             let row = rows.push(value, 0.0, bias);
             view.for_rates(tree, &self.centre, &position, |rate, _, u| {
-                rows.matrix[(row, rate)] += along.dot(&u);
+                rows.add(row, rate, along.dot(&u));
             });
         }
     }

@@ -2,9 +2,11 @@
 
 use super::{TreeState, TreeSystem};
 use crate::Error;
+use crate::numerics::derivative::derivative;
+use crate::numerics::least_squares::least_squares;
+use crate::numerics::null_space::null_space;
 use nalgebra::linalg::balancing::balance_parlett_reinsch;
-use nalgebra::{Complex, DMatrix, DVector, SVD, Schur};
-use std::f64::consts::PI;
+use nalgebra::{Complex, DMatrix, DVector, Schur, Vector3};
 
 /// The linear equations `u' = A u` of deviations from an equilibrium or a steady motion of a tree.
 ///
@@ -40,16 +42,13 @@ pub struct Linearization {
     pub shapes: Vec<Vec<f64>>,
 }
 
-/// Half of the widest and of the narrowest interval of Chebyshev series, in units of the tree.
-const WIDEST: f64 = 0.5;
-const NARROWEST: f64 = 1e-3;
-/// The number of pairs of nodes of a Chebyshev series.
-const PAIRS: usize = 12;
+/// Half of the widest and of the narrowest interval of derivatives, in units of the tree.
+const WIDTHS: [f64; 2] = [0.5, 1e-3];
 /// Accelerations vanish up to this multiple of the largest entry of the matrix.
 const STEADY: f64 = 1e-9;
 /// A displacement that is a rounding error, in units of the tree.
 const ROUNDING: f64 = 1e-12;
-/// A singular value that is a rounding error, relative to the largest one.
+/// The part of a row that is a rounding error, relative to the longest one.
 const ZERO: f64 = 1e-8;
 /// An entry of the matrix that is a rounding error, relative to the largest one of its row, and to
 /// the largest one of all.
@@ -58,6 +57,8 @@ const NOISE: [f64; 2] = [1e-11, 1e-13];
 const CONSTANT: f64 = 1e-6;
 /// The time by which a steady motion is followed, in units of the fastest rate.
 const LATER: f64 = 0.3;
+/// The longest step of Newton's method to an equilibrium, in units of the tree.
+const LONGEST: f64 = 0.3;
 /// The largest number of steps of Newton's method to an equilibrium.
 const ITERATIONS: usize = 50;
 
@@ -77,14 +78,11 @@ impl TreeSystem {
                 return Ok(state);
             }
             let [closed, _] = self.constraint_rows(&state, &units)?;
-            let free = null_space(closed);
+            let free = null_space(&closed, ZERO);
             if free.is_empty() {
                 return Err(invalid("the constraints leave no freedom".into()));
             }
-            let solution = SVD::new(&slopes * &free, true, true);
-            let cut = ZERO * solution.singular_values.max();
-            let change = solution.solve(&-&rest, cut).map_err(|reason| invalid(reason.into()))?;
-            let mut change = &free * change;
+            let mut change = &free * least_squares(&(&slopes * &free), &-&rest);
             if change.amax() <= ROUNDING {
                 if rest.amax() <= STEADY * slopes.amax() {
                     return Ok(state);
@@ -94,11 +92,11 @@ impl TreeSystem {
                 change = &fall / fall.amax().max(f64::MIN_POSITIVE);
             }
             let longest = change.amax();
-            let share = if longest > 0.3 { 0.3 / longest } else { 1.0 };
+            let share = if longest > LONGEST { LONGEST / longest } else { 1.0 };
             let displacement = (change * share).component_mul(&units);
             let numbers = &mut state.numbers.as_mut_slice()[..split];
             self.tree.displace(numbers, displacement.as_slice());
-            state.numbers = self.projected(state.time, &state.numbers).map_err(invalid)?;
+            state.numbers = self.projected(state.time, &state.numbers, &mut []).map_err(invalid)?;
         }
         Err(invalid("there is no equilibrium near the initial position".into()))
     }
@@ -111,11 +109,11 @@ impl TreeSystem {
     pub fn linearized(&self, state: &TreeState) -> Result<Linearization, Error> {
         let units = DVector::from_iterator(self.tree.freedom(), self.tree.units());
         let accelerations = self.accelerations(state, &units)?;
-        let (matrix, basis) = self.restricted(state, &units)?;
+        let own = self.restricted(state, &units)?;
+        let Restricted { matrix, displacements, .. } = &own;
         if matrix.is_empty() {
             // motors move all coordinates
-            let (eigenvalues, shapes) = (vec![], vec![]);
-            return Ok(Linearization { matrix, basis, zeros: 0, eigenvalues, shapes });
+            return Ok(own.with_modes(0, vec![]));
         }
         if accelerations.amax() > STEADY * matrix.amax() {
             let rate = accelerations.iamax();
@@ -138,30 +136,16 @@ impl TreeSystem {
             invalid(reason.into())
         };
         let bend = self.accelerations(&later, &units).map_err(|_| changes())?;
-        let (other, other_basis) = self.restricted(&later, &units).map_err(|_| changes())?;
-        if other.shape() != matrix.shape() || bend.amax() > STEADY * matrix.amax() {
+        let other = self.restricted(&later, &units).map_err(|_| changes())?;
+        if other.matrix.shape() != matrix.shape() || bend.amax() > STEADY * matrix.amax() {
             return Err(changes());
         }
-        // both matrices on the deviations, which do not depend on the choice of a basis
-        let full = |matrix: &DMatrix<f64>, basis: &DMatrix<f64>| {
-            let left = basis.clone().pseudo_inverse(ZERO).unwrap_or_else(|_| basis.transpose());
-            basis * matrix * left
-        };
-        let (here, there) = (full(&matrix, &basis), full(&other, &other_basis));
+        let (here, there) = (own.on_all_deviations(), other.on_all_deviations());
         if (&there - &here).amax() > CONSTANT * here.amax() {
             return Err(changes());
         }
-        let displacements =
-            basis.rows(0, units.len()).column_iter().filter(|x| x.amax() > 0.0).count();
-        let (zeros, eigenvalues) = modes(&matrix, displacements);
-        let shapes = eigenvalues.iter().map(|value| {
-            let deviation = basis.map(Complex::from) * vector(&matrix, value);
-            let sizes = deviation.rows(0, units.len()).map(|x| x.norm());
-            let largest = sizes.max();
-            sizes.iter().map(|x| if largest > 0.0 { x / largest } else { 0.0 }).collect()
-        });
-        let shapes = shapes.collect();
-        Ok(Linearization { matrix, basis, zeros, eigenvalues, shapes })
+        let (zeros, eigenvalues) = modes(matrix, *displacements);
+        Ok(own.with_modes(zeros, eigenvalues))
     }
 
     /// The accelerations on the constraints, in units of the tree.
@@ -178,17 +162,13 @@ impl TreeSystem {
     }
 
     /// The matrix on the deviations that satisfy the constraints, and their basis.
-    fn restricted(
-        &self,
-        state: &TreeState,
-        units: &DVector<f64>,
-    ) -> Result<(DMatrix<f64>, DMatrix<f64>), Error> {
+    fn restricted(&self, state: &TreeState, units: &DVector<f64>) -> Result<Restricted, Error> {
         let n = units.len();
         let mut full = DMatrix::zeros(2 * n, 2 * n);
         full.view_mut((0, n), (n, n)).fill_with_identity();
         let rates = state.numbers.rows_range(state.numbers.len() - n..);
         for (first, _) in self.tree.balls() {
-            let w = nalgebra::Vector3::new(rates[first], rates[first + 1], rates[first + 2]);
+            let w = Vector3::new(rates[first], rates[first + 1], rates[first + 2]);
             full.view_mut((first, first), (3, 3)).copy_from(&-w.cross_matrix());
         }
         for which in 0..2 {
@@ -197,23 +177,23 @@ impl TreeSystem {
         }
         let [closed, moving] = self.constraint_rows(state, units)?;
         let on_rates = moving.columns(n, n).into_owned();
-        let [displacements, changes] = [null_space(closed), null_space(on_rates.clone())];
+        let [displacements, changes] =
+            [closed, on_rates.clone()].map(|rows| null_space(&rows, ZERO));
         let (d, c) = (displacements.ncols(), changes.ncols());
-        // a displacement with the smallest change of the rates
-        let inverse = match on_rates.is_empty() {
-            true => DMatrix::zeros(n, 0),
-            false => on_rates.pseudo_inverse(ZERO).map_err(|reason| invalid(reason.into()))?,
-        };
-        let follows = -(inverse * moving.columns(0, n) * &displacements);
         let mut basis = DMatrix::zeros(2 * n, d + c);
         basis.view_mut((0, 0), (n, d)).copy_from(&displacements);
-        basis.view_mut((n, 0), (n, d)).copy_from(&follows);
         basis.view_mut((n, d), (n, c)).copy_from(&changes);
+        // each displacement has the smallest change of the rates that follows from it
+        let follows = -(moving.columns(0, n) * &displacements);
+        for (k, right) in follows.column_iter().enumerate().filter(|_| !on_rates.is_empty()) {
+            let change = least_squares(&on_rates, &right.into_owned());
+            basis.view_mut((n, k), (n, 1)).copy_from(&change);
+        }
         let image = full * &basis;
         let mut matrix = DMatrix::zeros(d + c, d + c);
         matrix.rows_mut(0, d).copy_from(&displacements.tr_mul(&image.rows(0, n)));
         matrix.rows_mut(d, c).copy_from(&changes.tr_mul(&image.rows(n, n)));
-        Ok((matrix, basis))
+        Ok(Restricted { matrix, basis, displacements: d })
     }
 
     /// The derivatives of the accelerations with respect to displacements (`which` is 0) or rates (1),
@@ -232,7 +212,7 @@ impl TreeSystem {
                 let slope = self.slope(state.time, &y);
                 slope.rows_range(slope.len() - n..).component_div(units)
             };
-            slopes.column_mut(k).copy_from(&derivative(value));
+            slopes.column_mut(k).copy_from(&derivative(value, WIDTHS));
         }
         // reasons of wide intervals, which were not used
         let trouble = self.take_trouble();
@@ -255,15 +235,13 @@ impl TreeSystem {
         let here = rows(&state.numbers);
         let count = here.values.len();
         let in_units = DMatrix::from_diagonal(units);
-        let matrix = &here.matrix * &in_units;
+        let matrix = here.matrix() * &in_units;
         let mut moving = DMatrix::zeros(count, 2 * n);
         moving.view_mut((0, n), (count, n)).copy_from(&matrix);
         let rates = state.numbers.rows_range(state.numbers.len() - n..).into_owned();
         for k in 0..n {
-            let value = |s: f64| {
-                rows(&self.displaced(state, k, s * units[k], 0)).residual(rates.as_slice())
-            };
-            moving.column_mut(k).copy_from(&derivative(value));
+            let value = |s: f64| rows(&self.displaced(state, k, s * units[k], 0)).residual(&rates);
+            moving.column_mut(k).copy_from(&derivative(value, WIDTHS));
         }
         let of_position: Vec<usize> =
             (0..count).filter(|row| here.values[*row].is_some()).collect();
@@ -301,58 +279,37 @@ impl TreeSystem {
     }
 }
 
-/// The derivative at 0, from the Chebyshev series on an interval about 0. The interval is halved
-/// until the series ends within rounding errors; the best interval counts.
-fn derivative(value: impl Fn(f64) -> DVector<f64>) -> DVector<f64> {
-    let angles: [f64; PAIRS] = std::array::from_fn(|j| PI * (j as f64 + 0.5) / (2 * PAIRS) as f64);
-    let mut best: Option<(f64, DVector<f64>)> = None;
-    let mut half = WIDEST;
-    while half >= NARROWEST {
-        let mut size = 0.0_f64;
-        let odd = angles.map(|angle| {
-            let [after, before] = [1.0, -1.0].map(|sign| value(sign * half * angle.cos()));
-            size = size.max(after.amax()).max(before.amax());
-            (after - before) * 0.5
-        });
-        let mut slope = DVector::zeros(odd[0].len());
-        let mut tail = 0.0_f64;
-        // the derivative of the polynomial T_k at 0 is k for k = 1, 5, ... and -k for k = 3, 7, ...
-        for k in (1..2 * PAIRS).step_by(2) {
-            let terms = odd.iter().zip(&angles).map(|(odd, angle)| odd * (k as f64 * angle).cos());
-            let coefficient = terms.sum::<DVector<f64>>() * (2.0 / PAIRS as f64);
-            let sign = if k % 4 == 1 { 1.0 } else { -1.0 };
-            slope += &coefficient * (sign * k as f64 / half);
-            if k + 4 > 2 * PAIRS {
-                tail = tail.max(coefficient.amax());
-            }
-        }
-        let error = (tail + f64::EPSILON * size) / half;
-        let is_finite = slope.iter().all(|slope| slope.is_finite());
-        if is_finite && best.as_ref().is_none_or(|(least, _)| error < *least) {
-            best = Some((error, slope));
-        } else if best.is_none() {
-            best = Some((f64::INFINITY, slope));
-        }
-        if is_finite && tail <= 8.0 * f64::EPSILON * size {
-            break;
-        }
-        half *= 0.5;
-    }
-    best.map_or_else(|| value(0.0), |(_, slope)| slope)
+/// The linear equations on the deviations that satisfy the constraints.
+struct Restricted {
+    matrix: DMatrix<f64>,
+    basis: DMatrix<f64>,
+    /// The number of deviations with displacements, which come first.
+    displacements: usize,
 }
 
-/// An orthonormal basis of the null space of a matrix, as columns.
-fn null_space(matrix: DMatrix<f64>) -> DMatrix<f64> {
-    let n = matrix.ncols();
-    // the projector onto the null space; a square matrix has all right singular vectors
-    let mut square = DMatrix::zeros(matrix.nrows().max(n), n);
-    square.view_mut((0, 0), matrix.shape()).copy_from(&matrix);
-    let svd = SVD::new(square, false, true);
-    let largest = svd.singular_values.max();
-    let vectors = svd.v_t.unwrap_or_else(|| DMatrix::identity(n, n));
-    let small = |k: &usize| svd.singular_values[*k] <= ZERO * largest || largest == 0.0;
-    let rows: Vec<usize> = (0..n).filter(small).collect();
-    vectors.select_rows(&rows).transpose()
+impl Restricted {
+    /// The matrix on all deviations. It does not depend on the choice of the basis, and vanishes on
+    /// deviations that are orthogonal to the displacements and changes of the basis.
+    fn on_all_deviations(&self) -> DMatrix<f64> {
+        let (n, d) = (self.basis.nrows() / 2, self.displacements);
+        let mut left = self.basis.transpose();
+        left.view_mut((0, n), (d, n)).fill(0.0);
+        &self.basis * &self.matrix * left
+    }
+
+    /// The result with these eigenvalues.
+    fn with_modes(self, zeros: usize, eigenvalues: Vec<Complex<f64>>) -> Linearization {
+        let rates = self.basis.nrows() / 2;
+        let displacements = self.basis.rows(0, rates).map(Complex::from);
+        let shapes = eigenvalues.iter().map(|value| {
+            let sizes = (&displacements * vector(&self.matrix, value)).map(|x| x.norm());
+            let largest = sizes.max();
+            sizes.iter().map(|x| if largest > 0.0 { x / largest } else { 0.0 }).collect()
+        });
+        let shapes = shapes.collect();
+        let Restricted { matrix, basis, .. } = self;
+        Linearization { matrix, basis, zeros, eigenvalues, shapes }
+    }
 }
 
 /// The number of eigenvalues that vanish, and the other eigenvalues. The first `d` rows are the time
@@ -380,11 +337,11 @@ fn modes(matrix: &DMatrix<f64>, d: usize) -> (usize, Vec<Complex<f64>>) {
         if reduced.is_empty() {
             return (n, vec![]);
         }
-        let null = null_space(reduced.clone());
+        let null = null_space(&reduced, ZERO);
         if null.ncols() == 0 {
             break;
         }
-        let rest = null_space(null.transpose());
+        let rest = null_space(&null.transpose(), ZERO);
         reduced = rest.transpose() * &reduced * &rest;
     }
     let zeros = n - reduced.nrows();
@@ -394,15 +351,20 @@ fn modes(matrix: &DMatrix<f64>, d: usize) -> (usize, Vec<Complex<f64>>) {
     (zeros, eigenvalues)
 }
 
-/// An eigenvector of a matrix: the right singular vector of the smallest singular value of `A -
-/// value`.
+/// An eigenvector of a matrix, by inverse iteration.
 fn vector(matrix: &DMatrix<f64>, value: &Complex<f64>) -> DVector<Complex<f64>> {
     let n = matrix.nrows();
-    let shifted = matrix.map(Complex::from) - DMatrix::identity(n, n) * *value;
-    let svd = SVD::new(shifted, false, true);
-    let at = svd.singular_values.imin();
-    let rows = svd.v_t.map(|rows| rows.row(at).adjoint());
-    rows.unwrap_or_else(|| DVector::zeros(n))
+    // the shift avoids a singular matrix
+    let shift = value + Complex::from(f64::EPSILON.sqrt() * matrix.norm());
+    let shifted = (matrix.map(Complex::from) - DMatrix::identity(n, n) * shift).lu();
+    let mut vector = DVector::from_fn(n, |k, _| Complex::from(1.0 + 0.1 * k as f64));
+    for _ in 0..3 {
+        match shifted.solve(&vector) {
+            Some(next) => vector = next.normalize(),
+            None => break,
+        }
+    }
+    vector
 }
 
 fn invalid(reason: String) -> Error {

@@ -1,93 +1,118 @@
 //! Linear equations with a mass matrix and constraints that may be redundant.
 
-use super::constraint::Rows;
-use nalgebra::linalg::{Cholesky, PermutationSequence};
-use nalgebra::{DMatrix, DVector, Dyn};
+use super::multipliers::{Pivoted, Regularized};
+use super::rows::Rows;
+use crate::mechanism::tree::MassFactor;
+use nalgebra::{DMatrix, DVector};
 
 /// A constraint counts as redundant if its part that is independent of others is at most this
 /// multiple of its size, measured by the kinetic energy.
-const DEPENDENT: f64 = 1e-6;
+pub(super) const DEPENDENT: f64 = 1e-6;
 
-/// The mass matrix `M = L L^T` with constraints `G x = r`, which may be redundant.
+/// The number of equations from which sparse factorizations are faster.
+const MANY: usize = 120;
+
+/// The mass matrix `M = L^T L` with constraints `G x = r`, which may be redundant.
 ///
-/// The columns of the matrix `Y = L^-1 G^T` belong to the rows of `G`. All columns of a constraint
-/// are divided by the length of its longest column. Then `Y P = Q R` is the factorization with
-/// pivoting, whose leading columns span all constraints that are independent.
+/// The columns of the matrix `Y = L^-T G^T` belong to the rows of `G`. All columns of a constraint
+/// are divided by the length of its longest column. With `y = L x` and `f = L^-T forces`, the
+/// solution is `y = f - Y mu` with `Y^T y = r`.
+#[derive(Debug)]
 pub(super) struct Reduction {
-    mass: Cholesky<f64, Dyn>,
-    /// The columns of `Q` that span the independent constraints, and their rows of `R`.
-    directions: DMatrix<f64>,
-    triangle: DMatrix<f64>,
-    order: PermutationSequence<Dyn>,
+    mass: MassFactor,
     /// The rows of `G` that do not vanish, and the factor of each.
     kept: Vec<usize>,
     scales: DVector<f64>,
     /// The number of rows of `G`.
     count: usize,
+    solver: Solver,
+}
+
+/// The factorization of `Y`.
+#[derive(Debug)]
+enum Solver {
+    Pivoted(Pivoted),
+    Regularized(Regularized),
 }
 
 impl Reduction {
-    /// Returns `None` if the mass matrix is not positive definite, or if a number is not finite.
-    pub fn new(mass: DMatrix<f64>, rows: &Rows) -> Option<Self> {
-        if !rows.matrix.iter().all(|entry| entry.is_finite()) {
+    /// Returns `None` if a number is not finite.
+    pub fn new(mass: MassFactor, rows: &Rows) -> Option<Self> {
+        let is_sparse = rows.entries.len() >= MANY;
+        Self::with(mass, rows, is_sparse)
+    }
+
+    /// The equations with sparse factorizations or without.
+    fn with(mass: MassFactor, rows: &Rows, is_sparse: bool) -> Option<Self> {
+        if !rows.entries.iter().flatten().all(|(_, entry)| entry.is_finite()) {
             return None;
         }
-        let mass = Cholesky::new(mass)?;
-        let mut columns = rows.matrix.transpose();
-        mass.l_dirty().solve_lower_triangular_mut(&mut columns);
-        let count = columns.ncols();
-        let norms: Vec<f64> = columns.column_iter().map(|column| column.norm()).collect();
-        let mut longest = vec![0.0_f64; count];
+        let columns = mass.sparse_solutions(&rows.entries);
+        let norm = |own: &Vec<(usize, f64)>| own.iter().map(|(_, x)| x * x).sum::<f64>().sqrt();
+        let norms: Vec<f64> = columns.iter().map(norm).collect();
+        let mut longest = vec![0.0_f64; columns.len()];
         for (norm, first) in norms.iter().zip(&rows.first) {
             longest[*first] = longest[*first].max(*norm);
         }
         let size = |row: usize| longest[rows.first[row]];
+        let count = columns.len();
         let kept: Vec<usize> =
             (0..count).filter(|row| norms[*row] > DEPENDENT * size(*row)).collect();
         let scales = DVector::from_iterator(kept.len(), kept.iter().map(|row| 1.0 / size(*row)));
-        let mut columns = columns.select_columns(&kept);
-        for (scale, mut column) in scales.iter().zip(columns.column_iter_mut()) {
-            column *= *scale;
+        let mut columns: Vec<Vec<(usize, f64)>> =
+            kept.iter().map(|row| columns[*row].clone()).collect();
+        for (scale, column) in scales.iter().zip(&mut columns) {
+            column.iter_mut().for_each(|(_, entry)| *entry *= scale);
         }
-        let (directions, triangle, order) = match columns.is_empty() {
-            // there is no factorization of an empty matrix
-            true => {
-                let order = PermutationSequence::identity_generic(Dyn(0));
-                (DMatrix::zeros(columns.nrows(), 0), DMatrix::zeros(0, 0), order)
+        let solver = if is_sparse {
+            Solver::Regularized(Regularized::new(columns, rows.freedom())?)
+        } else {
+            let mut matrix = DMatrix::zeros(rows.freedom(), columns.len());
+            for (at, column) in columns.iter().enumerate() {
+                column.iter().for_each(|(rate, entry)| matrix[(*rate, at)] = *entry);
             }
-            false => columns.col_piv_qr().unpack(),
+            Solver::Pivoted(Pivoted::new(matrix))
         };
-        let pivots = (0..triangle.nrows()).map(|k| triangle[(k, k)].abs());
-        let rank = pivots.take_while(|pivot| *pivot > DEPENDENT).count();
-        let directions = directions.columns(0, rank).into_owned();
-        let triangle = triangle.rows(0, rank).into_owned();
-        Some(Reduction { mass, directions, triangle, order, kept, scales, count })
+        Some(Reduction { mass, kept, scales, count, solver })
     }
 
     /// The number of independent constraints.
     pub fn rank(&self) -> usize {
-        self.triangle.nrows()
+        match &self.solver {
+            Solver::Pivoted(solver) => solver.rank(),
+            Solver::Regularized(solver) => solver.rank(),
+        }
     }
 
     /// The vector `x` with `G x = right` that is nearest to `M^-1 forces`, in the metric `M`.
     pub fn nearest(&self, forces: &DVector<f64>, right: &DVector<f64>) -> DVector<f64> {
-        let (mut x, along) = self.parts(forces, right);
-        x -= &self.directions * along;
-        self.mass.l_dirty().tr_solve_lower_triangular_mut(&mut x);
-        x
+        let (free, target) = self.parts(forces, right);
+        let y = match &self.solver {
+            Solver::Pivoted(solver) => solver.nearest(free, target),
+            Solver::Regularized(solver) => solver.nearest(free, &target),
+        };
+        self.mass.solution(&y)
+    }
+
+    /// The shortest vector `x` with `G x = right`, in the metric `M`.
+    pub fn shortest(&self, right: &DVector<f64>) -> DVector<f64> {
+        self.nearest(&DVector::zeros(self.mass.freedom()), right)
+    }
+
+    /// The vector `M^-1 forces`.
+    pub fn unbound(&self, forces: &DVector<f64>) -> DVector<f64> {
+        self.mass.solution(&self.mass.transposed_solution(forces))
     }
 
     /// The multipliers `lambda` of this solution, `M x = forces - G^T lambda`. If constraints are
     /// redundant, they are those of the smallest norm, with constraints of the same size in the
     /// metric of the kinetic energy.
     pub fn multipliers(&self, forces: &DVector<f64>, right: &DVector<f64>) -> DVector<f64> {
-        let along = self.parts(forces, right).1;
-        let square = &self.triangle * self.triangle.transpose();
-        let mut found = match Cholesky::new(square) {
-            Some(square) if self.rank() > 0 => self.triangle.tr_mul(&square.solve(&along)),
-            _ => DVector::zeros(self.scales.len()),
+        let (free, target) = self.parts(forces, right);
+        let found = match &self.solver {
+            Solver::Pivoted(solver) => solver.multipliers(&free, target),
+            Solver::Regularized(solver) => solver.multipliers(&free, &target),
         };
-        self.order.inv_permute_rows(&mut found);
         let mut all = DVector::zeros(self.count);
         for ((row, scale), value) in self.kept.iter().zip(&self.scales).zip(&found) {
             all[*row] = scale * value;
@@ -95,21 +120,60 @@ impl Reduction {
         all
     }
 
-    /// The product `M x`.
-    pub fn momentum(&self, x: &DVector<f64>) -> DVector<f64> {
-        let l = self.mass.l();
-        &l * l.tr_mul(x)
+    /// The vector `L^-T forces`, and the right sides for the kept rows.
+    fn parts(&self, forces: &DVector<f64>, right: &DVector<f64>) -> (DVector<f64>, DVector<f64>) {
+        let target = right.select_rows(&self.kept).component_mul(&self.scales);
+        (self.mass.transposed_solution(forces), target)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Loops of four rates each, the neighbours of which share two, with six equations of rank three.
+    /// Two loops are nearly singular.
+    fn chain(loops: usize) -> (MassFactor, Rows) {
+        let freedom = 2 * loops + 2;
+        let mut rows = Rows::new(6 * loops, freedom);
+        for k in 0..loops {
+            let first = rows.begin(1.0);
+            let entry = |i: usize, j: usize| ((7 * k + 3 * i + 5 * j) as f64).sin();
+            let small = if k % 5 == 2 { 1e-3 } else { 1.0 };
+            for i in 0..6 {
+                rows.push(Some(0.0), 0.0, 0.0);
+                for j in 0..4 {
+                    let own = |i: usize| {
+                        // the third row is nearly a combination of the others
+                        if i == 2 { entry(0, j) + small * entry(2, j) } else { entry(i, j) }
+                    };
+                    let value = if i < 3 { own(i) } else { own(i - 3) - 0.5 * own((i + 1) % 3) };
+                    rows.add(first + i, 2 * k + j, value);
+                }
+            }
+        }
+        let weights = (0..freedom).map(|k| 1.0 + 0.5 * (k as f64).cos());
+        (MassFactor::diagonal(weights), rows.complete())
     }
 
-    /// The vector `L^-1 forces`, and the constraint forces along the columns of `Q`.
-    fn parts(&self, forces: &DVector<f64>, right: &DVector<f64>) -> (DVector<f64>, DVector<f64>) {
-        let mut free = forces.clone();
-        self.mass.l_dirty().solve_lower_triangular_mut(&mut free);
-        let mut target = right.select_rows(&self.kept).component_mul(&self.scales);
-        self.order.permute_rows(&mut target);
-        let mut target = target.rows(0, self.rank()).into_owned();
-        self.triangle.columns(0, self.rank()).tr_solve_upper_triangular_mut(&mut target);
-        let along = self.directions.tr_mul(&free) - target;
-        (free, along)
+    /// Dense and sparse factorizations, for systems on both sides of the threshold.
+    #[test]
+    fn sparse_and_dense_solutions_agree() {
+        for loops in [1, 3, 12, MANY / 6, MANY / 2] {
+            let (mass, rows) = chain(loops);
+            let [dense, sparse] = [false, true]
+                .map(|is_sparse| Reduction::with(mass.clone(), &rows, is_sparse).unwrap());
+            assert_eq!(dense.rank(), sparse.rank(), "{loops}");
+            let n = rows.freedom();
+            let forces = DVector::from_fn(n, |k, _| (0.3 * k as f64).sin());
+            // a right side that is consistent
+            let right = rows.product(&DVector::from_fn(n, |k, _| (1.0 + k as f64).cos()));
+            let [x, y] = [&dense, &sparse].map(|own| own.nearest(&forces, &right));
+            assert!((&x - &y).amax() < 1e-9, "{loops}: {}", (&x - &y).amax());
+            assert!((rows.product(&y) - &right).amax() < 1e-12);
+            let [x, y] = [&dense, &sparse].map(|own| own.multipliers(&forces, &right));
+            let size = x.amax();
+            assert!((&x - &y).amax() < 1e-6 * size, "{loops}: {} of {size}", (&x - &y).amax());
+        }
     }
 }

@@ -37,7 +37,7 @@ impl JointSpring {
 }
 
 /// A spring with a damper between two points: with their distance `d`, the points attract each other
-/// with the force `stiffness (d - length) + damping d'`. If the distance is zero, there is no force.
+/// with the force `stiffness (d - length) + damping d'`. The force vanishes if the distance is zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PointSpring {
     /// The points.
@@ -52,7 +52,7 @@ pub struct PointSpring {
 
 impl PointSpring {
     /// The stretch `d - length`, its rate, and the direction from the first to the second point.
-    pub(super) fn stretch(&self, view: &GroundView) -> (f64, f64, Vector3<f64>) {
+    fn stretch(&self, view: &GroundView) -> (f64, f64, Vector3<f64>) {
         let [a, b] = self.ends.map(|end| view.motion(&end));
         let apart = b.position - a.position;
         let distance = apart.norm();
@@ -67,6 +67,11 @@ impl PointSpring {
         for (end, force) in self.ends.iter().zip([force, -force]) {
             moving.load(end, &view.attitude(end), &Vector3::zeros(), &force);
         }
+    }
+
+    /// The power of the damper.
+    pub(super) fn power(&self, view: &GroundView) -> f64 {
+        -self.damping * self.stretch(view).1.powi(2)
     }
 
     pub(super) fn potential(&self, view: &GroundView) -> f64 {
