@@ -13,6 +13,7 @@ use crate::input::{
 };
 use crate::problem::{BodyKeys, JointKeys, read_robot};
 use crate::space::notation::Names;
+use crate::space::setting::named_values;
 use affinor::Error;
 use affinor::mechanism::denavit_hartenberg::{Link, closed_chain};
 use affinor::mechanism::joint::JointData;
@@ -169,14 +170,10 @@ impl Reader<'_> {
         let mut given = vec![];
         for text in set {
             let source = Source::new("--set", text);
-            for part in source.text.split(',').filter(|part| !part.trim().is_empty()) {
-                let Some((name, value)) = part.split_once('=') else {
-                    let error = InputError::usage("this is not of the form name=value");
-                    return Err(error.at(&source.whole(part)));
-                };
+            for (name, value) in named_values(&source)? {
                 let names = BTreeMap::new();
                 let value = Names::open(&names, None).scalar(value, &source)?;
-                given.push((name.trim().to_string(), value));
+                given.push((name.to_string(), value));
             }
         }
         for (name, number) in table.iter().flat_map(|table| &table.0) {

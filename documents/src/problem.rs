@@ -36,6 +36,7 @@ mod on_homogeneous;
 #[cfg(feature = "mechanisms")]
 mod on_tree;
 mod output;
+mod part;
 mod prescribed_velocity;
 mod reader;
 mod ready;
@@ -52,8 +53,8 @@ pub(crate) use joint_keys::{BodyKeys, JointKeys};
 pub use ready::{Column, Factor, Ready};
 pub use solid::Solid;
 
-use crate::input::{InputError, Source, file, numbers::numbers_in, parse_keys};
-use crate::space::setting::no_parameter;
+use crate::input::{InputError, Source, file, parse_keys};
+use crate::space::setting::{named_numbers, no_parameter};
 use affinor::mechanics::simulation::{Class as MethodClass, ForceFrame, ForceFunction, Method};
 use constrained::Constrained;
 use ensemble::Ensemble;
@@ -268,24 +269,15 @@ impl Problem {
     /// An error for a name that is not a parameter, and for a value that is not a number.
     pub fn set(&mut self, text: &str) -> Result<(), InputError> {
         let source = Source::new("--set", text);
-        for part in source.text.split(',').filter(|part| !part.trim().is_empty()) {
-            let Some((name, value)) = part.split_once('=') else {
-                let error = InputError::usage("this is not of the form name=value");
-                return Err(error.at(&source.whole(part)));
-            };
-            let trimmed = name.trim();
+        for (name, value) in named_numbers(&source)? {
             let known: Vec<_> = self.parameters.iter().map(|known| known.name.clone()).collect();
-            if known.iter().all(|known| known != trimmed) {
-                return Err(no_parameter(trimmed, &known).at(&source.whole(name)));
+            if known.iter().all(|known| known != name) {
+                return Err(no_parameter(name, &known).at(&source.whole(name)));
             }
-            let [value] = numbers_in(value, &source)?[..] else {
-                let error = InputError::usage("give the parameter exactly one value");
-                return Err(error.at(&source.whole(part)));
-            };
-            self.settings.retain(|(other, _)| other != trimmed);
-            self.settings.push((trimmed.into(), value));
+            self.settings.retain(|(other, _)| other != name);
+            self.settings.push((name.into(), value));
             if let Some(ensemble) = &mut self.ensemble {
-                ensemble.leave_out(trimmed);
+                ensemble.leave_out(name);
             }
         }
         Ok(())

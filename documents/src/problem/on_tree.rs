@@ -1,8 +1,11 @@
 //! Problems of bodies and joints, with joint coordinates as the state.
 
 mod constraints;
+mod linearized;
 mod names;
 mod springs;
+
+pub use linearized::LinearProblem;
 
 use super::assembly::{AssembledJoint, Assembly};
 use super::body::Bodies;
@@ -15,10 +18,10 @@ use crate::input::{InputError, Place, forms::OneOrMore, shown};
 use affinor::mechanics::MassProperties;
 use affinor::mechanics::simulation::{TreeColumns, TreeSpec};
 use affinor::mechanics::systems::tree::{
-    JointForce, JointSpring, Linearization, TreeForces, TreeState, TreeSystem,
+    JointForce, JointSpring, TreeForces, TreeState, TreeSystem,
 };
 use affinor::mechanism::{Cut, JointKind, Mechanism, Tree};
-use constraints::Constraints;
+use constraints::{Cause, Constraints};
 use nalgebra::{DVector, Vector3};
 use names::TreeNames;
 use springs::Springs;
@@ -106,10 +109,14 @@ impl OnTree {
             let help = "connect every body by a joint, directly or through other bodies";
             InputError::from(error).or_at(&self.place).help(help)
         })?;
-        let mut masses = self.inertias.masses(values)?.into_iter();
-        let inertias: Vec<Option<MassProperties>> =
-            self.has_inertia.iter().map(|has| if *has { masses.next() } else { None }).collect();
+        let inertias: Vec<Option<MassProperties>> = self.of_bodies(self.inertias.masses(values)?);
         Cut::new(&mechanism, &inertias).map_err(|error| self.refused(error))
+    }
+
+    /// A list for the bodies that move and have a mass, as a list for all bodies.
+    fn of_bodies<T>(&self, list: Vec<T>) -> Vec<Option<T>> {
+        let mut list = list.into_iter();
+        self.has_inertia.iter().map(|has| if *has { list.next() } else { None }).collect()
     }
 
     /// The tree for values of the parameters, with another acceleration of gravity if one is given.
@@ -135,7 +142,7 @@ impl OnTree {
         let cut = self.cut(&values)?;
         let gravity = vector(&self.gravity, &values)?;
         let tree = Arc::new(cut.tree(&gravity).map_err(|error| self.refused(error))?);
-        let mut names = TreeNames::new(self, &tree, self.multipliers(&cut), &member.parameters)?;
+        let mut names = TreeNames::new(self, &tree, &member.parameters)?;
         let (mut numbers, mut rates) = (tree.home(), vec![0.0; tree.freedom()]);
         let mut forces = TreeForces::default();
         for (at, joint) in self.joints.iter().enumerate() {
@@ -146,11 +153,12 @@ impl OnTree {
         forces.point_springs = self.springs.at(&tree, &values)?;
         tree.normalize(&mut numbers);
         let constraints = self.constraints(&cut, &tree, &names, &values)?;
+        let (causes, constraints): (Vec<Cause>, _) = constraints.into_iter().unzip();
         let system = TreeSystem::new(tree, forces, constraints);
+        names.complete(self, &system)?;
         let numbers = DVector::from_vec([numbers, rates].concat());
         let mut state = TreeState { time: member.times[0], numbers };
-        let notes = self.assemble(&system, &cut, &mut state)?;
-        names.is_conservative = system.is_conservative();
+        let notes = self.assemble(&system, &causes, &mut state)?;
         Ok(Start { system, state, names, notes })
     }
 
@@ -159,7 +167,7 @@ impl OnTree {
         let (columns, events) = member.output.read_columns(&mut names, &[], member.source)?;
         let values = member.values();
         let points: Result<Vec<_>, InputError> =
-            self.joints.iter().map(|joint| joint.own.point(&values).map(Some)).collect();
+            self.joints.iter().map(|joint| joint.own.point(&values)).collect();
         let spec = TreeSpec {
             system,
             time: state.time,
@@ -177,36 +185,10 @@ impl OnTree {
             |at: usize| Factor { number: (moving > 1).then_some(at + 1), first: 0, rotates: true };
         let factors = (0..moving).map(factor).collect();
         let notes = [&self.notes[..], &notes].concat();
-        let mut solids = self.inertias.solids(&values)?.into_iter();
-        let moving = self.bodies.iter().zip(&self.has_inertia).filter(|((_, fixed), _)| !fixed);
-        // a body without mass has no parts
-        let mut own = |has: bool| if has { solids.next() } else { None };
-        let solids = moving.map(|(_, has)| own(*has).unwrap_or_default()).collect();
+        let solids = self.of_bodies(self.inertias.solids(&values)?);
+        let moving = self.bodies.iter().zip(solids).filter(|((_, fixed), _)| !fixed);
+        let solids = moving.map(|(_, solids)| solids.unwrap_or_default()).collect();
         Ok(Ready { notes, factors, solids, ..ready })
-    }
-
-    /// The linear equations at the initial state. If it is at rest, they are those of the equilibrium
-    /// near it.
-    pub fn linearized(&self, member: &Member) -> Result<LinearProblem, InputError> {
-        let Start { system, mut state, names, notes } = self.start(member)?;
-        let refused = |error: affinor::Error| InputError::from(error).or_at(&self.place);
-        let [numbers, freedom] = names.sizes;
-        let is_at_rest = state.numbers.rows_range(numbers..).iter().all(|rate| *rate == 0.0);
-        if is_at_rest {
-            let help = "change the initial coordinates";
-            state = system.equilibrium(&state).map_err(|error| refused(error).help(help))?;
-        }
-        let help = "give the coordinates and the rates of a steady motion";
-        let linear = system.linearized(&state).map_err(|error| refused(error).help(help))?;
-        let list = |first: usize, count: usize| names.names[first..first + count].to_vec();
-        Ok(LinearProblem {
-            linear,
-            is_at_rest,
-            coordinates: list(1, numbers),
-            rates: list(1 + numbers, freedom),
-            state: state.numbers.as_slice().to_vec(),
-            notes,
-        })
     }
 }
 
@@ -216,23 +198,6 @@ struct Start<'m> {
     state: TreeState,
     names: TreeNames<'m>,
     notes: Vec<String>,
-}
-
-/// The linear equations of a problem in joint coordinates.
-#[derive(Clone, Debug)]
-pub struct LinearProblem {
-    /// The linear equations.
-    pub linear: Linearization,
-    /// Whether the state is an equilibrium. Otherwise it is a steady motion.
-    pub is_at_rest: bool,
-    /// The names of the coordinates.
-    pub coordinates: Vec<String>,
-    /// The names of the rates.
-    pub rates: Vec<String>,
-    /// The values of the coordinates and the rates.
-    pub state: Vec<f64>,
-    /// Notes on the initial state.
-    pub notes: Vec<String>,
 }
 
 impl TreeJoint {
@@ -351,7 +316,7 @@ impl TreeJoint {
         let force = |(rate, written): (usize, &Written)| {
             let formula = names.formula(written.text(), names.states);
             let formula = formula.map_err(|error| {
-                let all = names.names[..names.states].iter().chain(names.parameters());
+                let all = names.list(..names.states).iter().chain(names.parameters());
                 let all = all.cloned().collect::<Vec<_>>().join(", ");
                 written.refused(error, format!("a joint force may contain {all}"))
             })?;

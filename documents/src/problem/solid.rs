@@ -1,5 +1,6 @@
 //! Polyhedra that approximate solids in pictures.
 
+use affinor::mechanics::MassProperties;
 use nalgebra::{Isometry3, Vector3};
 use std::f64::consts::{PI, TAU};
 
@@ -44,6 +45,24 @@ impl Solid {
             vec![k, next, AROUND + next, AROUND + k]
         }));
         Solid { corners: ring(-0.5 * height).chain(ring(0.5 * height)).collect(), faces }
+    }
+
+    /// The homogeneous ellipsoid with the mass, the centre and the inertia of a body. With the principal
+    /// moments `I_k`, its half axes are `a_k^2 = 5 (I_1 + I_2 + I_3 - 2 I_k)/(2 m)`.
+    pub(super) fn of_inertia(body: &MassProperties) -> Self {
+        let principal = body.inertia_matrix().symmetric_eigen();
+        let mut axes = principal.eigenvectors;
+        if axes.determinant() < 0.0 {
+            // faces keep their orientation
+            axes.column_mut(0).neg_mut();
+        }
+        let (moments, sum) = (principal.eigenvalues, principal.eigenvalues.sum());
+        let squares = moments.map(|moment| 2.5 * (sum - 2.0 * moment) / body.mass());
+        // rounding errors of a flat body may be negative
+        let ellipsoid = Solid::ellipsoid(&squares.map(|square| square.max(0.0).sqrt()));
+        let corners = ellipsoid.corners.iter();
+        let corners = corners.map(|x| axes * x + body.centre()).collect();
+        Solid { corners, ..ellipsoid }
     }
 
     /// An ellipsoid with three half axes.

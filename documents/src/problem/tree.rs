@@ -3,7 +3,8 @@
 use super::keys::Keys;
 use super::on_tree::OnTree;
 use super::reader::Reader;
-use crate::input::{InputError, Source, file, numbers::numbers_in, parse_keys};
+use crate::input::{InputError, Source, file, parse_keys};
+use crate::space::setting::{named_numbers, no_parameter};
 use affinor::mechanism::Tree;
 use nalgebra::Vector3;
 use std::path::Path;
@@ -56,35 +57,23 @@ fn of_source(
 ) -> Result<Tree, InputError> {
     let content = "give bodies and joints, as in [[bodies]] and [[joints]]";
     let (keys, source): (Keys, Source) = parse_keys(source, content)?;
-    let settings = settings(set)?;
+    let mut given: Vec<(String, f64)> = vec![];
+    for text in set {
+        let source = Source::new("--set", text);
+        let named = named_numbers(&source)?.into_iter();
+        given.extend(named.map(|(name, value)| (name.to_string(), value)));
+    }
     let mut reader = Reader::new(&source, folder);
     let mut values = vec![];
     for (name, number) in keys.parameters.iter().flat_map(|table| &table.0) {
         let value = reader.value(number)?;
-        let given = settings.iter().rev().find(|(own, _)| own == &**name);
+        let given = given.iter().rev().find(|(own, _)| own == &**name);
         values.push(given.map_or_else(|| value.at(&values), |(_, value)| Ok(*value))?);
         reader.declare(name)?;
     }
+    if let Some((unknown, _)) = given.iter().find(|(name, _)| !reader.names.contains(name)) {
+        return Err(no_parameter(unknown, &reader.names));
+    }
     let tree = OnTree::read(&keys, &reader)?;
     tree.tree(&values, gravity.map(Vector3::from))
-}
-
-/// The values of parameters in texts `name=value,...`.
-fn settings(set: &[String]) -> Result<Vec<(String, f64)>, InputError> {
-    let mut values = vec![];
-    for text in set {
-        let source = Source::new("--set", text);
-        for part in source.text.split(',').filter(|part| !part.trim().is_empty()) {
-            let Some((name, value)) = part.split_once('=') else {
-                let error = InputError::usage("this is not of the form name=value");
-                return Err(error.at(&source.whole(part)));
-            };
-            let [value] = numbers_in(value, &source)?[..] else {
-                let error = InputError::usage("give the parameter exactly one value");
-                return Err(error.at(&source.whole(part)));
-            };
-            values.push((name.trim().to_string(), value));
-        }
-    }
-    Ok(values)
 }

@@ -63,8 +63,7 @@ fn grid(name: &str, found: &LinearProblem) -> Grid {
         let mut of_mode: Vec<(&String, &f64)> =
             found.rates.iter().zip(shape).filter(|(_, size)| **size >= SMALL).collect();
         of_mode.sort_by(|a, b| b.1.total_cmp(a.1));
-        let of_mode: Vec<&str> =
-            of_mode.iter().map(|(name, _)| name.strip_prefix("v_").unwrap_or(name)).collect();
+        let of_mode: Vec<&str> = of_mode.iter().map(|(name, _)| name.as_str()).collect();
         rows.push(vec![text.into(), period.into(), damping.into(), of_mode.join(", ").into()]);
     }
     let dimension = linear.matrix.nrows();
@@ -106,7 +105,7 @@ fn grid(name: &str, found: &LinearProblem) -> Grid {
         "shapes": linear.shapes,
     });
     let title = format!("Linearization of {}", printable(name));
-    let header = ["eigenvalue", "period", "damping", "coordinates"];
+    let header = ["eigenvalue", "period", "damping", "rates"];
     Grid::new(title, &header, rows, json).with_head(head)
 }
 

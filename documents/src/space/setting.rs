@@ -1,6 +1,6 @@
 //! Replaces parameters of a definition by values.
 
-use crate::input::{InputError, Source, shown};
+use crate::input::{InputError, Source, numbers::numbers_in, shown};
 use crate::space::{
     Definition,
     notation::{Names, check_name, split},
@@ -106,19 +106,47 @@ pub(crate) fn no_parameter(name: &str, parameters: &[String]) -> InputError {
     InputError::usage(format!("`{}` is not a parameter here", shown(name))).help(help)
 }
 
+/// The names and values of substitutions `name=value,...`, as pieces of the text.
+///
+/// # Errors
+/// An error for a piece without an equals sign.
+pub(crate) fn named_values(source: &Source) -> Result<Vec<(&str, &str)>, InputError> {
+    let named = |part| match str::split_once(part, '=') {
+        Some((name, value)) => Ok((name.trim(), value)),
+        None => {
+            let error = InputError::usage("this is not of the form name=value");
+            let error = error.at(&source.whole(part));
+            Err(error.help("separate several by commas, as in --set \"J1=1/2,h=-1\""))
+        }
+    };
+    let pieces = split(&source.text).into_iter();
+    pieces.map(named).collect()
+}
+
+/// The names and numbers of substitutions `name=number,...`.
+///
+/// # Errors
+/// Those of [`named_values`], and an error for a value that is not one number.
+pub(crate) fn named_numbers(source: &Source) -> Result<Vec<(&str, f64)>, InputError> {
+    let number = |(name, value)| match numbers_in(value, source)?[..] {
+        [number] => Ok((name, number)),
+        _ => {
+            let error = InputError::usage("give the parameter exactly one value");
+            Err(error.at(&source.whole(name)))
+        }
+    };
+    named_values(source)?.into_iter().map(number).collect()
+}
+
 /// Parses substitutions `name=value,...`.
 pub(super) fn settings(
     source: &Source,
     names: &Names,
 ) -> Result<BTreeMap<String, Symbolic>, InputError> {
     let mut values = BTreeMap::new();
-    for part in split(&source.text) {
-        let place = source.whole(part);
-        let Some((name, value)) = part.split_once('=') else {
-            let error = InputError::usage("this is not of the form name=value").at(&place);
-            return Err(error.help("separate several by commas, as in --set \"J1=1/2,h=-1\""));
-        };
-        let name = &*canonical_name(name.trim());
+    for (name, value) in named_values(source)? {
+        let place = source.whole(name);
+        let name = &*canonical_name(name);
         let free = FreeFunction::read(name).map(|function| function.declaration());
         if free.is_err() {
             check_name(name).map_err(|error| error.at(&source.whole(name)))?;

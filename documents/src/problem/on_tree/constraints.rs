@@ -45,6 +45,15 @@ enum ContactKind {
     Edge,
 }
 
+/// What requires a constraint.
+#[derive(Clone, Debug)]
+pub(super) enum Cause {
+    /// A loop, in which this body was cut.
+    Loop(usize),
+    /// A key of the file.
+    Key(Place),
+}
+
 impl ContactKind {
     const ALL: [(&'static str, Self); 3] =
         [("wheel", Self::Wheel), ("ball", Self::Ball), ("edge", Self::Edge)];
@@ -76,7 +85,8 @@ impl RollingContact {
         let Some((name, kind)) = found else {
             let message = format!("there is no contact of the type `{}`", shown(&keys.kind));
             let error = InputError::usage(message).at(&source.at(&keys.kind));
-            return Err(error.help("the types are wheel, ball, edge"));
+            let names = ContactKind::ALL.map(|(name, _)| name);
+            return Err(error.help(format!("the types are {}", names.join(", "))));
         };
         let path = |key: &str| format!("contacts.{at}.{key}");
         let needed = [("axis", *kind != ContactKind::Ball), ("radius", *kind != ContactKind::Edge)];
@@ -147,51 +157,45 @@ impl RollingContact {
 }
 
 impl OnTree {
-    /// The number of equations of all constraints.
-    pub(super) fn multipliers(&self, cut: &Cut) -> usize {
-        let Constraints { contacts, positions, velocities } = &self.constraints;
-        let contacts = contacts.iter().map(|own| if own.kind == ContactKind::Edge { 2 } else { 3 });
-        let motors = self.joints.iter().filter(|joint| joint.motor.is_some()).count();
-        let formulas = positions.len() + velocities.len();
-        6 * cut.copies.len() + contacts.sum::<usize>() + motors + formulas
-    }
-
-    /// All constraints: those of loops, contacts, motors, and formulas.
+    /// All constraints, each with its cause: those of loops, contacts, motors, and formulas.
     pub(super) fn constraints(
         &self,
         cut: &Cut,
         tree: &Tree,
         names: &TreeNames,
         values: &[f64],
-    ) -> Result<Vec<TreeConstraint>, InputError> {
-        let loops = cut.copies.iter();
-        let mut all: Vec<TreeConstraint> =
-            loops.map(|pair| TreeConstraint::Closure(Closure::new(tree, *pair))).collect();
+    ) -> Result<Vec<(Cause, TreeConstraint)>, InputError> {
+        let mut all: Vec<(Cause, TreeConstraint)> = vec![];
+        for pair in &cut.copies {
+            let closure = TreeConstraint::Closure(Closure::new(tree, *pair));
+            all.push((Cause::Loop(pair[0]), closure));
+        }
         for contact in &self.constraints.contacts {
             if self.bodies[contact.body].1 {
                 let error = InputError::usage("a fixed body cannot roll").at(&contact.place);
                 return Err(error.help("name a body that moves"));
             }
-            all.push(contact.at(tree, values)?);
+            all.push((Cause::Key(contact.place.clone()), contact.at(tree, values)?));
         }
         for (at, joint) in self.joints.iter().enumerate() {
             if let Some(motor) = &joint.motor {
-                all.push(joint.motor(motor, at, tree, names)?);
+                all.push((Cause::Key(motor.place()), joint.motor(motor, at, tree, names)?));
             }
         }
         let numbers = names.states - names.sizes[1];
         for written in &self.constraints.positions {
             let formula = names.formula(written.text(), numbers).map_err(|error| {
-                let known = names.names[..numbers].iter().chain(names.parameters());
+                let known = names.list(..numbers).iter().chain(names.parameters());
                 let known = known.cloned().collect::<Vec<_>>().join(", ");
                 written.refused(error, format!("a constraint may contain {known}"))
             })?;
-            all.push(TreeConstraint::Position(formula.differentiated()));
+            let constraint = TreeConstraint::Position(formula.differentiated());
+            all.push((Cause::Key(written.place()), constraint));
         }
         for written in &self.constraints.velocities {
             let is_rate =
-                |name: &str| names.names[numbers..names.states].iter().any(|own| own == name);
-            let known = names.names[..names.states].iter().chain(names.parameters());
+                |name: &str| names.list(numbers..names.states).iter().any(|own| own == name);
+            let known = names.list(..names.states).iter().chain(names.parameters());
             let known = known.cloned().collect::<Vec<_>>().join(", ");
             let help = format!("a constraint on the rates may contain {known}");
             let refused = |error| written.refused(error, help.clone());
@@ -201,7 +205,8 @@ impl OnTree {
                 return Err(error.at(&written.place()).help("write it among `constraints`"));
             }
             let formula = names.formula(written.text(), names.states).map_err(refused)?;
-            all.push(TreeConstraint::Velocity(formula.differentiated()));
+            let constraint = TreeConstraint::Velocity(formula.differentiated());
+            all.push((Cause::Key(written.place()), constraint));
         }
         Ok(all)
     }
@@ -210,10 +215,10 @@ impl OnTree {
     pub(super) fn assemble(
         &self,
         system: &TreeSystem,
-        cut: &Cut,
+        causes: &[Cause],
         state: &mut TreeState,
     ) -> Result<Vec<String>, InputError> {
-        let count: usize = system.constraints().iter().map(TreeConstraint::count).sum();
+        let count = system.multipliers();
         if count == 0 {
             return Ok(vec![]);
         }
@@ -233,7 +238,7 @@ impl OnTree {
             *state = given.clone();
             let near = hold(Hold::Near);
             let Ok(changes) = system.assemble(state, &near) else {
-                return Err(self.cannot_close(cut, unsatisfied));
+                return Err(self.unsatisfied(causes, unsatisfied));
             };
             let largest = |which: usize| {
                 let own = changes.iter().zip(&near).filter(|(_, held)| held[which] == Hold::Near);
@@ -241,10 +246,9 @@ impl OnTree {
             };
             let (moved, rate) = (largest(0), largest(1));
             let rates = given.numbers.rows_range(given.numbers.len() - near.len()..);
-            let speeds = rates.iter().zip(tree.units()).map(|(rate, unit)| (rate / unit).abs());
-            let speed = speeds.fold(0.0, f64::max);
+            let speed = tree.largest(rates.iter());
             if moved > ROUNDED || rate > ROUNDED * speed {
-                return Err(self.cannot_close(cut, unsatisfied));
+                return Err(self.unsatisfied(causes, unsatisfied));
             }
             if moved > MOVED || rate > MOVED * speed {
                 notes.push(format!(
@@ -267,42 +271,33 @@ impl OnTree {
         Ok(notes)
     }
 
-    fn cannot_close(&self, cut: &Cut, unsatisfied: Unsatisfied) -> InputError {
-        let Constraints { contacts, positions, velocities } = &self.constraints;
+    fn unsatisfied(&self, causes: &[Cause], unsatisfied: Unsatisfied) -> InputError {
         let Unsatisfied { constraint, violation, by } = unsatisfied;
-        let (of_loop, of_constraint) = match by {
-            Violator::Coordinates => ("cannot close", "cannot be satisfied"),
-            Violator::Rates => ("does not allow these rates", "does not allow these rates"),
-            Violator::Branch => {
-                ("allows these rates to first order only", "allows these rates to first order only")
-            }
+        let cause = &causes[constraint];
+        let (what, help) = match by {
+            Violator::Coordinates => (
+                if let Cause::Loop(_) = cause { "cannot close" } else { "cannot be satisfied" },
+                "change the initial coordinates, or leave some of them out",
+            ),
+            Violator::Rates => (
+                "does not allow these rates",
+                "change the initial rates, or leave some of them out",
+            ),
+            Violator::Accelerations => (
+                "allows no acceleration at these rates",
+                "at a singular position, give all rates of one branch of the motion; constraints \
+                 must not contradict each other",
+            ),
         };
-        let help = match by {
-            Violator::Coordinates => "change the initial coordinates, or leave some of them out",
-            Violator::Rates => "change the initial rates, or leave some of them out",
-            Violator::Branch => {
-                "this position is singular: give all rates, those of one branch of the motion"
+        let (subject, place) = match cause {
+            Cause::Loop(body) => {
+                let name = shown(&self.bodies[*body].0);
+                (format!("the loop of the body `{name}`"), &self.place)
             }
+            Cause::Key(place) => ("the constraint".to_string(), place),
         };
-        let mut at = constraint;
-        if let Some([body, _]) = cut.copies.get(at) {
-            let name = shown(&self.bodies[*body].0);
-            let message =
-                format!("the loop of the body `{name}` {of_loop}: it is off by {violation:.2e}");
-            return InputError::mathematics(message).at(&self.place).help(help);
-        }
-        at -= cut.copies.len();
-        let message = format!("the constraint {of_constraint}: it is off by {violation:.2e}");
-        let error = InputError::mathematics(message).help(help);
-        if let Some(contact) = contacts.get(at) {
-            return error.at(&contact.place);
-        }
-        at -= contacts.len();
-        let motors = self.joints.iter().filter_map(|joint| joint.motor.as_ref());
-        match motors.chain(positions).chain(velocities).nth(at) {
-            Some(written) => error.at(&written.place()),
-            None => error.at(&self.place),
-        }
+        let message = format!("{subject} {what}: it is off by {violation:.2e}");
+        InputError::mathematics(message).at(place).help(help)
     }
 }
 
