@@ -2,6 +2,9 @@
 //! constraints, and invalid files.
 
 mod constraints;
+mod linearized;
+mod linkages;
+mod springs;
 
 use affinor_documents::input::InputError;
 use affinor_documents::problem::Problem;
