@@ -25,11 +25,13 @@ from mechanism.closed import pendulum, windows
 from mechanism.governor import governor
 from mechanism.rolling import coin, disk
 from mechanism.slider_crank import slider_crank
+from mechanism.snakeboard import snakeboard
 from mechanism.squeezer import squeezer
 
 DATA = Path(__file__).resolve().parents[1] / "data"
 PROBLEMS = {"pendulum": pendulum, "windows": windows, "bricard": bricard, "squeezer": squeezer, "slider_crank": slider_crank, "governor": governor,
-            "bicycle": bicycle, "disk": disk, "coin": coin, "arm": arm}
+            "bicycle": bicycle, "disk": disk, "coin": coin, "arm": arm,
+            "snakeboard": snakeboard}
 
 
 def main():

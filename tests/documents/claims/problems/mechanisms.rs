@@ -313,3 +313,29 @@ fn eigenvalues_of_a_bicycle() -> Result<(), InputError> {
     }
     Ok(())
 }
+
+/// The snakeboard with motors for its rotor and its axles: three gaits of five periods. It moves
+/// forwards, rotates, or moves sideways.
+#[test]
+fn gaits_of_a_snakeboard() -> Result<(), InputError> {
+    let text = include_str!("../../../../examples/mechanisms/snakeboard.toml")
+        .replace("tolerance = 1e-10", "tolerance = 1e-13");
+    for (name, gait) in references()["snakeboard"]["gaits"].as_object().unwrap() {
+        let mut own = text.clone();
+        for key in ["rotor_rate", "axle_rate"] {
+            own = own.replace(&format!("{key} = 1\n"), &format!("{key} = {}\n", number(&gait[key])));
+        }
+        let columns = ["x_1", "y_1", "q1_board", "v1_board", "r3_rotor", "Omega4", "violation"];
+        let found = rows(&own, &gait["states"], &columns)?;
+        for (row, state) in found.iter().zip(gait["states"].as_array().unwrap()) {
+            let keys = ["x", "y", "angle", "angle_rate", "rotor_torque", "x_rate", "y_rate"];
+            let expected = keys.map(|key| number(&state[key]));
+            let (sin, cos) = row[2].sin_cos();
+            println!("{name}: {row:?}");
+            expect_close(&row[..5], &expected[..5], 1e-12);
+            expect_close(&[row[5] * cos, row[5] * sin], &expected[5..], 1e-12);
+            assert!(row[6] < 1e-13);
+        }
+    }
+    Ok(())
+}
