@@ -2,6 +2,7 @@
 
 The equations are those of the platform alone, to which each leg adds the force of its spherical joint: a linear function of the
 acceleration of the joint, by the principle of virtual power in the three coordinates of the leg."""
+import mpmath as mp
 import numpy as np
 from gmpy2 import acos, atan2, cos, mpfr as Q, sin, sqrt
 
@@ -136,13 +137,13 @@ class Platform:
             force, moment = plus(force, times(-1, f)), plus(moment, times(-1, cross(arm, f)))
         return force + moment
 
-    def on_springs(self, y):
+    def on_springs(self, y, rests=STEWART["rests"]):
         x, v, w = y[:3], y[12:15], y[15:18]
         rotation = [y[3:6], y[6:9], y[9:12]]
         states = self.tips(x, rotation, v, w)
         stiffness, damping = Q(STEWART["stiffness"]), Q(STEWART["damping"])
         thrusts = [-stiffness * (state[0] - leg.length - Q(rest)) - damping * state[1][2]
-                   for leg, (_, state), rest in zip(self.legs, states, STEWART["rests"])]
+                   for leg, (_, state), rest in zip(self.legs, states, rests)]
         none = [ZERO] * 3
         bias = self.wrench(states, thrusts, rotation, w, none, none)
         columns = [self.wrench(states, thrusts, rotation, w, UNIT[k] if k < 3 else none, UNIT[k - 3] if k >= 3 else none) for k in range(6)]
@@ -153,6 +154,39 @@ class Platform:
 
     def start(self):
         return self.centre + sum(UNIT, []) + [ZERO] * 6
+
+    def eigenvalues(self, h):
+        """The eigenvalues at the equilibrium without extensions, by central differences of order 4, sorted; the equilibrium is found by Newton's method."""
+        x, rotation = self.centre, UNIT
+
+        def acceleration(step, rates):
+            y = plus(x, step[:3]) + sum(turned(step[3:], rotation), []) + rates
+            return self.on_springs(y, ["0"] * 6)[12:]
+
+        def slopes(of):
+            columns = []
+            for k in range(6):
+                at = lambda c: of([c * h if i == k else ZERO for i in range(6)])
+                columns.append([(8 * (a - b) - (c - d)) / (12 * h) for a, b, c, d in zip(at(1), at(-1), at(2), at(-2))])
+            return [list(row) for row in zip(*columns)]
+
+        none = [ZERO] * 6
+        for _ in range(60):
+            stiff = slopes(lambda step: acceleration(step, none))
+            step = [v[0] for v in solved(stiff, [[-a] for a in acceleration(none, none)])]
+            x, rotation = plus(x, step[:3]), turned(step[3:], rotation)
+            if max(abs(v) for v in step) < Q("1e-33"):
+                break
+        else:
+            raise ArithmeticError("no convergence")
+        stiff, damp = slopes(lambda step: acceleration(step, none)), slopes(lambda rates: acceleration(none, rates))
+        companion = mp.zeros(12)
+        for i in range(6):
+            companion[i, i + 6] = 1
+            for j in range(6):
+                companion[i + 6, j], companion[i + 6, j + 6] = mp.mpf(str(stiff[i][j])), mp.mpf(str(damp[i][j]))
+        found = mp.eig(companion, left=False, right=False)
+        return sorted(([mp.re(v), mp.im(v)] for v in found), key=lambda v: (round(v[0], 12), v[1]))
 
     def motors(self, t):
         """The pose at which the legs have prescribed lengths, by Newton's method, its rates, and the thrusts of the motors."""
@@ -267,4 +301,6 @@ def stewart():
         rate = sum(c * (platform.energy(t + k * h) - platform.energy(t - k * h)) for k, c in weights) / h
         parts = [x, sum(rotation, []), v, w]
         driven.append({"time": end, **dict(zip(names, text(parts))), "thrusts": text(thrusts), "digits": digits([power], [rate])})
-    return {"parameters": STEWART, "springs": states, "motors": driven}
+    one, two = (platform.eigenvalues(Q(h)) for h in ("1e-7", "3e-8"))
+    eigenvalues = {"values": text(one), "digits": digits(*([[Q(str(x)) for x in z] for z in values] for values in (one, two)))}
+    return {"parameters": STEWART, "springs": states, "motors": driven, "equilibrium": eigenvalues}

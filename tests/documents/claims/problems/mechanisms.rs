@@ -387,6 +387,25 @@ fn six_legs_of_a_platform() -> Result<(), InputError> {
     Ok(())
 }
 
+/// The eigenvalues of the same platform at its equilibrium without extensions.
+#[test]
+fn eigenvalues_of_a_platform() -> Result<(), InputError> {
+    let text = include_str!("../../../../examples/mechanisms/flight_simulator.toml");
+    let mut problem = Problem::parse("flight_simulator.toml", text)?;
+    problem.set("up=0,down=0")?;
+    let found = problem.linearized()?;
+    let expected = &references()["stewart"]["equilibrium"]["values"];
+    let expected: Vec<Vec<f64>> = expected.as_array().unwrap().iter().map(numbers).collect();
+    assert!(found.is_at_rest && found.linear.zeros == 0);
+    assert_eq!(found.linear.eigenvalues.len(), expected.len());
+    for value in &expected {
+        let off = |s: &Complex<f64>| (s.re - value[0]).hypot(s.im - value[1]);
+        let nearest = found.linear.eigenvalues.iter().map(off).fold(f64::INFINITY, f64::min);
+        assert!(nearest < 1e-8, "{value:?}: {nearest:e}");
+    }
+    Ok(())
+}
+
 /// The heavy top of O. Bruels, A. Cardona and M. Arnold on a spherical joint at its tip, with the force
 /// of the joint. A second joint at the same point is redundant, and has half of the force.
 #[test]
