@@ -81,7 +81,7 @@ def main(program: str, folder: Path, web: Path | None) -> None:
     notebooks = ROOT / "python" / "notebooks"
     shutil.copytree(notebooks, folder / "notebooks", ignore=shutil.ignore_patterns("5_*", ".*"))
     # files whose place on the site is taken by a page of another form
-    others = {notebook: f"notebooks/{notebook.name}" for notebook in notebooks.glob("[1-4]_*.ipynb")}
+    others = {notebook: f"notebooks/{notebook.name}" for notebook in notebooks.glob("[1-46]_*.ipynb")}
     others[ROOT / "python" / "README.md"] = "python.rst"
     for source, page in pages.items():
         (folder / page).write_text(outward(source, page, pages | others), encoding="utf-8")

@@ -32,6 +32,11 @@ class System:
         """The vector a of body i stays orthogonal to the vector b of body j."""
         self.rows.append(("orthogonal", i, j, np.array(a, dtype=float), np.array(b, dtype=float)))
 
+    def slide(self, i, j, at, axis):
+        """The point of body j that starts at `at` stays on a line of body i along the axis."""
+        at = np.array(at, dtype=float)
+        self.rows += [("slide", i, j, at, d) for d in perpendicular(np.array(axis, dtype=float))]
+
     def revolute(self, i, j, at, axis):
         self.point(i, j, at)
         for d in perpendicular(np.array(axis, dtype=float)):
@@ -68,6 +73,13 @@ class System:
                         rows[k, 6*body:6*body+3] += sign * b
                         rows[k, 6*body+3:6*body+6] += sign * np.cross(arm, b)
                         bias[k] += sign * b @ turning
+            elif kind == "slide":
+                (p, arm, dp, ap), (q, other, dq, aq) = self.place(pose, i, a), self.place(pose, j, a)
+                w, u, off = pose[i][3], pose[i][1] @ b, q - p
+                du, speed = np.cross(w, u), dq - dp
+                rows[k, 6*i:6*i+6] += np.concatenate([-u, np.cross(u, off) - np.cross(arm, u)])
+                rows[k, 6*j:6*j+6] += np.concatenate([u, np.cross(other, u)])
+                bias[k] += u @ (aq - ap) + 2 * du @ speed + np.cross(w, du) @ off
             else:
                 zero, one = np.zeros(3), np.eye(3)
                 (ra, wa), (rb, wb) = [(pose[body][1], pose[body][3]) if body >= 0 else (one, zero) for body in (i, j)]

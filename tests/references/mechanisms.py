@@ -3,7 +3,7 @@
 
 Every problem is reduced by hand to as few coordinates as possible and integrated with 42 digits, by Gragg's extrapolation or by
 collocation (`initial_value.py`); the folder `mechanism` has a file for each. Each state is computed twice: with other equations or closed
-forms, or, for Bricard's mechanism, the slider-crank and the governor, with other methods and steps. `digits` is the number of significant
+forms, or, for Bricard's mechanism, the slider-crank, the governor and Stewart's platform, with other methods and steps. `digits` is the number of significant
 digits that both have in common, relative to the largest number of the state. `maximal.py` confirms the reductions in double precision by
 multipliers, Pinocchio the arm, and `assert` compares with published numbers.
 
@@ -25,11 +25,14 @@ from mechanism.closed import pendulum, windows
 from mechanism.governor import governor
 from mechanism.rolling import coin, disk
 from mechanism.slider_crank import slider_crank
+from mechanism.snakeboard import snakeboard
 from mechanism.squeezer import squeezer
+from mechanism.stewart import stewart
 
 DATA = Path(__file__).resolve().parents[1] / "data"
 PROBLEMS = {"pendulum": pendulum, "windows": windows, "bricard": bricard, "squeezer": squeezer, "slider_crank": slider_crank, "governor": governor,
-            "bicycle": bicycle, "disk": disk, "coin": coin, "arm": arm}
+            "bicycle": bicycle, "disk": disk, "coin": coin, "arm": arm,
+            "snakeboard": snakeboard, "stewart": stewart}
 
 
 def main():

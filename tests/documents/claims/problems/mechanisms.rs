@@ -3,7 +3,7 @@
 
 use affinor_documents::input::InputError;
 use affinor_documents::problem::Problem;
-use nalgebra::Complex;
+use nalgebra::{Complex, Matrix3, Vector3};
 use serde_json::Value;
 use std::fmt::Write as _;
 
@@ -309,6 +309,137 @@ fn eigenvalues_of_a_bicycle() -> Result<(), InputError> {
             let off = |s: &Complex<f64>| (s.re - re).hypot(s.im - im) / re.hypot(im).max(1.0);
             let nearest = found.eigenvalues.iter().map(off).fold(f64::INFINITY, f64::min);
             assert!(nearest < 1e-12, "{speed}: {re}, {im}: {nearest:e}");
+        }
+    }
+    Ok(())
+}
+
+/// The snakeboard with motors for its rotor and its axles: three gaits of five periods. It moves
+/// forwards, rotates, or moves sideways.
+#[test]
+fn gaits_of_a_snakeboard() -> Result<(), InputError> {
+    let text = include_str!("../../../../examples/mechanisms/snakeboard.toml")
+        .replace("tolerance = 1e-10", "tolerance = 1e-13");
+    for (name, gait) in references()["snakeboard"]["gaits"].as_object().unwrap() {
+        let mut own = text.clone();
+        for key in ["rotor_rate", "axle_rate"] {
+            own =
+                own.replace(&format!("{key} = 1\n"), &format!("{key} = {}\n", number(&gait[key])));
+        }
+        let columns = ["x_1", "y_1", "q1_board", "v1_board", "r3_rotor", "Omega4", "violation"];
+        let found = rows(&own, &gait["states"], &columns)?;
+        for (row, state) in found.iter().zip(gait["states"].as_array().unwrap()) {
+            let keys = ["x", "y", "angle", "angle_rate", "rotor_torque", "x_rate", "y_rate"];
+            let expected = keys.map(|key| number(&state[key]));
+            let (sin, cos) = row[2].sin_cos();
+            println!("{name}: {row:?}");
+            expect_close(&row[..5], &expected[..5], 1e-12);
+            expect_close(&[row[5] * cos, row[5] * sin], &expected[5..], 1e-12);
+            assert!(row[6] < 1e-13);
+        }
+    }
+    Ok(())
+}
+
+/// The centre of the platform, its rotation matrix by rows, the velocity of the centre and the angular
+/// velocity.
+fn platform(row: &[f64]) -> Vec<f64> {
+    let rotation = Matrix3::from_row_slice(&row[3..12]);
+    let centre = rotation * Vector3::new(0.06, 0.0, 2.48);
+    let turn = rotation * Vector3::from_column_slice(&row[12..15]);
+    let velocity = rotation * Vector3::from_column_slice(&row[15..18]) + turn.cross(&centre);
+    let place = Vector3::from_column_slice(&row[..3]) + centre;
+    [place.as_slice(), &row[3..12], velocity.as_slice(), turn.as_slice()].concat()
+}
+
+/// Stewart's platform on six springs with dampers, and with six motors: the motion, and the thrusts of
+/// the motors.
+#[test]
+fn six_legs_of_a_platform() -> Result<(), InputError> {
+    let all = references();
+    let data = &all["stewart"];
+    let springs = include_str!("../../../../examples/mechanisms/flight_simulator.toml")
+        .replace("tolerance = 1e-9", "tolerance = 1e-13");
+    let mut motors = springs.replace("rest = \"up\"\n", "").replace("rest = \"down\"\n", "");
+    let parameters = &data["parameters"];
+    for rate in numbers(&parameters["rates"]) {
+        let motor = format!("motor = \"{}*sin({rate}*t)\"\n", number(&parameters["rotation"]));
+        motors = motors.replacen("stiffness = \"k\"\ndamping = \"c\"\n", &motor, 1);
+    }
+    let entries = (1..=3).flat_map(|i| (1..=3).map(move |j| format!("g{i}{j}_1")));
+    let mut names = ["x_1", "y_1", "z_1"].map(String::from).to_vec();
+    names.extend(entries.chain((1..=6).map(|i| format!("Omega{i}"))));
+    // the loops have 30 multipliers
+    let of_motors = (31..=36).map(|i| format!("lambda{i}")).collect::<Vec<_>>();
+    for (key, text, more) in [("springs", springs, &[][..]), ("motors", motors, &of_motors)] {
+        let columns: Vec<&str> = names.iter().chain(more).map(String::as_str).collect();
+        let found = rows(&text, &data[key], &columns)?;
+        for (row, state) in found.iter().zip(data[key].as_array().unwrap()) {
+            let keys = ["centre", "rotation", "velocity", "angular_velocity"];
+            let expected = keys.map(|key| numbers(&state[key])).concat();
+            expect_close(&platform(row), &expected, 1e-9);
+            if key == "motors" {
+                let thrusts: Vec<f64> = row[18..24].iter().map(|lambda| -lambda).collect();
+                expect_close(&thrusts, &numbers(&state["thrusts"]), 1e-9);
+            }
+        }
+    }
+    Ok(())
+}
+
+/// The eigenvalues of the same platform at its equilibrium without extensions.
+#[test]
+#[ignore = "half a minute: derivatives in 36 coordinates"]
+fn eigenvalues_of_a_platform() -> Result<(), InputError> {
+    let text = include_str!("../../../../examples/mechanisms/flight_simulator.toml");
+    let mut problem = Problem::parse("flight_simulator.toml", text)?;
+    problem.set("up=0,down=0")?;
+    let found = problem.linearized()?;
+    let expected = &references()["stewart"]["equilibrium"]["values"];
+    let expected: Vec<Vec<f64>> = expected.as_array().unwrap().iter().map(numbers).collect();
+    assert!(found.is_at_rest && found.linear.zeros == 0);
+    assert_eq!(found.linear.eigenvalues.len(), expected.len());
+    for value in &expected {
+        let off = |s: &Complex<f64>| (s.re - value[0]).hypot(s.im - value[1]);
+        let nearest = found.linear.eigenvalues.iter().map(off).fold(f64::INFINITY, f64::min);
+        assert!(nearest < 1e-8, "{value:?}: {nearest:e}");
+    }
+    Ok(())
+}
+
+/// The heavy top of O. Bruels, A. Cardona and M. Arnold on a spherical joint at its tip, with the force
+/// of the joint. A second joint at the same point is redundant, and has half of the force.
+#[test]
+fn heavy_top_at_its_tip() -> Result<(), InputError> {
+    let joint = |name: &str, ends: &str, rate: &str| {
+        format!(
+            "{{ name = \"{name}\", type = \"spherical\", bodies = [{ends}], at = [0, 0, 0]{rate} }}"
+        )
+    };
+    let tip = joint("tip", "\"ground\", \"top\"", ", rate = [0, 150, -4.61538]");
+    let again = joint("again", "\"top\", \"ground\"", "");
+    for (joints, share) in [(tip.clone(), 1.0), (format!("{tip}, {again}"), 0.5)] {
+        let text = format!(
+            "gravity = [0, 0, -9.81]\nbodies = [{{ name = \"ground\", fixed = true }}, {{ name = \"top\", inertia.parts = [{{ \
+             shape = \"inertia\", mass = 15, position = [0, 1, 0], matrix = {:?} }}] }}]\njoints = [{joints}]\n\
+             integrator.tolerance = 1e-13\noutput = {{ end = 1, every = 1 }}\n",
+            diagonal([0.234375, 0.46875, 0.234375])
+        );
+        let mut names: Vec<String> =
+            (1..=3).flat_map(|i| (1..=3).map(move |j| format!("g{i}{j}"))).collect();
+        names.extend(["Omega1", "Omega2", "Omega3"].map(String::from));
+        names.extend([4, 5, 6].map(|i| format!("r{i}_tip")));
+        let columns: Vec<&str> = names.iter().map(String::as_str).collect();
+        for line in include_str!("../../../data/heavy_top.txt").lines().skip(1) {
+            let state: Vec<f64> = line.split(' ').map(|own| own.parse().unwrap()).collect();
+            let times = serde_json::json!([{ "time": state[0].to_string() }]);
+            let found = rows(&text, &times, &columns)?.remove(0);
+            // the rotation by rows, the angular velocity, and the force in the ground frame
+            expect_close(&found[..12], &state[4..16], 1e-9);
+            let force = Matrix3::from_row_slice(&found[..9])
+                * Vector3::from_column_slice(&found[12..15])
+                / share;
+            expect_close(force.as_slice(), &state[16..19], 1e-8);
         }
     }
     Ok(())

@@ -26,6 +26,11 @@ fn last(problem: &Problem, names: &[&str]) -> Vec<f64> {
     run.values(run.rows.len() - 1, names)
 }
 
+/// The same for a problem of bodies and joints, whose columns are not all written by default.
+fn last_of_bodies(problem: &Problem, names: &[&str]) -> Vec<f64> {
+    last(&problem.with_columns(names), names)
+}
+
 /// Checks the values of columns in the last row: for the default method to a tolerance, and for
 /// methods with a step by their order of convergence.
 fn expect(problem: &Problem, names: &[&str], expected: &[f64], tolerance: f64, step: f64) {
@@ -62,6 +67,16 @@ impl Sleigh {
         [omega, u, -m * u * omega * i / about]
     }
 
+    /// The integral of `omega`: `sqrt(K/m)/a` times the change of `2 atan(tanh(c (t - t_0)/2))`.
+    fn angle(&self, time: f64) -> f64 {
+        let Sleigh { m, i, a, spin, speed } = self;
+        let about = i + m * a * a;
+        let top = (speed * speed + about * spin * spin / m).sqrt();
+        let (start, c) = ((speed / top).atanh(), a * m * top / about);
+        let turn = |x: f64| 2.0 * (0.5 * x).tanh().atan();
+        (about / m).sqrt() / a * (turn(c * time + start) - turn(start))
+    }
+
     fn problem(&self, space: &str) -> Problem {
         let Sleigh { m, i, a, spin, speed } = self;
         parse(&format!(
@@ -75,6 +90,14 @@ impl Sleigh {
 const AT_EDGE: &str = "space = \"se2\"\nvelocity_constraints = [\"Omega3\"]\n\
      metric = [[\"I + m*a^2\", 0, \"m*a\"], [0, \"m\", 0], [\"m*a\", 0, \"m\"]]\n\
      initial.velocity = [\"w\", \"u\", 0]\n";
+
+/// The same as a body on a planar joint and a knife edge. The second translation of the joint is along
+/// the negative first axis.
+const ON_JOINT: &str = "bodies = [{ name = \"ground\", fixed = true }, { name = \"sleigh\", inertia.parts = [{ \
+     shape = \"inertia\", mass = \"m\", position = [\"a\", 0, 0], matrix = [[\"I\", 0, 0], [0, \"I\", 0], [0, 0, \"I\"]] }] }]\n\
+     joints = [{ name = \"J\", type = \"planar\", bodies = [\"ground\", \"sleigh\"], at = [0, 0, 0], axis = [0, 0, 1], \
+     rate = [\"w\", 0, \"-u\"] }]\n\
+     contacts = [{ type = \"edge\", body = \"sleigh\", at = [0, 0, 0], axis = [1, 0, 0] }]\n";
 
 #[test]
 fn the_sleigh_of_chaplygin() {
@@ -94,6 +117,10 @@ fn the_sleigh_of_chaplygin() {
     );
     let found = last(&centred, &["Omega1", "Omega2", "lambda1"]);
     assert!(off(&found, &sleigh.at(4.0)) < 1e-11, "{found:?}");
+    // bodies and joints
+    let found = last_of_bodies(&sleigh.problem(ON_JOINT), &["Omega3", "Omega4", "lambda2", "q1_J"]);
+    let expected = [&sleigh.at(4.0)[..], &[sleigh.angle(4.0)]].concat();
+    assert!(off(&found, &expected) < 1e-11, "{found:?}");
     // millimetres and grams
     let small = Sleigh { m: 2e3, i: 5e8, a: 300.0, spin: 1.2, speed: 100.0 };
     let ([omega, u, force], expected) = (small.at(4.0), sleigh.at(4.0));
@@ -108,14 +135,7 @@ fn the_sleigh_of_chaplygin() {
 /// case, the constraint is not left-invariant in form.
 #[test]
 fn the_problem_of_suslov() {
-    let (i1, i2, i13, i23) = (1.0f64, 2.0f64, 0.3f64, 0.4f64);
-    let (start, time) = ([0.5f64, 1.0f64], 5.0);
-    let double = i1 * start[0].powi(2) + i2 * start[1].powi(2);
-    let (c, s) = (i13 * (double / i1).sqrt(), i23 * (double / i2).sqrt());
-    let (rate, d) = (c.hypot(s) / (i1 * i2).sqrt(), s.atan2(c));
-    let psi = (start[1] * i2.sqrt()).atan2(start[0] * i1.sqrt()) - d;
-    let psi = (rate * time + psi.sin().atanh()).tanh().asin();
-    let expected = [(double / i1).sqrt() * (psi + d).cos(), (double / i2).sqrt() * (psi + d).sin()];
+    let expected = suslov([1.0, 2.0, 0.3, 0.4]);
     for constraint in ["Omega3", "-3*Omega3", "(2 + g11)*Omega3", "exp(t)*Omega3"] {
         let problem = parse(&format!(
             "space = \"so3\"\nmetric = [[1, 0, \"3/10\"], [0, 2, \"2/5\"], [\"3/10\", \"2/5\", 3]]\n\
@@ -126,6 +146,31 @@ fn the_problem_of_suslov() {
         assert!(off(&found, &expected) < 1e-11, "{constraint}: {found:?}");
         Run::new(&problem, 0).keeps(&["energy"], 1e-11);
     }
+    // a body on a spherical joint; its moments satisfy the triangle inequality
+    let expected = suslov([2.0, 2.5, 0.3, 0.4]);
+    for constraint in ["v3_J", "(2 + qx_J)*v3_J"] {
+        let problem = parse(&format!(
+            "bodies = [{{ name = \"ground\", fixed = true }}, {{ name = \"body\", inertia.parts = [{{ shape = \"inertia\", \
+             mass = 2, position = [0, 0, 0], matrix = [[2, 0, 0.3], [0, 2.5, 0.4], [0.3, 0.4, 3]] }}] }}]\njoints = [{{ \
+             name = \"J\", type = \"spherical\", bodies = [\"ground\", \"body\"], at = [0, 0, 0], rate = [0.5, 1, 0] }}]\n\
+             velocity_constraints = [\"{constraint}\"]\n\
+             output = {{ end = 5, every = 1 }}\nintegrator.tolerance = 1e-13\n"
+        ));
+        let found = last_of_bodies(&problem, &["Omega1", "Omega2"]);
+        assert!(off(&found, &expected) < 1e-11, "{constraint}: {found:?}");
+    }
+}
+
+/// The first two components of the angular velocity at `t = 5`, for the moments `I1`, `I2` and the
+/// products `I13`, `I23`, from `(0.5, 1)`.
+fn suslov([i1, i2, i13, i23]: [f64; 4]) -> [f64; 2] {
+    let (start, time) = ([0.5f64, 1.0f64], 5.0);
+    let double = i1 * start[0].powi(2) + i2 * start[1].powi(2);
+    let (c, s) = (i13 * (double / i1).sqrt(), i23 * (double / i2).sqrt());
+    let (rate, d) = (c.hypot(s) / (i1 * i2).sqrt(), s.atan2(c));
+    let psi = (start[1] * i2.sqrt()).atan2(start[0] * i1.sqrt()) - d;
+    let psi = (rate * time + psi.sin().atanh()).tanh().asin();
+    [(double / i1).sqrt() * (psi + d).cos(), (double / i2).sqrt() * (psi + d).sin()]
 }
 
 /// A component of the spatial velocity is a combination of components of the body velocity, with
@@ -197,6 +242,29 @@ integrator.tolerance = 1e-13
     assert!(off(&found, &circle(3.0)) < 1e-10, "{found:?}");
     let ready = table(3.0).motion(0).unwrap();
     assert!(ready.columns.iter().all(|column| column.name != "energy" || !column.conserved));
+}
+
+/// The same with a turntable that a motor drives, which may be tilted: the centre of the circles drifts
+/// sideways. With `b = 1/(1 + m r^2/I)` and the acceleration `h` along the table, the velocity satisfies
+/// `v' = b W e_z x v + (1 - b) h`.
+#[test]
+fn a_ball_on_a_tilted_turntable() {
+    let text = include_str!("../../../../examples/mechanisms/turntable.toml")
+        .replace("tolerance = 1e-10", "tolerance = 1e-13");
+    for (rate, tilt, share) in [(2.0, 0.0, 0.4), (2.0, 0.02, 0.4), (-1.5, 0.05, 2.0 / 3.0)] {
+        let mut problem = parse(&text);
+        problem.set(&format!("W={rate},tilt={tilt},share={share}")).unwrap();
+        let b = share / (1.0 + share);
+        let (k, time) = (b * rate, 20.0);
+        let drift = [0.0, (1.0 - b) * 9.81 * f64::sin(tilt) / k];
+        let velocity = [0.06, rate - 0.1];
+        let [u, v] = [0, 1].map(|i| velocity[i] - drift[i]);
+        let (sin, cos) = f64::sin_cos(k * time);
+        let x = (u * sin - v * (1.0 - cos)) / k;
+        let y = drift[1] * time + (u * (1.0 - cos) + v * sin) / k;
+        let found = last_of_bodies(&problem, &["q1_ball", "q2_ball", "q_table", "q3_ball"]);
+        assert!(off(&found, &[x, y, rate * time, 0.0]) < 1e-10, "{found:?} {x} {y}");
+    }
 }
 
 /// A bead on a wire that rotates with the rate `w`: its distance from the axis is
