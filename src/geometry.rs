@@ -10,6 +10,7 @@
 //! - [`reductive`]: homogeneous spaces G/H; [`homogeneous`]: the same by name;
 //! - [`isometry`]: Killing and homothetic fields as Lie algebras; [`petrov`]: the type of a spacetime;
 //!   [`null_tetrad`]: Weyl scalars;
+//! - [`sub_riemannian`]: distributions with an inner product;
 //! - [`Geometry`]: frame, connection and metric together;
 //! - [`conditions`]: the conditions on parameters under which a tensor vanishes.
 
@@ -31,6 +32,7 @@ pub mod petrov;
 pub mod properties;
 pub mod reductive;
 mod roots;
+pub mod sub_riemannian;
 
 use crate::algebra::frame::Frame;
 use crate::algebra::{Bracket, LieAlgebra};
@@ -39,6 +41,7 @@ pub use crate::geometry::connection::complement_projector;
 use crate::geometry::connection::{CanonicalConnection, Connection};
 use crate::geometry::homogeneous::HomogeneousSpace;
 use crate::geometry::metric::Metric;
+pub use crate::geometry::sub_riemannian::SubRiemannian;
 use crate::{Error, Law};
 use affinor_tensors::{Field, Notation, Scalar, Tensor};
 use std::fmt;

@@ -85,6 +85,9 @@ mod mechanics {
     }
     mod events;
     mod formula;
+    mod geodesics {
+        mod sub_riemannian;
+    }
     mod integrators;
     mod mechanism;
     mod systems {

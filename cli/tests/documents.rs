@@ -194,6 +194,14 @@ fn formats_names_every_key_of_every_schema() -> Outcome {
             "affinor geodesic so3 --metric \"diag(1,2,3)\" --from 0,0,0 --to 0.3,1,-0.5".into(),
         ),
         (
+            "affinor.horizontal/1",
+            "affinor geodesic se2 --distribution \"e1, p1\" --covector 1,0,2 --time 3".into(),
+        ),
+        (
+            "affinor.horizontal/1",
+            "affinor geodesic se2 --distribution \"e1, p1\" --from 0,0,0 --to 1,1,0".into(),
+        ),
+        (
             "affinor.solve/1",
             "affinor solve so3 --metric \"diag(1,p^3-1,q^2-1)\" --for einstein".into(),
         ),

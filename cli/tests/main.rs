@@ -26,6 +26,7 @@ mod group_commands;
 mod guide;
 mod heads;
 mod homogeneous;
+mod horizontal;
 mod info;
 mod limits;
 mod mobility;

@@ -7,8 +7,8 @@
 //! parameters. Every number may be a formula in the parameters.
 //! In reading order: `keys` defines the keys of a file, and `reader` evaluates them. Each class has
 //! its own file, which builds the part of a [`Problem`] for this class. A problem starts motions
-//! ([`Ready`]), which an [`Integration`] integrates. [`geodesics`] joins two points. `tree` reads the
-//! tree of a file without a motion.
+//! ([`Ready`]), which an [`Integration`] integrates. [`geodesics`] joins two points, and
+//! `horizontal` computes curves of distributions. `tree` reads the tree of a file without a motion.
 
 #[cfg(feature = "mechanisms")]
 mod assembly;
@@ -18,6 +18,8 @@ mod ensemble;
 mod euler_poincare;
 mod forces;
 mod geodesic;
+#[cfg(feature = "curves")]
+mod horizontal;
 mod initial;
 mod integration;
 mod integrator;
@@ -47,6 +49,10 @@ pub mod tree;
 #[cfg(feature = "mechanisms")]
 pub(crate) use assembly::read_robot;
 pub use geodesic::{Connecting, geodesics};
+#[cfg(feature = "curves")]
+pub use horizontal::{
+    Horizontal, HorizontalCurve, HorizontalCurves, HorizontalRequest, WrittenPoint, horizontal,
+};
 pub use integration::{Integration, Progress};
 #[cfg(feature = "mechanisms")]
 pub(crate) use joint_keys::{BodyKeys, JointKeys};

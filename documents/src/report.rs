@@ -30,6 +30,8 @@ mod forms;
 mod geodesics;
 mod grid;
 mod head;
+#[cfg(feature = "curves")]
+mod horizontal;
 mod html;
 mod hypersurface;
 mod identifiers;
@@ -66,6 +68,8 @@ pub use coupling::{CouplingCoefficient, CouplingKind, CouplingReport, MAX_COEFFI
 pub use equations::EquationReport;
 pub use forms::FormReport;
 pub use geodesics::Geodesics;
+#[cfg(feature = "curves")]
+pub use horizontal::HorizontalReport;
 pub use hypersurface::HypersurfaceReport;
 pub use info::{Coefficients, Info, dynkin_type};
 pub use isometries::Isometries;

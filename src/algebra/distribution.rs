@@ -95,6 +95,11 @@ impl<S: Field + Scalar> Distribution<S> {
         pairs.map(|[x, y]| self.witness(x, y)).find(|w| !self.subspace.contains(&w.bracket))
     }
 
+    /// The structure constants `c^i_jk` of the algebra, slots `[Up, Down, Down]`.
+    pub fn structure_constants(&self) -> &Tensor<S> {
+        &self.structure
+    }
+
     /// The flag `D^1 = D`, `D^(k+1) = D^k + [D, D^k]`, until its terms no longer grow. The last term
     /// is the subalgebra that the distribution generates.
     pub fn flag(&self) -> Vec<Subspace<S>> {

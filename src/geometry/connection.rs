@@ -6,6 +6,7 @@ mod nonholonomic;
 
 pub use canonical::CanonicalConnection;
 pub use nonholonomic::complement_projector;
+pub(in crate::geometry) use nonholonomic::{columns, inverse_gram};
 
 use crate::Error;
 use crate::algebra::frame::{Frame, expect_numbers, expect_slots};

@@ -3,17 +3,20 @@
 //! The unknown is the initial velocity `v` of a curve with the parameter from 0 to 1. Newton's
 //! method with damping makes the end of the curve the given point. The derivative of the end is
 //! computed by differences of the velocity. [`chart`] has curves on charts, and
-//! [`homogeneous`] curves on groups and homogeneous spaces.
+//! [`homogeneous`] curves on groups and homogeneous spaces. [`sub_riemannian`] has the extremals of
+//! distributions on groups; their unknown is the initial covector, and their derivative is exact.
 
 pub mod chart;
 pub mod homogeneous;
+pub mod sub_riemannian;
 
 pub use chart::ChartShooting;
 pub use homogeneous::HomogeneousShooting;
+pub use sub_riemannian::{HorizontalGeodesic, HorizontalShooting, SubRiemannianGroup};
 
 use crate::Error;
 use crate::numerics::shooting::{Equations, newton};
-use nalgebra::DVector;
+use nalgebra::{DMatrix, DVector};
 
 /// The rounding error of an end, relative to the size of its numbers.
 const ROUNDING: f64 = 1e-13;
@@ -55,9 +58,38 @@ impl Geodesic {
     }
 }
 
+impl Connecting for Geodesic {
+    fn start(&self) -> &DVector<f64> {
+        &self.velocity
+    }
+
+    fn size(&self) -> f64 {
+        self.length.unwrap_or_else(|| self.velocity.norm())
+    }
+
+    fn residual(&self) -> f64 {
+        self.residual
+    }
+}
+
+/// A curve between two points that a search has found.
+pub trait Connecting {
+    /// The initial values that distinguish the curve from others: a velocity or a covector.
+    fn start(&self) -> &DVector<f64>;
+
+    /// The length, or another size by which curves are sorted.
+    fn size(&self) -> f64;
+
+    /// The distance between the computed and the given end.
+    fn residual(&self) -> f64;
+}
+
 /// A problem with two end points. The unknowns are the initial velocity and, if necessary, further
 /// numbers.
 pub trait Shooting {
+    /// The type of the curves.
+    type Curve: Connecting;
+
     /// The difference between the end of the curve and the given end, for these unknowns. The
     /// curve is computed to a tolerance.
     ///
@@ -74,7 +106,21 @@ pub trait Shooting {
         unknowns: &DVector<f64>,
         miss: &DVector<f64>,
         regularity: f64,
-    ) -> Result<Geodesic, Error>;
+    ) -> Result<Self::Curve, Error>;
+
+    /// The derivative of the miss by the unknowns in units of their [`sizes`](Self::sizes), if it is
+    /// known. Otherwise, it is computed by differences.
+    ///
+    /// # Errors
+    /// The errors of [`miss`](Self::miss).
+    fn derivative(
+        &self,
+        unknowns: &DVector<f64>,
+        tolerance: f64,
+    ) -> Result<Option<DMatrix<f64>>, Error> {
+        let _ = (unknowns, tolerance);
+        Ok(None)
+    }
 
     /// The unknowns from which the search begins, the most promising ones first.
     fn starts(&self, count: usize) -> Vec<DVector<f64>>;
@@ -94,8 +140,8 @@ const TRIES: usize = 8;
 ///
 /// # Errors
 /// [`Error::NoGeodesic`] if none is found: with the smallest miss.
-pub fn find(problem: &impl Shooting, count: Option<usize>) -> Result<Vec<Geodesic>, Error> {
-    let mut found: Vec<Geodesic> = vec![];
+pub fn find<P: Shooting>(problem: &P, count: Option<usize>) -> Result<Vec<P::Curve>, Error> {
+    let mut found: Vec<P::Curve> = vec![];
     let (mut nearest, mut reason) = (f64::INFINITY, None);
     for start in problem.starts(count.unwrap_or(TRIES)) {
         if count.is_none() && !found.is_empty() {
@@ -103,9 +149,9 @@ pub fn find(problem: &impl Shooting, count: Option<usize>) -> Result<Vec<Geodesi
         }
         match solve(problem, start) {
             Ok(Solution::Found(geodesic)) => {
-                let size = geodesic.velocity.amax();
+                let size = geodesic.start().amax();
                 let is_same =
-                    |other: &Geodesic| (&other.velocity - &geodesic.velocity).amax() <= SAME * size;
+                    |other: &P::Curve| (other.start() - geodesic.start()).amax() <= SAME * size;
                 if !found.iter().any(is_same) {
                     found.push(geodesic);
                 }
@@ -121,26 +167,26 @@ pub fn find(problem: &impl Shooting, count: Option<usize>) -> Result<Vec<Geodesi
         };
         return Err(Error::NoGeodesic { reason });
     }
-    let size = |geodesic: &Geodesic| geodesic.length.unwrap_or_else(|| geodesic.velocity.norm());
-    found.sort_by(|a, b| size(a).total_cmp(&size(b)));
+    found.sort_by(|a, b| a.size().total_cmp(&b.size()));
     Ok(found)
 }
 
 /// The outcome of the iteration from one start.
-enum Solution {
-    Found(Geodesic),
+enum Solution<C> {
+    Found(C),
     /// The size of the smallest miss.
     Missed(f64),
 }
 
 /// Newton's method from one start.
-fn solve(problem: &impl Shooting, start: DVector<f64>) -> Result<Solution, Error> {
+fn solve<P: Shooting>(problem: &P, start: DVector<f64>) -> Result<Solution<P::Curve>, Error> {
     let end = Ends(problem);
     let reached = newton(&end, start)?;
     let geodesic = problem.geodesic(&reached.unknowns, &reached.miss, reached.regularity)?;
-    Ok(match geodesic.residual <= end.allowed(&reached.unknowns) {
+    let residual = geodesic.residual();
+    Ok(match residual <= end.allowed(&reached.unknowns) {
         true => Solution::Found(geodesic),
-        false => Solution::Missed(geodesic.residual),
+        false => Solution::Missed(residual),
     })
 }
 
@@ -150,6 +196,14 @@ struct Ends<'p, P>(&'p P);
 impl<P: Shooting> Equations for Ends<'_, P> {
     fn miss(&self, unknowns: &DVector<f64>, tolerance: f64) -> Result<DVector<f64>, Error> {
         self.0.miss(unknowns, tolerance)
+    }
+
+    fn derivative(
+        &self,
+        unknowns: &DVector<f64>,
+        tolerance: f64,
+    ) -> Result<Option<DMatrix<f64>>, Error> {
+        self.0.derivative(unknowns, tolerance)
     }
 
     fn sizes(&self) -> DVector<f64> {

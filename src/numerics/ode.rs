@@ -25,6 +25,18 @@ pub(crate) fn solve(
     times: &[f64],
     tolerance: f64,
 ) -> Result<Vec<DVector<f64>>, Error> {
+    solve_within(MAX_STEPS, f, start, y0, times, tolerance)
+}
+
+/// The solution of [`solve`], with at most `steps` steps between two output times.
+pub(crate) fn solve_within(
+    steps: usize,
+    f: impl Fn(f64, &DVector<f64>) -> DVector<f64>,
+    start: f64,
+    y0: DVector<f64>,
+    times: &[f64],
+    tolerance: f64,
+) -> Result<Vec<DVector<f64>>, Error> {
     if tolerance.is_nan() || tolerance <= 0.0 {
         return Err(stop(start, &format!("the tolerance {tolerance} is not positive")));
     }
@@ -35,7 +47,7 @@ pub(crate) fn solve(
             return Err(stop(t, &format!("the time {end} is not finite")));
         }
         if end != t {
-            y = advance(&f, t, end, y, tolerance)?;
+            y = advance(steps, &f, t, end, y, tolerance)?;
             t = end;
         }
         values.push(y.clone());
@@ -49,6 +61,7 @@ fn stop(t: f64, reason: &str) -> Error {
 
 /// Advances the solution to `end`, with as many steps as the tolerance requires.
 fn advance(
+    steps: usize,
     f: &impl Fn(f64, &DVector<f64>) -> DVector<f64>,
     start: f64,
     end: f64,
@@ -63,7 +76,7 @@ fn advance(
     // the first step is a hundredth of the time in which y would change by its own size
     let [size, speed] = [&y, &slope].map(|v| norm(v, &y, &y, tolerance));
     let mut next = if size > 1e-5 && speed > 1e-5 { 0.01 * size / speed } else { 1e-6 };
-    for _ in 0..MAX_STEPS {
+    for _ in 0..steps {
         checkpoint();
         let left = end - t;
         let last = next >= left.abs();

@@ -25,6 +25,19 @@ pub(crate) trait Equations {
     /// An error if the miss does not exist.
     fn miss(&self, unknowns: &DVector<f64>, tolerance: f64) -> Result<DVector<f64>, Error>;
 
+    /// The derivative of the miss by the unknowns in units of their sizes, if it is known. Otherwise,
+    /// it is computed by differences.
+    ///
+    /// # Errors
+    /// An error if the miss does not exist.
+    fn derivative(
+        &self,
+        _unknowns: &DVector<f64>,
+        _tolerance: f64,
+    ) -> Result<Option<DMatrix<f64>>, Error> {
+        Ok(None)
+    }
+
     /// The sizes of the unit vectors of the unknowns.
     fn sizes(&self) -> DVector<f64>;
 
@@ -53,7 +66,7 @@ pub(crate) struct Reached {
     pub regularity: f64,
 }
 
-/// Newton's method from one start. The derivative is computed by differences.
+/// Newton's method from one start.
 ///
 /// # Errors
 /// An error if the miss does not exist at the start, or near a point of the iteration.
@@ -71,9 +84,14 @@ pub(crate) fn newton(problem: &impl Equations, start: DVector<f64>) -> Result<Re
             tolerance = fine;
             miss = problem.miss(&unknowns, tolerance)?;
         }
-        // far from a solution, differences to one side are accurate enough
-        let one_side = (tolerance > fine).then_some(&miss);
-        let derivative = derivative(problem, &unknowns, one_side, tolerance)?;
+        let derivative = match problem.derivative(&unknowns, tolerance)? {
+            Some(derivative) => derivative,
+            // far from a solution, differences to one side are accurate enough
+            None => {
+                let one_side = (tolerance > fine).then_some(&miss);
+                by_differences(problem, &unknowns, one_side, tolerance)?
+            }
+        };
         let correction;
         (correction, regularity) = least_squares_with_ratio(&derivative, &miss);
         let correction = correction.component_div(&problem.sizes());
@@ -102,7 +120,7 @@ pub(crate) fn newton(problem: &impl Equations, start: DVector<f64>) -> Result<Re
 /// The derivative of the miss by the unknowns in units of their sizes, so that singular values do
 /// not depend on units. It is computed by central differences, or, if the miss at the point is
 /// given, by differences to one side.
-fn derivative(
+fn by_differences(
     problem: &impl Equations,
     unknowns: &DVector<f64>,
     miss: Option<&DVector<f64>>,

@@ -16,6 +16,7 @@ mod input {
     mod urdf;
 }
 mod problem {
+    mod horizontal;
     mod on_tree;
 }
 mod report;

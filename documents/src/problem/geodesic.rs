@@ -71,7 +71,7 @@ pub fn geodesics(
 }
 
 /// The sources of two options.
-type Ends<'t> = [(&'static str, &'t str); 2];
+pub(super) type Ends<'t> = [(&'static str, &'t str); 2];
 
 /// The connection in words, and its name.
 fn connection<S: Scalar + Notation>(geometry: &Geometry<S>) -> [String; 2] {
@@ -142,7 +142,7 @@ fn on_group(space: &Space, texts: Ends, starts: Option<usize>) -> Result<Connect
 }
 
 /// The numbers of a point of a group.
-fn point(
+pub(super) fn point(
     space: &Space,
     group: &AnyGroup,
     option: &'static str,
@@ -154,7 +154,7 @@ fn point(
 }
 
 /// The element with these numbers: coordinates, or the rows of its matrix.
-fn element(
+pub(super) fn element(
     group: &AnyGroup,
     complement: &DMatrix<f64>,
     numbers: &[f64],
@@ -167,7 +167,7 @@ fn element(
 }
 
 /// An error with the location of the option that it is about.
-fn at_option(error: affinor::Error, texts: &Ends) -> InputError {
+pub(super) fn at_option(error: affinor::Error, texts: &Ends) -> InputError {
     let of_end = matches!(error, affinor::Error::EndPoint { .. });
     let (option, text) = texts[usize::from(of_end)];
     let source = Source::new(option, text);

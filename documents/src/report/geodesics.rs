@@ -61,7 +61,7 @@ impl Geodesics {
 }
 
 /// The text of a number. A very large or very small number has an exponent.
-fn number(x: f64) -> String {
+pub(super) fn number(x: f64) -> String {
     if x.abs() >= 1e16 { format!("{x:e}") } else { written(&x) }
 }
 

@@ -355,7 +355,7 @@ impl Definition {
     }
 
     /// Parses linear combinations of basis vectors, separated by commas, with letters as parameters.
-    #[cfg(feature = "mechanisms")]
+    #[cfg(any(feature = "mechanisms", feature = "curves"))]
     pub(crate) fn vectors(
         &self,
         source: &Source,

@@ -324,7 +324,7 @@ fn enclosed<'t>(text: &'t str, open: &str, close: char) -> Option<&'t str> {
 }
 
 /// Splits a text at commas outside parentheses and brackets.
-pub(super) fn split(text: &str) -> Vec<&str> {
+pub(crate) fn split(text: &str) -> Vec<&str> {
     let (mut depth, mut start, mut parts) = (0i64, 0, Vec::new());
     for (at, symbol) in text.char_indices() {
         match symbol {

@@ -162,7 +162,8 @@ impl Space {
         }
         let found = values.iter().flatten().count();
         let count = if found == 1 { "1 value".into() } else { format!("{found} values") };
-        let message = format!("{option} has {count}, but a point has {}", names.len());
+        let whole = if option == "--covector" { "a covector" } else { "a point" };
+        let message = format!("{option} has {count}, but {whole} has {}", names.len());
         let error = InputError::usage(message).at(&source.whole(&source.text));
         Err(error.help(match others {
             Some(others) => format!("give {}, or the {others} entries of a matrix", all()),

@@ -4,7 +4,7 @@ use super::Connection;
 use crate::algebra::frame::{expect_slots, formula};
 use crate::algebra::structure::Subspace;
 use crate::{Error, Metric};
-use affinor_tensors::linear::Matrix;
+use affinor_tensors::linear::{Matrix, Row};
 use affinor_tensors::{Down, Field, Scalar, Tensor, Up};
 
 /// The orthogonal projector `P'^i_j` onto the orthogonal complement of a subspace, slots
@@ -32,28 +32,45 @@ pub fn complement_projector<S: Field + Scalar>(
     let (n, r) = (subspace.ambient(), subspace.dimension());
     let g = metric.components();
     expect_slots("the metric", g, n, &[Down, Down])?;
-    // the columns of `D`; the columns from `r` on are zero
-    let basis = subspace
-        .basis()
+    let basis = columns(n, subspace.basis())?;
+    let inverse = inverse_gram(g, &basis, r)?.ok_or_else(|| Error::Invalid {
+        what: "distribution",
+        reason: "the metric is degenerate on it, so it has no orthogonal complement".into(),
+    })?;
+    let one = Tensor::identity(n);
+    let operands = [("d", &one), ("D", &basis), ("K", &inverse), ("g", g)];
+    Ok(formula("d^i_j - D^i_a K^ab D^k_b g_kj -> ^i_j", &operands).with_tolerance(g.tolerance()))
+}
+
+/// The matrix `D^i_a` whose columns are vectors of dimension `n`, slots `[Up, Down]`. The columns
+/// after the last vector are zero.
+pub(in crate::geometry) fn columns<S: Scalar>(
+    n: usize,
+    vectors: &[Row<S>],
+) -> Result<Tensor<S>, Error> {
+    let entries = vectors
         .iter()
         .enumerate()
         .flat_map(|(a, row)| row.iter().map(move |(i, value)| ([*i, a], value.clone())));
-    let basis = Tensor::from_components(n, &[Up, Down], basis)?;
-    let gram = formula("D^i_a g_ij D^j_b -> _ab", &[("D", &basis), ("g", g)]);
+    Ok(Tensor::from_components(n, &[Up, Down], entries)?)
+}
+
+/// The inverse `K^ab` of the matrix `D^i_a g_ij D^j_b` of a metric on the first `r` columns of `D`,
+/// slots `[Up, Up]`. Returns `None` if the metric is degenerate on them.
+pub(in crate::geometry) fn inverse_gram<S: Field + Scalar>(
+    g: &Tensor<S>,
+    basis: &Tensor<S>,
+    r: usize,
+) -> Result<Option<Tensor<S>>, Error> {
+    let gram = formula("D^i_a g_ij D^j_b -> _ab", &[("D", basis), ("g", g)]);
     let mut rows = vec![vec![]; r];
     for (at, value) in gram.components() {
         rows[at[0]].push((at[1], value.clone()));
     }
     let gram = Matrix::from_rows(r, rows).expect("columns of a square matrix");
-    let inverse = gram.with_tolerance(g.tolerance()).inverse().ok_or_else(|| Error::Invalid {
-        what: "distribution",
-        reason: "the metric is degenerate on it, so it has no orthogonal complement".into(),
-    })?;
+    let Some(inverse) = gram.with_tolerance(g.tolerance()).inverse() else { return Ok(None) };
     let inverse = inverse.entries().map(|(a, b, value)| ([a, b], value.clone()));
-    let inverse = Tensor::from_components(n, &[Up, Up], inverse)?;
-    let one = Tensor::identity(n);
-    let operands = [("d", &one), ("D", &basis), ("K", &inverse), ("g", g)];
-    Ok(formula("d^i_j - D^i_a K^ab D^k_b g_kj -> ^i_j", &operands).with_tolerance(g.tolerance()))
+    Ok(Some(Tensor::from_components(basis.dimension(), &[Up, Up], inverse)?))
 }
 
 impl<S: Scalar> Connection<S> {

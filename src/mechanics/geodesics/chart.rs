@@ -117,6 +117,8 @@ impl ChartShooting {
 }
 
 impl Shooting for ChartShooting {
+    type Curve = Geodesic;
+
     fn miss(&self, velocity: &DVector<f64>, tolerance: f64) -> Result<DVector<f64>, Error> {
         let n = self.from.len();
         let end = self.end(velocity, tolerance)?;

@@ -93,6 +93,8 @@ fn column(matrix: &DMatrix<f64>) -> DVector<f64> {
 }
 
 impl Shooting for HomogeneousShooting {
+    type Curve = Geodesic;
+
     fn miss(&self, unknowns: &DVector<f64>, tolerance: f64) -> Result<DVector<f64>, Error> {
         let (n, group) = (self.system.dimension(), self.system.base());
         let [element, _] = self.end(&unknowns.rows(0, n).into(), tolerance)?;
