@@ -24,21 +24,22 @@ pub(crate) fn null_space(matrix: &DMatrix<f64>, zero: f64) -> DMatrix<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use nalgebra::RowDVector;
 
     /// Matrices of all ranks, also with vanishing and repeated rows.
     #[test]
     fn bases_are_orthonormal_and_complete() {
-        let row = |k: usize| DMatrix::from_fn(1, 5, |_, j| ((3 * k + 2 * j) as f64).sin());
+        let row = |k: usize| RowDVector::from_fn(5, |_, j| ((3 * k + 2 * j) as f64).sin());
         for rank in 0..=5 {
             for rows in [rank, rank + 1, 8] {
                 // rows beyond the rank are sums of earlier ones, or zero
                 let mut matrix = DMatrix::zeros(rows, 5);
                 for at in 0..rows {
                     let own = match (at < rank, rank) {
-                        (true, _) => DMatrix::from_fn(1, 5, |_, j| {
+                        (true, _) => RowDVector::from_fn(5, |_, j| {
                             row(at)[j] + if j == at { 3.0 } else { 0.0 }
                         }),
-                        (false, 0) => DMatrix::zeros(1, 5),
+                        (false, 0) => RowDVector::zeros(5),
                         (false, _) => matrix.row(at % rank) + matrix.row(0) * 0.5,
                     };
                     matrix.row_mut(at).copy_from(&own);

@@ -69,6 +69,7 @@ enum Shape {
     /// A mesh: its mass properties at density 1, and its surface.
     Mesh(MassProperties, Solid),
     /// The mass properties of a link of a robot.
+    #[cfg_attr(not(feature = "mechanisms"), expect(dead_code, reason = "robots are mechanisms"))]
     Link(MassProperties),
 }
 

@@ -62,7 +62,7 @@ fn geodesics_between_two_points() {
     let text = text(&found, Format::Text);
     assert!(text.contains("not proved: a shorter geodesic may exist"), "{text}");
     let HorizontalCurves::Geodesics { geodesics, .. } = found.curves else { panic!("{found:?}") };
-    assert!((geodesics[0].length - 2.0 * f64::sqrt(PI / 2.0)).abs() < 1e-6);
+    assert!((geodesics[0].0.length - 2.0 * f64::sqrt(PI / 2.0)).abs() < 1e-6);
 }
 
 #[test]

@@ -185,7 +185,7 @@ mod tests {
     fn solutions_agree_with_the_matrix() -> Result<(), crate::Error> {
         let mut moving = branched()?;
         let mass = moving.mass_matrix();
-        let factor = moving.mass_factor().unwrap();
+        let factor = moving.mass_factor().expect("a positive definite matrix");
         let n = mass.nrows();
         let mut lower = DMatrix::zeros(n, n);
         for (rate, row) in factor.rows.iter().enumerate() {
