@@ -17,7 +17,7 @@ mod input {
 }
 mod problem {
     mod horizontal;
-    mod on_tree;
+    pub mod on_tree;
 }
 mod report;
 
@@ -34,7 +34,7 @@ mod claims {
     mod parameters;
     mod places;
     mod printed;
-    mod problems;
+    pub mod problems;
     mod public_reports;
     mod random_charts;
     mod right_invariant;

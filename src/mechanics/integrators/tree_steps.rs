@@ -20,9 +20,9 @@ pub enum TreeScheme {
 }
 
 /// Steps of trees of bodies with step-size control. After each step, the state is projected onto the
-/// constraints. So the error of a step is its part along the constraints, and the other part counts
-/// only with the factor `r^(1/4)`. Near singular positions, rounding errors across the constraints
-/// are large.
+/// constraints. So the error of a step is its part along the constraints, and a tenth of the other
+/// part. Near singular positions, rounding errors across the constraints are large. If a few shorter
+/// steps do not avoid such a position, the other part counts with the factor `r^(1/4)`.
 ///
 /// Let `r` be the tolerance. The error of an angle is at most `r`, or `r/10` of its change in the
 /// step if this is larger. The error of a translation is compared to the same multiple of the
@@ -37,11 +37,18 @@ pub struct TreeSteps {
     pub control: Adaptive,
 }
 
-/// A step that was tried: its end on the constraints, and its error in units of the allowed error.
+/// A step that was tried: its end on the constraints, and the parts of its error along and across the
+/// constraints, in units of the allowed error.
 struct Tried {
     end: DVector<f64>,
-    error: f64,
+    along: f64,
+    across: f64,
 }
+
+/// The part of the error across the constraints that counts in the first tries of a step.
+const ACROSS: f64 = 0.1;
+/// The number of these tries.
+const TRIES: usize = 4;
 
 /// Newton's method stops at this multiple of the allowed error.
 const NEWTON: f64 = 1e-3;
@@ -76,9 +83,10 @@ impl TreeSteps {
         }
         let units: Vec<f64> = system.tree().units().collect();
         let slope = system.slope(state.time, &state.numbers);
-        let mut matrix = None;
+        let (mut matrix, mut tries) = (None, 0);
         loop {
             checkpoint();
+            tries += 1;
             let left = end - state.time;
             *next = next.min(self.control.max_step);
             let last = *next >= left.abs();
@@ -89,12 +97,15 @@ impl TreeSteps {
                 return Err(stopped(state.time, "the steps become too small"));
             }
             // tries a shorter step, which may still succeed
-            let Some(Tried { end: reached, error }) =
+            let Some(Tried { end: reached, along, across }) =
                 self.tried(system, &units, state, &slope, h, &mut matrix)
             else {
                 *next = 0.2 * h.abs();
                 continue;
             };
+            let least = self.control.tolerance.powf(0.25).min(ACROSS);
+            let counted = if tries <= TRIES { ACROSS } else { least };
+            let error = along.max(counted * across);
             if !last || error > 1.0 {
                 let exponent = match self.scheme {
                     TreeScheme::DormandPrince => -0.125,
@@ -150,9 +161,8 @@ impl TreeSteps {
             [fifth, third] => combined_error([ratio(fifth), ratio(third)]),
             _ => list.iter().map(ratio).fold(0.0, f64::max),
         };
-        // the projection removes errors across the constraints, which may be larger
-        let error = combined(&along).max(self.control.tolerance.powf(0.25) * combined(&whole));
-        error.is_finite().then_some(Tried { end, error })
+        let [along, across] = [combined(&along), combined(&whole)];
+        (along.is_finite() && across.is_finite()).then_some(Tried { end, along, across })
     }
 
     /// The units of the numbers and the rates.

@@ -11,10 +11,10 @@
 //! ```
 //!
 //! In reading order: [`Tree`] is the tree; [`moving`] its poses, velocities, energy and momentum;
-//! `inverse` computes joint forces from accelerations, `articulated` accelerations from joint forces,
-//! `composite` the mass matrix, and
-//! `mass` its factorization. F. C. Park, J. E. Bobrow and S. R. Ploen, *Int. J. Robotics
-//! Research* 14 (1995) 609-618; R. Featherstone, *Rigid Body Dynamics Algorithms* (2008).
+//! `inverse` computes joint forces from accelerations, and `articulated` accelerations from joint
+//! forces. `composite` is the mass matrix, and `mass` its factorization. F. C. Park, J. E. Bobrow and
+//! S. R. Ploen, *Int. J. Robotics Research* 14 (1995) 609-618; R. Featherstone, *Rigid Body Dynamics
+//! Algorithms* (2008).
 
 mod articulated;
 mod composite;

@@ -4,6 +4,7 @@
 //! Guards `documents::problem` and `mechanics::simulation`.
 
 mod checks;
+pub mod linkages;
 mod mechanisms;
 mod nonholonomic;
 mod references;

@@ -3,21 +3,20 @@
 
 mod constraints;
 mod linearized;
-mod linkages;
 mod springs;
 
 use affinor_documents::input::InputError;
 use affinor_documents::problem::Problem;
 
 /// The values of columns at a time.
-fn last(text: &str, end: f64, columns: &[&str]) -> Result<Vec<f64>, InputError> {
+pub fn last(text: &str, end: f64, columns: &[&str]) -> Result<Vec<f64>, InputError> {
     let problem = Problem::parse("tree.toml", text)?;
     let mut ready = problem.with_columns(columns).at_times(&[end]).motion(0)?;
     while !ready.motion.step(end)? {}
     Ok(ready.motion.row())
 }
 
-fn expect_close(found: &[f64], expected: &[f64], tolerance: f64) {
+pub fn expect_close(found: &[f64], expected: &[f64], tolerance: f64) {
     assert_eq!(found.len(), expected.len());
     for (at, (found, expected)) in found.iter().zip(expected).enumerate() {
         assert!((found - expected).abs() <= tolerance, "{at}: {found} instead of {expected}");

@@ -45,7 +45,7 @@ enum ContactKind {
     Edge,
 }
 
-/// What requires a constraint.
+/// The part of a file that requires a constraint.
 #[derive(Clone, Debug)]
 pub(super) enum Cause {
     /// A loop, in which this body was cut.

@@ -40,8 +40,8 @@ impl MovingTree {
         matrix
     }
 
-    /// Calls `add(k, l, entry)` for the entries of the mass matrix that do not vanish: for each rate
-    /// `k`, first `l = k`, then the rates `l` on the way to the ground in this order.
+    /// Calls `add(k, l, entry)` for the entries of the mass matrix that do not vanish. For each rate
+    /// `k`, `l` is first `k` itself, then each rate on the way to the ground.
     pub(super) fn mass_entries(&mut self, mut add: impl FnMut(usize, usize, f64)) {
         let tree = self.tree.clone();
         for (node, own) in tree.nodes.iter().zip(&mut self.nodes) {

@@ -1,8 +1,8 @@
 //! Loops, contacts, motors and formulas as constraints in joint coordinates: closed forms, the balance
 //! of reactions, and what must not matter.
 
-use super::linkages::windows;
 use super::{GROUND, expect_close, last, single};
+use crate::claims::problems::linkages::windows;
 use affinor_documents::input::InputError;
 use affinor_documents::problem::Problem;
 use std::f64::consts::FRAC_PI_2;
@@ -374,7 +374,7 @@ pub fn two_hinges(keys: &str, first: &str, second: &str) -> String {
     )
 }
 
-/// Constraints that contradict each other are refused at the start, or end the run as soon as they do.
+/// Contradictory constraints are errors at the start, or end the run at a later time.
 #[test]
 fn contradictory_constraints_end_the_run() {
     let start = "the constraint allows no acceleration at these rates";
@@ -392,7 +392,7 @@ fn contradictory_constraints_end_the_run() {
     }
 }
 
-/// Slow rates in a strong field of gravity are no contradiction, however small they are.
+/// Slow rates are consistent in a strong field of gravity, however small they are.
 #[test]
 fn slow_rates_are_accepted() -> Result<(), InputError> {
     for rate in ["1e-3", "1e-6", "1e-12", "0"] {

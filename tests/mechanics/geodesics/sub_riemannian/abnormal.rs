@@ -35,7 +35,7 @@ fn no_strictly_abnormal_extremal_of_the_cartan_group() {
 }
 
 /// On se(2) + R with a distribution of growth (2, 3, 4), the extremal satisfies the equations of abnormal
-/// extremals, and has unit speed; its direction does not depend on the basis.
+/// extremals, and has unit speed. Its direction does not depend on the basis.
 #[test]
 fn the_equations_hold_along_the_extremal() {
     let vectors: Vectors = &[&[(0, 1.0)], &[(1, 1.0), (3, 1.0)]];

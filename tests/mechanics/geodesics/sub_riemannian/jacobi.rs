@@ -1,5 +1,6 @@
 //! The differential of the exponential map and conjugate times: closed forms on the Heisenberg group,
-//! SO(3) and SL(2), elliptic functions on SE(2), differences, and extremals without regular times.
+//! SO(3) and SL(2), and elliptic functions on SE(2). Other tests use differences, and extremals without
+//! regular times.
 
 use super::*;
 use affinor::mechanics::geodesics::sub_riemannian::Conjugacy;

@@ -1,7 +1,7 @@
 //! Linkages of parallel rods, which pass singular positions: closed forms, many loops, and what must not
 //! matter.
 
-use super::{expect_close, last};
+use crate::problem::on_tree::{expect_close, last};
 use affinor_documents::input::InputError;
 use nalgebra::{Matrix3, Rotation3, Vector3};
 use std::fmt::Write as _;
