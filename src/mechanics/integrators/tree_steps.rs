@@ -21,7 +21,7 @@ pub enum TreeScheme {
 
 /// Steps of trees of bodies with step-size control. After each step, the state is projected onto the
 /// constraints. So the error of a step is its part along the constraints, and a tenth of the other
-/// part. Near singular positions, rounding errors across the constraints are large. If a few shorter
+/// part. Near singular positions, rounding errors across the constraints are large. If some shorter
 /// steps do not avoid such a position, the other part counts with the factor `r^(1/4)`.
 ///
 /// Let `r` be the tolerance. The error of an angle is at most `r`, or `r/10` of its change in the
@@ -48,7 +48,10 @@ struct Tried {
 /// The part of the error across the constraints that counts in the first tries of a step.
 const ACROSS: f64 = 0.1;
 /// The number of these tries.
-const TRIES: usize = 4;
+const TRIES: usize = 12;
+/// A step is shortened by this factor if a stage may be near a singular position. Much shorter steps
+/// would lead to it.
+const ASIDE: f64 = 0.83;
 
 /// Newton's method stops at this multiple of the allowed error.
 const NEWTON: f64 = 1e-3;
@@ -111,7 +114,10 @@ impl TreeSteps {
                     TreeScheme::DormandPrince => -0.125,
                     TreeScheme::Radau => -0.25,
                 };
-                *next = h.abs() * (0.9 * error.powf(exponent)).clamp(0.2, 5.0);
+                let is_near = error > 1.0 && tries <= TRIES && across > along / ACROSS;
+                let factor =
+                    if is_near { ASIDE } else { (0.9 * error.powf(exponent)).clamp(0.2, 5.0) };
+                *next = h.abs() * factor;
             }
             if error <= 1.0 {
                 let time = if last { end } else { state.time + h };

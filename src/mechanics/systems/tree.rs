@@ -223,19 +223,22 @@ impl TreeSystem {
         let units: Vec<f64> = self.tree.units().collect();
         let mut rows = self.rows(time, y.as_slice(), buffers);
         let mut reduction = self.reduction(&rows, buffers).ok_or_else(singular)?;
-        let mut last = f64::INFINITY;
+        let (mut last, mut before) = (f64::INFINITY, f64::INFINITY);
         let mut is_fresh = true;
         for _ in 0..ITERATIONS {
             let change = reduction.shortest(&rows.missing());
             let size = self.tree.largest(&change);
             let is_slow = size.is_nan() || size > 0.1 * last;
-            if size <= STILL || (is_slow && last <= NEAR) {
+            // near a singular position, rounding errors remain
+            let is_still = size <= STILL || (size <= NEAR && size > 0.9 * before);
+            if is_still && (is_slow || size <= STILL) {
                 last = size;
                 break;
             }
             if is_slow && !is_fresh {
                 reduction = self.reduction(&rows, buffers).ok_or_else(singular)?;
                 is_fresh = true;
+                (last, before) = (f64::INFINITY, size);
                 continue;
             }
             self.tree.displace(&mut y.as_mut_slice()[..split], change.as_slice());

@@ -99,7 +99,7 @@ impl TreeSystem {
             let back = metrics[0].component_mul(&DVector::from_iterator(units.len(), back));
             let change = reduction.nearest(&back, &rows.missing());
             let size = self.tree.largest(&change);
-            if size <= STILL || (size > 0.1 * last && last <= NEAR) {
+            if size <= STILL || (size > 0.9 * last && last <= NEAR) {
                 break;
             }
             // a long way may lead past the nearest closed position
