@@ -122,8 +122,8 @@ impl HorizontalShooting {
         &self.to
     }
 
-    /// The first conjugate parameter of a geodesic, from 0 to 1 up to rounding. A geodesic with a conjugate parameter
-    /// before 1 is not shortest.
+    /// The first conjugate parameter of a geodesic, from 0 to 1 up to rounding. A geodesic with a
+    /// conjugate parameter before 1 is not shortest.
     ///
     /// # Errors
     /// The errors of [`SubRiemannianGroup::first_conjugate`].

@@ -1,11 +1,14 @@
 //! The nearest vector that satisfies linear equations which may be redundant: `y = f - Y mu` with
 //! `Y^T y = r`. The columns of `Y` have at most the length 1.
 
-use super::reduction::DEPENDENT;
 use nalgebra::linalg::{Cholesky, PermutationSequence};
 use nalgebra::{DMatrix, DVector, Dyn};
 use nalgebra_sparse::factorization::CscCholesky;
 use nalgebra_sparse::{CooMatrix, CscMatrix};
+
+/// An equation counts as redundant if its part that is independent of others is at most this
+/// multiple of its size.
+pub(super) const DEPENDENT: f64 = 1e-6;
 
 /// The factorization `Y P = Q R` with pivoting, whose leading columns span all equations that are
 /// independent.

@@ -1,13 +1,9 @@
 //! Linear equations with a mass matrix and constraints that may be redundant.
 
-use super::multipliers::{Pivoted, Regularized};
+use super::multipliers::{DEPENDENT, Pivoted, Regularized};
 use super::rows::Rows;
 use crate::mechanism::tree::MassFactor;
 use nalgebra::{DMatrix, DVector};
-
-/// A constraint counts as redundant if its part that is independent of others is at most this
-/// multiple of its size, measured by the kinetic energy.
-pub(super) const DEPENDENT: f64 = 1e-6;
 
 /// The number of equations from which sparse factorizations are faster.
 const MANY: usize = 120;
